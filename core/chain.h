@@ -1,0 +1,47 @@
+/* The chain that is simulated: n rigid segments, tail first, and the n+1 bushings that join them to each other and its
+ * ends to the ground (a free end has a bushing of no stiffness). Immutable while a run lasts.
+ *
+ * Index convention, used everywhere: segment i is 0..n-1; joint j is 0..n and lies between segments j-1 and j. The
+ * ground bodies at the two ends ("ghosts") are segments -1 and n: every array over segments is allocated so that these
+ * two indices are valid, and is padded so that a vector of LANES may be loaded from any index up to n. */
+#ifndef HAWSER_CORE_CHAIN_H
+#define HAWSER_CORE_CHAIN_H
+
+/* Which frame a bushing's components are taken in. docs/model.md, "Bushing". */
+typedef enum BushingFrame {
+    FRAME_SYMMETRIC, /* the mid-frame, from a potential: energy-consistent (default) */
+    FRAME_ADAMS      /* the second marker's frame (marker J), as in the paper */
+} BushingFrame;
+
+typedef struct Chain {
+    int n;              /* segments */
+    int stride;         /* allocated length of every array below, counted from index -1 */
+    BushingFrame frame; /* of every bushing */
+    /* per segment, ghosts included */
+    double *half;       /* half length, m; 0 for ghosts */
+    double *mass;       /* kg; ghosts 1 */
+    double *inertia[3]; /* principal, about the segment's x (axis), y, z, kg m2; ghosts 1 */
+    double *radius;     /* contact radius, m */
+    /* per joint 0..n, components x (axial), y, z, then rotations x (torsion), y, z; x is the cable's axis */
+    double *stiffness[6]; /* N/m, N m/rad */
+    double *damping[6];   /* N s/m, N m s/rad */
+    double *preload[6];   /* N, N m: wrench at rest, positive in tension */
+} Chain;
+
+/* What the state says about every body, ghosts included, unpacked for the kernels; SI, world components.
+ * Each array is indexed as in Chain (-1 .. n). */
+typedef struct Kinematics {
+    double *p[3]; /* centre, m */
+    double *q[4]; /* unit quaternion (w, x, y, z) */
+    double *v[3]; /* velocity of the centre, m/s */
+    double *w[3]; /* angular velocity, rad/s */
+    double *a[3]; /* axis: R(q) e_x, unit */
+} Kinematics;
+
+/* Forces (N) at and moments (N m) about every segment's centre, world components, summed over what acts. */
+typedef struct Loads {
+    double *f[3];
+    double *m[3];
+} Loads;
+
+#endif

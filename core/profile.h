@@ -1,0 +1,33 @@
+/* Time profiles: constants, ADAMS' STEP and STEP5 ramps, tables. docs/model.md, "Profiles". */
+#ifndef HAWSER_CORE_PROFILE_H
+#define HAWSER_CORE_PROFILE_H
+
+typedef enum ProfileKind { PROFILE_CONSTANT, PROFILE_STEP, PROFILE_STEP5, PROFILE_TABLE } ProfileKind;
+
+/* A value as a function of time.
+ * CONSTANT: v1 always. STEP, STEP5: v0 up to t0, v1 from t1 on, the cubic or quintic between (references: ADAMS STEP).
+ * TABLE: n points (time[i], value[i]), times rising strictly, linear between, constant beyond the ends; the arrays
+ * are borrowed. */
+typedef struct Profile {
+    ProfileKind kind;
+    double t0, v0; /* s, unit of the value */
+    double t1, v1;
+    int n;
+    const double *time;  /* [n], s */
+    const double *value; /* [n] */
+} Profile;
+
+/* STEP(x, x0, h0, x1, h1) of ADAMS: h0 + (h1 - h0) D^2 (3 - 2D); x0 < x1. *slope (may be NULL) gets d/dx. */
+double step_cubic(double x, double x0, double h0, double x1, double h1, double *slope);
+/* STEP5: h0 + (h1 - h0) D^3 (10 - 15 D + 6 D^2). */
+double step_quintic(double x, double x0, double h0, double x1, double h1, double *slope);
+
+double profile_value(const Profile *p, double t);
+/* d(value)/dt; at a table's corner, the slope to the right. */
+double profile_rate(const Profile *p, double t);
+/* Integral of the value from 0 to t (t >= 0), exact for every kind. */
+double profile_integral(const Profile *p, double t);
+/* Writes the next time after t at which the profile is not smooth (a ramp's end, a table's corner); returns 0 if none. */
+int profile_next_corner(const Profile *p, double t, double *corner);
+
+#endif

@@ -1,0 +1,165 @@
+/* hawser: simulates how a power cable is pulled through a tunnel, a duct or over rollers, and says whether the pull is
+ * safe. This header is the whole public interface.
+ *
+ * Life of a run: load or define a case -> check -> build a simulation -> relax -> advance and sample -> summary -> free.
+ * Handles are opaque and independent of each other; there is no global state. Every call that can fail returns a
+ * hawser_status and, when `err` is given, writes one line of text that says what is wrong and where. SI units
+ * throughout: m, kg, s, N, rad. Strings and arrays that a call hands out stay the library's and live as long as the
+ * handle they came from, unless a comment says otherwise. */
+#ifndef HAWSER_HAWSER_H
+#define HAWSER_HAWSER_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum hawser_status {
+    HAWSER_OK = 0,
+    HAWSER_ERR_INPUT = 2,  /* a case, a setting or an argument is wrong; nothing was written */
+    HAWSER_ERR_RUN = 3,    /* the integration failed; what was computed before is kept */
+    HAWSER_ERR_OUTPUT = 4, /* a result could not be written */
+    HAWSER_ERR_MEMORY = 5,
+    HAWSER_STOPPED = 130   /* stopped because the caller asked for it */
+} hawser_status;
+
+enum { HAWSER_MESSAGE_MAX = 1024 };
+
+typedef struct hawser_error {
+    hawser_status status;
+    char message[HAWSER_MESSAGE_MAX];
+} hawser_error;
+
+const char *hawser_version(void);
+
+/* ------------------------------------------------------------------------------------------------ cases */
+
+typedef struct hawser_case hawser_case;
+
+/* Reads a YAML case file (docs/case-format.md). The file's values are not interpreted yet: settings may follow. */
+hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
+/* The same from text; `name` stands in for the file's name in messages. */
+hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
+/* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0:
+ * "chain.0.segment". A key that is allowed but absent is added. */
+hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err);
+/* Interprets and checks everything that can be checked without running. */
+hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
+void hawser_case_free(hawser_case *c);
+
+typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV } hawser_format;
+
+/* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free. */
+hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err);
+/* The closed-form pulling calculation of the case, station by station. *text as above. */
+hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err);
+void hawser_text_free(char *text);
+
+/* ------------------------------------------------------------------------------------------- simulations */
+
+typedef struct hawser_sim hawser_sim;
+
+typedef struct hawser_options {
+    int threads; /* 1 or 2; 0: the case's choice. Results do not depend on it. */
+} hawser_options;
+
+/* Builds the scene of a case. The case may be freed afterwards. options may be NULL. */
+hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out, hawser_error *err);
+void hawser_sim_free(hawser_sim *s);
+
+/* What the relaxation to the initial equilibrium reached. */
+typedef struct hawser_relaxation {
+    int reached;         /* 1: the residual is below the tolerance */
+    int iterations;      /* Newton steps */
+    double residual_N;   /* largest unbalanced force */
+    double tolerance_N;  /* what counts as equilibrium */
+    int segment;         /* where the residual is largest */
+    double moved_m;      /* farthest that a segment moved from the route */
+} hawser_relaxation;
+
+/* Brings the cable to static equilibrium under the loads of t = 0. Not reaching it is not an error: see `reached`. */
+hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err);
+
+/* One look at the simulation. Arrays belong to the simulation and are overwritten by the next sample. */
+typedef struct hawser_sample {
+    double t; /* s */
+    int segments;
+    int joints;  /* segments + 1: joint j lies between segments j-1 and j; 0 is the tail, the last is the winch */
+    int rollers;
+    double winch_force;   /* N, pull on the rope's end along the winch's direction */
+    double tail_tension;  /* N, back tension applied at the tail */
+    double winch_speed;   /* m/s, prescribed now */
+    double winch_travel;  /* m, hauled in so far */
+    double max_tension;   /* N, over all joints */
+    int max_tension_joint;
+    int active_contacts;
+    double step_size;     /* s, of the last step */
+    const double *position;    /* [3*segments] x0 y0 z0 x1 ..., m */
+    const double *quaternion;  /* [4*segments] w x y z ... */
+    const double *velocity;    /* [3*segments], m/s */
+    const double *omega;       /* [3*segments], rad/s */
+    const double *tension;     /* [joints], axial force, N, positive in tension */
+    const double *axial_speed; /* [segments], m/s, along the segment's own axis */
+    const double *roller_load; /* [rollers], N, size of the contact force on the roller */
+} hawser_sample;
+
+/* Advances to t (s), or to one step beyond it when `one_step` is not 0 and the step ends sooner than t. Returns
+ * HAWSER_ERR_RUN with when, where and what to try if the integration fails; the state of the last good step is kept. */
+hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err);
+double hawser_sim_time(const hawser_sim *s);
+double hawser_sim_end_time(const hawser_sim *s);
+const hawser_sample *hawser_sim_sample(hawser_sim *s);
+
+/* Runs the case: relaxes, advances to the end, samples, writes results into directory `dir` (NULL: writes nothing).
+ * `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly
+ * (HAWSER_STOPPED, with what was computed written). */
+typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
+hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+
+/* Where the time went, s; the parts of the solver add up to wall_time_s up to what `other` holds. */
+typedef struct hawser_phases {
+    double relax, rhs, contacts, jacobian, factor, solve, vector, output, other;
+} hawser_phases;
+
+typedef struct hawser_summary {
+    int segments, bushings, rollers;
+    int contact_candidates; /* pairs of line element and roller that are looked at, largest over the run */
+    int contact_active_max;
+    double sim_time_s, wall_time_s, real_time_factor;
+    long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_test_fails, newton_fails, contact_refreshes;
+    double steps_per_second;
+    const char *linear_solver;     /* "klu" ... */
+    const char *linear_solver_why; /* why it was chosen */
+    const char *ordering;
+    int threads;
+    double pull_mean_N, pull_peak_N, pull_ripple_N; /* winch force in the steady window: mean, RMS; peak of the run */
+    double paper_total_N, reference_total_N;
+    double error_max_pct, error_mean_pct;             /* stations against the reference theory */
+    double error_max_paper_pct, error_mean_paper_pct; /* stations against the paper's formulas */
+    double steady_speed_m_per_s, settle_time_s;
+    double steady_from_s, steady_to_s;
+    hawser_relaxation relaxation;
+    hawser_phases phases;
+} hawser_summary;
+
+void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);
+/* The summary as the text of summary.json; free it with hawser_text_free. */
+hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err);
+
+/* One station of the tension table (stations.csv). */
+typedef struct hawser_station {
+    const char *name;
+    double s;             /* m along the route */
+    double paper_N;       /* the paper's formulas */
+    double reference_N;   /* the bend ODE */
+    double mean_N, peak_N; /* simulated: mean of the steady window, peak of the run */
+} hawser_station;
+
+int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

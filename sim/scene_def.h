@@ -1,0 +1,150 @@
+/* What a case says, as plain data with defaults: the case reader fills it, scene_build() turns it into a Scene.
+ * SI units. Arrays are malloc'ed and owned by the SceneDef; scene_def_clear() frees them. */
+#ifndef HAWSER_SIM_SCENE_DEF_H
+#define HAWSER_SIM_SCENE_DEF_H
+
+#include "contact/contact_law.h"
+#include "core/chain.h"
+#include "core/profile.h"
+#include "core/route.h"
+#include "linsolve/linsolve.h"
+
+enum { NAME_MAX_LENGTH = 64 };
+
+/* A kind of cable or rope, per unit length. */
+typedef struct CableDef {
+    char name[NAME_MAX_LENGTH];
+    double ea, ga;     /* N */
+    double gj;         /* N m2 */
+    double ei_y, ei_z; /* N m2 */
+    double mass;       /* kg/m */
+    double diameter;   /* m, outside: contact and rotary inertia */
+    double damping;    /* s: C = damping * factor * K */
+    double damping_factor[6]; /* axial, shear y, shear z, torsion, bending y, bending z */
+} CableDef;
+
+/* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */
+typedef struct ChainPieceDef {
+    int cable; /* index into cables */
+    double length;
+    int segments; /* >= 1 */
+    int swivel;   /* the joint to the next piece is an eye with a swivel: it transmits no torsion */
+} ChainPieceDef;
+
+typedef struct RollerDef {
+    char name[NAME_MAX_LENGTH];
+    Vec3 centre, axis;   /* m, unit */
+    double radius, width; /* m; width is the whole length of the cylinder */
+    double rating;       /* N; 0: none given */
+    double s;            /* m along the route, for tables; NAN if listed by coordinates */
+    int hold_down;
+    FrictionLaw friction;
+} RollerDef;
+
+typedef enum ContactGeometry { GEOMETRY_SMOOTH, GEOMETRY_CYLINDER } ContactGeometry;
+
+typedef struct LeadInDef {
+    int present;
+    int carries_weight; /* the lead-in carries the cable's weight along the slope too, as a reel would */
+    double blend;       /* m over which the weight comes in at the route's start */
+} LeadInDef;
+
+typedef struct WinchDef {
+    int present;
+    Profile speed;  /* m/s along the route's end direction */
+    double *table_time, *table_value; /* owned, for PROFILE_TABLE */
+} WinchDef;
+
+typedef struct TailDef {
+    Profile tension; /* N, back along the route's start direction */
+    double *table_time, *table_value;
+} TailDef;
+
+/* A drag on the rope just ahead of the pulling eye (the paper's rope allowance, eq. 9): force times the friction law's
+ * velocity function, against the motion along the segment's axis. */
+typedef struct RopeDragDef {
+    double force; /* N; 0: none */
+    double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
+} RopeDragDef;
+
+typedef struct StationDef {
+    char name[NAME_MAX_LENGTH];
+    double s; /* m along the route */
+} StationDef;
+
+/* One term of the paper's eq. 3-10. */
+typedef enum PaperTermKind { PAPER_REEL, PAPER_SLOPE, PAPER_ARC, PAPER_ROPE } PaperTermKind;
+typedef struct PaperTermDef {
+    PaperTermKind kind;
+    char name[NAME_MAX_LENGTH];
+    double length; /* m: of cable for reel and rope, of path for slopes */
+    double slope;  /* rad, up positive: slopes; arcs: slope at the arc's start */
+    double slope_end; /* rad: arcs */
+    double radius; /* m: arcs */
+} PaperTermDef;
+
+typedef struct SolverDef {
+    double accuracy;   /* one number for all tolerances */
+    double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
+    int max_order;     /* BDF, 1..5 */
+    double max_step;   /* s, 0: none */
+    double first_step; /* s, 0: CVODE's choice */
+    long max_steps;    /* 0: none */
+    int relax;         /* bring to equilibrium before t = 0 */
+    double relax_tolerance; /* fraction of the largest segment weight or load */
+    int relax_iterations;
+    LinOptions linear;
+    int threads;
+} SolverDef;
+
+typedef struct OutputDef {
+    double interval;        /* s between rows of series.csv and samples of statistics */
+    double state_interval;  /* s between states in results.h5; 0: none */
+    double steady_from;     /* s; the steady window is steady_from .. end */
+    int n_speed_segments;
+    int *speed_segments;    /* whose speeds are columns of series.csv */
+} OutputDef;
+
+typedef struct SceneDef {
+    char title[256];
+    Vec3 gravity; /* m/s2 */
+    BushingFrame frame;
+
+    int n_cables;
+    CableDef *cables;
+    int n_pieces;
+    ChainPieceDef *pieces;
+
+    int n_route;
+    RoutePieceDef *route;
+    Vec3 route_start;
+    double route_heading, route_slope;
+    double head_at; /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
+    LeadInDef lead_in;
+
+    ContactGeometry geometry;
+    ImpactLaw impact;
+    FrictionLaw friction; /* default of every roller, and the theory's mu (mu_d) */
+    double contact_reach; /* m: candidates are refreshed after this much motion */
+    int n_rollers;
+    RollerDef *rollers;
+
+    WinchDef winch;
+    TailDef tail;
+    RopeDragDef drag;
+
+    int n_stations;
+    StationDef *stations;
+    int n_paper;
+    PaperTermDef *paper; /* 0 terms: taken from the route */
+
+    SolverDef solver;
+    OutputDef output;
+    double duration; /* s */
+} SceneDef;
+
+/* Every default there is; docs/case-format.md lists them. */
+void scene_def_defaults(SceneDef *def);
+void scene_def_clear(SceneDef *def);
+
+#endif
