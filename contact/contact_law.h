@@ -1,5 +1,5 @@
-/* Contact force laws with their derivatives: ADAMS' IMPACT and its two-speed friction, as functions of gap and speed.
- * docs/model.md, "Contact". */
+/* Contact force laws with their derivatives: ADAMS' IMPACT and its two-speed friction, as functions of gap
+ * and speed. docs/model.md, "Contact". */
 #ifndef HAWSER_CONTACT_CONTACT_LAW_H
 #define HAWSER_CONTACT_CONTACT_LAW_H
 
@@ -11,13 +11,15 @@ typedef struct ImpactLaw {
     double d; /* m, penetration at which the damping is full */
 } ImpactLaw;
 
-/* Friction coefficient over sliding speed: odd STEP from 0 to mu_s at v_s, STEP to mu_d at v_d, constant beyond. */
+/* Friction coefficient over sliding speed: odd STEP from 0 to mu_s at v_s, STEP to mu_d at v_d, constant
+ * beyond. */
 typedef struct FrictionLaw {
     double mu_s, mu_d;
     double v_s, v_d; /* m/s, 0 < v_s < v_d */
 } FrictionLaw;
 
-/* Normal force N (>= 0) at `gap` (m, negative: penetration) and its rate (m/s). d_gap, d_rate get dN/dgap, dN/drate. */
+/* Normal force N (>= 0) at `gap` (m, negative: penetration) and its rate (m/s). d_gap, d_rate get dN/dgap,
+ * dN/drate. */
 double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap, double *d_rate);
 
 /* Friction coefficient at sliding speed v >= 0, divided by v: mu(v)/v (s/m), finite at 0. d_over_v gets

@@ -11,10 +11,12 @@ typedef struct BlockChain {
     double *upper; /* [n][b*b]: row i, column i+1; the last is zero and unused */
 } BlockChain;
 
-/* Allocates zeroed blocks, 64-byte aligned; returns 0 if there is no memory (and leaves nothing allocated). */
+/* Allocates zeroed blocks, 64-byte aligned and readable a vector beyond their end; returns 0 if there is no memory (and leaves nothing allocated). */
 int block_chain_alloc(BlockChain *a, int n, int b);
 void block_chain_free(BlockChain *a);
 void block_chain_zero(BlockChain *a);
+/* The blocks of `from`, which has the same sizes. */
+void block_chain_copy(BlockChain *to, const BlockChain *from);
 /* y = y + s A x for vectors of n*b. */
 void block_chain_gemv(const BlockChain *a, double s, const double *x, double *y);
 

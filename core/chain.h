@@ -44,4 +44,21 @@ typedef struct Loads {
     double *m[3];
 } Loads;
 
+/* One array over segments or joints of a chain of n, every entry `fill`, valid from -1 and padded as said above.
+ * NULL if there is no memory. */
+double *chain_array_new(int n, double fill);
+double *chain_array_free(double *array);
+/* The length of such an array's allocation. */
+int chain_stride(int n);
+
+/* Allocate everything a chain of n segments needs: zeros, but masses and inertias 1, quaternions the identity and axes
+ * e_x. Return 0 if there is no memory (and leave nothing allocated). The frees may be called on zeroed structs. */
+int chain_alloc(Chain *chain, int n);
+void chain_free(Chain *chain);
+int kinematics_alloc(Kinematics *kin, int n);
+void kinematics_free(Kinematics *kin);
+int loads_alloc(Loads *loads, int n);
+void loads_free(Loads *loads);
+void loads_zero(Loads *loads, int n);
+
 #endif

@@ -4,10 +4,12 @@
 #define HAWSER_SIM_SCENE_DEF_H
 
 #include "contact/contact_law.h"
+#include "contact/element.h"
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
 #include "linsolve/linsolve.h"
+#include "theory/paper.h"
 
 enum { NAME_MAX_LENGTH = 64 };
 
@@ -41,8 +43,6 @@ typedef struct RollerDef {
     FrictionLaw friction;
 } RollerDef;
 
-typedef enum ContactGeometry { GEOMETRY_SMOOTH, GEOMETRY_CYLINDER } ContactGeometry;
-
 typedef struct LeadInDef {
     int present;
     int carries_weight; /* the lead-in carries the cable's weight along the slope too, as a reel would */
@@ -51,6 +51,7 @@ typedef struct LeadInDef {
 
 typedef struct WinchDef {
     int present;
+    int axial_only; /* holds the head along the pull only; otherwise it clamps it (a rope that runs on in the air) */
     Profile speed;  /* m/s along the route's end direction */
     double *table_time, *table_value; /* owned, for PROFILE_TABLE */
 } WinchDef;
@@ -71,17 +72,6 @@ typedef struct StationDef {
     char name[NAME_MAX_LENGTH];
     double s; /* m along the route */
 } StationDef;
-
-/* One term of the paper's eq. 3-10. */
-typedef enum PaperTermKind { PAPER_REEL, PAPER_SLOPE, PAPER_ARC, PAPER_ROPE } PaperTermKind;
-typedef struct PaperTermDef {
-    PaperTermKind kind;
-    char name[NAME_MAX_LENGTH];
-    double length; /* m: of cable for reel and rope, of path for slopes */
-    double slope;  /* rad, up positive: slopes; arcs: slope at the arc's start */
-    double slope_end; /* rad: arcs */
-    double radius; /* m: arcs */
-} PaperTermDef;
 
 typedef struct SolverDef {
     double accuracy;   /* one number for all tolerances */
@@ -146,5 +136,7 @@ typedef struct SceneDef {
 /* Every default there is; docs/case-format.md lists them. */
 void scene_def_defaults(SceneDef *def);
 void scene_def_clear(SceneDef *def);
+/* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
+hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
 
 #endif

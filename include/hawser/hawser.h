@@ -110,6 +110,9 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
 double hawser_sim_time(const hawser_sim *s);
 double hawser_sim_end_time(const hawser_sim *s);
 const hawser_sample *hawser_sim_sample(hawser_sim *s);
+/* Takes the state of now into the statistics of the summary: means of the steady window, peaks. hawser_sim_run does so at
+ * the case's output.interval; who advances by himself calls it after each advance. */
+void hawser_sim_record(hawser_sim *s);
 
 /* Runs the case: relaxes, advances to the end, samples, writes results into directory `dir` (NULL: writes nothing).
  * `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly
@@ -156,7 +159,24 @@ typedef struct hawser_station {
     double mean_N, peak_N; /* simulated: mean of the steady window, peak of the run */
 } hawser_station;
 
+/* The stations, from the route's start on; *out stays the simulation's. Returns how many. */
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
+
+/* One roller of the load table (rollers.csv). */
+typedef struct hawser_roller {
+    const char *name;
+    double s;         /* m along the route; NAN if it was placed by coordinates */
+    double rating_N;  /* what it may carry; 0: not given */
+    double initial_N; /* load at equilibrium before t = 0 */
+    double steady_N;  /* mean of the steady window; NAN until the run reached it */
+    double peak_N;    /* largest of the run */
+} hawser_roller;
+
+/* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how many. */
+int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
+
+/* The case's title, or its file's name if it has none. */
+const char *hawser_sim_title(const hawser_sim *s);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,161 @@
+#include "arguments.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OPTION_LINEAR_SOLVER = 'l', KNOWN_MAX = 16 };
+
+/* Every option of every command; a command takes those whose letter is in its list, and help and version. */
+static const struct option all_options[] = {{"output", required_argument, NULL, 'o'},
+                                            {"set", required_argument, NULL, 's'},
+                                            {"threads", required_argument, NULL, 't'},
+                                            {"linear-solver", required_argument, NULL, OPTION_LINEAR_SOLVER},
+                                            {"quiet", no_argument, NULL, 'q'},
+                                            {"format", required_argument, NULL, 'f'},
+                                            {"help", no_argument, NULL, 'h'},
+                                            {"version", no_argument, NULL, 'V'},
+                                            {NULL, 0, NULL, 0}};
+
+/* The options of one command: the long ones into `list` (ended by zeros), the letters into `letters`. */
+static void select_options(const Command *command, struct option *list, char *letters)
+{
+    *letters++ = ':'; /* a missing value comes back as ':' */
+    for (const struct option *o = all_options; o->name; o++) {
+        if (!strchr("hV", o->val) && !strchr(command->options, o->val)) continue;
+        *list++ = *o;
+        /* only these have a short form */
+        if (!strchr("oqhV", o->val)) continue;
+        *letters++ = (char)o->val;
+        if (o->has_arg) *letters++ = ':';
+    }
+    *letters = 0;
+    memset(list, 0, sizeof *list);
+}
+
+/* getopt has just returned '?'. */
+static int complain_option(char **argv, const struct option *list)
+{
+    const char letter[] = {'-', (char)optopt, 0};
+    const char *word = argv[optind - 1];
+    const char *given = strncmp(word, "--", 2) && optopt ? letter : word;
+    const char *known[KNOWN_MAX];
+    char dashed[KNOWN_MAX][32];
+    int n = 0;
+    for (; list[n].name; n++) {
+        snprintf(dashed[n], sizeof dashed[n], "--%s", list[n].name);
+        known[n] = dashed[n];
+    }
+    complain_unknown("option", given, n, known);
+    return EXIT_USAGE;
+}
+
+static int parse_threads(const char *text, Arguments *args)
+{
+    char *end;
+    const long n = strtol(text, &end, 10);
+    args->threads = (int)n;
+    if (*text && !*end && n >= 1 && n <= 2) return ARGUMENTS_GO_ON;
+    complain("--threads %s: 1 or 2 can be used", text);
+    return EXIT_USAGE;
+}
+
+static int parse_format(const char *text, Arguments *args)
+{
+    const char *const names[] = {"table", "json", "csv"};
+    const hawser_format formats[] = {HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV};
+    for (int i = 0; i < 3; i++) {
+        if (strcmp(text, names[i])) continue;
+        args->format = formats[i];
+        return ARGUMENTS_GO_ON;
+    }
+    complain("--format %s: 'table', 'json' or 'csv' can be used", text);
+    return EXIT_USAGE;
+}
+
+static int add_setting(const char *key, const char *value, Arguments *args)
+{
+    args->settings[args->n_settings++] = (Setting){key, value};
+    return ARGUMENTS_GO_ON;
+}
+
+/* A setting must look like one; the library says whether the key exists. The text is cut in two. */
+static int parse_setting(char *text, Arguments *args)
+{
+    char *equal = strchr(text, '=');
+    if (!equal || equal == text) {
+        complain("--set %s: must be KEY=VALUE, as in --set run.duration=10s", text);
+        return EXIT_USAGE;
+    }
+    *equal = 0;
+    return add_setting(text, equal + 1, args);
+}
+
+static int take_option(const Command *command, int letter, Arguments *args)
+{
+    switch (letter) {
+    case 'o':
+        args->dir = optarg;
+        return ARGUMENTS_GO_ON;
+    case 's':
+        return parse_setting(optarg, args);
+    case OPTION_LINEAR_SOLVER:
+        return add_setting("solver.linear_solver", optarg, args);
+    case 't':
+        return parse_threads(optarg, args);
+    case 'f':
+        return parse_format(optarg, args);
+    case 'q':
+        args->quiet = 1;
+        return ARGUMENTS_GO_ON;
+    case 'h':
+        printf("%s", command->help);
+        return finish_stdout(0);
+    default:
+        printf("hawser %s\n", hawser_version());
+        return finish_stdout(0);
+    }
+}
+
+static int take_case(const Command *command, int argc, char **argv, Arguments *args)
+{
+    if (optind + 1 == argc && argv[optind][0]) {
+        args->case_path = argv[optind];
+        return ARGUMENTS_GO_ON;
+    }
+    if (optind + 1 < argc) {
+        complain("%s takes one case file; what is '%s'?", command->name, argv[optind + 1]);
+    } else {
+        complain("%s needs a case file, as in: hawser %s cases/huangjiahu.yaml", command->name,
+                 command->name);
+    }
+    return EXIT_USAGE;
+}
+
+int arguments_parse(const Command *command, int argc, char **argv, Arguments *args)
+{
+    struct option list[KNOWN_MAX];
+    char letters[2 * KNOWN_MAX];
+    memset(args, 0, sizeof *args);
+    args->settings = calloc((size_t)argc + 1, sizeof *args->settings);
+    if (!args->settings) return EXIT_INTERNAL;
+    select_options(command, list, letters);
+    opterr = 0;
+    int letter, result = ARGUMENTS_GO_ON;
+    while (result == ARGUMENTS_GO_ON && (letter = getopt_long(argc, argv, letters, list, NULL)) != -1) {
+        if (letter == '?') return complain_option(argv, list);
+        if (letter == ':') {
+            complain("option %s needs a value", argv[optind - 1]);
+            return EXIT_USAGE;
+        }
+        result = take_option(command, letter, args);
+    }
+    return result == ARGUMENTS_GO_ON ? take_case(command, argc, argv, args) : result;
+}
+
+void arguments_clear(Arguments *args)
+{
+    free(args->settings);
+    args->settings = NULL;
+}

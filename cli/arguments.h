@@ -1,0 +1,51 @@
+/* The command line taken apart: which command, which case, which options. */
+#ifndef HAWSER_CLI_ARGUMENTS_H
+#define HAWSER_CLI_ARGUMENTS_H
+
+#include "hawser/hawser.h"
+
+/* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 130. */
+enum { EXIT_INTERNAL = 1, EXIT_USAGE = 2, EXIT_OUTPUT = 4 };
+/* What arguments_parse returns when the command is to go on. */
+enum { ARGUMENTS_GO_ON = -1 };
+
+/* One --set; the strings are parts of the command line. */
+typedef struct Setting {
+    const char *key, *value;
+} Setting;
+
+typedef struct Arguments {
+    const char *case_path;
+    const char *dir;   /* NULL: by the case's name */
+    Setting *settings; /* [n_settings], in the order given */
+    int n_settings;
+    int threads; /* 0: the case's choice */
+    int quiet;
+    hawser_format format;
+} Arguments;
+
+typedef struct Command {
+    const char *name;
+    const char *summary;               /* a line for the list of commands */
+    const char *options;               /* the short letters of the options it takes, see arguments.c */
+    const char *help;                  /* the text of --help */
+    int (*run)(const Arguments *args); /* returns the exit status */
+} Command;
+
+/* Reads what follows the command's name (argv[0] is that name). Returns ARGUMENTS_GO_ON, or the exit status
+ * after --help,
+ * --version or a message about what is wrong. arguments_clear must follow. */
+int arguments_parse(const Command *command, int argc, char **argv, Arguments *args);
+void arguments_clear(Arguments *args);
+
+/* Prints "hawser: message" to standard error. */
+void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* Prints that `what` ("command", "option") `given` is not known, naming the nearest of the n known ones if
+ * one is near. */
+void complain_unknown(const char *what, const char *given, int n, const char *const *known);
+/* What a library call's status means for the shell: prints the message and returns the exit status. */
+int exit_status(hawser_status status, const hawser_error *err);
+/* Flushes standard output; a failure (a full disk) turns success into EXIT_OUTPUT with a message. */
+int finish_stdout(int status);
+
+#endif

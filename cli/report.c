@@ -1,0 +1,108 @@
+#include "report.h"
+
+#include <math.h>
+#include <stdio.h>
+
+void report_scene(const hawser_sim *s)
+{
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    printf("%s\n", hawser_sim_title(s));
+    printf("  %d segments, %d bushings, %d rollers, %d contact candidates; %g s to simulate\n", sum.segments,
+           sum.bushings, sum.rollers, sum.contact_candidates, hawser_sim_end_time(s));
+}
+
+static void report_relaxation(const hawser_relaxation *r)
+{
+    if (!(r->tolerance_N > 0)) return; /* the case did not want it */
+    if (r->reached) {
+        printf("  at rest before t = 0: largest unbalanced force %.2g N after %d iterations, moved by up to "
+               "%.3g mm\n",
+               r->residual_N, r->iterations, 1e3 * r->moved_m);
+    } else {
+        printf("  warning: the initial equilibrium was not reached: %.3g N are unbalanced at segment %d "
+               "(aim: %.3g N); the "
+               "start of the run may show it\n",
+               r->residual_N, r->segment, r->tolerance_N);
+    }
+}
+
+/* One theory: its winch force, how far the simulated mean lies from it, and the stations' errors. */
+static void report_theory(const char *name, double total, double pull, double max_pct, double mean_pct)
+{
+    if (!(total > 0)) return;
+    printf("  %-18s %12.2f N %+8.2f %% %12.2f %% %10.2f %%\n", name, total, 100 * (pull - total) / total,
+           max_pct, mean_pct);
+}
+
+static void report_pull(const hawser_summary *s)
+{
+    printf("\nPull force: mean %.2f N (ripple %.3g N RMS) from %g s to %g s, peak %.2f N\n", s->pull_mean_N,
+           s->pull_ripple_N, s->steady_from_s, s->steady_to_s, s->pull_peak_N);
+    printf("  %-18s %14s %10s %14s %12s\n", "", "winch force", "mean off", "stations: max", "mean error");
+    report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct,
+                  s->error_mean_pct);
+    report_theory("paper's formulas", s->paper_total_N, s->pull_mean_N, s->error_max_paper_pct,
+                  s->error_mean_paper_pct);
+    printf("  speed %.5g m/s, settled at %.4g s\n", s->steady_speed_m_per_s, s->settle_time_s);
+}
+
+/* The most heavily loaded roller. */
+static void report_rollers(hawser_sim *s)
+{
+    const hawser_roller *r;
+    const int n = hawser_sim_rollers(s, &r);
+    if (n == 0) return;
+    const hawser_roller *heaviest = &r[0];
+    for (int i = 1; i < n; i++) {
+        if (r[i].peak_N > heaviest->peak_N) heaviest = &r[i];
+    }
+    printf("  largest roller load %.1f N on %s (steady %.1f N", heaviest->peak_N, heaviest->name,
+           heaviest->steady_N);
+    if (heaviest->rating_N > 0) printf(", rated %g N", heaviest->rating_N);
+    printf(")\n");
+}
+
+static void report_work(const hawser_summary *s)
+{
+    printf("\nWork: %g s in %.3g s (%.3g x real time), %ld steps (%.0f a second)\n", s->sim_time_s,
+           s->wall_time_s, s->real_time_factor, s->steps, s->steps_per_second);
+    printf("  %ld right-hand sides, %ld Newton iterations, %ld Jacobians, %ld set-ups, %ld error-test and "
+           "%ld Newton "
+           "failures\n",
+           s->rhs_evals, s->newton_iters, s->jac_evals, s->lin_setups, s->error_test_fails, s->newton_fails);
+    printf("  %d contact candidates, at most %d active, looked up %ld times\n", s->contact_candidates,
+           s->contact_active_max, s->contact_refreshes);
+    printf("  linear solver: %s", s->linear_solver ? s->linear_solver : "?");
+    if (s->ordering && s->ordering[0]) printf(", %s ordering", s->ordering);
+    if (s->linear_solver_why && s->linear_solver_why[0]) printf(" (%s)", s->linear_solver_why);
+    printf("; %d thread%s\n", s->threads, s->threads == 1 ? "" : "s");
+}
+
+static void report_phases(const hawser_summary *s)
+{
+    const hawser_phases *p = &s->phases;
+    const struct {
+        const char *name;
+        double time;
+    } row[] = {{"relaxation", p->relax},           {"right-hand side", p->rhs}, {"contacts", p->contacts},
+               {"Jacobian blocks", p->jacobian},   {"factor", p->factor},       {"solve", p->solve},
+               {"vectors and control", p->vector}, {"output", p->output},       {"other", p->other}};
+    printf("\nWhere the time went\n");
+    for (int i = 0; i < 9; i++) {
+        const double share = s->wall_time_s > 0 ? 100 * row[i].time / s->wall_time_s : 0;
+        printf("  %-20s %9.2f ms %6.1f %%\n", row[i].name, 1e3 * row[i].time, share);
+    }
+}
+
+void report_run(hawser_sim *s, const char *dir)
+{
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    report_relaxation(&sum.relaxation);
+    report_pull(&sum);
+    report_rollers(s);
+    report_work(&sum);
+    report_phases(&sum);
+    printf("\nResults: %s\n", dir);
+}

@@ -1,0 +1,117 @@
+#include "commands.h"
+#include "progress.h"
+#include "report.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char help[] =
+    "Usage: hawser run CASE [options]\n"
+    "\n"
+    "Simulates the pull that the case file CASE describes, prints a report and writes the results.\n"
+    "\n"
+    "  -o, --output DIR        where the results go (default: results/NAME, NAME from CASE)\n"
+    "      --set KEY=VALUE     changes a value of the case, as in --set drive.winch.speed='3 m/min';\n"
+    "                          may be given many times\n"
+    "      --threads N         1 or 2; results do not depend on it\n"
+    "      --linear-solver KIND  auto, block, klu ...: how Newton's matrix is solved\n"
+    "  -q, --quiet             prints nothing but errors\n"
+    "  -h, --help              this text\n"
+    "  -V, --version           the version\n"
+    "\n"
+    "Exit status: 0 finished; 1 internal error or no memory; 2 the case or the command line is wrong;\n"
+    "3 the integration failed; 4 results could not be written; 130 interrupted. With 3 and 130, what was\n"
+    "computed until then is in DIR.\n";
+
+/* Set by a signal: the only thing that a handler may touch. */
+static volatile sig_atomic_t interrupted;
+
+/* The first signal ends the run at its next step, a second one at once. */
+static void on_signal(int number)
+{
+    interrupted = 1;
+    signal(number, SIG_DFL);
+}
+
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+static int show_progress(void *user, const hawser_sample *sample, double wall_s, double end_s)
+{
+    progress_show(user, sample, wall_s, end_s);
+    return interrupted;
+}
+
+/* "results/NAME" of "some/where/NAME.yaml"; the caller frees it. */
+static char *default_dir(const char *case_path)
+{
+    const char *slash = strrchr(case_path, '/');
+    const char *name = slash ? slash + 1 : case_path;
+    const char *dot = strrchr(name, '.');
+    const size_t length = dot && dot > name ? (size_t)(dot - name) : strlen(name);
+    char *dir = malloc(length + sizeof "results/");
+    if (dir) sprintf(dir, "results/%.*s", (int)length, name);
+    return dir;
+}
+
+hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err)
+{
+    hawser_status status = hawser_case_load(args->case_path, out, err);
+    for (int i = 0; i < args->n_settings && !status; i++) {
+        status = hawser_case_set(*out, args->settings[i].key, args->settings[i].value, err);
+    }
+    return status;
+}
+
+static hawser_status build_sim(const Arguments *args, hawser_sim **out, hawser_error *err)
+{
+    hawser_case *c = NULL;
+    const hawser_options options = {.threads = args->threads};
+    hawser_status status = load_case(args, &c, err);
+    if (!status) status = hawser_sim_new(c, &options, out, err);
+    hawser_case_free(c);
+    return status;
+}
+
+/* What there is to say about a run that is over, whatever its end. */
+static int conclude(hawser_sim *sim, const Arguments *args, const char *dir, hawser_status status,
+                    const hawser_error *err)
+{
+    const int kept = status == HAWSER_OK || status == HAWSER_STOPPED || status == HAWSER_ERR_RUN;
+    if (!args->quiet && kept) report_run(sim, dir);
+    fflush(stdout);
+    return finish_stdout(exit_status(status, err));
+}
+
+static int run(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    hawser_sim *sim = NULL;
+    Progress progress;
+    hawser_status status = build_sim(args, &sim, &err);
+    if (status) return exit_status(status, &err);
+    char *made = args->dir ? NULL : default_dir(args->case_path);
+    const char *dir = args->dir ? args->dir : made;
+    int result = EXIT_INTERNAL;
+    if (dir) {
+        if (!args->quiet) report_scene(sim);
+        fflush(stdout);
+        catch_signals();
+        progress_start(&progress, args->quiet);
+        status = hawser_sim_run(sim, dir, show_progress, &progress, &err);
+        progress_end(&progress);
+        result = conclude(sim, args, dir, status, &err);
+    }
+    free(made);
+    hawser_sim_free(sim);
+    return result;
+}
+
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlq", help, run};

@@ -1,0 +1,58 @@
+# libhawser, shared and static, from the objects of all folders, and what `cmake --install` puts in place: both
+# libraries, the header, the pkg-config file and the CMake package (the program installs itself in cli/).
+include(CMakePackageConfigHelpers)
+get_property(object_targets GLOBAL PROPERTY HAWSER_OBJECTS)
+set(objects "")
+foreach(target ${object_targets})
+    list(APPEND objects $<TARGET_OBJECTS:${target}>)
+endforeach()
+
+# What the folders link outside the project. A new library belongs here too: tests/install builds a consumer of the
+# static library from nothing but this list.
+set(HAWSER_PRIVATE_PACKAGES yaml-0.1 jansson hdf5-serial) # known to pkg-config
+set(HAWSER_PRIVATE_LIBRARIES ${UDUNITS_LIBRARY} ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
+                             ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY} ${LAPACKE_LIBRARY})
+list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
+list(APPEND HAWSER_PRIVATE_LIBRARIES -lsundials_cvode -lsundials_nvecserial -lm -lpthread)
+
+# Only hawser_* leaves the shared library: cmake/hawser.map.
+add_library(hawser_shared SHARED ${objects})
+set_target_properties(hawser_shared PROPERTIES
+    OUTPUT_NAME hawser EXPORT_NAME hawser LINKER_LANGUAGE C
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/hawser.map)
+target_link_options(hawser_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/hawser.map
+                                          $<$<CONFIG:Release>:-Wl,-z,defs>)
+target_link_libraries(hawser_shared PRIVATE
+    SUNDIALS::cvode SUNDIALS::nvecserial PkgConfig::YAML PkgConfig::JANSSON PkgConfig::HDF5
+    hawser_udunits hawser_klu Threads::Threads m)
+target_include_directories(hawser_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
+# The static library is one object in which everything but hawser_* has become local: a program that links it may have
+# names like sim_new of its own.
+set(whole ${PROJECT_BINARY_DIR}/hawser_whole.o)
+add_custom_command(OUTPUT ${whole}
+    COMMAND ${CMAKE_LINKER} -r -o ${whole} ${objects}
+    COMMAND ${CMAKE_OBJCOPY} --wildcard "--keep-global-symbol=hawser_*" ${whole}
+    DEPENDS ${objects} COMMAND_EXPAND_LISTS VERBATIM)
+add_library(hawser_static STATIC ${whole})
+set_target_properties(hawser_static PROPERTIES OUTPUT_NAME hawser LINKER_LANGUAGE C)
+
+install(TARGETS hawser_shared EXPORT hawserTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS hawser_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES include/hawser/hawser.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hawser)
+
+# The pkg-config file finds the prefix from its own place, so that the tree may be moved.
+file(RELATIVE_PATH HAWSER_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+list(JOIN HAWSER_PRIVATE_PACKAGES " " HAWSER_PC_REQUIRES)
+list(JOIN HAWSER_PRIVATE_LIBRARIES " " HAWSER_PC_LIBRARIES)
+configure_file(cmake/hawser.pc.in hawser.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/hawser.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/hawser)
+configure_package_config_file(cmake/hawserConfig.cmake.in hawserConfig.cmake INSTALL_DESTINATION ${package_dir}
+                              PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(hawserConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/hawserConfig.cmake ${PROJECT_BINARY_DIR}/hawserConfigVersion.cmake
+        DESTINATION ${package_dir})
+install(EXPORT hawserTargets NAMESPACE hawser:: DESTINATION ${package_dir})

@@ -1,0 +1,166 @@
+/* Which elements can touch which roller: a tree of spheres over the chain, asked once a refresh. The chain's
+ * own order is the spatial order, so the tree needs no sorting, and it knows nothing about shapes but their
+ * distance. */
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "core/error.h"
+#include "core/lanes.h"
+
+int contact_pairs_alloc(ContactPairs *pairs, int n)
+{
+    memset(pairs, 0, sizeof *pairs);
+    pairs->n = n;
+    /* one leaf an element, filled up to a power of two: children of node i are 2i and 2i + 1 */
+    pairs->leaves = 1;
+    while (pairs->leaves < n + 1) pairs->leaves *= 2;
+    pairs->tree = malloc(2 * (size_t)pairs->leaves * sizeof *pairs->tree);
+    pairs->node = chain_array_new(n, 0);
+    int ok = pairs->tree && pairs->node;
+    for (int c = 0; c < 3; ++c) {
+        pairs->at_p[c] = chain_array_new(n, 0);
+        pairs->at_a[c] = chain_array_new(n, 0);
+        ok = ok && pairs->at_p[c] && pairs->at_a[c];
+    }
+    if (!ok) contact_pairs_free(pairs);
+    return ok;
+}
+
+void contact_pairs_free(ContactPairs *pairs)
+{
+    free(pairs->tree);
+    free(pairs->range);
+    free(pairs->hit);
+    chain_array_free(pairs->node);
+    for (int c = 0; c < 3; ++c) {
+        chain_array_free(pairs->at_p[c]);
+        chain_array_free(pairs->at_a[c]);
+    }
+    memset(pairs, 0, sizeof *pairs);
+}
+
+/* The smallest sphere around two spheres; a negative radius marks an empty one. */
+static Sphere sphere_around(Sphere a, Sphere b)
+{
+    if (a.radius < 0) return b;
+    if (b.radius < 0) return a;
+    const Vec3 between = v3_sub(b.centre, a.centre);
+    const double distance = v3_norm(between);
+    /* one inside the other */
+    if (distance + b.radius <= a.radius) return a;
+    if (distance + a.radius <= b.radius) return b;
+    /* else it spans from the far side of one to the far side of the other */
+    const double radius = (distance + a.radius + b.radius) / 2;
+    return (Sphere){v3_axpy(a.centre, (radius - a.radius) / distance, between), radius};
+}
+
+/* Leaves are the elements' spheres; a node holds its two children (C19). */
+static void tree_build(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                       ContactPairs *pairs)
+{
+    const int elements = element_count(model->geometry, pairs->n);
+    for (int e = 0; e < pairs->leaves; ++e) {
+        Sphere sphere = {.radius = -1};
+        if (e < elements) {
+            const Element element = element_at(model->geometry, pairs->n, e);
+            sphere = element_sphere(&element, chain, kin);
+        }
+        pairs->tree[pairs->leaves + e] = sphere;
+    }
+    for (int i = pairs->leaves - 1; i > 0; --i) {
+        pairs->tree[i] = sphere_around(pairs->tree[2 * i], pairs->tree[2 * i + 1]);
+    }
+}
+
+/* One more range; 0 if there is no memory. */
+static int range_add(ContactPairs *pairs, ContactRange range)
+{
+    if (pairs->n_ranges == pairs->ranges_allocated) {
+        const int more = 2 * pairs->ranges_allocated + 16;
+        ContactRange *grown = realloc(pairs->range, (size_t)more * sizeof *grown);
+        if (!grown) return 0;
+        pairs->range = grown;
+        pairs->ranges_allocated = more;
+    }
+    pairs->range[pairs->n_ranges++] = range;
+    return 1;
+}
+
+/* Element e is a candidate of this roller: it lengthens the last range or begins a new one. */
+static int candidate_add(ContactPairs *pairs, int roller, int e)
+{
+    ContactRange *last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
+    ++pairs->candidates;
+    if (last && last->roller == roller && last->first + last->count == e) {
+        ++last->count;
+        return 1;
+    }
+    return range_add(pairs, (ContactRange){roller, e, 1});
+}
+
+/* Visits the tree below `node` from left to right, so that candidates come in order; 0 if there is no memory.
+ * Distances change at most as fast as points move, so a sphere that is too far rules out all that it holds.
+ */
+static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller, int node)
+{
+    const Sphere *sphere = &pairs->tree[node];
+    if (sphere->radius < 0) return 1;
+    const double distance = shape_distance(&model->roller[roller].shape, sphere->centre);
+    if (distance - sphere->radius > model->reach) return 1;
+    if (node >= pairs->leaves) return candidate_add(pairs, roller, node - pairs->leaves);
+    return tree_visit(model, pairs, roller, 2 * node) && tree_visit(model, pairs, roller, 2 * node + 1);
+}
+
+/* Room for the largest number of hits that the candidates can give. */
+static int hits_reserve(ContactPairs *pairs)
+{
+    if (pairs->candidates <= pairs->hits_allocated) return 1;
+    ContactHit *grown = realloc(pairs->hit, (size_t)pairs->candidates * sizeof *grown);
+    if (!grown) return 0;
+    pairs->hit = grown;
+    pairs->hits_allocated = pairs->candidates;
+    return 1;
+}
+
+hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                              ContactPairs *pairs, hawser_error *err)
+{
+    assert(chain->n == pairs->n);
+    /* candidates, roller by roller */
+    pairs->n_ranges = pairs->candidates = 0;
+    tree_build(model, chain, kin, pairs);
+    for (int r = 0; r < model->n_rollers; ++r) {
+        if (!tree_visit(model, pairs, r, 1)) return error_memory(err);
+    }
+    if (!hits_reserve(pairs)) return error_memory(err);
+    /* where everything was, for contact_moved_too_far */
+    for (int c = 0; c < 3; ++c) {
+        memcpy(pairs->at_p[c], kin->p[c], (size_t)pairs->n * sizeof(double));
+        memcpy(pairs->at_a[c], kin->a[c], (size_t)pairs->n * sizeof(double));
+    }
+    return HAWSER_OK;
+}
+
+/* Length of the change of a vector of segment i since the refresh. */
+static double vector_moved(double *const now[3], double *const then[3], int i)
+{
+    const double x = now[0][i] - then[0][i], y = now[1][i] - then[1][i], z = now[2][i] - then[2][i];
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* (C20): no point of the line moves farther than the largest |dx_i| + |dr_i|. A quarter of the reach is kept
+ * in hand for the motion within a step. */
+int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                          const ContactPairs *pairs)
+{
+    const double limit = 0.75 * model->reach;
+    int far = 0;
+    for (int i = 0; i < pairs->n; ++i) {
+        const double moved =
+            vector_moved(kin->p, pairs->at_p, i) + chain->half[i] * vector_moved(kin->a, pairs->at_a, i);
+        far |= !(moved <= limit); /* a NaN counts as far */
+    }
+    return far;
+}

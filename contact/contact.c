@@ -1,0 +1,238 @@
+/* The corridor of a call: hits_find (cheap, over all candidates) -> batch_fill (gathers LANES hits) -> a
+ * kernel (nearest point, laws, derivatives) -> scatter, in the order of the hits. Nothing here allocates. */
+#include "contact/contact.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact_kernels.h"
+
+/* The kernels of the best instruction set. */
+static const ContactKernels *kernels(void)
+{
+    static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
+    return table[isa_best()];
+}
+
+/* Room was made by the refresh: a candidate is a hit at most once. */
+static void hit_add(ContactPairs *pairs, int roller, int element)
+{
+    assert(pairs->n_hits < pairs->hits_allocated);
+    pairs->hit[pairs->n_hits++] = (ContactHit){roller, element};
+}
+
+/* Smooth line (C11): element e owns a minimum if the slope of the gap is negative at its first node and not
+ * at its second. Beyond the line's ends the slope counts as -1 and +1: the ends are minima where the gap
+ * grows inward. */
+static void hits_smooth(const ContactKernels *kernel, const Shape *shape, const Kinematics *kin,
+                        ContactRange range, ContactPairs *pairs)
+{
+    double *const slope = pairs->node;
+    const int n = pairs->n, end = range.first + range.count;
+    const int from = range.first > 0 ? range.first - 1 : 0;
+    /* nodes first - 1 .. first + count - 1, as far as they exist */
+    kernel->slopes(shape, kin, from, end < n ? end : n, slope);
+    /* after the kernel, which may write past the last node */
+    slope[-1] = -1;
+    slope[n] = 1;
+    for (int e = range.first; e < end; ++e) {
+        if (slope[e - 1] < 0 && slope[e] >= 0) hit_add(pairs, range.roller, e);
+    }
+}
+
+/* Capsules: every one has its own minimum, if it is near enough. */
+static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, const Chain *chain,
+                          const Kinematics *kin, ContactRange range, ContactPairs *pairs)
+{
+    const int end = range.first + range.count;
+    /* a capsule reaches no farther from its centre than half its length and its radius */
+    kernel->distances(shape, kin, range.first, end, pairs->node);
+    for (int e = range.first; e < end; ++e) {
+        if (pairs->node[e] < chain->half[e] + chain->radius[e]) hit_add(pairs, range.roller, e);
+    }
+}
+
+/* All places worth a closer look, by roller, then by element. */
+static void hits_find(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                      ContactPairs *pairs)
+{
+    const ContactKernels *const kernel = kernels();
+    pairs->n_hits = 0;
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const ContactRange range = pairs->range[i];
+        const Shape *const shape = &model->roller[range.roller].shape;
+        if (model->geometry == GEOMETRY_SMOOTH) {
+            hits_smooth(kernel, shape, kin, range, pairs);
+        } else {
+            hits_cylinder(kernel, shape, chain, kin, range, pairs);
+        }
+    }
+}
+
+/* Segment i as body b of lane l; all zeros if there is no such segment. */
+static void batch_body(ContactBatch *batch, const Chain *chain, const Kinematics *kin, int b, int l, int i)
+{
+    const int present = i >= 0 && i < chain->n;
+    batch->body[b][l] = present ? i : -1;
+    batch->radius[b][l] = present ? chain->radius[i] : 0;
+    for (int c = 0; c < 3; ++c) {
+        batch->x[b][c][l] = present ? kin->p[c][i] : 0;
+        batch->r[b][c][l] = present ? chain->half[i] * kin->a[c][i] : 0;
+        batch->v[b][c][l] = present ? kin->v[c][i] : 0;
+        batch->w[b][c][l] = present ? kin->w[c][i] : 0;
+    }
+}
+
+/* The roller of lane l: shape and friction law. */
+static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l)
+{
+    const Shape *const shape = &roller->shape;
+    const double centre[3] = {shape->centre.x, shape->centre.y, shape->centre.z};
+    const double axis[3] = {shape->axis.x, shape->axis.y, shape->axis.z};
+    for (int c = 0; c < 3; ++c) {
+        batch->centre[c][l] = centre[c];
+        batch->axis[c][l] = axis[c];
+    }
+    batch->shape_radius[l] = shape->radius;
+    batch->shape_half_width[l] = shape->half_width;
+    batch->friction[l] = &roller->friction;
+}
+
+/* One hit into lane l: the weights of its element, its segments, its roller. */
+static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chain *chain,
+                      const Kinematics *kin, ContactHit hit, int l)
+{
+    const Element element = element_at(model->geometry, chain->n, hit.element);
+    batch->roller[l] = hit.roller;
+    batch->element[l] = hit.element;
+    batch->arc[l] = element.arc;
+    batch->alpha[l] = element.alpha;
+    for (int b = 0; b < 2; ++b) {
+        batch->beta[b][0][l] = element.beta[b][0];
+        batch->beta[b][1][l] = element.beta[b][1];
+        batch_body(batch, chain, kin, b, l, element.body[b]);
+    }
+    batch_roller(batch, &model->roller[hit.roller], l);
+}
+
+/* Gathers hits from `first` on; returns the first that does not fit. Lanes are independent of each other, so
+ * how hits fall into batches changes nothing. */
+static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chain *chain,
+                      const Kinematics *kin, double friction_scale, const ContactPairs *pairs, int first)
+{
+    batch->impact = &model->impact;
+    batch->friction_scale = friction_scale;
+    batch->count = pairs->n_hits - first < LANES ? pairs->n_hits - first : LANES;
+    /* unused lanes repeat the last hit, so that the kernels see valid numbers; they are not scattered */
+    for (int l = 0; l < LANES; ++l) {
+        const int h = l < batch->count ? first + l : first + batch->count - 1;
+        batch_hit(batch, model, chain, kin, pairs->hit[h], l);
+    }
+    return first + batch->count;
+}
+
+/* Adds one lane's wrench to its segments. */
+static void push_add(const ContactBatch *batch, const ContactPush *push, int l, Loads *loads)
+{
+    for (int b = 0; b < 2; ++b) {
+        const int i = batch->body[b][l];
+        if (i < 0) continue;
+        for (int c = 0; c < 3; ++c) {
+            loads->f[c][i] += push->force[b][c][l];
+            loads->m[c][i] += push->moment[b][c][l];
+        }
+    }
+}
+
+void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                    double friction_scale, ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
+{
+    const ContactKernels *const kernel = kernels();
+    ContactBatch batch;
+    ContactPush push;
+    hits_find(model, chain, kin, pairs);
+    pairs->active = 0;
+    if (on_roller) memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        kernel->push(&batch, &push);
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(push.normal[l] > 0)) continue;
+            /* only what carries force is added: the others' lanes are zeros */
+            ++pairs->active;
+            push_add(&batch, &push, l, loads);
+            if (!on_roller) continue;
+            Vec3 *const sum = &on_roller[batch.roller[l]];
+            *sum = v3_sub(*sum, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
+        }
+    }
+}
+
+/* block += rows of body a by columns of body b of one lane. */
+static void part_add(double *block, const ContactMatrix *m, int l, int a, int b)
+{
+    for (int col = 0; col < 6; ++col) {
+        for (int row = 0; row < 6; ++row) block[6 * col + row] += m->entry[6 * b + col][6 * a + row][l];
+    }
+}
+
+/* Adds one lane's derivatives to the up to four blocks of its segments. */
+static void matrix_add(const ContactBatch *batch, const ContactMatrix *m, int l, BlockChain *out)
+{
+    const int j = batch->body[0][l], k = batch->body[1][l];
+    if (j >= 0) part_add(out->diag + 36 * j, m, l, 0, 0);
+    if (k >= 0) part_add(out->diag + 36 * k, m, l, 1, 1);
+    if (j < 0 || k < 0) return;
+    part_add(out->upper + 36 * j, m, l, 0, 1);
+    part_add(out->lower + 36 * k, m, l, 1, 0);
+}
+
+void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                    double friction_scale, ContactPairs *pairs, BlockChain *k, BlockChain *d)
+{
+    assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
+    const ContactKernels *const kernel = kernels();
+    ContactBatch batch;
+    ContactMatrix by_shift, by_speed;
+    double normal[LANES];
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        if (!kernel->columns(&batch, &by_shift, &by_speed, normal)) continue;
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(normal[l] > 0)) continue;
+            matrix_add(&batch, &by_shift, l, k);
+            matrix_add(&batch, &by_speed, l, d);
+        }
+    }
+}
+
+/* One lane for the outside. */
+static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *push, int l)
+{
+    return (ContactDetail){.roller = batch->roller[l],
+                           .element = batch->element[l],
+                           .u = push->u[l],
+                           .gap = push->gap[l],
+                           .normal = push->normal[l],
+                           .point = v3(push->point[0][l], push->point[1][l], push->point[2][l]),
+                           .force = v3(push->total[0][l], push->total[1][l], push->total[2][l])};
+}
+
+int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                    double friction_scale, ContactPairs *pairs, int room, ContactDetail *out)
+{
+    const ContactKernels *const kernel = kernels();
+    ContactBatch batch;
+    ContactPush push;
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0, at = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        kernel->push(&batch, &push);
+        for (int l = 0; l < batch.count; ++l, ++at) {
+            if (at < room) out[at] = detail_of(&batch, &push, l);
+        }
+    }
+    return pairs->n_hits;
+}

@@ -1,0 +1,98 @@
+/* Contact between the cable's line and fixed rollers: which pairs can touch, their forces, and the
+ * derivatives of these. docs/model.md, "Contact".
+ *
+ * Life: contact_pairs_alloc -> contact_refresh -> forces and blocks, any number of times -> refresh again as
+ * soon as contact_moved_too_far says so (between steps) -> contact_pairs_free. Forces are pure functions of
+ * chain and kinematics as long as nothing has moved by `reach` since the refresh; the sums are taken in a
+ * fixed order. */
+#ifndef HAWSER_CONTACT_CONTACT_H
+#define HAWSER_CONTACT_CONTACT_H
+
+#include "contact/contact_law.h"
+#include "contact/element.h"
+#include "contact/shape.h"
+#include "core/block_chain.h"
+#include "core/chain.h"
+#include "hawser/hawser.h"
+
+typedef struct ContactRoller {
+    Shape shape;
+    FrictionLaw friction;
+} ContactRoller;
+
+/* What never changes during a run. */
+typedef struct ContactModel {
+    ContactGeometry geometry;
+    ImpactLaw impact;
+    double reach; /* m: pairs closer than this at a refresh are candidates */
+    int n_rollers;
+    const ContactRoller *roller; /* [n_rollers], borrowed */
+} ContactModel;
+
+/* Candidates of one roller: elements first .. first + count - 1. */
+typedef struct ContactRange {
+    int roller, first, count;
+} ContactRange;
+
+/* One place where the line is nearest to a roller: looked at in detail. */
+typedef struct ContactHit {
+    int roller, element;
+} ContactHit;
+
+typedef struct ContactPairs {
+    int n; /* segments */
+    /* by contact_refresh */
+    int n_ranges, ranges_allocated;
+    ContactRange *range; /* [n_ranges], by roller, then by element */
+    int candidates;      /* pairs in all ranges */
+    double *at_p[3];     /* chain arrays: centres, m, and axes at the refresh */
+    double *at_a[3];
+    Sphere *tree; /* [2 leaves] spheres around runs of elements; tree[leaves + e] is element e's (C19) */
+    int leaves;   /* power of two >= elements */
+    /* by contact_forces and contact_blocks */
+    int hits_allocated;
+    int n_hits;
+    ContactHit *hit; /* [n_hits] */
+    double *node;    /* chain array: a quantity of the segments against one roller */
+    int active;      /* hits that carried force in the last call of contact_forces */
+} ContactPairs;
+
+/* Allocates for chains of n segments; candidates are empty until the first refresh. Returns 0 without memory
+ * (nothing is left allocated). The free may be called on a zeroed struct. */
+int contact_pairs_alloc(ContactPairs *pairs, int n);
+void contact_pairs_free(ContactPairs *pairs);
+
+/* Finds the candidates: all elements whose sphere comes within reach of a roller's surface. O(n + (rollers +
+ * candidates) log n). Errors: HAWSER_ERR_MEMORY. The only call that may allocate. */
+hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                              ContactPairs *pairs, hawser_error *err);
+/* Whether a point of the line may have moved by more than 3/4 of the reach since the refresh (C20). */
+int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                          const ContactPairs *pairs);
+
+/* Adds forces (N) and moments (N m) on the segments to loads. friction_scale multiplies every friction
+ * coefficient (0: smooth rollers). on_roller[n_rollers] (NULL: not wanted) is overwritten by the force on
+ * each roller, N. */
+void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                    double friction_scale, ContactPairs *pairs, Loads *loads, Vec3 *on_roller);
+
+/* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv;
+ * dw] to d (6x6 blocks, world) (C15)-(C17). */
+void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                    double friction_scale, ContactPairs *pairs, BlockChain *k, BlockChain *d);
+
+/* One contact in detail, for tests, tools and reports. */
+typedef struct ContactDetail {
+    int roller, element;
+    double u;      /* parameter of the element */
+    double gap;    /* m */
+    double normal; /* N */
+    Vec3 point;    /* m, on the line */
+    Vec3 force;    /* N, on the cable */
+} ContactDetail;
+
+/* Writes up to `room` hits, touching or not, in the order of summation; returns how many there are. */
+int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                    double friction_scale, ContactPairs *pairs, int room, ContactDetail *out);
+
+#endif

@@ -1,0 +1,132 @@
+/* The derivatives of the contacts' forces for one instruction set: one directional derivative (C16),
+ * evaluated over the 12 columns of configuration and the 12 of velocity. */
+#include "contact/contact_lanes.h"
+
+/* A variation of one body's configuration, and what it does at fixed u. */
+typedef struct Shift {
+    int body;
+    Lane3 p;    /* of P, m */
+    Lane3 p1;   /* of P' */
+    Lane3 r;    /* of the body's arm */
+    Lane3 pdot; /* of the velocity at P */
+} Shift;
+
+/* What any variation does to the contact: of u, of the normal, of the velocities, of the gap and its rate. */
+typedef struct Variation {
+    Lane u;
+    Lane3 normal, pdot, omega;
+    Lane gap, rate;
+} Variation;
+
+/* dF (C16) for a variation of normal, velocities and gap: F = N (n - phi v_t), so both factors vary. */
+LANE_INLINE Lane3 vary_force(const Contact *c, const Variation *by)
+{
+    const Lane3 n = c->at.probe.normal;
+    const Lane radius = c->at.radius, radius_by = c->at.radius1 * by->u;
+    /* dv_s, then its tangential part */
+    Lane3 slip = l3_axpy(by->pdot, -radius_by, l3_cross(c->omega, n));
+    slip = l3_axpy(slip, -radius, l3_add(l3_cross(by->omega, n), l3_cross(c->omega, by->normal)));
+    const Lane along = l3_dot(by->normal, c->slip) + l3_dot(n, slip);
+    const Lane3 slide = l3_axpy(l3_axpy(slip, -along, n), -c->slip_normal, by->normal);
+
+    /* dN and dphi from the laws' slopes */
+    const Lane normal = c->normal_gap * by->gap + c->normal_rate * by->rate;
+    const Lane phi = c->phi_over * l3_dot(c->slide, slide);
+    const Lane3 direction = l3_axpy(n, -c->phi, c->slide); /* F / N */
+    const Lane3 direction_by = l3_sub(by->normal, l3_axpy(l3_scale(phi, c->slide), c->phi, slide));
+    return l3_axpy(l3_scale(normal, direction), c->normal, direction_by);
+}
+
+/* The variation that follows from a shift: the nearest point moves along the line by du (C16). */
+LANE_INLINE Variation vary_shift(const Contact *c, const Line *line, const Shift *s)
+{
+    const Lane zero = lane_set(0);
+    const LinePoint *at = &c->at;
+    const Lane3 n = at->probe.normal;
+    /* g' = 0 goes on holding: dg'|u + g'' du = 0 */
+    const Lane push = l3_dot(probe_hessian_times(&at->probe, s->p), at->p1) + l3_dot(n, s->p1);
+    Variation by;
+    by.u = lane_select(c->interior & (at->curvature > zero), -push / at->curvature, zero);
+    /* the normal follows the point, both by the shift and along the line */
+    by.normal = probe_hessian_times(&at->probe, l3_axpy(s->p, by.u, at->p1));
+    const LaneBody *j = &line->body[0], *k = &line->body[1];
+    const Lane3 pdot1 = weighted(&at->weight1, j->v, l3_cross(j->w, j->r), k->v, l3_cross(k->w, k->r));
+    by.pdot = l3_axpy(s->pdot, by.u, pdot1);
+    by.omega = l3_scale(by.u * at->weight1.alpha[1], l3_sub(k->w, j->w));
+    /* moving along the line changes no gap: g' = 0 inside, du = 0 at a clamped end */
+    by.gap = l3_dot(n, s->p);
+    by.rate = l3_dot(by.normal, c->pdot) + l3_dot(n, by.pdot);
+    return by;
+}
+
+/* Force and moment rows of one body into a column. */
+LANE_INLINE void rows_store(double rows[12][LANES], int body, Lane3 force, Lane3 moment)
+{
+    batch_vector_store(rows + 6 * body, force);
+    batch_vector_store(rows + 6 * body + 3, moment);
+}
+
+/* A configuration column: both bodies' force and moment (C17). */
+LANE_INLINE void column_shift(const Contact *c, const Line *line, const Shift *s, double rows[12][LANES])
+{
+    const Variation by = vary_shift(c, line, s);
+    const Lane3 force = vary_force(c, &by);
+    const Lane3 n = c->at.probe.normal;
+    for (int b = 0; b < 2; ++b) {
+        const Lane alpha = c->at.weight.alpha[b], alpha_by = c->at.weight1.alpha[b] * by.u;
+        /* d(beta_i r_i - alpha_i rc n), product rule with everything that du moves */
+        const Lane lever_by = alpha_by * c->at.radius + alpha * c->at.radius1 * by.u; /* of alpha_i rc */
+        Lane3 arm = l3_scale(c->at.weight1.beta[b] * by.u, line->body[b].r);
+        arm = l3_axpy(l3_axpy(arm, -lever_by, n), -alpha * c->at.radius, by.normal);
+        if (b == s->body) arm = l3_axpy(arm, c->at.weight.beta[b], s->r);
+        rows_store(rows, b, l3_axpy(l3_scale(alpha, force), alpha_by, c->force),
+                   l3_add(l3_cross(arm, c->force), l3_cross(c->arm[b], force)));
+    }
+}
+
+/* A velocity column: nothing moves, only velocities change. */
+LANE_INLINE void column_speed(const Contact *c, Lane3 pdot, Lane3 omega, double rows[12][LANES])
+{
+    const Variation by = {.pdot = pdot, .omega = omega, .rate = l3_dot(c->at.probe.normal, pdot)};
+    const Lane3 force = vary_force(c, &by);
+    for (int b = 0; b < 2; ++b) {
+        rows_store(rows, b, l3_scale(c->at.weight.alpha[b], force), l3_cross(c->arm[b], force));
+    }
+}
+
+/* World axis 0, 1 or 2. */
+LANE_INLINE Lane3 axis_unit(int axis)
+{
+    return (Lane3){lane_set(axis == 0), lane_set(axis == 1), lane_set(axis == 2)};
+}
+
+/* The twelve columns of body b: three shifts, three turns, three velocities, three angular velocities. */
+LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, ContactMatrix *k, ContactMatrix *d)
+{
+    const LaneBody *body = &line->body[b];
+    const Lane alpha = c->at.weight.alpha[b], beta = c->at.weight.beta[b];
+    const Lane alpha1 = c->at.weight1.alpha[b], beta1 = c->at.weight1.beta[b];
+    for (int axis = 0; axis < 3; ++axis) {
+        const Lane3 e = axis_unit(axis);
+        const Lane3 turned = l3_cross(e, body->r);
+        const Shift shift = {b, l3_scale(alpha, e), l3_scale(alpha1, e), l3_zero(), l3_zero()};
+        const Shift turn = {b, l3_scale(beta, turned), l3_scale(beta1, turned), turned,
+                            l3_scale(beta, l3_cross(body->w, turned))};
+        column_shift(c, line, &shift, k->entry[6 * b + axis]);
+        column_shift(c, line, &turn, k->entry[6 * b + 3 + axis]);
+        column_speed(c, l3_scale(alpha, e), l3_zero(), d->entry[6 * b + axis]);
+        column_speed(c, l3_scale(beta, turned), l3_scale(alpha, e), d->entry[6 * b + 3 + axis]);
+    }
+}
+
+int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d,
+                              double normal[LANES])
+{
+    /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
+    const Line line = line_load(batch);
+    const Contact c = contact_at(batch, &line);
+    lane_store(normal, c.normal);
+    if (!mask_any(c.normal > lane_set(0))) return 0;
+    for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, k, d);
+    return 1;
+}

@@ -1,0 +1,59 @@
+/* What contact_lanes.c and contact_blocks_lanes.c offer to contact.c, once for every instruction set. */
+#ifndef HAWSER_CONTACT_CONTACT_KERNELS_H
+#define HAWSER_CONTACT_CONTACT_KERNELS_H
+
+#include "contact/contact.h"
+#include "core/isa.h"
+#include "core/lanes.h"
+
+/* Up to LANES hits, gathered; the last hit is repeated in unused lanes. Vectors are [component][lane], bodies
+ * [0, 1] are an element's two segments; a missing one is all zeros. */
+typedef struct ContactBatch {
+    _Alignas(64) double arc[LANES]; /* weights, as in Element */
+    double alpha[LANES], beta[2][2][LANES];
+    double x[2][3][LANES];                   /* centre, m */
+    double r[2][3][LANES];                   /* from the centre to the front end, m */
+    double v[2][3][LANES];                   /* m/s */
+    double w[2][3][LANES];                   /* rad/s */
+    double radius[2][LANES];                 /* contact radius, m */
+    double centre[3][LANES], axis[3][LANES]; /* of the shape, m and unit */
+    double shape_radius[LANES], shape_half_width[LANES];
+    const FrictionLaw *friction[LANES];
+    const ImpactLaw *impact;
+    double friction_scale;
+    int count;
+    int body[2][LANES];
+    int roller[LANES], element[LANES];
+} ContactBatch;
+
+/* What a batch does to its segments. */
+typedef struct ContactPush {
+    _Alignas(64) double force[2][3][LANES]; /* N, on the two bodies */
+    double moment[2][3][LANES];             /* N m, about their centres */
+    double total[3][LANES];                 /* N, on the cable */
+    double normal[LANES];                   /* N */
+    double u[LANES], gap[LANES];
+    double point[3][LANES]; /* m, on the line */
+} ContactPush;
+
+/* Derivatives of [force_0 moment_0 force_1 moment_1] with respect to [x_0 phi_0 x_1 phi_1] or [v_0 w_0 v_1
+ * w_1]. */
+typedef struct ContactMatrix {
+    _Alignas(64) double entry[12][12][LANES]; /* [column][row][lane] */
+} ContactMatrix;
+
+typedef struct ContactKernels {
+    /* node[i] = a positive factor times (normal at the centre of segment i . axis of segment i), for i =
+     * from..to-1 (and up to LANES - 1 more): only the sign counts */
+    void (*slopes)(const Shape *shape, const Kinematics *kin, int from, int to, double *node);
+    /* node[i] = distance of the centre of segment i from the shape, m; same range */
+    void (*distances)(const Shape *shape, const Kinematics *kin, int from, int to, double *node);
+    void (*push)(const ContactBatch *batch, ContactPush *out);
+    /* returns 0, and writes nothing, if no hit of the batch carries force; normal[lane] is each hit's force,
+     * N */
+    int (*columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
+} ContactKernels;
+
+extern const ContactKernels contact_kernels_generic, contact_kernels_avx2, contact_kernels_avx512;
+
+#endif

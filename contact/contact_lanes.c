@@ -1,0 +1,47 @@
+/* The force kernels of contact_kernels.h for one instruction set. */
+#include "contact/contact_lanes.h"
+
+/* One vector, one shape in every lane. */
+static Lane3 spread(Vec3 a) { return (Lane3){lane_set(a.x), lane_set(a.y), lane_set(a.z)}; }
+
+static LaneShape shape_spread(const Shape *shape)
+{
+    return (LaneShape){spread(shape->centre), spread(shape->axis), lane_set(shape->radius),
+                       lane_set(shape->half_width)};
+}
+
+/* One shape against many nodes: unit stride, no branches. */
+static void kernel_slopes(const Shape *shape, const Kinematics *kin, int from, int to, double *node)
+{
+    const LaneShape s = shape_spread(shape);
+    for (int i = from; i < to; i += LANES) {
+        lane_store(node + i, shape_cylinder_slope(&s, l3_load(kin->p, i), l3_load(kin->a, i)));
+    }
+}
+
+static void kernel_distances(const Shape *shape, const Kinematics *kin, int from, int to, double *node)
+{
+    const LaneShape s = shape_spread(shape);
+    for (int i = from; i < to; i += LANES) {
+        lane_store(node + i, shape_cylinder(&s, l3_load(kin->p, i)).distance);
+    }
+}
+
+/* Generalized forces by virtual work (C15). */
+static void kernel_push(const ContactBatch *batch, ContactPush *out)
+{
+    const Line line = line_load(batch);
+    const Contact c = contact_at(batch, &line);
+    for (int b = 0; b < 2; ++b) {
+        batch_vector_store(out->force[b], l3_scale(c.at.weight.alpha[b], c.force));
+        batch_vector_store(out->moment[b], l3_cross(c.arm[b], c.force));
+    }
+    batch_vector_store(out->total, c.force);
+    batch_vector_store(out->point, c.at.p);
+    lane_store(out->normal, c.normal);
+    lane_store(out->u, c.u);
+    lane_store(out->gap, c.gap);
+}
+
+const ContactKernels ISA_NAME(contact_kernels) = {kernel_slopes, kernel_distances, kernel_push,
+                                                  ISA_NAME(contact_columns)};

@@ -1,0 +1,84 @@
+/* The forces of LANES contacts at once: what the force and the derivative kernels share. Derivation and
+ * equation numbers: docs/model.md, "Contact"; letters as there. */
+#ifndef HAWSER_CONTACT_CONTACT_LANES_H
+#define HAWSER_CONTACT_CONTACT_LANES_H
+
+#include "contact/line_lanes.h"
+
+/* A contact with its force. */
+typedef struct Contact {
+    Lane u;
+    LaneMask interior; /* the minimum is inside the element: it moves along it */
+    LinePoint at;
+    Lane3 pdot;                           /* velocity of the line's material at P, m/s */
+    Lane3 omega;                          /* angular velocity there, rad/s */
+    Lane3 slip;                           /* surface velocity v_s, m/s */
+    Lane slip_normal;                     /* its part along the normal */
+    Lane3 slide;                          /* its tangential part v_t */
+    Lane gap, rate;                       /* m, m/s */
+    Lane normal, normal_gap, normal_rate; /* N and its derivatives (C12) */
+    Lane phi, phi_over;                   /* mu/v and its derivative over v, friction scale included (C14) */
+    Lane3 force;                          /* F (C13), N */
+    Lane3 arm[2]; /* beta_i r_i - alpha_i rc n: lever of F about the centres (C15), m */
+} Contact;
+
+/* Normal force and friction coefficient of every lane (C12), (C14): the scalar laws, since few lanes differ
+ * in cost. */
+LANE_INLINE void contact_laws(Contact *c, const ContactBatch *batch)
+{
+    /* value: N, dN/dgap, dN/drate, phi, (dphi/dv)/v */
+    double speed[LANES], value[5][LANES];
+    lane_store(speed, shape_root(l3_dot(c->slide, c->slide)));
+    for (int l = 0; l < LANES; ++l) {
+        value[0][l] = value[1][l] = value[2][l] = value[3][l] = value[4][l] = 0;
+        /* a gap that is not a number touches nothing: the caller sees it in the state */
+        if (!(c->gap[l] < 0)) continue;
+        value[0][l] = impact_force(batch->impact, c->gap[l], c->rate[l], &value[1][l], &value[2][l]);
+        value[3][l] = friction_over_speed(batch->friction[l], speed[l], &value[4][l]);
+    }
+    const Lane scale = lane_set(batch->friction_scale);
+    c->normal = lane_load(value[0]);
+    c->normal_gap = lane_load(value[1]);
+    c->normal_rate = lane_load(value[2]);
+    c->phi = scale * lane_load(value[3]);
+    c->phi_over = scale * lane_load(value[4]);
+}
+
+/* Velocities at the contact (C12), (C13). */
+LANE_INLINE void contact_motion(Contact *c, const Line *line)
+{
+    const LaneBody *j = &line->body[0], *k = &line->body[1];
+    const LaneWeights *w = &c->at.weight;
+    const Lane3 n = c->at.probe.normal;
+    c->pdot = weighted(w, j->v, l3_cross(j->w, j->r), k->v, l3_cross(k->w, k->r));
+    c->omega = l3_axpy(l3_scale(w->alpha[0], j->w), w->alpha[1], k->w);
+    c->slip = l3_axpy(c->pdot, -c->at.radius, l3_cross(c->omega, n));
+    c->slip_normal = l3_dot(n, c->slip);
+    c->slide = l3_axpy(c->slip, -c->slip_normal, n);
+    /* the rollers are fixed: the gap's rate is the line's own */
+    c->gap = c->at.probe.distance - c->at.radius;
+    c->rate = l3_dot(n, c->pdot);
+}
+
+/* A contact from its batch: nearest point, velocities, laws, force (C9)-(C15). */
+LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line)
+{
+    Contact c;
+    c.u = line_nearest(line, &c.interior);
+    c.at = line_at(line, c.u);
+    contact_motion(&c, line);
+    contact_laws(&c, batch);
+    const Lane3 n = c.at.probe.normal;
+    c.force = l3_scale(c.normal, l3_axpy(n, -c.phi, c.slide));
+    for (int b = 0; b < 2; ++b) {
+        c.arm[b] =
+            l3_axpy(l3_scale(c.at.weight.beta[b], line->body[b].r), -c.at.weight.alpha[b] * c.at.radius, n);
+    }
+    return c;
+}
+
+/* In contact_blocks_lanes.c; see ContactKernels. */
+int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d,
+                              double normal[LANES]);
+
+#endif

@@ -1,0 +1,160 @@
+/* The contact line of LANES elements at once: its points, and the one nearest to a shape. Derivation and
+ * equation numbers: docs/model.md, "Contact line"; letters as there. */
+#ifndef HAWSER_CONTACT_LINE_LANES_H
+#define HAWSER_CONTACT_LINE_LANES_H
+
+#include "contact/contact_kernels.h"
+#include "contact/shape_lanes.h"
+
+/* One of an element's two segments: centre, arm to the front end, velocities, contact radius. */
+typedef struct LaneBody {
+    Lane3 x, r, v, w;
+    Lane radius;
+} LaneBody;
+
+/* The weights of the two bodies (C2), or their derivatives by u. */
+typedef struct LaneWeights {
+    Lane alpha[2], beta[2];
+} LaneWeights;
+
+/* A batch in lanes. */
+typedef struct Line {
+    LaneBody body[2];
+    Lane arc, alpha, beta[2][2];
+    LaneShape shape;
+} Line;
+
+/* A point of the line against its shape. */
+typedef struct LinePoint {
+    LaneWeights weight, weight1; /* at u, and their first derivatives */
+    Lane3 p, p1;                 /* P and P', m */
+    Lane radius, radius1;        /* rc and rc', m */
+    LaneProbe probe;
+    Lane slope;     /* g' (C9), m */
+    Lane curvature; /* g'' (C10), m */
+} LinePoint;
+
+/* Vectors in and out of a batch. */
+LANE_INLINE Lane3 batch_vector(const double a[3][LANES])
+{
+    return (Lane3){lane_load(a[0]), lane_load(a[1]), lane_load(a[2])};
+}
+LANE_INLINE void batch_vector_store(double a[3][LANES], Lane3 v)
+{
+    lane_store(a[0], v.x);
+    lane_store(a[1], v.y);
+    lane_store(a[2], v.z);
+}
+
+/* The batch's numbers as lanes; they stay in memory until used. */
+LANE_INLINE Line line_load(const ContactBatch *batch)
+{
+    Line line;
+    for (int b = 0; b < 2; ++b) {
+        line.body[b] =
+            (LaneBody){batch_vector(batch->x[b]), batch_vector(batch->r[b]), batch_vector(batch->v[b]),
+                       batch_vector(batch->w[b]), lane_load(batch->radius[b])};
+        line.beta[b][0] = lane_load(batch->beta[b][0]);
+        line.beta[b][1] = lane_load(batch->beta[b][1]);
+    }
+    line.arc = lane_load(batch->arc);
+    line.alpha = lane_load(batch->alpha);
+    line.shape = (LaneShape){batch_vector(batch->centre), batch_vector(batch->axis),
+                             lane_load(batch->shape_radius), lane_load(batch->shape_half_width)};
+    return line;
+}
+
+/* sum of alpha_i a_i + beta_i b_i over the two bodies. */
+LANE_INLINE Lane3 weighted(const LaneWeights *w, Lane3 a0, Lane3 b0, Lane3 a1, Lane3 b1)
+{
+    const Lane3 first = l3_axpy(l3_scale(w->alpha[0], a0), w->beta[0], b0);
+    return l3_axpy(l3_axpy(first, w->alpha[1], a1), w->beta[1], b1);
+}
+
+/* Weights (C2), (C3) and their first derivatives. */
+LANE_INLINE void line_weights(const Line *line, Lane u, LaneWeights *w, LaneWeights *w1)
+{
+    const Lane v = 1 - u;
+    w->alpha[1] = line->arc * u * u * (3 - 2 * u) + line->alpha;
+    w->alpha[0] = 1 - w->alpha[1];
+    w->beta[0] = line->arc * (2 * u * v * v) + line->beta[0][0] + line->beta[0][1] * u;
+    w->beta[1] = line->beta[1][0] + line->beta[1][1] * u - line->arc * (2 * u * u * v);
+    w1->alpha[1] = line->arc * (6 * u * v);
+    w1->alpha[0] = -w1->alpha[1];
+    w1->beta[0] = line->arc * (2 * v * (1 - 3 * u)) + line->beta[0][1];
+    w1->beta[1] = line->arc * (2 * u * (3 * u - 2)) + line->beta[1][1];
+}
+
+/* Second derivatives of the weights: only the arc has them. */
+LANE_INLINE LaneWeights line_weights2(const Line *line, Lane u)
+{
+    LaneWeights w2;
+    w2.alpha[1] = line->arc * (6 - 12 * u);
+    w2.alpha[0] = -w2.alpha[1];
+    w2.beta[0] = line->arc * (12 * u - 8);
+    w2.beta[1] = line->arc * (12 * u - 4);
+    return w2;
+}
+
+/* Everything at parameter u: (C1), (C4), (C9), (C10). */
+LANE_INLINE LinePoint line_at(const Line *line, Lane u)
+{
+    const LaneBody *j = &line->body[0], *k = &line->body[1];
+    LinePoint at;
+    line_weights(line, u, &at.weight, &at.weight1);
+    const LaneWeights weight2 = line_weights2(line, u);
+    at.p = weighted(&at.weight, j->x, j->r, k->x, k->r);
+    at.p1 = weighted(&at.weight1, j->x, j->r, k->x, k->r);
+    const Lane3 p2 = weighted(&weight2, j->x, j->r, k->x, k->r);
+    at.radius = at.weight.alpha[0] * j->radius + at.weight.alpha[1] * k->radius;
+    at.radius1 = at.weight1.alpha[1] * (k->radius - j->radius);
+    const Lane radius2 = weight2.alpha[1] * (k->radius - j->radius);
+    at.probe = shape_cylinder(&line->shape, at.p);
+    at.slope = l3_dot(at.probe.normal, at.p1) - at.radius1;
+    at.curvature =
+        l3_dot(at.p1, probe_hessian_times(&at.probe, at.p1)) + l3_dot(at.probe.normal, p2) - radius2;
+    return at;
+}
+
+LANE_INLINE Lane lane_abs(Lane x) { return lane_select(x < lane_set(0), -x, x); }
+
+LANE_INLINE int mask_any(LaneMask m)
+{
+    int64_t any = 0;
+    for (int k = 0; k < LANES; ++k) any |= m[k];
+    return any != 0;
+}
+
+/* Parameter of the element's point nearest to the shape (C11). The slope is negative at `low` and not at
+ * `high`, always; Newton's step where it stays between them, bisection where not. The start is exact for a
+ * straight line on a cylinder's lateral surface. A lane that has converged is left alone, so that it does not
+ * depend on its neighbours. */
+LANE_INLINE Lane line_nearest(const Line *line, LaneMask *interior)
+{
+    enum { NEWTON = 20, MOST = 80 };
+    const Lane zero = lane_set(0), one = lane_set(1), close = lane_set(1e-10);
+    const LinePoint start = line_at(line, zero), end = line_at(line, one);
+    /* what does not change its sign is clamped: to the end where the gap is least */
+    *interior = (start.slope < zero) & (end.slope >= zero);
+    const Lane s0 = start.probe.scale * start.slope, s1 = end.probe.scale * end.slope;
+    Lane u = lane_select(*interior, s0 / (s0 - s1), lane_select(start.slope < zero, one, zero));
+
+    /* the root stays in [low, high], which shrinks at every step */
+    Lane low = zero, high = one;
+    LaneMask running = *interior;
+    for (int i = 0; i < MOST && mask_any(running); ++i) {
+        const LinePoint at = line_at(line, u);
+        low = lane_select(at.slope < zero, u, low);
+        high = lane_select(at.slope < zero, high, u);
+        const Lane newton = u - at.slope / at.curvature;
+        const LaneMask inside = (newton >= low) & (newton <= high);
+        const Lane middle = (low + high) / 2;
+        const Lane next = i < NEWTON ? lane_select(inside, newton, middle) : middle;
+        const LaneMask moving = running & (lane_abs(next - u) > close);
+        u = lane_select(running, next, u);
+        running = moving;
+    }
+    return u;
+}
+
+#endif

@@ -1,0 +1,63 @@
+#include "core/body.h"
+
+#include "core/body_kernels.h"
+
+static const BodyKernels *kernels(void)
+{
+    static const BodyKernels *const table[] = ISA_TABLE(body_kernels);
+    return table[isa_best()];
+}
+
+void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin)
+{
+    kernels()->kinematics(n, y, from, to, kin);
+}
+
+void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads,
+                const double *y, int from, int to, double *ydot)
+{
+    kernels()->rates(chain, kin, joints, loads, y, from, to, ydot);
+}
+
+Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a)
+{
+    const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+    const Vec3 b = quat_rotate(quat_conj(q), a);
+    return quat_rotate(q, v3(chain->inertia[0][i] * b.x, chain->inertia[1][i] * b.y, chain->inertia[2][i] * b.z));
+}
+
+/* The change of I a when the segment turns by phi: phi x (I a) - I (phi x a). */
+static Vec3 inertia_turned(const Chain *chain, const Kinematics *kin, int i, Vec3 phi, Vec3 a)
+{
+    return v3_sub(v3_cross(phi, body_inertia_times(chain, kin, i, a)),
+                  body_inertia_times(chain, kin, i, v3_cross(phi, a)));
+}
+
+static void column_add(double *block, int column, Vec3 moment)
+{
+    double *const at = block + 6 * (3 + column) + 3;
+    at[0] += moment.x;
+    at[1] += moment.y;
+    at[2] += moment.z;
+}
+
+void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, int from, int to, BlockChain *k,
+                 BlockChain *d)
+{
+    const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const int n = chain->n;
+    for (int i = from; i < to; ++i) {
+        const double *const rate = ydot + STATE_W * n + i;
+        const Vec3 w = v3(kin->w[0][i], kin->w[1][i], kin->w[2][i]);
+        const Vec3 spin = v3(rate[0], rate[n], rate[2 * n]);
+        const Vec3 momentum = body_inertia_times(chain, kin, i, w);
+        for (int c = 0; c < 3; ++c) { /* (S4) */
+            const Vec3 turned = v3_cross(w, inertia_turned(chain, kin, i, unit[c], w));
+            column_add(k->diag + 36 * i, c,
+                       v3_scale(-1, v3_add(inertia_turned(chain, kin, i, unit[c], spin), turned)));
+            const Vec3 gyro = v3_add(v3_cross(unit[c], momentum),
+                                     v3_cross(w, body_inertia_times(chain, kin, i, unit[c])));
+            column_add(d->diag + 36 * i, c, v3_scale(-1, gyro));
+        }
+    }
+}

@@ -1,0 +1,30 @@
+/* The segments as rigid bodies: state to kinematics, loads to accelerations, and the inertia's own derivatives.
+ * docs/model.md, "Segments". */
+#ifndef HAWSER_CORE_BODY_H
+#define HAWSER_CORE_BODY_H
+
+#include "core/block_chain.h"
+#include "core/bushing.h"
+#include "core/chain.h"
+#include "core/state.h"
+#include "core/vec3.h"
+
+/* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. from is a multiple
+ * of LANES. Ghosts and padding are left alone. */
+void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin);
+
+/* Rates of y for segments from..to-1 (S1)-(S3): v, half w q, (sum of forces)/m, and Euler's equation, from the joints'
+ * loads, and the other loads on the segments. y is needed for its quaternions as they are (not normalised).
+ * from is a multiple of LANES. */
+void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads,
+                const double *y, int from, int to, double *ydot);
+
+/* Adds to the rotation parts of k and d what the turning of the inertia and the gyroscopic moment contribute to
+ * d(moment - I w')/d(phi) and /d(w) (S4), for segments from..to-1; ydot holds w'. */
+void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, int from, int to, BlockChain *k,
+                 BlockChain *d);
+
+/* The inertia of segment i about its centre times a, world, kg m2 * a. */
+Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a);
+
+#endif

@@ -1,0 +1,94 @@
+/* The kernels of body.h for one instruction set. The last, incomplete lane goes through a padded copy of its columns of
+ * the state, so that nothing is read or written beyond it. */
+#include "core/body_kernels.h"
+#include "core/joint_lanes.h"
+
+/* Copies `count` entries from index i of each of the 13 arrays between the state and a padded buffer. */
+LANE_INLINE void columns_in(int n, const double *y, int i, int count, double buffer[STATE_SIZE][LANES])
+{
+    for (int c = 0; c < STATE_SIZE; ++c) memcpy(buffer[c], y + c * n + i, (size_t)count * sizeof(double));
+}
+LANE_INLINE void columns_out(int n, double *y, int i, int count, double buffer[STATE_SIZE][LANES])
+{
+    for (int c = 0; c < STATE_SIZE; ++c) memcpy(y + c * n + i, buffer[c], (size_t)count * sizeof(double));
+}
+
+/* src[c] points at the first of LANES entries of array c. */
+LANE_INLINE void kinematics_of(const double *const src[STATE_SIZE], int i, Kinematics *kin)
+{
+    for (int c = 0; c < 3; ++c) {
+        lane_store(kin->p[c] + i, lane_load(src[STATE_P + c]));
+        lane_store(kin->v[c] + i, lane_load(src[STATE_V + c]));
+        lane_store(kin->w[c] + i, lane_load(src[STATE_W + c]));
+    }
+    Lane w = lane_load(src[STATE_Q]);
+    Lane3 u = {lane_load(src[STATE_Q + 1]), lane_load(src[STATE_Q + 2]), lane_load(src[STATE_Q + 3])};
+    const Lane scale = 1 / lane_sqrt(w * w + l3_dot(u, u));
+    w *= scale;
+    u = l3_scale(scale, u);
+    lane_store(kin->q[0] + i, w);
+    l3_store(kin->q + 1, i, u);
+    l3_store(kin->a, i, frame_of_quaternion(w, u).x);
+}
+
+static void kernel_kinematics(int n, const double *y, int from, int to, Kinematics *kin)
+{
+    const double *src[STATE_SIZE];
+    int i = from;
+    for (; i + LANES <= to; i += LANES) {
+        for (int c = 0; c < STATE_SIZE; ++c) src[c] = y + c * n + i;
+        kinematics_of(src, i, kin);
+    }
+    if (i == to) return;
+    double buffer[STATE_SIZE][LANES] = {{0}};
+    for (int k = 0; k < LANES; ++k) buffer[STATE_Q][k] = 1;
+    columns_in(n, y, i, to - i, buffer);
+    for (int c = 0; c < STATE_SIZE; ++c) src[c] = buffer[c];
+    kinematics_of(src, i, kin);
+}
+
+/* Rates of LANES segments from i; q: their quaternions as the state has them. dst as src above. */
+LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads, int i,
+                          Lane qw, Lane3 qu, double *const dst[STATE_SIZE])
+{
+    const Lane3 v = l3_load(kin->v, i), w = l3_load(kin->w, i);
+    const Lane half = lane_set(0.5);
+    l3_store(dst + STATE_P, 0, v);
+    lane_store(dst[STATE_Q], -half * l3_dot(w, qu));
+    l3_store(dst + STATE_Q + 1, 0, l3_scale(half, l3_add(l3_scale(qw, w), l3_cross(w, qu))));
+
+    const Lane3 from_joints = l3_sub(l3_load(joints->force, i + 1), l3_load(joints->force, i));
+    const Lane3 force = l3_add(from_joints, l3_load(loads->f, i));
+    l3_store(dst + STATE_V, 0, l3_scale(1 / lane_load(chain->mass + i), force));
+
+    const Lane3 turning = l3_add(l3_load(joints->torque_a, i + 1), l3_load(joints->torque_b, i));
+    const LaneFrame frame = frame_of_quaternion(lane_load(kin->q[0] + i), l3_load(kin->q + 1, i));
+    const Lane3 inertia = l3_load(chain->inertia, i);
+    const Lane3 wb = frame_in(&frame, w);
+    const Lane3 moment = l3_sub(frame_in(&frame, l3_add(turning, l3_load(loads->m, i))), l3_cross(wb, l3_times(inertia, wb)));
+    const Lane3 spin = {moment.x / inertia.x, moment.y / inertia.y, moment.z / inertia.z};
+    l3_store(dst + STATE_W, 0, frame_out(&frame, spin));
+}
+
+static void kernel_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads,
+                         const double *y, int from, int to, double *ydot)
+{
+    const int n = chain->n;
+    double *dst[STATE_SIZE];
+    int i = from;
+    for (; i + LANES <= to; i += LANES) {
+        for (int c = 0; c < STATE_SIZE; ++c) dst[c] = ydot + c * n + i;
+        const double *const q = y + STATE_Q * n + i;
+        const Lane3 qu = {lane_load(q + n), lane_load(q + 2 * n), lane_load(q + 3 * n)};
+        rates_of(chain, kin, joints, loads, i, lane_load(q), qu, dst);
+    }
+    if (i == to) return;
+    double in[STATE_SIZE][LANES] = {{0}}, out[STATE_SIZE][LANES] = {{0}};
+    columns_in(n, y, i, to - i, in);
+    for (int c = 0; c < STATE_SIZE; ++c) dst[c] = out[c];
+    const Lane3 qu = {lane_load(in[STATE_Q + 1]), lane_load(in[STATE_Q + 2]), lane_load(in[STATE_Q + 3])};
+    rates_of(chain, kin, joints, loads, i, lane_load(in[STATE_Q]), qu, dst);
+    columns_out(n, ydot, i, to - i, out);
+}
+
+const BodyKernels ISA_NAME(body_kernels) = {kernel_kinematics, kernel_rates};

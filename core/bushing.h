@@ -1,0 +1,32 @@
+/* The six-component bushings between neighbouring segments: their wrenches and the derivatives of these.
+ * docs/model.md, "Bushing". */
+#ifndef HAWSER_CORE_BUSHING_H
+#define HAWSER_CORE_BUSHING_H
+
+#include "core/block_chain.h"
+#include "core/chain.h"
+
+/* Per joint 0..n (arrays as in Chain): the force on the segment before it (minus that on the one after), world, N; the
+ * moments about the centres of both, world, N m. */
+typedef struct JointLoads {
+    double *force[3];
+    double *torque_a[3], *torque_b[3];
+} JointLoads;
+
+int joint_loads_alloc(JointLoads *loads, int n);
+void joint_loads_free(JointLoads *loads);
+
+/* Wrenches of joints from..to-1 for the given kinematics (ghosts included). from is a multiple of LANES; joints up to
+ * the next multiple of LANES after `to` may be written too. */
+void bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
+
+/* The law's own components of every joint (B8): law[0..2] force, law[3..5] moment, in the bushing's frame, N and N m;
+ * law[0] is the axial force, positive in tension. */
+void bushing_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6]);
+
+/* Adds the derivatives of the bushings' forces and moments to k (with respect to position and rotation, 6x6 blocks
+ * [force; moment] by [dx; dphi], world) and d (with respect to velocity and angular velocity) (B10)-(B14).
+ * Joints from..to-1; a block row is touched by its own two joints. Ghosts have no rows: their parts are dropped. */
+void bushing_blocks(const Chain *chain, const Kinematics *kin, int from, int to, BlockChain *k, BlockChain *d);
+
+#endif

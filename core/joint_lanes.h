@@ -1,0 +1,251 @@
+/* The geometry and the wrench of LANES bushings at once: what the force and the derivative kernels share.
+ * Derivation and equation numbers: docs/model.md, "Bushing". Letters as there: A the segment before the joint, B the one
+ * after; vectors are components in the bushing's frame F unless they end in _w (world). */
+#ifndef HAWSER_CORE_JOINT_LANES_H
+#define HAWSER_CORE_JOINT_LANES_H
+
+#include <math.h>
+
+#include "core/chain.h"
+#include "core/lanes.h"
+
+/* Columns of a rotation: R e_x, R e_y, R e_z. */
+typedef struct LaneFrame {
+    Lane3 x, y, z;
+} LaneFrame;
+
+typedef struct Joint {
+    LaneFrame frame;    /* F in the world */
+    Lane3 theta;        /* relative rotation vector, the same components in A, F and B */
+    Lane theta2;        /* its square */
+    Lane t0, t1;        /* T = t0 1 + t1 theta theta^T (B5) */
+    Lane h;             /* tan(theta/4) / (2 theta) (B6) */
+    Lane cos_half;      /* cos(theta/2) */
+    Lane3 la, lb;       /* half-length vectors toward the joint's side: rA along A's axis, rB along B's */
+    Lane3 d, e;         /* gap and its world rate in F (B1), (B7) */
+    Lane3 wa, wb, rho;  /* angular velocities, rho = wb - wa */
+    Lane3 omega;        /* angular velocity of F (B6) */
+    Lane3 d_rate;       /* rate of d in F: e - omega x d (B7) */
+    Lane3 theta_rate;   /* rate of theta as the law takes it (B7) */
+    Lane3 force, mu;    /* law: K d + C d' + f0 and K theta + C theta' + m0 (B8) */
+    Lane3 moment;       /* T mu (symmetric) or mu (adams) (B9) */
+    Lane3 c;            /* d x force */
+    Lane3 torque_a, torque_b; /* moments about the centres of A and B (B9) */
+} Joint;
+
+/* World to frame and back. */
+LANE_INLINE Lane3 frame_in(const LaneFrame *f, Lane3 v)
+{
+    return (Lane3){l3_dot(f->x, v), l3_dot(f->y, v), l3_dot(f->z, v)};
+}
+LANE_INLINE Lane3 frame_out(const LaneFrame *f, Lane3 v)
+{
+    return l3_axpy(l3_axpy(l3_scale(v.x, f->x), v.y, f->y), v.z, f->z);
+}
+
+LANE_INLINE LaneFrame frame_of_quaternion(Lane w, Lane3 u)
+{
+    const Lane one = lane_set(1), two = lane_set(2);
+    return (LaneFrame){
+        {one - two * (u.y * u.y + u.z * u.z), two * (u.x * u.y + w * u.z), two * (u.x * u.z - w * u.y)},
+        {two * (u.x * u.y - w * u.z), one - two * (u.x * u.x + u.z * u.z), two * (u.y * u.z + w * u.x)},
+        {two * (u.x * u.z + w * u.y), two * (u.y * u.z - w * u.x), one - two * (u.x * u.x + u.y * u.y)}};
+}
+
+/* Horner's rule, c[0] + c[1] x + ... */
+LANE_INLINE Lane lane_poly(const double *c, int terms, Lane x)
+{
+    Lane sum = lane_set(c[terms - 1]);
+    for (int k = terms - 2; k >= 0; --k) sum = sum * x + lane_set(c[k]);
+    return sum;
+}
+
+LANE_INLINE int lane_any(LaneMask m)
+{
+    int64_t any = 0;
+    for (int k = 0; k < LANES; ++k) any |= m[k];
+    return any != 0;
+}
+
+LANE_INLINE Lane lane_sqrt(Lane x)
+{
+    Lane r;
+    for (int k = 0; k < LANES; ++k) r[k] = sqrt(x[k]);
+    return r;
+}
+
+/* asin(sqrt(x)) / sqrt(x) for 0 <= x < 1: the series where it converges to rounding (x < 0.062, a joint bent by less
+ * than 1 rad), the library elsewhere. */
+LANE_INLINE Lane lane_asin_ratio(Lane x)
+{
+    static const double c[] = {1.0,
+                               1.0 / 6,
+                               3.0 / 40,
+                               5.0 / 112,
+                               35.0 / 1152,
+                               63.0 / 2816,
+                               231.0 / 13312,
+                               143.0 / 10240,
+                               6435.0 / 557056,
+                               12155.0 / 1245184,
+                               46189.0 / 5505024,
+                               88179.0 / 12058624,
+                               676039.0 / 104857600};
+    Lane ratio = lane_poly(c, sizeof c / sizeof *c, x);
+    const LaneMask far = x > lane_set(0.0612);
+    if (lane_any(far)) {
+        for (int k = 0; k < LANES; ++k) {
+            const double root = sqrt(x[k] < 1 ? x[k] : 1);
+            if (far[k]) ratio[k] = asin(root) / root;
+        }
+    }
+    return ratio;
+}
+
+/* Even functions of the angle, by series in theta^2 below 1 rad and in closed form above (B5), (B10). */
+LANE_INLINE Lane even_function(const double *c, int terms, Lane theta2, Lane closed_form)
+{
+    return lane_select(theta2 < lane_set(1), lane_poly(c, terms, theta2), closed_form);
+}
+/* (1 - t0) / theta^2 */
+LANE_INLINE Lane joint_t1(Lane t0, Lane theta2)
+{
+    static const double c[] = {-1.0 / 24,
+                               -7.0 / 5760,
+                               -31.0 / 967680,
+                               -8.202608300264551e-07,
+                               -2.0835982071876168e-08,
+                               -5.281609967721337e-10,
+                               -1.3380902920268335e-11,
+                               -3.389576851489321e-13,
+                               -8.585996549822947e-15};
+    return even_function(c, 9, theta2, (1 - t0) / theta2);
+}
+/* (dt0/dtheta) / theta = t0 (1 - t0 cos(theta/2)) / theta^2 */
+LANE_INLINE Lane joint_t0_slope(Lane t0, Lane cos_half, Lane theta2)
+{
+    static const double c[] = {1.0 / 12,
+                               1.0 / 720,
+                               1.0 / 30240,
+                               8.267195767195768e-07,
+                               2.08767569878681e-08,
+                               5.284190138687493e-10,
+                               1.3382536530684679e-11,
+                               3.3896802963225827e-13,
+                               8.586062056277845e-15};
+    return t0 * even_function(c, 9, theta2, (1 - t0 * cos_half) / theta2);
+}
+/* (dt1/dtheta) / theta = -(t0'/theta + 2 t1) / theta^2 */
+LANE_INLINE Lane joint_t1_slope(Lane t0_slope, Lane t1, Lane theta2)
+{
+    static const double c[] = {-0.0024305555555555556, -0.00012814153439153438, -4.92156498015873e-06,
+                               -1.6668785657500935e-07, -5.2816099677213374e-09, -1.6057083504322002e-10,
+                               -4.7454075920850495e-12, -1.3737594479716716e-13, -3.9147561905854015e-15};
+    return even_function(c, 9, theta2, -(t0_slope + 2 * t1) / theta2);
+}
+/* (dh/dtheta) / theta = (1/8 + h^2 theta^2 / 2 - h) / theta^2 */
+LANE_INLINE Lane joint_h_slope(Lane h, Lane theta2)
+{
+    static const double c[] = {1.0 / 192,
+                               1.0 / 3840,
+                               9.881882440476191e-06,
+                               3.3370191247795415e-07,
+                               1.0565800106408831e-08,
+                               3.211612734114362e-10,
+                               9.490960006936665e-12,
+                               2.7475293769761266e-13,
+                               7.829519847989912e-15};
+    return even_function(c, 9, theta2, (0.125 + 0.5 * h * h * theta2 - h) / theta2);
+}
+
+/* T r (B5). */
+LANE_INLINE Lane3 joint_t_times(const Joint *j, Lane3 r)
+{
+    return l3_axpy(l3_scale(j->t0, r), j->t1 * l3_dot(j->theta, r), j->theta);
+}
+
+/* Relative rotation of B against A and the frame F (B2)-(B4). */
+LANE_INLINE void joint_rotation(Joint *j, const Kinematics *kin, int ja, int jb, int symmetric)
+{
+    const Lane aw = lane_load(kin->q[0] + ja), bw = lane_load(kin->q[0] + jb);
+    const Lane3 au = l3_load(kin->q + 1, ja), bu = l3_load(kin->q + 1, jb);
+    Lane s = aw * bw + l3_dot(au, bu);
+    Lane3 v = l3_sub(l3_axpy(l3_scale(aw, bu), -bw, au), l3_cross(au, bu));
+    const LaneMask flip = s < lane_set(0); /* q and -q are one rotation: take the short way */
+    s = lane_select(flip, -s, s);
+    v = (Lane3){lane_select(flip, -v.x, v.x), lane_select(flip, -v.y, v.y), lane_select(flip, -v.z, v.z)};
+
+    const Lane inv = 1 / lane_sqrt(2 * (1 + s)); /* the half rotation (hw, hv) */
+    const Lane hw = (1 + s) * inv;
+    const Lane3 hv = l3_scale(inv, v);
+    const Lane ratio = lane_asin_ratio(l3_dot(hv, hv));
+    j->theta = l3_scale(4 * ratio, hv);
+    j->theta2 = l3_dot(j->theta, j->theta);
+    j->t0 = 2 * ratio * inv;
+    j->t1 = joint_t1(j->t0, j->theta2);
+    j->h = 1 / (8 * ratio * hw);
+    j->cos_half = s;
+    if (symmetric) {
+        const Lane mw = aw * hw - l3_dot(au, hv);
+        const Lane3 mu = l3_add(l3_axpy(l3_scale(aw, hv), hw, au), l3_cross(au, hv));
+        j->frame = frame_of_quaternion(mw, mu);
+    } else {
+        j->frame = frame_of_quaternion(bw, bu);
+    }
+}
+
+/* Gap, rates and the frame's angular velocity (B1), (B6), (B7). */
+LANE_INLINE void joint_rates(Joint *j, const Chain *chain, const Kinematics *kin, int ja, int jb, int symmetric)
+{
+    const LaneFrame *f = &j->frame;
+    const Lane3 la_w = l3_scale(lane_load(chain->half + ja), l3_load(kin->a, ja));
+    const Lane3 lb_w = l3_scale(lane_load(chain->half + jb), l3_load(kin->a, jb));
+    const Lane3 dx_w = l3_sub(l3_load(kin->p, jb), l3_load(kin->p, ja));
+    const Lane3 dv_w = l3_sub(l3_load(kin->v, jb), l3_load(kin->v, ja));
+    j->la = frame_in(f, la_w);
+    j->lb = frame_in(f, lb_w);
+    j->wa = frame_in(f, l3_load(kin->w, ja));
+    j->wb = frame_in(f, l3_load(kin->w, jb));
+    j->rho = l3_sub(j->wb, j->wa);
+    j->d = frame_in(f, l3_sub(dx_w, l3_add(la_w, lb_w)));
+    j->e = l3_sub(frame_in(f, dv_w), l3_add(l3_cross(j->wa, j->la), l3_cross(j->wb, j->lb)));
+    const Lane3 mean = l3_scale(lane_set(0.5), l3_add(j->wa, j->wb));
+    j->omega = symmetric ? l3_axpy(mean, -j->h, l3_cross(j->theta, j->rho)) : j->wb;
+    j->d_rate = l3_sub(j->e, l3_cross(j->omega, j->d));
+    j->theta_rate = symmetric ? joint_t_times(j, j->rho) : j->rho;
+}
+
+/* The law (B8) and the wrench on both segments (B9). */
+LANE_INLINE void joint_wrench(Joint *j, const Chain *chain, int jj, int symmetric)
+{
+    const Lane3 kt = l3_load(chain->stiffness, jj), kr = l3_load(chain->stiffness + 3, jj);
+    const Lane3 ct = l3_load(chain->damping, jj), cr = l3_load(chain->damping + 3, jj);
+    const Lane3 f0 = l3_load(chain->preload, jj), m0 = l3_load(chain->preload + 3, jj);
+    j->force = l3_add(l3_add(l3_times(kt, j->d), l3_times(ct, j->d_rate)), f0);
+    j->mu = l3_add(l3_add(l3_times(kr, j->theta), l3_times(cr, j->theta_rate)), m0);
+    j->moment = symmetric ? joint_t_times(j, j->mu) : j->mu;
+    j->c = l3_cross(j->d, j->force);
+    const Lane3 pull_a = l3_add(l3_cross(j->la, j->force), j->moment);
+    const Lane3 pull_b = l3_sub(l3_cross(j->lb, j->force), j->moment);
+    if (symmetric) {
+        const Lane3 half_c = l3_scale(lane_set(0.5), j->c);
+        const Lane3 twist = l3_scale(j->h, l3_cross(j->c, j->theta));
+        j->torque_a = l3_add(pull_a, l3_add(half_c, twist));
+        j->torque_b = l3_add(pull_b, l3_sub(half_c, twist));
+    } else {
+        j->torque_a = pull_a;
+        j->torque_b = l3_add(pull_b, j->c);
+    }
+}
+
+/* Everything about joints jj .. jj + LANES - 1. */
+LANE_INLINE Joint joint_at(const Chain *chain, const Kinematics *kin, int jj, int symmetric)
+{
+    Joint j;
+    joint_rotation(&j, kin, jj - 1, jj, symmetric);
+    joint_rates(&j, chain, kin, jj - 1, jj, symmetric);
+    joint_wrench(&j, chain, jj, symmetric);
+    return j;
+}
+
+#endif

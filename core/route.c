@@ -1,0 +1,130 @@
+#include "core/route.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+
+/* Level part of a unit tangent below which it counts as vertical; rounding leaves about 1e-15 of it. */
+static const double LEVEL_MIN = 1e-9;
+
+/* The level unit vector to the left of a tangent, e_z x t (R2); the zero vector for a vertical tangent. */
+static Vec3 level_left(Vec3 t)
+{
+    const double level = hypot(t.x, t.y);
+    return level > LEVEL_MIN ? v3(-t.y / level, t.x / level, 0) : v3(0, 0, 0);
+}
+
+/* Position, tangent and curvature at distance x from a piece's start; straight on for x < 0. (R1) */
+static RoutePoint piece_at(const RoutePiece *p, double x)
+{
+    RoutePoint at = {.position = v3_axpy(p->start, x, p->tangent), .tangent = p->tangent};
+    if (p->kind == ROUTE_BEND && x >= 0) {
+        const double turn = x / p->radius, c = cos(turn), s = sin(turn), half = sin(turn / 2);
+        at.position = v3_add(p->start, v3_add(v3_scale(p->radius * s, p->tangent),
+                                              v3_scale(p->radius * 2 * half * half, p->centre)));
+        at.tangent = v3_unit(v3_add(v3_scale(c, p->tangent), v3_scale(s, p->centre)));
+        at.curvature = v3_scale(1 / p->radius, v3_axpy(v3_scale(c, p->centre), -s, p->tangent));
+    }
+    return at;
+}
+
+/* Unit vector from a bend's start toward its centre: cos(plane) left + sin(plane) up, up = t x left. (R2) */
+static Vec3 bend_centre(Vec3 tangent, Vec3 left, double plane)
+{
+    const Vec3 up = v3_cross(tangent, left);
+    return v3_unit(v3_reject(v3_add(v3_scale(cos(plane), left), v3_scale(sin(plane), up)), tangent));
+}
+
+/* Sets one piece to begin at s0 with the given start and tangent; left is the level left there. */
+static void piece_set(RoutePiece *p, const RoutePieceDef *def, double s0, const RoutePoint *at, Vec3 left)
+{
+    const int bend = def->kind == ROUTE_BEND;
+    *p = (RoutePiece){.kind = def->kind, .s0 = s0, .start = at->position, .tangent = at->tangent};
+    memcpy(p->name, def->name, sizeof p->name);
+    p->length = bend ? def->radius * def->angle : def->length;
+    p->radius = bend ? def->radius : 0;
+    p->angle = bend ? def->angle : 0;
+    p->centre = bend ? bend_centre(at->tangent, left, def->plane) : v3(0, 0, 0);
+    assert(p->length > 0);
+}
+
+hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 start, double heading,
+                          double slope, hawser_error *err)
+{
+    assert(n >= 1);
+    *route = (Route){.n = n, .piece = calloc((size_t)n, sizeof *route->piece)};
+    if (!route->piece) {
+        route->n = 0;
+        return error_memory(err);
+    }
+    RoutePoint at = {.position = start};
+    at.tangent = v3(cos(slope) * cos(heading), cos(slope) * sin(heading), sin(slope));
+    Vec3 left = level_left(at.tangent);
+    for (int i = 0; i < n; i++) {
+        piece_set(&route->piece[i], &def[i], route->length, &at, left);
+        at = piece_at(&route->piece[i], route->piece[i].length);
+        route->length += route->piece[i].length;
+        left = route_left(route, route->length);
+    }
+    return HAWSER_OK;
+}
+
+void route_clear(Route *route)
+{
+    free(route->piece);
+    *route = (Route){0};
+}
+
+/* The last piece that begins at or before s, among those that are built; 0 before the first. */
+static int piece_find(const Route *route, double s)
+{
+    int low = 0, high = route->n;
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        const RoutePiece *p = &route->piece[middle];
+        if (p->length > 0 && p->s0 <= s) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+RoutePoint route_at(const Route *route, double s)
+{
+    const int i = piece_find(route, s);
+    const RoutePiece *p = &route->piece[i];
+    const double beyond = s - route->length;
+    RoutePoint at = piece_at(p, beyond > 0 ? p->length : s - p->s0);
+    at.piece = i;
+    if (beyond > 0) {
+        at.position = v3_axpy(at.position, beyond, at.tangent);
+        at.curvature = v3(0, 0, 0);
+    }
+    return at;
+}
+
+double route_slope(const Route *route, double s)
+{
+    const Vec3 t = route_at(route, s).tangent;
+    return atan2(t.z, hypot(t.x, t.y));
+}
+
+/* Where the tangent is vertical inside a bend, the tangent just before it is t - ds c with the level vector c
+ * toward the centre; where a piece begins vertically, the question goes to the piece before it. (R3) */
+Vec3 route_left(const Route *route, double s)
+{
+    const RoutePoint at = route_at(route, s);
+    Vec3 left = level_left(at.tangent);
+    for (int i = at.piece; v3_norm(left) < 0.5 && i >= 0; i--) {
+        const RoutePiece *p = &route->piece[i];
+        const double x = s < p->s0 + p->length ? s - p->s0 : p->length;
+        const RoutePoint before = piece_at(p, x);
+        left = level_left(before.tangent);
+        if (v3_norm(left) < 0.5 && x > 0) left = level_left(v3_scale(-1, before.curvature));
+    }
+    return v3_unit(left);
+}

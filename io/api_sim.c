@@ -1,0 +1,120 @@
+#include "core/error.h"
+#include "io/api_handles.h"
+#include "io/summary_json.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static hawser_status fill_handle(hawser_sim *s, const hawser_case *c, int threads, hawser_error *err)
+{
+    s->case_name = strdup(c->name);
+    s->title = strdup(c->def.title[0] ? c->def.title : c->name);
+    s->wants_relaxation = c->def.solver.relax;
+    if (!s->case_name || !s->title) return error_memory(err);
+    const hawser_status status = sim_new(&c->def, threads, &s->sim, err);
+    if (status) return status;
+    const SimRoller *table;
+    s->roller = calloc((size_t)sim_rollers(s->sim, &table) + 1, sizeof *s->roller);
+    return s->roller ? HAWSER_OK : error_memory(err);
+}
+
+hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out,
+                             hawser_error *err)
+{
+    *out = NULL;
+    const int threads = options ? options->threads : 0;
+    if (threads < 0 || threads > 2) {
+        return error_set(err, HAWSER_ERR_INPUT, "%d threads: 1 or 2 can be used (0: the case's choice)",
+                         threads);
+    }
+    hawser_status status = case_ensure_read(c, err);
+    if (status) return status;
+    hawser_sim *s = calloc(1, sizeof *s);
+    if (!s) return error_memory(err);
+    status = fill_handle(s, c, threads, err);
+    if (status) {
+        hawser_sim_free(s);
+        return status;
+    }
+    *out = s;
+    return HAWSER_OK;
+}
+
+void hawser_sim_free(hawser_sim *s)
+{
+    if (!s) return;
+    sim_free(s->sim);
+    free(s->case_name);
+    free(s->title);
+    free(s->roller);
+    free(s);
+}
+
+/* Keeps the outcome of a call that computes, for the summary. */
+static hawser_status keep_outcome(hawser_sim *s, hawser_status status, const hawser_error *err)
+{
+    s->outcome = status;
+    if (status) memcpy(s->message, err->message, sizeof s->message);
+    return status;
+}
+
+hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err)
+{
+    hawser_error local;
+    hawser_error *e = err ? err : &local;
+    if (sim_time(s->sim) > 0) {
+        return error_set(e, HAWSER_ERR_INPUT,
+                         "only a simulation that has not moved on from t = 0 can be relaxed");
+    }
+    s->relaxed = 1;
+    return keep_outcome(s, sim_relax(s->sim, out, e), e);
+}
+
+hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err)
+{
+    hawser_error local;
+    hawser_error *e = err ? err : &local;
+    return keep_outcome(s, sim_advance(s->sim, t, one_step, e), e);
+}
+
+double hawser_sim_time(const hawser_sim *s) { return sim_time(s->sim); }
+
+double hawser_sim_end_time(const hawser_sim *s) { return sim_end_time(s->sim); }
+
+const hawser_sample *hawser_sim_sample(hawser_sim *s) { return sim_sample(s->sim); }
+
+void hawser_sim_record(hawser_sim *s) { sim_record(s->sim); }
+
+void hawser_sim_summary(const hawser_sim *s, hawser_summary *out) { sim_summary(s->sim, out); }
+
+int hawser_sim_stations(const hawser_sim *s, const hawser_station **out) { return sim_stations(s->sim, out); }
+
+int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
+{
+    const SimRoller *table;
+    const int n = sim_rollers(s->sim, &table);
+    for (int i = 0; i < n; i++) {
+        const SimRoller *r = &table[i];
+        s->roller[i] = (hawser_roller){r->name, r->s, r->rating, r->initial, r->steady, r->peak};
+    }
+    *out = s->roller;
+    return n;
+}
+
+const char *hawser_sim_title(const hawser_sim *s) { return s->title; }
+
+static const char *outcome_name(const hawser_sim *s)
+{
+    if (s->running) return "running";
+    if (s->outcome == HAWSER_STOPPED) return "stopped";
+    if (s->outcome) return "failed";
+    return sim_time(s->sim) < sim_end_time(s->sim) ? "unfinished" : "finished";
+}
+
+hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
+{
+    hawser_summary summary;
+    const SummaryLabels labels = {s->title, s->case_name, outcome_name(s), s->outcome ? s->message : ""};
+    sim_summary(s->sim, &summary);
+    return summary_json(&summary, &labels, text, err);
+}

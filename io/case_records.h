@@ -1,0 +1,124 @@
+/* What the sections of a case are read into: one plain struct each, filled by the tables of io/case_schema.c. SI units;
+ * NAN: not given and without a default. Pointers are values with a form of their own, NULL if not given. Sections that fill
+ * parts of SceneDef directly (solver, run) have no struct here. */
+#ifndef HAWSER_IO_CASE_RECORDS_H
+#define HAWSER_IO_CASE_RECORDS_H
+
+#include "io/yaml_tree.h"
+#include "sim/scene_def.h"
+
+typedef struct FactorRecord {
+    double axial, shear, torsion, bending;
+} FactorRecord;
+
+typedef struct CableRecord {
+    double E, G, d, A, density;           /* the paper's shorthand, eq. 2 */
+    double EA, GA, GJ, EI, EI_y, EI_z, mass; /* given directly */
+    double damping;
+    FactorRecord factor;
+} CableRecord;
+
+typedef struct PieceRecord {
+    char cable[NAME_MAX_LENGTH];
+    double length, segment;
+    int swivel;
+} PieceRecord;
+
+typedef struct RoutePieceRecord {
+    char name[ROUTE_NAME_MAX];
+    double straight, bend, radius;
+    const CaseNode *plane;
+} RoutePieceRecord;
+
+typedef struct RouteRecord {
+    Vec3 start;
+    double heading, slope, head_at;
+    const CaseNode *pieces;
+} RouteRecord;
+
+typedef struct LeadInRecord {
+    int weight; /* 0 full, 1 carried */
+    double blend;
+} LeadInRecord;
+
+typedef struct FrictionRecord {
+    double mu, mu_s, mu_d, v_s, v_d;
+} FrictionRecord;
+
+typedef struct RollerRowRecord {
+    char name[NAME_MAX_LENGTH / 2];
+    double from, to, spacing;
+    int count; /* 0: by spacing */
+    double radius, width, rating;
+    const CaseNode *hold_down, *friction;
+} RollerRowRecord;
+
+typedef struct RollerRecord {
+    char name[NAME_MAX_LENGTH];
+    Vec3 centre, axis;
+    double radius, width, rating;
+    const CaseNode *friction;
+} RollerRecord;
+
+typedef struct RollersRecord {
+    const CaseNode *along, *list;
+} RollersRecord;
+
+typedef struct ContactRecord {
+    int geometry;
+    const CaseNode *k;
+    double e, c, d, reach;
+} ContactRecord;
+
+/* A winch's speed or a tail's tension over time. */
+typedef struct DriveRecord {
+    double value, from, to;
+    int ramp; /* a ProfileKind up to PROFILE_STEP5 */
+    const CaseNode *table;
+} DriveRecord;
+
+typedef struct DragRecord {
+    double force, v_s, v_d, ratio;
+} DragRecord;
+
+typedef struct DrivesRecord {
+    const CaseNode *winch, *tail, *rope_drag;
+} DrivesRecord;
+
+typedef struct OutputRecord {
+    double interval, states;
+    const CaseNode *stations, *speeds_of;
+} OutputRecord;
+
+typedef struct StationsRecord {
+    double spacing;
+    const CaseNode *list;
+} StationsRecord;
+
+typedef struct StationRecord {
+    char name[NAME_MAX_LENGTH];
+    double at;
+} StationRecord;
+
+typedef struct PaperRecord {
+    double reel, rope;
+    const CaseNode *terms;
+} PaperRecord;
+
+typedef struct TermRecord {
+    char name[PAPER_NAME_MAX];
+    double slope, length, arc, from, to;
+} TermRecord;
+
+typedef struct RunRecord {
+    double duration, steady_from;
+} RunRecord;
+
+typedef struct TopRecord {
+    char title[256];
+    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *contact, *friction, *drive, *run, *solver,
+        *output, *paper;
+    int frame;
+} TopRecord;
+
+#endif

@@ -1,0 +1,293 @@
+#include "io/case_schema.h"
+
+#include "io/case_records.h"
+
+/* Ranges are wide: they keep out what cannot be meant or computed, not what is unusual. Lengths to 1000 km,
+ * forces to 1 GN, moduli to 1000 TPa. */
+#define AT(type, member)       .offset = offsetof(type, member), .size = sizeof(((type *)NULL)->member)
+#define FROM(lowest, highest)  .min = (lowest), .max = (highest)
+#define ABOVE(lowest, highest) .min = (lowest), .max = (highest), .above = 1
+#define SECTION(name_, path_, rows)                                                                          \
+    const CaseSection name_ = {path_, (int)(sizeof(rows) / sizeof *(rows)), rows}
+
+static const double LONG = 1e6, STRONG = 1e9, STIFF = 1e15, LATE = 1e9, HALF_TURN = 3.14159265358979323846,
+                    UPRIGHT = 1.5707963267948966;
+
+/* In the order of the enumerations that they stand for. */
+static const char *const frames[] = {"symmetric", "adams", NULL};
+static const char *const weights[] = {"full", "carried", NULL};
+static const char *const geometries[] = {"smooth", "cylinder", NULL};
+static const char *const ramps[] = {"none", "step", "step5", NULL};
+static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
+static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
+
+static const CaseKey top_keys[] = {
+    {"title", KEY_TEXT, .fallback = "", AT(TopRecord, title)},
+    {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]",
+     FROM(0, 1e3), .dimension = DIM_ACCELERATION, AT(TopRecord, gravity)},
+    {"frame", KEY_CHOICE, .fallback = "symmetric", .choices = frames, AT(TopRecord, frame)},
+    {"cables", KEY_MAP, .required = 1, .form = "a name and its properties for each kind of cable",
+     AT(TopRecord, cables)},
+    {"chain", KEY_LIST, .required = 1, .form = "the pieces, from the tail to the winch",
+     AT(TopRecord, chain)},
+    {"route", KEY_MAP, .required = 1, .form = "section `route`", AT(TopRecord, route)},
+    {"lead_in", KEY_MAP, .otherwise = "none", .form = "section `lead_in`", AT(TopRecord, lead_in)},
+    {"rollers", KEY_MAP, .otherwise = "none", .form = "section `rollers`", AT(TopRecord, rollers)},
+    {"contact", KEY_MAP, .otherwise = "its defaults", .form = "section `contact`", AT(TopRecord, contact)},
+    {"friction", KEY_MAP, .otherwise = "its defaults", .form = "section `friction`", AT(TopRecord, friction)},
+    {"drive", KEY_MAP, .otherwise = "none", .form = "section `drive`", AT(TopRecord, drive)},
+    {"run", KEY_MAP, .required = 1, .form = "section `run`", AT(TopRecord, run)},
+    {"solver", KEY_MAP, .otherwise = "its defaults", .form = "section `solver`", AT(TopRecord, solver)},
+    {"output", KEY_MAP, .otherwise = "its defaults", .form = "section `output`", AT(TopRecord, output)},
+    {"paper", KEY_MAP, .otherwise = "from the route", .form = "section `paper`", AT(TopRecord, paper)},
+};
+SECTION(case_top, "", top_keys);
+
+static const CaseKey damping_factor_keys[] = {
+    {"axial", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(FactorRecord, axial)},
+    {"shear", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(FactorRecord, shear)},
+    {"torsion", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(FactorRecord, torsion)},
+    {"bending", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(FactorRecord, bending)},
+};
+SECTION(case_damping_factor, "cables.NAME.damping_factor", damping_factor_keys);
+
+static const CaseKey cable_keys[] = {
+    {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 100), AT(CableRecord, d)},
+    {"E", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, E)},
+    {"G", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, G)},
+    {"A", KEY_NUMBER, DIM_AREA, .otherwise = "none", ABOVE(0, 1e4), AT(CableRecord, A)},
+    {"density", KEY_NUMBER, DIM_DENSITY, .otherwise = "none", ABOVE(0, 1e6), AT(CableRecord, density)},
+    {"EA", KEY_NUMBER, DIM_FORCE, .otherwise = "E A", ABOVE(0, STIFF), AT(CableRecord, EA)},
+    {"GA", KEY_NUMBER, DIM_FORCE, .otherwise = "G A", ABOVE(0, STIFF), AT(CableRecord, GA)},
+    {"GJ", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "G pi d^4/32", ABOVE(0, STIFF), AT(CableRecord, GJ)},
+    {"EI", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "E pi d^4/64", ABOVE(0, STIFF), AT(CableRecord, EI)},
+    {"EI_y", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, EI_y)},
+    {"EI_z", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, EI_z)},
+    {"mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "density A", ABOVE(0, 1e6), AT(CableRecord, mass)},
+    {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(CableRecord, damping)},
+    {"damping_factor", KEY_SECTION, .otherwise = "its defaults", .section = &case_damping_factor,
+     AT(CableRecord, factor)},
+};
+SECTION(case_cable, "cables.NAME", cable_keys);
+
+static const CaseKey chain_piece_keys[] = {
+    {"cable", KEY_TEXT, .required = 1, AT(PieceRecord, cable)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(PieceRecord, length)},
+    {"segment", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(PieceRecord, segment)},
+    {"swivel", KEY_FLAG, .fallback = "false", AT(PieceRecord, swivel)},
+};
+SECTION(case_chain_piece, "chain.N", chain_piece_keys);
+
+static const CaseKey route_keys[] = {
+    {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(RouteRecord, start)},
+    {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(-2 * HALF_TURN, 2 * HALF_TURN),
+     AT(RouteRecord, heading)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", ABOVE(-UPRIGHT, UPRIGHT), AT(RouteRecord, slope)},
+    {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG),
+     AT(RouteRecord, head_at)},
+    {"pieces", KEY_LIST, .required = 1, .form = "straights and bends, end to end", AT(RouteRecord, pieces)},
+};
+SECTION(case_route, "route", route_keys);
+
+static const CaseKey route_piece_keys[] = {
+    {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a bend", ABOVE(0, LONG),
+     AT(RoutePieceRecord, straight)},
+    {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a straight", ABOVE(0, 2 * HALF_TURN),
+     AT(RoutePieceRecord, bend)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: bends need it", ABOVE(0, LONG),
+     AT(RoutePieceRecord, radius)},
+    {"plane", KEY_ANY, DIM_ANGLE, .otherwise = "none: bends need it",
+     .form = "`up`, `down`, `left`, `right` or an angle", FROM(-2 * HALF_TURN, 2 * HALF_TURN),
+     AT(RoutePieceRecord, plane)},
+    {"name", KEY_TEXT, .fallback = "", AT(RoutePieceRecord, name)},
+};
+SECTION(case_route_piece, "route.pieces.N", route_piece_keys);
+
+static const CaseKey lead_in_keys[] = {
+    {"weight", KEY_CHOICE, .fallback = "carried", .choices = weights, AT(LeadInRecord, weight)},
+    {"blend", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(LeadInRecord, blend)},
+};
+SECTION(case_lead_in, "lead_in", lead_in_keys);
+
+static const CaseKey rollers_keys[] = {
+    {"along", KEY_ANY, .otherwise = "none", .form = "a row of rollers, or a list of rows",
+     AT(RollersRecord, along)},
+    {"list", KEY_LIST, .otherwise = "none", .form = "rollers one by one", AT(RollersRecord, list)},
+};
+SECTION(case_rollers, "rollers", rollers_keys);
+
+static const CaseKey roller_row_keys[] = {
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RollerRowRecord, from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG),
+     AT(RollerRowRecord, to)},
+    {"count", KEY_INTEGER, .fallback = "0", FROM(0, 100000), AT(RollerRowRecord, count)},
+    {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "from `count`", ABOVE(0, LONG),
+     AT(RollerRowRecord, spacing)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(RollerRowRecord, radius)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(RollerRowRecord, width)},
+    {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(RollerRowRecord, rating)},
+    {"hold_down", KEY_ANY, DIM_LENGTH, .otherwise = "`none`", .form = "`none`, `sag` or a list of [from, to]",
+     FROM(-LONG, LONG), AT(RollerRowRecord, hold_down)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`",
+     AT(RollerRowRecord, friction)},
+    {"name", KEY_TEXT, .fallback = "R", AT(RollerRowRecord, name)},
+};
+SECTION(case_roller_row, "rollers.along", roller_row_keys);
+
+static const CaseKey roller_keys[] = {
+    {"centre", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(RollerRecord, centre)},
+    {"axis", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(RollerRecord, axis)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(RollerRecord, radius)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(RollerRecord, width)},
+    {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(RollerRecord, rating)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`",
+     AT(RollerRecord, friction)},
+    {"name", KEY_TEXT, .fallback = "", AT(RollerRecord, name)},
+};
+SECTION(case_roller, "rollers.list.N", roller_keys);
+
+static const CaseKey contact_keys[] = {
+    {"geometry", KEY_CHOICE, .fallback = "smooth", .choices = geometries, AT(ContactRecord, geometry)},
+    {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "3.4e8 N/m^1.5", .form = "a force per length to the power e",
+     ABOVE(0, 1e18), AT(ContactRecord, k)},
+    {"e", KEY_NUMBER, .fallback = "1.5", FROM(1, 5), AT(ContactRecord, e)},
+    {"c", KEY_NUMBER, DIM_DASHPOT, .fallback = "10 kN s/m", FROM(0, 1e12), AT(ContactRecord, c)},
+    {"d", KEY_NUMBER, DIM_LENGTH, .fallback = "0.1 mm", ABOVE(0, 1), AT(ContactRecord, d)},
+    {"reach", KEY_NUMBER, DIM_LENGTH, .fallback = "1 m", ABOVE(0, 1e4), AT(ContactRecord, reach)},
+};
+SECTION(case_contact, "contact", contact_keys);
+
+static const CaseKey friction_keys[] = {
+    {"mu", KEY_NUMBER, .otherwise = "0.2", FROM(0, 10), AT(FrictionRecord, mu)},
+    {"mu_s", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_s)},
+    {"mu_d", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_d)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s", ABOVE(0, 1e3), AT(FrictionRecord, v_s)},
+    {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(FrictionRecord, v_d)},
+};
+SECTION(case_friction, "friction", friction_keys);
+
+static const CaseKey drive_keys[] = {
+    {"winch", KEY_MAP, .otherwise = "none", .form = "section `drive.winch`", AT(DrivesRecord, winch)},
+    {"tail", KEY_MAP, .otherwise = "none", .form = "section `drive.tail`", AT(DrivesRecord, tail)},
+    {"rope_drag", KEY_MAP, .otherwise = "none", .form = "section `drive.rope_drag`",
+     AT(DrivesRecord, rope_drag)},
+};
+SECTION(case_drive, "drive", drive_keys);
+
+/* What a winch and a tail have in common. */
+#define RAMP_KEYS                                                                                            \
+    {"ramp", KEY_CHOICE, .fallback = "step", .choices = ramps, AT(DriveRecord, ramp)},                       \
+        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(DriveRecord, from)},             \
+    {                                                                                                        \
+        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(DriveRecord, to)                    \
+    }
+
+static const CaseKey winch_keys[] = {
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(DriveRecord, value)},
+    RAMP_KEYS,
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising", AT(DriveRecord, table)},
+};
+SECTION(case_winch, "drive.winch", winch_keys);
+
+static const CaseKey tail_keys[] = {
+    {"tension", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(DriveRecord, value)},
+    RAMP_KEYS,
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, tension], times rising", AT(DriveRecord, table)},
+};
+SECTION(case_tail, "drive.tail", tail_keys);
+
+static const CaseKey rope_drag_keys[] = {
+    {"force", KEY_NUMBER, DIM_FORCE, .required = 1, FROM(0, STRONG), AT(DragRecord, force)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "1 mm/s", ABOVE(0, 1e3), AT(DragRecord, v_s)},
+    {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(DragRecord, v_d)},
+    {"ratio", KEY_NUMBER, .fallback = "1", FROM(0, 1), AT(DragRecord, ratio)},
+};
+SECTION(case_rope_drag, "drive.rope_drag", rope_drag_keys);
+
+static const CaseKey run_keys[] = {
+    {"duration", KEY_NUMBER, DIM_TIME, .required = 1, ABOVE(0, LATE), AT(RunRecord, duration)},
+    {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE),
+     AT(RunRecord, steady_from)},
+};
+SECTION(case_run, "run", run_keys);
+
+static const CaseKey tolerances_keys[] = {
+    {"position", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, 1), AT(SolverDef, atol_position)},
+    {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, 1), AT(SolverDef, atol_rotation)},
+    {"velocity", KEY_NUMBER, DIM_SPEED, .fallback = "0 m/s", FROM(0, 1e3), AT(SolverDef, atol_velocity)},
+    {"omega", KEY_NUMBER, DIM_ANGULAR_SPEED, .fallback = "0 rad/s", FROM(0, 1e3), AT(SolverDef, atol_omega)},
+};
+SECTION(case_tolerances, "solver.tolerances", tolerances_keys);
+
+static const CaseKey solver_keys[] = {
+    {"accuracy", KEY_NUMBER, .fallback = "1e-3", FROM(1e-12, 0.1), AT(SolverDef, accuracy)},
+    {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &case_tolerances,
+     .size = sizeof(SolverDef)},
+    {"max_order", KEY_INTEGER, .fallback = "2", FROM(1, 5), AT(SolverDef, max_order)},
+    {"max_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, max_step)},
+    {"first_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, first_step)},
+    {"max_steps", KEY_INTEGER, .fallback = "0", FROM(0, 1e12), AT(SolverDef, max_steps)},
+    {"linear_solver", KEY_CHOICE, .fallback = "auto", .choices = solvers, AT(SolverDef, linear.kind)},
+    {"ordering", KEY_CHOICE, .fallback = "auto", .choices = orderings, AT(SolverDef, linear.ordering)},
+    {"threads", KEY_INTEGER, .fallback = "1", FROM(1, 2), AT(SolverDef, threads)},
+    {"relax", KEY_FLAG, .fallback = "true", AT(SolverDef, relax)},
+    {"relax_tolerance", KEY_NUMBER, .fallback = "1e-6", ABOVE(0, 1), AT(SolverDef, relax_tolerance)},
+    {"relax_iterations", KEY_INTEGER, .fallback = "200", FROM(0, 1e6), AT(SolverDef, relax_iterations)},
+};
+SECTION(case_solver, "solver", solver_keys);
+
+static const CaseKey output_keys[] = {
+    {"interval", KEY_NUMBER, DIM_TIME, .fallback = "50 ms", ABOVE(0, LATE), AT(OutputRecord, interval)},
+    {"states", KEY_NUMBER, DIM_TIME, .fallback = "500 ms", FROM(0, LATE), AT(OutputRecord, states)},
+    {"stations", KEY_ANY, .otherwise = "every 2 m", .form = "section `output.stations`, or its list alone",
+     AT(OutputRecord, stations)},
+    {"speeds_of", KEY_LIST, .otherwise = "the first segment, the one behind the eye, the last",
+     .form = "numbers of segments, from 0 at the tail", AT(OutputRecord, speeds_of)},
+};
+SECTION(case_output, "output", output_keys);
+
+static const CaseKey stations_keys[] = {
+    {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "those of the list alone", ABOVE(0, LONG),
+     AT(StationsRecord, spacing)},
+    {"list", KEY_LIST, .otherwise = "none", .form = "stations one by one", AT(StationsRecord, list)},
+};
+SECTION(case_stations, "output.stations", stations_keys);
+
+static const CaseKey station_keys[] = {
+    {"name", KEY_TEXT, .required = 1, AT(StationRecord, name)},
+    {"at", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(StationRecord, at)},
+};
+SECTION(case_station, "output.stations.list.N", station_keys);
+
+static const CaseKey paper_keys[] = {
+    {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, reel)},
+    {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, rope)},
+    {"terms", KEY_LIST, .required = 1, .form = "the path's slopes and arcs, end to end",
+     AT(PaperRecord, terms)},
+};
+SECTION(case_paper, "paper", paper_keys);
+
+static const CaseKey paper_term_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(TermRecord, name)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is an arc", FROM(-UPRIGHT, UPRIGHT),
+     AT(TermRecord, slope)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: slopes need it", ABOVE(0, LONG),
+     AT(TermRecord, length)},
+    {"arc", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a slope", ABOVE(0, LONG), AT(TermRecord, arc)},
+    {"from", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(-UPRIGHT, UPRIGHT),
+     AT(TermRecord, from)},
+    {"to", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(-UPRIGHT, UPRIGHT),
+     AT(TermRecord, to)},
+};
+SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
+
+const CaseSection *const *case_sections(void)
+{
+    static const CaseSection *const all[] = {
+        &case_top,         &case_cable,    &case_damping_factor, &case_chain_piece, &case_route,
+        &case_route_piece, &case_lead_in,  &case_rollers,        &case_roller_row,  &case_roller,
+        &case_contact,     &case_friction, &case_drive,          &case_winch,       &case_tail,
+        &case_rope_drag,   &case_run,      &case_solver,         &case_tolerances,  &case_output,
+        &case_stations,    &case_station,  &case_paper,          &case_paper_term,  NULL};
+    return all;
+}

@@ -1,0 +1,175 @@
+#include "io/results.h"
+
+#include "core/clock.h"
+#include "core/error.h"
+#include "io/results_file.h"
+#include "io/results_h5.h"
+#include "io/results_xdmf.h"
+#include "io/summary_tables.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* States between two flushes at most; their frames enter results.xdmf together. */
+enum { PENDING_MAX = 32 };
+/* Wall time between two flushes, s. */
+static const double flush_interval = 0.5;
+
+struct Results {
+    OutFile series, stations, rollers;
+    XdmfFile xdmf;
+    H5File *h5; /* NULL: no states wanted */
+    char dir[OUT_PATH_MAX];
+    int n_watched;
+    int *watched;                /* [n_watched] */
+    int n_pending;               /* states that results.xdmf does not know of yet */
+    double pending[PENDING_MAX]; /* their times, s */
+    long states;                 /* in results.h5 */
+    double last_flush;
+};
+
+/* Column names, with units, of series.csv. */
+static hawser_status write_series_head(Results *r, hawser_error *err)
+{
+    hawser_status status = out_print(&r->series, err,
+                                     "time_s,winch_force_N,tail_tension_N,winch_speed_m_per_s,winch_travel_m,"
+                                     "max_tension_N,max_tension_joint,active_contacts,step_size_s");
+    for (int i = 0; i < r->n_watched && !status; i++) {
+        const int k = r->watched[i];
+        status = out_print(&r->series, err, ",speed_%d_m_per_s,tension_%d_N", k, k);
+    }
+    if (!status) status = out_print(&r->series, err, "\n");
+    return status ? status : out_flush(&r->series, err);
+}
+
+/* A file of one text, written and closed. */
+static hawser_status write_whole(const char *dir, const char *name, const char *text, hawser_error *err)
+{
+    OutFile out;
+    hawser_status status = out_open(&out, dir, name, err);
+    if (status) return status;
+    status = out_print(&out, err, "%s", text);
+    const hawser_status closed = out_close(&out, status ? NULL : err);
+    return status ? status : closed;
+}
+
+static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
+{
+    const hawser_status status = h5_open(&r->h5, r->dir, def, err);
+    return status ? status : xdmf_open(&r->xdmf, r->dir, def->segments, err);
+}
+
+static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
+{
+    hawser_status s = out_make_dir(r->dir, err);
+    if (!s) s = write_whole(r->dir, "summary.json", summary, err);
+    if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
+    if (!s) s = write_series_head(r, err);
+    if (!s) s = out_open(&r->stations, r->dir, "stations.csv", err);
+    if (!s) s = stations_write_head(&r->stations, err);
+    if (!s) s = out_open(&r->rollers, r->dir, "rollers.csv", err);
+    if (!s) s = rollers_write_head(&r->rollers, err);
+    if (!s && def->states > 0) s = open_states(r, def, err);
+    return s;
+}
+
+hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
+                           hawser_error *err)
+{
+    *out = NULL;
+    if (strlen(dir) >= OUT_PATH_MAX)
+        return error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
+    Results *r = calloc(1, sizeof *r);
+    if (!r) return error_memory(err);
+    strcpy(r->dir, dir);
+    r->n_watched = def->n_watched;
+    r->watched = malloc(sizeof *r->watched * (size_t)(def->n_watched + 1));
+    hawser_status status = r->watched ? HAWSER_OK : error_memory(err);
+    if (!status && def->n_watched)
+        memcpy(r->watched, def->watched, sizeof *r->watched * (size_t)def->n_watched);
+    if (!status) status = open_all(r, def, summary, err);
+    if (status) {
+        results_free(r);
+        return status;
+    }
+    *out = r;
+    return HAWSER_OK;
+}
+
+hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
+{
+    hawser_status status = out_print(&r->series, err, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d,%d,%.5g", s->t,
+                                     s->winch_force, s->tail_tension, s->winch_speed, s->winch_travel,
+                                     s->max_tension, s->max_tension_joint, s->active_contacts, s->step_size);
+    /* of a watched segment: its speed along itself, and the tension of the joint ahead of it */
+    for (int i = 0; i < r->n_watched && !status; i++) {
+        const int k = r->watched[i];
+        status = out_print(&r->series, err, ",%.9g,%.9g", s->axial_speed[k], s->tension[k + 1]);
+    }
+    return status ? status : out_print(&r->series, err, "\n");
+}
+
+/* The states first, then the file that points to them. */
+static hawser_status flush_states(Results *r, hawser_error *err)
+{
+    if (!r->n_pending) return HAWSER_OK;
+    hawser_status status = h5_flush(r->h5, err);
+    if (!status) status = xdmf_append(&r->xdmf, r->n_pending, r->states - r->n_pending, r->pending, err);
+    r->n_pending = 0;
+    return status;
+}
+
+static hawser_status flush_all(Results *r, hawser_error *err)
+{
+    const hawser_status status = out_flush(&r->series, err);
+    r->last_flush = clock_now();
+    return status ? status : flush_states(r, err);
+}
+
+hawser_status results_state(Results *r, const hawser_sample *sample, hawser_error *err)
+{
+    if (!r->h5) return HAWSER_OK;
+    const hawser_status status = h5_append(r->h5, sample, err);
+    if (status) return status;
+    r->states++;
+    r->pending[r->n_pending++] = sample->t;
+    return r->n_pending == PENDING_MAX ? flush_all(r, err) : HAWSER_OK;
+}
+
+hawser_status results_tick(Results *r, hawser_error *err)
+{
+    return clock_now() - r->last_flush < flush_interval ? HAWSER_OK : flush_all(r, err);
+}
+
+/* The first error of a sequence that goes on all the same; err is given only to calls before it. */
+static void keep_first(hawser_status *first, hawser_status status)
+{
+    if (!*first) *first = status;
+}
+
+hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
+{
+    hawser_status s = flush_all(r, err);
+    keep_first(&s, h5_close(&r->h5, s ? NULL : err));
+    keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
+    keep_first(&s, out_close(&r->series, s ? NULL : err));
+    keep_first(&s, stations_write(&r->stations, t->n_stations, t->station, s ? NULL : err));
+    keep_first(&s, out_close(&r->stations, s ? NULL : err));
+    keep_first(&s, rollers_write(&r->rollers, t->n_rollers, t->roller, s ? NULL : err));
+    keep_first(&s, out_close(&r->rollers, s ? NULL : err));
+    keep_first(&s, write_whole(r->dir, "summary.json", t->summary, s ? NULL : err));
+    return s;
+}
+
+Results *results_free(Results *r)
+{
+    if (!r) return NULL;
+    h5_close(&r->h5, NULL);
+    xdmf_close(&r->xdmf, NULL);
+    out_close(&r->series, NULL);
+    out_close(&r->stations, NULL);
+    out_close(&r->rollers, NULL);
+    free(r->watched);
+    free(r);
+    return NULL;
+}

@@ -1,0 +1,18 @@
+/* What a results folder is made for: sizes, names and what is wanted in it. */
+#ifndef HAWSER_IO_RESULTS_DEF_H
+#define HAWSER_IO_RESULTS_DEF_H
+
+#include "hawser/hawser.h"
+
+/* Strings and arrays are borrowed until the folder is open. */
+typedef struct ResultsDef {
+    const char *title; /* the case's */
+    int segments;
+    int rollers;
+    const hawser_roller *roller; /* [rollers]: names and places */
+    int n_watched;
+    const int *watched; /* [n_watched]: segments whose speed and tension are columns of series.csv */
+    double states;      /* expected number of states; 0: no results.h5 and no results.xdmf */
+} ResultsDef;
+
+#endif

@@ -1,0 +1,121 @@
+#include "io/summary_json.h"
+
+#include "core/error.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* Setters that put one key into an object; JSON has no NAN, which becomes null. A key that did not fit in
+ * memory shows as a non-zero sum of the returns. */
+static int put_real(json_t *o, const char *key, double v)
+{
+    return json_object_set_new(o, key, isfinite(v) ? json_real(v) : json_null());
+}
+
+static int put_int(json_t *o, const char *key, long v)
+{
+    return json_object_set_new(o, key, json_integer(v));
+}
+
+/* Text that is not UTF-8 (a name from a strange file) becomes null. */
+static int put_text(json_t *o, const char *key, const char *v)
+{
+    json_t *text = v ? json_string(v) : NULL;
+    return json_object_set_new(o, key, text ? text : json_null());
+}
+
+/* A nested object of numbers: pairs of key and value. */
+typedef struct RealPair {
+    const char *key;
+    double value;
+} RealPair;
+
+static int put_reals(json_t *o, const char *key, int n, const RealPair *pair)
+{
+    json_t *inner = json_object();
+    int bad = 0;
+    for (int i = 0; i < n; i++) bad |= put_real(inner, pair[i].key, pair[i].value);
+    return json_object_set_new(o, key, inner) | bad;
+}
+
+static int put_labels(json_t *o, const SummaryLabels *l)
+{
+    return put_text(o, "title", l->title) | put_text(o, "case", l->case_name) |
+           put_text(o, "version", hawser_version()) | put_text(o, "outcome", l->outcome) |
+           put_text(o, "message", l->message);
+}
+
+static int put_scene(json_t *o, const hawser_summary *s)
+{
+    return put_int(o, "segments", s->segments) | put_int(o, "bushings", s->bushings) |
+           put_int(o, "rollers", s->rollers) | put_int(o, "contact_candidates", s->contact_candidates) |
+           put_int(o, "contact_active_max", s->contact_active_max);
+}
+
+static int put_work(json_t *o, const hawser_summary *s)
+{
+    return put_real(o, "sim_time_s", s->sim_time_s) | put_real(o, "wall_time_s", s->wall_time_s) |
+           put_real(o, "real_time_factor", s->real_time_factor) | put_int(o, "steps", s->steps) |
+           put_real(o, "steps_per_second", s->steps_per_second) | put_int(o, "rhs_evals", s->rhs_evals) |
+           put_int(o, "newton_iters", s->newton_iters) | put_int(o, "jac_evals", s->jac_evals) |
+           put_int(o, "lin_setups", s->lin_setups) | put_int(o, "error_test_fails", s->error_test_fails) |
+           put_int(o, "newton_fails", s->newton_fails) |
+           put_int(o, "contact_refreshes", s->contact_refreshes) |
+           put_text(o, "linear_solver", s->linear_solver) |
+           put_text(o, "linear_solver_why", s->linear_solver_why) | put_text(o, "ordering", s->ordering) |
+           put_int(o, "threads", s->threads);
+}
+
+static int put_figures(json_t *o, const hawser_summary *s)
+{
+    const RealPair pull[] = {{"steady_mean_N", s->pull_mean_N},
+                             {"peak_N", s->pull_peak_N},
+                             {"steady_ripple_rms_N", s->pull_ripple_N}};
+    const RealPair theory[] = {{"paper_total_N", s->paper_total_N},
+                               {"reference_total_N", s->reference_total_N}};
+    const RealPair error[] = {{"max_pct", s->error_max_pct},
+                              {"mean_pct", s->error_mean_pct},
+                              {"max_pct_paper", s->error_max_paper_pct},
+                              {"mean_pct_paper", s->error_mean_paper_pct}};
+    const RealPair speed[] = {{"steady_m_per_s", s->steady_speed_m_per_s},
+                              {"settle_time_s", s->settle_time_s}};
+    const RealPair window[] = {{"from_s", s->steady_from_s}, {"to_s", s->steady_to_s}};
+    return put_reals(o, "pull_force", 3, pull) | put_reals(o, "theory", 2, theory) |
+           put_reals(o, "tension_error", 4, error) | put_reals(o, "speed", 2, speed) |
+           put_reals(o, "steady_window", 2, window);
+}
+
+static int put_relaxation(json_t *o, const hawser_relaxation *r)
+{
+    json_t *inner = json_object();
+    const int bad = json_object_set_new(inner, "reached", json_boolean(r->reached)) |
+                    put_int(inner, "iterations", r->iterations) |
+                    put_real(inner, "residual_N", r->residual_N) |
+                    put_real(inner, "tolerance_N", r->tolerance_N) | put_int(inner, "segment", r->segment) |
+                    put_real(inner, "moved_m", r->moved_m);
+    return json_object_set_new(o, "relaxation", inner) | bad;
+}
+
+static int put_phases(json_t *o, const hawser_phases *p)
+{
+    const RealPair pair[] = {{"relax", p->relax},       {"rhs", p->rhs},       {"contacts", p->contacts},
+                             {"jacobian", p->jacobian}, {"factor", p->factor}, {"solve", p->solve},
+                             {"vector", p->vector},     {"output", p->output}, {"other", p->other}};
+    return put_reals(o, "phases_s", 9, pair);
+}
+
+hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text,
+                           hawser_error *err)
+{
+    json_t *o = json_object();
+    int bad = !o;
+    if (o) {
+        bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) |
+              put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
+    }
+    char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
+    json_decref(o);
+    *text = body;
+    return body ? HAWSER_OK : error_memory(err);
+}

@@ -1,0 +1,18 @@
+/* summary.json: the figures of a run for programs. docs/results.md lists the keys. */
+#ifndef HAWSER_IO_SUMMARY_JSON_H
+#define HAWSER_IO_SUMMARY_JSON_H
+
+#include "hawser/hawser.h"
+
+/* What the summary says beside the figures. */
+typedef struct SummaryLabels {
+    const char *title, *case_name;
+    const char *outcome; /* "running", "finished", "stopped", "failed" */
+    const char *message; /* why it did not finish; "" otherwise */
+} SummaryLabels;
+
+/* The text of summary.json, malloc'ed; what is not known (NAN) becomes null. Errors: MEMORY. */
+hawser_status summary_json(const hawser_summary *summary, const SummaryLabels *labels, char **text,
+                           hawser_error *err);
+
+#endif

@@ -1,0 +1,82 @@
+#include "io/summary_tables.h"
+
+#include <math.h>
+#include <string.h>
+
+double error_percent(double value, double theory)
+{
+    return theory > 0 || theory < 0 ? 100 * (value - theory) / theory : NAN;
+}
+
+hawser_status csv_text(OutFile *out, const char *separator, const char *text, hawser_error *err)
+{
+    if (!strpbrk(text, ",\"\r\n")) return out_print(out, err, "%s%s", separator, text);
+    hawser_status status = out_print(out, err, "%s\"", separator);
+    for (const char *p = text; *p && !status; p++)
+        status = out_print(out, err, *p == '"' ? "\"%c" : "%c", *p);
+    return status ? status : out_print(out, err, "\"");
+}
+
+hawser_status csv_number(OutFile *out, double value, hawser_error *err)
+{
+    return isfinite(value) ? out_print(out, err, ",%.9g", value) : out_print(out, err, ",");
+}
+
+/* A name, n numbers, the line's end. */
+static hawser_status write_row(OutFile *out, const char *name, int n, const double *value, hawser_error *err)
+{
+    hawser_status status = csv_text(out, "", name, err);
+    for (int i = 0; i < n && !status; i++) status = csv_number(out, value[i], err);
+    return status ? status : out_print(out, err, "\n");
+}
+
+hawser_status stations_write_head(OutFile *out, hawser_error *err)
+{
+    const hawser_status status = out_print(
+        out, err,
+        "name,s_m,paper_N,reference_N,mean_N,peak_N,error_paper_pct,error_reference_pct,peak_ratio\n");
+    return status ? status : out_flush(out, err);
+}
+
+hawser_status rollers_write_head(OutFile *out, hawser_error *err)
+{
+    const hawser_status status =
+        out_print(out, err, "name,s_m,initial_N,steady_N,peak_N,peak_ratio,rating_N,rating_ratio\n");
+    return status ? status : out_flush(out, err);
+}
+
+hawser_status stations_write(OutFile *out, int n, const hawser_station *station, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < n && !status; i++) {
+        const hawser_station *t = &station[i];
+        const double row[8] = {t->s,
+                               t->paper_N,
+                               t->reference_N,
+                               t->mean_N,
+                               t->peak_N,
+                               error_percent(t->mean_N, t->paper_N),
+                               error_percent(t->mean_N, t->reference_N),
+                               t->reference_N > 0 ? t->peak_N / t->reference_N : NAN};
+        status = write_row(out, t->name, 8, row, err);
+    }
+    return status;
+}
+
+hawser_status rollers_write(OutFile *out, int n, const hawser_roller *roller, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < n && !status; i++) {
+        const hawser_roller *r = &roller[i];
+        const int loaded = r->steady_N > 0, rated = r->rating_N > 0;
+        const double row[7] = {r->s,
+                               r->initial_N,
+                               r->steady_N,
+                               r->peak_N,
+                               loaded ? r->peak_N / r->steady_N : NAN,
+                               rated ? r->rating_N : NAN,
+                               loaded && rated ? r->rating_N / r->steady_N : NAN};
+        status = write_row(out, r->name, 7, row, err);
+    }
+    return status;
+}

@@ -1,0 +1,130 @@
+#include <ctype.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+#include "io/case_error.h"
+#include "io/yaml_node.h"
+
+enum { KEY_MAX = 200, STEPS_MAX = 16 };
+
+/* One setting being made: where it comes from, and its key cut at the dots. */
+typedef struct Setting {
+    CaseTree *tree;
+    const char *origin; /* "--set KEY" */
+    char key[KEY_MAX];  /* with NULs for dots */
+    const char *step[STEPS_MAX];
+    int n;
+    hawser_error *err;
+} Setting;
+
+static hawser_status complain(const Setting *s, const char *what, const char *detail)
+{
+    char shown[CASE_SHOWN_MAX];
+    return error_set(s->err, HAWSER_ERR_INPUT, "%s: %s%s", s->origin, what,
+                     detail ? case_shown(detail, shown) : "");
+}
+
+static hawser_status key_cut(Setting *s, const char *key)
+{
+    snprintf(s->key, sizeof s->key, "%s", key);
+    for (char *p = s->key; p; s->n++) {
+        if (s->n == STEPS_MAX) return complain(s, "the key has too many parts", NULL);
+        s->step[s->n] = p;
+        p = strchr(p, '.');
+        if (p) *p++ = 0;
+        if (!*s->step[s->n]) return complain(s, "a part of the key is empty", NULL);
+    }
+    return HAWSER_OK;
+}
+
+/* The item of a list that `step` numbers. */
+static hawser_status item_find(const Setting *s, const CaseNode *list, const char *step, CaseNode **out)
+{
+    char *end;
+    const long index = isdigit((unsigned char)*step) ? strtol(step, &end, 10) : LONG_MAX;
+    const int whole = index != LONG_MAX && !*end;
+    *out = whole && index < list->count ? (CaseNode *)(size_t)case_node_item(list, (int)index) : NULL;
+    if (*out) return HAWSER_OK;
+    char shown[CASE_SHOWN_MAX];
+    return error_set(s->err, HAWSER_ERR_INPUT, "%s: no item %s: the list has %d, numbered from 0", s->origin,
+                     case_shown(step, shown), list->count);
+}
+
+/* Goes down the key as far as the tree has it: *node is the last that exists, *depth how many steps lead
+ * there. */
+static hawser_status path_follow(const Setting *s, CaseNode **node, int *depth)
+{
+    *node = s->tree->root;
+    for (*depth = 0; *depth < s->n; ++*depth) {
+        const char *step = s->step[*depth];
+        CaseNode *next = NULL;
+        if ((*node)->kind == NODE_TEXT) return complain(s, "a value, not a map, comes before ", step);
+        if ((*node)->kind == NODE_LIST) {
+            const hawser_status status = item_find(s, *node, step, &next);
+            if (status) return status;
+        } else {
+            next = (CaseNode *)(size_t)case_node_key(*node, step);
+        }
+        if (!next) break;
+        *node = next;
+    }
+    return HAWSER_OK;
+}
+
+/* `value` inside maps for the steps from `depth` on; frees it without memory. */
+static CaseNode *branch_new(const Setting *s, int depth, CaseNode *value)
+{
+    for (int k = s->n - 1; value && k >= depth; k--) {
+        value->key = strdup(s->step[k]);
+        if (k == depth && value->key) return value;
+        CaseNode *map = value->key ? node_new(NODE_MAP, s->origin, 0) : NULL;
+        if (map) {
+            node_append(map, value);
+        } else {
+            node_free(value);
+        }
+        value = map;
+    }
+    return value;
+}
+
+static hawser_status value_place(const Setting *s, CaseNode *value)
+{
+    CaseNode *node;
+    int depth;
+    const hawser_status status = path_follow(s, &node, &depth);
+    if (status) {
+        node_free(value);
+        return status;
+    }
+    if (depth == s->n) {
+        node_replace(node, value);
+        return HAWSER_OK;
+    }
+    value = branch_new(s, depth, value);
+    if (!value) return error_memory(s->err);
+    node_append(node, value);
+    return HAWSER_OK;
+}
+
+hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err)
+{
+    char shown[CASE_SHOWN_MAX], origin[KEY_MAX + 16];
+    if (strlen(key) >= KEY_MAX) {
+        return error_set(err, HAWSER_ERR_INPUT, "--set %s: the key is too long", case_shown(key, shown));
+    }
+    snprintf(origin, sizeof origin, "--set %s", key);
+    Setting s = {.tree = tree, .origin = tree_origin(tree, origin), .err = err};
+    if (!s.origin) return error_memory(err);
+    hawser_status status = key_cut(&s, key);
+    CaseNode *node = NULL;
+    /* An empty value is an empty text, which the reader will refuse where a value is wanted. */
+    if (!status)
+        status = tree_read_text(tree, *value ? value : "''", strlen(*value ? value : "''"), s.origin, 0,
+                                &node, err);
+    if (!status) status = value_place(&s, node);
+    return status;
+}

@@ -1,0 +1,38 @@
+/* What a back end offers to linsolve.c. */
+#ifndef HAWSER_LINSOLVE_BACKEND_H
+#define HAWSER_LINSOLVE_BACKEND_H
+
+#include "linsolve/linsolve.h"
+
+/* Returned by a factorisation that linsolve.c is to repeat with KLU. */
+enum { LIN_UNSTABLE = 1000 };
+
+/* A matrix as given or assembled: back ends of the block family read `newton`, the others `sparse`. */
+typedef struct LinMatrix {
+    const NewtonMatrix *newton; /* NULL: a general sparse matrix */
+    const SparseMatrix *sparse; /* NULL: not assembled */
+    int groups;                 /* of unknowns that belong together, for orderings */
+    const int *group_at;        /* [groups+1]; NULL: every unknown is alone */
+} LinMatrix;
+
+typedef struct LinBackend {
+    int sparse; /* wants LinMatrix.sparse */
+    /* NULL when there is no memory. */
+    void *(*make)(const LinMatrix *a, const LinOptions *options);
+    void (*drop)(void *self);
+    /* As linsolver_factor, or LIN_UNSTABLE. */
+    int (*factor)(void *self, const LinMatrix *a);
+    int (*solve)(void *self, int count, double *x);
+    /* Fills what the back end knows: ordering, refactors, fallbacks, pivoted, nonzeros, growth. */
+    void (*stats)(const void *self, LinStats *stats);
+} LinBackend;
+
+extern const LinBackend klu_backend, band_backend, dense_backend, block_backend, bordered_backend;
+
+/* LinOptions.growth_limit, or the default: losing more than six digits to growth is worth a better factorisation. */
+static inline double growth_limit_of(const LinOptions *options)
+{
+    return options->growth_limit > 0 ? options->growth_limit : 1e6;
+}
+
+#endif

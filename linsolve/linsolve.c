@@ -1,0 +1,221 @@
+#include "linsolve/linsolve.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+#include "linsolve/backend.h"
+
+struct LinSolver {
+    const LinBackend *backend;
+    void *self;
+    LinOptions options; /* with the kind that auto resolved to */
+    int size;
+    int general;             /* made for a SparseMatrix */
+    int chain_n, chain_b;    /* of the NewtonMatrix, to catch misuse */
+    int groups, *group_at;   /* as in LinMatrix */
+    SparseAssembly assembly; /* where the back end wants compressed columns */
+    Team *team;              /* own team, if the caller lent none */
+    LinSolver *backup;       /* KLU, made when the back end first gives up on a matrix */
+    int use_backup;          /* the present factors are the backup's */
+    LinStats stats;
+};
+
+static const struct {
+    const char *name;
+    const LinBackend *backend;
+} kinds[] = {[LIN_AUTO] = {"auto", NULL},
+             [LIN_BLOCK] = {"block", &block_backend},
+             [LIN_BORDERED] = {"bordered", &bordered_backend},
+             [LIN_KLU] = {"klu", &klu_backend},
+             [LIN_KLU_FULL] = {"klu-full", &klu_backend},
+             [LIN_BAND] = {"band", &band_backend},
+             [LIN_DENSE] = {"dense", &dense_backend}};
+
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+int linsolver_kind_parse(const char *text, LinKind *kind)
+{
+    for (int k = 0; k < KINDS; ++k) {
+        if (strcmp(text, kinds[k].name)) continue;
+        *kind = (LinKind)k;
+        return 1;
+    }
+    return 0;
+}
+
+const char *linsolver_kind_name(LinKind kind) { return kinds[kind].name; }
+
+/* What auto takes for a chain and what surrounds it, said in `why` (128 characters). */
+static LinKind kind_choose(const NewtonMatrix *a, char *why, size_t size)
+{
+    if (a->extras > 0) {
+        snprintf(why, size, "auto: %d couplings outside the chain's three diagonals", a->extras);
+        return LIN_KLU;
+    }
+    if (a->leaves > 0 || a->border > 0) {
+        snprintf(why, size, "auto: a chain with %d leaf bodies and a border of %d unknowns", a->leaves, a->border);
+        return LIN_BORDERED;
+    }
+    snprintf(why, size, "auto: a plain chain, block tridiagonal");
+    return LIN_BLOCK;
+}
+
+/* Resolves auto and refuses what a kind cannot hold; 0 with err set if so. */
+static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
+{
+    const LinKind asked = s->options.kind;
+    if (asked != LIN_AUTO) {
+        snprintf(s->stats.why, sizeof s->stats.why, "asked for");
+    } else if (a->newton) {
+        s->options.kind = kind_choose(a->newton, s->stats.why, sizeof s->stats.why);
+    } else {
+        s->options.kind = LIN_KLU_FULL;
+        snprintf(s->stats.why, sizeof s->stats.why, "auto: a general sparse matrix");
+    }
+    const LinKind kind = s->options.kind;
+    const NewtonMatrix *const m = a->newton;
+    const int fits = !m                    ? kind != LIN_BLOCK && kind != LIN_BORDERED
+                     : kind == LIN_BLOCK    ? !m->extras && !m->leaves && !m->border
+                     : kind == LIN_BORDERED ? !m->extras
+                                            : kind != LIN_KLU_FULL;
+    if (fits) return 1;
+    error_set(err, HAWSER_ERR_INPUT, "the linear solver '%s' cannot hold this system; 'auto' or 'klu' can",
+              kinds[kind].name);
+    return 0;
+}
+
+/* Everything that depends on the pattern; 0 if there is no memory. */
+static int solver_analyse(LinSolver *s, LinMatrix *a)
+{
+    s->backend = kinds[s->options.kind].backend;
+    s->stats.name = kinds[s->options.kind].name;
+    s->stats.ordering = "natural";
+    if (s->options.threads > 1 && !s->options.team && !s->backend->sparse) {
+        s->team = team_new(s->options.threads);
+        if (!s->team) return 0;
+        s->options.team = s->team;
+    }
+    if (a->newton && s->backend->sparse) {
+        if (!sparse_assembly_new(a->newton, &s->assembly)) return 0;
+        s->groups = newton_groups(a->newton, NULL);
+        s->group_at = malloc(((size_t)s->groups + 1) * sizeof *s->group_at);
+        if (!s->group_at) return 0;
+        newton_groups(a->newton, s->group_at);
+        a->sparse = &s->assembly.a;
+        a->groups = s->groups;
+        a->group_at = s->group_at;
+    }
+    s->self = s->backend->make(a, &s->options);
+    return s->self != NULL;
+}
+
+static LinSolver *solver_new(LinMatrix a, const LinOptions *options, hawser_error *err)
+{
+    LinSolver *const s = calloc(1, sizeof *s);
+    if (!s) {
+        error_memory(err);
+        return NULL;
+    }
+    s->options = *options;
+    s->general = !a.newton;
+    s->size = a.newton ? newton_size(a.newton) : a.sparse->n;
+    s->chain_n = a.newton ? a.newton->chain.n : 0;
+    s->chain_b = a.newton ? a.newton->chain.b : 0;
+    if (!kind_settle(s, &a, err)) return linsolver_free(s);
+    if (solver_analyse(s, &a)) return s;
+    error_memory(err);
+    return linsolver_free(s);
+}
+
+LinSolver *linsolver_new(const BlockChain *a, const LinOptions *options, hawser_error *err)
+{
+    const NewtonMatrix m = {.chain = *a};
+    return linsolver_new_newton(&m, options, err);
+}
+
+LinSolver *linsolver_new_newton(const NewtonMatrix *a, const LinOptions *options, hawser_error *err)
+{
+    return solver_new((LinMatrix){.newton = a}, options, err);
+}
+
+LinSolver *linsolver_new_sparse(const SparseMatrix *a, const LinOptions *options, hawser_error *err)
+{
+    return solver_new((LinMatrix){.sparse = a, .groups = a->n}, options, err);
+}
+
+LinSolver *linsolver_free(LinSolver *s)
+{
+    if (!s) return NULL;
+    if (s->self) s->backend->drop(s->self);
+    s->backup = linsolver_free(s->backup);
+    s->team = team_free(s->team);
+    sparse_assembly_free(&s->assembly);
+    free(s->group_at);
+    free(s);
+    return NULL;
+}
+
+/* Factors with KLU what the back end gave up on. Its analysis is made once, and only if it is ever needed. */
+static int backup_factor(LinSolver *s, const NewtonMatrix *a)
+{
+    ++s->stats.fallbacks;
+    if (!s->backup) {
+        s->backup = linsolver_new_newton(a, &(LinOptions){.kind = LIN_KLU, .ordering = ORDER_AMD, .threads = 1}, NULL);
+        if (!s->backup) return -1;
+    }
+    s->use_backup = 1;
+    return linsolver_factor_newton(s->backup, a);
+}
+
+int linsolver_factor(LinSolver *s, const BlockChain *a)
+{
+    const NewtonMatrix m = {.chain = *a};
+    return linsolver_factor_newton(s, &m);
+}
+
+int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a)
+{
+    assert(!s->general && a->chain.n == s->chain_n && a->chain.b == s->chain_b && newton_size(a) == s->size);
+    LinMatrix m = {.newton = a, .groups = s->groups, .group_at = s->group_at};
+    if (s->backend->sparse) {
+        sparse_assembly_refresh(&s->assembly, a);
+        m.sparse = &s->assembly.a;
+    }
+    ++s->stats.factors;
+    s->use_backup = 0;
+    const int status = s->backend->factor(s->self, &m);
+    return status == LIN_UNSTABLE ? backup_factor(s, a) : status;
+}
+
+int linsolver_factor_sparse(LinSolver *s, const SparseMatrix *a)
+{
+    assert(s->general && a->n == s->size);
+    ++s->stats.factors;
+    const LinMatrix m = {.sparse = a, .groups = a->n};
+    return s->backend->factor(s->self, &m);
+}
+
+int linsolver_solve(LinSolver *s, double *x) { return linsolver_solve_many(s, 1, x); }
+
+int linsolver_solve_many(LinSolver *s, int count, double *x)
+{
+    s->stats.solves += count;
+    if (s->use_backup) return linsolver_solve_many(s->backup, count, x);
+    return s->backend->solve(s->self, count, x);
+}
+
+int linsolver_size(const LinSolver *s) { return s->size; }
+
+void linsolver_stats(const LinSolver *s, LinStats *stats)
+{
+    *stats = s->stats;
+    s->backend->stats(s->self, stats);
+    if (!s->use_backup) return;
+    LinStats backup;
+    linsolver_stats(s->backup, &backup);
+    stats->growth = backup.growth;
+    stats->nonzeros = backup.nonzeros;
+}

@@ -1,0 +1,53 @@
+#!/bin/sh
+# Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
+# Usage: sh scripts/setup.sh [--lint]      (--lint: what scripts/lint.sh needs as well)
+# Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
+set -eu
+
+packages="build-essential cmake ninja-build pkg-config clang-format
+    libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libudunits2-dev libjansson-dev libhdf5-dev
+    libcmocka-dev liblapacke-dev python3 python3-matplotlib"
+lint_packages="clang clang-tidy"
+
+case "${1-}" in
+"") ;;
+--lint) packages="$packages $lint_packages" ;;
+*)
+    echo "setup.sh: unknown option '$1' (only --lint)" >&2
+    exit 2
+    ;;
+esac
+
+# Prints those of the given packages that are not installed; build-essential and the like count as packages here.
+list_missing() {
+    for package in "$@"; do
+        case "$(dpkg-query -W -f='${Status}\n' "$package" 2>/dev/null || true)" in
+        *"install ok installed"*) ;;
+        *) printf '%s ' "$package" ;;
+        esac
+    done
+}
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        env DEBIAN_FRONTEND=noninteractive "$@"
+    elif command -v sudo >/dev/null 2>&1; then
+        sudo env DEBIAN_FRONTEND=noninteractive "$@"
+    else
+        echo "setup.sh: these Debian packages are missing: $missing" >&2
+        echo "setup.sh: install them as root (there is no sudo here): apt-get install $missing" >&2
+        exit 1
+    fi
+}
+
+if ! command -v dpkg-query >/dev/null 2>&1; then
+    echo "setup.sh: this is not a Debian system; see that it has what these packages offer:" $packages >&2
+    exit 0
+fi
+missing=$(list_missing $packages)
+[ -n "$missing" ] || exit 0
+
+echo "setup.sh: installing $missing"
+as_root apt-get update -q
+# shellcheck disable=SC2086 # one word a package
+as_root apt-get install -q -y --no-install-recommends $missing

@@ -1,0 +1,27 @@
+#!/bin/sh
+# Builds and runs the tests: everything in release, the folders' own tests again under the sanitizers (debug).
+# Usage: sh scripts/test.sh [--long] [CTEST OPTIONS]
+#   --long   also the tests labelled `long` (minutes each); further options go to ctest, e.g. -R linsolve
+set -eu
+
+cd "$(dirname "$0")/.."
+long=no
+if [ "${1-}" = --long ]; then
+    long=yes
+    shift
+fi
+
+sh scripts/setup.sh
+sh scripts/build.sh release
+sh scripts/build.sh debug
+
+# One ctest over both build folders, so that its summary, the last thing printed, counts every test.
+mkdir -p build/tests
+printf 'subdirs("../release" "../debug")\n' >build/tests/CTestTestfile.cmake
+[ "$long" = yes ] || set -- -LE long "$@"
+
+# A leak or an overflow must end the test that has it; leak reports name the place.
+ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1
+UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_OPTIONS UBSAN_OPTIONS
+exec ctest --test-dir build/tests --output-on-failure --no-tests=error -j "$(nproc)" "$@"

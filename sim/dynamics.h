@@ -1,0 +1,38 @@
+/* The equations of motion of a scene: loads, right-hand side and its derivative blocks. docs/model.md, "Corridor".
+ * Everything here is a pure function of (t, y), given a workspace whose contact candidates are fresh enough. */
+#ifndef HAWSER_SIM_DYNAMICS_H
+#define HAWSER_SIM_DYNAMICS_H
+
+#include "sim/scene.h"
+
+/* Scratch of one evaluation, grouped by what computes it; discardable. */
+typedef struct Workspace {
+    Kinematics kin;      /* body_kinematics, scene_ghosts */
+    JointLoads joints;   /* bushing_loads */
+    Loads loads;         /* weight, tail, drag, contacts: on segments */
+    ContactPairs pairs;  /* contact_refresh */
+    Vec3 *on_roller;     /* [rollers] contact_forces, where asked for, N */
+    double *law[6];      /* bushing_law: [n+1] */
+    double seconds_contact; /* s spent in contacts, summed */
+    long rhs_evals, refreshes;
+    int candidates_max;
+} Workspace;
+
+/* 0 if there is no memory. */
+int workspace_alloc(Workspace *ws, const Scene *scene);
+void workspace_free(Workspace *ws);
+
+/* kin from (t, y). */
+void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
+/* ydot [13 n] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
+void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot);
+/* k and d (6x6 blocks) at (t, y): the derivatives of force and moment minus inertia times ydot, see body_blocks. Leaves the kinematics
+ * of y in the workspace. */
+void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
+                     BlockChain *k, BlockChain *d);
+/* New candidate pairs for the position y if `always`, or if something has moved too far since the last ones.
+ * Errors: MEMORY. */
+hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
+                               hawser_error *err);
+
+#endif

@@ -1,0 +1,70 @@
+#include "sim/expected.h"
+
+#include "theory/paper.h"
+#include "theory/pulling.h"
+
+/* The winch's travel in the middle of the steady window, m. */
+static double travel_in_window(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    if (!scene->winch.present) return 0;
+    return 0.5 * (profile_integral(&scene->winch.speed, def->output.steady_from) +
+                  profile_integral(&scene->winch.speed, def->duration));
+}
+
+/* The counted stretch: from the route's start (behind it the lead-in is frictionless) or the tail to where the cable's
+ * front was at t = 0. Without a lead-in the whole cable moves along. */
+static void stretch_of(const Scene *scene, Expected *out)
+{
+    const double moved = scene->weight.lead_in ? 0 : travel_in_window(scene);
+    out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + moved;
+    out->to = scene->joint_s[scene->eye] + moved;
+    out->start_tension = profile_value(&scene->tail, scene->def.duration);
+}
+
+static hawser_status solve(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
+{
+    const PullStretch whole = {.weight = scene->cable_weight, .mu = scene->def.friction.mu_d};
+    const PullDef def = {.route = &scene->route, .law = law, .from = e->from, .to = e->to,
+                         .start_tension = e->start_tension, .n_stretches = 1, .stretch = &whole};
+    return pull_solve(&def, pull, err);
+}
+
+static int on_stretch(const Expected *e, double s) { return s >= e->from - 1e-9 && s <= e->to + 1e-9; }
+
+/* The paper's formulas of the case, or the same theory without capstan terms along the route. */
+static hawser_status paper_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    const double g = v3_norm(def->gravity), mu = def->friction.mu_d;
+    if (def->n_paper > 0) {
+        const double W = scene->cable_weight / g;
+        out->paper_total = paper_total(def->n_paper, def->paper, W, mu, g);
+        for (int i = 0; i < n; ++i) station[i].paper_N = paper_tension(def->n_paper, def->paper, W, mu, g, station[i].s);
+        return HAWSER_OK;
+    }
+    Pull pull;
+    const hawser_status status = solve(scene, out, PULL_NO_CAPSTAN, &pull, err);
+    if (status) return status;
+    out->paper_total = pull.end_tension + def->drag.force;
+    for (int i = 0; i < n; ++i) station[i].paper_N = pull_at(&pull, station[i].s).tension;
+    pull_clear(&pull);
+    return HAWSER_OK;
+}
+
+hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err)
+{
+    stretch_of(scene, out);
+    hawser_status status = paper_fill(scene, n, station, out, err);
+    if (status) return status;
+    Pull pull;
+    status = solve(scene, out, PULL_REFERENCE, &pull, err);
+    if (status) return status;
+    out->reference_total = pull.end_tension + scene->def.drag.force;
+    for (int i = 0; i < n; ++i) {
+        station[i].reference_N = pull_at(&pull, station[i].s).tension;
+        if (!on_stretch(out, station[i].s)) station[i].reference_N = station[i].paper_N = NAN;
+    }
+    pull_clear(&pull);
+    return HAWSER_OK;
+}

@@ -1,0 +1,19 @@
+/* What theory says of the scene: the tension at the stations and the winch's force, by the paper's formulas and by the
+ * bend ODE. docs/model.md, "Pulling theory". */
+#ifndef HAWSER_SIM_EXPECTED_H
+#define HAWSER_SIM_EXPECTED_H
+
+#include "sim/scene.h"
+
+typedef struct Expected {
+    double from, to;        /* m along the route: the stretch of cable that theory counts, in mid steady window */
+    double start_tension;   /* N, at `from` */
+    double paper_total;     /* N, winch force: eq. 10, or without capstan terms along the route if the case has none */
+    double reference_total; /* N, winch force by the bend ODE, rope drag included */
+} Expected;
+
+/* Fills `out`, and paper_N and reference_N of the n stations (their s must be set; those off the cable get NAN).
+ * Errors: as pull_solve. */
+hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err);
+
+#endif

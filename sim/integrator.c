@@ -1,0 +1,296 @@
+#include "sim/integrator.h"
+
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+
+#include "core/error.h"
+#include "core/clock.h"
+#include "sim/scales.h"
+
+struct Integrator {
+    const Scene *scene;
+    Workspace *ws;
+    Newton *newton;
+    double *y;
+    double *y_good; /* [13 n] state of the last good step */
+    double *weight; /* [13 n] 1 / absolute tolerance */
+    double stop;    /* s, the stop time that CVODE knows */
+    void *cvode;
+    SUNContext context;
+    N_Vector state;
+    SUNMatrix matrix;
+    SUNLinearSolver solver;
+    IntegratorStats stats;
+    char complaint[256]; /* what CVODE said last */
+};
+
+/* ---------------------------------------------------------------- CVODE's call-backs; `user` is the Integrator */
+
+static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
+{
+    Integrator *const in = user;
+    const double start = clock_now();
+    double *const rate = N_VGetArrayPointer(ydot);
+    dynamics_rates(in->scene, in->ws, t, N_VGetArrayPointer(y), 1.0, rate);
+    const int bad = !scales_all_finite(rate, STATE_SIZE * in->scene->chain.n);
+    in->stats.rhs += clock_now() - start;
+    return bad; /* > 0: a smaller step may do */
+}
+
+static int call_weights(N_Vector y, N_Vector weight, void *user)
+{
+    (void)y;
+    const Integrator *const in = user;
+    memcpy(N_VGetArrayPointer(weight), in->weight, (size_t)(STATE_SIZE * in->scene->chain.n) * sizeof(double));
+    return 0;
+}
+
+/* CVODE's setup: new blocks when asked for, the matrix for this gamma always. */
+static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, booleantype jok, booleantype *jcur,
+                       realtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
+{
+    (void)a, (void)t1, (void)t2, (void)t3;
+    Integrator *const in = user;
+    const double start = clock_now();
+    if (!jok) {
+        const double *const state = N_VGetArrayPointer(y);
+        dynamics_blocks(in->scene, in->ws, t, state, N_VGetArrayPointer(fy), 1.0, &in->newton->k, &in->newton->d);
+        newton_point(in->newton, in->scene, &in->ws->kin, state);
+        ++in->stats.jac_evals;
+    }
+    *jcur = !jok;
+    newton_form(in->newton, gamma);
+    in->stats.jacobian += clock_now() - start;
+    return 0;
+}
+
+/* Keeps the quaternions of unit length (N9): correction of the state and projection of the error. */
+static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype tolerance, N_Vector error, void *user)
+{
+    (void)t, (void)tolerance;
+    const Integrator *const in = user;
+    const int n = in->scene->chain.n;
+    const double *const q = N_VGetArrayPointer(y) + STATE_Q * n;
+    N_VConst(0, correction);
+    double *const c = N_VGetArrayPointer(correction) + STATE_Q * n;
+    double *const e = error ? N_VGetArrayPointer(error) + STATE_Q * n : NULL;
+    for (int i = 0; i < n; ++i) {
+        double square = 0, along = 0;
+        for (int k = 0; k < 4; ++k) square += q[k * n + i] * q[k * n + i];
+        const double scale = 1 / sqrt(square) - 1;
+        for (int k = 0; k < 4; ++k) c[k * n + i] = scale * q[k * n + i];
+        if (!e) continue;
+        for (int k = 0; k < 4; ++k) along += q[k * n + i] * e[k * n + i];
+        for (int k = 0; k < 4; ++k) e[k * n + i] -= along / square * q[k * n + i];
+    }
+    return 0;
+}
+
+static void call_complaint(int code, const char *module, const char *function, char *message, void *user)
+{
+    (void)code, (void)module, (void)function;
+    Integrator *const in = user;
+    snprintf(in->complaint, sizeof in->complaint, "%s", message);
+}
+
+static realtype call_norm(N_Vector x, N_Vector w)
+{
+    return scales_norm((int)(N_VGetLength(x) / STATE_SIZE), N_VGetArrayPointer(x), N_VGetArrayPointer(w));
+}
+
+/* ----------------------------------------------------------- the Newton matrix in SUNDIALS' clothes (SUNDIALS custom) */
+
+static SUNMatrix_ID matrix_id(SUNMatrix a)
+{
+    (void)a;
+    return SUNMATRIX_CUSTOM;
+}
+
+static SUNLinearSolver_Type solver_type(SUNLinearSolver s)
+{
+    (void)s;
+    return SUNLINEARSOLVER_DIRECT;
+}
+
+static SUNLinearSolver_ID solver_id(SUNLinearSolver s)
+{
+    (void)s;
+    return SUNLINEARSOLVER_CUSTOM;
+}
+
+static int solver_setup(SUNLinearSolver s, SUNMatrix a)
+{
+    (void)a;
+    Integrator *const in = s->content;
+    const double start = clock_now();
+    const int status = newton_factor(in->newton);
+    in->stats.factor += clock_now() - start;
+    return status;
+}
+
+static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, realtype tolerance)
+{
+    (void)a, (void)tolerance;
+    Integrator *const in = s->content;
+    const double start = clock_now();
+    if (x != b) N_VScale(1.0, b, x);
+    const int status = newton_solve(in->newton, N_VGetArrayPointer(x));
+    in->stats.solve += clock_now() - start;
+    return status;
+}
+
+static int linear_attach(Integrator *in)
+{
+    in->matrix = SUNMatNewEmpty(in->context);
+    in->solver = SUNLinSolNewEmpty(in->context);
+    if (!in->matrix || !in->solver) return 0;
+    in->matrix->ops->getid = matrix_id;
+    in->solver->ops->gettype = solver_type;
+    in->solver->ops->getid = solver_id;
+    in->solver->ops->setup = solver_setup;
+    in->solver->ops->solve = solver_solve;
+    in->solver->content = in;
+    return CVodeSetLinearSolver(in->cvode, in->solver, in->matrix) == CV_SUCCESS &&
+           CVodeSetLinSysFn(in->cvode, call_system) == CV_SUCCESS;
+}
+
+/* ------------------------------------------------------------------------------------------------- life */
+
+static int cvode_set(Integrator *in)
+{
+    const SolverDef *const def = &in->scene->def.solver;
+    void *const c = in->cvode;
+    int bad = CVodeSetErrHandlerFn(c, call_complaint, in);
+    bad |= CVodeSetUserData(c, in);
+    bad |= CVodeWFtolerances(c, call_weights);
+    bad |= CVodeSetMaxOrd(c, def->max_order);
+    bad |= CVodeSetMaxNumSteps(c, -1);
+    bad |= CVodeSetProjFn(c, call_projection);
+    if (def->max_step > 0) bad |= CVodeSetMaxStep(c, def->max_step);
+    if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
+    return !bad && linear_attach(in);
+}
+
+static int integrator_start(Integrator *in, double t)
+{
+    const int length = STATE_SIZE * in->scene->chain.n;
+    in->y_good = malloc((size_t)length * sizeof(double));
+    in->weight = malloc((size_t)length * sizeof(double));
+    if (!in->y_good || !in->weight || SUNContext_Create(NULL, &in->context)) return 0;
+    memcpy(in->y_good, in->y, (size_t)length * sizeof(double));
+    scales_weights(in->scene, in->weight);
+    in->state = N_VMake_Serial(length, in->y, in->context);
+    if (!in->state) return 0;
+    in->state->ops->nvwrmsnorm = call_norm;
+    in->cvode = CVodeCreate(CV_BDF, in->context);
+    return in->cvode && CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS && cvode_set(in);
+}
+
+hawser_status integrator_new(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y, Integrator **out,
+                             hawser_error *err)
+{
+    Integrator *in = calloc(1, sizeof *in);
+    *out = in;
+    if (!in) return error_memory(err);
+    *in = (Integrator){.scene = scene, .ws = ws, .newton = newton, .y = y, .stop = -1};
+    if (integrator_start(in, t)) return HAWSER_OK;
+    *out = integrator_free(in);
+    return error_memory(err);
+}
+
+Integrator *integrator_free(Integrator *in)
+{
+    if (!in) return NULL;
+    if (in->cvode) CVodeFree(&in->cvode);
+    if (in->solver) SUNLinSolFreeEmpty(in->solver);
+    if (in->matrix) SUNMatFreeEmpty(in->matrix);
+    if (in->state) N_VDestroy(in->state);
+    if (in->context) SUNContext_Free(&in->context);
+    free(in->y_good);
+    free(in->weight);
+    free(in);
+    return NULL;
+}
+
+/* ------------------------------------------------------------------------------------------------ stepping */
+
+/* The segment whose weighted local error is largest: where to look when a step fails. */
+static int worst_segment(Integrator *in)
+{
+    const int n = in->scene->chain.n;
+    N_Vector error = N_VClone(in->state);
+    int worst = 0;
+    if (error && CVodeGetEstLocalErrors(in->cvode, error) == CV_SUCCESS) {
+        worst = scales_worst_segment(n, N_VGetArrayPointer(error), in->weight);
+    }
+    if (error) N_VDestroy(error);
+    return worst;
+}
+
+static const char *advice_for(int flag)
+{
+    switch (flag) {
+    case CV_CONV_FAILURE:
+        return "Newton's iteration did not converge: try a smaller solver.max_step, a softer contact.k or a larger friction.v_s";
+    case CV_ERR_FAILURE:
+        return "the error test failed again and again: try a larger solver.accuracy, or a gentler drive";
+    case CV_LSETUP_FAIL:
+    case CV_LSOLVE_FAIL:
+        return "the Newton matrix could not be factored: try --set solver.linear_solver=klu";
+    case CV_REPTD_RHSFUNC_ERR:
+    case CV_FIRST_RHSFUNC_ERR:
+    case CV_RHSFUNC_FAIL:
+        return "the forces became infinite: check stiffnesses, masses and the contact law";
+    default:
+        return "try a smaller solver.max_step or another solver.accuracy";
+    }
+}
+
+static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
+{
+    const int i = worst_segment(in), n = in->scene->chain.n;
+    const Vec3 p = v3(in->y_good[i], in->y_good[n + i], in->y_good[2 * n + i]);
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    memcpy(in->y, in->y_good, (size_t)(STATE_SIZE * n) * sizeof(double));
+    return error_set(err, HAWSER_ERR_RUN,
+                     "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
+                     "%s (CVODE flag %d: %s)",
+                     t, step, i, n, p.x, p.y, p.z, advice_for(flag), flag, in->complaint);
+}
+
+hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
+{
+    if (stop > in->stop || stop < in->stop) {
+        CVodeSetStopTime(in->cvode, stop);
+        in->stop = stop;
+    }
+    const double start = clock_now();
+    double reached = *t;
+    const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
+    in->stats.total += clock_now() - start;
+    if (flag < 0) return step_failed(in, flag, *t, err);
+    *t = reached;
+    memcpy(in->y_good, in->y, (size_t)(STATE_SIZE * in->scene->chain.n) * sizeof(double));
+    return dynamics_refresh(in->scene, in->ws, reached, in->y, 0, err);
+}
+
+void integrator_stats(const Integrator *in, IntegratorStats *stats)
+{
+    *stats = in->stats;
+    long iterations = 0;
+    CVodeGetNumSteps(in->cvode, &stats->steps);
+    CVodeGetNumRhsEvals(in->cvode, &stats->rhs_evals);
+    CVodeGetNumNonlinSolvIters(in->cvode, &iterations);
+    CVodeGetNumLinSolvSetups(in->cvode, &stats->lin_setups);
+    CVodeGetNumErrTestFails(in->cvode, &stats->error_fails);
+    CVodeGetNumNonlinSolvConvFails(in->cvode, &stats->newton_fails);
+    CVodeGetLastStep(in->cvode, &stats->last_step);
+    stats->newton_iters = iterations;
+    stats->contacts = in->ws->seconds_contact;
+}

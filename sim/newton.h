@@ -1,0 +1,35 @@
+/* Newton's matrix reduced to the velocities. CVODE asks for delta in (1 - gamma J) delta = b over all 13n rates; positions
+ * and quaternions are eliminated exactly, which leaves (M - gamma D - gamma^2 K S) du = r, block tridiagonal with 6x6
+ * blocks. docs/model.md, "Newton matrix" (N1)-(N8). */
+#ifndef HAWSER_SIM_NEWTON_H
+#define HAWSER_SIM_NEWTON_H
+
+#include "linsolve/linsolve.h"
+#include "sim/scene.h"
+
+typedef struct Newton {
+    int n;
+    BlockChain k, d; /* derivative blocks at the linearisation point */
+    BlockChain a;    /* M - gamma D - gamma^2 K S */
+    double *mass;    /* [n] kg */
+    double *inertia; /* [n][9] row-major, world, at the linearisation point */
+    double *q, *w;   /* [n][4] as in y (not normalised), [n][3] rad/s, at the linearisation point */
+    double *turn;    /* [n][3] work: rotation part of the eliminated residual */
+    double *x;       /* [6n] work: reduced right-hand side and solution */
+    double gamma;    /* s, of a */
+    LinSolver *solver;
+} Newton;
+
+hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);
+void newton_free(Newton *nw);
+
+/* Takes over the linearisation point: inertias, quaternions and spins. k and d are filled by dynamics_blocks. */
+void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const double *y);
+/* Forms a for gamma (s) from k and d (N5). */
+void newton_form(Newton *nw, double gamma);
+/* Factors a: see linsolver_factor. */
+int newton_factor(Newton *nw);
+/* b [13n] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */
+int newton_solve(Newton *nw, double *b);
+
+#endif

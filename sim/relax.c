@@ -1,0 +1,146 @@
+#include "sim/relax.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+
+/* The largest change that one iteration may make. */
+static const double MOVE_MAX = 0.05, TURN_MAX = 0.1; /* m, rad */
+static const double DT_FIRST = 1e-2, DT_LARGEST = 1e8, DT_GROWTH = 10; /* s, s, 1 */
+
+typedef struct Relaxation {
+    const Scene *scene;
+    Workspace *ws;
+    Newton *newton;
+    double t;
+    double *y;
+    double *rate;  /* [13 n] */
+    double *start; /* [3 n] positions before */
+} Relaxation;
+
+/* Largest unbalanced force; moments count over half a segment. *where gets the segment. */
+static double residual(Relaxation *r, int *where)
+{
+    const Chain *const chain = &r->scene->chain;
+    const int n = chain->n;
+    double largest = 0;
+    dynamics_rates(r->scene, r->ws, r->t, r->y, 0.0, r->rate);
+    for (int i = 0; i < n; ++i) {
+        const Vec3 a = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
+        const Vec3 spin = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
+        const double force = chain->mass[i] * v3_norm(a);
+        const double moment = v3_norm(body_inertia_times(chain, &r->ws->kin, i, spin)) / chain->half[i];
+        const double both = force + moment;
+        if (!(both <= largest)) {
+            largest = both;
+            *where = i;
+        }
+    }
+    return largest;
+}
+
+/* One linearly implicit Euler step of length dt from rest: (M - dt D - dt^2 K) u = dt F (E1). The velocities land in
+ * the velocity part of `rate`. Returns the solver's status. */
+static int implicit_step(Relaxation *r, double dt)
+{
+    const int n = r->scene->chain.n;
+    dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, 0.0, &r->newton->k, &r->newton->d);
+    newton_point(r->newton, r->scene, &r->ws->kin, r->y);
+    newton_form(r->newton, dt);
+    const int status = newton_factor(r->newton);
+    if (status) return status;
+    memset(r->rate, 0, (size_t)(STATE_V * n) * sizeof(double));
+    for (int k = STATE_V * n; k < STATE_SIZE * n; ++k) r->rate[k] *= dt;
+    return newton_solve(r->newton, r->rate);
+}
+
+/* Moves the state by dt times the velocities found, shortened so that nothing moves too far in one go (E2). */
+static void move(Relaxation *r, double dt)
+{
+    const int n = r->scene->chain.n;
+    double scale = 1;
+    for (int i = 0; i < n; ++i) {
+        const Vec3 u = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
+        const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
+        scale = fmin(scale, fmin(MOVE_MAX / (dt * v3_norm(u) + 1e-300), TURN_MAX / (dt * v3_norm(w) + 1e-300)));
+    }
+    for (int i = 0; i < n; ++i) {
+        double *const y = r->y + i;
+        for (int c = 0; c < 3; ++c) y[c * n] += scale * dt * r->rate[(STATE_V + c) * n + i];
+        const Vec3 turn = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
+        const Quat q = quat_unit(quat_mul(quat_exp(v3_scale(scale * dt, turn)),
+                                          (Quat){y[3 * n], y[4 * n], y[5 * n], y[6 * n]}));
+        y[3 * n] = q.w;
+        y[4 * n] = q.x;
+        y[5 * n] = q.y;
+        y[6 * n] = q.z;
+    }
+}
+
+/* What counts as balanced: the tolerance times the largest of the segments' weights and the loads of t. */
+static double tolerance_of(const Relaxation *r)
+{
+    const Chain *const chain = &r->scene->chain;
+    double scale = fabs(profile_value(&r->scene->tail, r->t));
+    for (int i = 0; i < chain->n; ++i) scale = fmax(scale, chain->mass[i] * v3_norm(r->scene->weight.gravity));
+    return r->scene->def.solver.relax_tolerance * fmax(scale, 1e-9);
+}
+
+static double farthest_move(const Relaxation *r)
+{
+    const int n = r->scene->chain.n;
+    double farthest = 0;
+    for (int i = 0; i < n; ++i) {
+        const Vec3 d = v3(r->y[i] - r->start[i], r->y[n + i] - r->start[n + i], r->y[2 * n + i] - r->start[2 * n + i]);
+        farthest = fmax(farthest, v3_norm(d));
+    }
+    return farthest;
+}
+
+/* The continuation: the step grows as the residual falls, until it is Newton's method (E3). */
+static hawser_status iterate(Relaxation *r, hawser_relaxation *out, hawser_error *err)
+{
+    const int limit = r->scene->def.solver.relax_iterations;
+    double dt = DT_FIRST;
+    out->residual_N = residual(r, &out->segment);
+    while (out->iterations < limit && !(out->residual_N <= out->tolerance_N)) {
+        ++out->iterations;
+        if (implicit_step(r, dt)) {
+            dt /= DT_GROWTH;
+        } else {
+            move(r, dt);
+        }
+        const hawser_status status = dynamics_refresh(r->scene, r->ws, r->t, r->y, 0, err);
+        if (status) return status;
+        const double before = out->residual_N;
+        out->residual_N = residual(r, &out->segment);
+        const double growth = before / out->residual_N;
+        dt = fmin(DT_LARGEST, dt * fmin(DT_GROWTH, fmax(1 / DT_GROWTH, growth > 1 ? 2 * growth : growth)));
+    }
+    out->reached = out->residual_N <= out->tolerance_N;
+    return HAWSER_OK;
+}
+
+hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
+                                   hawser_relaxation *out, hawser_error *err)
+{
+    const size_t n = (size_t)scene->chain.n;
+    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
+    r.rate = malloc(STATE_SIZE * n * sizeof(double));
+    r.start = malloc(3 * n * sizeof(double));
+    *out = (hawser_relaxation){0};
+    hawser_status status = HAWSER_OK;
+    if (r.rate && r.start) {
+        memcpy(r.start, y, 3 * n * sizeof(double));
+        memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
+        out->tolerance_N = tolerance_of(&r);
+        status = iterate(&r, out, err);
+        out->moved_m = farthest_move(&r);
+    } else {
+        status = error_memory(err);
+    }
+    free(r.rate);
+    free(r.start);
+    return status;
+}

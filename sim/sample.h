@@ -1,0 +1,19 @@
+/* A look at the state: what hawser_sample holds, in buffers of the simulation's own. */
+#ifndef HAWSER_SIM_SAMPLE_H
+#define HAWSER_SIM_SAMPLE_H
+
+#include "sim/dynamics.h"
+
+typedef struct SampleBuffers {
+    hawser_sample sample;
+    double *position, *quaternion, *velocity, *omega; /* [3n], [4n], [3n], [3n] */
+    double *tension, *axial_speed, *roller_load;      /* [n+1], [n], [rollers] */
+} SampleBuffers;
+
+/* 0 if there is no memory. */
+int sample_alloc(SampleBuffers *b, const Scene *scene);
+void sample_free(SampleBuffers *b);
+/* Looks at (t, y). Uses the workspace. */
+const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace *ws, double t, const double *y);
+
+#endif

@@ -1,0 +1,21 @@
+/* What an error of the state is measured with: physical scales, the weights that follow from `accuracy`, and a norm that
+ * does not dilute a local event in a long chain. docs/model.md, "Integration" (N10), (N11). */
+#ifndef HAWSER_SIM_SCALES_H
+#define HAWSER_SIM_SCALES_H
+
+#include "sim/scene.h"
+
+/* weight [13 n] = 1 / absolute tolerance of every component of the state. */
+void scales_weights(const Scene *scene, double *weight);
+
+/* Largest over windows of SCALES_WINDOW neighbouring segments of the RMS of x w over the window's 13 components each. */
+enum { SCALES_WINDOW = 16 };
+double scales_norm(int n, const double *x, const double *weight);
+
+/* The segment with the largest sum of squares of x w; the first with a NaN, if any. */
+int scales_worst_segment(int n, const double *x, const double *weight);
+
+/* 1 if all of x[count] is finite. */
+int scales_all_finite(const double *x, int count);
+
+#endif

@@ -1,0 +1,277 @@
+#include "sim/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+
+/* Segments of the whole chain. */
+static int segments_of(const SceneDef *def)
+{
+    int n = 0;
+    for (int p = 0; p < def->n_pieces; ++p) n += def->pieces[p].segments;
+    return n;
+}
+
+static const CableDef *cable_of(const SceneDef *def, int piece) { return &def->cables[def->pieces[piece].cable]; }
+
+/* Mass, inertia of a solid cylinder of the outside diameter, contact radius (S5). */
+static void segments_fill(Scene *scene)
+{
+    Chain *const c = &scene->chain;
+    int i = 0;
+    for (int p = 0; p < scene->def.n_pieces; ++p) {
+        const ChainPieceDef *const piece = &scene->def.pieces[p];
+        const CableDef *const cable = cable_of(&scene->def, p);
+        const double h = piece->length / piece->segments, r = cable->diameter / 2;
+        for (int k = 0; k < piece->segments; ++k, ++i) {
+            const double m = cable->mass * h;
+            scene->piece[i] = p;
+            c->half[i] = h / 2;
+            c->mass[i] = m;
+            c->inertia[0][i] = m * r * r / 2;
+            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + r * r / 4);
+            c->radius[i] = r;
+        }
+    }
+}
+
+/* Stiffness of half a segment of a cable, six components (B15). */
+static void half_stiffness(const CableDef *cable, double half, double k[6])
+{
+    const double rigidity[6] = {cable->ea, cable->ga, cable->ga, cable->gj, cable->ei_y, cable->ei_z};
+    for (int c = 0; c < 6; ++c) k[c] = rigidity[c] / half;
+}
+
+/* Two half-springs in series, with the damping that dissipates as much in a slow motion (B15). */
+static void series(const CableDef *a, double half_a, const CableDef *b, double half_b, double k[6], double d[6])
+{
+    double ka[6], kb[6];
+    half_stiffness(a, half_a, ka);
+    half_stiffness(b, half_b, kb);
+    for (int c = 0; c < 6; ++c) {
+        k[c] = ka[c] * kb[c] / (ka[c] + kb[c]);
+        const double beta_a = a->damping * a->damping_factor[c], beta_b = b->damping * b->damping_factor[c];
+        d[c] = k[c] * k[c] * (beta_a / ka[c] + beta_b / kb[c]);
+    }
+}
+
+/* Joint j between segments; the head's joint to the winch is the half-spring of the last segment alone. */
+static void joints_fill(Scene *scene)
+{
+    Chain *const c = &scene->chain;
+    const SceneDef *const def = &scene->def;
+    double k[6], d[6];
+    for (int j = 1; j < c->n; ++j) {
+        const int pa = scene->piece[j - 1], pb = scene->piece[j];
+        series(cable_of(def, pa), c->half[j - 1], cable_of(def, pb), c->half[j], k, d);
+        if (pa != pb && def->pieces[pb].swivel) k[3] = d[3] = 0;
+        for (int m = 0; m < 6; ++m) {
+            c->stiffness[m][j] = k[m];
+            c->damping[m][j] = d[m];
+        }
+    }
+    if (!scene->winch.present) return;
+    const CableDef *const last = cable_of(def, def->n_pieces - 1);
+    half_stiffness(last, c->half[c->n - 1], k);
+    for (int m = 0; m < (def->winch.axial_only ? 1 : 6); ++m) {
+        c->stiffness[m][c->n] = k[m];
+        c->damping[m][c->n] = k[m] * last->damping * last->damping_factor[m];
+    }
+}
+
+/* The route coordinate at distance `chord` from the point at s, ahead or behind (sign), by Newton's method. */
+static double chord_step(const Route *route, double s, double chord, int sign)
+{
+    const Vec3 from = route_at(route, s).position;
+    double next = s + sign * chord;
+    for (int it = 0; it < 20; ++it) {
+        const RoutePoint at = route_at(route, next);
+        const Vec3 link = v3_sub(at.position, from);
+        const double length = v3_norm(link), error = length - chord;
+        next -= error * length / v3_dot(link, at.tangent);
+        if (fabs(error) < 1e-15 * (1 + fabs(next))) break;
+    }
+    return next;
+}
+
+/* Route coordinates of the joints, from the eye outward. */
+static void joints_place(Scene *scene)
+{
+    const Chain *const c = &scene->chain;
+    scene->joint_s[scene->eye] = scene->def.head_at;
+    for (int j = scene->eye; j > 0; --j) {
+        scene->joint_s[j - 1] = chord_step(&scene->route, scene->joint_s[j], 2 * c->half[j - 1], -1);
+    }
+    for (int j = scene->eye; j < c->n; ++j) {
+        scene->joint_s[j + 1] = chord_step(&scene->route, scene->joint_s[j], 2 * c->half[j], +1);
+    }
+}
+
+/* The smallest rotation that takes unit vector a to b, applied after q: the frame is carried without twist. */
+static Quat carried(Quat q, Vec3 a, Vec3 b)
+{
+    const Vec3 axis = v3_cross(a, b);
+    const double c = v3_dot(a, b);
+    if (c < -0.999999) return q;
+    return quat_unit(quat_mul((Quat){1 + c, axis.x, axis.y, axis.z}, q));
+}
+
+static Quat first_attitude(const Scene *scene, Vec3 axis)
+{
+    const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, scene->joint_s[0]), axis));
+    return quat_from_axes(axis, left, v3_cross(axis, left));
+}
+
+void scene_initial_state(const Scene *scene, double *y)
+{
+    const int n = scene->chain.n;
+    memset(y, 0, (size_t)(STATE_SIZE * n) * sizeof *y);
+    Quat q = {1, 0, 0, 0};
+    Vec3 before = v3(0, 0, 0);
+    for (int i = 0; i < n; ++i) {
+        const Vec3 a = route_at(&scene->route, scene->joint_s[i]).position;
+        const Vec3 b = route_at(&scene->route, scene->joint_s[i + 1]).position;
+        const Vec3 axis = v3_unit(v3_sub(b, a)), centre = v3_scale(0.5, v3_add(a, b));
+        q = i == 0 ? first_attitude(scene, axis) : carried(q, before, axis);
+        before = axis;
+        const double value[7] = {centre.x, centre.y, centre.z, q.w, q.x, q.y, q.z};
+        for (int c = 0; c < 7; ++c) y[c * n + i] = value[c];
+    }
+}
+
+/* The winch stands where the head's end is and pulls along the route's end direction. */
+static void winch_place(Scene *scene)
+{
+    const int n = scene->chain.n;
+    const double end = fmax(scene->joint_s[n], scene->route.length);
+    Winch *const w = &scene->winch;
+    w->origin = route_at(&scene->route, scene->joint_s[n]).position;
+    w->direction = route_at(&scene->route, end).tangent;
+    double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y);
+    if (!y) return;
+    scene_initial_state(scene, y);
+    const double *const last = y + n - 1;
+    const Quat q = {last[3 * n], last[4 * n], last[5 * n], last[6 * n]};
+    w->attitude = carried(q, quat_rotate(q, v3(1, 0, 0)), w->direction);
+    free(y);
+}
+
+void scene_ghosts(const Scene *scene, double t, Kinematics *kin)
+{
+    const Winch *const w = &scene->winch;
+    if (!w->present) return;
+    const int n = scene->chain.n;
+    const double speed = profile_value(&w->speed, t);
+    const Vec3 p = v3_axpy(w->origin, profile_integral(&w->speed, t), w->direction);
+    const double position[3] = {p.x, p.y, p.z}, along[3] = {w->direction.x, w->direction.y, w->direction.z};
+    for (int c = 0; c < 3; ++c) {
+        kin->p[c][n] = position[c];
+        kin->v[c][n] = speed * along[c];
+        kin->w[c][n] = 0;
+        kin->a[c][n] = along[c];
+    }
+    const double q[4] = {w->attitude.w, w->attitude.x, w->attitude.y, w->attitude.z};
+    for (int c = 0; c < 4; ++c) kin->q[c][n] = q[c];
+}
+
+static void weight_fill(Scene *scene)
+{
+    const RoutePoint start = route_at(&scene->route, 0);
+    const LeadInDef *const lead = &scene->def.lead_in;
+    const Vec3 g = scene->def.gravity;
+    scene->weight = (Weight){.gravity = g, .lead_in = lead->present, .origin = start.position,
+                             .direction = start.tangent, .blend = lead->blend};
+    /* The lead-in gives way by 1 mm under the cable's weight, half critically damped. */
+    scene->weight.hold = v3_norm(g) / 1e-3;
+    scene->weight.hold_damping = sqrt(scene->weight.hold);
+    if (lead->present && !lead->carries_weight) {
+        scene->weight.behind = v3_scale(v3_dot(g, start.tangent), start.tangent);
+    }
+}
+
+static void drag_fill(Scene *scene)
+{
+    const RopeDragDef *const d = &scene->def.drag;
+    const int n = scene->chain.n;
+    scene->drag.segment = d->force > 0 ? (scene->eye < n ? scene->eye : n - 1) : -1;
+    scene->drag.force = d->force;
+    scene->drag.law = (FrictionLaw){.mu_s = 1, .mu_d = d->ratio, .v_s = d->v_s, .v_d = d->v_d};
+}
+
+/* The largest speed that the winch's profile asks for. */
+static double largest_speed(const Winch *w)
+{
+    double v = fmax(fabs(w->speed.v0), fabs(w->speed.v1));
+    if (w->speed.kind == PROFILE_TABLE) {
+        v = 0;
+        for (int i = 0; i < w->speed.n; ++i) v = fmax(v, fabs(w->speed.value[i]));
+    }
+    return w->present && v > 0 ? v : 0.1;
+}
+
+static hawser_status contact_fill(Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    ContactRoller *const roller = calloc((size_t)def->n_rollers + 1, sizeof *roller);
+    if (!roller) return error_memory(err);
+    for (int r = 0; r < def->n_rollers; ++r) {
+        const RollerDef *const d = &def->rollers[r];
+        roller[r] = (ContactRoller){.shape = {.kind = SHAPE_CYLINDER, .centre = d->centre, .axis = v3_unit(d->axis),
+                                              .radius = d->radius, .half_width = d->width / 2},
+                                    .friction = d->friction};
+    }
+    scene->rollers = roller;
+    scene->contact = (ContactModel){.geometry = def->geometry, .impact = def->impact,
+                                    .n_rollers = def->n_rollers, .roller = roller, .reach = def->contact_reach};
+    return HAWSER_OK;
+}
+
+static hawser_status scene_fill(Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    segments_fill(scene);
+    scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
+    scene->winch.present = def->winch.present;
+    scene->winch.speed = def->winch.speed;
+    scene->tail = def->tail.tension;
+    joints_fill(scene);
+    joints_place(scene);
+    winch_place(scene);
+    weight_fill(scene);
+    drag_fill(scene);
+    scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
+    scene->largest_speed = largest_speed(&scene->winch);
+    return contact_fill(scene, err);
+}
+
+hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
+{
+    memset(scene, 0, sizeof *scene);
+    hawser_status status = scene_def_copy(def, &scene->def, err);
+    if (status) return status;
+    const int n = segments_of(def);
+    scene->piece = calloc((size_t)n + 1, sizeof *scene->piece);
+    scene->joint_s = calloc((size_t)n + 1, sizeof *scene->joint_s);
+    if (!chain_alloc(&scene->chain, n) || !scene->piece || !scene->joint_s) {
+        status = error_memory(err);
+    } else {
+        scene->chain.frame = def->frame;
+        status = route_build(&scene->route, def->n_route, def->route, def->route_start, def->route_heading,
+                             def->route_slope, err);
+    }
+    if (!status) status = scene_fill(scene, err);
+    if (status) scene_clear(scene);
+    return status;
+}
+
+void scene_clear(Scene *scene)
+{
+    chain_free(&scene->chain);
+    free(scene->piece);
+    free(scene->joint_s);
+    free(scene->rollers);
+    route_clear(&scene->route);
+    scene_def_clear(&scene->def);
+    memset(scene, 0, sizeof *scene);
+}

@@ -1,0 +1,61 @@
+#include "sim/scene_def.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm (0.066 m)
+ * and E* = 1 GPa, a polyethylene sheath on steel; c damps half a metre of heavy cable on it at about half of critical. */
+static void contact_defaults(SceneDef *def)
+{
+    def->geometry = GEOMETRY_SMOOTH;
+    def->impact = (ImpactLaw){.k = 3.4e8, .e = 1.5, .c = 1e4, .d = 1e-4};
+    def->friction = (FrictionLaw){.mu_s = 0.2, .mu_d = 0.2, .v_s = 1e-3, .v_d = 2e-3};
+    def->contact_reach = 1;
+}
+
+static void drive_defaults(SceneDef *def)
+{
+    def->winch.speed = (Profile){.kind = PROFILE_STEP, .t1 = 1};
+    def->tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
+    def->drag = (RopeDragDef){.v_s = 1e-3, .v_d = 2e-3, .ratio = 1};
+}
+
+static void solver_defaults(SolverDef *s)
+{
+    s->accuracy = 1e-3;
+    s->max_order = 2;
+    s->relax = 1;
+    s->relax_tolerance = 1e-6;
+    s->relax_iterations = 200;
+    s->threads = 1;
+    s->linear = (LinOptions){.kind = LIN_AUTO, .ordering = ORDER_AUTO, .threads = 1};
+}
+
+void scene_def_defaults(SceneDef *def)
+{
+    memset(def, 0, sizeof *def);
+    def->gravity = v3(0, 0, -9.81);
+    def->frame = FRAME_SYMMETRIC;
+    def->lead_in = (LeadInDef){.carries_weight = 1, .blend = 0.5};
+    contact_defaults(def);
+    drive_defaults(def);
+    solver_defaults(&def->solver);
+    def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
+}
+
+void scene_def_clear(SceneDef *def)
+{
+    free(def->cables);
+    free(def->pieces);
+    free(def->route);
+    free(def->rollers);
+    free(def->winch.table_time);
+    free(def->winch.table_value);
+    free(def->tail.table_time);
+    free(def->tail.table_value);
+    free(def->stations);
+    free(def->paper);
+    free(def->output.speed_segments);
+    memset(def, 0, sizeof *def);
+}

@@ -1,0 +1,192 @@
+#include "sim/sim.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+#include "core/clock.h"
+#include "sim/expected.h"
+#include "sim/integrator.h"
+#include "sim/relax.h"
+#include "sim/sample.h"
+#include "sim/stats.h"
+
+struct Sim {
+    Scene scene;
+    Workspace ws;
+    Newton newton;
+    Integrator *integrator; /* made at the first advance */
+    SampleBuffers look;
+    Stats stats;
+    Expected expected;
+    double t, *y; /* s; [13 n] */
+    hawser_relaxation relaxation;
+    double relax_s, output_s, record_s; /* s */
+    int threads;
+    int active_max; /* contacts */
+};
+
+static hawser_status parts_new(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->scene;
+    s->y = malloc((size_t)(STATE_SIZE * scene->chain.n) * sizeof(double));
+    if (!s->y || !workspace_alloc(&s->ws, scene) || !sample_alloc(&s->look, scene)) return error_memory(err);
+    scene_initial_state(scene, s->y);
+    hawser_status status = newton_new(&s->newton, scene, &scene->def.solver.linear, err);
+    if (!status) status = stats_new(&s->stats, scene, err);
+    if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
+    if (!status) status = dynamics_refresh(scene, &s->ws, 0, s->y, 1, err);
+    return status;
+}
+
+hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err)
+{
+    Sim *s = calloc(1, sizeof *s);
+    *out = NULL;
+    if (!s) return error_memory(err);
+    SceneDef mine = *def; /* the scene makes its own deep copy */
+    if (threads > 0) mine.solver.threads = mine.solver.linear.threads = threads;
+    s->threads = mine.solver.threads;
+    hawser_status status = scene_build(&mine, &s->scene, err);
+    if (!status) status = parts_new(s, err);
+    if (status) {
+        sim_free(s);
+        return status;
+    }
+    *out = s;
+    return HAWSER_OK;
+}
+
+Sim *sim_free(Sim *s)
+{
+    if (!s) return NULL;
+    integrator_free(s->integrator);
+    newton_free(&s->newton);
+    stats_free(&s->stats);
+    sample_free(&s->look);
+    workspace_free(&s->ws);
+    free(s->y);
+    scene_clear(&s->scene);
+    free(s);
+    return NULL;
+}
+
+hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
+{
+    const double start = clock_now();
+    const hawser_status status = relax_to_equilibrium(&s->scene, &s->ws, &s->newton, s->t, s->y, &s->relaxation, err);
+    s->relax_s += clock_now() - start;
+    if (out) *out = s->relaxation;
+    return status;
+}
+
+/* The next time at which a profile has a corner, or `stop`: the integrator must not step across. */
+static double next_stop(const Sim *s, double stop)
+{
+    const Profile *const profile[] = {&s->scene.winch.speed, &s->scene.tail};
+    for (int p = 0; p < 2; ++p) {
+        double corner;
+        if (profile_next_corner(profile[p], s->t + 1e-9, &corner) && corner < stop) stop = corner;
+    }
+    return stop;
+}
+
+hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
+{
+    if (!s->integrator) {
+        const hawser_status status = integrator_new(&s->scene, &s->ws, &s->newton, s->t, s->y, &s->integrator, err);
+        if (status) return status;
+    }
+    while (s->t < t) {
+        const hawser_status status = integrator_step(s->integrator, next_stop(s, t), &s->t, err);
+        if (status || one_step) return status;
+    }
+    return HAWSER_OK;
+}
+
+double sim_time(const Sim *s) { return s->t; }
+double sim_end_time(const Sim *s) { return s->scene.def.duration; }
+const OutputDef *sim_output(const Sim *s) { return &s->scene.def.output; }
+const char *sim_title(const Sim *s) { return s->scene.def.title; }
+
+const hawser_sample *sim_sample(Sim *s)
+{
+    const double start = clock_now();
+    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, s->y);
+    if (s->integrator) {
+        IntegratorStats stats;
+        integrator_stats(s->integrator, &stats);
+        s->look.sample.step_size = stats.last_step;
+    }
+    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
+    s->record_s += clock_now() - start;
+    return look;
+}
+
+void sim_record(Sim *s)
+{
+    const hawser_sample *const look = sim_sample(s);
+    const double start = clock_now();
+    stats_record(&s->stats, &s->scene, look);
+    s->record_s += clock_now() - start;
+}
+
+void sim_add_output_time(Sim *s, double seconds) { s->output_s += seconds; }
+
+static void integration_fill(const Sim *s, hawser_summary *out)
+{
+    if (!s->integrator) return;
+    IntegratorStats i;
+    integrator_stats(s->integrator, &i);
+    out->steps = i.steps;
+    out->rhs_evals = i.rhs_evals;
+    out->newton_iters = i.newton_iters;
+    out->jac_evals = i.jac_evals;
+    out->lin_setups = i.lin_setups;
+    out->error_test_fails = i.error_fails;
+    out->newton_fails = i.newton_fails;
+    const double other = i.rhs + i.jacobian + i.factor + i.solve;
+    out->phases = (hawser_phases){.rhs = i.rhs - i.contacts, .contacts = i.contacts, .jacobian = i.jacobian,
+                                  .factor = i.factor, .solve = i.solve, .vector = i.total - other};
+    out->wall_time_s = i.total;
+}
+
+void sim_summary(const Sim *s, hawser_summary *out)
+{
+    const Scene *const scene = &s->scene;
+    LinStats lin;
+    linsolver_stats(s->newton.solver, &lin);
+    *out = (hawser_summary){.segments = scene->chain.n,
+                            .bushings = scene->chain.n - 1 + (scene->winch.present ? 1 : 0),
+                            .rollers = scene->contact.n_rollers,
+                            .contact_candidates = s->ws.candidates_max,
+                            .contact_active_max = s->active_max,
+                            .contact_refreshes = s->ws.refreshes,
+                            .sim_time_s = s->t,
+                            .linear_solver = lin.name,
+                            .linear_solver_why = lin.why,
+                            .ordering = lin.ordering,
+                            .threads = s->threads,
+                            .paper_total_N = s->expected.paper_total,
+                            .reference_total_N = s->expected.reference_total,
+                            .relaxation = s->relaxation};
+    integration_fill(s, out);
+    out->phases.relax = s->relax_s;
+    out->phases.output = s->output_s + s->record_s;
+    out->wall_time_s += s->relax_s + s->output_s + s->record_s;
+    out->real_time_factor = out->wall_time_s > 0 ? s->t / out->wall_time_s : 0;
+    out->steps_per_second = out->wall_time_s > 0 ? (double)out->steps / out->wall_time_s : 0;
+    stats_summary(&s->stats, out);
+}
+
+int sim_stations(const Sim *s, const hawser_station **out)
+{
+    *out = s->stats.station_out;
+    return s->stats.n_stations;
+}
+
+int sim_rollers(const Sim *s, const SimRoller **out)
+{
+    *out = s->stats.roller_out;
+    return s->stats.n_rollers;
+}

@@ -1,0 +1,49 @@
+/* A simulation: the scene's right-hand side and Newton matrix given to CVODE, its statistics and its samples.
+ * One Sim owns everything that it needs; two of them never meet. */
+#ifndef HAWSER_SIM_SIM_H
+#define HAWSER_SIM_SIM_H
+
+#include "sim/scene_def.h"
+
+typedef struct Sim Sim;
+
+/* Builds scene, state on the route, solver. threads: 0 takes the definition's. The definition is not needed
+ * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */
+hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err);
+Sim *sim_free(Sim *s);
+
+/* Static equilibrium under the loads of t = 0, friction off; see hawser_sim_relax. */
+hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err);
+/* See hawser_sim_advance. */
+hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err);
+double sim_time(const Sim *s);
+double sim_end_time(const Sim *s);
+
+/* The state of now, looked at: see hawser_sample. */
+const hawser_sample *sim_sample(Sim *s);
+/* Takes the sample of now into the statistics (time-weighted means of the steady window, peaks of the run). */
+void sim_record(Sim *s);
+/* Adds to the phase `output` what the caller spent on writing, s. */
+void sim_add_output_time(Sim *s, double seconds);
+
+void sim_summary(const Sim *s, hawser_summary *out);
+/* The tension table; the array is the simulation's. Returns how many. */
+int sim_stations(const Sim *s, const hawser_station **out);
+
+typedef struct SimRoller {
+    char name[NAME_MAX_LENGTH];
+    double s;      /* m along the route, NAN if listed by coordinates */
+    double rating; /* N, 0: none */
+    double steady; /* N, mean load in the steady window */
+    double peak;   /* N, of the run */
+    double initial; /* N, at equilibrium before t = 0 */
+} SimRoller;
+
+/* The rollers' table; the array is the simulation's. Returns how many. */
+int sim_rollers(const Sim *s, const SimRoller **out);
+
+/* What the output needs to know. */
+const OutputDef *sim_output(const Sim *s);
+const char *sim_title(const Sim *s);
+
+#endif

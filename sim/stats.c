@@ -1,0 +1,183 @@
+#include "sim/stats.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+
+/* A sample of `value`, dt after the last one; it counts for the mean if `steady`. */
+static void mean_add(TimeMean *m, double value, double dt, int steady)
+{
+    if (steady && m->started) {
+        const double middle = (value + m->last) / 2;
+        m->sum += middle * dt;
+        m->square += middle * middle * dt;
+        m->time += dt;
+    }
+    if (!m->started || value > m->peak) m->peak = value;
+    m->last = value;
+    m->started = 1;
+}
+
+static double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : m->last; }
+
+/* Root mean square deviation from the mean. */
+static double ripple_of(const TimeMean *m)
+{
+    const double mean = mean_of(m);
+    return m->time > 0 ? sqrt(fmax(0, m->square / m->time - mean * mean)) : 0;
+}
+
+hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    memset(stats, 0, sizeof *stats);
+    stats->last_t = -1;
+    stats->steady_from = def->output.steady_from;
+    stats->n_stations = def->n_stations;
+    stats->n_rollers = def->n_rollers;
+    const size_t ns = (size_t)def->n_stations + 1, nr = (size_t)def->n_rollers + 1;
+    stats->station = calloc(ns, sizeof *stats->station);
+    stats->roller = calloc(nr, sizeof *stats->roller);
+    stats->station_out = calloc(ns, sizeof *stats->station_out);
+    stats->roller_out = calloc(nr, sizeof *stats->roller_out);
+    stats->joint_s = calloc((size_t)scene->chain.n + 1, sizeof(double));
+    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !stats->joint_s) {
+        stats_free(stats);
+        return error_memory(err);
+    }
+    for (int i = 0; i < def->n_stations; ++i) {
+        stats->station_out[i].name = def->stations[i].name;
+        stats->station_out[i].s = def->stations[i].s;
+    }
+    for (int r = 0; r < def->n_rollers; ++r) {
+        SimRoller *const out = &stats->roller_out[r];
+        snprintf(out->name, sizeof out->name, "%s", def->rollers[r].name);
+        out->s = def->rollers[r].s;
+        out->rating = def->rollers[r].rating;
+    }
+    return HAWSER_OK;
+}
+
+void stats_free(Stats *stats)
+{
+    free(stats->station);
+    free(stats->roller);
+    free(stats->station_out);
+    free(stats->roller_out);
+    free(stats->joint_s);
+    memset(stats, 0, sizeof *stats);
+}
+
+/* Route coordinate of point p, from a guess: the foot of the perpendicular on the route. */
+static double route_coordinate(const Route *route, Vec3 p, double guess)
+{
+    for (int it = 0; it < 3; ++it) {
+        const RoutePoint at = route_at(route, guess);
+        const Vec3 off = v3_sub(p, at.position);
+        guess += v3_dot(off, at.tangent) / (1 - v3_dot(off, at.curvature));
+    }
+    return guess;
+}
+
+/* The joint's place: the mean of the two facing ends is within the gap of the end of the segment before it. */
+static Vec3 joint_position(const hawser_sample *s, const Chain *chain, int j)
+{
+    const int i = j > 0 ? j - 1 : 0;
+    const double side = j > 0 ? 1 : -1;
+    const double *const p = s->position + 3 * i, *const q = s->quaternion + 4 * i;
+    const Vec3 a = quat_rotate((Quat){q[0], q[1], q[2], q[3]}, v3(1, 0, 0));
+    return v3_axpy(v3(p[0], p[1], p[2]), side * chain->half[i], a);
+}
+
+/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is there. */
+static double tension_at(Stats *stats, const Scene *scene, const hawser_sample *sample, double s)
+{
+    const double *const js = stats->joint_s;
+    int low = 0, high = scene->chain.n;
+    if (s < js[0] || s > js[high]) return NAN;
+    while (high - low > 1) {
+        const int mid = (low + high) / 2;
+        if (js[mid] <= s) {
+            low = mid;
+        } else {
+            high = mid;
+        }
+    }
+    const double u = (s - js[low]) / (js[high] - js[low]);
+    return (1 - u) * sample->tension[low] + u * sample->tension[high];
+}
+
+static void stations_record(Stats *stats, const Scene *scene, const hawser_sample *sample, double dt, int steady)
+{
+    if (stats->n_stations == 0) return;
+    for (int j = 0; j <= scene->chain.n; ++j) {
+        const double guess = scene->joint_s[j] + sample->winch_travel;
+        stats->joint_s[j] = route_coordinate(&scene->route, joint_position(sample, &scene->chain, j), guess);
+    }
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const double tension = tension_at(stats, scene, sample, stats->station_out[i].s);
+        if (!isnan(tension)) mean_add(&stats->station[i], tension, dt, steady);
+    }
+}
+
+static void tables_update(Stats *stats)
+{
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const TimeMean *const m = &stats->station[i];
+        stats->station_out[i].mean_N = m->started ? mean_of(m) : NAN;
+        stats->station_out[i].peak_N = m->started ? m->peak : NAN;
+    }
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        stats->roller_out[r].steady = mean_of(&stats->roller[r]);
+        stats->roller_out[r].peak = stats->roller[r].peak;
+    }
+}
+
+void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample)
+{
+    const double dt = stats->last_t >= 0 ? sample->t - stats->last_t : 0;
+    const int steady = stats->last_t >= stats->steady_from - 1e-9;
+    if (stats->last_t >= 0 && dt <= 0) return;
+    mean_add(&stats->pull, sample->winch_force, dt, steady);
+    mean_add(&stats->speed, sample->axial_speed[0], dt, steady);
+    if (fabs(sample->axial_speed[0] - scene->largest_speed) > 0.02 * scene->largest_speed) stats->settled_at = sample->t;
+    stations_record(stats, scene, sample, dt, steady);
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
+        if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];
+    }
+    stats->last_t = sample->t;
+    tables_update(stats);
+}
+
+/* Largest and mean error of the stations against one of the two theories, %. */
+static void errors_of(const Stats *stats, int paper, double *largest, double *mean)
+{
+    int count = 0;
+    *largest = *mean = 0;
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const hawser_station *const s = &stats->station_out[i];
+        const double theory = paper ? s->paper_N : s->reference_N;
+        if (!stats->station[i].started || !(fabs(theory) > 0)) continue;
+        const double error = 100 * fabs(s->mean_N / theory - 1);
+        *largest = fmax(*largest, error);
+        *mean += error;
+        ++count;
+    }
+    if (count > 0) *mean /= count;
+}
+
+void stats_summary(const Stats *stats, hawser_summary *out)
+{
+    out->pull_mean_N = mean_of(&stats->pull);
+    out->pull_peak_N = stats->pull.peak;
+    out->pull_ripple_N = ripple_of(&stats->pull);
+    out->steady_speed_m_per_s = mean_of(&stats->speed);
+    out->settle_time_s = stats->settled_at;
+    out->steady_from_s = stats->steady_from;
+    out->steady_to_s = fmax(stats->last_t, 0);
+    errors_of(stats, 0, &out->error_max_pct, &out->error_mean_pct);
+    errors_of(stats, 1, &out->error_max_paper_pct, &out->error_mean_paper_pct);
+}

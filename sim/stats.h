@@ -1,0 +1,36 @@
+/* What a run is judged by: time-weighted means over the steady window, peaks, and the tension at stations of the route.
+ * Memory does not grow with the run. */
+#ifndef HAWSER_SIM_STATS_H
+#define HAWSER_SIM_STATS_H
+
+#include "sim/scene.h"
+#include "sim/sim.h"
+
+/* Mean and mean square of a value over time, by the trapezoidal rule, with its peak. */
+typedef struct TimeMean {
+    double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
+    int started;
+} TimeMean;
+
+typedef struct Stats {
+    double last_t;       /* s, of the last sample; < 0: none */
+    double steady_from;  /* s */
+    TimeMean pull;       /* N, winch force */
+    TimeMean speed;      /* m/s, axial speed of the cable's first segment */
+    double settled_at;   /* s, last time the speed was more than 2 % off the winch's final speed */
+    int n_stations, n_rollers;
+    TimeMean *station;   /* [n_stations], N */
+    TimeMean *roller;    /* [n_rollers], N */
+    hawser_station *station_out;
+    SimRoller *roller_out;
+    double *joint_s;     /* [n+1] work: route coordinates of the joints now */
+} Stats;
+
+hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
+void stats_free(Stats *stats);
+/* Takes a sample in; the tables station_out and roller_out are up to date afterwards. */
+void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample);
+/* Fills what the statistics know into the summary; paper_N and reference_N must be in station_out. */
+void stats_summary(const Stats *stats, hawser_summary *out);
+
+#endif

@@ -1,0 +1,167 @@
+/* Candidate pairs against brute force, and that they change nothing but the cost. */
+#include "tests/contact/contact_scene.h"
+
+#include <math.h>
+
+enum { N = 300, ROLLERS = 80 };
+
+static ContactRoller rollers[ROLLERS];
+
+/* A winding chain, and rollers of many sizes: near the chain, some far away. */
+static void scene_wind(TestScene *s, ContactGeometry geometry, double reach)
+{
+    uint64_t seed = 11;
+    scene_new(s, geometry, N, 0.5);
+    for (int i = 0; i < N; ++i) {
+        const double a = 0.02 * i + 0.3 * sin(0.1 * i);
+        vector_to(s->kin.a, i, v3_unit(v3(cos(a), sin(a), 0.2 * sin(0.05 * i))));
+        vector_to(s->kin.v, i, v3(0.1, 0, 0));
+    }
+    scene_join(s, v3(0, 0, 0));
+    for (int r = 0; r < ROLLERS; ++r) {
+        const int i = (int)((random_next(&seed) + 1) / 2 * N) % N;
+        const double away = r % 8 ? 0.14 : 3;
+        const Vec3 centre = v3_axpy(vector_of(s->kin.p, i), away, v3_unit(random_vector(&seed)));
+        const double radius = 0.1 + 0.05 * random_next(&seed), half_width = 0.5 + 0.4 * random_next(&seed);
+        rollers[r] =
+            (ContactRoller){{SHAPE_CYLINDER, centre, v3_unit(random_vector(&seed)), radius, half_width},
+                            {0.2, 0.1, 5e-3, 2e-2}};
+    }
+    s->model.roller = rollers;
+    s->model.n_rollers = ROLLERS;
+    s->model.reach = reach;
+    scene_refresh(s);
+}
+
+static int is_candidate(const ContactPairs *pairs, int roller, int e)
+{
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const ContactRange range = pairs->range[i];
+        if (range.roller == roller && e >= range.first && e < range.first + range.count) return 1;
+    }
+    return 0;
+}
+
+/* Every pair whose sphere is within reach, and no other; and no sampled point within reach is left out. */
+static void brute_check(ContactGeometry geometry)
+{
+    TestScene s;
+    scene_wind(&s, geometry, 0.8);
+    int count = 0;
+    for (int r = 0; r < ROLLERS; ++r) {
+        for (int e = 0; e < element_count(geometry, N); ++e) {
+            const Element element = element_at(geometry, N, e);
+            const Sphere sphere = element_sphere(&element, &s.chain, &s.kin);
+            const int near =
+                shape_distance(&rollers[r].shape, sphere.centre) - sphere.radius <= s.model.reach;
+            assert_int_equal(is_candidate(&s.pairs, r, e), near);
+            count += near;
+            for (int i = 0; i <= 8 && !near; ++i) {
+                const Vec3 p = element_point(&element, &s.chain, &s.kin, i / 8.0);
+                assert_true(shape_distance(&rollers[r].shape, p) -
+                                element_radius(&element, &s.chain, i / 8.0) >
+                            s.model.reach);
+            }
+        }
+    }
+    assert_int_equal(s.pairs.candidates, count);
+    assert_true(count > 2 * ROLLERS);
+    print_message("%d candidates of %d pairs, in %d ranges\n", count, ROLLERS * element_count(geometry, N),
+                  s.pairs.n_ranges);
+    scene_free(&s);
+}
+static void test_brute_force(void **state)
+{
+    (void)state;
+    brute_check(GEOMETRY_SMOOTH);
+    brute_check(GEOMETRY_CYLINDER);
+}
+
+/* Ranges are ordered by roller, then by element, and do not touch each other. */
+static void test_order(void **state)
+{
+    (void)state;
+    TestScene s;
+    scene_wind(&s, GEOMETRY_SMOOTH, 0.5);
+    for (int i = 1; i < s.pairs.n_ranges; ++i) {
+        const ContactRange a = s.pairs.range[i - 1], b = s.pairs.range[i];
+        assert_true(a.roller < b.roller || (a.roller == b.roller && a.first + a.count < b.first));
+    }
+    scene_free(&s);
+}
+
+/* Forces do not depend on how many pairs are looked at, to the last bit. */
+static void reach_check(ContactGeometry geometry)
+{
+    TestScene near, far;
+    scene_wind(&near, geometry, 0.05);
+    scene_wind(&far, geometry, 1000);
+    assert_int_equal(far.pairs.candidates, ROLLERS * element_count(geometry, N));
+    loads_zero(&near.loads, N);
+    loads_zero(&far.loads, N);
+    contact_forces(&near.model, &near.chain, &near.kin, 1, &near.pairs, &near.loads, NULL);
+    contact_forces(&far.model, &far.chain, &far.kin, 1, &far.pairs, &far.loads, NULL);
+    assert_int_equal(near.pairs.active, far.pairs.active);
+    assert_true(far.pairs.active > ROLLERS / 4);
+    for (int c = 0; c < 3; ++c) {
+        assert_memory_equal(near.loads.f[c], far.loads.f[c], N * sizeof(double));
+        assert_memory_equal(near.loads.m[c], far.loads.m[c], N * sizeof(double));
+    }
+    scene_free(&near);
+    scene_free(&far);
+}
+
+static void test_reach_changes_nothing(void **state)
+{
+    (void)state;
+    reach_check(GEOMETRY_SMOOTH);
+    reach_check(GEOMETRY_CYLINDER);
+}
+
+/* Motion up to 3/4 of the reach is allowed for: shifts and turns add up. */
+static void test_moved_too_far(void **state)
+{
+    (void)state;
+    TestScene s;
+    scene_wind(&s, GEOMETRY_SMOOTH, 0.4);
+    assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    s.kin.p[1][17] += 0.299;
+    assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    vector_to(s.kin.a, 17, quat_rotate(quat_exp(v3(0, 0, 0.01)), vector_of(s.kin.a, 17)));
+    assert_true(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    scene_refresh(&s);
+    assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    s.kin.p[0][N - 1] = NAN; /* a lost state asks for a refresh rather than hiding */
+    assert_true(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    scene_free(&s);
+}
+
+/* No rollers, and a chain of one segment. */
+static void test_least(void **state)
+{
+    (void)state;
+    TestScene s;
+    scene_new(&s, GEOMETRY_SMOOTH, 1, 0.5);
+    scene_refresh(&s);
+    scene_forces(&s, 1);
+    assert_int_equal(s.pairs.candidates, 0);
+    scene_roller(&s, v3(0.2, 0, -0.1 - 0.04365 + 1e-3), v3(0, 1, 0), 0.1, 0.3);
+    scene_refresh(&s);
+    scene_forces(&s, 1);
+    assert_int_equal(s.pairs.candidates, 2);
+    assert_int_equal(s.pairs.active, 1);
+    assert_true(fabs(s.loads.f[2][0] - 2e7 * pow(1e-3, 1.5)) < 1e-9);
+    scene_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_brute_force),
+        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_reach_changes_nothing),
+        cmocka_unit_test(test_moved_too_far),
+        cmocka_unit_test(test_least),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,188 @@
+/* The analytic derivatives against finite differences on random states: neighbours stretched, sheared, bent,
+ * twisted and of unlike size; contacts that stick, slide between the two speeds and beyond, that meet and
+ * part; minima inside elements and at their ends; the roller's lateral surface and its rim; both geometries.
+ */
+#include "tests/contact/contact_scene.h"
+
+#include <math.h>
+
+#include "contact/contact_fd.h"
+
+enum { N = 6 };
+
+typedef enum Place { PLACE_LATERAL, PLACE_RIM, PLACE_END } Place;
+
+/* A crooked, moving chain. */
+static void chain_disturb(TestScene *s, double speed, uint64_t *seed)
+{
+    for (int i = 0; i < N; ++i) {
+        s->chain.half[i] = 0.25 + 0.05 * random_next(seed);
+        s->chain.radius[i] = 0.04 + 0.01 * random_next(seed);
+        vector_to(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.12, random_vector(seed))));
+        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
+        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+    }
+    scene_join(s, v3(0, 0, 0));
+    for (int i = 0; i < N; ++i) {
+        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), 0.01, random_vector(seed)));
+    }
+}
+
+/* A roller that touches element e at u (or beyond the line's tail, for PLACE_END) with a penetration of
+ * `depth`. */
+static void roller_place(TestScene *s, int e, double u, double depth, Place place, uint64_t *seed)
+{
+    const Element element = element_at(s->model.geometry, N, e);
+    const Vec3 p = element_point(&element, &s->chain, &s->kin, u);
+    const Vec3 ahead = element_point(&element, &s->chain, &s->kin, u + 1e-4);
+    const Vec3 tangent = v3_unit(v3_sub(ahead, p));
+    Vec3 out = v3_unit(v3_reject(random_vector(seed), tangent)); /* from the roller to the line */
+    if (place == PLACE_END) out = v3_unit(v3_axpy(out, 0.7, tangent));
+    const Vec3 across = v3_unit(v3_cross(out, tangent));
+    const Vec3 axis = v3_unit(v3_axpy(across, 0.4 * random_next(seed), v3_reject(tangent, out)));
+    const double clear = element_radius(&element, &s->chain, u) - depth;
+    const double radius = 0.1, half_width = 0.2;
+    Vec3 centre = v3_axpy(v3_axpy(p, -(radius + clear), out), 0.1 * random_next(seed), axis);
+    Vec3 turned = axis;
+    if (place == PLACE_RIM) {
+        /* out = cos e_rho + sin b: the axis leans, and the rim is what touches */
+        const double lean = 0.6;
+        const Vec3 e_rho = v3_axpy(v3_scale(cos(lean), out), -sin(lean), axis);
+        turned = v3_axpy(v3_scale(sin(lean), out), cos(lean), axis);
+        centre = v3_axpy(v3_axpy(v3_axpy(p, -clear, out), -radius, e_rho), -half_width, turned);
+    }
+    scene_roller(s, centre, turned, radius, half_width);
+}
+
+/* Largest difference of two block chains over the largest entry, for one of the four 3x3 quarters of the
+ * blocks. */
+static double quarter_error(const BlockChain *a, const BlockChain *b, int quarter)
+{
+    double most = 0, difference = 0;
+    const double *const pa[3] = {a->lower, a->diag, a->upper}, *const pb[3] = {b->lower, b->diag, b->upper};
+    for (int i = 0; i < 3 * 36 * N; ++i) {
+        const int entry = i % 36, row = entry % 6, col = entry / 6;
+        if (2 * (row / 3) + col / 3 != quarter) continue;
+        const double x = pa[i / (36 * N)][i % (36 * N)], y = pb[i / (36 * N)][i % (36 * N)];
+        most = fmax(most, fabs(y));
+        difference = fmax(difference, fabs(x - y));
+    }
+    return most > 0 ? difference / most : difference;
+}
+
+/* Compares one state at one step of the differences; returns the largest relative error. */
+static double step_error(TestScene *s, double step)
+{
+    BlockChain m[4];
+    for (int i = 0; i < 4; ++i) {
+        assert_true(block_chain_alloc(&m[i], N, 6));
+        block_chain_zero(&m[i]);
+    }
+    contact_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &m[0], &m[1]);
+    const double stray =
+        contact_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, step, 1e-7, &m[2], &m[3]);
+    assert_true(stray == 0);
+    double error = 0;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        error = fmax(error, quarter_error(&m[0], &m[2], quarter));
+        error = fmax(error, quarter_error(&m[1], &m[3], quarter));
+    }
+    for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
+    return error;
+}
+
+/* The better of two steps: the larger is inexact where a shallow contact's stiffness changes fast, the
+ * smaller where a force's rounding is large against its change. */
+static double state_error(TestScene *s) { return fmin(step_error(s, 1e-7), step_error(s, 2e-8)); }
+
+/* Whether a hit is so near to a kink of a law or of the shape that differences are meaningless. */
+static int near_kink(const ContactDetail *hit)
+{
+    return fabs(hit->gap) < 1e-6 || (hit->u > 0 && hit->u < 1e-5) || (hit->u < 1 && hit->u > 1 - 1e-5);
+}
+
+static int active_count; /* over a test: that the states really touch */
+static int clamped_count;
+
+static double random_state_error(ContactGeometry geometry, double speed, Place place, uint64_t *seed)
+{
+    TestScene s;
+    scene_new(&s, geometry, N, 0.5);
+    chain_disturb(&s, speed, seed);
+    const int elements = element_count(geometry, N);
+    const int e = place == PLACE_END ? 0 : (int)((random_next(seed) + 1) / 2 * elements) % elements;
+    const double u = place == PLACE_END ? 0 : 0.5 + 0.45 * random_next(seed);
+    roller_place(&s, e, u, 1e-3 * (0.8 + 0.6 * random_next(seed)), place, seed);
+    scene_refresh(&s);
+    ContactDetail hit[SCENE_HITS_MAX];
+    const int hits = contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit);
+    int skip = 0;
+    for (int h = 0; h < hits; ++h) {
+        skip |= near_kink(&hit[h]);
+        active_count += hit[h].normal > 0;
+        clamped_count += hit[h].normal > 0 && (hit[h].u == 0 || hit[h].u == 1);
+    }
+    const double error = skip ? 0 : state_error(&s);
+    scene_free(&s);
+    return error;
+}
+
+/* 40 states each of: sticking, between the speeds, sliding, fast impacts. */
+static void states_check(ContactGeometry geometry, Place place)
+{
+    const double speeds[] = {5e-4, 8e-3, 0.05, 1};
+    uint64_t seed = 1000 + 10 * (uint64_t)geometry + (uint64_t)place;
+    double worst = 0;
+    active_count = clamped_count = 0;
+    for (int i = 0; i < 160; ++i) {
+        const double error = random_state_error(geometry, speeds[i % 4], place, &seed);
+        worst = fmax(worst, error);
+    }
+    print_message("geometry %d place %d: %d active (%d clamped), worst %.2e\n", geometry, place, active_count,
+                  clamped_count, worst);
+    assert_true(active_count > 80);
+    assert_true(worst < 1e-6);
+}
+
+static void test_smooth_lateral(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_SMOOTH, PLACE_LATERAL);
+}
+static void test_smooth_rim(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_SMOOTH, PLACE_RIM);
+}
+static void test_smooth_end(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_SMOOTH, PLACE_END);
+    assert_true(clamped_count > 40);
+}
+static void test_cylinder_lateral(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_CYLINDER, PLACE_LATERAL);
+}
+static void test_cylinder_rim(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_CYLINDER, PLACE_RIM);
+}
+static void test_cylinder_end(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_CYLINDER, PLACE_END);
+    assert_true(clamped_count > 40);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_smooth_lateral), cmocka_unit_test(test_smooth_rim),
+        cmocka_unit_test(test_smooth_end),     cmocka_unit_test(test_cylinder_lateral),
+        cmocka_unit_test(test_cylinder_rim),   cmocka_unit_test(test_cylinder_end),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,115 @@
+/* The kernels of every instruction set that this machine has do the same. */
+#include "tests/contact/contact_scene.h"
+
+#include <math.h>
+
+#include "contact/contact_kernels.h"
+
+static const FrictionLaw friction = {0.2, 0.15, 5e-3, 2e-2};
+static const ImpactLaw impact = {.k = 2e7, .e = 1.5, .c = 2e4, .d = 1e-3};
+
+/* LANES arcs of two segments across rollers, all touching a little. */
+static void batch_random(ContactBatch *batch, uint64_t *seed)
+{
+    memset(batch, 0, sizeof *batch);
+    batch->count = LANES;
+    batch->impact = &impact;
+    batch->friction_scale = 1;
+    for (int l = 0; l < LANES; ++l) {
+        batch->arc[l] = 1;
+        batch->friction[l] = &friction;
+        batch->axis[1][l] = 1;
+        batch->centre[2][l] = -0.1 - 0.0435 + 1e-3;
+        batch->shape_radius[l] = 0.1;
+        batch->shape_half_width[l] = 0.3;
+        for (int b = 0; b < 2; ++b) {
+            batch->radius[b][l] = 0.0435 + 1e-4 * random_next(seed);
+            batch->x[b][0][l] = (b - 0.5) * 0.5 + 0.1 * random_next(seed);
+            batch->r[b][0][l] = 0.25;
+            for (int c = 0; c < 3; ++c) {
+                batch->x[b][c][l] += 1e-4 * random_next(seed);
+                batch->r[b][c][l] += 1e-3 * random_next(seed);
+                batch->v[b][c][l] = 0.02 * random_next(seed);
+                batch->w[b][c][l] = 0.1 * random_next(seed);
+            }
+        }
+    }
+}
+
+/* Largest difference of two arrays over the largest entry of the first. */
+static double difference(const double *a, const double *b, size_t count)
+{
+    double most = 0, size = 0;
+    for (size_t i = 0; i < count; ++i) {
+        size = fmax(size, fabs(a[i]));
+        most = fmax(most, fabs(a[i] - b[i]));
+    }
+    assert_true(size > 0);
+    return most / size;
+}
+
+static void batch_check(const ContactKernels *one, const ContactKernels *other, const ContactBatch *batch)
+{
+    static ContactPush push[2];
+    static ContactMatrix k[2], d[2];
+    double normal[LANES];
+    one->push(batch, &push[0]);
+    other->push(batch, &push[1]);
+    assert_int_equal(one->columns(batch, &k[0], &d[0], normal), 1);
+    assert_int_equal(other->columns(batch, &k[1], &d[1], normal), 1);
+    assert_true(difference(push[0].normal, push[1].normal, LANES) < 1e-11);
+    assert_true(difference(push[0].force[0][0], push[1].force[0][0], 6 * LANES) < 1e-11);
+    assert_true(difference(push[0].moment[0][0], push[1].moment[0][0], 6 * LANES) < 1e-11);
+    assert_true(difference(k[0].entry[0][0], k[1].entry[0][0], 144 * LANES) < 1e-10);
+    assert_true(difference(d[0].entry[0][0], d[1].entry[0][0], 144 * LANES) < 1e-10);
+}
+
+static void test_instruction_sets_agree(void **state)
+{
+    (void)state;
+    static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
+    uint64_t seed = 4;
+    for (int i = 0; i < 20; ++i) {
+        ContactBatch batch;
+        batch_random(&batch, &seed);
+        for (int isa = 1; isa <= (int)isa_best(); ++isa) batch_check(table[0], table[isa], &batch);
+    }
+}
+
+/* A lane does not depend on its neighbours: the same hit alone in a batch gives the same bits. */
+static void test_lanes_are_independent(void **state)
+{
+    (void)state;
+    static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
+    uint64_t seed = 8;
+    ContactBatch mixed, alone;
+    batch_random(&mixed, &seed);
+    ContactPush push[2];
+    table[isa_best()]->push(&mixed, &push[0]);
+    for (int l = 0; l < LANES; ++l) {
+        alone = mixed;
+        for (int to = 0; to < LANES; ++to) {
+            for (int b = 0; b < 2; ++b) {
+                alone.radius[b][to] = mixed.radius[b][l];
+                for (int c = 0; c < 3; ++c) {
+                    alone.x[b][c][to] = mixed.x[b][c][l];
+                    alone.r[b][c][to] = mixed.r[b][c][l];
+                    alone.v[b][c][to] = mixed.v[b][c][l];
+                    alone.w[b][c][to] = mixed.w[b][c][l];
+                }
+            }
+        }
+        table[isa_best()]->push(&alone, &push[1]);
+        assert_true(push[0].u[l] == push[1].u[0] && push[0].normal[l] == push[1].normal[0]);
+        assert_true(push[0].force[1][2][l] == push[1].force[1][2][0]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_instruction_sets_agree),
+        cmocka_unit_test(test_lanes_are_independent),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,138 @@
+/* The force laws against the formulas of references.md, their limits and their derivatives. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#include "contact/contact_law.h"
+#include "core/profile.h"
+
+static const ImpactLaw impact = {.k = 3e6, .e = 1.5, .c = 5e3, .d = 1e-3};
+static const FrictionLaw friction = {.mu_s = 0.25, .mu_d = 0.1, .v_s = 0.005, .v_d = 0.02};
+
+static double impact_value(const ImpactLaw *law, double gap, double rate)
+{
+    double a, b;
+    return impact_force(law, gap, rate, &a, &b);
+}
+
+static double mu_value(double v)
+{
+    double slope;
+    return friction_over_speed(&friction, v, &slope) * v;
+}
+
+/* IMPACT(x, x', 0, k, e, c, d) written as in the reference, STEP over the gap. */
+static double impact_reference(const ImpactLaw *law, double x, double rate)
+{
+    if (x >= 0) return 0;
+    const double damping = step_cubic(x, -law->d, law->c, 0, 0, NULL);
+    return fmax(0, law->k * pow(-x, law->e) - damping * rate);
+}
+
+static void test_impact_is_the_reference(void **state)
+{
+    (void)state;
+    const double exponents[] = {1, 1.5, 2, 2.2};
+    for (int i = 0; i < 4; ++i) {
+        ImpactLaw law = impact;
+        law.e = exponents[i];
+        for (double gap = -3e-3; gap < 1e-3; gap += 1.7e-4) {
+            for (double rate = -0.5; rate <= 0.5; rate += 0.25) {
+                const double expected = impact_reference(&law, gap, rate);
+                assert_true(fabs(impact_value(&law, gap, rate) - expected) <= 1e-14 * (1 + expected));
+            }
+        }
+    }
+}
+
+static void test_impact_never_pulls(void **state)
+{
+    (void)state;
+    double d_gap, d_rate;
+    assert_true(impact_force(&impact, 0, -1, &d_gap, &d_rate) == 0);
+    assert_true(impact_force(&impact, 1e-9, -100, &d_gap, &d_rate) == 0 && d_gap == 0 && d_rate == 0);
+    assert_true(impact_force(&impact, -1e-3, 1e6, &d_gap, &d_rate) == 0 && d_gap == 0 && d_rate == 0);
+    /* however fast the bodies meet, the force begins from zero */
+    assert_true(impact_value(&impact, -1e-9, -1) < 1e-6);
+}
+
+static void test_impact_derivatives(void **state)
+{
+    (void)state;
+    const double gaps[] = {-2e-4, -7e-4, -1.6e-3}, rates[] = {-0.2, 0.05, 0};
+    const double step = 1e-8;
+    for (int i = 0; i < 9; ++i) {
+        const double gap = gaps[i / 3], rate = rates[i % 3];
+        double d_gap, d_rate;
+        if (impact_force(&impact, gap, rate, &d_gap, &d_rate) <= 0) continue;
+        const double by_gap =
+            (impact_value(&impact, gap + step, rate) - impact_value(&impact, gap - step, rate)) / (2 * step);
+        const double by_rate =
+            (impact_value(&impact, gap, rate + 1e-4) - impact_value(&impact, gap, rate - 1e-4)) / 2e-4;
+        assert_true(fabs(by_gap - d_gap) < 1e-7 * fabs(d_gap));
+        assert_true(fabs(by_rate - d_rate) < 1e-9 * fabs(d_rate) + 1e-9);
+    }
+}
+
+/* A law without damping depth is damped fully from the first touch. */
+static void test_impact_without_depth(void **state)
+{
+    (void)state;
+    ImpactLaw law = impact;
+    law.d = 0;
+    double d_gap, d_rate;
+    const double force = impact_force(&law, -1e-4, -0.1, &d_gap, &d_rate);
+    assert_true(fabs(force - (law.k * 1e-6 + 0.1 * law.c)) < 1e-9);
+    assert_true(d_rate == -law.c);
+}
+
+static void test_friction_is_the_reference(void **state)
+{
+    (void)state;
+    for (double v = 1e-5; v < 0.03; v += 1.3e-4) {
+        double expected = friction.mu_d;
+        if (v < friction.v_s) {
+            expected = step_cubic(v, -friction.v_s, -friction.mu_s, friction.v_s, friction.mu_s, NULL);
+        } else if (v < friction.v_d) {
+            expected = step_cubic(v, friction.v_s, friction.mu_s, friction.v_d, friction.mu_d, NULL);
+        }
+        assert_true(fabs(mu_value(v) - expected) < 1e-15);
+    }
+    assert_true(mu_value(0) == 0);
+    assert_true(fabs(mu_value(friction.v_s) - friction.mu_s) < 1e-15);
+    assert_true(fabs(mu_value(friction.v_d) - friction.mu_d) < 1e-15);
+    assert_true(fabs(mu_value(100) - friction.mu_d) < 1e-15);
+}
+
+static void test_friction_derivative(void **state)
+{
+    (void)state;
+    const double speeds[] = {1e-4, 3e-3, 6e-3, 0.015, 0.5};
+    for (int i = 0; i < 5; ++i) {
+        const double v = speeds[i], step = 1e-5 * v;
+        double slope, unused;
+        friction_over_speed(&friction, v, &slope);
+        const double difference = (friction_over_speed(&friction, v + step, &unused) -
+                                   friction_over_speed(&friction, v - step, &unused)) /
+                                  (2 * step);
+        assert_true(fabs(difference / v - slope) < 1e-7 * fabs(slope));
+    }
+    /* at rest: viscous, finite slope over speed */
+    double slope;
+    assert_true(fabs(friction_over_speed(&friction, 0, &slope) - 1.5 * friction.mu_s / friction.v_s) < 1e-12);
+    assert_true(isfinite(slope));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_impact_is_the_reference),   cmocka_unit_test(test_impact_never_pulls),
+        cmocka_unit_test(test_impact_derivatives),        cmocka_unit_test(test_impact_without_depth),
+        cmocka_unit_test(test_friction_is_the_reference), cmocka_unit_test(test_friction_derivative),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

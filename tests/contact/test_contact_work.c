@@ -1,0 +1,190 @@
+/* Generalized forces against the force at the point: balance of forces and moments, virtual power,
+ * objectivity, and the laws' sizes and directions. */
+#include "tests/contact/contact_scene.h"
+
+#include <math.h>
+
+enum { N = 6 };
+
+/* A crooked moving chain lying across two rollers. */
+static void scene_random(TestScene *s, ContactGeometry geometry, uint64_t *seed)
+{
+    scene_new(s, geometry, N, 0.5);
+    for (int i = 0; i < N; ++i) {
+        s->chain.radius[i] = 0.04 + 0.01 * random_next(seed);
+        vector_to(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.05, random_vector(seed))));
+        vector_to(s->kin.v, i, v3_axpy(v3(0.1, 0, 0), 0.05, random_vector(seed)));
+        vector_to(s->kin.w, i, v3_scale(0.3, random_vector(seed)));
+    }
+    scene_join(s, v3(0, 0, 0));
+    scene_roller(s, v3(1.1, 0, -0.12 + s->kin.p[2][2]), v3_unit(v3(0.1, 1, 0.1)), 0.1, 0.3);
+    scene_roller(s, v3(2.2, 0, 0.12 + s->kin.p[2][4]), v3_unit(v3(-0.1, 1, 0)), 0.1, 0.3);
+    scene_refresh(s);
+}
+
+/* Surface point and surface velocity of a hit, rebuilt from the line's definition. */
+static void surface_at(const TestScene *s, const ContactDetail *hit, Vec3 *point, Vec3 *velocity,
+                       Vec3 *normal)
+{
+    const Element element = element_at(s->model.geometry, N, hit->element);
+    const double radius = element_radius(&element, &s->chain, hit->u);
+    *normal = shape_probe(&s->roller[hit->roller].shape, hit->point).normal;
+    *point = v3_axpy(hit->point, -radius, *normal);
+    /* the material moves with the segments: difference quotient of a copy moved by v and w for a short time
+     */
+    const double dt = 1e-6;
+    Vec3 ends[2], omega = v3(0, 0, 0);
+    for (int side = 0; side < 2; ++side) {
+        TestScene moved = *s;
+        assert_true(kinematics_alloc(&moved.kin, N));
+        for (int i = 0; i < N; ++i) {
+            const double t = side ? dt : -dt;
+            const Quat turn = quat_exp(v3_scale(t, vector_of(s->kin.w, i)));
+            vector_to(moved.kin.p, i, v3_axpy(vector_of(s->kin.p, i), t, vector_of(s->kin.v, i)));
+            vector_to(moved.kin.a, i, quat_rotate(turn, vector_of(s->kin.a, i)));
+        }
+        ends[side] = element_point(&element, &moved.chain, &moved.kin, hit->u);
+        kinematics_free(&moved.kin);
+    }
+    const double u = hit->u, share = element.arc != 0 ? u * u * (3 - 2 * u) : element.alpha;
+    if (element.body[0] >= 0) omega = v3_axpy(omega, 1 - share, vector_of(s->kin.w, element.body[0]));
+    if (element.body[1] >= 0 && element.body[1] < N)
+        omega = v3_axpy(omega, share, vector_of(s->kin.w, element.body[1]));
+    *velocity = v3_axpy(v3_scale(0.5 / dt, v3_sub(ends[1], ends[0])), -radius, v3_cross(omega, *normal));
+}
+
+/* Sums over hits on one side, over segments on the other. */
+static void balance_check(ContactGeometry geometry, uint64_t *seed)
+{
+    TestScene s;
+    scene_random(&s, geometry, seed);
+    scene_forces(&s, 1);
+    ContactDetail hit[SCENE_HITS_MAX];
+    const int hits = contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit);
+    Vec3 force = v3(0, 0, 0), moment = v3(0, 0, 0);
+    double power = 0, size = 1;
+    for (int h = 0; h < hits; ++h) {
+        Vec3 point, velocity, normal;
+        surface_at(&s, &hit[h], &point, &velocity, &normal);
+        force = v3_sub(force, hit[h].force);
+        moment = v3_sub(moment, v3_cross(point, hit[h].force));
+        power -= v3_dot(velocity, hit[h].force);
+        size += v3_norm(hit[h].force);
+    }
+    for (int i = 0; i < N; ++i) {
+        const Vec3 f = vector_of(s.loads.f, i), m = vector_of(s.loads.m, i);
+        force = v3_add(force, f);
+        moment = v3_add(moment, v3_add(m, v3_cross(vector_of(s.kin.p, i), f)));
+        power += v3_dot(f, vector_of(s.kin.v, i)) + v3_dot(m, vector_of(s.kin.w, i));
+    }
+    assert_true(v3_norm(force) < 1e-12 * size && v3_norm(moment) < 1e-12 * size);
+    assert_true(fabs(power) < 1e-9 * size); /* differences of 1e-6 s */
+    const Vec3 rollers = v3_add(s.on_roller[0], s.on_roller[1]);
+    for (int i = 0; i < N; ++i) force = v3_sub(force, vector_of(s.loads.f, i));
+    assert_true(v3_norm(v3_sub(force, rollers)) < 1e-12 * size);
+    scene_free(&s);
+}
+static void test_balance(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (int i = 0; i < 50; ++i) {
+        balance_check(GEOMETRY_SMOOTH, &seed);
+        balance_check(GEOMETRY_CYLINDER, &seed);
+    }
+}
+
+/* Normal part and friction of every hit are what the laws say. */
+static void test_force_follows_laws(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    int touching = 0;
+    for (int i = 0; i < 50; ++i) {
+        TestScene s;
+        scene_random(&s, GEOMETRY_SMOOTH, &seed);
+        ContactDetail hit[SCENE_HITS_MAX];
+        const int hits = contact_details(&s.model, &s.chain, &s.kin, 0.5, &s.pairs, SCENE_HITS_MAX, hit);
+        for (int h = 0; h < hits; ++h) {
+            if (!(hit[h].normal > 0)) continue;
+            Vec3 point, velocity, normal;
+            double slope;
+            surface_at(&s, &hit[h], &point, &velocity, &normal);
+            const Vec3 slide = v3_reject(velocity, normal);
+            const double mu = 0.5 * v3_norm(slide) *
+                              friction_over_speed(&s.roller[hit[h].roller].friction, v3_norm(slide), &slope);
+            const Vec3 expected = v3_axpy(normal, -mu / v3_norm(slide), slide);
+            assert_true(v3_norm(v3_axpy(hit[h].force, -hit[h].normal, expected)) < 1e-6 * hit[h].normal);
+            ++touching;
+        }
+        scene_free(&s);
+    }
+    assert_true(touching > 50);
+}
+
+/* The whole scene turned and moved: the loads turn with it. */
+static void test_objective(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    for (int i = 0; i < 20; ++i) {
+        TestScene s;
+        scene_random(&s, i % 2 ? GEOMETRY_SMOOTH : GEOMETRY_CYLINDER, &seed);
+        scene_forces(&s, 1);
+        Vec3 old[2 * N];
+        double size = 1;
+        for (int k = 0; k < N; ++k) {
+            old[k] = vector_of(s.loads.f, k);
+            old[N + k] = vector_of(s.loads.m, k);
+            size += v3_norm(old[k]);
+        }
+        const Quat q = quat_exp(v3_scale(2, random_vector(&seed)));
+        const Vec3 shift = random_vector(&seed);
+        for (int k = 0; k < N; ++k) {
+            vector_to(s.kin.p, k, v3_add(shift, quat_rotate(q, vector_of(s.kin.p, k))));
+            vector_to(s.kin.a, k, quat_rotate(q, vector_of(s.kin.a, k)));
+            vector_to(s.kin.v, k, quat_rotate(q, vector_of(s.kin.v, k)));
+            vector_to(s.kin.w, k, quat_rotate(q, vector_of(s.kin.w, k)));
+        }
+        for (int r = 0; r < 2; ++r) {
+            Shape *const shape = &s.roller[r].shape;
+            shape->centre = v3_add(shift, quat_rotate(q, shape->centre));
+            shape->axis = quat_rotate(q, shape->axis);
+        }
+        scene_refresh(&s);
+        scene_forces(&s, 1);
+        for (int k = 0; k < N; ++k) {
+            assert_true(v3_norm(v3_sub(vector_of(s.loads.f, k), quat_rotate(q, old[k]))) < 1e-10 * size);
+            assert_true(v3_norm(v3_sub(vector_of(s.loads.m, k), quat_rotate(q, old[N + k]))) < 1e-10 * size);
+        }
+        scene_free(&s);
+    }
+}
+
+/* A cable at rest on a roller has no friction; with the scale 0 a moving one has none either. */
+static void test_no_friction(void **state)
+{
+    (void)state;
+    for (int moving = 0; moving < 2; ++moving) {
+        TestScene s;
+        scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
+        for (int i = 0; i < N; ++i) s.kin.v[0][i] = moving * 0.1;
+        scene_roller(&s, v3(1.3, 0, -0.1 - 0.04365 + 1e-3), v3(0, 1, 0), 0.1, 0.3);
+        scene_refresh(&s);
+        scene_forces(&s, moving ? 0 : 1);
+        assert_int_equal(s.pairs.active, 1);
+        assert_true(fabs(s.on_roller[0].x) < 1e-10 && fabs(s.on_roller[0].y) < 1e-10);
+        scene_free(&s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_balance),
+        cmocka_unit_test(test_force_follows_laws),
+        cmocka_unit_test(test_objective),
+        cmocka_unit_test(test_no_friction),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

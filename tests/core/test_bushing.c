@@ -1,0 +1,258 @@
+/* The bushing: potential, momentum, objectivity, and every block of its derivative against finite differences. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/bushing.h"
+#include "tests/core/chain_fixture.h"
+
+enum { N = 11 };
+
+typedef struct Rig {
+    Chain chain;
+    Kinematics kin;
+    JointLoads loads;
+    uint64_t seed;
+} Rig;
+
+static Rig rig_new(BushingFrame frame, double bend, uint64_t seed)
+{
+    Rig r = {.seed = seed};
+    assert_true(chain_alloc(&r.chain, N));
+    assert_true(kinematics_alloc(&r.kin, N));
+    assert_true(joint_loads_alloc(&r.loads, N));
+    r.chain.frame = frame;
+    fixture_chain(&r.chain, &r.seed);
+    fixture_state(&r.chain, &r.kin, bend, 0.05, &r.seed);
+    return r;
+}
+
+static void rig_free(Rig *r)
+{
+    chain_free(&r->chain);
+    kinematics_free(&r->kin);
+    joint_loads_free(&r->loads);
+}
+
+/* Force and moment of the bushings on every segment. */
+static void segment_loads(Rig *r, double out[6 * N])
+{
+    bushing_loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
+    for (int i = 0; i < N; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            out[6 * i + c] = r->loads.force[c][i + 1] - r->loads.force[c][i];
+            out[6 * i + 3 + c] = r->loads.torque_a[c][i + 1] + r->loads.torque_b[c][i];
+        }
+    }
+}
+
+/* Moves component c (0..2 translation, 3..5 rotation) of segment i by e, or its velocity. */
+static void nudge(Kinematics *kin, int i, int c, double e, int velocity)
+{
+    Vec3 turn = v3(c == 3 ? e : 0, c == 4 ? e : 0, c == 5 ? e : 0);
+    if (velocity) {
+        (c < 3 ? kin->v[c] : kin->w[c - 3])[i] += e;
+    } else if (c < 3) {
+        kin->p[c][i] += e;
+    } else {
+        kinematics_turn_to(kin, i, quat_mul(quat_exp(turn), kinematics_quat(kin, i)));
+    }
+}
+
+static double block_entry(const BlockChain *a, int i, int k, int row, int col)
+{
+    const double *const block = k == i ? a->diag : k == i + 1 ? a->upper : a->lower;
+    return block[36 * i + 6 * col + row];
+}
+
+/* Largest difference between block column (segment k, component c) and the central difference, over the largest entry. */
+static double column_error(Rig *r, const BlockChain *a, int k, int c, int velocity)
+{
+    const double e = 1e-5;
+    double plus[6 * N], minus[6 * N], worst = 0, scale = 0;
+    nudge(&r->kin, k, c, e, velocity);
+    segment_loads(r, plus);
+    nudge(&r->kin, k, c, -2 * e, velocity);
+    segment_loads(r, minus);
+    nudge(&r->kin, k, c, e, velocity);
+    for (int i = k > 0 ? k - 1 : 0; i <= k + 1 && i < N; ++i) {
+        for (int row = 0; row < 6; ++row) {
+            const double fd = (plus[6 * i + row] - minus[6 * i + row]) / (2 * e);
+            const double error = fabs(fd - block_entry(a, i, k, row, c));
+            worst = error > worst ? error : worst;
+            scale = fabs(fd) > scale ? fabs(fd) : scale;
+        }
+    }
+    return worst / scale;
+}
+
+static void derivative_check(BushingFrame frame, double bend, uint64_t seed)
+{
+    Rig r = rig_new(frame, bend, seed);
+    BlockChain k, d;
+    assert_true(block_chain_alloc(&k, N, 6));
+    assert_true(block_chain_alloc(&d, N, 6));
+    bushing_blocks(&r.chain, &r.kin, 0, N + 1, &k, &d);
+    for (int i = 0; i < N; ++i) {
+        for (int c = 0; c < 6; ++c) {
+            assert_true(column_error(&r, &k, i, c, 0) < 1e-8);
+            assert_true(column_error(&r, &d, i, c, 1) < 1e-8);
+        }
+    }
+    block_chain_free(&k);
+    block_chain_free(&d);
+    rig_free(&r);
+}
+
+/* Small, moderate and large relative rotations: the series, its edge and the closed forms. */
+static void test_derivatives_symmetric(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed < 6; ++seed) {
+        derivative_check(FRAME_SYMMETRIC, 1e-3, seed);
+        derivative_check(FRAME_SYMMETRIC, 0.3, seed);
+        derivative_check(FRAME_SYMMETRIC, 1.2, seed);
+    }
+}
+
+static void test_derivatives_adams(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed < 6; ++seed) {
+        derivative_check(FRAME_ADAMS, 1e-3, seed);
+        derivative_check(FRAME_ADAMS, 0.3, seed);
+        derivative_check(FRAME_ADAMS, 1.2, seed);
+    }
+}
+
+/* The wrench pair gives no net force and no net moment about the origin, whatever the state. */
+static void test_momentum(void **state)
+{
+    (void)state;
+    for (int frame = 0; frame < 2; ++frame) {
+        Rig r = rig_new(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.8, 7);
+        bushing_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
+        for (int j = 1; j < N; ++j) {
+            const Vec3 f = vec_load(r.loads.force, j);
+            const Vec3 arm = v3_sub(vec_load(r.kin.p, j - 1), vec_load(r.kin.p, j));
+            const Vec3 moment = v3_add(v3_add(vec_load(r.loads.torque_a, j), vec_load(r.loads.torque_b, j)), v3_cross(arm, f));
+            assert_true(v3_norm(moment) < 1e-13 * (1 + v3_norm(f)));
+        }
+        rig_free(&r);
+    }
+}
+
+/* Potential of the undamped, unloaded law at every joint. */
+static double potential(Rig *r)
+{
+    double *law[6], sum = 0;
+    for (int c = 0; c < 6; ++c) law[c] = chain_array_new(N, 0);
+    bushing_law(&r->chain, &r->kin, 0, N + 1, law);
+    for (int j = 0; j <= N; ++j) {
+        for (int c = 0; c < 6; ++c) sum += law[c][j] * law[c][j] / (2 * r->chain.stiffness[c][j]);
+    }
+    for (int c = 0; c < 6; ++c) law[c] = chain_array_free(law[c]);
+    return sum;
+}
+
+/* Undamped and without preload, the symmetric frame's loads are minus the potential's gradient; marker J's are not. */
+static void test_potential(void **state)
+{
+    (void)state;
+    const double e = 1e-5;
+    double worst[2] = {0, 0};
+    for (int frame = 0; frame < 2; ++frame) {
+        Rig r = rig_new(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.7, 3);
+        for (int c = 0; c < 6; ++c) {
+            memset(r.chain.damping[c], 0, (N + 1) * sizeof(double));
+            memset(r.chain.preload[c], 0, (N + 1) * sizeof(double));
+        }
+        double loads[6 * N];
+        segment_loads(&r, loads);
+        for (int i = 0; i < N; ++i) {
+            for (int c = 0; c < 6; ++c) {
+                nudge(&r.kin, i, c, e, 0);
+                const double plus = potential(&r);
+                nudge(&r.kin, i, c, -2 * e, 0);
+                const double minus = potential(&r);
+                nudge(&r.kin, i, c, e, 0);
+                const double error = fabs(loads[6 * i + c] + (plus - minus) / (2 * e));
+                worst[frame] = error > worst[frame] ? error : worst[frame];
+            }
+        }
+        rig_free(&r);
+    }
+    assert_true(worst[0] < 1e-8);
+    assert_true(worst[1] > 1e-3);
+}
+
+/* A rigid motion of the whole scene leaves the law's components as they are. */
+static void test_objectivity(void **state)
+{
+    (void)state;
+    Rig r = rig_new(FRAME_SYMMETRIC, 0.9, 5);
+    double *before[6], *after[6];
+    for (int c = 0; c < 6; ++c) {
+        before[c] = chain_array_new(N, 0);
+        after[c] = chain_array_new(N, 0);
+    }
+    bushing_law(&r.chain, &r.kin, 0, N + 1, before);
+    const Quat turn = quat_exp(v3(0.7, -1.9, 0.4));
+    const Vec3 spin = v3(0.3, 2.0, -1.1), drift = v3(5, -3, 2);
+    for (int i = -1; i <= N; ++i) {
+        const Vec3 p = quat_rotate(turn, vec_load(r.kin.p, i));
+        kinematics_turn_to(&r.kin, i, quat_mul(turn, kinematics_quat(&r.kin, i)));
+        vec_store(r.kin.v, i, v3_add(quat_rotate(turn, vec_load(r.kin.v, i)), v3_add(drift, v3_cross(spin, p))));
+        vec_store(r.kin.w, i, v3_add(quat_rotate(turn, vec_load(r.kin.w, i)), spin));
+        vec_store(r.kin.p, i, v3_add(p, drift));
+    }
+    bushing_law(&r.chain, &r.kin, 0, N + 1, after);
+    for (int c = 0; c < 6; ++c) {
+        for (int j = 0; j <= N; ++j) assert_true(fabs(after[c][j] - before[c][j]) < 1e-12);
+        before[c] = chain_array_free(before[c]);
+        after[c] = chain_array_free(after[c]);
+    }
+    rig_free(&r);
+}
+
+/* Pure stretch, twist and bend by hand: the axial, torsional and bending springs of eq. 1 and 2. */
+static void test_by_hand(void **state)
+{
+    (void)state;
+    Rig r = rig_new(FRAME_SYMMETRIC, 0, 1);
+    double *law[6];
+    for (int c = 0; c < 6; ++c) {
+        law[c] = chain_array_new(N, 0);
+        for (int j = 0; j <= N; ++j) r.chain.preload[c][j] = r.chain.damping[c][j] = 0;
+    }
+    for (int i = -1; i <= N; ++i) {
+        kinematics_turn_to(&r.kin, i, quat_exp(v3(0.2 * i, 0, 0)));
+        r.chain.half[i] = 0.25;
+        vec_store(r.kin.p, i, v3(0.51 * i, 0, 0));
+    }
+    r.chain.half[-1] = r.chain.half[N] = 0;
+    bushing_law(&r.chain, &r.kin, 0, N + 1, law);
+    for (int j = 1; j < N; ++j) {
+        assert_true(fabs(law[0][j] - 0.01 * r.chain.stiffness[0][j]) < 1e-14);
+        assert_true(fabs(law[3][j] - 0.2 * r.chain.stiffness[3][j]) < 1e-14);
+        for (int c = 1; c < 6; ++c) assert_true(c == 3 || fabs(law[c][j]) < 1e-14);
+    }
+    kinematics_turn_to(&r.kin, 5, quat_mul(kinematics_quat(&r.kin, 4), quat_exp(v3(0, 2.5, 0))));
+    bushing_law(&r.chain, &r.kin, 0, N + 1, law);
+    assert_true(fabs(law[4][5] - 2.5 * r.chain.stiffness[4][5]) < 1e-12);
+    for (int c = 0; c < 6; ++c) law[c] = chain_array_free(law[c]);
+    rig_free(&r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_derivatives_symmetric), cmocka_unit_test(test_derivatives_adams),
+        cmocka_unit_test(test_momentum),              cmocka_unit_test(test_potential),
+        cmocka_unit_test(test_objectivity),           cmocka_unit_test(test_by_hand),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,139 @@
+/* Profiles: values, rates against finite differences, integrals against quadrature, corners. */
+#include "core/profile.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+static const double TABLE_T[] = {-1, 0.5, 2, 5}, TABLE_V[] = {3, -1, 4, 2.5};
+
+/* One of each kind, with the ramps placed before, across and after t = 0. */
+static const Profile PROFILES[] = {
+    {.kind = PROFILE_CONSTANT, .v1 = 4.5},
+    {.kind = PROFILE_STEP, .t0 = 0, .v0 = 0, .t1 = 13, .v1 = 0.1},
+    {.kind = PROFILE_STEP, .t0 = 1, .v0 = 2, .t1 = 4, .v1 = -3},
+    {.kind = PROFILE_STEP, .t0 = -2, .v0 = 2, .t1 = 1, .v1 = 7},
+    {.kind = PROFILE_STEP5, .t0 = 1, .v0 = 2, .t1 = 4, .v1 = -3},
+    {.kind = PROFILE_STEP5, .t0 = -5, .v0 = 2, .t1 = -1, .v1 = -3},
+    {.kind = PROFILE_TABLE, .n = 4, .time = TABLE_T, .value = TABLE_V},
+    {.kind = PROFILE_TABLE, .n = 1, .time = TABLE_T, .value = TABLE_V},
+};
+enum { N_PROFILES = sizeof PROFILES / sizeof *PROFILES };
+
+static void near(double found, double expected, double tolerance)
+{
+    if (!(fabs(found - expected) <= tolerance)) {
+        fail_msg("found %.17g, expected %.17g, tolerance %g", found, expected, tolerance);
+    }
+}
+
+/* Gauss-Legendre, 5 points: exact up to degree 9, more than any profile between corners. */
+static double quadrature(const Profile *p, double a, double b)
+{
+    static const double x[] = {0, 0.53846931010568309104, 0.90617984593866399280};
+    static const double w[] = {0.56888888888888888889, 0.47862867049936646804, 0.23692688505618908751};
+    const double m = (a + b) / 2, h = (b - a) / 2;
+    double sum = w[0] * profile_value(p, m);
+    for (int i = 1; i < 3; i++)
+        sum += w[i] * (profile_value(p, m - h * x[i]) + profile_value(p, m + h * x[i]));
+    return sum * h;
+}
+
+static void step_values(void **state)
+{
+    (void)state;
+    double slope;
+    near(step_cubic(0.25, 0, 1, 1, 5, &slope), 1 + 4 * 0.0625 * 2.5, 1e-15);
+    near(slope, 4 * 6 * 0.25 * 0.75, 1e-15);
+    near(step_quintic(0.25, 0, 1, 1, 5, &slope), 1 + 4 * (10 / 64.0 - 15 / 256.0 + 6 / 1024.0), 1e-15);
+    near(slope, 4 * 30 * 0.0625 * 0.5625, 1e-14);
+    /* Beyond the ends: the end values exactly, without slope. */
+    assert_true(step_cubic(-3, 0, 0.3, 1, 0.7, &slope) == 0.3 && slope == 0);
+    near(step_cubic(9, 0, 0.3, 1, 0.7, &slope), 0.7, 1e-16);
+    assert_true(slope == 0);
+    /* ADAMS' friction uses STEP through zero: odd, and zero in the middle. */
+    near(step_cubic(0, -0.005, 0.2, 0.005, -0.2, NULL), 0, 1e-17);
+}
+
+static void rates_match_differences(void **state)
+{
+    (void)state;
+    for (int k = 0; k < N_PROFILES; k++) {
+        for (double t = -6.03; t < 15; t += 0.17) {
+            const double h = 1e-5;
+            double corner;
+            if (profile_next_corner(&PROFILES[k], t - 2 * h, &corner) && corner < t + 2 * h) continue;
+            const double rise = profile_value(&PROFILES[k], t + h) - profile_value(&PROFILES[k], t - h);
+            near(profile_rate(&PROFILES[k], t), rise / (2 * h), 1e-9);
+        }
+    }
+}
+
+static void rate_at_a_corner_is_the_right_one(void **state)
+{
+    (void)state;
+    const Profile *table = &PROFILES[6];
+    near(profile_rate(table, 0.5), 5 / 1.5, 1e-14);
+    near(profile_rate(table, 2), -0.5, 1e-14);
+    assert_true(profile_rate(table, 5) == 0);
+    assert_true(profile_rate(table, -1.5) == 0);
+}
+
+static void integrals_are_exact(void **state)
+{
+    (void)state;
+    for (int k = 0; k < N_PROFILES; k++) {
+        const Profile *p = &PROFILES[k];
+        double sum = 0, t = 0, corner;
+        assert_true(profile_integral(p, 0) == 0);
+        while (t < 20) {
+            const double next = profile_next_corner(p, t, &corner) ? corner : 20;
+            sum += quadrature(p, t, (t + next) / 2) + quadrature(p, (t + next) / 2, next);
+            near(profile_integral(p, next), sum, 1e-13 * (1 + fabs(sum)));
+            t = next;
+        }
+    }
+    /* The paper's ramp to 6 m/min by 13 s: half of it is lost. */
+    near(profile_integral(&PROFILES[1], 30), 0.1 * (30 - 6.5), 1e-14);
+}
+
+static void corners_come_in_order(void **state)
+{
+    (void)state;
+    double corner;
+    assert_int_equal(profile_next_corner(&PROFILES[0], 0, &corner), 0);
+    assert_int_equal(profile_next_corner(&PROFILES[2], 0, &corner), 1);
+    assert_true(corner == 1);
+    assert_int_equal(profile_next_corner(&PROFILES[2], 1, &corner), 1);
+    assert_true(corner == 4);
+    assert_int_equal(profile_next_corner(&PROFILES[2], 4, &corner), 0);
+    double t = -9;
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(profile_next_corner(&PROFILES[6], t, &corner), 1);
+        assert_true(corner == TABLE_T[i]);
+        t = corner;
+    }
+    assert_int_equal(profile_next_corner(&PROFILES[6], t, &corner), 0);
+}
+
+static void table_is_constant_beyond_its_ends(void **state)
+{
+    (void)state;
+    assert_true(profile_value(&PROFILES[6], -7) == 3 && profile_value(&PROFILES[6], 99) == 2.5);
+    near(profile_value(&PROFILES[6], 1.25), 1.5, 1e-15);
+    assert_true(profile_value(&PROFILES[7], -7) == 3 && profile_value(&PROFILES[7], 7) == 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(step_values),           cmocka_unit_test(rates_match_differences),
+        cmocka_unit_test(integrals_are_exact),   cmocka_unit_test(rate_at_a_corner_is_the_right_one),
+        cmocka_unit_test(corners_come_in_order), cmocka_unit_test(table_is_constant_beyond_its_ends),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,78 @@
+"""The include rule of docs/architecture.md: strictly downward, no circles, libraries only where they belong.
+
+Usage: check_includes.py ROOT
+"""
+import os
+import re
+import sys
+
+import tree
+
+# Libraries' headers, and the only places that may see them.
+LIBRARIES = [
+    (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/|linsolve/sundials_"),
+    (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
+    (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
+    (r"yaml\.h$|udunits2\.h$|jansson\.h$|hdf5\w*\.h$", r"io/"),
+]
+
+
+def resolve(path, name):
+    """The tree's path of an included project header; public ones are found through include/."""
+    return "include/" + name if name.startswith("hawser/") else name
+
+
+def check_project(root, path, line, target):
+    """Complaints about one include of a header of the project."""
+    top, below = path.split("/")[0], target.split("/")[0]
+    where = f"{path}:{line}: includes {target}"
+    if not os.path.isfile(os.path.join(root, target)):
+        return [f"{where}, which is not a file: write the path from the root"]
+    if below != top and below not in tree.BELOW[top]:
+        return [f"{where}: {top}/ may include only {', '.join(tree.BELOW[top]) or 'nothing'} and itself"]
+    return []
+
+
+def check_library(path, line, name):
+    """Complaints about one include of a library's header."""
+    return [f"{path}:{line}: includes <{name}>, which belongs in {allowed} only"
+            for pattern, allowed in LIBRARIES if re.match(pattern, name) and not re.match(allowed, path)]
+
+
+def circles(graph):
+    """Every circle of files that the depth-first search meets, as 'a -> b -> a'."""
+    found, state, trail = [], {}, []
+
+    def visit(node):
+        state[node] = "open"
+        trail.append(node)
+        for target in graph.get(node, ()):
+            if state.get(target) == "open":
+                found.append(" -> ".join(trail[trail.index(target):] + [target]))
+            elif target not in state:
+                visit(target)
+        trail.pop()
+        state[node] = "done"
+
+    for node in sorted(graph):
+        if node not in state:
+            visit(node)
+    return found
+
+
+def check(root):
+    complaints, graph = [], {}
+    for path in tree.sources(root, tree.BELOW):
+        for line, quoted, name in tree.includes(tree.read(root, path)):
+            public = name.startswith("hawser/")
+            if not quoted and not public:
+                complaints += check_library(path, line, name)
+                continue
+            target = resolve(path, name)
+            complaints += check_project(root, path, line, target)
+            graph.setdefault(path, []).append(target)
+    return complaints + ["circle: " + c for c in circles(graph)]
+
+
+if __name__ == "__main__":
+    sys.exit(tree.report("includes", check(sys.argv[1])))

@@ -1,0 +1,113 @@
+"""The checks catch what they are for: each test writes a small tree with one fault and looks for the complaint."""
+import os
+import tempfile
+import unittest
+
+import check_equations
+import check_includes
+import check_sizes
+
+
+class Tree:
+    """A temporary tree from {path: text}."""
+
+    def __init__(self, files):
+        self.folder = tempfile.TemporaryDirectory()
+        for path, text in files.items():
+            full = os.path.join(self.folder.name, path)
+            os.makedirs(os.path.dirname(full), exist_ok=True)
+            with open(full, "w", encoding="utf-8") as file:
+                file.write(text)
+
+    def complaints(self, check):
+        with self.folder:
+            return check(self.folder.name)
+
+
+class Includes(unittest.TestCase):
+    def check(self, files):
+        return Tree(files).complaints(check_includes.check)
+
+    def test_downward_is_fine(self):
+        self.assertEqual([], self.check({"core/a.h": "#include <math.h>\n", "contact/b.c": '#include "core/a.h"\n',
+                                         "include/hawser/hawser.h": "", "cli/main.c": "#include <hawser/hawser.h>\n",
+                                         "linsolve/l.c": "#include <klu.h>\n", "sim/s.c": "#include <cvode/cvode.h>\n",
+                                         "core/e.h": '#include "hawser/hawser.h"\n'}))
+
+    def test_upward(self):
+        found = self.check({"core/a.c": '#include "sim/sim.h"\n', "sim/sim.h": ""})
+        self.assertEqual(1, len(found))
+        self.assertIn("core/a.c:1", found[0])
+
+    def test_upward_within_a_level(self):
+        self.assertTrue(self.check({"theory/a.c": '#include "sim/sim.h"\n', "sim/sim.h": ""}))
+        self.assertTrue(self.check({"sim/a.c": '#include "io/io.h"\n', "io/io.h": ""}))
+
+    def test_sideways(self):
+        self.assertTrue(self.check({"contact/a.c": '#include "linsolve/l.h"\n', "linsolve/l.h": ""}))
+        self.assertTrue(self.check({"linsolve/a.c": '#include "contact/c.h"\n', "contact/c.h": ""}))
+
+    def test_cli_sees_the_public_header_only(self):
+        self.assertTrue(self.check({"cli/main.c": '#include "core/a.h"\n', "core/a.h": ""}))
+        self.assertTrue(self.check({"cli/main.c": "#include <jansson.h>\n"}))
+
+    def test_circle(self):
+        found = self.check({"core/a.h": '#include "core/b.h"\n', "core/b.h": '#include "core/c.h"\n',
+                            "core/c.h": '#include "core/a.h"\n'})
+        self.assertEqual(["circle: core/a.h -> core/b.h -> core/c.h -> core/a.h"], found)
+
+    def test_path_not_from_the_root(self):
+        self.assertTrue(self.check({"core/a.c": '#include "b.h"\n', "core/b.h": ""}))
+
+    def test_libraries_out_of_place(self):
+        for path, name in [("core/a.c", "cvode/cvode.h"), ("linsolve/klu.c", "sundials/sundials_types.h"),
+                           ("sim/a.c", "klu.h"), ("sim/a.c", "metis.h"), ("contact/a.c", "lapacke.h"),
+                           ("sim/a.c", "yaml.h"), ("theory/a.c", "nvector/nvector_serial.h")]:
+            self.assertEqual(1, len(self.check({path: f"#include <{name}>\n"})), (path, name))
+
+    def test_the_adapter_may_see_sundials(self):
+        self.assertEqual([], self.check({"linsolve/sundials_adapter.c": "#include <sundials/sundials_types.h>\n"}))
+
+
+class Equations(unittest.TestCase):
+    MODEL = "# Bushing\n```\nd = x - y        (B1)\n```\nIt follows (B1) that\n- (C2) f = 0\n"
+
+    def check(self, code, model=MODEL):
+        return Tree({"docs/model.md": model, "core/a.c": code}).complaints(check_equations.check)
+
+    def test_cited_and_given(self):
+        self.assertEqual([], self.check('/* docs/model.md, "Bushing", (B1) and (C2) */ int f(void);\n'))
+
+    def test_cited_but_not_given(self):
+        self.assertEqual(["core/a.c:2: (B2) is not in docs/model.md"], self.check("\n/* by (B2) */\n"))
+
+    def test_code_is_no_citation(self):
+        self.assertEqual([], self.check("int x = (B2);\n"))
+
+    def test_given_twice(self):
+        self.assertTrue(self.check("", self.MODEL + "z = 1    (B1)\n"))
+
+    def test_missing_section(self):
+        self.assertTrue(self.check('/* docs/model.md, "Cable" */\n'))
+
+
+class Sizes(unittest.TestCase):
+    def check(self, text, path="core/a.c"):
+        return Tree({path: text}).complaints(check_sizes.check)
+
+    def test_long_function(self):
+        def body(lines):
+            return "static int f(int a)\n{\n" + "    a++;\n" * (lines - 2) + "}\n"
+        self.assertEqual([], self.check(body(80)))
+        self.assertEqual(1, len(self.check(body(81))))
+
+    def test_long_files(self):
+        self.assertEqual(1, len(self.check("int a;\n" * 601)))
+        self.assertEqual(1, len(self.check("int a;\n" * 251, "core/a.h")))
+
+    def test_if_forest(self):
+        self.assertEqual(1, len(self.check("#if A\n#endif\n" * 9)))
+
+
+if __name__ == "__main__":
+    unittest.main()

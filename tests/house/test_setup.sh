@@ -1,0 +1,82 @@
+#!/bin/sh
+# scripts/setup.sh against a made-up package system: quiet when all is there, installs just what is missing, uses sudo
+# when it is not root, and says what to do when it can do neither.          Usage: test_setup.sh ROOT
+set -eu
+root=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bin"
+
+fake() { # fake NAME: a command of that name from standard input
+    { echo '#!/bin/sh'; cat; } >"$work/bin/$1"
+    chmod +x "$work/bin/$1"
+}
+fake dpkg-query <<'EOF'
+for package in "$@"; do :; done
+case " $MISSING " in
+*" $package "*) echo "no packages found" >&2; exit 1 ;;
+*) echo "${STATUS:-install ok installed}" ;;
+esac
+EOF
+fake apt-get <<'EOF'
+echo "$DEBIAN_FRONTEND apt-get $*" >>"$CALLS"
+exit "${APT_EXIT:-0}"
+EOF
+fake sudo <<'EOF'
+echo sudo >>"$CALLS"
+exec "$@"
+EOF
+fake id <<'EOF'
+echo "$USER_ID"
+EOF
+
+CALLS=$work/calls MISSING="" USER_ID=0
+export CALLS MISSING USER_ID
+setup() {
+    : >"$CALLS"
+    PATH=$work/bin:$PATH sh "$root/scripts/setup.sh" "$@" >"$work/out" 2>&1
+}
+fail() {
+    echo "test_setup: $*" >&2
+    cat "$work/out" "$CALLS" >&2
+    exit 1
+}
+
+setup || fail "failed with everything installed"
+[ ! -s "$work/out" ] && [ ! -s "$CALLS" ] || fail "was not quiet with everything installed"
+
+MISSING="ninja-build libmetis-dev"
+setup || fail "failed to install"
+printf '%s\n' "noninteractive apt-get update -q" \
+    "noninteractive apt-get install -q -y --no-install-recommends ninja-build libmetis-dev" >"$work/expected"
+cmp -s "$CALLS" "$work/expected" || fail "did not install just what is missing"
+
+USER_ID=1000
+setup || fail "failed as a user with sudo"
+[ "$(grep -c '^sudo$' "$CALLS")" = 2 ] || fail "did not go through sudo"
+USER_ID=0
+
+MISSING="clang-tidy"
+setup && [ ! -s "$CALLS" ] || fail "clang-tidy is for linting only"
+setup --lint && [ -s "$CALLS" ] || fail "--lint did not install clang-tidy"
+
+# A package that was removed but left its configuration is not installed.
+MISSING="" STATUS="deinstall ok config-files"
+export STATUS
+setup && [ -s "$CALLS" ] || fail "took a removed package for an installed one"
+unset STATUS
+
+MISSING=cmake APT_EXIT=100
+export APT_EXIT
+! setup || fail "ignored that apt-get failed"
+unset APT_EXIT
+! setup --bogus || fail "took an unknown option"
+
+# No sudo and not root: a clear message, nothing run. The path holds only what the script needs.
+rm "$work/bin/sudo"
+for tool in sh env cat; do ln -s "$(command -v "$tool")" "$work/bin/$tool"; done
+: >"$CALLS"
+USER_ID=1000
+! PATH=$work/bin sh "$root/scripts/setup.sh" >"$work/out" 2>&1 || fail "went on without being able to install"
+grep -q "apt-get install cmake" "$work/out" || fail "did not say what to install"
+echo "setup: fine"

@@ -1,0 +1,70 @@
+#!/bin/sh
+# Installs a build into a temporary prefix and uses it from outside the tree.
+# Usage: check_install.sh SOURCE_DIR BUILD_DIR
+set -eu
+source_dir=$1 build_dir=$2
+here=$source_dir/tests/install/consumer
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+prefix=$work/prefix
+
+fail() {
+    echo "check_install: $*" >&2
+    exit 1
+}
+# run LOG COMMAND...: its output is shown only if it fails.
+run() {
+    log=$work/$1
+    shift
+    "$@" >"$log" 2>&1 || { cat "$log" >&2; fail "failed: $*"; }
+}
+
+# The tree is moved after the installation: neither package may remember where it was.
+run install.log cmake --install "$build_dir" --prefix "$work/first"
+mv "$work/first" "$prefix"
+lib=$(dirname "$(find "$prefix" -name libhawser.a)")
+version=$(sed -n 's/^project(hawser VERSION \([0-9.]*\).*/\1/p' "$source_dir/CMakeLists.txt")
+for file in "$prefix/bin/hawser" "$prefix/include/hawser/hawser.h" "$lib/libhawser.so" "$lib/pkgconfig/hawser.pc" \
+    "$lib/cmake/hawser/hawserConfig.cmake"; do
+    [ -e "$file" ] || fail "not installed: $file"
+done
+"$prefix/bin/hawser" --version | grep -qF "$version" || fail "hawser --version is not $version"
+
+# The shared library: its soname carries the major version; it exports what the header declares and nothing else.
+readelf -d "$lib/libhawser.so" | grep -qF "Library soname: [libhawser.so.${version%%.*}]" || fail "wrong soname"
+cc -E -P "$prefix/include/hawser/hawser.h" | grep -o 'hawser_[a-z0-9_]* *(' | tr -d ' (' | sort -u >"$work/declared"
+nm -D --defined-only "$lib/libhawser.so" | awk '{print $NF}' | sort -u >"$work/exported"
+diff "$work/declared" "$work/exported" >"$work/symbols" || { cat "$work/symbols"; fail "exports (>) differ from header (<)"; }
+
+# The static library keeps its internals to itself too.
+nm -g --defined-only "$lib/libhawser.a" 2>/dev/null | awk 'NF == 3 {print $3}' | sort -u >"$work/static"
+diff "$work/declared" "$work/static" >"$work/symbols" || { cat "$work/symbols"; fail "libhawser.a's symbols (>) differ"; }
+
+# The header alone, as strict C and as C++.
+echo '#include <hawser/hawser.h>' >"$work/header.c"
+cp "$work/header.c" "$work/header.cc"
+run c.log cc -std=c99 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.c"
+run cxx.log c++ -std=c++98 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.cc"
+
+# pkg-config, shared and then, with the shared library out of the way, static.
+PKG_CONFIG_PATH=$lib/pkgconfig
+export PKG_CONFIG_PATH
+# shellcheck disable=SC2046 # one word a flag
+compile() { # compile PROGRAM [--static]
+    cc "$here/consumer.c" -o "$1" $(pkg-config ${2-} --cflags --libs hawser)
+}
+run pc.log compile "$work/pc_shared"
+[ "$(LD_LIBRARY_PATH=$lib "$work/pc_shared")" = "$version" ] || fail "the pkg-config consumer does not work"
+mkdir "$work/aside"
+mv "$lib"/libhawser.so* "$work/aside"
+run pc_static.log compile "$work/pc_static" --static
+[ "$("$work/pc_static")" = "$version" ] || fail "the static pkg-config consumer does not work"
+mv "$work/aside"/* "$lib"
+
+# find_package, shared and static in one project.
+run cmake.log cmake -S "$here" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$prefix"
+run build.log cmake --build "$work/cmake"
+for kind in shared static; do
+    [ "$("$work/cmake/consumer_$kind")" = "$version" ] || fail "the find_package consumer ($kind) does not work"
+done
+echo "check_install: fine"

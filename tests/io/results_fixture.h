@@ -1,0 +1,118 @@
+/* A made-up chain on a made-up pull, and a scratch folder for what is written about it. */
+#ifndef HAWSER_TESTS_RESULTS_FIXTURE_H
+#define HAWSER_TESTS_RESULTS_FIXTURE_H
+
+#define _GNU_SOURCE /* nftw */
+
+#include "io/results.h"
+#include "io/summary_json.h"
+
+#include <ftw.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { N = 5, R = 2 };
+
+static const hawser_roller fixture_rollers[R] = {{"entry, left", 0.5, 160e3, 100, 200, 320},
+                                                 {"P2", NAN, 0, 0, 0, 10}};
+static const hawser_station fixture_stations[3] = {
+    {"A", 0, 1000, 1010, 1020, 1500}, {"say \"B\"", 2, 2000, 2020, 1980, 2500}, {"C", 4, 0, 0, NAN, NAN}};
+static const int fixture_watched[2] = {0, 4};
+
+static const ResultsDef fixture_def = {"A title", N, R, fixture_rollers, 2, fixture_watched, 1};
+
+typedef struct Fixture {
+    char dir[64];
+    double position[3 * N], quaternion[4 * N], velocity[3 * N], omega[3 * N], tension[N + 1], axial_speed[N],
+        load[R];
+    hawser_sample sample;
+} Fixture;
+
+/* Numbers that tell state, array and index apart, so that a mix-up shows. */
+static void fixture_sample(Fixture *f, int k)
+{
+    for (int i = 0; i < 3 * N; i++) {
+        f->position[i] = 1000 * k + i + 0.25;
+        f->velocity[i] = -1000 * k - i;
+        f->omega[i] = 1e-3 * (100 * k + i);
+    }
+    for (int i = 0; i < 4 * N; i++) f->quaternion[i] = k + 0.01 * i;
+    for (int i = 0; i <= N; i++) f->tension[i] = 100 * k + i + 0.5;
+    for (int i = 0; i < N; i++) f->axial_speed[i] = k + 0.125 * i;
+    for (int i = 0; i < R; i++) f->load[i] = 10 * k + i;
+    f->sample.t = 0.1 * k;
+    f->sample.winch_force = 7000 + k;
+    f->sample.tail_tension = 50 + k;
+    f->sample.max_tension = 9000 + k;
+}
+
+static int fixture_new(void **state)
+{
+    Fixture *f = calloc(1, sizeof *f);
+    strcpy(f->dir, "/tmp/hawser_results_XXXXXX");
+    if (!mkdtemp(f->dir)) return -1;
+    f->sample = (hawser_sample){.segments = N,
+                                .joints = N + 1,
+                                .rollers = R,
+                                .winch_speed = 0.1,
+                                .winch_travel = 0.75,
+                                .max_tension_joint = 3,
+                                .active_contacts = 17,
+                                .step_size = 0.0125,
+                                .position = f->position,
+                                .quaternion = f->quaternion,
+                                .velocity = f->velocity,
+                                .omega = f->omega,
+                                .tension = f->tension,
+                                .axial_speed = f->axial_speed,
+                                .roller_load = f->load};
+    fixture_sample(f, 0);
+    *state = f;
+    return 0;
+}
+
+static int remove_entry(const char *path, const struct stat *info, int kind, struct FTW *ftw)
+{
+    (void)info, (void)kind, (void)ftw;
+    return remove(path);
+}
+
+static int fixture_free(void **state)
+{
+    Fixture *f = *state;
+    nftw(f->dir, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+    free(f);
+    return 0;
+}
+
+/* Path of a file in the scratch folder; overwritten by the next call. */
+static inline const char *fixture_path(const Fixture *f, const char *name)
+{
+    static char path[256];
+    snprintf(path, sizeof path, "%s/%s", f->dir, name);
+    return path;
+}
+
+/* Everything in a file as text; the caller frees it. */
+static inline char *read_text(const char *path)
+{
+    FILE *f = fopen(path, "r");
+    if (!f) return NULL;
+    char *text = calloc(1, 1 << 20);
+    const size_t n = fread(text, 1, (1 << 20) - 1, f);
+    text[n] = 0;
+    fclose(f);
+    return text;
+}
+
+/* Finishes with the fixture's tables. */
+static inline hawser_status fixture_finish(Results *r, hawser_error *err)
+{
+    const ResultsTables tables = {3, fixture_stations, R, fixture_rollers, "{\"outcome\": \"finished\"}\n"};
+    return results_finish(r, &tables, err);
+}
+
+#endif

@@ -1,0 +1,414 @@
+/* The results folder: contents of every file, up to date while it grows, and every way in which writing can
+ * fail. */
+#include "results_fixture.h"
+
+#include <errno.h>
+#include <hdf5.h>
+#include <locale.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static const char *const all_files[] = {"summary.json", "series.csv", "stations.csv",
+                                        "rollers.csv",  "results.h5", "results.xdmf"};
+enum { FILES = sizeof all_files / sizeof *all_files };
+
+static Results *open_results(Fixture *f)
+{
+    Results *r = NULL;
+    hawser_error err = {0};
+    const hawser_status status = results_open(&r, f->dir, &fixture_def, "{\"outcome\": \"running\"}\n", &err);
+    if (status) fail_msg("%s", err.message);
+    return r;
+}
+
+/* Rows and states 0 .. n-1. */
+static void write_states(Fixture *f, Results *r, int n)
+{
+    for (int k = 0; k < n; k++) {
+        fixture_sample(f, k);
+        assert_int_equal(results_row(r, &f->sample, NULL), HAWSER_OK);
+        assert_int_equal(results_state(r, &f->sample, NULL), HAWSER_OK);
+    }
+}
+
+static void expect_text(const Fixture *f, const char *name, const char *expected)
+{
+    char *text = read_text(fixture_path(f, name));
+    assert_non_null(text);
+    assert_string_equal(text, expected);
+    free(text);
+}
+
+/* All values of a set as doubles; checks its rank and dimensions. */
+static double *read_set(const char *path, const char *name, int rank, const hsize_t *expected)
+{
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    assert_true(file >= 0);
+    const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+    hsize_t dims[4] = {0}, count = 1;
+    assert_int_equal(H5Sget_simple_extent_ndims(space), rank);
+    H5Sget_simple_extent_dims(space, dims, NULL);
+    for (int i = 0; i < rank; i++) {
+        assert_int_equal(dims[i], expected[i]);
+        count *= dims[i];
+    }
+    double *values = malloc(sizeof *values * count);
+    assert_true(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    H5Sclose(space);
+    H5Dclose(set);
+    H5Fclose(file);
+    return values;
+}
+
+/* The states that a file holds, told by its set of times. */
+static int count_states(const char *path)
+{
+    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file < 0) return -1;
+    const hid_t set = H5Dopen2(file, "time", H5P_DEFAULT), space = H5Dget_space(set);
+    const int n = (int)H5Sget_simple_extent_npoints(space);
+    H5Sclose(space);
+    H5Dclose(set);
+    H5Fclose(file);
+    return n;
+}
+
+static void test_text_files(void **state)
+{
+    Fixture *f = *state;
+    Results *r = open_results(f);
+    expect_text(f, "summary.json", "{\"outcome\": \"running\"}\n");
+    write_states(f, r, 2);
+    assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+    results_free(r);
+    expect_text(f, "summary.json", "{\"outcome\": \"finished\"}\n");
+    expect_text(f, "series.csv",
+                "time_s,winch_force_N,tail_tension_N,winch_speed_m_per_s,winch_travel_m,max_tension_N,"
+                "max_tension_joint,active_contacts,step_size_s,speed_0_m_per_s,tension_0_N,speed_4_m_per_s,"
+                "tension_4_N\n"
+                "0,7000,50,0.1,0.75,9000,3,17,0.0125,0,1.5,0.5,5.5\n"
+                "0.1,7001,51,0.1,0.75,9001,3,17,0.0125,1,101.5,1.5,105.5\n");
+    expect_text(f, "stations.csv",
+                "name,s_m,paper_N,reference_N,mean_N,peak_N,error_paper_pct,error_reference_pct,peak_ratio\n"
+                "A,0,1000,1010,1020,1500,2,0.99009901,1.48514851\n"
+                "\"say \"\"B\"\"\",2,2000,2020,1980,2500,-1,-1.98019802,1.23762376\n"
+                "C,4,0,0,,,,,\n");
+    expect_text(f, "rollers.csv",
+                "name,s_m,initial_N,steady_N,peak_N,peak_ratio,rating_N,rating_ratio\n"
+                "\"entry, left\",0.5,100,200,320,1.6,160000,800\n"
+                "P2,,0,0,10,,,\n");
+}
+
+static void test_states(void **state)
+{
+    Fixture *f = *state;
+    Results *r = open_results(f);
+    write_states(f, r, 3);
+    assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+    results_free(r);
+    const char *path = fixture_path(f, "results.h5");
+    double *time = read_set(path, "time", 1, (hsize_t[]){3});
+    double *position = read_set(path, "position", 3, (hsize_t[]){3, N, 3});
+    double *quaternion = read_set(path, "quaternion", 3, (hsize_t[]){3, N, 4});
+    double *tension = read_set(path, "tension", 2, (hsize_t[]){3, N + 1});
+    double *load = read_set(path, "roller_load", 2, (hsize_t[]){3, R});
+    double *frame = read_set(path, "frames/000002/tension", 1, (hsize_t[]){N - 1});
+    for (int k = 0; k < 3; k++) {
+        fixture_sample(f, k);
+        assert_true(time[k] == f->sample.t);
+        assert_memory_equal(position + 3 * N * k, f->position, sizeof f->position);
+        assert_memory_equal(quaternion + 4 * N * k, f->quaternion, sizeof f->quaternion);
+        assert_memory_equal(tension + (N + 1) * k, f->tension, sizeof f->tension);
+        assert_memory_equal(load + R * k, f->load, sizeof f->load);
+    }
+    /* the frame has the tensions of the joints between two segments */
+    for (int j = 1; j < N; j++) assert_true(frame[j - 1] == (double)(float)f->tension[j]);
+    free(time), free(position), free(quaternion), free(tension), free(load), free(frame);
+}
+
+/* Only what will be large is compressed. */
+static void test_compression(void **state)
+{
+    Fixture *f = *state;
+    for (int large = 0; large < 2; large++) {
+        ResultsDef def = fixture_def;
+        Results *r = NULL;
+        def.states = large ? 1e6 : 10;
+        assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+        write_states(f, r, 2);
+        assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+        results_free(r);
+        const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
+        const hid_t set = H5Dopen2(file, "position", H5P_DEFAULT), plist = H5Dget_create_plist(set);
+        assert_int_equal(H5Pget_nfilters(plist), large ? 2 : 0);
+        H5Pclose(plist), H5Dclose(set), H5Fclose(file);
+        double *position = read_set(fixture_path(f, "results.h5"), "position", 3, (hsize_t[]){2, N, 3});
+        assert_memory_equal(position + 3 * N, f->position, sizeof f->position);
+        free(position);
+    }
+}
+
+static void test_attributes(void **state)
+{
+    Fixture *f = *state;
+    Results *r = open_results(f);
+    assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+    results_free(r);
+    const char *const units[][2] = {{"time", "s"},        {"position", "m"},     {"quaternion", "1"},
+                                    {"velocity", "m/s"},  {"omega", "rad/s"},    {"tension", "N"},
+                                    {"winch_force", "N"}, {"tail_tension", "N"}, {"roller_load", "N"}};
+    const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        char unit[64] = "";
+        const hid_t set = H5Dopen2(file, units[i][0], H5P_DEFAULT), a = H5Aopen(set, "unit", H5P_DEFAULT);
+        const hid_t type = H5Aget_type(a);
+        assert_true(H5Aread(a, type, unit) >= 0);
+        assert_string_equal(unit, units[i][1]);
+        H5Tclose(type), H5Aclose(a), H5Dclose(set);
+    }
+    H5Fclose(file);
+}
+
+/* Times that the collection names, and whether it is a whole document. */
+static int count_frames(const char *text)
+{
+    int n = 0;
+    const char *end = "</Xdmf>\n";
+    assert_true(strncmp(text, "<?xml", 5) == 0);
+    assert_string_equal(text + strlen(text) - strlen(end), end);
+    for (const char *p = text; (p = strstr(p, "<Time Value=")); p++) n++;
+    return n;
+}
+
+static void test_xdmf_is_whole_at_any_time(void **state)
+{
+    Fixture *f = *state;
+    Results *r = open_results(f);
+    char *text = read_text(fixture_path(f, "results.xdmf"));
+    assert_int_equal(count_frames(text), 0);
+    free(text);
+    write_states(f, r, 40);
+    /* the first 32 went out together */
+    text = read_text(fixture_path(f, "results.xdmf"));
+    assert_int_equal(count_frames(text), 32);
+    free(text);
+    assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+    results_free(r);
+    text = read_text(fixture_path(f, "results.xdmf"));
+    assert_int_equal(count_frames(text), 40);
+    assert_non_null(strstr(text, "<Time Value=\"3.9\"/>"));
+    assert_non_null(strstr(text, "results.h5:/frames/000039/position"));
+    assert_null(strstr(text, "000040"));
+    free(text);
+}
+
+/* What is on disk while the writer still has the file: a copy opens, and no lock keeps readers away. */
+static void test_readable_while_running(void **state)
+{
+    Fixture *f = *state;
+    char command[512], copy[128];
+    Results *r = open_results(f);
+    write_states(f, r, 33);
+    snprintf(copy, sizeof copy, "%s/copy.h5", f->dir);
+    snprintf(command, sizeof command, "cp %s/results.h5 %s", f->dir, copy);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(count_states(copy), 32);
+    FILE *other = fopen(fixture_path(f, "results.h5"), "r");
+    assert_int_equal(flock(fileno(other), LOCK_EX | LOCK_NB), 0);
+    fclose(other);
+    results_free(r);
+}
+
+/* A run that is dropped in the middle keeps its rows and states. */
+static void test_dropped_run(void **state)
+{
+    Fixture *f = *state;
+    Results *r = open_results(f);
+    write_states(f, r, 7);
+    results_free(r);
+    char *text = read_text(fixture_path(f, "series.csv"));
+    assert_non_null(strstr(text, "\n0.6,7006,"));
+    free(text);
+    assert_int_equal(count_states(fixture_path(f, "results.h5")), 7);
+    expect_text(f, "summary.json", "{\"outcome\": \"running\"}\n");
+}
+
+static void test_no_states_wanted(void **state)
+{
+    Fixture *f = *state;
+    ResultsDef def = fixture_def;
+    Results *r = NULL;
+    def.states = 0;
+    def.rollers = 0;
+    def.n_watched = 0;
+    assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+    write_states(f, r, 2);
+    assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+    results_free(r);
+    assert_int_equal(access(fixture_path(f, "results.h5"), F_OK), -1);
+    assert_int_equal(access(fixture_path(f, "results.xdmf"), F_OK), -1);
+}
+
+/* Scenes without rollers, and a chain of one segment, have no empty arrays. */
+static void test_small_scenes(void **state)
+{
+    Fixture *f = *state;
+    ResultsDef def = fixture_def;
+    Results *r = NULL;
+    def.rollers = 0;
+    def.segments = 1;
+    def.n_watched = 1;
+    assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+    write_states(f, r, 2);
+    assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+    results_free(r);
+    free(read_set(fixture_path(f, "results.h5"), "position", 3, (hsize_t[]){2, 1, 3}));
+}
+
+static void expect_refused(const char *dir, const char *path, int number)
+{
+    Results *r = NULL;
+    hawser_error err = {0};
+    assert_int_equal(results_open(&r, dir, &fixture_def, "{}", &err), HAWSER_ERR_OUTPUT);
+    assert_null(r);
+    assert_int_equal(err.status, HAWSER_ERR_OUTPUT);
+    assert_non_null(strstr(err.message, path));
+    if (!strstr(err.message, strerror(number))) fail_msg("%s", err.message);
+}
+
+static void test_folder_is_made(void **state)
+{
+    Fixture *f = *state;
+    Results *r = NULL;
+    char dir[128];
+    snprintf(dir, sizeof dir, "%s/a//b/c/", f->dir);
+    assert_int_equal(results_open(&r, dir, &fixture_def, "", NULL), HAWSER_OK);
+    results_free(r);
+    assert_int_equal(access(fixture_path(f, "a/b/c/series.csv"), R_OK), 0);
+}
+
+static void test_unusable_folders(void **state)
+{
+    Fixture *f = *state;
+    char dir[128];
+    snprintf(dir, sizeof dir, "%s/file", f->dir);
+    fclose(fopen(dir, "w"));
+    expect_refused(dir, dir, ENOTDIR);
+    strcat(dir, "/below");
+    expect_refused(dir, f->dir, ENOTDIR);
+    expect_refused("", "''", ENOENT);
+    expect_refused("/proc/no_folder_here", "/proc/no_folder_here", ENOENT);
+    if (geteuid() == 0) return; /* root may write everywhere */
+    chmod(f->dir, 0555);
+    expect_refused(f->dir, f->dir, EACCES);
+    chmod(f->dir, 0755);
+}
+
+/* Each file in turn lies on a full disk: found at once, with the file's name. */
+static void test_full_disk_at_start(void **state)
+{
+    Fixture *f = *state;
+    for (int i = 0; i < FILES; i++) {
+        char path[256];
+        snprintf(path, sizeof path, "%s/%s", f->dir, all_files[i]);
+        remove(path);
+        assert_int_equal(symlink("/dev/full", path), 0);
+        expect_refused(f->dir, path, ENOSPC);
+        remove(path);
+    }
+}
+
+/* Each file in turn is a folder. */
+static void test_folder_in_place_of_file(void **state)
+{
+    Fixture *f = *state;
+    for (int i = 0; i < FILES; i++) {
+        char path[256];
+        snprintf(path, sizeof path, "%s/%s", f->dir, all_files[i]);
+        remove(path);
+        assert_int_equal(mkdir(path, 0777), 0);
+        expect_refused(f->dir, path, EISDIR);
+        rmdir(path);
+    }
+}
+
+/* The disk fills while the run goes on (a limit on the file size stands in for it): the error names the file,
+ * and the states before it can be read. */
+static void test_disk_fills_up(void **state)
+{
+    Fixture *f = *state;
+    hawser_error err = {0};
+    struct rlimit before, small = {200000, 200000};
+    Results *r = open_results(f);
+    getrlimit(RLIMIT_FSIZE, &before);
+    small.rlim_max = before.rlim_max;
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    hawser_status status = HAWSER_OK;
+    int k = 0;
+    for (; k < 5000 && !status; k++) {
+        fixture_sample(f, k);
+        status = results_state(r, &f->sample, &err);
+    }
+    const hawser_status finished = fixture_finish(r, NULL);
+    setrlimit(RLIMIT_FSIZE, &before);
+    results_free(r);
+    assert_int_equal(status, HAWSER_ERR_OUTPUT);
+    assert_int_equal(finished, HAWSER_ERR_OUTPUT);
+    assert_non_null(strstr(err.message, "results.h5"));
+    if (!strstr(err.message, strerror(EFBIG))) fail_msg("%s", err.message);
+    const int kept = count_states(fixture_path(f, "results.h5"));
+    assert_in_range(kept, 32, k);
+    expect_text(f, "summary.json", "{\"outcome\": \"finished\"}\n");
+}
+
+/* A program with decimal commas gets decimal points. */
+static void test_locale(void **state)
+{
+    Fixture *f = *state;
+    const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8"};
+    const char *found = NULL;
+    for (size_t i = 0; i < 4 && !found; i++) found = setlocale(LC_ALL, names[i]);
+    if (!found) skip();
+    Results *r = open_results(f);
+    write_states(f, r, 2);
+    assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
+    results_free(r);
+    setlocale(LC_ALL, "C");
+    char *text = read_text(fixture_path(f, "series.csv"));
+    assert_non_null(strstr(text, "\n0.1,7001,51,0.1,"));
+    free(text);
+}
+
+#define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        CASE(test_text_files),
+        CASE(test_states),
+        CASE(test_compression),
+        CASE(test_attributes),
+        CASE(test_xdmf_is_whole_at_any_time),
+        CASE(test_readable_while_running),
+        CASE(test_dropped_run),
+        CASE(test_no_states_wanted),
+        CASE(test_small_scenes),
+        CASE(test_folder_is_made),
+        CASE(test_unusable_folders),
+        CASE(test_full_disk_at_start),
+        CASE(test_folder_in_place_of_file),
+        CASE(test_disk_fills_up),
+        CASE(test_locale),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,201 @@
+/* Closed forms: the reference numbers, agreement with the integrated law, and every refusal. */
+#include "theory/closed_form.h"
+
+#include <string.h>
+
+#include "tests/theory/near.h"
+#include "theory/pulling.h"
+
+static const double PI = 3.14159265358979323846;
+
+#define DEG (3.14159265358979323846 / 180)
+
+/* The integrated law over one bend from a given slope. */
+static double integrated(double slope, double R, double turn, double plane, double mu, double w, double T1)
+{
+    const RoutePieceDef def = {.kind = ROUTE_BEND, .radius = R, .angle = turn, .plane = plane};
+    const PullStretch cable = {.weight = w, .mu = mu};
+    Route route;
+    assert_int_equal(route_build(&route, 1, &def, v3(0, 0, 0), 0.4, slope, NULL), HAWSER_OK);
+    const PullDef pull_def = {
+        .route = &route, .to = route.length, .start_tension = T1, .n_stretches = 1, .stretch = &cable};
+    Pull pull;
+    assert_int_equal(pull_solve(&pull_def, &pull, NULL), HAWSER_OK);
+    const double end = pull.end_tension;
+    pull_clear(&pull);
+    route_clear(&route);
+    return end;
+}
+
+/* references: mu 0.2, W 200 N/m, R 5 m, theta 40 deg, T1 5000 N. */
+static void reference_numbers(void **state)
+{
+    (void)state;
+    const double expected[] = {5856.2709, 6143.4932, 5642.1698, 5354.9474};
+    const double slope[] = {0, 40, 0, -40}, plane[] = {1, 3, 3, 1};
+    double T2 = 0;
+    for (int k = 0; k < 4; k++) {
+        assert_int_equal(bend_vertical_tension((VerticalBend)k, 5000, 200, 0.2, 5, 40 * DEG, &T2, NULL),
+                         HAWSER_OK);
+        near(T2, expected[k], 5e-5);
+        near(integrated(slope[k] * DEG, 5, 40 * DEG, plane[k] * PI / 2, 0.2, 200, 5000), T2, 1e-10 * T2);
+    }
+    assert_int_equal(bend_level_tension(5000, 200, 0.2, 5, 40 * DEG, &T2, NULL), HAWSER_OK);
+    near(T2, 5763.0910, 5e-5);
+    near(integrated(0, 5, 40 * DEG, 0, 0.2, 200, 5000), T2, 1e-10 * T2);
+    near(integrated(0, 5, 40 * DEG, PI, 0.2, 200, 5000), T2, 1e-10 * T2);
+    near(capstan_tension(1, 0.2, PI / 2), 1.369108, 5e-7);
+    near(capstan_tension(1, 0.2, PI), 1.874456, 5e-7);
+    near(integrated(0, 5, PI, 0, 0.2, 0, 1000), capstan_tension(1000, 0.2, PI), 1e-7);
+}
+
+/* The four named forms are the general one, wherever they hold; both agree with the integrated law. */
+static void general_form_and_law_agree(void **state)
+{
+    (void)state;
+    int compared = 0;
+    for (int i = 0; i < 240; i++) {
+        const double mu = 0.05 + 0.06 * (i % 10), turn = (5 + 85.0 * (i % 7) / 6) * DEG, R = 1.5 + i % 5;
+        const double T1 = 900 + 450 * (i % 11), w = 190;
+        const VerticalBend kind = (VerticalBend)(i % 4);
+        const double a = kind == CREST_UP_LEVEL ? turn : kind == SAG_DOWN_LEVEL ? -turn : 0;
+        const double b = kind == SAG_LEVEL_UP ? turn : kind == CREST_LEVEL_DOWN ? -turn : 0;
+        double named = 0, any = 0;
+        if (bend_any_vertical_tension(T1, w, mu, R, a, b, &any, NULL)) continue;
+        const double plane = b > a ? PI / 2 : 3 * PI / 2;
+        near(integrated(a, R, turn, plane, mu, w, T1), any, 1e-10 * (any + T1));
+        if (bend_vertical_tension(kind, T1, w, mu, R, turn, &named, NULL)) continue;
+        near(named, any, 1e-12 * (any + T1));
+        compared++;
+    }
+    assert_true(compared > 200);
+}
+
+/* Bends between any two slopes, sags included in which the cable lifts off or settles on the way. */
+static void bends_between_any_slopes(void **state)
+{
+    (void)state;
+    int crossings = 0;
+    for (int i = 0; i < 300; i++) {
+        const double a = (-80 + 13.3 * (i % 12)) * DEG, b = (75 - 11.7 * (i % 13)) * DEG, mu = 0.1 * (i % 6);
+        const double R = 6, w = 250, T1 = 200 * (i % 17);
+        double T2 = 0;
+        if (fabs(b - a) < 0.01 || bend_any_vertical_tension(T1, w, mu, R, a, b, &T2, NULL)) continue;
+        if (b < a && T2 < 0.3 * T1) continue; /* the tension may have been below zero on the way */
+        near(integrated(a, R, fabs(b - a), b > a ? PI / 2 : 3 * PI / 2, mu, w, T1), T2, 1e-10 * (T1 + w * R));
+        crossings += b > a && (T1 - w * R * cos(a)) * (T2 - w * R * cos(b)) < 0;
+    }
+    assert_true(crossings > 30);
+}
+
+static void straights_and_slopes(void **state)
+{
+    (void)state;
+    near(slope_tension(1000, 200, 0.2, 30, 0), 1000 + 0.2 * 200 * 30, 1e-12);
+    near(slope_tension(1000, 200, 0.2, 30, 10 * DEG), 1000 + 6000 * (0.2 * cos(10 * DEG) + sin(10 * DEG)),
+         1e-12);
+    near(slope_tension(1000, 200, 0.2, 30, -10 * DEG), 1000 + 6000 * (0.2 * cos(10 * DEG) - sin(10 * DEG)),
+         1e-12);
+}
+
+static void rollers(void **state)
+{
+    (void)state;
+    double T2 = 0;
+    assert_int_equal(roller_tension(1000, 0.2, 60 * DEG, &T2, NULL), HAWSER_OK);
+    near(T2, 1000 * (1 + 0.2 / sqrt(3)) / (1 - 0.2 / sqrt(3)), 1e-9);
+    assert_int_equal(roller_tension(1000, 0.8, 120 * DEG, &T2, NULL), HAWSER_ERR_INPUT);
+    assert_int_equal(roller_tension(1000, 0.1, PI, &T2, NULL), HAWSER_ERR_INPUT);
+    /* The friction and the normal force that the tensions leave on the roller stand in the ratio mu. */
+    assert_int_equal(roller_tension(1000, 0.3, 0.5, &T2, NULL), HAWSER_OK);
+    const double along = (T2 - 1000) * cos(0.25), across = (T2 + 1000) * sin(0.25);
+    near(along / across, 0.3, 1e-14);
+    near(roller_load(1000, T2, 0.5), hypot(along, across), 1e-10);
+    /* Many small rollers make a capstan. */
+    double T = 1000;
+    for (int i = 0; i < 1000; i++) assert_int_equal(roller_tension(T, 0.2, PI / 2000, &T, NULL), HAWSER_OK);
+    near(T, capstan_tension(1000, 0.2, PI / 2), 1e-3);
+    near(roller_load_in_bend(20000, 10, 2), 4000, 8);
+    near(roller_load_in_bend(20000, 10, 2), roller_load(20000, 20000, 0.2), 1e-9);
+}
+
+/* A refused form says why and leaves the result alone. */
+static void refusals_have_reasons(void **state)
+{
+    (void)state;
+    hawser_error err;
+    double T2 = -77;
+    assert_int_equal(bend_vertical_tension(SAG_LEVEL_UP, 900, 200, 0.2, 5, 0.5, &T2, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "lies on the bottom"));
+    assert_int_equal(bend_vertical_tension(SAG_DOWN_LEVEL, 800, 200, 0.2, 5, 0.5, &T2, &err),
+                     HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "lies on the bottom"));
+    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 5000, 200, 0.2, 5, 1.6, &T2, &err),
+                     HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "past the vertical"));
+    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 10, 200, 0.01, 5, 1.5, &T2, &err),
+                     HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "does not push"));
+    assert_int_equal(bend_level_tension(-1, 200, 0.2, 5, 1, &T2, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "before the bend"));
+    assert_int_equal(bend_any_vertical_tension(100, 200, 0.2, 5, 0, 1.7, &T2, &err), HAWSER_ERR_INPUT);
+    assert_true(T2 == -77);
+    /* The general form takes what the named sag refuses. */
+    assert_int_equal(bend_any_vertical_tension(900, 200, 0.2, 5, 0, 0.5, &T2, &err), HAWSER_OK);
+    near(T2, integrated(0, 5, 0.5, PI / 2, 0.2, 200, 900), 1e-6);
+}
+
+/* Every piece of a route that has a closed form, in both directions, against the integrated law. */
+static void pieces_of_a_route(void **state)
+{
+    (void)state;
+    const RoutePieceDef def[] = {
+        {.kind = ROUTE_STRAIGHT, .length = 12},
+        {.kind = ROUTE_BEND, .radius = 4, .angle = 0.9, .plane = 0},
+        {.kind = ROUTE_BEND, .radius = 6, .angle = 0.5, .plane = PI / 2},
+        {.kind = ROUTE_STRAIGHT, .length = 9},
+        {.kind = ROUTE_BEND, .radius = 5, .angle = 0.8, .plane = 3 * PI / 2},
+        {.kind = ROUTE_BEND, .radius = 5, .angle = 0.4, .plane = 0},
+    };
+    Route route;
+    assert_int_equal(route_build(&route, 6, def, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = 200, .mu = 0.25};
+    for (int direction = -1; direction <= 1; direction += 2) {
+        PullDef pull_def = {
+            .route = &route, .to = route.length, .start_tension = 3000, .n_stretches = 1, .stretch = &cable};
+        if (direction < 0) pull_def.from = route.length, pull_def.to = 0;
+        Pull pull;
+        assert_int_equal(pull_solve(&pull_def, &pull, NULL), HAWSER_OK);
+        assert_int_equal(pull.n, 6);
+        for (int i = 0; i < pull.n; i++) {
+            const PullSpan *span = &pull.span[i];
+            double T2 = 0;
+            hawser_error err;
+            const RoutePiece *piece = &route.piece[span->piece];
+            const hawser_status status = piece_tension(piece, direction, span->t0, 200, 0.25, &T2, &err);
+            if (span->piece == 5) { /* the sloping bend */
+                assert_int_equal(status, HAWSER_ERR_INPUT);
+                assert_non_null(strstr(err.message, "no closed form"));
+            } else {
+                assert_int_equal(status, HAWSER_OK);
+                near(T2, span->t1, 1e-10 * span->t1);
+            }
+        }
+        pull_clear(&pull);
+    }
+    route_clear(&route);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(reference_numbers),
+        cmocka_unit_test(general_form_and_law_agree),
+        cmocka_unit_test(bends_between_any_slopes),
+        cmocka_unit_test(straights_and_slopes),
+        cmocka_unit_test(rollers),
+        cmocka_unit_test(refusals_have_reasons),
+        cmocka_unit_test(pieces_of_a_route),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,129 @@
+/* Cables in a duct: factors from the balance of weights, layouts, clearance, jam ratio, refusals. */
+#include "theory/duct.h"
+
+#include <string.h>
+
+#include "tests/theory/near.h"
+
+static DuctLoad load(double ratio, int cables, DuctLayout layout)
+{
+    const DuctDef def = {
+        .duct_diameter = ratio * 0.05, .cable_diameter = 0.05, .cables = cables, .layout = layout};
+    DuctLoad out;
+    hawser_error err;
+    if (duct_load(&def, &out, &err)) fail_msg("%s", err.message);
+    return out;
+}
+
+static void factors(void **state)
+{
+    (void)state;
+    const DuctLoad one = load(1.5, 1, DUCT_AUTO), two = load(3, 2, DUCT_AUTO),
+                   three = load(2.4, 3, DUCT_AUTO);
+    const DuctLoad cradle = load(3, 3, DUCT_AUTO), four = load(3, 4, DUCT_AUTO);
+    near(one.weight_factor, 1, 0);
+    near(one.sidewall_factor, 1, 0);
+    /* D/d = 3: x = 1/2. */
+    near(two.weight_factor, 2 / sqrt(3), 1e-15);
+    near(cradle.weight_factor, 1 + 1.0 / 3, 1e-15);
+    near(cradle.sidewall_factor, (3 * (1 + 1.0 / 3) - 2) / 3, 1e-15);
+    near(four.weight_factor, 1.5, 1e-15);
+    near(four.sidewall_factor, 0.5, 1e-15);
+    const double x = 1 / 1.4;
+    near(three.weight_factor, 1 / sqrt(1 - x * x), 1e-14);
+    near(three.sidewall_factor, three.weight_factor / 2, 1e-15);
+}
+
+/* The normal forces that the cables' own equilibria leave add up to the weight factor: three cradled cables,
+ * solved one by one with the wall's and the contact's directions. */
+static void cradle_balances(void **state)
+{
+    (void)state;
+    const double ratio = 2.8, x = 1 / (ratio - 1), half = asin(x), beta = 2 * half;
+    /* Outer cable: wall force N toward the centre, contact force F along the line of centres, weight 1. */
+    const double det = -sin(beta) * sin(half) - cos(half) * cos(beta);
+    const double N = -cos(half) / det, F = -sin(beta) / det;
+    near(-sin(beta) * N + cos(half) * F, 0, 1e-15);
+    near(cos(beta) * N + sin(half) * F, 1, 1e-15);
+    const double bottom = 1 + 2 * F * sin(half);
+    const DuctLoad found = load(ratio, 3, DUCT_CRADLE);
+    near(found.weight_factor, (2 * N + bottom) / 3, 1e-14);
+    near(found.sidewall_factor, bottom / 3, 1e-14);
+}
+
+static void layouts_follow_the_ratio(void **state)
+{
+    (void)state;
+    assert_int_equal(load(2.49, 3, DUCT_AUTO).layout, DUCT_TRIANGLE);
+    assert_int_equal(load(2.51, 3, DUCT_AUTO).layout, DUCT_CRADLE);
+    assert_int_equal(load(4, 3, DUCT_TRIANGLE).layout, DUCT_TRIANGLE);
+    assert_int_equal(load(3, 4, DUCT_AUTO).layout, DUCT_DIAMOND);
+    assert_string_equal(duct_layout_name(DUCT_CRADLE), "cradle");
+}
+
+/* Clearance: what is left above; zero where the cables just fit. */
+static void clearances(void **state)
+{
+    (void)state;
+    near(load(1.5, 1, DUCT_AUTO).clearance, 0.025, 1e-16);
+    near(load(2 + 1e-9, 2, DUCT_AUTO).clearance, 0, 1e-5);
+    near(load(1 + 2 / sqrt(3) + 1e-9, 3, DUCT_TRIANGLE).clearance, 0, 1e-7);
+    near(load(1 + sqrt(2) + 1e-9, 4, DUCT_AUTO).clearance, 0, 1e-7);
+    /* D = 4 d, triangle: D/2 - 1.366 d + (D - d)/2 sqrt(1 - x^2), the usual form. */
+    const double d = 0.05;
+    near(load(4, 3, DUCT_TRIANGLE).clearance, 2 * d - (0.5 + sqrt(3) / 2) * d + 1.5 * d * sqrt(8.0 / 9),
+         1e-15);
+    near(load(4, 3, DUCT_AUTO).fill, 3.0 / 16, 1e-15);
+}
+
+static void jamming(void **state)
+{
+    (void)state;
+    const double ratio[] = {2.27, 2.35, 2.45, 2.6, 2.8, 2.95, 3.1};
+    const JamRisk risk[] = {JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE,  JAM_SIGNIFICANT,
+                            JAM_MODERATE,   JAM_SMALL, JAM_VERY_SMALL};
+    for (int i = 0; i < 7; i++) {
+        const DuctLoad found = load(ratio[i], 3, DUCT_AUTO);
+        near(found.jam_ratio, 1.05 * ratio[i], 1e-15);
+        assert_int_equal(found.jam_risk, risk[i]);
+    }
+    assert_int_equal(load(2.7, 4, DUCT_AUTO).jam_risk, JAM_NONE);
+    assert_string_equal(jam_risk_name(JAM_SIGNIFICANT), "significant");
+}
+
+static void refuse(DuctDef def, const char *why)
+{
+    DuctLoad out;
+    hawser_error err;
+    assert_int_equal(duct_load(&def, &out, &err), HAWSER_ERR_INPUT);
+    if (!strstr(err.message, why)) fail_msg("\"%s\" does not say \"%s\"", err.message, why);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.1, .cables = 1}, "do not fit");
+    refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.051, .cables = 2}, "do not fit");
+    refuse((DuctDef){.duct_diameter = 0.107, .cable_diameter = 0.05, .cables = 3}, "do not fit");
+    refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.05, .cables = 5}, "1 to 4");
+    refuse((DuctDef){.duct_diameter = NAN, .cable_diameter = 0.05, .cables = 1}, "positive");
+    refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0, .cables = 1}, "positive");
+    refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.05, .cables = 2, .layout = DUCT_CRADLE},
+           "is of 3 cables");
+    refuse((DuctDef){.duct_diameter = 0.35, .cable_diameter = 0.05, .cables = 3, .layout = DUCT_TRIANGLE},
+           "spreads");
+    refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.05, .cables = 4}, "spreads");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(factors),
+        cmocka_unit_test(cradle_balances),
+        cmocka_unit_test(layouts_follow_the_ratio),
+        cmocka_unit_test(clearances),
+        cmocka_unit_test(jamming),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

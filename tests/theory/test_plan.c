@@ -1,0 +1,186 @@
+/* The pulling calculator: both directions, reel and rope, conveyors, ducts, restart, roller loads, closed
+ * forms by piece. */
+#include "theory/plan.h"
+
+#include <string.h>
+
+#include "tests/theory/near.h"
+
+static const double PI = 3.14159265358979323846, WEIGHT = 200, MU = 0.25;
+
+/* Up a slope, level, then a level bend and a sloping one: the two directions differ. */
+static Route hill_route(void)
+{
+    const RoutePieceDef def[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "up", .length = 60},
+        {.kind = ROUTE_BEND, .name = "crest", .radius = 10, .angle = 0.2, .plane = 3 * PI / 2},
+        {.kind = ROUTE_STRAIGHT, .name = "level", .length = 40},
+        {.kind = ROUTE_BEND, .name = "turn", .radius = 8, .angle = PI / 2, .plane = 0},
+        {.kind = ROUTE_BEND, .name = "twist", .radius = 8, .angle = 0.5, .plane = 1},
+    };
+    Route route;
+    assert_int_equal(route_build(&route, 5, def, v3(0, 0, 0), 0, 0.2, NULL), HAWSER_OK);
+    return route;
+}
+
+static PlanDef hill_def(const Route *route, const PullStretch *cable)
+{
+    PlanDef def;
+    plan_defaults(&def);
+    def.route = route;
+    def.n_stretches = 1;
+    def.stretch = cable;
+    return def;
+}
+
+static void both_directions(void **state)
+{
+    (void)state;
+    Route route = hill_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3};
+    PlanDef def = hill_def(&route, &cable);
+    def.roller_spacing = 2;
+    Plan plan;
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+    assert_int_equal(plan.n, 5);
+    const PlanWay *there = &plan.way[PLAN_FORWARD], *back = &plan.way[PLAN_BACKWARD];
+    near(there->start, 15 * WEIGHT, 0);
+    near(there->rope, 5 * WEIGHT, 0);
+    near(there->force, there->pull.end_tension + 5 * WEIGHT, 0);
+    /* Uphill first and the bends last costs more than the bends first and then downhill. */
+    assert_int_equal(plan.better, PLAN_BACKWARD);
+    assert_true(back->force < there->force && back->force > back->start);
+    assert_true(there->restart_force > there->force && back->restart_force > back->force);
+    /* Pieces follow each other; the first straight is known exactly. */
+    for (int i = 0; i < 4; i++) {
+        near(there->piece[i].t_out, there->piece[i + 1].t_in, 0);
+        near(back->piece[i + 1].t_out, back->piece[i].t_in, 0);
+    }
+    near(there->piece[0].t_out, 15 * WEIGHT + 60 * WEIGHT * (MU * cos(0.2) + sin(0.2)), 1e-9);
+    near(there->piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
+    near(there->piece[2].roller_load, 2 * WEIGHT, 1e-10);
+    near(there->piece[3].roller_load, 2 * hypot(there->piece[3].t_out / 8, WEIGHT), 1e-9);
+    near(there->piece[3].sidewall, there->piece[3].t_out / 8, 1e-10);
+    near(there->max_sidewall, there->max_tension / 8, 1e-9);
+    plan_clear(&plan);
+    route_clear(&route);
+}
+
+static void closed_forms_by_piece(void **state)
+{
+    (void)state;
+    Route route = hill_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PlanDef def = hill_def(&route, &cable);
+    Plan plan;
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        for (int i = 0; i < 4; i++) {
+            const PlanPiece *piece = &plan.way[way].piece[i];
+            near(piece->closed, piece->t_out, 1e-10 * piece->t_out);
+            assert_string_equal(piece->reason, "");
+        }
+        assert_true(isnan(plan.way[way].piece[4].closed));
+        assert_non_null(strstr(plan.way[way].piece[4].reason, "no closed form"));
+    }
+    plan_clear(&plan);
+    route_clear(&route);
+}
+
+/* A conveyor lowers the tension where it stands and everything beyond it, in either direction. */
+static void conveyors(void **state)
+{
+    (void)state;
+    Route route = hill_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PullStep conveyor = {.at = 80, .force = 3000};
+    PlanDef def = hill_def(&route, &cable);
+    Plan without, with;
+    assert_int_equal(plan_build(&def, &without, NULL), HAWSER_OK);
+    def.n_conveyors = 1;
+    def.conveyor = &conveyor;
+    assert_int_equal(plan_build(&def, &with, NULL), HAWSER_OK);
+    const PlanWay *a = &without.way[PLAN_FORWARD], *b = &with.way[PLAN_FORWARD];
+    near(pull_at(&b->pull, 80).tension, pull_at(&a->pull, 80).tension, 1e-9);
+    near(pull_at(&b->pull, 90).tension, pull_at(&a->pull, 90).tension - 3000, 1e-9);
+    assert_true(b->force < a->force - 3000); /* the bends beyond multiply what it takes off */
+    /* The other way only the crest and the slope lie beyond it. */
+    near(with.way[PLAN_BACKWARD].force, without.way[PLAN_BACKWARD].force - 3000 * exp(MU * 0.2), 1e-7);
+    assert_non_null(strstr(b->piece[2].reason, "conveyor"));
+    near(b->piece[2].t_out, pull_at(&b->pull, route.piece[3].s0).tension, 0);
+    plan_clear(&without);
+    plan_clear(&with);
+    route_clear(&route);
+}
+
+/* Three cables in a duct: friction by the weight factor, pressure by the worst cable's share. */
+static void duct_corrections(void **state)
+{
+    (void)state;
+    Route route = hill_route();
+    const PullStretch cable = {.weight = 3 * WEIGHT, .mu = MU};
+    const DuctDef duct = {.duct_diameter = 0.15, .cable_diameter = 0.05, .cables = 3};
+    PlanDef def = hill_def(&route, &cable);
+    def.duct = &duct;
+    Plan plan, same;
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+    near(plan.duct.weight_factor, 4.0 / 3, 1e-14);
+    const PullStretch corrected = {.weight = 3 * WEIGHT, .mu = MU * 4 / 3};
+    def.duct = NULL;
+    def.stretch = &corrected;
+    assert_int_equal(plan_build(&def, &same, NULL), HAWSER_OK);
+    near(plan.way[0].force, same.way[0].force, 1e-8);
+    near(plan.way[0].max_sidewall, same.way[0].max_sidewall * 2 / 3, 1e-8);
+    near(plan.way[0].piece[3].sidewall, same.way[0].piece[3].sidewall * 2 / 3, 1e-8);
+    plan_clear(&plan);
+    plan_clear(&same);
+    route_clear(&route);
+}
+
+static void refuse(const PlanDef *def, const char *why)
+{
+    Plan plan;
+    hawser_error err;
+    assert_int_equal(plan_build(def, &plan, &err), HAWSER_ERR_INPUT);
+    if (!strstr(err.message, why)) fail_msg("\"%s\" does not say \"%s\"", err.message, why);
+    assert_null(plan.way[0].pull.span);
+    assert_null(plan.way[0].piece);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    Route route = hill_route();
+    PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PlanDef good = hill_def(&route, &cable);
+    const PullStep conveyor = {.at = 3, .force = -1};
+    const DuctDef duct = {.duct_diameter = 0.05, .cable_diameter = 0.06, .cables = 1};
+    PlanDef def = good;
+    def.reel_length = -1;
+    refuse(&def, "must not be negative");
+    def = good, def.back_tension = NAN;
+    refuse(&def, "back tension");
+    def = good, def.n_conveyors = 1, def.conveyor = &conveyor;
+    refuse(&def, "conveyor 0");
+    const PullStep far = {.at = route.length + 1, .force = 5};
+    def.conveyor = &far;
+    refuse(&def, "off the route");
+    def = good, def.duct = &duct;
+    refuse(&def, "do not fit");
+    cable.mu = -1;
+    refuse(&good, "must be >= 0");
+    /* What only fails at a restart is refused too, with nothing left behind. */
+    cable.mu = MU, cable.mu_static = 1e4;
+    refuse(&good, "past all bounds");
+    route_clear(&route);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_directions), cmocka_unit_test(closed_forms_by_piece),
+        cmocka_unit_test(conveyors),       cmocka_unit_test(duct_corrections),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

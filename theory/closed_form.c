@@ -1,0 +1,214 @@
+#include "theory/closed_form.h"
+
+#include <assert.h>
+
+#include "core/error.h"
+
+static const double HALF_PI = 1.57079632679489661923;
+
+/* Vertical component of a unit vector, or angle, below which a bend counts as level or as planar. */
+static const double PLANE_TOLERANCE = 1e-9;
+
+double slope_tension(double T1, double w, double mu, double length, double slope)
+{
+    return T1 + w * length * (mu * cos(slope) + sin(slope));
+}
+
+double capstan_tension(double T1, double mu, double turn) { return T1 * exp(mu * turn); }
+
+static hawser_status refuse_slack(const char *where, double T, hawser_error *err)
+{
+    return error_set(err, HAWSER_ERR_INPUT, "the tension %s the bend is %g N: a cable does not push", where,
+                     T);
+}
+
+/* Both ends must pull; gives out T2 if they do. */
+static hawser_status give_bend(double T1, double result, double *T2, hawser_error *err)
+{
+    if (!(T1 >= 0)) return refuse_slack("before", T1, err);
+    if (!(result >= 0)) return refuse_slack("after", result, err);
+    *T2 = result;
+    return HAWSER_OK;
+}
+
+hawser_status bend_level_tension(double T1, double w, double mu, double R, double turn, double *T2,
+                                 hawser_error *err)
+{
+    assert(w >= 0 && mu >= 0 && R > 0 && turn >= 0);
+    return give_bend(T1, T1 * cosh(mu * turn) + sinh(mu * turn) * hypot(T1, w * R), T2, err);
+}
+
+/* A sag's cable bears on the inner side while T > w R cos(slope). */
+static hawser_status check_lifted(double T, double w, double R, double slope, hawser_error *err)
+{
+    const double needed = w * R * cos(slope);
+    if (T >= needed) return HAWSER_OK;
+    return error_set(
+        err, HAWSER_ERR_INPUT,
+        "at slope %.4g deg of the sag the tension %.6g N is below w R cos = %.6g N: the cable lies on the "
+        "bottom and this form does not hold",
+        slope * 90 / HALF_PI, T, needed);
+}
+
+/* (T12)-(T15) with K = mu, c = w R / (1 + mu^2), e = exp(mu turn); TB 889 eq. 10-13. */
+static double vertical_form(VerticalBend kind, double T1, double c, double K, double turn)
+{
+    const double e = exp(K * turn), sine = sin(turn), cosine = cos(turn), q = 1 - K * K;
+    switch (kind) {
+    case SAG_LEVEL_UP:
+        return T1 * e - c * (2 * K * sine - q * (e - cosine));
+    case CREST_UP_LEVEL:
+        return T1 * e + c * (2 * K * e * sine + q * (1 - e * cosine));
+    case CREST_LEVEL_DOWN:
+        return T1 * e + c * (2 * K * sine - q * (e - cosine));
+    case SAG_DOWN_LEVEL:
+        break;
+    }
+    return T1 * e - c * (2 * K * e * sine + q * (1 - e * cosine));
+}
+
+/* In a sag T - w R cos(slope) can only turn negative while the slope is downward, (T16): looking at both ends
+ * is enough, since one of them is level. */
+hawser_status bend_vertical_tension(VerticalBend kind, double T1, double w, double mu, double R, double turn,
+                                    double *T2, hawser_error *err)
+{
+    assert(w >= 0 && mu >= 0 && R > 0 && turn >= 0);
+    if (turn > HALF_PI) {
+        return error_set(err, HAWSER_ERR_INPUT, "the bend turns by %.4g deg, past the vertical",
+                         turn * 90 / HALF_PI);
+    }
+    const double result = vertical_form(kind, T1, w * R / (1 + mu * mu), mu, turn);
+    double checked = 0;
+    hawser_status status = give_bend(T1, result, &checked, err);
+    if (!status && (kind == SAG_LEVEL_UP || kind == SAG_DOWN_LEVEL)) {
+        const int up = kind == SAG_LEVEL_UP;
+        status = check_lifted(T1, w, R, up ? 0 : -turn, err);
+        if (!status) status = check_lifted(result, w, R, up ? turn : 0, err);
+    }
+    if (!status) *T2 = checked;
+    return status;
+}
+
+/* A bend in a vertical plane in one regime: k = 1 sag, -1 crest; side = 1: the cable bears on the inner side.
+ */
+typedef struct VerticalArc {
+    double w, mu, R, k, side;
+} VerticalArc;
+
+/* (T16): the particular solution -k c (2 m sin + (1 - m^2) cos), m = k mu side. */
+static double arc_particular(const VerticalArc *arc, double m, double slope)
+{
+    return -arc->k * arc->w * arc->R / (1 + m * m) * (2 * m * sin(slope) + (1 - m * m) * cos(slope));
+}
+
+static double arc_tension(const VerticalArc *arc, double T1, double a, double b)
+{
+    const double m = arc->k * arc->mu * arc->side;
+    return arc_particular(arc, m, b) + exp(m * (b - a)) * (T1 - arc_particular(arc, m, a));
+}
+
+/* side (T - w R cos(slope)) at slope b: negative where the regime no longer holds. */
+static double arc_bearing(const VerticalArc *arc, double T1, double a, double b)
+{
+    return arc->side * (arc_tension(arc, T1, a, b) - arc->w * arc->R * cos(b));
+}
+
+/* The slope in (a, b] at which a sag's bearing force, not negative at a, has become negative, by bisection; b
+ * if it does not. In a regime the force passes zero at most once; it is downward for slopes below 0 on the
+ * inner side, upward above 0 on the outer one, so that it has its least value at clamp(0, a, b) or at b. */
+static double arc_regime_end(const VerticalArc *arc, double T1, double a, double b)
+{
+    double good = a, bad = b;
+    if (arc->side > 0) bad = fmin(fmax(0, a), b);
+    if (bad <= a || arc_bearing(arc, T1, a, bad) >= 0) return b;
+    while (bad - good > 1e-15 * (1 + fabs(bad))) {
+        const double middle = good + (bad - good) / 2;
+        if (middle <= good || middle >= bad) break;
+        if (arc_bearing(arc, T1, a, middle) >= 0) {
+            good = middle;
+        } else {
+            bad = middle;
+        }
+    }
+    return good + (bad - good) / 2;
+}
+
+/* Which side a sag's cable bears on at slope a; at zero force the force is about to grow with the sign of the
+ * slope. */
+static double sag_side(double T, const VerticalArc *arc, double a)
+{
+    const double g = T - arc->w * arc->R * cos(a);
+    if (fabs(g) <= 1e-13 * arc->w * arc->R) return a < 0 ? -1 : 1;
+    return g < 0 ? -1 : 1;
+}
+
+/* A sag goes through at most three regimes: lifted, on the bottom, lifted again. */
+static double sag_tension(VerticalArc arc, double T, double a, double b)
+{
+    for (int i = 0; i < 3 && a < b; i++) {
+        arc.side = sag_side(T, &arc, a);
+        const double end = i < 2 ? arc_regime_end(&arc, T, a, b) : b;
+        T = arc_tension(&arc, T, a, end);
+        a = end;
+    }
+    return T;
+}
+
+hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b,
+                                        double *T2, hawser_error *err)
+{
+    assert(w >= 0 && mu >= 0 && R > 0);
+    if (fmax(fabs(a), fabs(b)) > HALF_PI + PLANE_TOLERANCE) {
+        return error_set(err, HAWSER_ERR_INPUT, "the bend goes past the vertical, from %.4g deg to %.4g deg",
+                         a * 90 / HALF_PI, b * 90 / HALF_PI);
+    }
+    const VerticalArc arc = {.w = w, .mu = mu, .R = R, .k = b > a ? 1 : -1, .side = 1};
+    return give_bend(T1, b > a ? sag_tension(arc, T1, a, b) : arc_tension(&arc, T1, a, b), T2, err);
+}
+
+hawser_status roller_tension(double T1, double mu, double turn, double *T2, hawser_error *err)
+{
+    const double x = mu * tan(turn / 2);
+    if (!(turn >= 0 && turn < 2 * HALF_PI) || x >= 1) {
+        return error_set(err, HAWSER_ERR_INPUT, "a turn of %.4g deg over one roller locks at friction %g",
+                         turn * 90 / HALF_PI, mu);
+    }
+    *T2 = T1 * (1 + x) / (1 - x);
+    return HAWSER_OK;
+}
+
+double roller_load(double T1, double T2, double turn)
+{
+    const double half = sin(turn / 2);
+    return sqrt((T1 - T2) * (T1 - T2) + 4 * T1 * T2 * half * half);
+}
+
+double roller_load_in_bend(double T, double R, double spacing) { return 2 * T * sin(spacing / (2 * R)); }
+
+/* Slopes at both ends of a bend in a vertical plane: the tangent's vertical component, and the side of the
+ * centre, say by how much the slope rises. */
+static hawser_status vertical_piece(const RoutePiece *p, int direction, double T1, double w, double mu,
+                                    double *T2, hawser_error *err)
+{
+    const double start = atan2(p->tangent.z, hypot(p->tangent.x, p->tangent.y));
+    const double end = start + (p->centre.z > 0 ? p->angle : -p->angle);
+    const double a = direction > 0 ? start : -end, b = direction > 0 ? end : -start;
+    return bend_any_vertical_tension(T1, w, mu, p->radius, a, b, T2, err);
+}
+
+hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu,
+                            double *T2, hawser_error *err)
+{
+    if (piece->kind == ROUTE_STRAIGHT) {
+        const double slope = atan2(piece->tangent.z, hypot(piece->tangent.x, piece->tangent.y));
+        *T2 = slope_tension(T1, w, mu, piece->length, direction * slope);
+        return HAWSER_OK;
+    }
+    const double aside = fabs(v3_cross(piece->tangent, piece->centre).z);
+    if (fabs(piece->tangent.z) < PLANE_TOLERANCE && fabs(piece->centre.z) < PLANE_TOLERANCE) {
+        return bend_level_tension(T1, w, mu, piece->radius, piece->angle, T2, err);
+    }
+    if (aside < PLANE_TOLERANCE) return vertical_piece(piece, direction, T1, w, mu, T2, err);
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "the bend is neither level nor in a vertical plane: no closed form");
+}

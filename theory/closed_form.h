@@ -1,0 +1,47 @@
+/* Pulling tensions in closed form: straights, slopes, bends in a level and in a vertical plane, rollers. Each
+ * says where it holds and refuses, with a reason, where it does not. docs/model.md, "Pulling theory",
+ * (T9)-(T17). T1, T2: tension in and out, N; w: weight, N/m; mu: friction; R: radius, m; angles rad. *T2 is
+ * written only on HAWSER_OK; every error is HAWSER_ERR_INPUT. */
+#ifndef HAWSER_THEORY_CLOSED_FORM_H
+#define HAWSER_THEORY_CLOSED_FORM_H
+
+#include "core/route.h"
+
+/* T1 + w L (mu cos + sin), slope up positive; the level straight is slope 0. (T9) Never refuses: T2 < 0 means
+ * that the cable has to be held back. */
+double slope_tension(double T1, double w, double mu, double length, double slope);
+/* T1 exp(mu turn): a bend whose weight does not count. (T10) */
+double capstan_tension(double T1, double mu, double turn);
+/* A level bend: T1 cosh(mu turn) + sinh(mu turn) sqrt(T1^2 + (w R)^2). Refuses T1 < 0. (T11) */
+hawser_status bend_level_tension(double T1, double w, double mu, double R, double turn, double *T2,
+                                 hawser_error *err);
+
+/* Bends in a vertical plane that begin or end level. */
+typedef enum VerticalBend { SAG_LEVEL_UP, CREST_UP_LEVEL, CREST_LEVEL_DOWN, SAG_DOWN_LEVEL } VerticalBend;
+
+/* (T12)-(T15). Refuse: turn > pi/2, T1 < 0 or T2 < 0, and sags in which the cable does not bear on the inner
+ * side throughout, T > w R cos(slope). */
+hawser_status bend_vertical_tension(VerticalBend kind, double T1, double w, double mu, double R, double turn,
+                                    double *T2, hawser_error *err);
+/* (T16): any bend in a vertical plane, from slope a to slope b (rad, within +-pi/2; b > a is a sag),
+ * whichever side the cable bears on; where a sag's normal force changes sign the arc is cut there. Refuses T
+ * < 0 at either end. */
+hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b,
+                                        double *T2, hawser_error *err);
+
+/* One roller over which a weightless cable turns by `turn`: T1 (1 + mu tan(turn/2)) / (1 - mu tan(turn/2));
+ * refuses where it locks, mu tan(turn/2) >= 1. (T17) */
+hawser_status roller_tension(double T1, double mu, double turn, double *T2, hawser_error *err);
+/* Size of the force on a roller between tensions T1 and T2 that turn by `turn`, N. (T18) */
+double roller_load(double T1, double T2, double turn);
+/* The same in a bend of radius R with rollers every `spacing` m and weight left out: 2 T sin(spacing / 2R),
+ * which is T spacing / R for close rollers. (T18) */
+double roller_load_in_bend(double T, double R, double spacing);
+
+/* The closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1). Refuses
+ * what has none: bends that are neither level nor in a vertical plane, and those that the functions above
+ * refuse. */
+hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu,
+                            double *T2, hawser_error *err);
+
+#endif

@@ -1,0 +1,46 @@
+/* Several equal cables in one duct: how they lie, what that does to friction and sidewall pressure, whether
+ * they may jam. docs/model.md, "Pulling theory", (T19)-(T23). */
+#ifndef HAWSER_THEORY_DUCT_H
+#define HAWSER_THEORY_DUCT_H
+
+#include "hawser/hawser.h"
+
+/* How the cables lie. AUTO: one alone, two side by side, three in a triangle below D/d = 2.5 and cradled from
+ * there on, four as a diamond. */
+typedef enum DuctLayout {
+    DUCT_AUTO,
+    DUCT_SINGLE,
+    DUCT_PAIR,
+    DUCT_TRIANGLE,
+    DUCT_CRADLE,
+    DUCT_DIAMOND
+} DuctLayout;
+
+typedef enum JamRisk { JAM_NONE, JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE, JAM_SIGNIFICANT } JamRisk;
+
+typedef struct DuctDef {
+    double duct_diameter;  /* m, inside: D */
+    double cable_diameter; /* m, outside: d */
+    int cables;            /* 1..4, pulled together */
+    DuctLayout layout;
+} DuctDef;
+
+typedef struct DuctLoad {
+    DuctLayout layout;
+    double weight_factor;   /* w_c >= 1: multiplies mu (or the weight's friction); total weight stays n times
+                               one cable's */
+    double sidewall_factor; /* of the worst loaded cable: its pressure is this times T/R, T the tension of all
+                               together */
+    double jam_ratio;       /* 1.05 D/d; bends are 5 % oval */
+    JamRisk jam_risk;       /* three cables; JAM_NONE for other numbers */
+    double clearance;       /* m, from the uppermost cable straight up to the duct */
+    double fill;            /* share of the duct's cross-section */
+} DuctLoad;
+
+/* Errors: INPUT, with the reason: sizes that are not positive, cables that do not fit, a layout that does not
+ * belong to the number of cables or cannot rest in this duct. */
+hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err);
+const char *duct_layout_name(DuctLayout layout);
+const char *jam_risk_name(JamRisk risk);
+
+#endif

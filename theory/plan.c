@@ -1,0 +1,179 @@
+#include "theory/plan.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/error.h"
+#include "theory/closed_form.h"
+
+void plan_defaults(PlanDef *def) { *def = (PlanDef){.reel_length = 15, .rope_length = 5}; }
+
+static int is_length(double x) { return x >= 0 && isfinite(x); }
+
+static hawser_status check_def(const PlanDef *def, hawser_error *err)
+{
+    assert(def->route && def->n_stretches >= 1 && def->n_conveyors >= 0);
+    if (!is_length(def->reel_length) || !is_length(def->rope_length) || !is_length(def->roller_spacing)) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "reel %g m, rope %g m and roller spacing %g m must not be negative",
+                         def->reel_length, def->rope_length, def->roller_spacing);
+    }
+    if (!is_length(def->back_tension)) {
+        return error_set(err, HAWSER_ERR_INPUT, "the back tension of %g N must not be negative",
+                         def->back_tension);
+    }
+    for (int i = 0; i < def->n_conveyors; i++) {
+        const PullStep *c = &def->conveyor[i];
+        if (!is_length(c->force)) {
+            return error_set(err, HAWSER_ERR_INPUT, "conveyor %d pushes with %g N: it must not be negative",
+                             i, c->force);
+        }
+        if (!(c->at >= 0 && c->at <= def->route->length)) {
+            return error_set(err, HAWSER_ERR_INPUT, "conveyor %d at %g m is off the route of %g m", i, c->at,
+                             def->route->length);
+        }
+    }
+    return HAWSER_OK;
+}
+
+/* What pull_solve is given: friction times the duct's weight factor (T20), conveyors as negative steps (T26).
+ */
+typedef struct Inputs {
+    PullStretch *stretch;
+    PullStep *step;
+} Inputs;
+
+static void inputs_clear(Inputs *in)
+{
+    free(in->stretch);
+    free(in->step);
+}
+
+static hawser_status inputs_set(const PlanDef *def, double factor, Inputs *in, hawser_error *err)
+{
+    in->stretch = malloc((size_t)def->n_stretches * sizeof *in->stretch);
+    in->step = malloc((size_t)(def->n_conveyors + 1) * sizeof *in->step);
+    if (!in->stretch || !in->step) return error_memory(err);
+    for (int i = 0; i < def->n_stretches; i++) {
+        in->stretch[i] = def->stretch[i];
+        in->stretch[i].mu *= factor;
+        in->stretch[i].mu_static *= factor;
+    }
+    for (int i = 0; i < def->n_conveyors; i++) {
+        in->step[i] = (PullStep){.at = def->conveyor[i].at, .force = -def->conveyor[i].force};
+    }
+    return HAWSER_OK;
+}
+
+/* Weight per length of what lies where the pull starts: it is what the reel pays out. */
+static double weight_at(const PlanDef *def, double s)
+{
+    int i = 0;
+    while (i + 1 < def->n_stretches && def->stretch[i + 1].from <= s) i++;
+    return def->stretch[i].weight;
+}
+
+/* One span's outcome by the closed form, where the piece is a single span. */
+static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *piece)
+{
+    const RoutePiece *p = &route->piece[span->piece];
+    hawser_error why = {.message = ""};
+    if (fabs(fabs(span->s1 - span->s0) - p->length) > 1e-9 * p->length) {
+        snprintf(piece->reason, sizeof piece->reason, "friction, weight or a conveyor changes on the piece");
+        return;
+    }
+    double T2 = 0;
+    if (piece_tension(p, span->law.direction, span->t0, span->law.weight, span->law.mu, &T2, &why)) {
+        snprintf(piece->reason, sizeof piece->reason, "%.*s", PLAN_REASON_MAX - 1, why.message);
+    } else {
+        piece->closed = T2;
+    }
+}
+
+static void fill_pieces(const PlanDef *def, double sidewall_factor, PlanWay *way)
+{
+    for (int i = 0; i < def->route->n; i++) {
+        PlanPiece *piece = &way->piece[i];
+        *piece = (PlanPiece){.t_in = NAN, .t_out = NAN, .closed = NAN};
+        double normal;
+        pull_piece_extremes(&way->pull, i, &piece->max_tension, &piece->sidewall, &normal);
+        piece->sidewall *= sidewall_factor;
+        piece->roller_load = normal * def->roller_spacing;
+    }
+    for (int i = 0; i < way->pull.n; i++) {
+        const PullSpan *span = &way->pull.span[i];
+        PlanPiece *piece = &way->piece[span->piece];
+        if (isnan(piece->t_in)) {
+            piece->t_in = span->t0;
+            piece_closed(def->route, span, piece);
+        }
+        piece->t_out = span->t1;
+    }
+}
+
+/* The route pulled one way: reel, pull, rope; then again from rest. */
+static hawser_status solve_way(const PlanDef *def, const Inputs *in, const DuctLoad *duct, int backward,
+                               PlanWay *way, hawser_error *err)
+{
+    const double first = backward ? def->route->length : 0, last = backward ? 0 : def->route->length;
+    way->start = weight_at(def, first) * def->reel_length + def->back_tension; /* (T24) */
+    way->rope = weight_at(def, first) * def->rope_length;                      /* (T25) */
+    PullDef pull = {.route = def->route,
+                    .from = first,
+                    .to = last,
+                    .start_tension = way->start,
+                    .n_stretches = def->n_stretches,
+                    .stretch = in->stretch,
+                    .n_steps = def->n_conveyors,
+                    .step = in->step,
+                    .restart = 1};
+    Pull restart;
+    hawser_status status = pull_solve(&pull, &restart, err);
+    if (status) return status;
+    way->restart_force = restart.end_tension + way->rope;
+    pull_clear(&restart);
+    pull.restart = 0;
+    status = pull_solve(&pull, &way->pull, err);
+    if (status) return status;
+    way->force = way->pull.end_tension + way->rope;
+    way->max_tension = way->pull.max_tension;
+    way->max_at = way->pull.max_at;
+    way->min_tension = way->pull.min_tension;
+    way->min_at = way->pull.min_at;
+    way->max_sidewall = way->pull.max_sidewall * duct->sidewall_factor;
+    way->sidewall_at = way->pull.sidewall_at;
+    way->piece = malloc((size_t)def->route->n * sizeof *way->piece);
+    if (!way->piece) return error_memory(err);
+    fill_pieces(def, duct->sidewall_factor, way);
+    return HAWSER_OK;
+}
+
+hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err)
+{
+    *out = (Plan){.duct = {.layout = DUCT_SINGLE, .weight_factor = 1, .sidewall_factor = 1}};
+    Inputs in = {0};
+    hawser_status status = check_def(def, err);
+    if (!status && def->duct) status = duct_load(def->duct, &out->duct, err);
+    if (!status) status = inputs_set(def, out->duct.weight_factor, &in, err);
+    for (int k = 0; k < PLAN_WAYS && !status; k++) {
+        status = solve_way(def, &in, &out->duct, k == PLAN_BACKWARD, &out->way[k], err);
+    }
+    inputs_clear(&in);
+    if (status) {
+        plan_clear(out);
+        return status;
+    }
+    out->n = def->route->n;
+    out->better = out->way[PLAN_BACKWARD].force < out->way[PLAN_FORWARD].force ? PLAN_BACKWARD : PLAN_FORWARD;
+    return HAWSER_OK;
+}
+
+void plan_clear(Plan *plan)
+{
+    for (int k = 0; k < PLAN_WAYS; k++) {
+        pull_clear(&plan->way[k].pull);
+        free(plan->way[k].piece);
+    }
+    *plan = (Plan){0};
+}

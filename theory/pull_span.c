@@ -1,0 +1,178 @@
+#include "theory/pull_span.h"
+
+#include <assert.h>
+#include <stddef.h>
+
+/* Local error that a step may make, of |T| + w |s1 - s0|. */
+static const double STEP_TOLERANCE = 1e-12;
+/* Share of weight (and of T/R) below which a normal force, or its part out of the bend's plane, counts as
+ * zero. */
+static const double ZERO_FORCE = 1e-11;
+
+SpanLine span_line(const Route *route, double s)
+{
+    const RoutePoint at = route_at(route, s);
+    SpanLine line = {.s_ref = s, .tz = at.tangent.z, .nz = hypot(at.tangent.x, at.tangent.y)};
+    if (v3_norm(at.curvature) > 0) {
+        const RoutePiece *p = &route->piece[at.piece];
+        line.s_ref = p->s0;
+        line.curvature = 1 / p->radius;
+        line.tz = p->tangent.z;
+        line.nz = p->centre.z;
+        line.bz = v3_cross(p->tangent, p->centre).z;
+    }
+    return line;
+}
+
+SpanFrame span_frame(const SpanLine *line, double s)
+{
+    const double turn = (s - line->s_ref) * line->curvature, c = cos(turn), n = sin(turn);
+    return (SpanFrame){.tz = c * line->tz + n * line->nz, .nz = c * line->nz - n * line->tz};
+}
+
+/* (T6): the support balances T k n plus the weight's normal part, -w (nz n + bz b). */
+static double normal_force(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double pull = p->law == PULL_REFERENCE ? tension * p->line.curvature : 0;
+    return hypot(pull - p->weight * f.nz, p->weight * p->line.bz);
+}
+
+double span_normal(const SpanLaw *p, double s, double tension)
+{
+    return normal_force(p, span_frame(&p->line, s), tension);
+}
+
+double span_rate(const SpanLaw *p, double s, double tension)
+{
+    const SpanFrame f = span_frame(&p->line, s);
+    return p->mu * normal_force(p, f, tension) + p->direction * p->weight * f.tz;
+}
+
+static void extremes_take(SpanExtremes *e, double s, double tension)
+{
+    if (tension > e->max_tension) {
+        e->max_tension = tension;
+        e->max_at = s;
+    }
+    if (tension < e->min_tension) {
+        e->min_tension = tension;
+        e->min_at = s;
+    }
+}
+
+/* One step of the 5(4) pair of Dormand and Prince (1980) over h along the pull: returns the tension at its
+ * end; k[0] in and k[6] out are the rates at both ends, *error the difference of the two orders. */
+static double dopri_step(const SpanLaw *p, double s, double tension, double h, double k[7], double *error)
+{
+    static const double C[7] = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1, 1};
+    static const double A[7][6] = {
+        {0},
+        {0.2},
+        {3.0 / 40, 9.0 / 40},
+        {44.0 / 45, -56.0 / 15, 32.0 / 9},
+        {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+        {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+        {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
+    };
+    static const double E[7] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+                                -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+    double end = tension;
+    for (int i = 1; i < 7; i++) {
+        double sum = 0;
+        for (int j = 0; j < i; j++) sum += A[i][j] * k[j];
+        end = tension + h * sum;
+        k[i] = span_rate(p, s + p->direction * C[i] * h, end);
+    }
+    *error = 0;
+    for (int i = 0; i < 7; i++) *error += h * E[i] * k[i];
+    return end;
+}
+
+/* The normal force toward the centre where it can pass through zero, which is a corner of the law: bends in a
+ * vertical plane under the reference law. 0 elsewhere, and within rounding of the corner. */
+static double signed_normal(const SpanLaw *p, double s, double tension)
+{
+    if (p->law != PULL_REFERENCE || p->line.curvature <= 0 || fabs(p->line.bz) > ZERO_FORCE) return 0;
+    const double pull = tension * p->line.curvature, g = pull - p->weight * span_frame(&p->line, s).nz;
+    return fabs(g) > ZERO_FORCE * (fabs(pull) + p->weight) ? g : 0;
+}
+
+/* The step, at most h, after which the normal force comes to zero, by bisection; h itself if it keeps its
+ * sign. */
+static double step_to_corner(const SpanLaw *p, double s, double tension, double h, const double k[7])
+{
+    const double before = signed_normal(p, s, tension);
+    if (before == 0) return h;
+    double trial[7] = {k[0]}, error, low = 0, high = h;
+    if (before * signed_normal(p, s + p->direction * h, dopri_step(p, s, tension, h, trial, &error)) >= 0)
+        return h;
+    for (int i = 0; i < 60; i++) {
+        const double x = low + (high - low) / 2;
+        const double g = signed_normal(p, s + p->direction * x, dopri_step(p, s, tension, x, trial, &error));
+        if (g == 0) return x;
+        if (before * g > 0) {
+            low = x;
+        } else {
+            high = x;
+        }
+    }
+    return high;
+}
+
+/* The extreme inside a step of h whose rates at its ends, k[0] and k[6], differ in sign: where the rate is
+ * zero. */
+static void extremes_take_inside(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h,
+                                 const double k[7])
+{
+    if (k[0] * k[6] >= 0) return;
+    double trial[7] = {k[0]}, error, low = 0, high = h, end = tension;
+    for (int i = 0; i < 50; i++) {
+        const double x = low + (high - low) / 2;
+        end = dopri_step(p, s, tension, x, trial, &error);
+        if (k[0] * trial[6] > 0) {
+            low = x;
+        } else {
+            high = x;
+        }
+    }
+    extremes_take(e, s + p->direction * high, end);
+}
+
+/* One accepted step of h from (s, tension) to (s_end, end). */
+static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h,
+                               double s_end, double end, const double k[7])
+{
+    extremes_take(e, s, tension);
+    extremes_take_inside(e, p, s, tension, h, k);
+    extremes_take(e, s_end, end);
+    e->max_normal = fmax(e->max_normal, fmax(span_normal(p, s, tension), span_normal(p, s_end, end)));
+}
+
+/* Step by step with error control, ending a step where the normal force changes sign. Steps below 1e-13 of
+ * the span are taken as they are, so that an overflow to infinity ends too. */
+double span_integrate(const SpanLaw *p, double s0, double tension, double s1, SpanExtremes *extremes)
+{
+    const double length = p->direction * (s1 - s0), scale = p->weight * length;
+    assert(length >= 0);
+    double k[7] = {span_rate(p, s0, tension)}, x = 0, h = length, error;
+    while (x < length) {
+        const double s = s0 + p->direction * x;
+        if (h > length - x) h = length - x;
+        h = step_to_corner(p, s, tension, h, k);
+        const double end = dopri_step(p, s, tension, h, k, &error);
+        const double allowed = STEP_TOLERANCE * (fabs(tension) + scale);
+        const double grow = fabs(error) > 0 ? fmin(5, fmax(0.2, 0.9 * pow(allowed / fabs(error), 0.2))) : 5;
+        const int last = h >= length - x;
+        if (fabs(error) > allowed && h > 1e-13 * length) {
+            h *= grow;
+            continue;
+        }
+        const double s_end = last ? s1 : s + p->direction * h;
+        if (extremes) extremes_take_step(extremes, p, s, tension, h, s_end, end, k);
+        x = last ? length : x + h;
+        tension = end;
+        k[0] = k[6];
+        h *= grow;
+    }
+    return tension;
+}

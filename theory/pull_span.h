@@ -1,0 +1,53 @@
+/* One span of a pull: a stretch of route with one curvature, one weight and one friction, and the integration
+ * of the tension along it. docs/model.md, "Pulling theory", (T5)-(T8). Used by pulling.c; callers want
+ * theory/pulling.h. */
+#ifndef HAWSER_THEORY_PULL_SPAN_H
+#define HAWSER_THEORY_PULL_SPAN_H
+
+#include "core/route.h"
+
+/* Which law of friction: the reference, or the paper's, whose normal force is the weight's alone. */
+typedef enum PullLaw { PULL_REFERENCE, PULL_NO_CAPSTAN } PullLaw;
+
+/* What the law needs of the line: the vertical components of its frame turn with s as on a circle. */
+typedef struct SpanLine {
+    double s_ref;      /* m, where the frame below holds */
+    double curvature;  /* 1/m; 0: straight */
+    double tz, nz, bz; /* vertical components of tangent, unit vector toward the centre, and their cross
+                        * product; straights: nz belongs to the normal in the vertical plane, bz is 0 */
+} SpanLine;
+
+/* Vertical components of the frame at s: tangent and centre direction (the third one stays). */
+typedef struct SpanFrame {
+    double tz, nz;
+} SpanFrame;
+
+/* Extremes met on the way, N and m along the route. max_normal is the largest of those at the integrator's
+ * steps. */
+typedef struct SpanExtremes {
+    double max_tension, max_at;
+    double min_tension, min_at;
+    double max_normal; /* N/m */
+} SpanExtremes;
+
+typedef struct SpanLaw {
+    PullLaw law;
+    int direction; /* +1: pulled toward growing s; -1: the other way */
+    double weight; /* N/m */
+    double mu;
+    SpanLine line;
+} SpanLaw;
+
+/* The line of the route around s (m): of the piece there, or straight beyond the ends. */
+SpanLine span_line(const Route *route, double s);
+SpanFrame span_frame(const SpanLine *line, double s);
+/* Force between cable and support per length, N/m, at tension T (N): (T6), or (T8) without capstan effect. */
+double span_normal(const SpanLaw *p, double s, double tension);
+/* dT/ds along the pull's direction, N/m: (T5). */
+double span_rate(const SpanLaw *p, double s, double tension);
+/* Integrates (T5) from s0 to s1 (m; direction * (s1 - s0) >= 0) and returns the tension there, N. Local error
+ * below 1e-11 of tension plus weight. extremes (may be NULL) is widened by what is met, both ends included.
+ */
+double span_integrate(const SpanLaw *p, double s0, double tension, double s1, SpanExtremes *extremes);
+
+#endif

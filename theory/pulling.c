@@ -1,0 +1,212 @@
+#include "theory/pulling.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+#include "core/error.h"
+
+/* Everything a user can get wrong in one pull, each with its reason. */
+static hawser_status check_def(const PullDef *def, hawser_error *err)
+{
+    assert(def->route && def->route->n >= 1 && def->n_stretches >= 1 && def->n_steps >= 0);
+    if (!isfinite(def->from) || !isfinite(def->to) || def->from == def->to) {
+        return error_set(err, HAWSER_ERR_INPUT, "a pull from %g m to %g m has no length", def->from, def->to);
+    }
+    if (!isfinite(def->start_tension)) {
+        return error_set(err, HAWSER_ERR_INPUT, "the tension at the start of the pull is not a number");
+    }
+    for (int i = 0; i < def->n_stretches; i++) {
+        const PullStretch *a = &def->stretch[i];
+        if (!(a->weight >= 0 && isfinite(a->weight)) || !(a->mu >= 0 && isfinite(a->mu)) ||
+            !isfinite(a->mu_static)) {
+            return error_set(err, HAWSER_ERR_INPUT, "stretch %d: weight %g N/m and friction %g must be >= 0",
+                             i, a->weight, a->mu);
+        }
+        if (i > 0 && !(a->from > def->stretch[i - 1].from)) {
+            return error_set(err, HAWSER_ERR_INPUT, "stretch %d begins at %g m, not beyond the one before it",
+                             i, a->from);
+        }
+    }
+    for (int i = 0; i < def->n_steps; i++) {
+        if (!isfinite(def->step[i].at) || !isfinite(def->step[i].force)) {
+            return error_set(err, HAWSER_ERR_INPUT, "tension step %d is not a number", i);
+        }
+    }
+    return HAWSER_OK;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Corners of the data strictly inside the pull, and its ends: cut[0] < ... < cut[n-1]; returns n. cut must
+ * hold n_pieces + 1 + n_stretches + n_steps + 2. */
+static int collect_cuts(const PullDef *def, double *cut)
+{
+    const double low = fmin(def->from, def->to), high = fmax(def->from, def->to);
+    int n = 0;
+    cut[n++] = low;
+    cut[n++] = high;
+    for (int i = 0; i < def->route->n; i++) cut[n++] = def->route->piece[i].s0;
+    cut[n++] = def->route->length;
+    for (int i = 0; i < def->n_stretches; i++) cut[n++] = def->stretch[i].from;
+    for (int i = 0; i < def->n_steps; i++) cut[n++] = def->step[i].at;
+    qsort(cut, (size_t)n, sizeof *cut, compare_doubles);
+    int kept = 0;
+    for (int i = 0; i < n; i++) {
+        const int inside = cut[i] >= low && cut[i] <= high;
+        if (inside && (kept == 0 || cut[i] > cut[kept - 1])) cut[kept++] = cut[i];
+    }
+    return kept;
+}
+
+/* The law that holds between two neighbouring cuts. */
+static SpanLaw law_between(const PullDef *def, double low, double high)
+{
+    const double middle = low + (high - low) / 2;
+    int i = 0;
+    while (i + 1 < def->n_stretches && def->stretch[i + 1].from <= middle) i++;
+    const PullStretch *a = &def->stretch[i];
+    return (SpanLaw){.law = def->law,
+                     .direction = def->to > def->from ? 1 : -1,
+                     .weight = a->weight,
+                     .mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu,
+                     .line = span_line(def->route, middle)};
+}
+
+static double steps_at(const PullDef *def, double s)
+{
+    double sum = 0;
+    for (int i = 0; i < def->n_steps; i++) sum += def->step[i].at == s ? def->step[i].force : 0;
+    return sum;
+}
+
+static void take_tension(Pull *pull, double s, double tension)
+{
+    if (tension > pull->max_tension) {
+        pull->max_tension = tension;
+        pull->max_at = s;
+    }
+    if (tension < pull->min_tension) {
+        pull->min_tension = tension;
+        pull->min_at = s;
+    }
+}
+
+/* Takes one finished span into the pull's extremes. */
+static void take_span(Pull *pull, const PullSpan *span)
+{
+    const SpanExtremes *e = &span->extremes;
+    take_tension(pull, e->max_at, e->max_tension);
+    take_tension(pull, e->min_at, e->min_tension);
+    const double sidewall = e->max_tension * span->law.line.curvature;
+    if (sidewall > pull->max_sidewall) {
+        pull->max_sidewall = sidewall;
+        pull->sidewall_at = e->max_at;
+    }
+}
+
+/* Integrates from cut to cut, in the pull's order, adding the steps between. */
+static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
+{
+    const int forward = def->to > def->from;
+    double tension = def->start_tension;
+    take_tension(pull, def->from, tension);
+    for (int i = 0; i < n - 1; i++) {
+        const double low = cut[forward ? i : n - 2 - i], high = cut[forward ? i + 1 : n - 1 - i];
+        PullSpan *span = &pull->span[i];
+        *span = (PullSpan){.s0 = forward ? low : high, .s1 = forward ? high : low};
+        span->piece = route_at(def->route, low + (high - low) / 2).piece;
+        span->law = law_between(def, low, high);
+        span->t0 = tension + steps_at(def, span->s0);
+        span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY};
+        tension = span->t1 = span_integrate(&span->law, span->s0, span->t0, span->s1, &span->extremes);
+        take_span(pull, span);
+    }
+    pull->end_tension = tension + steps_at(def, def->to);
+    take_tension(pull, def->to, pull->end_tension);
+}
+
+hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err)
+{
+    *out = (Pull){.start_tension = def->start_tension, .max_tension = -INFINITY, .min_tension = INFINITY};
+    hawser_status status = check_def(def, err);
+    if (status) return status;
+    double *cut = malloc((size_t)(def->route->n + def->n_stretches + def->n_steps + 3) * sizeof *cut);
+    if (!cut) return error_memory(err);
+    const int n = collect_cuts(def, cut);
+    out->n = n - 1;
+    out->span = malloc((size_t)out->n * sizeof *out->span);
+    if (out->span) {
+        run_spans(def, n, cut, out);
+        if (!isfinite(out->end_tension)) {
+            status = error_set(err, HAWSER_ERR_INPUT,
+                               "the tension grows past all bounds: too much friction and turn");
+        }
+    } else {
+        status = error_memory(err);
+    }
+    free(cut);
+    if (status) pull_clear(out);
+    return status;
+}
+
+void pull_clear(Pull *pull)
+{
+    free(pull->span);
+    *pull = (Pull){0};
+}
+
+/* The span that holds s: the first one, in the pull's order, whose end is not before s. */
+static const PullSpan *find_span(const Pull *pull, double s)
+{
+    int low = 0, high = pull->n - 1;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        const PullSpan *span = &pull->span[middle];
+        if (span->law.direction * (span->s1 - s) >= 0) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return &pull->span[low];
+}
+
+/* The tension at s from the start of its span; the ends are what pull_solve found. */
+static double span_tension(const Pull *pull, const PullSpan *span, double s)
+{
+    if (s == pull->span[0].s0) return pull->start_tension;
+    return s == span->s1 ? span->t1 : span_integrate(&span->law, span->s0, span->t0, s, NULL);
+}
+
+PullPoint pull_at(const Pull *pull, double s)
+{
+    assert(pull->n > 0);
+    const double first = pull->span[0].s0, last = pull->span[pull->n - 1].s1;
+    const double at = fmin(fmax(s, fmin(first, last)), fmax(first, last));
+    const PullSpan *span = find_span(pull, at);
+    PullPoint point = {.tension = span_tension(pull, span, at), .piece = span->piece};
+    const SpanFrame frame = span_frame(&span->law.line, at);
+    point.normal = span_normal(&span->law, at, point.tension);
+    point.sidewall = point.tension * span->law.line.curvature;
+    point.slope = asin(fmax(-1, fmin(1, frame.tz)));
+    return point;
+}
+
+void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *normal)
+{
+    double largest[3] = {0, 0, 0};
+    for (int i = 0; i < pull->n; i++) {
+        const PullSpan *span = &pull->span[i];
+        if (span->piece != piece) continue;
+        largest[0] = fmax(largest[0], span->extremes.max_tension);
+        largest[1] = fmax(largest[1], span->extremes.max_tension * span->law.line.curvature);
+        largest[2] = fmax(largest[2], span->extremes.max_normal);
+    }
+    if (tension) *tension = largest[0];
+    if (sidewall) *sidewall = largest[1];
+    if (normal) *normal = largest[2];
+}

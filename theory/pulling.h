@@ -1,0 +1,82 @@
+/* The tension along a route while a cable is pulled over it: the pulling theory. docs/model.md, "Pulling
+ * theory".
+ *
+ *     dT/ds = mu N + w sin(phi),  N = |T kappa + w_n| (T5), (T6)
+ *
+ * integrated with error control from one end of the pull to the other, in three dimensions, for any route;
+ * corners of the data (piece ends, changes of weight or friction, conveyors) are met exactly. */
+#ifndef HAWSER_THEORY_PULLING_H
+#define HAWSER_THEORY_PULLING_H
+
+#include "theory/pull_span.h"
+
+/* What lies on the route from `from` (m along the route) up to the next stretch; the first one counts from
+ * far behind, so a single stretch is the whole route. A cable with rope ahead of it is two stretches. */
+typedef struct PullStretch {
+    double from;      /* m */
+    double weight;    /* N/m: mass per length times g, of all cables together */
+    double mu;        /* friction coefficient, weight correction of a duct included; 0: none */
+    double mu_static; /* at a restart; counts as mu if it is smaller */
+} PullStretch;
+
+/* A force that acts at one point against the pull: the tension rises by it. Conveyors push: negative. */
+typedef struct PullStep {
+    double at;    /* m along the route */
+    double force; /* N */
+} PullStep;
+
+typedef struct PullDef {
+    const Route *route;
+    PullLaw law;
+    double from,
+        to; /* m along the route; to < from: pulled toward smaller s. Beyond the route it is straight. */
+    double start_tension; /* N at `from` */
+    int restart;          /* friction is static: the pull starts from rest */
+    int n_stretches;      /* >= 1, by rising `from` */
+    const PullStretch *stretch;
+    int n_steps; /* in any order; those outside the pull are ignored, those at its ends count */
+    const PullStep *step;
+} PullDef;
+
+/* One span: no corner inside. Listed in the order of the pull. */
+typedef struct PullSpan {
+    double s0, s1; /* m, s0 where the pull enters */
+    int piece;     /* of the route */
+    SpanLaw law;
+    double t0, t1;         /* N, tension just after s0 and just before s1 (steps lie between spans) */
+    SpanExtremes extremes; /* on [s0, s1] */
+} PullSpan;
+
+/* The tension along one pull. It borrows nothing. */
+typedef struct Pull {
+    int n;
+    PullSpan *span;       /* [n] */
+    double start_tension; /* N at `from`, before any step there */
+    double end_tension;   /* N at `to`, after any step there: the pull's force */
+    double max_tension, max_at;
+    double min_tension, min_at;       /* below 0: the cable would have to be pushed, or goes slack */
+    double max_sidewall, sidewall_at; /* N/m, T/R in bends, and where (m) */
+} Pull;
+
+/* What the theory says at one point. */
+typedef struct PullPoint {
+    double tension;  /* N */
+    double normal;   /* N/m, force between cable and support, weight included: a roller's load per spacing */
+    double sidewall; /* N/m, T/R; 0 on straights */
+    double slope;    /* rad, of the route, up toward growing s positive */
+    int piece;
+} PullPoint;
+
+/* Solves the pull. Errors: INPUT (not finite, negative weight or friction, no length, stretches out of order,
+ * tension grows past all bounds), MEMORY; then nothing is left allocated. */
+hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err);
+void pull_clear(Pull *pull);
+
+/* The pull at s (m along the route; taken at the nearer end outside the pull). At a step, the tension before
+ * it; at a corner of the route, the span that the pull has just passed. */
+PullPoint pull_at(const Pull *pull, double s);
+/* The largest tension, sidewall pressure (N/m) and normal force (N/m) on a piece of the route; 0 where the
+ * pull has no span on it. Any of the three may be NULL. */
+void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *normal);
+
+#endif
