@@ -13,7 +13,7 @@ void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin)
     kernels()->kinematics(n, y, from, to, kin);
 }
 
-void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads,
+void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
                 const double *y, int from, int to, double *ydot)
 {
     kernels()->rates(chain, kin, joints, loads, y, from, to, ydot);

@@ -10,13 +10,13 @@
 #include "core/vec3.h"
 
 /* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. from is a multiple
- * of LANES. Ghosts and padding are left alone. */
+ * of LANES. Entries up to the next multiple of LANES after `to` are overwritten: set the head ghost afterwards. */
 void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin);
 
 /* Rates of y for segments from..to-1 (S1)-(S3): v, half w q, (sum of forces)/m, and Euler's equation, from the joints'
- * loads, and the other loads on the segments. y is needed for its quaternions as they are (not normalised).
+ * loads, and the two sets of other loads on the segments. y is needed for its quaternions as they are (not normalised).
  * from is a multiple of LANES. */
-void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads,
+void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
                 const double *y, int from, int to, double *ydot);
 
 /* Adds to the rotation parts of k and d what the turning of the inertia and the gyroscopic moment contribute to

@@ -7,7 +7,7 @@
 
 typedef struct BodyKernels {
     void (*kinematics)(int n, const double *y, int from, int to, Kinematics *kin);
-    void (*rates)(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads,
+    void (*rates)(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
                   const double *y, int from, int to, double *ydot);
 } BodyKernels;
 

@@ -48,7 +48,7 @@ static void kernel_kinematics(int n, const double *y, int from, int to, Kinemati
 }
 
 /* Rates of LANES segments from i; q: their quaternions as the state has them. dst as src above. */
-LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads, int i,
+LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2], int i,
                           Lane qw, Lane3 qu, double *const dst[STATE_SIZE])
 {
     const Lane3 v = l3_load(kin->v, i), w = l3_load(kin->w, i);
@@ -58,19 +58,20 @@ LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const Joint
     l3_store(dst + STATE_Q + 1, 0, l3_scale(half, l3_add(l3_scale(qw, w), l3_cross(w, qu))));
 
     const Lane3 from_joints = l3_sub(l3_load(joints->force, i + 1), l3_load(joints->force, i));
-    const Lane3 force = l3_add(from_joints, l3_load(loads->f, i));
+    const Lane3 applied = l3_add(l3_load(loads[0].f, i), l3_load(loads[1].f, i));
+    const Lane3 force = l3_add(from_joints, applied);
     l3_store(dst + STATE_V, 0, l3_scale(1 / lane_load(chain->mass + i), force));
 
     const Lane3 turning = l3_add(l3_load(joints->torque_a, i + 1), l3_load(joints->torque_b, i));
     const LaneFrame frame = frame_of_quaternion(lane_load(kin->q[0] + i), l3_load(kin->q + 1, i));
     const Lane3 inertia = l3_load(chain->inertia, i);
     const Lane3 wb = frame_in(&frame, w);
-    const Lane3 moment = l3_sub(frame_in(&frame, l3_add(turning, l3_load(loads->m, i))), l3_cross(wb, l3_times(inertia, wb)));
+    const Lane3 moment = l3_sub(frame_in(&frame, l3_add(turning, l3_add(l3_load(loads[0].m, i), l3_load(loads[1].m, i)))), l3_cross(wb, l3_times(inertia, wb)));
     const Lane3 spin = {moment.x / inertia.x, moment.y / inertia.y, moment.z / inertia.z};
     l3_store(dst + STATE_W, 0, frame_out(&frame, spin));
 }
 
-static void kernel_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads *loads,
+static void kernel_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
                          const double *y, int from, int to, double *ydot)
 {
     const int n = chain->n;

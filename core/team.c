@@ -8,24 +8,30 @@
 #include <stdlib.h>
 
 /* How often a waiting thread looks before it sleeps: some tens of microseconds, longer than the gaps in a step. */
-enum { SPINS = 2000, CACHE_LINE = 64 };
+enum { SPINS = 1000, CACHE_LINE = 64 };
+/* After so many jobs in a row for which the helper came too late (its core is busy with something else), the caller works
+ * alone for a while, and does not pay for waking the helper. */
+enum { MISSES = 4, REST = 64 };
 
-/* What one member says and the other hears: a count of events. The members meet at every event (a job's start and end, a
- * barrier), so a count is all that is needed. */
-typedef struct Member {
-    _Alignas(CACHE_LINE) atomic_ulong said;
-    atomic_int other_sleeps; /* until `said` grows */
+/* A count that one thread raises and the other awaits. */
+typedef struct Signal {
+    _Alignas(CACHE_LINE) atomic_ulong count;
+    atomic_int awaited; /* the other thread sleeps until `count` grows */
     pthread_mutex_t lock;
     pthread_cond_t woken;
-    _Alignas(CACHE_LINE) unsigned long heard; /* events of the other member, own use */
-} Member;
+} Signal;
 
 struct Team {
     int size;
-    TeamJob job; /* NULL: the helper is to end */
-    void *arg;
     pthread_t helper;
-    Member member[2];
+    int missed, rest; /* the caller's: jobs in a row that the helper missed; jobs still to do alone */
+    atomic_int core;   /* where the caller runs */
+    atomic_int ending; /* the helper is to end */
+    TeamJob job; /* of the job that `given` counts */
+    void *arg;
+    Signal given; /* jobs so far */
+    Signal done;  /* the last job whose second share the helper has finished */
+    _Alignas(CACHE_LINE) atomic_ulong taken; /* the last job whose second share has a taker */
 };
 
 static inline void cpu_relax(void)
@@ -35,39 +41,65 @@ static inline void cpu_relax(void)
 #endif
 }
 
-static void member_say(Member *self)
+static void signal_init(Signal *s)
 {
-    atomic_fetch_add(&self->said, 1);
-    if (!atomic_load(&self->other_sleeps)) return;
-    pthread_mutex_lock(&self->lock);
-    pthread_cond_signal(&self->woken);
-    pthread_mutex_unlock(&self->lock);
+    atomic_init(&s->count, 0);
+    atomic_init(&s->awaited, 0);
+    pthread_mutex_init(&s->lock, NULL);
+    pthread_cond_init(&s->woken, NULL);
 }
 
-/* Waits for the other member's next event. Either this thread sees `said` after it announced its sleep, or the other
- * sees the announcement after it spoke (both are sequentially consistent): no wake-up is lost. */
-static void member_hear(Member *self, Member *other)
+static void signal_drop(Signal *s)
 {
-    const unsigned long next = ++self->heard;
-    for (int k = 0; k < SPINS; ++k) {
-        if (atomic_load_explicit(&other->said, memory_order_acquire) >= next) return;
+    pthread_mutex_destroy(&s->lock);
+    pthread_cond_destroy(&s->woken);
+}
+
+static void signal_raise(Signal *s, unsigned long to)
+{
+    atomic_store(&s->count, to);
+    if (!atomic_load(&s->awaited)) return;
+    pthread_mutex_lock(&s->lock);
+    pthread_cond_signal(&s->woken);
+    pthread_mutex_unlock(&s->lock);
+}
+
+/* Waits until the count is at least `goal`. Either this thread sees the count after it said that it sleeps, or the other
+ * sees that after it raised the count (both are sequentially consistent): no wake-up is lost. */
+static unsigned long signal_await(Signal *s, unsigned long goal, int spins)
+{
+    for (int k = 0; k < spins; ++k) {
+        const unsigned long count = atomic_load_explicit(&s->count, memory_order_acquire);
+        if (count >= goal) return count;
         cpu_relax();
     }
-    pthread_mutex_lock(&other->lock);
-    atomic_store(&other->other_sleeps, 1);
-    while (atomic_load(&other->said) < next) pthread_cond_wait(&other->woken, &other->lock);
-    atomic_store(&other->other_sleeps, 0);
-    pthread_mutex_unlock(&other->lock);
+    pthread_mutex_lock(&s->lock);
+    atomic_store(&s->awaited, 1);
+    while (atomic_load(&s->count) < goal) pthread_cond_wait(&s->woken, &s->lock);
+    atomic_store(&s->awaited, 0);
+    pthread_mutex_unlock(&s->lock);
+    return atomic_load(&s->count);
 }
+
+/* Takes the second share of job number `job`, if it is the latest and nobody has it. */
+static int share_take(Team *t, unsigned long job)
+{
+    unsigned long before = job - 1;
+    return atomic_compare_exchange_strong(&t->taken, &before, job);
+}
+
+/* On a busy machine the helper may be woken on the caller's own core, and only keep the caller from working. */
+static int in_the_way(Team *t) { return sched_getcpu() == atomic_load_explicit(&t->core, memory_order_relaxed); }
 
 static void *helper_main(void *team)
 {
     Team *const t = team;
-    for (;;) {
-        member_hear(&t->member[1], &t->member[0]);
-        if (!t->job) return NULL;
+    for (unsigned long job = 0;;) {
+        job = signal_await(&t->given, job + 1, in_the_way(t) ? 0 : SPINS);
+        if (atomic_load(&t->ending)) return NULL;
+        if (in_the_way(t) || !share_take(t, job)) continue; /* the caller does it, or did */
         t->job(t->arg, 1);
-        member_say(&t->member[1]);
+        signal_raise(&t->done, job);
     }
 }
 
@@ -79,22 +111,10 @@ static int cores_available(void)
     return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
 }
 
-static void members_init(Team *t)
-{
-    for (int rank = 0; rank < 2; ++rank) {
-        atomic_init(&t->member[rank].said, 0);
-        atomic_init(&t->member[rank].other_sleeps, 0);
-        pthread_mutex_init(&t->member[rank].lock, NULL);
-        pthread_cond_init(&t->member[rank].woken, NULL);
-    }
-}
-
 static Team *team_drop(Team *t)
 {
-    for (int rank = 0; rank < 2; ++rank) {
-        pthread_mutex_destroy(&t->member[rank].lock);
-        pthread_cond_destroy(&t->member[rank].woken);
-    }
+    signal_drop(&t->given);
+    signal_drop(&t->done);
     free(t);
     return NULL;
 }
@@ -105,7 +125,11 @@ Team *team_new(int threads)
     Team *const t = aligned_alloc(CACHE_LINE, sizeof *t);
     if (!t) return NULL;
     *t = (Team){.size = threads == 2 && cores_available() > 1 ? 2 : 1};
-    members_init(t);
+    signal_init(&t->given);
+    signal_init(&t->done);
+    atomic_init(&t->taken, 0);
+    atomic_init(&t->core, -1);
+    atomic_init(&t->ending, 0);
     if (t->size == 2 && pthread_create(&t->helper, NULL, helper_main, t)) return team_drop(t);
     return t;
 }
@@ -114,8 +138,8 @@ Team *team_free(Team *t)
 {
     if (!t) return NULL;
     if (t->size == 2) {
-        t->job = NULL;
-        member_say(&t->member[0]);
+        atomic_store(&t->ending, 1);
+        signal_raise(&t->given, atomic_load(&t->given.count) + 1);
         pthread_join(t->helper, NULL);
     }
     return team_drop(t);
@@ -123,23 +147,33 @@ Team *team_free(Team *t)
 
 int team_size(const Team *t) { return t ? t->size : 1; }
 
+int team_ready(Team *t)
+{
+    if (team_size(t) == 1) return 0;
+    if (t->rest > 0) --t->rest;
+    return t->rest == 0;
+}
+
 void team_run(Team *t, TeamJob job, void *arg)
 {
     assert(job);
-    if (team_size(t) == 1) {
+    if (!team_ready(t)) {
         job(arg, 0);
+        job(arg, 1);
         return;
     }
+    const unsigned long number = atomic_load(&t->given.count) + 1;
     t->job = job;
     t->arg = arg;
-    member_say(&t->member[0]);
+    atomic_store_explicit(&t->core, sched_getcpu(), memory_order_relaxed);
+    signal_raise(&t->given, number);
     job(arg, 0);
-    member_hear(&t->member[0], &t->member[1]);
-}
-
-void team_barrier(Team *t, int rank)
-{
-    if (team_size(t) == 1) return;
-    member_say(&t->member[rank]);
-    member_hear(&t->member[rank], &t->member[1 - rank]);
+    if (share_take(t, number)) {
+        job(arg, 1);
+        t->missed = (t->missed + 1) % MISSES;
+        if (!t->missed) t->rest = REST;
+    } else {
+        signal_await(&t->done, number, SPINS);
+        t->missed = 0;
+    }
 }

@@ -5,18 +5,20 @@
 
 typedef struct Team Team;
 
-/* Called with rank 0 on the caller's thread and with rank 1 on the other one. */
+/* A share of a job: rank 0 or 1. The shares must not wait for each other: where the second thread does not come in time
+ * (a busy machine), the caller does both, one after the other. */
 typedef void (*TeamJob)(void *arg, int rank);
 
-/* A team of `threads` (1 or 2); of one where the process may use a single core, so that it never waits for its own core.
- * NULL if there is no memory or no thread to be had. */
+/* A team of `threads` (1 or 2); of one where the process may use a single core. NULL if there is no memory or no thread
+ * to be had. */
 Team *team_new(int threads);
 Team *team_free(Team *t);
 /* 1 or 2; NULL is a team of one. */
 int team_size(const Team *t);
-/* Runs job(arg, rank) on every member and returns when all are done: what they wrote is visible. Not re-entrant. */
+/* 1 if a second thread is there and has come in time lately. Otherwise a caller that knows a better way than both shares
+ * in a row may take it instead of team_run; it is to ask before every job. */
+int team_ready(Team *t);
+/* Runs both shares of a job and returns when they are done: what they wrote is visible. Not re-entrant. */
 void team_run(Team *t, TeamJob job, void *arg);
-/* Inside a job: no member passes before all have come; what they wrote before is visible after. */
-void team_barrier(Team *t, int rank);
 
 #endif

@@ -57,6 +57,14 @@ hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
     return status;
 }
 
+hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err)
+{
+    if (status != HAWSER_ERR_INPUT || !err) return status;
+    const hawser_error found = *err;
+    /* room is left for the prefix: a message that long loses its end */
+    return error_set(err, status, "%.200s: %.800s", c->name, found.message);
+}
+
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err) { return case_ensure_read(c, err); }
 
 void hawser_case_free(hawser_case *c)

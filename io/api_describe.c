@@ -133,7 +133,7 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     Description d = {.def = def};
     Sim *sim = NULL;
     hawser_status status = sim_new(def, 0, &sim, err);
-    if (status) return status;
+    if (status) return case_name_error(c, status, err);
     sim_summary(sim, &d.summary);
     status = route_build(&d.route, def->n_route, def->route, def->route_start, def->route_heading,
                          def->route_slope, err);

@@ -62,11 +62,16 @@ static void print_table(FILE *f, const Table *t)
 static void print_facts(FILE *f, const Document *doc)
 {
     char text[CELL_MAX];
+    int width = 0;
+    for (int i = 0; i < doc->n_facts; i++) {
+        const int w = (int)strlen(doc->fact[i].label);
+        if (w > width) width = w;
+    }
     fprintf(f, "%s\n", doc->title);
     for (int i = 0; i < doc->n_facts; i++) {
         const Fact *fact = &doc->fact[i];
         const char *space = fact->unit[0] ? " " : "";
-        fprintf(f, "  %-28s %s%s%s\n", fact->label, say_cell(fact->cell, -1, text), space, fact->unit);
+        fprintf(f, "  %-*s  %s%s%s\n", width, fact->label, say_cell(fact->cell, -1, text), space, fact->unit);
     }
 }
 

@@ -27,5 +27,8 @@ struct hawser_sim {
 
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
+/* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
+ * message. Returns status. */
+hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
 
 #endif

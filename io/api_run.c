@@ -22,8 +22,8 @@ typedef struct Run {
     void *user;
     double started, last_progress; /* clock_now() */
     Beat row, state;
-    double last_row;           /* simulated time, s */
-    const hawser_sample *look; /* the simulation's, brought up to date by sim_sample and sim_record */
+    double last_row, last_state; /* simulated time, s */
+    const hawser_sample *look;   /* the simulation's, brought up to date by sim_sample and sim_record */
 } Run;
 
 static double beat_next(const Beat *b) { return b->interval > 0 ? b->interval * (double)b->count : INFINITY; }
@@ -32,7 +32,7 @@ static double beat_next(const Beat *b) { return b->interval > 0 ? b->interval * 
 static int beat_due(Beat *b, double t)
 {
     const double next = beat_next(b);
-    if (t < next - 1e-9 * fmax(1, next)) return 0;
+    if (!(b->interval > 0) || t < next - 1e-9 * fmax(1, next)) return 0;
     b->count++;
     return 1;
 }

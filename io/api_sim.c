@@ -12,7 +12,7 @@ static hawser_status fill_handle(hawser_sim *s, const hawser_case *c, int thread
     s->wants_relaxation = c->def.solver.relax;
     if (!s->case_name || !s->title) return error_memory(err);
     const hawser_status status = sim_new(&c->def, threads, &s->sim, err);
-    if (status) return status;
+    if (status) return case_name_error(c, status, err);
     const SimRoller *table;
     s->roller = calloc((size_t)sim_rollers(s->sim, &table) + 1, sizeof *s->roller);
     return s->roller ? HAWSER_OK : error_memory(err);

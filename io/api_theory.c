@@ -21,6 +21,7 @@ typedef struct Place {
 
 typedef struct Theory {
     Scene scene;
+    int built; /* the scene is */
     Expected expected;
     Pull pull;             /* the reference theory's */
     int n;                 /* places */
@@ -164,21 +165,35 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     return document_write(&doc, format, text, err);
 }
 
-hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
+/* Everything from a definition that was read; the theory's memory is the caller's to free. */
+static hawser_status build_and_solve(Theory *t, const hawser_case *c, hawser_error *err)
 {
-    *text = NULL;
-    Theory *t = calloc(1, sizeof *t);
-    if (!t) return error_memory(err);
-    hawser_status status = case_ensure_read(c, err);
-    const int built = !status && !(status = scene_build(&c->def, &t->scene, err));
-    if (built) status = solve(t, err);
-    if (!status) status = write_theory(t, c->def.title[0] ? c->def.title : c->name, format, text, err);
+    hawser_status status = scene_build(&c->def, &t->scene, err);
+    if (status) return status;
+    t->built = 1;
+    return solve(t, err);
+}
+
+static void theory_free(Theory *t)
+{
     pull_clear(&t->pull);
-    if (built) scene_clear(&t->scene);
+    if (t->built) scene_clear(&t->scene);
     free(t->place);
     free(t->value);
     free(t->cell);
     free(t->term);
     free(t);
+}
+
+hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
+{
+    *text = NULL;
+    hawser_status status = case_ensure_read(c, err);
+    if (status) return status;
+    Theory *t = calloc(1, sizeof *t);
+    if (!t) return error_memory(err);
+    status = case_name_error(c, build_and_solve(t, c, err), err);
+    if (!status) status = write_theory(t, c->def.title[0] ? c->def.title : c->name, format, text, err);
+    theory_free(t);
     return status;
 }

@@ -59,10 +59,10 @@ hawser_status case_value_error(hawser_error *err, const CaseNode *node, const ch
     case_place(node->origin, node->line, place);
     case_path(node, NULL, path);
     if (node->kind != NODE_TEXT) {
-        return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': the value is a %s %s", place, path,
+        return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': the value is a %s%s", place, path,
                          node->kind == NODE_MAP ? "map" : "list", text);
     }
-    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': value %s %s", place, path,
+    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': value %s%s", place, path,
                      case_shown(node->text, shown), text);
 }
 

@@ -1,6 +1,6 @@
-/* What the sections of a case are read into: one plain struct each, filled by the tables of io/case_schema.c. SI units;
- * NAN: not given and without a default. Pointers are values with a form of their own, NULL if not given. Sections that fill
- * parts of SceneDef directly (solver, run) have no struct here. */
+/* What the sections of a case are read into: one plain struct each, filled by the tables of io/case_schema.c.
+ * SI units; NAN: not given and without a default. Pointers are values with a form of their own, NULL if not
+ * given. Sections that fill parts of SceneDef directly (solver, run) have no struct here. */
 #ifndef HAWSER_IO_CASE_RECORDS_H
 #define HAWSER_IO_CASE_RECORDS_H
 
@@ -12,7 +12,7 @@ typedef struct FactorRecord {
 } FactorRecord;
 
 typedef struct CableRecord {
-    double E, G, d, A, density;           /* the paper's shorthand, eq. 2 */
+    double E, G, d, A, density;              /* the paper's shorthand, eq. 2 */
     double EA, GA, GJ, EI, EI_y, EI_z, mass; /* given directly */
     double damping;
     FactorRecord factor;
@@ -77,6 +77,11 @@ typedef struct DriveRecord {
     const CaseNode *table;
 } DriveRecord;
 
+typedef struct WinchRecord {
+    DriveRecord drive;
+    int grip; /* 0 clamp, 1 axial */
+} WinchRecord;
+
 typedef struct DragRecord {
     double force, v_s, v_d, ratio;
 } DragRecord;
@@ -116,8 +121,8 @@ typedef struct RunRecord {
 
 typedef struct TopRecord {
     char title[256];
-    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *contact, *friction, *drive, *run, *solver,
-        *output, *paper;
+    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *contact, *friction, *drive, *run,
+        *solver, *output, *paper;
     int frame;
 } TopRecord;
 

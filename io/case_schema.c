@@ -10,13 +10,17 @@
 #define SECTION(name_, path_, rows)                                                                          \
     const CaseSection name_ = {path_, (int)(sizeof(rows) / sizeof *(rows)), rows}
 
-static const double LONG = 1e6, STRONG = 1e9, STIFF = 1e15, LATE = 1e9, HALF_TURN = 3.14159265358979323846,
-                    UPRIGHT = 1.5707963267948966;
+#define LONG       1e6
+#define STRONG     1e9
+#define STIFF      1e15
+#define LATE       1e9
+#define DEGREES(a) ((a)*3.14159265358979323846 / 180)
 
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const weights[] = {"full", "carried", NULL};
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
+static const char *const grips[] = {"clamp", "axial", NULL};
 static const char *const ramps[] = {"none", "step", "step5", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
@@ -80,9 +84,10 @@ SECTION(case_chain_piece, "chain.N", chain_piece_keys);
 
 static const CaseKey route_keys[] = {
     {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(RouteRecord, start)},
-    {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(-2 * HALF_TURN, 2 * HALF_TURN),
+    {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
      AT(RouteRecord, heading)},
-    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", ABOVE(-UPRIGHT, UPRIGHT), AT(RouteRecord, slope)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-89), DEGREES(89)),
+     AT(RouteRecord, slope)},
     {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG),
      AT(RouteRecord, head_at)},
     {"pieces", KEY_LIST, .required = 1, .form = "straights and bends, end to end", AT(RouteRecord, pieces)},
@@ -92,12 +97,12 @@ SECTION(case_route, "route", route_keys);
 static const CaseKey route_piece_keys[] = {
     {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a bend", ABOVE(0, LONG),
      AT(RoutePieceRecord, straight)},
-    {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a straight", ABOVE(0, 2 * HALF_TURN),
+    {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a straight", ABOVE(0, DEGREES(360)),
      AT(RoutePieceRecord, bend)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: bends need it", ABOVE(0, LONG),
      AT(RoutePieceRecord, radius)},
     {"plane", KEY_ANY, DIM_ANGLE, .otherwise = "none: bends need it",
-     .form = "`up`, `down`, `left`, `right` or an angle", FROM(-2 * HALF_TURN, 2 * HALF_TURN),
+     .form = "`up`, `down`, `left`, `right` or an angle", FROM(DEGREES(-360), DEGREES(360)),
      AT(RoutePieceRecord, plane)},
     {"name", KEY_TEXT, .fallback = "", AT(RoutePieceRecord, name)},
 };
@@ -186,6 +191,7 @@ static const CaseKey winch_keys[] = {
     {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(DriveRecord, value)},
     RAMP_KEYS,
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising", AT(DriveRecord, table)},
+    {"grip", KEY_CHOICE, .fallback = "clamp", .choices = grips, AT(WinchRecord, grip)},
 };
 SECTION(case_winch, "drive.winch", winch_keys);
 
@@ -213,7 +219,8 @@ SECTION(case_run, "run", run_keys);
 
 static const CaseKey tolerances_keys[] = {
     {"position", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, 1), AT(SolverDef, atol_position)},
-    {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, 1), AT(SolverDef, atol_rotation)},
+    {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, DEGREES(60)),
+     AT(SolverDef, atol_rotation)},
     {"velocity", KEY_NUMBER, DIM_SPEED, .fallback = "0 m/s", FROM(0, 1e3), AT(SolverDef, atol_velocity)},
     {"omega", KEY_NUMBER, DIM_ANGULAR_SPEED, .fallback = "0 rad/s", FROM(0, 1e3), AT(SolverDef, atol_omega)},
 };
@@ -269,14 +276,14 @@ SECTION(case_paper, "paper", paper_keys);
 
 static const CaseKey paper_term_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(TermRecord, name)},
-    {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is an arc", FROM(-UPRIGHT, UPRIGHT),
+    {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is an arc", FROM(DEGREES(-89), DEGREES(89)),
      AT(TermRecord, slope)},
     {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: slopes need it", ABOVE(0, LONG),
      AT(TermRecord, length)},
     {"arc", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a slope", ABOVE(0, LONG), AT(TermRecord, arc)},
-    {"from", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(-UPRIGHT, UPRIGHT),
+    {"from", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(DEGREES(-89), DEGREES(89)),
      AT(TermRecord, from)},
-    {"to", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(-UPRIGHT, UPRIGHT),
+    {"to", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(DEGREES(-89), DEGREES(89)),
      AT(TermRecord, to)},
 };
 SECTION(case_paper_term, "paper.terms.N", paper_term_keys);

@@ -21,8 +21,8 @@ void node_replace(CaseNode *old, CaseNode *by);
 
 /* Remembers a name in the tree and returns the tree's copy; NULL if there is no memory. */
 const char *tree_origin(CaseTree *tree, const char *name);
-/* Reads one YAML document as nodes of `tree`, without making it the root. `lines` 0: the text is a setting's value,
- * and line numbers mean nothing. Errors as case_tree_parse. */
+/* Reads one YAML document as nodes of `tree`, without making it the root. `lines` 0: the text is a setting's
+ * value, and line numbers mean nothing. Errors as case_tree_parse. */
 hawser_status tree_read_text(CaseTree *tree, const char *text, size_t size, const char *origin, int lines,
                              CaseNode **out, hawser_error *err);
 

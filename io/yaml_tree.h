@@ -1,5 +1,5 @@
-/* A YAML file as a small tree of texts, maps and lists that remembers where each of them was written. Nothing is
- * interpreted here: numbers, units and what a key means are the business of io/case_read.h. */
+/* A YAML file as a small tree of texts, maps and lists that remembers where each of them was written. Nothing
+ * is interpreted here: numbers, units and what a key means are the business of io/case_read.h. */
 #ifndef HAWSER_IO_YAML_TREE_H
 #define HAWSER_IO_YAML_TREE_H
 
@@ -24,18 +24,19 @@ typedef struct CaseTree {
     struct CaseOrigin *origins;
 } CaseTree;
 
-/* Reads a file. Errors: INPUT with file and line (not readable, not YAML, empty, not a map, several documents, a key
- * twice, too large, too deep); MEMORY. *out is NULL then. */
+/* Reads a file. Errors: INPUT with file and line (not readable, not YAML, empty, not a map, several
+ * documents, a key twice, too large, too deep); MEMORY. *out is NULL then. */
 hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err);
 /* The same for text; `name` stands in for the file's name. */
 hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out, hawser_error *err);
-/* Gives the dotted key ("chain.0.segment") a new value, which is YAML itself ("250 mm", "[0, 0, -9.8]"). Maps on the way
- * are made where they are missing; list items must exist. Errors: INPUT that names the setting; MEMORY. The tree is
- * unchanged then. */
+/* Gives the dotted key ("chain.0.segment") a new value, which is YAML itself ("250 mm", "[0, 0, -9.8]"). Maps
+ * on the way are made where they are missing; list items must exist. Errors: INPUT that names the setting;
+ * MEMORY. The tree is unchanged then. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err);
 CaseTree *case_tree_free(CaseTree *tree);
 
-/* The child of a map by key, of a list by number; NULL if there is none, or if `node` is NULL or of another kind. */
+/* The child of a map by key, of a list by number; NULL if there is none, or if `node` is NULL or of another
+ * kind. */
 const CaseNode *case_node_key(const CaseNode *node, const char *key);
 const CaseNode *case_node_item(const CaseNode *node, int index);
 

@@ -22,7 +22,7 @@ typedef struct LinBackend {
     void (*drop)(void *self);
     /* As linsolver_factor, or LIN_UNSTABLE. */
     int (*factor)(void *self, const LinMatrix *a);
-    int (*solve)(void *self, int count, double *x);
+    int (*solve)(void *self, int count, double *x); /* after a factorisation that succeeded */
     /* Fills what the back end knows: ordering, refactors, fallbacks, pivoted, nonzeros, growth. */
     void (*stats)(const void *self, LinStats *stats);
 } LinBackend;

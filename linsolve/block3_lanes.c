@@ -1,7 +1,9 @@
-/* The kernels of block_factor.h for blocks of 3 x 3 (planar scenes): a column is one vector of 4, one of its places idle. */
+/* The kernels of block_factor.h for blocks of 3 x 3 (planar scenes): a column fits four doubles. */
 #define BLOCK_B 3
 #define BLOCK_W 4
 #define BLOCK_NAME block3_kernels
-#define BLOCK_SPLAT(v, k) __builtin_shufflevector(v, v, k, k, k, k)
-#define BLOCK_KEEP {-1, -1, -1, 0}
+#define PART3_generic 2
+#define PART3_avx2 4
+#define PART3_avx512 4
+#define BLOCK_PART ISA_NAME(PART3)
 #include "linsolve/block_lanes.h"

@@ -1,7 +1,9 @@
-/* The kernels of block_factor.h for blocks of 6 x 6: a column is one vector of 8, two of its places idle. */
+/* The kernels of block_factor.h for blocks of 6 x 6, in the widest vectors of each instruction set. */
 #define BLOCK_B 6
 #define BLOCK_W 8
 #define BLOCK_NAME block6_kernels
-#define BLOCK_SPLAT(v, k) __builtin_shufflevector(v, v, k, k, k, k, k, k, k, k)
-#define BLOCK_KEEP {-1, -1, -1, -1, -1, -1, 0, 0}
+#define PART6_generic 2
+#define PART6_avx2 4
+#define PART6_avx512 8
+#define BLOCK_PART ISA_NAME(PART6)
 #include "linsolve/block_lanes.h"

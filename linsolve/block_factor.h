@@ -12,12 +12,12 @@ enum { SIDE_TOP = 1, SIDE_BOTTOM = 2, SIDE_BOTH = 3 };
 /* Right-hand sides that the kernels take at once. */
 enum { BLOCK_RHS = 4 };
 
-/* Columns are padded to `width` doubles (8 for b = 6, 4 for b = 3), so that each is one aligned vector. */
+/* Blocks are stored like the chain's, b*b doubles; vectors of the solve are padded to `width` (8 for b = 6, 4 for 3). */
 typedef struct BlockFactor {
     int n, b, width, middle;
-    double *front; /* [n][2][b*width]: coupling with the neighbour eliminated before (L2), inverse X of the pivot (L3) */
-    double *back;  /* [n][b*width]: V = X times the coupling with the neighbour eliminated after (L4) */
-    double *z;     /* [n][BLOCK_RHS][width]: scratch of the solve (L6) */
+    double *front; /* [n][2][b*b]: coupling with the neighbour eliminated before (L2), inverse X of the pivot (L3) */
+    double *back;  /* [n][b*b]: V = X times the coupling with the neighbour eliminated after (L4) */
+    double *z;     /* [BLOCK_RHS][n][width]: scratch of the solve (L6) */
     double growth_limit;
 } BlockFactor;
 
@@ -42,15 +42,15 @@ typedef struct BlockKernels {
 extern const BlockKernels block6_kernels_generic, block6_kernels_avx2, block6_kernels_avx512;
 extern const BlockKernels block3_kernels_generic, block3_kernels_avx2, block3_kernels_avx512;
 
-/* One block row as the kernels and the pivoting see it; blocks of the chain are b*b, those of the factor b*width. */
+/* One block row as the kernels and the pivoting see it. */
 typedef struct BlockRow {
     const double *diag, *before, *after; /* the chain's blocks: own, towards the neighbours eliminated before and after */
     const double *v_before;              /* V of the neighbour eliminated before */
     double *front, *back;                /* of this row */
 } BlockRow;
 
-/* Row i of one side (or of the middle, seen from the top). Missing neighbours become blocks of zeros. */
-BlockRow block_row(const BlockFactor *f, const BlockChain *a, int i, int side);
+/* No neighbour: a coupling, or a V, of zeros; as long as a vector load may reach. */
+extern const double block_zero[];
 
 /* The row with full partial pivoting, for when the diagonal's pivots are too small: slower, the same result in exact
  * arithmetic. 0, or LIN_UNSTABLE if the pivot block is singular to working precision. */

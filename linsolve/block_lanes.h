@@ -1,212 +1,196 @@
-/* Kernels of the twisted block LU, written once in vectors of one block column; block6_lanes.c and block3_lanes.c set the
- * sizes and include this. A row's elimination works in registers on its pivot block and the coupling that follows;
- * everything fixed in size is unrolled by the compiler. Letters as in docs/model.md, "Linear solvers". */
+/* Kernels of the twisted block LU, written once over columns of a block (block_vec.h); block6_lanes.c and block3_lanes.c
+ * set the sizes and include this. A row's elimination works in registers on its pivot block and the coupling that
+ * follows. Letters and numbers as in docs/model.md, "Linear solvers". */
 #include <float.h>
-#include <stdint.h>
-#include <string.h>
 
 #include "linsolve/backend.h"
 #include "linsolve/block_factor.h"
+#include "linsolve/block_vec.h"
 
-enum { B = BLOCK_B, W = BLOCK_W, CELL = BLOCK_B * BLOCK_W };
-
-typedef double Vec __attribute__((vector_size(BLOCK_W * sizeof(double))));
-typedef int64_t Mask __attribute__((vector_size(BLOCK_W * sizeof(double))));
-
-#define VEC_INLINE static inline __attribute__((always_inline))
+enum { W = BLOCK_W, CELL = BLOCK_B * BLOCK_B };
 
 /* Limits of the fast path (L7): the sum of the multipliers, and row sum over pivot. */
 static const double multipliers_max = 30, smallness_max = 1e13;
 
-VEC_INLINE Vec vec_load(const double *p)
+/* A B x B block, column by column. In memory columns lie side by side: a load brings along the beginning of what follows,
+ * and nobody looks at those places. */
+typedef struct Block {
+    Vec c[B];
+} Block;
+
+VEC_INLINE Block block_load(const double *p)
 {
-    Vec v;
-    memcpy(&v, p, sizeof v);
-    return v;
+    Block a;
+    UNROLL for (int c = 0; c < B; ++c) a.c[c] = vec_load(p + c * B);
+    return a;
 }
 
-VEC_INLINE void vec_store(double *p, Vec v) { memcpy(p, &v, sizeof v); }
-
-/* A column of the chain: b values, then the next column's first, which are masked out. */
-VEC_INLINE Vec column_load(const double *p)
+/* Each column overwrites what the one before it stored too much. */
+VEC_INLINE void block_store(double *p, const Block *a)
 {
-    static const Mask keep = BLOCK_KEEP;
-    return (Vec)((Mask)vec_load(p) & keep);
+    UNROLL for (int c = 0; c + 1 < B; ++c) vec_store(p + c * B, a->c[c]);
+    vec_store_short(p + (B - 1) * B, a->c[B - 1]);
 }
 
-VEC_INLINE Vec vec_abs(Vec v) { return (Vec)((Mask)v & INT64_MAX); }
-
-/* All places get v's place k (a constant once the loops are unrolled). */
-VEC_INLINE Vec splat(Vec v, int k)
+/* s - a v, v a block of the factor in memory: its numbers spread as they are loaded. */
+VEC_INLINE Block block_minus(Block s, const Block *a, const double *v)
 {
-    switch (k) {
-    case 0: return BLOCK_SPLAT(v, 0);
-    case 1: return BLOCK_SPLAT(v, 1);
-    case 2: return BLOCK_SPLAT(v, 2);
-#if BLOCK_B > 3
-    case 3: return BLOCK_SPLAT(v, 3);
-    case 4: return BLOCK_SPLAT(v, 4);
-    case 5: return BLOCK_SPLAT(v, 5);
-#endif
-    default: __builtin_unreachable();
+    UNROLL for (int k = 0; k < B; ++k)
+    {
+        UNROLL for (int c = 0; c < B; ++c) s.c[c] = vec_minus_number(s.c[c], a->c[k], v[c * B + k]);
     }
-}
-
-/* All bits set in places from <= place < to. */
-VEC_INLINE Mask places(int from, int to)
-{
-    Mask m = {0};
-    for (int k = 0; k < W; ++k) m[k] = k >= from && k < to ? -1 : 0;
-    return m;
-}
-
-VEC_INLINE double vec_sum(Vec v)
-{
-    double s = v[0] + v[1];
-    for (int k = 2; k < B; ++k) s += v[k];
     return s;
 }
 
-/* What one row's elimination gathers for its checks, place by place. */
-typedef struct Checks {
-    Vec multipliers; /* sum of |multipliers| below the diagonal */
-    Vec inverses;    /* |1 / pivot| in the pivot's place */
-} Checks;
-
-/* Step k of Gauss-Jordan on [s | u] with the pivot on the diagonal (L3): s becomes its inverse column by column. */
-VEC_INLINE void eliminate(Vec s[B], Vec u[B], int k, Checks *checks)
+/* t + row sums of |a|. */
+VEC_INLINE Vec row_sums(Vec t, const Block *a)
 {
-    const Mask own = places(k, k + 1), below = places(k + 1, B);
-    const Vec r = 1 / splat(s[k], k);
-    const Vec m = s[k] * r;
-    const Vec minus = (Vec)(((Mask)m & ~own) | ((Mask)-r & own));
-    checks->multipliers += (Vec)((Mask)m & (below & INT64_MAX));
-    checks->inverses = (Vec)((Mask)checks->inverses | ((Mask)r & (own & INT64_MAX)));
-    for (int c = 0; c < B; ++c) {
-        const Vec p = splat(s[c], k), q = splat(u[c], k);
-        if (c != k) s[c] = (Vec)((Mask)s[c] & ~own) - minus * p;
-        u[c] = (Vec)((Mask)u[c] & ~own) - minus * q;
-    }
-    s[k] = -minus;
+    UNROLL for (int c = 0; c < B; ++c) t = vec_add(t, vec_abs(a->c[c]));
+    return t;
 }
 
-/* S = diag - before V (L2), copying `before` on the way; scale gets the row sums of |diag| + |before|. */
-VEC_INLINE void schur(const BlockRow *row, Vec s[B], Vec *scale)
+/* Column k before its elimination, over its pivot; 1/pivot in the pivot's own place. */
+VEC_INLINE Vec quotients(const Block *s, int k)
 {
-    Vec l[B];
-    *scale = (Vec){0};
-    for (int c = 0; c < B; ++c) {
-        l[c] = column_load(row->before + c * B);
-        s[c] = column_load(row->diag + c * B);
-        vec_store(row->front + c * W, l[c]);
-        *scale += vec_abs(l[c]) + vec_abs(s[c]);
-    }
-    for (int c = 0; c < B; ++c) {
-        for (int k = 0; k < B; ++k) s[c] -= l[k] * row->v_before[c * W + k];
+    const Vec own = vec_places(k, k + 1), others = vec_or(vec_places(0, k), vec_places(k + 1, B));
+    const Vec one = vec_and(vec_set(1), own);
+    return vec_div(vec_or(vec_and(s->c[k], others), one), vec_fill(vec_splat(s->c[k], k)));
+}
+
+/* a less the multipliers m times its place k. */
+VEC_INLINE Vec column_eliminate(Vec a, Vec m, int k) { return vec_minus(a, m, vec_splat(a, k)); }
+
+/* Gauss-Jordan on [s | u], pivots on the diagonal (L3): s becomes its inverse and u the inverse times u, but for the
+ * rows' division by their pivots; inverse gets 1 / pivot, multipliers the sum of |multipliers| below the diagonal, place
+ * by place. The next pivot's column goes first in each step, so that its division overlaps with the other columns. */
+VEC_INLINE void eliminate(Block *s, Block *u, Vec *inverse, Vec *multipliers)
+{
+    Vec q = quotients(s, 0);
+    *inverse = *multipliers = vec_zero();
+    UNROLL for (int k = 0; k < B; ++k)
+    {
+        const Vec own = vec_places(k, k + 1), below = vec_places(k + 1, B);
+        const Vec m = vec_and(q, vec_or(vec_places(0, k), below));
+        *inverse = vec_or(*inverse, vec_and(q, own));
+        if (k + 1 < B) {
+            s->c[k + 1] = column_eliminate(s->c[k + 1], m, k);
+            q = quotients(s, k + 1);
+        }
+        UNROLL for (int c = 0; c < B; ++c)
+        {
+            if (c != k && c != k + 1) s->c[c] = column_eliminate(s->c[c], m, k);
+        }
+        UNROLL for (int c = 0; c < B; ++c) u->c[c] = column_eliminate(u->c[c], m, k);
+        s->c[k] = vec_sub(vec_and(vec_set(1), own), m);
+        *multipliers = vec_add(*multipliers, vec_abs(vec_and(m, below)));
     }
 }
 
 /* One block row: X and V, or the pivoting path if the diagonal's pivots are too small. */
-static __attribute__((noinline)) int row_factor(const BlockFactor *f, const BlockRow *row, BlockReport *report)
+VEC_INLINE int row_factor(const BlockFactor *f, const BlockRow *row, BlockReport *report)
 {
-    Vec s[B], u[B], scale, sum = {0};
-    Checks checks = {{0}, {0}};
-    schur(row, s, &scale);
-    for (int c = 0; c < B; ++c) {
-        u[c] = column_load(row->after + c * B);
-        sum += vec_abs(s[c]);
+    const Block before = block_load(row->before);
+    Block s = block_load(row->diag), u = block_load(row->after);
+    const Vec scale = row_sums(row_sums(vec_zero(), &before), &s);
+    block_store(row->front, &before);
+    s = block_minus(s, &before, row->v_before); /* (L2) */
+    const Vec sums = row_sums(vec_zero(), &s);
+    Vec inverse, multipliers;
+    eliminate(&s, &u, &inverse, &multipliers);
+    UNROLL for (int c = 0; c < B; ++c)
+    {
+        s.c[c] = vec_mul(s.c[c], inverse);
+        u.c[c] = vec_mul(u.c[c], inverse);
     }
-    for (int k = 0; k < B; ++k) eliminate(s, u, k, &checks);
-    for (int c = 0; c < B; ++c) {
-        vec_store(row->front + CELL + c * W, s[c]);
-        vec_store(row->back + c * W, u[c]);
-    }
-    const double growth = vec_sum(sum / (scale + DBL_MIN));
+    block_store(row->front + CELL, &s);
+    block_store(row->back, &u);
+    const double growth = vec_max(vec_div(sums, vec_add(scale, vec_set(DBL_MIN))));
     if (!(growth <= f->growth_limit)) return LIN_UNSTABLE;
     if (growth > report->growth) report->growth = growth;
-    if (vec_sum(checks.multipliers) <= multipliers_max && vec_sum(checks.inverses * scale) <= smallness_max) return 0;
+    const double smallness = vec_sum(vec_mul(vec_abs(inverse), scale));
+    if (vec_sum(multipliers) <= multipliers_max && smallness <= smallness_max) return 0;
     ++report->pivoted;
     return block_row_pivoted(f, row);
 }
 
-static int kernel_factor(const BlockFactor *f, const BlockChain *a, int sides, BlockReport *report)
+/* The rows of one side, from the end of the chain to the middle. */
+static int side_factor(const BlockFactor *f, const BlockChain *a, int top, BlockReport *report)
 {
-    const int top = sides & SIDE_TOP ? f->middle : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - f->middle : 0;
-    for (int k = 0; k < top || k < bottom; ++k) {
-        if (k < top) {
-            const BlockRow row = block_row(f, a, k, SIDE_TOP);
-            if (row_factor(f, &row, report)) return LIN_UNSTABLE;
-        }
-        if (k < bottom) {
-            const BlockRow row = block_row(f, a, f->n - 1 - k, SIDE_BOTTOM);
-            if (row_factor(f, &row, report)) return LIN_UNSTABLE;
-        }
+    const int count = top ? f->middle : f->n - 1 - f->middle, step = top ? 1 : -1;
+    const double *const before = top ? a->lower : a->upper, *const after = top ? a->upper : a->lower;
+    for (int k = 0, i = top ? 0 : f->n - 1; k < count; ++k, i += step) {
+        const BlockRow row = {.diag = a->diag + i * B * B,
+                              .before = k ? before + i * B * B : block_zero,
+                              .after = after + i * B * B,
+                              .v_before = k ? f->back + (i - step) * CELL : block_zero,
+                              .front = f->front + 2 * i * CELL,
+                              .back = f->back + i * CELL};
+        if (row_factor(f, &row, report)) return LIN_UNSTABLE;
     }
     return 0;
+}
+
+static int kernel_factor(const BlockFactor *f, const BlockChain *a, int sides, BlockReport *report)
+{
+    if (sides & SIDE_TOP && side_factor(f, a, 1, report)) return LIN_UNSTABLE;
+    return sides & SIDE_BOTTOM ? side_factor(f, a, 0, report) : 0;
 }
 
 /* S = D - L V of both neighbours: what comes from below is taken off first, the rest is a row like the others. */
 static int kernel_factor_middle(const BlockFactor *f, const BlockChain *a, BlockReport *report)
 {
-    _Alignas(64) double diag[B * B + W] = {0};
-    const int m = f->middle;
-    BlockRow row = block_row(f, a, m, SIDE_TOP);
-    const BlockRow under = block_row(f, a, m, SIDE_BOTTOM);
-    for (int c = 0; c < B; ++c) {
-        Vec s = column_load(row.diag + c * B);
-        for (int k = 0; k < B; ++k) s -= column_load(under.before + k * B) * under.v_before[c * W + k];
-        memcpy(diag + c * B, &s, B * sizeof(double));
-    }
-    row.diag = diag;
+    double diag[CELL + W] = {0};
+    const int m = f->middle, first = m == 0, last = m + 1 == f->n;
+    const Block below = block_load(last ? block_zero : a->upper + m * B * B);
+    const Block s = block_minus(block_load(a->diag + m * B * B), &below, last ? block_zero : f->back + (m + 1) * CELL);
+    UNROLL for (int c = 0; c < B; ++c) vec_store_short(diag + c * B, s.c[c]);
+    const BlockRow row = {.diag = diag,
+                          .before = first ? block_zero : a->lower + m * B * B,
+                          .after = block_zero,
+                          .v_before = first ? block_zero : f->back + (m - 1) * CELL,
+                          .front = f->front + 2 * m * CELL,
+                          .back = f->back + m * CELL};
     const int status = row_factor(f, &row, report);
-    for (int c = 0; c < B; ++c) vec_store(f->back + m * CELL + c * W, column_load(under.before + c * B));
+    block_store(f->back + m * CELL, &below); /* the middle has no row after it */
     return status;
 }
 
 /* Row i of a right-hand side; the last row has nothing behind it to read. */
 VEC_INLINE Vec row_load(const BlockFactor *f, const double *x, int i)
 {
-    Vec r = {0};
-    if (i + 1 == f->n) {
-        memcpy(&r, x + i * B, B * sizeof(double));
-        return r;
-    }
-    return vec_load(x + i * B);
+    if (i + 1 < f->n) return vec_load(x + i * B);
+    double last[W] = {0};
+    memcpy(last, x + i * B, B * sizeof(double));
+    return vec_load(last);
 }
 
-VEC_INLINE void cell_load(const double *cell, Vec column[B])
+/* A x, in two chains, which halves the wait for the sums. */
+VEC_INLINE Vec times(const Block *a, Vec x)
 {
-    for (int c = 0; c < B; ++c) column[c] = vec_load(cell + c * W);
+    Vec even = vec_scale(a->c[0], vec_splat(x, 0)), odd = vec_scale(a->c[1], vec_splat(x, 1));
+    UNROLL for (int k = 2; k < B; k += 2) even = vec_plus(even, a->c[k], vec_splat(x, k));
+    UNROLL for (int k = 3; k < B; k += 2) odd = vec_plus(odd, a->c[k], vec_splat(x, k));
+    return vec_add(even, odd);
 }
 
-/* t - A x in two chains, which halves the wait for the sums. */
-VEC_INLINE Vec minus_times(Vec t, const Vec a[B], Vec x)
+/* t - A x, likewise. */
+VEC_INLINE Vec minus_times(Vec t, const Block *a, Vec x)
 {
-    Vec odd = a[1] * splat(x, 1);
-    for (int k = 0; k < B; k += 2) t -= a[k] * splat(x, k);
-    for (int k = 3; k < B; k += 2) odd += a[k] * splat(x, k);
-    return t - odd;
+    Vec odd = vec_scale(a->c[1], vec_splat(x, 1));
+    UNROLL for (int k = 0; k < B; k += 2) t = vec_minus(t, a->c[k], vec_splat(x, k));
+    UNROLL for (int k = 3; k < B; k += 2) odd = vec_plus(odd, a->c[k], vec_splat(x, k));
+    return vec_sub(t, odd);
 }
 
-/* A x, likewise. */
-VEC_INLINE Vec times(const Vec a[B], Vec x)
-{
-    Vec even = a[0] * splat(x, 0), odd = a[1] * splat(x, 1);
-    for (int k = 2; k < B; k += 2) even += a[k] * splat(x, k);
-    for (int k = 3; k < B; k += 2) odd += a[k] * splat(x, k);
-    return even + odd;
-}
-
-VEC_INLINE double *z_at(const BlockFactor *f, int i, int rhs) { return f->z + (i * BLOCK_RHS + rhs) * W; }
+VEC_INLINE double *z_at(const BlockFactor *f, int i, int rhs) { return f->z + (rhs * f->n + i) * W; }
 
 /* z_i = X (r - L z_before) (L5); z holds z_before and receives z_i. */
 VEC_INLINE void row_forward(const BlockFactor *f, int i, int count, const double *x, Vec z[])
 {
-    Vec l[B], inverse[B];
-    cell_load(f->front + 2 * i * CELL, l);
-    cell_load(f->front + (2 * i + 1) * CELL, inverse);
-    for (int r = 0; r < count; ++r) {
-        z[r] = times(inverse, minus_times(row_load(f, x + r * f->n * B, i), l, z[r]));
+    const Block l = block_load(f->front + 2 * i * CELL), inverse = block_load(f->front + (2 * i + 1) * CELL);
+    UNROLL for (int r = 0; r < count; ++r)
+    {
+        z[r] = times(&inverse, minus_times(row_load(f, x + r * f->n * B, i), &l, z[r]));
         vec_store(z_at(f, i, r), z[r]);
     }
 }
@@ -214,17 +198,17 @@ VEC_INLINE void row_forward(const BlockFactor *f, int i, int count, const double
 /* r - L z_before of the middle row. */
 VEC_INLINE void middle_forward(const BlockFactor *f, int count, const double *x, const Vec z[])
 {
-    Vec l[B];
-    cell_load(f->front + 2 * f->middle * CELL, l);
+    const Block l = block_load(f->front + 2 * f->middle * CELL);
     for (int r = 0; r < count; ++r) {
-        vec_store(z_at(f, f->middle, r), minus_times(row_load(f, x + r * f->n * B, f->middle), l, z[r]));
+        vec_store(z_at(f, f->middle, r), minus_times(row_load(f, x + r * f->n * B, f->middle), &l, z[r]));
     }
 }
 
 VEC_INLINE void forward(const BlockFactor *f, int sides, int count, const double *x)
 {
     const int top = sides & SIDE_TOP ? f->middle : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - f->middle : 0;
-    Vec down[BLOCK_RHS] = {{0}}, up[BLOCK_RHS] = {{0}};
+    Vec down[BLOCK_RHS], up[BLOCK_RHS];
+    UNROLL for (int r = 0; r < count; ++r) down[r] = up[r] = vec_zero();
     int k = 0;
     for (; k < top && k < bottom; ++k) {
         row_forward(f, k, count, x, down);
@@ -239,35 +223,34 @@ VEC_INLINE void forward(const BlockFactor *f, int sides, int count, const double
 VEC_INLINE void middle_back(const BlockFactor *f, int count, Vec next[])
 {
     const int m = f->middle;
-    Vec u[B], inverse[B];
-    cell_load(f->back + m * CELL, u);
-    cell_load(f->front + (2 * m + 1) * CELL, inverse);
-    for (int r = 0; r < count; ++r) {
-        const Vec below = m + 1 < f->n ? vec_load(z_at(f, m + 1, r)) : (Vec){0};
-        next[r] = times(inverse, minus_times(vec_load(z_at(f, m, r)), u, below));
+    const Block u = block_load(f->back + m * CELL), inverse = block_load(f->front + (2 * m + 1) * CELL);
+    UNROLL for (int r = 0; r < count; ++r)
+    {
+        const Vec below = m + 1 < f->n ? vec_load(z_at(f, m + 1, r)) : vec_zero();
+        next[r] = times(&inverse, minus_times(vec_load(z_at(f, m, r)), &u, below));
     }
 }
 
 /* x_i = z_i - V x_next (L6); next holds x_next and receives x_i. */
 VEC_INLINE void row_back(const BlockFactor *f, int i, int count, double *x, Vec next[])
 {
-    Vec v[B];
-    cell_load(f->back + i * CELL, v);
-    for (int r = 0; r < count; ++r) {
-        next[r] = minus_times(vec_load(z_at(f, i, r)), v, next[r]);
-        memcpy(x + (r * f->n + i) * B, &next[r], B * sizeof(double));
+    const Block v = block_load(f->back + i * CELL);
+    UNROLL for (int r = 0; r < count; ++r)
+    {
+        next[r] = minus_times(vec_load(z_at(f, i, r)), &v, next[r]);
+        vec_store_short(x + (r * f->n + i) * B, next[r]);
     }
 }
 
 VEC_INLINE void back(const BlockFactor *f, int sides, int count, double *x)
 {
-    const int m = f->middle;
-    const int top = sides & SIDE_TOP ? m : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - m : 0;
+    const int m = f->middle, top = sides & SIDE_TOP ? m : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - m : 0;
     Vec up[BLOCK_RHS], down[BLOCK_RHS];
     middle_back(f, count, up);
-    for (int r = 0; r < count; ++r) {
+    UNROLL for (int r = 0; r < count; ++r)
+    {
         down[r] = up[r];
-        if (sides & SIDE_TOP) memcpy(x + (r * f->n + m) * B, &up[r], B * sizeof(double));
+        if (sides & SIDE_TOP) vec_store_short(x + (r * f->n + m) * B, up[r]);
     }
     int k = 0;
     for (; k < top && k < bottom; ++k) {
@@ -278,7 +261,7 @@ VEC_INLINE void back(const BlockFactor *f, int sides, int count, double *x)
     for (int i = k; i < bottom; ++i) row_back(f, m + 1 + i, count, x, down);
 }
 
-/* One right-hand side, or BLOCK_RHS at once, or what is left one by one through shifted scratch. */
+/* BLOCK_RHS right-hand sides at once, or any number one by one, each in its own part of the scratch. */
 static void kernel_forward(const BlockFactor *f, int sides, int count, const double *x)
 {
     if (count == BLOCK_RHS) {
@@ -286,7 +269,7 @@ static void kernel_forward(const BlockFactor *f, int sides, int count, const dou
         return;
     }
     BlockFactor one = *f;
-    for (int r = 0; r < count; ++r, one.z += W) forward(&one, sides, 1, x + r * f->n * B);
+    for (int r = 0; r < count; ++r, one.z += f->n * W) forward(&one, sides, 1, x + r * f->n * B);
 }
 
 static void kernel_back(const BlockFactor *f, int sides, int count, double *x)
@@ -296,7 +279,7 @@ static void kernel_back(const BlockFactor *f, int sides, int count, double *x)
         return;
     }
     BlockFactor one = *f;
-    for (int r = 0; r < count; ++r, one.z += W) back(&one, sides, 1, x + r * f->n * B);
+    for (int r = 0; r < count; ++r, one.z += f->n * W) back(&one, sides, 1, x + r * f->n * B);
 }
 
 const BlockKernels ISA_NAME(BLOCK_NAME) = {

@@ -5,24 +5,9 @@
 #include "linsolve/backend.h"
 #include "linsolve/block_factor.h"
 
-enum { B_MAX = 6, W_MAX = 8, CELL_MAX = B_MAX * W_MAX };
+enum { B_MAX = 6, W_MAX = 8 };
 
-/* No neighbour: a coupling, or a V, of zeros; as long as a vector load may reach. */
-static const double block_zero[CELL_MAX + W_MAX];
-
-BlockRow block_row(const BlockFactor *f, const BlockChain *a, int i, int side)
-{
-    const int bb = f->b * f->b, cell = f->b * f->width;
-    const int down = side == SIDE_TOP, before = down ? i - 1 : i + 1, after = down ? i + 1 : i - 1;
-    const int has_before = before >= 0 && before < f->n, has_after = after >= 0 && after < f->n;
-    const double *const lower = a->lower + (size_t)i * (size_t)bb, *const upper = a->upper + (size_t)i * (size_t)bb;
-    return (BlockRow){.diag = a->diag + (size_t)i * (size_t)bb,
-                      .before = !has_before ? block_zero : down ? lower : upper,
-                      .after = !has_after ? block_zero : down ? upper : lower,
-                      .v_before = has_before ? f->back + (size_t)before * (size_t)cell : block_zero,
-                      .front = f->front + 2 * (size_t)i * (size_t)cell,
-                      .back = f->back + (size_t)i * (size_t)cell};
-}
+const double block_zero[B_MAX * B_MAX + W_MAX];
 
 /* [S | after | I], column-major; Gauss-Jordan turns it into [I | V | X]. */
 typedef struct Augmented {
@@ -41,7 +26,7 @@ static void augment(const BlockFactor *f, const BlockRow *row, Augmented *g)
         memcpy(g->a[b + c], row->after + c * b, (size_t)b * sizeof(double));
         g->a[2 * b + c][c] = 1;
         for (int k = 0; k < b; ++k) {
-            for (int r = 0; r < b; ++r) g->a[c][r] -= row->before[k * b + r] * row->v_before[c * f->width + k];
+            for (int r = 0; r < b; ++r) g->a[c][r] -= row->before[k * b + r] * row->v_before[c * b + k];
         }
         for (int r = 0; r < b; ++r) g->scale[r] += fabs(g->a[c][r]);
     }
@@ -94,9 +79,8 @@ int block_row_pivoted(const BlockFactor *f, const BlockRow *row)
         column_eliminate(&g, k);
     }
     for (int c = 0; c < b; ++c) {
-        memcpy(row->back + c * f->width, g.a[b + c], (size_t)b * sizeof(double));
-        memcpy(row->front + (b + c) * f->width, g.a[2 * b + c], (size_t)b * sizeof(double));
-        for (int r = b; r < f->width; ++r) row->back[c * f->width + r] = row->front[(b + c) * f->width + r] = 0;
+        memcpy(row->back + c * b, g.a[b + c], (size_t)b * sizeof(double));
+        memcpy(row->front + (b + c) * b, g.a[2 * b + c], (size_t)b * sizeof(double));
     }
     return 0;
 }

@@ -29,7 +29,7 @@ int block_solver_init(BlockSolver *s, int n, int b, Isa isa, double growth_limit
 {
     assert(n > 0 && (b == 3 || b == 6));
     const int width = b == 6 ? 8 : 4;
-    const size_t cell = (size_t)(b * width), rows = (size_t)n;
+    const size_t cell = (size_t)(b * b), rows = (size_t)n;
     *s = (BlockSolver){.kernels = kernels_for(b, isa), .team = team};
     s->f = (BlockFactor){.n = n, .b = b, .width = width, .middle = n / 2, .growth_limit = growth_limit};
     s->f.front = cells_new(2 * cell * rows);
@@ -81,10 +81,9 @@ int block_solver_factor(BlockSolver *s, const BlockChain *a)
 {
     const BlockFactor *const f = &s->f;
     s->report = (BlockReport){0};
-    const int apart = team_size(s->team) > 1 && f->n >= TEAM_FACTOR_MIN;
+    const int apart = f->n >= TEAM_FACTOR_MIN && team_ready(s->team);
     int status = apart ? factor_apart(s, a) : s->kernels->factor(f, a, SIDE_BOTH, &s->report);
     if (!status) status = s->kernels->factor_middle(f, a, &s->report);
-    s->ready = status == 0;
     return status;
 }
 
@@ -94,28 +93,30 @@ typedef struct SolveJob {
     double *x;
 } SolveJob;
 
-static void solve_side(void *arg, int rank)
+static void forward_side(void *arg, int rank)
 {
     const SolveJob *const job = arg;
-    const BlockSolver *const s = job->s;
-    const int side = rank ? SIDE_BOTTOM : SIDE_TOP;
-    s->kernels->forward(&s->f, side, job->count, job->x);
-    team_barrier(s->team, rank);
-    s->kernels->back(&s->f, side, job->count, job->x);
+    job->s->kernels->forward(&job->s->f, rank ? SIDE_BOTTOM : SIDE_TOP, job->count, job->x);
+}
+
+static void back_side(void *arg, int rank)
+{
+    const SolveJob *const job = arg;
+    job->s->kernels->back(&job->s->f, rank ? SIDE_BOTTOM : SIDE_TOP, job->count, job->x);
 }
 
 void block_solver_solve(BlockSolver *s, int count, double *x)
 {
     const BlockFactor *const f = &s->f;
-    assert(s->ready);
     for (int done = 0; done < count; done += BLOCK_RHS) {
         double *const at = x + (size_t)done * (size_t)(f->n * f->b);
-        const int now = count - done < BLOCK_RHS ? count - done : BLOCK_RHS;
-        if (team_size(s->team) > 1 && f->n >= TEAM_SOLVE_MIN) {
-            team_run(s->team, solve_side, &(SolveJob){s, now, at});
+        SolveJob job = {s, count - done < BLOCK_RHS ? count - done : BLOCK_RHS, at};
+        if (f->n >= TEAM_SOLVE_MIN && team_ready(s->team)) {
+            team_run(s->team, forward_side, &job);
+            team_run(s->team, back_side, &job);
         } else {
-            s->kernels->forward(f, SIDE_BOTH, now, at);
-            s->kernels->back(f, SIDE_BOTH, now, at);
+            s->kernels->forward(f, SIDE_BOTH, job.count, at);
+            s->kernels->back(f, SIDE_BOTH, job.count, at);
         }
     }
 }
@@ -145,9 +146,7 @@ static int block_factorise(void *self, const LinMatrix *a) { return block_solver
 
 static int block_solve(void *self, int count, double *x)
 {
-    BlockSolver *const s = self;
-    if (!s->ready) return 1;
-    block_solver_solve(s, count, x);
+    block_solver_solve(self, count, x);
     return 0;
 }
 

@@ -9,7 +9,6 @@ typedef struct BlockSolver {
     BlockFactor f;
     const BlockKernels *kernels;
     Team *team; /* borrowed; used for long chains only, with the same result */
-    int ready;  /* factors are good */
     BlockReport report;
 } BlockSolver;
 

@@ -21,7 +21,6 @@ typedef struct BorderedSolver {
     double *bottom;       /* [(nb + leaves.unknowns)*w]: C, as in NewtonMatrix */
     double *s;            /* [w*w]: LU of S */
     lapack_int *pivot;    /* [w] */
-    int ready;
     double growth, growth_limit;
 } BorderedSolver;
 
@@ -128,7 +127,6 @@ static int bordered_factor(void *self, const LinMatrix *a)
     BorderedSolver *const s = self;
     int status = inner_factor(s, a->newton);
     if (!status && s->w) status = border_factor(s, a->newton);
-    s->ready = status == 0;
     return status;
 }
 
@@ -150,7 +148,6 @@ static void solve_one(BorderedSolver *s, double *x)
 static int bordered_solve(void *self, int count, double *x)
 {
     BorderedSolver *const s = self;
-    if (!s->ready) return 1;
     for (int r = 0; r < count; ++r) solve_one(s, x + (size_t)r * (size_t)(s->nb + s->leaves.unknowns + s->w));
     return 0;
 }

@@ -153,7 +153,6 @@ static int klu_factorise(void *self, const LinMatrix *a)
 static int klu_solve_many(void *self, int count, double *x)
 {
     KluSolver *const s = self;
-    if (!s->numeric) return 1;
     const int ok = klu_solve(s->symbolic, s->numeric, s->symbolic->n, count, x, &s->common);
     return ok ? 0 : s->common.status == KLU_OUT_OF_MEMORY ? -1 : 1;
 }

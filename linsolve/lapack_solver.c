@@ -14,7 +14,6 @@ typedef struct LapackSolver {
     int rows;         /* leading dimension of lu */
     double *lu;       /* [rows*n] */
     lapack_int *pivot;
-    int ready;
     double growth;
 } LapackSolver;
 
@@ -106,7 +105,6 @@ static int lapack_factor(void *self, const LinMatrix *a)
 {
     LapackSolver *const s = self;
     double largest, rcond = 0;
-    s->ready = 0;
     const double norm = load(s, a->sparse, &largest);
     if (isnan(norm)) return 1;
     const int info = s->banded ? LAPACKE_dgbtrf(LAPACK_COL_MAJOR, s->n, s->n, s->below, s->above, s->lu, s->rows, s->pivot)
@@ -118,14 +116,12 @@ static int lapack_factor(void *self, const LinMatrix *a)
     } else {
         LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', s->n, s->lu, s->rows, norm, &rcond);
     }
-    s->ready = rcond > DBL_EPSILON / 64; /* rows in mixed units cost digits that are no sign of singularity */
-    return !s->ready;
+    return rcond > DBL_EPSILON / 64 ? 0 : 1; /* rows in mixed units cost digits that are no sign of singularity */
 }
 
 static int lapack_solve(void *self, int count, double *x)
 {
     LapackSolver *const s = self;
-    if (!s->ready) return 1;
     return s->banded ? LAPACKE_dgbtrs(LAPACK_COL_MAJOR, 'N', s->n, s->below, s->above, count, s->lu, s->rows, s->pivot,
                                       x, s->n)
                      : LAPACKE_dgetrs(LAPACK_COL_MAJOR, 'N', s->n, count, s->lu, s->rows, s->pivot, x, s->n);

@@ -20,6 +20,7 @@ struct LinSolver {
     Team *team;              /* own team, if the caller lent none */
     LinSolver *backup;       /* KLU, made when the back end first gives up on a matrix */
     int use_backup;          /* the present factors are the backup's */
+    int ready;               /* the last factorisation succeeded */
     LinStats stats;
 };
 
@@ -186,8 +187,10 @@ int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a)
     }
     ++s->stats.factors;
     s->use_backup = 0;
-    const int status = s->backend->factor(s->self, &m);
-    return status == LIN_UNSTABLE ? backup_factor(s, a) : status;
+    int status = s->backend->factor(s->self, &m);
+    if (status == LIN_UNSTABLE) status = backup_factor(s, a);
+    s->ready = status == 0;
+    return status;
 }
 
 int linsolver_factor_sparse(LinSolver *s, const SparseMatrix *a)
@@ -195,13 +198,16 @@ int linsolver_factor_sparse(LinSolver *s, const SparseMatrix *a)
     assert(s->general && a->n == s->size);
     ++s->stats.factors;
     const LinMatrix m = {.sparse = a, .groups = a->n};
-    return s->backend->factor(s->self, &m);
+    const int status = s->backend->factor(s->self, &m);
+    s->ready = status == 0;
+    return status;
 }
 
 int linsolver_solve(LinSolver *s, double *x) { return linsolver_solve_many(s, 1, x); }
 
 int linsolver_solve_many(LinSolver *s, int count, double *x)
 {
+    if (!s->ready) return 1;
     s->stats.solves += count;
     if (s->use_backup) return linsolver_solve_many(s->backup, count, x);
     return s->backend->solve(s->self, count, x);

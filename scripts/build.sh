@@ -1,5 +1,5 @@
 #!/bin/sh
-# Configures and builds one preset into build/PRESET, quietly: the output is shown only if something fails.
+# Configures and builds one preset into build/PRESET, quietly: the output goes to a log whose end is shown if something fails.
 # Usage: sh scripts/build.sh PRESET [TARGET...]        (presets: CMakePresets.json; default: every target)
 set -eu
 
@@ -12,7 +12,7 @@ log=build/$preset/build.log
 
 echo "Building $preset (log: $log)"
 if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --target "$@"; } >"$log" 2>&1; then
-    cat "$log" >&2
-    echo "build.sh: the $preset build failed" >&2
+    tail -n 60 "$log" >&2
+    echo "build.sh: the $preset build failed; all of it is in $log" >&2
     exit 1
 fi

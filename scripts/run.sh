@@ -17,8 +17,16 @@ sh scripts/setup.sh
 sh scripts/build.sh release hawser
 build/release/cli/hawser run "$case_file" -o "$results"
 
-if python3 -c 'import matplotlib' 2>/dev/null; then
-    python3 scripts/plot.py "$results"
+# Debian's matplotlib belongs to Debian's Python, which need not be the first one on the path.
+python=
+for candidate in /usr/bin/python3 python3; do
+    if "$candidate" -c 'import matplotlib' 2>/dev/null; then
+        python=$candidate
+        break
+    fi
+done
+if [ -n "$python" ]; then
+    "$python" scripts/plot.py "$results"
 else
     echo "run.sh: no plots, because python3-matplotlib is not there"
 fi

@@ -4,19 +4,38 @@
 #include <string.h>
 
 #include "core/clock.h"
+#include "core/team.h"
+#include "core/lanes.h"
 #include "sim/applied.h"
 
-int workspace_alloc(Workspace *ws, const Scene *scene)
+/* The rollers in two halves by number, which is mostly their order along the route. */
+static int parts_alloc(Workspace *ws, const Scene *scene)
+{
+    const int rollers = scene->contact.n_rollers, half = rollers / 2;
+    int ok = 1;
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &ws->contact[p];
+        part->model = scene->contact;
+        part->model.roller = scene->contact.roller + (p == 0 ? 0 : half);
+        part->model.n_rollers = p == 0 ? half : rollers - half;
+        ok &= contact_pairs_alloc(&part->pairs, scene->chain.n) & loads_alloc(&ws->loads[p], scene->chain.n);
+    }
+    return ok;
+}
+
+int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
 {
     const int n = scene->chain.n;
     memset(ws, 0, sizeof *ws);
-    int ok = kinematics_alloc(&ws->kin, n) & joint_loads_alloc(&ws->joints, n) & loads_alloc(&ws->loads, n);
+    ws->team = team;
+    ws->middle = n / 2 / LANES * LANES;
+    int ok = kinematics_alloc(&ws->kin, n) & joint_loads_alloc(&ws->joints, n) & parts_alloc(ws, scene);
     for (int c = 0; c < 6; ++c) {
         ws->law[c] = chain_array_new(n, 0);
         ok = ok && ws->law[c];
     }
     ws->on_roller = calloc((size_t)scene->contact.n_rollers + 1, sizeof *ws->on_roller);
-    ok = ok && ws->on_roller && contact_pairs_alloc(&ws->pairs, n);
+    ok = ok && ws->on_roller;
     if (!ok) workspace_free(ws);
     return ok;
 }
@@ -25,9 +44,11 @@ void workspace_free(Workspace *ws)
 {
     kinematics_free(&ws->kin);
     joint_loads_free(&ws->joints);
-    loads_free(&ws->loads);
     for (int c = 0; c < 6; ++c) ws->law[c] = chain_array_free(ws->law[c]);
-    contact_pairs_free(&ws->pairs);
+    for (int p = 0; p < PARTS; ++p) {
+        contact_pairs_free(&ws->contact[p].pairs);
+        loads_free(&ws->loads[p]);
+    }
     free(ws->on_roller);
     ws->on_roller = NULL;
 }
@@ -38,35 +59,152 @@ void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const doub
     scene_ghosts(scene, t, &ws->kin);
 }
 
-/* All loads on the segments, of the kinematics in the workspace. */
-static void loads_gather(const Scene *scene, Workspace *ws, double t, double friction)
+/* One evaluation, as both threads see it. */
+typedef struct Evaluation {
+    const Scene *scene;
+    Workspace *ws;
+    double t, friction;
+    const double *y;
+    double *ydot;
+    BlockChain *k, *d;
+} Evaluation;
+
+/* Applied loads and the contacts of one half of the rollers. */
+static void part_loads(const Evaluation *e, int part)
 {
-    bushing_loads(&scene->chain, &ws->kin, 0, scene->chain.n + 1, &ws->joints);
-    applied_loads(scene, &ws->kin, t, friction, &ws->loads);
+    Workspace *const ws = e->ws;
+    ContactPart *const mine = &ws->contact[part];
+    if (part == 0) {
+        applied_loads(e->scene, &ws->kin, e->t, e->friction, &ws->loads[0]);
+    } else {
+        loads_zero(&ws->loads[part], e->scene->chain.n);
+    }
+    if (mine->model.n_rollers == 0) return;
     const double start = clock_now();
-    contact_forces(&scene->contact, &scene->chain, &ws->kin, friction, &ws->pairs, &ws->loads, NULL);
-    ws->seconds_contact += clock_now() - start;
+    contact_forces(&mine->model, &e->scene->chain, &ws->kin, e->friction, &mine->pairs, &ws->loads[part], NULL);
+    mine->seconds += clock_now() - start;
+}
+
+/* The corridor of one step in three strides; each half needs what both halves did in the stride before. */
+static void kinematics_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    const int n = e->scene->chain.n, middle = e->ws->middle;
+    body_kinematics(n, e->y, rank == 0 ? 0 : middle, rank == 0 ? middle : n, &e->ws->kin);
+}
+
+static void loads_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    const Chain *const chain = &e->scene->chain;
+    const int middle = e->ws->middle;
+    bushing_loads(chain, &e->ws->kin, rank == 0 ? 0 : middle, rank == 0 ? middle : chain->n + 1, &e->ws->joints);
+    part_loads(e, rank);
+}
+
+static void motion_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    const Workspace *const ws = e->ws;
+    const int n = e->scene->chain.n;
+    body_rates(&e->scene->chain, &ws->kin, &ws->joints, ws->loads, e->y, rank == 0 ? 0 : ws->middle,
+               rank == 0 ? ws->middle : n, e->ydot);
+}
+
+/* Both shares of a job, on two threads or in a row. */
+static void both(Workspace *ws, TeamJob job, Evaluation *e)
+{
+    if (team_size(ws->team) == PARTS) {
+        team_run(ws->team, job, e);
+    } else {
+        job(e, 0);
+        job(e, 1);
+    }
 }
 
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot)
 {
-    dynamics_kinematics(scene, ws, t, y);
-    loads_gather(scene, ws, t, friction);
-    body_rates(&scene->chain, &ws->kin, &ws->joints, &ws->loads, y, 0, scene->chain.n, ydot);
+    Evaluation e = {.scene = scene, .ws = ws, .t = t, .friction = friction, .y = y, .ydot = ydot};
+    both(ws, kinematics_job, &e);
+    scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
+    both(ws, loads_job, &e);
+    both(ws, motion_job, &e);
     ++ws->rhs_evals;
+}
+
+/* Bushings and inertia of one half, without the lane of joints at the middle, which touches segments of both. */
+static void blocks_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Workspace *const ws = e->ws;
+    const Chain *const chain = &e->scene->chain;
+    const int n = chain->n;
+    if (rank == 0) {
+        bushing_blocks(chain, &ws->kin, 0, ws->middle, e->k, e->d);
+    } else if (ws->middle + LANES < n + 1) {
+        bushing_blocks(chain, &ws->kin, ws->middle + LANES, n + 1, e->k, e->d);
+    }
+}
+
+/* Adds up in the order that does not depend on the number of threads: two terms of a sum commute. */
+static void blocks_of_chain(Evaluation *e)
+{
+    Workspace *const ws = e->ws;
+    const Chain *const chain = &e->scene->chain;
+    const int after = ws->middle + LANES < chain->n + 1 ? ws->middle + LANES : chain->n + 1;
+    both(ws, blocks_job, e);
+    bushing_blocks(chain, &ws->kin, ws->middle, after, e->k, e->d);
+    body_blocks(chain, &ws->kin, e->ydot, 0, chain->n, e->k, e->d);
 }
 
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
                      BlockChain *k, BlockChain *d)
 {
     const Chain *const chain = &scene->chain;
+    Evaluation e = {.scene = scene, .ws = ws, .ydot = (double *)ydot, .k = k, .d = d};
     dynamics_kinematics(scene, ws, t, y);
     block_chain_zero(k);
     block_chain_zero(d);
-    bushing_blocks(chain, &ws->kin, 0, chain->n + 1, k, d);
-    body_blocks(chain, &ws->kin, ydot, 0, chain->n, k, d);
+    blocks_of_chain(&e);
     applied_blocks(scene, &ws->kin, t, friction, k, d);
-    contact_blocks(&scene->contact, chain, &ws->kin, friction, &ws->pairs, k, d);
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &ws->contact[p];
+        if (part->model.n_rollers > 0) contact_blocks(&part->model, chain, &ws->kin, friction, &part->pairs, k, d);
+    }
+}
+
+int dynamics_roller_forces(const Scene *scene, Workspace *ws)
+{
+    int active = 0, first = 0;
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &ws->contact[p];
+        if (part->model.n_rollers == 0) continue;
+        loads_zero(&ws->loads[p], scene->chain.n);
+        contact_forces(&part->model, &scene->chain, &ws->kin, 1.0, &part->pairs, &ws->loads[p], ws->on_roller + first);
+        active += part->pairs.active;
+        first += part->model.n_rollers;
+    }
+    return active;
+}
+
+double dynamics_contact_seconds(const Workspace *ws)
+{
+    const double first = ws->contact[0].seconds, second = ws->contact[1].seconds;
+    return team_size(ws->team) == PARTS ? fmax(first, second) : first + second;
+}
+
+int dynamics_candidates(const Workspace *ws)
+{
+    int count = 0;
+    for (int p = 0; p < PARTS; ++p) count += ws->contact[p].pairs.candidates;
+    return count;
+}
+
+/* Whether a part's candidates no longer cover what can touch. */
+static int stale(const Scene *scene, const Workspace *ws)
+{
+    const ContactPart *const part = &ws->contact[PARTS - 1]; /* both were refreshed at the same positions */
+    return contact_moved_too_far(&part->model, &scene->chain, &ws->kin, &part->pairs);
 }
 
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
@@ -74,9 +212,13 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
 {
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
     dynamics_kinematics(scene, ws, t, y);
-    if (!always && !contact_moved_too_far(&scene->contact, &scene->chain, &ws->kin, &ws->pairs)) return HAWSER_OK;
-    const hawser_status status = contact_refresh(&scene->contact, &scene->chain, &ws->kin, &ws->pairs, err);
+    if (!always && !stale(scene, ws)) return HAWSER_OK;
+    hawser_status status = HAWSER_OK;
+    for (int p = 0; p < PARTS && !status; ++p) {
+        ContactPart *const part = &ws->contact[p];
+        status = contact_refresh(&part->model, &scene->chain, &ws->kin, &part->pairs, err);
+    }
     ++ws->refreshes;
-    if (ws->pairs.candidates > ws->candidates_max) ws->candidates_max = ws->pairs.candidates;
+    if (dynamics_candidates(ws) > ws->candidates_max) ws->candidates_max = dynamics_candidates(ws);
     return status;
 }

@@ -3,23 +3,34 @@
 #ifndef HAWSER_SIM_DYNAMICS_H
 #define HAWSER_SIM_DYNAMICS_H
 
+#include "core/team.h"
 #include "sim/scene.h"
+
+enum { PARTS = 2 }; /* into which the work is split, whatever the number of threads: results never depend on it */
+
+/* Contacts of one half of the rollers. */
+typedef struct ContactPart {
+    ContactModel model;
+    ContactPairs pairs; /* contact_refresh */
+    double seconds;     /* s spent in forces, summed */
+} ContactPart;
 
 /* Scratch of one evaluation, grouped by what computes it; discardable. */
 typedef struct Workspace {
-    Kinematics kin;      /* body_kinematics, scene_ghosts */
-    JointLoads joints;   /* bushing_loads */
-    Loads loads;         /* weight, tail, drag, contacts: on segments */
-    ContactPairs pairs;  /* contact_refresh */
-    Vec3 *on_roller;     /* [rollers] contact_forces, where asked for, N */
-    double *law[6];      /* bushing_law: [n+1] */
-    double seconds_contact; /* s spent in contacts, summed */
+    Team *team;        /* borrowed; NULL: one thread */
+    int middle;        /* segments before it are the first part's; a multiple of LANES */
+    Kinematics kin;    /* body_kinematics, scene_ghosts */
+    JointLoads joints; /* bushing_loads */
+    Loads loads[PARTS]; /* on segments: weight, tail, drag and the first half's contacts; the second half's contacts */
+    ContactPart contact[PARTS];
+    Vec3 *on_roller;   /* [rollers] contact_forces, where asked for, N */
+    double *law[6];    /* bushing_law: [n+1] */
     long rhs_evals, refreshes;
     int candidates_max;
 } Workspace;
 
 /* 0 if there is no memory. */
-int workspace_alloc(Workspace *ws, const Scene *scene);
+int workspace_alloc(Workspace *ws, const Scene *scene, Team *team);
 void workspace_free(Workspace *ws);
 
 /* kin from (t, y). */
@@ -30,6 +41,13 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
  * of y in the workspace. */
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
                      BlockChain *k, BlockChain *d);
+/* Force of the cable on every roller, into ws->on_roller, for the kinematics in the workspace; returns how many contacts carry
+ * force. Overwrites ws->loads. */
+int dynamics_roller_forces(const Scene *scene, Workspace *ws);
+/* Wall time spent in contact forces so far, s. */
+double dynamics_contact_seconds(const Workspace *ws);
+/* Candidate pairs in the workspace now. */
+int dynamics_candidates(const Workspace *ws);
 /* New candidate pairs for the position y if `always`, or if something has moved too far since the last ones.
  * Errors: MEMORY. */
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,

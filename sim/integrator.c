@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/clock.h"
 #include "sim/scales.h"
+#include "sim/vector.h"
 
 struct Integrator {
     const Scene *scene;
@@ -98,11 +99,6 @@ static void call_complaint(int code, const char *module, const char *function, c
     snprintf(in->complaint, sizeof in->complaint, "%s", message);
 }
 
-static realtype call_norm(N_Vector x, N_Vector w)
-{
-    return scales_norm((int)(N_VGetLength(x) / STATE_SIZE), N_VGetArrayPointer(x), N_VGetArrayPointer(w));
-}
-
 /* ----------------------------------------------------------- the Newton matrix in SUNDIALS' clothes (SUNDIALS custom) */
 
 static SUNMatrix_ID matrix_id(SUNMatrix a)
@@ -186,7 +182,7 @@ static int integrator_start(Integrator *in, double t)
     scales_weights(in->scene, in->weight);
     in->state = N_VMake_Serial(length, in->y, in->context);
     if (!in->state) return 0;
-    in->state->ops->nvwrmsnorm = call_norm;
+    vector_use_kernels(in->state);
     in->cvode = CVodeCreate(CV_BDF, in->context);
     return in->cvode && CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS && cvode_set(in);
 }
@@ -292,5 +288,5 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
     CVodeGetNumNonlinSolvConvFails(in->cvode, &stats->newton_fails);
     CVodeGetLastStep(in->cvode, &stats->last_step);
     stats->newton_iters = iterations;
-    stats->contacts = in->ws->seconds_contact;
+    stats->contacts = dynamics_contact_seconds(in->ws);
 }

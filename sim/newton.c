@@ -10,6 +10,7 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     const int n = scene->chain.n;
     memset(nw, 0, sizeof *nw);
     nw->n = n;
+    nw->team = options->team;
     nw->mass = calloc((size_t)n, sizeof(double));
     nw->inertia = calloc((size_t)(9 * n), sizeof(double));
     nw->q = calloc((size_t)(4 * n), sizeof(double));
@@ -80,10 +81,20 @@ static void block_form(const double *k, const double *d, const double s[9], doub
     }
 }
 
-void newton_form(Newton *nw, double gamma)
+/* What one of two threads does: segments from..to-1 of a loop over them. */
+typedef struct Split {
+    Newton *nw;
+    double *b;
+} Split;
+
+static int split_from(const Newton *nw, int rank) { return rank == 0 ? 0 : nw->n / 2; }
+static int split_to(const Newton *nw, int rank) { return rank == 0 ? nw->n / 2 : nw->n; }
+
+/* Block columns from..to-1 of A: in rows i-1, i, i+1 (N5). */
+static void form_columns(Newton *nw, int from, int to)
 {
-    nw->gamma = gamma;
-    for (int i = 0; i < nw->n; ++i) { /* block column i: of rows i-1, i, i+1 (N5) */
+    const double gamma = nw->gamma;
+    for (int i = from; i < to; ++i) {
         double s[9];
         turn_matrix(nw->w + 3 * i, gamma, s);
         double *const diag = nw->a.diag + 36 * i;
@@ -94,6 +105,23 @@ void newton_form(Newton *nw, double gamma)
             diag[7 * c] += nw->mass[i];
             for (int r = 0; r < 3; ++r) diag[6 * (3 + c) + 3 + r] += nw->inertia[9 * i + 3 * r + c];
         }
+    }
+}
+
+static void form_job(void *arg, int rank)
+{
+    Newton *const nw = ((Split *)arg)->nw;
+    form_columns(nw, split_from(nw, rank), split_to(nw, rank));
+}
+
+void newton_form(Newton *nw, double gamma)
+{
+    Split split = {.nw = nw};
+    nw->gamma = gamma;
+    if (team_size(nw->team) == 2) {
+        team_run(nw->team, form_job, &split);
+    } else {
+        form_columns(nw, 0, nw->n);
     }
 }
 
@@ -116,9 +144,9 @@ static Quat vector_quaternion(const double *b, int n, int i)
 }
 
 /* turn[i]: the rotation that the quaternion residual stands for (N6). */
-static void turn_residual(Newton *nw, const double *b)
+static void turn_residual(Newton *nw, const double *b, int from, int to)
 {
-    for (int i = 0; i < nw->n; ++i) {
+    for (int i = from; i < to; ++i) {
         const Quat q = quaternion_at(nw->q + 4 * i);
         const Quat e = quaternion_eliminate(nw->w + 3 * i, nw->gamma, vector_quaternion(b, nw->n, i));
         const Quat r = quat_mul(e, quat_conj(q));
@@ -140,12 +168,11 @@ static void stiffness_times(const Newton *nw, const double *block, double s, con
     }
 }
 
-/* x = M b_u + gamma K (b_p; turn) (N7). */
-static void reduce(Newton *nw, const double *b)
+/* x = M b_u + gamma K (b_p; turn) (N7), rows from..to-1. */
+static void reduce(Newton *nw, const double *b, int from, int to)
 {
     const int n = nw->n;
-    turn_residual(nw, b);
-    for (int i = 0; i < n; ++i) {
+    for (int i = from; i < to; ++i) {
         double r[6];
         const double *const in = nw->inertia + 9 * i;
         const double w[3] = {b[10 * n + i], b[11 * n + i], b[12 * n + i]};
@@ -160,12 +187,12 @@ static void reduce(Newton *nw, const double *b)
     }
 }
 
-/* The eliminated unknowns from the velocities (N8). */
-static void expand(const Newton *nw, double *b)
+/* The eliminated unknowns from the velocities (N8), segments from..to-1. */
+static void expand(const Newton *nw, double *b, int from, int to)
 {
     const int n = nw->n;
     const double gamma = nw->gamma, g = gamma / 2;
-    for (int i = 0; i < n; ++i) {
+    for (int i = from; i < to; ++i) {
         const double *const u = nw->x + 6 * i;
         const Quat spin = quat_mul((Quat){0, g * u[3], g * u[4], g * u[5]}, quaternion_at(nw->q + 4 * i));
         Quat p = vector_quaternion(b, n, i);
@@ -181,10 +208,41 @@ static void expand(const Newton *nw, double *b)
     }
 }
 
+static void turn_job(void *arg, int rank)
+{
+    const Split *const s = arg;
+    turn_residual(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
+}
+
+static void reduce_job(void *arg, int rank)
+{
+    const Split *const s = arg;
+    reduce(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
+}
+
+static void expand_job(void *arg, int rank)
+{
+    const Split *const s = arg;
+    expand(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
+}
+
 int newton_solve(Newton *nw, double *b)
 {
-    reduce(nw, b);
+    Split split = {.nw = nw, .b = b};
+    const int two = team_size(nw->team) == 2;
+    if (two) {
+        team_run(nw->team, turn_job, &split);
+        team_run(nw->team, reduce_job, &split);
+    } else {
+        turn_residual(nw, b, 0, nw->n);
+        reduce(nw, b, 0, nw->n);
+    }
     const int status = linsolver_solve(nw->solver, nw->x);
-    if (!status) expand(nw, b);
-    return status;
+    if (status) return status;
+    if (two) {
+        team_run(nw->team, expand_job, &split);
+    } else {
+        expand(nw, b, 0, nw->n);
+    }
+    return 0;
 }

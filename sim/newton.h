@@ -18,6 +18,7 @@ typedef struct Newton {
     double *x;       /* [6n] work: reduced right-hand side and solution */
     double gamma;    /* s, of a */
     LinSolver *solver;
+    Team *team; /* borrowed; NULL: one thread */
 } Newton;
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);

@@ -1,5 +1,6 @@
 #include "sim/relax.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,7 +33,7 @@ static double residual(Relaxation *r, int *where)
         const double force = chain->mass[i] * v3_norm(a);
         const double moment = v3_norm(body_inertia_times(chain, &r->ws->kin, i, spin)) / chain->half[i];
         const double both = force + moment;
-        if (!(both <= largest)) {
+        if (both > largest || isnan(both)) {
             largest = both;
             *where = i;
         }
@@ -78,13 +79,19 @@ static void move(Relaxation *r, double dt)
     }
 }
 
-/* What counts as balanced: the tolerance times the largest of the segments' weights and the loads of t. */
+/* What counts as balanced: the tolerance times the largest of the segments' weights and the loads of t, but never less
+ * than what rounding of the coordinates does to the stiffest bushing. */
 static double tolerance_of(const Relaxation *r)
 {
     const Chain *const chain = &r->scene->chain;
-    double scale = fabs(profile_value(&r->scene->tail, r->t));
-    for (int i = 0; i < chain->n; ++i) scale = fmax(scale, chain->mass[i] * v3_norm(r->scene->weight.gravity));
-    return r->scene->def.solver.relax_tolerance * fmax(scale, 1e-9);
+    const int n = chain->n;
+    double load = fabs(profile_value(&r->scene->tail, r->t)), stiffness = 0, far = 0;
+    for (int i = 0; i < n; ++i) {
+        load = fmax(load, chain->mass[i] * v3_norm(r->scene->weight.gravity));
+        stiffness = fmax(stiffness, chain->stiffness[0][i]);
+        far = fmax(far, v3_norm(v3(r->y[i], r->y[n + i], r->y[2 * n + i])));
+    }
+    return fmax(r->scene->def.solver.relax_tolerance * load, 16 * DBL_EPSILON * far * stiffness);
 }
 
 static double farthest_move(const Relaxation *r)

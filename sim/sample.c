@@ -89,9 +89,7 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace
     motion_take(b, &ws->kin, scene->chain.n);
     tension_take(b, scene, ws);
     winch_take(s, scene, ws, t);
-    loads_zero(&ws->loads, scene->chain.n);
-    contact_forces(&scene->contact, &scene->chain, &ws->kin, 1.0, &ws->pairs, &ws->loads, ws->on_roller);
-    s->active_contacts = ws->pairs.active;
+    s->active_contacts = dynamics_roller_forces(scene, ws);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
     return s;
 }

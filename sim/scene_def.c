@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm (0.066 m)
- * and E* = 1 GPa, a polyethylene sheath on steel; c damps half a metre of heavy cable on it at about half of critical. */
+/* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm
+ * (0.066 m) and E* = 1 GPa, a polyethylene sheath on steel; c damps half a metre of heavy cable on it at
+ * about half of critical. */
 static void contact_defaults(SceneDef *def)
 {
     def->geometry = GEOMETRY_SMOOTH;

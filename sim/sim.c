@@ -21,8 +21,10 @@ struct Sim {
     Expected expected;
     double t, *y; /* s; [13 n] */
     hawser_relaxation relaxation;
+    LinStats lin; /* what was chosen, and why */
     double relax_s, output_s, record_s; /* s */
     int threads;
+    Team *team; /* of two, or NULL */
     int active_max; /* contacts */
 };
 
@@ -30,9 +32,14 @@ static hawser_status parts_new(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->scene;
     s->y = malloc((size_t)(STATE_SIZE * scene->chain.n) * sizeof(double));
-    if (!s->y || !workspace_alloc(&s->ws, scene) || !sample_alloc(&s->look, scene)) return error_memory(err);
+    if (s->threads > 1) s->team = team_new(s->threads);
+    if ((s->threads > 1 && !s->team) || !s->y || !workspace_alloc(&s->ws, scene, s->team) || !sample_alloc(&s->look, scene)) return error_memory(err);
     scene_initial_state(scene, s->y);
-    hawser_status status = newton_new(&s->newton, scene, &scene->def.solver.linear, err);
+    LinOptions options = scene->def.solver.linear;
+    options.threads = team_size(s->team);
+    options.team = s->team;
+    hawser_status status = newton_new(&s->newton, scene, &options, err);
+    if (!status) linsolver_stats(s->newton.solver, &s->lin);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     if (!status) status = dynamics_refresh(scene, &s->ws, 0, s->y, 1, err);
@@ -67,6 +74,7 @@ Sim *sim_free(Sim *s)
     workspace_free(&s->ws);
     free(s->y);
     scene_clear(&s->scene);
+    team_free(s->team);
     free(s);
     return NULL;
 }
@@ -154,8 +162,6 @@ static void integration_fill(const Sim *s, hawser_summary *out)
 void sim_summary(const Sim *s, hawser_summary *out)
 {
     const Scene *const scene = &s->scene;
-    LinStats lin;
-    linsolver_stats(s->newton.solver, &lin);
     *out = (hawser_summary){.segments = scene->chain.n,
                             .bushings = scene->chain.n - 1 + (scene->winch.present ? 1 : 0),
                             .rollers = scene->contact.n_rollers,
@@ -163,9 +169,9 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .contact_active_max = s->active_max,
                             .contact_refreshes = s->ws.refreshes,
                             .sim_time_s = s->t,
-                            .linear_solver = lin.name,
-                            .linear_solver_why = lin.why,
-                            .ordering = lin.ordering,
+                            .linear_solver = s->lin.name,
+                            .linear_solver_why = s->lin.why,
+                            .ordering = s->lin.ordering,
                             .threads = s->threads,
                             .paper_total_N = s->expected.paper_total,
                             .reference_total_N = s->expected.reference_total,

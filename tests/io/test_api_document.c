@@ -46,8 +46,8 @@ static void test_table(void **state)
 {
     (void)state;
     expect(HAWSER_TABLE, "Title\n"
-                         "  mass                         12.5 kg\n"
-                         "  kind                         a, b\n"
+                         "  mass  12.5 kg\n"
+                         "  kind  a, b\n"
                          "\nSome rows\n"
                          "  name       s, m     T, N\n"
                          "  first      1.50  1000000\n"

@@ -1,0 +1,59 @@
+#include <math.h>
+
+#include "io/case_error.h"
+#include "io/case_parts.h"
+
+/* The law's stiffness: its unit goes with the exponent. */
+static hawser_status stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k)
+{
+    char why[UNITS_WHY_MAX];
+    const CaseKey *key = case_key_of(&case_contact, "k");
+    if (node->kind != NODE_TEXT) return case_value_error(r->err, node, ": expected a stiffness in N/m^%g", e);
+    if (!units_read_stiffness(r->units, node->text, e, k, why)) {
+        return case_value_error(r->err, node, " %s: expected a stiffness in N/m^%g, such as 3.4e8 N/m^%g",
+                                why, e, e);
+    }
+    return case_range_check(r, node, key, *k);
+}
+
+hawser_status case_contact_read(const CaseReader *r, const CaseNode *node)
+{
+    SceneDef *def = r->def;
+    ContactRecord record;
+    hawser_status status = case_section_read(r, node, &case_contact, &record);
+    double k = def->impact.k;
+    if (!status && record.k) status = stiffness_read(r, record.k, record.e, &k);
+    if (status) return status;
+    def->geometry = record.geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
+    def->impact = (ImpactLaw){.k = k, .e = record.e, .c = record.c, .d = record.d};
+    def->contact_reach = record.reach;
+    return HAWSER_OK;
+}
+
+hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d)
+{
+    if (isnan(*v_d)) *v_d = 2 * v_s;
+    if (v_s < *v_d) return HAWSER_OK;
+    const CaseNode *given = case_node_key(node, "v_d");
+    return case_key_error(r->err, given ? given : node, given ? NULL : "v_d",
+                          "value %g m/s is out of range: must be above v_s, %g m/s", *v_d, v_s);
+}
+
+hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base,
+                                 FrictionLaw *law)
+{
+    FrictionRecord record;
+    hawser_status status = case_section_read(r, node, &case_friction, &record);
+    if (status) return status;
+    const int same = !isnan(record.mu);
+    law->mu_s = !isnan(record.mu_s) ? record.mu_s : same ? record.mu : base->mu_s;
+    law->mu_d = !isnan(record.mu_d) ? record.mu_d : same ? record.mu : base->mu_d;
+    law->v_s = isnan(record.v_s) ? base->v_s : record.v_s;
+    law->v_d = isnan(record.v_d) && isnan(record.v_s) ? base->v_d : record.v_d;
+    status = case_speeds_check(r, node, law->v_s, &law->v_d);
+    if (!status && law->mu_d > law->mu_s) {
+        status = case_key_error(r->err, node, isnan(record.mu_d) ? "mu_s" : "mu_d",
+                                "mu_d, %g, is out of range: must be at most mu_s, %g", law->mu_d, law->mu_s);
+    }
+    return status;
+}

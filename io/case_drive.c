@@ -1,0 +1,124 @@
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/error.h"
+#include "io/case_error.h"
+#include "io/case_parts.h"
+
+/* The keys of a section that share a profile's forms. */
+typedef struct Drive {
+    const CaseSection *section;
+    const char *value; /* "speed", "tension" */
+} Drive;
+
+static const Drive winch_drive = {&case_winch, "speed"}, tail_drive = {&case_tail, "tension"};
+
+/* A table's points: [time, value], times rising strictly. */
+static hawser_status points_read(const CaseReader *r, const CaseNode *list, const Drive *drive, double *time,
+                                 double *value)
+{
+    const CaseKey *const keys[2] = {case_key_of(drive->section, "to"),
+                                    case_key_of(drive->section, drive->value)};
+    for (const CaseNode *point = list->first; point; point = point->next) {
+        double pair[2];
+        const hawser_status status = case_numbers_read(r, point, 2, keys, pair);
+        if (status) return status;
+        const int i = point->index;
+        if (i > 0 && pair[0] <= time[i - 1]) {
+            return case_value_error(r->err, case_node_item(point, 0),
+                                    " is out of range: must be above the time before it, %g s", time[i - 1]);
+        }
+        time[i] = pair[0];
+        value[i] = pair[1];
+    }
+    return HAWSER_OK;
+}
+
+/* The arrays become the caller's even if there is an error. */
+static hawser_status table_read(const CaseReader *r, const CaseNode *map, const CaseNode *list,
+                                const Drive *drive, Profile *profile, double **time, double **value)
+{
+    const char *const others[] = {drive->value, "ramp", "from", "to"};
+    for (int k = 0; k < 4; k++) {
+        const CaseNode *other = case_node_key(map, others[k]);
+        if (other) return case_key_error(r->err, other, NULL, "not allowed beside 'table'");
+    }
+    if (list->count < 2)
+        return case_value_error(r->err, list, " of %d points: expected two at least", list->count);
+    *time = calloc((size_t)list->count, sizeof **time);
+    *value = calloc((size_t)list->count, sizeof **value);
+    if (!*time || !*value) return error_memory(r->err);
+    *profile = (Profile){.kind = PROFILE_TABLE, .n = list->count, .time = *time, .value = *value};
+    return points_read(r, list, drive, *time, *value);
+}
+
+/* A ramp from 0, or a table. */
+static hawser_status profile_make(const CaseReader *r, const CaseNode *map, const Drive *drive,
+                                  const DriveRecord *record, Profile *profile, double **time, double **value)
+{
+    if (record->table) return table_read(r, map, record->table, drive, profile, time, value);
+    if (isnan(record->value))
+        return case_key_error(r->err, map, drive->value, "missing: give it, or a 'table'");
+    if (record->ramp != PROFILE_CONSTANT && record->to <= record->from) {
+        const CaseNode *to = case_node_key(map, "to");
+        return case_key_error(r->err, to ? to : map, to ? NULL : "to",
+                              "value %g s is out of range: must be above 'from', %g s", record->to,
+                              record->from);
+    }
+    *profile = (Profile){
+        .kind = (ProfileKind)record->ramp, .t0 = record->from, .t1 = record->to, .v1 = record->value};
+    return HAWSER_OK;
+}
+
+static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
+{
+    WinchDef *winch = &r->def->winch;
+    WinchRecord record;
+    const hawser_status status = case_section_read(r, node, winch_drive.section, &record);
+    if (status) return status;
+    winch->present = 1;
+    winch->axial_only = record.grip;
+    return profile_make(r, node, &winch_drive, &record.drive, &winch->speed, &winch->table_time,
+                        &winch->table_value);
+}
+
+static hawser_status tail_read(const CaseReader *r, const CaseNode *node)
+{
+    TailDef *tail = &r->def->tail;
+    DriveRecord record;
+    const hawser_status status = case_section_read(r, node, tail_drive.section, &record);
+    if (status) return status;
+    return profile_make(r, node, &tail_drive, &record, &tail->tension, &tail->table_time, &tail->table_value);
+}
+
+static hawser_status drag_read(const CaseReader *r, const CaseNode *node)
+{
+    DragRecord record;
+    hawser_status status = case_section_read(r, node, &case_rope_drag, &record);
+    if (!status) status = case_speeds_check(r, node, record.v_s, &record.v_d);
+    r->def->drag =
+        (RopeDragDef){.force = record.force, .v_s = record.v_s, .v_d = record.v_d, .ratio = record.ratio};
+    return status;
+}
+
+hawser_status case_drive_read(const CaseReader *r, const CaseNode *node)
+{
+    DrivesRecord record;
+    hawser_status status = case_section_read(r, node, &case_drive, &record);
+    if (!status && record.winch) status = winch_read(r, record.winch);
+    if (!status && record.tail) status = tail_read(r, record.tail);
+    if (!status && record.rope_drag) status = drag_read(r, record.rope_drag);
+    return status;
+}
+
+hawser_status case_run_read(const CaseReader *r, const CaseNode *node)
+{
+    RunRecord record;
+    const hawser_status status = case_section_read(r, node, &case_run, &record);
+    if (status) return status;
+    r->def->duration = record.duration;
+    r->def->output.steady_from = isnan(record.steady_from) ? record.duration / 2 : record.steady_from;
+    if (r->def->output.steady_from < record.duration) return HAWSER_OK;
+    return case_value_error(r->err, case_node_key(node, "steady_from"),
+                            " is out of range: must be below 'duration', %g s", record.duration);
+}

@@ -1,0 +1,43 @@
+/* The parts of a case, one function each; for io/case_*.c only. Each reads its section of the tree (node
+ * NULL: the section is not there), checks it against what was read before it, and fills its share of r->def.
+ * Errors: INPUT, MEMORY. The order of the calls is case_read's. */
+#ifndef HAWSER_IO_CASE_PARTS_H
+#define HAWSER_IO_CASE_PARTS_H
+
+#include "io/case_fields.h"
+#include "io/case_records.h"
+
+enum {
+    CASE_SEGMENTS_MAX = 200000,
+    CASE_ROLLERS_MAX = 100000,
+    CASE_STATIONS_MAX = 100000,
+    CASE_OUTPUTS_MAX = 10000000
+};
+
+hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_cables_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_chain_read(const CaseReader *r, const CaseNode *node);
+/* Leaves the route built in r->route. */
+hawser_status case_route_read(CaseReader *r, const CaseNode *node);
+hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_contact_read(const CaseReader *r, const CaseNode *node);
+/* A friction law; what is not given is the base's. */
+hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base,
+                                 FrictionLaw *law);
+/* Of a velocity function: v_d, or 2 v_s where it was not given, which must be above v_s. */
+hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d);
+hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node);
+/* Whether roller i stays out of the cable along the route; node: where the roller was written. */
+hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller);
+hawser_status case_drive_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_run_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_output_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_paper_read(const CaseReader *r, const CaseNode *node);
+
+/* Segments of the whole chain; the largest diameter of its cables, m. */
+int case_segments(const SceneDef *def);
+double case_largest_diameter(const SceneDef *def);
+/* The eye: the first segment of the last piece; the number of segments if there is one piece. */
+int case_eye(const SceneDef *def);
+
+#endif

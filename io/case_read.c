@@ -1,0 +1,74 @@
+#include "io/case_read.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/error.h"
+#include "io/case_error.h"
+#include "io/case_parts.h"
+
+/* Gravity: a size, downward, or a vector. */
+hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node)
+{
+    CaseKey key = *case_key_of(&case_top, "gravity");
+    if (!node) return HAWSER_OK;
+    if (node->kind == NODE_MAP) return case_value_error(r->err, node, ": expected %s", key.form);
+    double g[3] = {0, 0, 0};
+    hawser_status status;
+    if (node->kind == NODE_LIST) {
+        const CaseKey *const keys[3] = {&key, &key, &key};
+        key.min = -key.max;
+        status = case_numbers_read(r, node, 3, keys, g);
+    } else {
+        status = case_number_read(r, node, &key, &g[2]);
+        g[2] = -g[2];
+    }
+    r->def->gravity = v3(g[0], g[1], g[2]);
+    return status;
+}
+
+static hawser_status solver_read(const CaseReader *r, const CaseNode *node)
+{
+    SolverDef *solver = &r->def->solver;
+    const hawser_status status = case_section_read(r, node, &case_solver, solver);
+    solver->linear.threads = solver->threads;
+    return status;
+}
+
+/* The parts in an order in which each finds what it is checked against. */
+static hawser_status parts_read(CaseReader *r, const TopRecord *top)
+{
+    SceneDef *def = r->def;
+    const FrictionLaw usual = def->friction;
+    hawser_status status = case_gravity_read(r, top->gravity);
+    if (!status) status = case_cables_read(r, top->cables);
+    if (!status) status = case_chain_read(r, top->chain);
+    if (!status) status = case_route_read(r, top->route);
+    if (!status) status = case_lead_in_read(r, top->lead_in);
+    if (!status) status = case_contact_read(r, top->contact);
+    if (!status) status = case_friction_read(r, top->friction, &usual, &def->friction);
+    if (!status) status = case_rollers_read(r, top->rollers);
+    if (!status) status = case_drive_read(r, top->drive);
+    if (!status) status = case_run_read(r, top->run);
+    if (!status) status = solver_read(r, top->solver);
+    if (!status) status = case_output_read(r, top->output);
+    if (!status) status = case_paper_read(r, top->paper);
+    return status;
+}
+
+hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
+{
+    TopRecord top;
+    CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .err = err};
+    scene_def_defaults(def);
+    hawser_status status = r.units ? case_section_read(&r, tree->root, &case_top, &top) : error_memory(err);
+    if (!status) {
+        strcpy(def->title, top.title);
+        def->frame = top.frame ? FRAME_ADAMS : FRAME_SYMMETRIC;
+        status = parts_read(&r, &top);
+    }
+    route_clear(&r.route);
+    units_free(r.units);
+    if (status) scene_def_clear(def);
+    return status;
+}

@@ -1,0 +1,187 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/error.h"
+#include "io/case_error.h"
+#include "io/case_parts.h"
+
+/* The cable's centre line at rest lies on the route, so a roller's centre is the sum of the two radii away
+ * from it. */
+enum { HOLD_NONE, HOLD_SAG, HOLD_RANGES };
+
+/* A row of rollers being laid. */
+typedef struct Row {
+    const CaseNode *node;
+    RollerRowRecord record;
+    FrictionLaw friction;
+    int hold;
+    int n;
+    double step; /* m */
+} Row;
+
+/* Room for `more` rollers. */
+static hawser_status rollers_reserve(const CaseReader *r, const CaseNode *node, int more)
+{
+    SceneDef *def = r->def;
+    if (more > CASE_ROLLERS_MAX - def->n_rollers) {
+        return case_key_error(r->err, node, NULL, "too many rollers: at most %d", CASE_ROLLERS_MAX);
+    }
+    RollerDef *all = realloc(def->rollers, (size_t)(def->n_rollers + more + 1) * sizeof *all);
+    if (!all) return error_memory(r->err);
+    def->rollers = all;
+    return HAWSER_OK;
+}
+
+/* One range of 'hold_down'. */
+static hawser_status range_read(const CaseReader *r, const CaseNode *node, double range[2])
+{
+    const CaseKey *key = case_key_of(&case_roller_row, "hold_down");
+    const CaseKey *const keys[2] = {key, key};
+    const hawser_status status = case_numbers_read(r, node, 2, keys, range);
+    if (!status && range[1] < range[0])
+        return case_value_error(r->err, node, ": expected [from, to] with to >= from");
+    return status;
+}
+
+static hawser_status hold_read(const CaseReader *r, Row *row)
+{
+    const CaseNode *node = row->record.hold_down;
+    row->hold = HOLD_NONE;
+    if (!node || (node->kind == NODE_TEXT && strcmp(node->text, "none") == 0)) return HAWSER_OK;
+    row->hold = HOLD_SAG;
+    if (node->kind == NODE_TEXT && strcmp(node->text, "sag") == 0) return HAWSER_OK;
+    row->hold = HOLD_RANGES;
+    if (node->kind != NODE_LIST) {
+        return case_value_error(r->err, node, ": expected none, sag, or a list such as [[4 m, 20 m]]");
+    }
+    for (const CaseNode *range = node->first; range; range = range->next) {
+        double ends[2];
+        const hawser_status status = range_read(r, range, ends);
+        if (status) return status;
+    }
+    return HAWSER_OK;
+}
+
+/* Whether the row has a roller above the line at s: where the route bends upward, or in the ranges given. */
+static int held_down(const CaseReader *r, const Row *row, double s, Vec3 up)
+{
+    if (row->hold == HOLD_SAG) return v3_dot(route_at(&r->route, s).curvature, up) > 1e-9;
+    if (row->hold == HOLD_NONE) return 0;
+    for (const CaseNode *range = row->record.hold_down->first; range; range = range->next) {
+        double ends[2];
+        if (!range_read(r, range, ends) && s >= ends[0] && s <= ends[1]) return 1;
+    }
+    return 0;
+}
+
+/* One roller of a row at s, below the line or above it; there is room for it. */
+static hawser_status roller_lay(const CaseReader *r, const Row *row, int number, double s, int above)
+{
+    SceneDef *def = r->def;
+    RollerDef *roller = &def->rollers[def->n_rollers];
+    const RoutePoint at = route_at(&r->route, s);
+    const Vec3 left = route_left(&r->route, s), up = v3_cross(at.tangent, left);
+    const double away = row->record.radius + case_largest_diameter(def) / 2;
+    *roller = (RollerDef){.centre = v3_axpy(at.position, above ? away : -away, up),
+                          .axis = left,
+                          .s = s,
+                          .radius = row->record.radius,
+                          .width = row->record.width,
+                          .rating = row->record.rating,
+                          .hold_down = above,
+                          .friction = row->friction};
+    snprintf(roller->name, sizeof roller->name, "%s%d%s", row->record.name, number, above ? " above" : "");
+    def->n_rollers++;
+    return case_overlap_check(r, row->node, roller);
+}
+
+/* How many rollers the row has and how far apart they are. */
+static hawser_status row_divide(const CaseReader *r, Row *row)
+{
+    const RollerRowRecord *d = &row->record;
+    const int spaced = !isnan(d->spacing);
+    const double length = d->to - d->from;
+    if (length < 0)
+        return case_key_error(r->err, row->node, "to", "out of range: must be at least 'from', %g m",
+                              d->from);
+    if (spaced == (d->count > 0)) {
+        return case_key_error(r->err, row->node, spaced ? "spacing" : "count",
+                              "%s: give either 'count' or 'spacing'",
+                              spaced ? "given beside count" : "missing");
+    }
+    const double n = spaced ? floor(length / d->spacing + 1e-9) + 1 : d->count;
+    if (n > CASE_ROLLERS_MAX) {
+        return case_key_error(r->err, row->node, "spacing", "too many rollers: at most %d", CASE_ROLLERS_MAX);
+    }
+    row->n = (int)n;
+    row->step = spaced ? d->spacing : length / fmax(1, n - 1);
+    return HAWSER_OK;
+}
+
+/* Lays one row. `laid` counts the row's rollers below the line over all rows, for their names. */
+static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *laid)
+{
+    Row row = {.node = node};
+    hawser_status status = case_section_read(r, node, &case_roller_row, &row.record);
+    if (isnan(row.record.to)) row.record.to = r->route.length;
+    if (!status) status = case_friction_read(r, row.record.friction, &r->def->friction, &row.friction);
+    if (!status) status = hold_read(r, &row);
+    if (!status) status = row_divide(r, &row);
+    if (!status) status = rollers_reserve(r, node, 2 * row.n);
+    for (int i = 0; !status && i < row.n; i++) {
+        const double s = row.record.from + i * row.step;
+        const Vec3 left = route_left(&r->route, s), up = v3_cross(route_at(&r->route, s).tangent, left);
+        status = roller_lay(r, &row, ++*laid, s, 0);
+        if (!status && held_down(r, &row, s, up)) status = roller_lay(r, &row, *laid, s, 1);
+    }
+    return status;
+}
+
+static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
+{
+    int laid = 0;
+    if (along->kind != NODE_LIST) return row_read(r, along, &laid);
+    hawser_status status = HAWSER_OK;
+    for (const CaseNode *row = along->first; !status && row; row = row->next)
+        status = row_read(r, row, &laid);
+    return status;
+}
+
+static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
+{
+    SceneDef *def = r->def;
+    RollerRecord record;
+    FrictionLaw friction;
+    hawser_status status = case_section_read(r, node, &case_roller, &record);
+    if (!status) status = case_friction_read(r, record.friction, &def->friction, &friction);
+    if (!status && v3_norm(record.axis) < 1e-9) {
+        status =
+            case_value_error(r->err, case_node_key(node, "axis"), ": expected a direction that is not zero");
+    }
+    if (status) return status;
+    RollerDef *roller = &def->rollers[def->n_rollers];
+    *roller = (RollerDef){.centre = record.centre,
+                          .axis = v3_unit(record.axis),
+                          .radius = record.radius,
+                          .width = record.width,
+                          .rating = record.rating,
+                          .s = NAN,
+                          .friction = friction};
+    strcpy(roller->name, record.name);
+    if (!*roller->name) snprintf(roller->name, sizeof roller->name, "L%d", node->index + 1);
+    def->n_rollers++;
+    return case_overlap_check(r, node, roller);
+}
+
+hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node)
+{
+    RollersRecord record;
+    hawser_status status = case_section_read(r, node, &case_rollers, &record);
+    if (!status && record.along) status = rows_read(r, record.along);
+    if (!status && record.list) status = rollers_reserve(r, record.list, record.list->count);
+    const CaseNode *item = record.list ? record.list->first : NULL;
+    for (; !status && item; item = item->next) status = roller_read(r, item);
+    return status;
+}

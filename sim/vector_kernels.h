@@ -1,0 +1,21 @@
+/* Loops over the state vector, once for every instruction set: CVODE's vector operations and the chain's norm. */
+#ifndef HAWSER_SIM_VECTOR_KERNELS_H
+#define HAWSER_SIM_VECTOR_KERNELS_H
+
+#include "core/isa.h"
+
+typedef struct VectorKernels {
+    /* z = a x + b y; z may be x or y */
+    void (*linear_sum)(int count, double a, const double *x, double b, const double *y, double *z);
+    /* z = a x; z may be x */
+    void (*scale)(int count, double a, const double *x, double *z);
+    /* z = sum of a[k] x[k], k < terms; z may be x[0] */
+    void (*combination)(int count, int terms, const double *a, double *const *x, double *z);
+    /* Largest over windows of 16 segments of the sum of (x w)^2 over the window's entries, divided by their number; x and w
+     * are 13 arrays of n (N11). A NaN in x or w gives a NaN. */
+    double (*window_square)(int n, const double *x, const double *w);
+} VectorKernels;
+
+extern const VectorKernels vector_kernels_generic, vector_kernels_avx2, vector_kernels_avx512;
+
+#endif

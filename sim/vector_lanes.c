@@ -1,0 +1,71 @@
+/* The kernels of vector_kernels.h for one instruction set. */
+#include "core/lanes.h"
+#include "core/state.h"
+#include "sim/scales.h"
+#include "sim/vector_kernels.h"
+
+static void kernel_linear_sum(int count, double a, const double *x, double b, const double *y, double *z)
+{
+    int i = 0;
+    for (; i + LANES <= count; i += LANES) lane_store(z + i, a * lane_load(x + i) + b * lane_load(y + i));
+    for (; i < count; ++i) z[i] = a * x[i] + b * y[i];
+}
+
+static void kernel_scale(int count, double a, const double *x, double *z)
+{
+    int i = 0;
+    for (; i + LANES <= count; i += LANES) lane_store(z + i, a * lane_load(x + i));
+    for (; i < count; ++i) z[i] = a * x[i];
+}
+
+static void kernel_combination(int count, int terms, const double *a, double *const *x, double *z)
+{
+    int i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        Lane sum = a[0] * lane_load(x[0] + i);
+        for (int k = 1; k < terms; ++k) sum += a[k] * lane_load(x[k] + i);
+        lane_store(z + i, sum);
+    }
+    for (; i < count; ++i) {
+        double sum = a[0] * x[0][i];
+        for (int k = 1; k < terms; ++k) sum += a[k] * x[k][i];
+        z[i] = sum;
+    }
+}
+
+/* Sum of squares of x w over segments from..to-1, all 13 components; whole windows go through two lanes. */
+LANE_INLINE double window_sum(int n, const double *x, const double *w, int from, int to)
+{
+    double total = 0;
+    if (to - from == 2 * LANES) {
+        Lane low = lane_set(0), high = lane_set(0);
+        for (int c = 0; c < STATE_SIZE; ++c) {
+            const double *const xc = x + c * n + from, *const wc = w + c * n + from;
+            const Lane a = lane_load(xc) * lane_load(wc), b = lane_load(xc + LANES) * lane_load(wc + LANES);
+            low += a * a;
+            high += b * b;
+        }
+        low += high;
+        for (int k = 0; k < LANES; ++k) total += low[k];
+        return total;
+    }
+    for (int c = 0; c < STATE_SIZE; ++c) {
+        for (int i = c * n + from; i < c * n + to; ++i) total += x[i] * w[i] * x[i] * w[i];
+    }
+    return total;
+}
+
+static double kernel_window_square(int n, const double *x, const double *w)
+{
+    _Static_assert((int)SCALES_WINDOW == 2 * (int)LANES, "a window is two lanes");
+    double largest = 0;
+    for (int from = 0; from < n; from += SCALES_WINDOW) {
+        const int to = from + SCALES_WINDOW < n ? from + SCALES_WINDOW : n;
+        const double mean = window_sum(n, x, w, from, to) / (STATE_SIZE * (to - from));
+        if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays: nothing is larger */
+    }
+    return largest;
+}
+
+const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum, kernel_scale, kernel_combination,
+                                                kernel_window_square};

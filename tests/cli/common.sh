@@ -1,0 +1,80 @@
+# What the tests of the program share. Usage: hawser=PROGRAM source=SOURCE_DIR; . common.sh
+# Every check_* prints what it expected when it fails and goes on; `finish` at the end sets the exit status.
+set -u
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# run_hawser STATUS ARGUMENTS...: runs the program; its output is in $work/out and $work/err afterwards.
+run_hawser() {
+    expected=$1
+    shift
+    what="hawser $*"
+    (cd "$work" && "$hawser" "$@" >"$work/out" 2>"$work/err" </dev/null)
+    status=$?
+    if [ "$status" != "$expected" ]; then
+        fail "$what: exit status $status, not $expected"
+        sed 's/^/    /' "$work/err" >&2
+    fi
+}
+
+# says FILE TEXT...: the file (out or err) holds every text.
+says() {
+    file=$1
+    shift
+    for text in "$@"; do
+        grep -qF -- "$text" "$work/$file" || {
+            fail "$what: '$text' is not in its $file:"
+            sed 's/^/    /' "$work/$file" >&2
+        }
+    done
+}
+
+# silent FILE: the file is empty.
+silent() {
+    [ ! -s "$work/$1" ] || {
+        fail "$what: its $1 is not empty:"
+        sed 's/^/    /' "$work/$1" >&2
+    }
+}
+
+exists() {
+    for path in "$@"; do [ -e "$work/$path" ] || fail "$what: $path is missing"; done
+}
+
+missing() {
+    for path in "$@"; do [ ! -e "$work/$path" ] || fail "$what: $path was made"; done
+}
+
+finish() {
+    [ "$failures" = 0 ] || exit 1
+    echo "fine"
+}
+
+# A short pull: twenty segments on a straight row of rollers.
+cat >"$work/pull.yaml" <<'YAML'
+title: A short pull
+cables:
+  power: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}
+chain:
+  - {cable: power, length: 10 m, segment: 500 mm}
+route:
+  head_at: 12 m
+  pieces: [{straight: 20 m, name: row}]
+rollers:
+  along: {spacing: 1 m, rating: 5 kN}
+friction: {mu: 0.2}
+drive:
+  winch: {speed: 6 m/min, to: 1 s}
+run: {duration: 2 s, steady_from: 1500 ms}
+output:
+  interval: 50 ms
+  states: 500 ms
+  speeds_of: [0, 19]
+  stations: [{name: middle, at: 7 m}]
+YAML

@@ -1,0 +1,51 @@
+# Cases, good and bad, through check and theory; settings; formats; a standard output that cannot be written.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+
+run_hawser 0 check pull.yaml
+says out "A short pull" "segments" "20" "rollers" "length of the route" "winch force, reference" "Cable and rope" "row"
+silent err
+run_hawser 0 check pull.yaml --format json
+says out '"segments": 20' '"route_length_m": 20.0' '"chain": ['
+run_hawser 0 check pull.yaml --format=csv
+says out "key,value,unit" "chain_mass_kg,200,kg"
+
+# mu m g = 0.2 * 200 kg * 9.81 m/s2
+run_hawser 0 theory pull.yaml
+says out "middle" "392.4 N" "reference, N"
+run_hawser 0 theory pull.yaml --format csv
+says out "name,s_m,slope_deg,paper_N,reference_N" "middle,7,"
+run_hawser 0 theory pull.yaml --format json
+says out '"reference_total_N": 392.4' '"stations": ['
+run_hawser 0 theory pull.yaml --set friction.mu=0.4
+says out "784.8 N"
+run_hawser 0 theory --set friction.mu=0.4 --set friction.mu=0.3 -- pull.yaml
+says out "588.6 N"
+
+run_hawser 2 check nowhere.yaml
+says err "nowhere.yaml" "No such file"
+sed 's/^friction.*/frction: {mu: 0.2}/' "$work/pull.yaml" >"$work/bad.yaml"
+for command in run check theory; do
+    run_hawser 2 $command bad.yaml
+    says err "bad.yaml:11" "frction"
+    silent out
+    run_hawser 2 $command pull.yaml --set friction.mu=much
+    says err "--set" "friction.mu"
+    run_hawser 2 $command pull.yaml --set nonsense.key=1
+    says err "nonsense"
+done
+run_hawser 2 run pull.yaml --linear-solver fast
+says err "linear_solver" "fast"
+missing results
+
+# what was printed is lost: that is a failure
+if [ -w /dev/full ]; then
+    for command in --help --version 'theory pull.yaml' 'check pull.yaml'; do
+        (cd "$work" && "$hawser" $command >/dev/full 2>err)
+        status=$?
+        what="hawser $command >/dev/full"
+        [ $status = 4 ] || fail "$what: exit status $status, not 4"
+        says err "standard output"
+    done
+fi
+finish

@@ -1,0 +1,39 @@
+# Results that cannot be written: exit status 4, with the file and the reason.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+
+touch "$work/file"
+run_hawser 4 run pull.yaml -o file
+says err "'file'" "Not a directory"
+run_hawser 4 run pull.yaml -o file/below
+says err "'file'" "Not a directory"
+run_hawser 4 run pull.yaml -o ''
+says err "cannot write"
+run_hawser 4 run pull.yaml -o /proc/nowhere/below
+says err "/proc/nowhere"
+if [ "$(id -u)" != 0 ]; then
+    mkdir "$work/locked"
+    chmod 555 "$work/locked"
+    run_hawser 4 run pull.yaml -o locked
+    says err "locked/" "Permission denied"
+fi
+for name in series.csv stations.csv rollers.csv summary.json results.h5 results.xdmf; do
+    mkdir "$work/full-$name"
+    ln -s /dev/full "$work/full-$name/$name"
+    run_hawser 4 run pull.yaml -o "full-$name"
+    says err "full-$name/$name" "No space left"
+done
+
+# the disk fills while it runs (a limit on the size of a file, in blocks of 512 bytes, stands in for it)
+what="hawser run under ulimit -f"
+(
+    cd "$work"
+    ulimit -f 200
+    trap '' XFSZ
+    "$hawser" run pull.yaml -o small --set output.states='5 ms' >out 2>err
+)
+status=$?
+[ $status = 4 ] || fail "$what: exit status $status, not 4"
+says err "small/results.h5" "File too large"
+grep -q '"outcome": "failed"' "$work/small/summary.json" || fail "$what: not failed in summary.json"
+finish

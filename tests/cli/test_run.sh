@@ -1,0 +1,48 @@
+# Runs: the report, the folder, where it goes by default, quiet, settings, equal results on one and two threads.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+files="series.csv stations.csv rollers.csv results.h5 results.xdmf summary.json"
+
+run_hawser 0 run pull.yaml
+for file in $files; do exists results/pull/$file; done
+says out "A short pull" "20 segments" "Pull force: mean" "reference theory" "Where the time went" "Results: results/pull"
+says err "t = 2.00 s of 2 s, 100 %"
+grep -q '"outcome": "finished"' "$work/results/pull/summary.json" || fail "$what: not finished in summary.json"
+# t = 0 and forty steps of the interval under a line of names; a row a station
+[ "$(wc -l <"$work/results/pull/series.csv")" = 42 ] || fail "$what: series.csv has not 41 rows"
+[ "$(wc -l <"$work/results/pull/stations.csv")" = 2 ] || fail "$what: stations.csv has not one row"
+[ "$(grep -c '<Time ' "$work/results/pull/results.xdmf")" = 5 ] || fail "$what: results.xdmf has not 5 states"
+awk -F, 'NR > 1 && $1 <= last { exit 1 } { last = NR > 1 ? $1 : -1 }' "$work/results/pull/series.csv" ||
+    fail "$what: times do not rise"
+
+run_hawser 0 run -q -o deep/er/quiet pull.yaml
+silent out
+silent err
+exists deep/er/quiet/summary.json
+for file in series.csv stations.csv rollers.csv; do
+    cmp -s "$work/results/pull/$file" "$work/deep/er/quiet/$file" || fail "$what: $file differs from run to run"
+done
+run_hawser 0 run --quiet --threads 2 --output two pull.yaml
+for file in series.csv stations.csv rollers.csv; do
+    cmp -s "$work/results/pull/$file" "$work/two/$file" || fail "$what: $file differs between one and two threads"
+done
+
+# into a folder that is there: files are replaced, others stay
+echo mine >"$work/two/notes.txt"
+run_hawser 0 run -q --linear-solver=klu --set run.duration=1s --set run.steady_from='0.5 s' --set output.states='0 s' -o two pull.yaml
+exists two/notes.txt
+[ "$(wc -l <"$work/two/series.csv")" = 22 ] || fail "$what: series.csv has not 21 rows"
+grep -q '"linear_solver": "klu"' "$work/two/summary.json" || fail "$what: not solved by klu"
+
+# a wrong case leaves them alone
+cp -r "$work/two" "$work/before"
+run_hawser 2 run -q --set run.duration=never -o two pull.yaml
+diff -r "$work/two" "$work/before" >/dev/null || fail "$what: results were touched"
+
+# an integration that cannot finish says so and keeps what it has
+run_hawser 3 run -o stuck --set solver.tolerances.position='1e-25 m' pull.yaml
+says err "hawser: integration failed at t =" "segment" "try"
+says out "Results: stuck"
+grep -q '"outcome": "failed"' "$work/stuck/summary.json" || fail "$what: not failed in summary.json"
+[ "$(wc -l <"$work/stuck/series.csv")" -ge 2 ] || fail "$what: nothing was kept"
+finish

@@ -1,0 +1,29 @@
+# SIGINT and SIGTERM: the run ends cleanly with exit status 130, and what was computed is in the folder.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+
+for signal in INT TERM; do
+    what="hawser run, then SIG$signal"
+    # an hour of simulated time; a shell lets a background program ignore SIGINT, so the trap is given back by env
+    (cd "$work" && exec env --default-signal=INT "$hawser" run pull.yaml -o $signal --set run.duration='10000 s' \
+        >out 2>err) &
+    pid=$!
+    # wait until it computes
+    tries=0
+    while [ "$(wc -l 2>/dev/null <"$work/$signal/series.csv" || echo 0)" -lt 3 ] && [ $tries -lt 600 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    kill -$signal $pid
+    wait $pid
+    status=$?
+    [ $status = 130 ] || fail "$what: exit status $status, not 130"
+    says err "stopped at t ="
+    says out "Pull force" "Results: $signal"
+    exists $signal/stations.csv $signal/rollers.csv
+    grep -q '"outcome": "stopped"' "$work/$signal/summary.json" || fail "$what: not stopped in summary.json"
+    tail -c 8 "$work/$signal/results.xdmf" | grep -qF '</Xdmf>' || fail "$what: results.xdmf is cut off"
+    # the last row is whole
+    tail -1 "$work/$signal/series.csv" | awk -F, 'NF != 13 { exit 1 }' || fail "$what: series.csv is cut off"
+done
+finish

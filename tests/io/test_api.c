@@ -1,0 +1,376 @@
+/* The public interface: cases, simulations side by side, runs with and without a folder, stopping, errors. */
+#include "results_fixture.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <jansson.h>
+
+/* Twenty segments, 200 kg, on a level row of rollers: the steady pull is mu m g. */
+static const char case_text[] =
+    "title: A short pull\n"
+    "cables:\n"
+    "  power: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}\n"
+    "chain:\n"
+    "  - {cable: power, length: 10 m, segment: 500 mm}\n"
+    "route:\n"
+    "  head_at: 12 m\n"
+    "  pieces: [{straight: 20 m, name: row}]\n"
+    "rollers:\n"
+    "  along: {spacing: 1 m, rating: 5 kN}\n"
+    "friction: {mu: 0.2}\n"
+    "drive:\n"
+    "  winch: {speed: 6 m/min, to: 1 s}\n"
+    "run: {duration: 2 s, steady_from: 1500 ms}\n"
+    "output: {interval: 50 ms, states: 500 ms, stations: [{name: middle, at: 7 m}]}\n";
+
+/* cmocka compares in single precision. */
+static void assert_near(double a, double b, double tolerance)
+{
+    if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g is not within %g of %.17g", a, tolerance, b);
+}
+
+static hawser_case *make_case(void)
+{
+    hawser_case *c = NULL;
+    hawser_error err = {HAWSER_OK, ""};
+    if (hawser_case_parse(case_text, "pull.yaml", &c, &err)) fail_msg("%s", err.message);
+    return c;
+}
+
+/* A simulation of the case with one value changed (key NULL: none). */
+static hawser_sim *make_sim(const char *key, const char *value)
+{
+    hawser_case *c = make_case();
+    hawser_sim *s = NULL;
+    hawser_error err = {HAWSER_OK, ""};
+    if (key && hawser_case_set(c, key, value, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return s;
+}
+
+static double winch_force(hawser_sim *s) { return hawser_sim_sample(s)->winch_force; }
+
+static void test_wrong_cases(void **state)
+{
+    (void)state;
+    hawser_case *c = (hawser_case *)1;
+    hawser_error err = {HAWSER_OK, ""};
+    assert_int_equal(hawser_case_load("/no/such/case.yaml", &c, &err), HAWSER_ERR_INPUT);
+    assert_null(c);
+    assert_non_null(strstr(err.message, "/no/such/case.yaml"));
+    assert_int_equal(hawser_case_parse("a: [", "text", &c, &err), HAWSER_ERR_INPUT);
+    assert_null(c);
+    assert_int_equal(hawser_case_parse("tille: x\n", "text", &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "text:1"));
+    hawser_sim *s = (hawser_sim *)1;
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_ERR_INPUT);
+    assert_null(s);
+    char *text = (char *)1;
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
+    assert_null(text);
+    text = (char *)1;
+    assert_int_equal(hawser_case_describe(c, HAWSER_TABLE, &text, NULL), HAWSER_ERR_INPUT);
+    assert_null(text);
+    hawser_case_free(c);
+    hawser_case_free(NULL);
+    hawser_sim_free(NULL);
+    hawser_text_free(NULL);
+}
+
+/* A wrong setting leaves the case as it was; a right one counts from the next reading on. */
+static void test_settings(void **state)
+{
+    (void)state;
+    hawser_case *c = make_case();
+    hawser_error err = {HAWSER_OK, ""};
+    assert_int_equal(hawser_case_check(c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "run.duration", "long", &err), HAWSER_OK);
+    assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "run.duration"));
+    assert_int_equal(hawser_case_set(c, "run.duration", "3 s", NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_check(c, NULL), HAWSER_OK);
+    hawser_sim *s = NULL;
+    assert_int_equal(hawser_sim_new(c, NULL, &s, NULL), HAWSER_OK);
+    assert_true(hawser_sim_end_time(s) == 3);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
+static void test_threads(void **state)
+{
+    (void)state;
+    hawser_case *c = make_case();
+    hawser_sim *s = NULL;
+    for (int n = -1; n <= 3; n++) {
+        const hawser_options options = {.threads = n};
+        const int fine = n >= 0 && n <= 2;
+        assert_int_equal(hawser_sim_new(c, &options, &s, NULL), fine ? HAWSER_OK : HAWSER_ERR_INPUT);
+        assert_true(fine == (s != NULL));
+        hawser_sim_free(s);
+    }
+    hawser_case_free(c);
+}
+
+static void test_texts(void **state)
+{
+    (void)state;
+    hawser_case *c = make_case();
+    char *text = NULL;
+    assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
+    json_t *o = json_loads(text, 0, NULL);
+    hawser_text_free(text);
+    assert_true(json_number_value(json_object_get(o, "segments")) == 20);
+    assert_near(json_number_value(json_object_get(o, "chain_mass_kg")), 200, 1e-9);
+    assert_near(json_number_value(json_object_get(o, "route_length_m")), 20, 1e-9);
+    json_decref(o);
+    assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
+    o = json_loads(text, 0, NULL);
+    hawser_text_free(text);
+    assert_near(json_number_value(json_object_get(o, "reference_total_N")), 392.4, 1e-6);
+    assert_near(json_number_value(json_object_get(o, "paper_total_N")), 392.4, 1e-6);
+    json_decref(o);
+    hawser_case_free(c);
+}
+
+/* Two simulations advanced in turn do exactly what each does alone. */
+static void test_side_by_side(void **state)
+{
+    (void)state;
+    double alone[2], together[2];
+    for (int k = 0; k < 2; k++) {
+        hawser_sim *s = make_sim("friction.mu", k ? "0.3" : "0.2");
+        assert_int_equal(hawser_sim_relax(s, NULL, NULL), HAWSER_OK);
+        for (int i = 1; i <= 5; i++) assert_int_equal(hawser_sim_advance(s, 0.1 * i, 0, NULL), HAWSER_OK);
+        alone[k] = winch_force(s);
+        hawser_sim_free(s);
+    }
+    hawser_sim *pair[2] = {make_sim("friction.mu", "0.2"), make_sim("friction.mu", "0.3")};
+    for (int k = 0; k < 2; k++) assert_int_equal(hawser_sim_relax(pair[k], NULL, NULL), HAWSER_OK);
+    for (int i = 1; i <= 5; i++) {
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(hawser_sim_advance(pair[k], 0.1 * i, 0, NULL), HAWSER_OK);
+    }
+    for (int k = 0; k < 2; k++) {
+        together[k] = winch_force(pair[k]);
+        hawser_sim_free(pair[k]);
+        assert_true(together[k] == alone[k]);
+    }
+    assert_true(alone[0] != alone[1]);
+}
+
+static void test_sample(void **state)
+{
+    (void)state;
+    hawser_sim *s = make_sim(NULL, NULL);
+    hawser_relaxation relaxation;
+    assert_int_equal(hawser_sim_relax(s, &relaxation, NULL), HAWSER_OK);
+    assert_true(relaxation.reached);
+    assert_true(relaxation.residual_N <= relaxation.tolerance_N);
+    assert_int_equal(hawser_sim_advance(s, 2, 1, NULL), HAWSER_OK);
+    assert_true(hawser_sim_time(s) > 0 && hawser_sim_time(s) < 2);
+    assert_int_equal(hawser_sim_advance(s, 2, 0, NULL), HAWSER_OK);
+    const hawser_sample *look = hawser_sim_sample(s);
+    assert_true(look->t == hawser_sim_time(s));
+    assert_int_equal(look->segments, 20);
+    assert_int_equal(look->joints, 21);
+    assert_near(look->winch_speed, 0.1, 1e-12);
+    /* the ramp takes half its second */
+    assert_near(look->winch_travel, 0.15, 1e-9);
+    double weight = 0;
+    for (int r = 0; r < look->rollers; r++) weight += look->roller_load[r];
+    assert_near(weight, 200 * 9.81, 100);
+    for (int i = 0; i < 20; i++) assert_near(look->axial_speed[i], 0.1, 1e-3);
+    /* it cannot be relaxed any more */
+    hawser_error err = {HAWSER_OK, ""};
+    assert_int_equal(hawser_sim_relax(s, NULL, &err), HAWSER_ERR_INPUT);
+    hawser_sim_free(s);
+}
+
+typedef struct Watch {
+    int calls, stop_at;
+    double last_t, last_wall, end;
+} Watch;
+
+static int watch(void *user, const hawser_sample *sample, double wall_s, double end_s)
+{
+    Watch *w = user;
+    assert_true(sample->t >= w->last_t && wall_s >= w->last_wall);
+    w->last_t = sample->t;
+    w->last_wall = wall_s;
+    w->end = end_s;
+    return ++w->calls == w->stop_at;
+}
+
+static void test_run(void **state)
+{
+    (void)state;
+    hawser_sim *s = make_sim(NULL, NULL);
+    Watch w = {0};
+    hawser_summary sum;
+    const hawser_station *station;
+    const hawser_roller *roller;
+    assert_int_equal(hawser_sim_run(s, NULL, watch, &w, NULL), HAWSER_OK);
+    assert_true(w.calls >= 2 && w.last_t == 2 && w.end == 2);
+    hawser_sim_summary(s, &sum);
+    assert_int_equal(sum.segments, 20);
+    assert_true(sum.sim_time_s == 2);
+    assert_true(sum.steps > 0 && sum.wall_time_s > 0);
+    /* mu m g, less what the winch carries of the span to the next roller */
+    assert_near(sum.pull_mean_N, 392.4, 8);
+    assert_near(sum.steady_speed_m_per_s, 0.1, 5e-4);
+    assert_int_equal(hawser_sim_stations(s, &station), 1);
+    assert_string_equal(station->name, "middle");
+    assert_near(station->mean_N, station->reference_N, 8);
+    const int n = hawser_sim_rollers(s, &roller);
+    assert_int_equal(n, hawser_sim_sample(s)->rollers);
+    assert_near(roller[0].rating_N, 5000, 1e-9);
+    assert_string_equal(hawser_sim_title(s), "A short pull");
+    hawser_sim_free(s);
+}
+
+/* The phases and what is left make up the wall time. */
+static void test_phases(void **state)
+{
+    (void)state;
+    hawser_sim *s = make_sim(NULL, NULL);
+    hawser_summary sum;
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, NULL), HAWSER_OK);
+    hawser_sim_summary(s, &sum);
+    const hawser_phases *p = &sum.phases;
+    const double parts =
+        p->relax + p->rhs + p->contacts + p->jacobian + p->factor + p->solve + p->vector + p->output;
+    assert_near(parts + p->other, sum.wall_time_s, 1e-3 * sum.wall_time_s);
+    hawser_sim_free(s);
+}
+
+/* What summary.json in the folder says. */
+static json_t *read_summary(const Fixture *f)
+{
+    char *text = read_text(fixture_path(f, "summary.json"));
+    json_t *o = json_loads(text, 0, NULL);
+    free(text);
+    assert_non_null(o);
+    return o;
+}
+
+static void test_run_into_folder(void **state)
+{
+    const Fixture *f = *state;
+    hawser_sim *s = make_sim(NULL, NULL);
+    assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, NULL), HAWSER_OK);
+    char *text = NULL;
+    assert_int_equal(hawser_sim_summary_json(s, &text, NULL), HAWSER_OK);
+    assert_non_null(strstr(text, "\"outcome\": \"finished\""));
+    hawser_text_free(text);
+    hawser_sim_free(s);
+    json_t *o = read_summary(f);
+    assert_string_equal(json_string_value(json_object_get(o, "outcome")), "finished");
+    assert_string_equal(json_string_value(json_object_get(o, "case")), "pull.yaml");
+    assert_true(json_number_value(json_object_get(o, "sim_time_s")) == 2);
+    json_decref(o);
+    text = read_text(fixture_path(f, "series.csv"));
+    assert_non_null(strstr(text, "\n0.05,"));
+    assert_non_null(strstr(text, "\n2,"));
+    free(text);
+}
+
+/* Stopped at its first step: the state of then is the last row. */
+static void test_stop(void **state)
+{
+    const Fixture *f = *state;
+    hawser_sim *s = make_sim(NULL, NULL);
+    Watch w = {.stop_at = 1};
+    hawser_error err = {HAWSER_OK, ""};
+    assert_int_equal(hawser_sim_run(s, f->dir, watch, &w, &err), HAWSER_STOPPED);
+    assert_non_null(strstr(err.message, "stopped at t ="));
+    json_t *o = read_summary(f);
+    assert_string_equal(json_string_value(json_object_get(o, "outcome")), "stopped");
+    json_decref(o);
+    /* the rest of the run may follow */
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_OK);
+    assert_true(hawser_sim_time(s) == 2);
+    hawser_sim_free(s);
+}
+
+/* Relaxing and advancing by hand, with statistics, is the same run. */
+static void test_by_hand(void **state)
+{
+    (void)state;
+    hawser_sim *whole = make_sim("output.states", "0 s"), *hand = make_sim("output.states", "0 s");
+    hawser_summary a, b;
+    assert_int_equal(hawser_sim_run(whole, NULL, NULL, NULL, NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_relax(hand, NULL, NULL), HAWSER_OK);
+    hawser_sim_record(hand);
+    for (int k = 1; k <= 40; k++) {
+        assert_int_equal(hawser_sim_advance(hand, k < 40 ? 0.05 * k : 2, 0, NULL), HAWSER_OK);
+        hawser_sim_record(hand);
+    }
+    hawser_sim_summary(whole, &a);
+    hawser_sim_summary(hand, &b);
+    assert_int_equal(a.steps, b.steps);
+    assert_near(a.pull_mean_N, b.pull_mean_N, 0);
+    assert_true(a.pull_peak_N == b.pull_peak_N);
+    assert_true(winch_force(whole) == winch_force(hand));
+    hawser_sim_free(whole);
+    hawser_sim_free(hand);
+}
+
+/* The integration gives up (no computer has that many digits): what it had is kept, and the summary says why.
+ */
+static void test_failed_run(void **state)
+{
+    const Fixture *f = *state;
+    hawser_sim *s = make_sim("solver.tolerances.position", "1e-25 m");
+    hawser_error err = {HAWSER_OK, ""};
+    assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, &err), HAWSER_ERR_RUN);
+    json_t *o = read_summary(f);
+    assert_string_equal(json_string_value(json_object_get(o, "outcome")), "failed");
+    assert_string_equal(json_string_value(json_object_get(o, "message")), err.message);
+    json_decref(o);
+    char *text = read_text(fixture_path(f, "series.csv"));
+    assert_non_null(strstr(text, "\n0,"));
+    free(text);
+    hawser_sim_free(s);
+}
+
+/* Nothing is simulated when the folder cannot be written. */
+static void test_unwritable(void **state)
+{
+    const Fixture *f = *state;
+    hawser_sim *s = make_sim(NULL, NULL);
+    hawser_error err = {HAWSER_OK, ""};
+    fclose(fopen(fixture_path(f, "file"), "w"));
+    assert_int_equal(hawser_sim_run(s, fixture_path(f, "file"), NULL, NULL, &err), HAWSER_ERR_OUTPUT);
+    assert_non_null(strstr(err.message, "file"));
+    assert_true(hawser_sim_time(s) == 0);
+    assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, NULL), HAWSER_OK);
+    hawser_sim_free(s);
+}
+
+#define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_wrong_cases),
+        cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_side_by_side),
+        cmocka_unit_test(test_sample),
+        cmocka_unit_test(test_run),
+        cmocka_unit_test(test_phases),
+        CASE(test_run_into_folder),
+        CASE(test_stop),
+        cmocka_unit_test(test_by_hand),
+        CASE(test_failed_run),
+        CASE(test_unwritable),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

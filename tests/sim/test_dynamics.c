@@ -1,0 +1,198 @@
+/* The whole scene's derivative blocks against finite differences of its forces, and the rates as a pure function. */
+#include "sim/dynamics.h"
+#include "tests/sim/scene_fixture.h"
+
+enum { N = FIXTURE_SEGMENTS };
+
+typedef struct Rig {
+    Scene scene;
+    Workspace ws;
+    double y[STATE_SIZE * N], rate[STATE_SIZE * N];
+    uint64_t seed;
+} Rig;
+
+/* The soft scene, bent, stretched and twisted, moving at up to `speed` (m/s). */
+static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, double speed, uint64_t seed)
+{
+    Rig *const r = fixture_array(1, sizeof *r);
+    SceneDef def;
+    fixture_pull(&def, &(FixtureChoice){.geometry = geometry, .frame = frame, .soft = 1, .heading = 0.4});
+    fixture_build(&def, &r->scene);
+    r->seed = seed;
+    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
+    scene_initial_state(&r->scene, r->y);
+    state_shake(r->y, N, 3e-3, 0.02, speed, speed, &r->seed);
+    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0.7, r->y, 1, NULL), HAWSER_OK);
+    dynamics_rates(&r->scene, &r->ws, 0.7, r->y, 1, r->rate);
+    return r;
+}
+
+static void rig_free(Rig *r)
+{
+    workspace_free(&r->ws);
+    scene_clear(&r->scene);
+    free(r);
+}
+
+/* The balance that the blocks differentiate, M (u' - u'0), by segment: force, moment. */
+static void balance(Rig *r, const double *y, double out[6 * N])
+{
+    double rate[STATE_SIZE * N];
+    dynamics_rates(&r->scene, &r->ws, 0.7, y, 1, rate);
+    for (int i = 0; i < N; ++i) {
+        const Vec3 a = v3_sub(state_vec(rate, N, STATE_V, i), state_vec(r->rate, N, STATE_V, i));
+        const Vec3 spin = v3_sub(state_vec(rate, N, STATE_W, i), state_vec(r->rate, N, STATE_W, i));
+        const Vec3 f = v3_scale(r->scene.chain.mass[i], a);
+        const Vec3 m = body_inertia_times(&r->scene.chain, &r->ws.kin, i, spin);
+        const double both[6] = {f.x, f.y, f.z, m.x, m.y, m.z};
+        memcpy(out + 6 * i, both, sizeof both);
+    }
+}
+
+/* Entry of block row i, block column k; 0 where there is no block. */
+static double entry(const BlockChain *a, int i, int k, int row, int col)
+{
+    const double *const block = k == i ? a->diag : k == i + 1 ? a->upper : k == i - 1 ? a->lower : NULL;
+    return block ? block[36 * i + 6 * col + row] : 0;
+}
+
+/* Largest error and largest entry of one kind: force or moment, by shift, turn, velocity or spin. */
+typedef struct Kind {
+    double error, size;
+} Kind;
+
+static void column_compare(Rig *r, const BlockChain *a, int k, int c, Kind kind[2][4])
+{
+    const double e = 5e-7; /* m, rad, m/s, rad/s */
+    double plus[6 * N], minus[6 * N], y[STATE_SIZE * N];
+    memcpy(y, r->y, sizeof y);
+    state_nudge(y, N, k, c, e);
+    balance(r, y, plus);
+    memcpy(y, r->y, sizeof y);
+    state_nudge(y, N, k, c, -e);
+    balance(r, y, minus);
+    for (int row = 0; row < 6 * N; ++row) {
+        const double fd = (plus[row] - minus[row]) / (2 * e);
+        Kind *const at = &kind[row % 6 / 3][c / 3];
+        at->error = fmax(at->error, fabs(fd - entry(a, row / 6, k, row % 6, c % 6)));
+        at->size = fmax(at->size, fabs(fd));
+    }
+}
+
+/* Every column of both matrices; entries outside the three diagonals must be zero. */
+static double blocks_error(Rig *r)
+{
+    Kind kind[2][4] = {{{0}}};
+    BlockChain k, d;
+    assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
+    dynamics_blocks(&r->scene, &r->ws, 0.7, r->y, r->rate, 1, &k, &d);
+    for (int i = 0; i < N; ++i) {
+        for (int c = 0; c < 12; ++c) column_compare(r, c < 6 ? &k : &d, i, c, kind);
+    }
+    block_chain_free(&k);
+    block_chain_free(&d);
+    double worst = 0;
+    for (int m = 0; m < 8; ++m) worst = fmax(worst, kind[m / 4][m % 4].error / kind[m / 4][m % 4].size);
+    return worst;
+}
+
+/* How many contacts push, and how many of these slide at full speed or stick. */
+static void contacts_count(Rig *r, int *sliding, int *sticking)
+{
+    enum { ROOM = 128 };
+    ContactDetail hit[ROOM];
+    dynamics_kinematics(&r->scene, &r->ws, 0.7, r->y);
+    for (int part = 0; part < PARTS; ++part) {
+        ContactPart *const p = &r->ws.contact[part];
+        const int hits = contact_details(&p->model, &r->scene.chain, &r->ws.kin, 1, &p->pairs, ROOM, hit);
+        assert_true(hits <= ROOM);
+        for (int i = 0; i < hits; ++i) {
+            if (!(hit[i].normal > 0)) continue;
+            const double square = v3_dot(hit[i].force, hit[i].force) / (hit[i].normal * hit[i].normal) - 1;
+            const int full = fabs(sqrt(fmax(square, 0)) - r->scene.def.friction.mu_d) < 1e-9;
+            *(full ? sliding : sticking) += 1;
+        }
+    }
+}
+
+/* Both geometries, both frames, from creeping to sliding; the lead-in, its blend and the drag are part of it. */
+static void check_blocks(BushingFrame frame)
+{
+    int sliding = 0, sticking = 0;
+    double worst = 0;
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        const double speed[] = {5e-4, 8e-3, 0.2};
+        for (int k = 0; k < 3; ++k) {
+            Rig *const r = rig_new(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, frame, speed[k], 11 + (uint64_t)k);
+            contacts_count(r, &sliding, &sticking);
+            worst = fmax(worst, blocks_error(r));
+            rig_free(r);
+        }
+    }
+    print_message("worst relative error %.2g; %d sliding and %d sticking contacts\n", worst, sliding, sticking);
+    assert_true(sliding >= 10 && sticking >= 10);
+    assert_true(worst < 3e-7);
+}
+
+static void test_blocks_symmetric(void **state)
+{
+    (void)state;
+    check_blocks(FRAME_SYMMETRIC);
+}
+
+static void test_blocks_adams(void **state)
+{
+    (void)state;
+    check_blocks(FRAME_ADAMS);
+}
+
+/* The lead-in at work: segments in the middle of the blend and pushed off its line feel all of (F1). */
+static void test_lead_in(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 5);
+    const Weight *const w = &r->scene.weight;
+    int inside = 0, behind = 0, ahead = 0;
+    for (int i = 0; i < N; ++i) {
+        const double x = v3_dot(v3_sub(state_vec(r->y, N, STATE_P, i), w->origin), w->direction);
+        inside += fabs(x) < w->blend / 2;
+        behind += x < -w->blend / 2;
+        ahead += x > w->blend / 2;
+    }
+    assert_true(inside >= 1 && behind >= 4 && ahead >= 20);
+    rig_free(r);
+}
+
+/* The rates depend on (t, y) alone: bitwise the same whatever was evaluated before. */
+static void test_pure(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 3);
+    double other[STATE_SIZE * N], rate[STATE_SIZE * N];
+    BlockChain k, d;
+    assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
+    memcpy(other, r->y, sizeof other);
+    state_shake(other, N, 0.02, 0.1, 1, 1, &r->seed);
+    dynamics_rates(&r->scene, &r->ws, 2.5, other, 0, rate);
+    dynamics_blocks(&r->scene, &r->ws, 0.1, other, rate, 1, &k, &d);
+    dynamics_rates(&r->scene, &r->ws, 0.7, r->y, 1, rate);
+    assert_memory_equal(rate, r->rate, sizeof rate);
+    /* candidates of another place, as long as they are fresh enough, make no difference either */
+    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0.7, other, 1, NULL), HAWSER_OK);
+    dynamics_rates(&r->scene, &r->ws, 0.7, r->y, 1, rate);
+    assert_memory_equal(rate, r->rate, sizeof rate);
+    block_chain_free(&k);
+    block_chain_free(&d);
+    rig_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_blocks_symmetric),
+        cmocka_unit_test(test_blocks_adams),
+        cmocka_unit_test(test_lead_in),
+        cmocka_unit_test(test_pure),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,243 @@
+/* CVODE on the chain: what a free chain must conserve, free flight, unit quaternions, and failures that are told. */
+#include "sim/integrator.h"
+#include "tests/sim/scene_fixture.h"
+
+enum { N = 12, SIZE = STATE_SIZE * N };
+
+typedef struct Rig {
+    Scene scene;
+    Workspace ws;
+    Newton newton;
+    Integrator *integrator;
+    double t, y[SIZE];
+} Rig;
+
+/* Takes the definition; the chain lies straight and at rest, the integrator is not started. */
+static Rig *rig_new(SceneDef *def)
+{
+    Rig *const r = fixture_array(1, sizeof *r);
+    hawser_error err = {0};
+    fixture_build(def, &r->scene);
+    assert_int_equal(r->scene.chain.n, N);
+    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
+    if (newton_new(&r->newton, &r->scene, &r->scene.def.solver.linear, &err)) fail_msg("%s", err.message);
+    scene_initial_state(&r->scene, r->y);
+    return r;
+}
+
+static Rig *rig_free(Rig *r)
+{
+    integrator_free(r->integrator);
+    newton_free(&r->newton);
+    workspace_free(&r->ws);
+    scene_clear(&r->scene);
+    free(r);
+    return NULL;
+}
+
+static hawser_status rig_run(Rig *r, double to, hawser_error *err)
+{
+    hawser_status status = dynamics_refresh(&r->scene, &r->ws, r->t, r->y, 1, err);
+    if (!status && !r->integrator) {
+        status = integrator_new(&r->scene, &r->ws, &r->newton, r->t, r->y, &r->integrator, err);
+    }
+    while (!status && r->t < to) status = integrator_step(r->integrator, to, &r->t, err);
+    return status;
+}
+
+static Rig *free_chain(double accuracy, int max_order)
+{
+    SceneDef def;
+    fixture_free_chain(&def, N);
+    def.solver.accuracy = accuracy;
+    def.solver.max_order = max_order;
+    return rig_new(&def);
+}
+
+/* What undamped motion without loads conserves. */
+typedef struct Balance {
+    double energy; /* J, kinetic and of the bushings */
+    Vec3 p, l;     /* kg m/s, kg m2/s about the origin */
+} Balance;
+
+static Balance balance_of(Rig *r)
+{
+    const Chain *const c = &r->scene.chain;
+    Balance b = {0};
+    dynamics_kinematics(&r->scene, &r->ws, r->t, r->y);
+    for (int i = 0; i < N; ++i) {
+        const Vec3 v = state_vec(r->y, N, STATE_V, i), w = state_vec(r->y, N, STATE_W, i);
+        const Vec3 spin = body_inertia_times(c, &r->ws.kin, i, w), push = v3_scale(c->mass[i], v);
+        b.energy += (v3_dot(v, push) + v3_dot(w, spin)) / 2;
+        b.p = v3_add(b.p, push);
+        b.l = v3_add(b.l, v3_add(spin, v3_cross(state_vec(r->y, N, STATE_P, i), push)));
+    }
+    bushing_law(c, &r->ws.kin, 0, N + 1, r->ws.law);
+    for (int j = 1; j < N; ++j) {
+        for (int k = 0; k < 6; ++k) b.energy += r->ws.law[k][j] * r->ws.law[k][j] / (2 * c->stiffness[k][j]);
+    }
+    return b;
+}
+
+/* Drifts over 1 s of a bent chain with random velocities: energy relative; momenta over the size of their sums. */
+static void drifts(double accuracy, int max_order, double drift[3])
+{
+    Rig *r = free_chain(accuracy, max_order);
+    uint64_t seed = 21;
+    hawser_error err = {0};
+    state_shake(r->y, N, 0.01, 0.1, 0.3, 0.5, &seed);
+    const Balance before = balance_of(r);
+    if (rig_run(r, 1, &err)) fail_msg("%s", err.message);
+    const Balance after = balance_of(r);
+    double mass = 0;
+    for (int i = 0; i < N; ++i) mass += r->scene.chain.mass[i];
+    const double speed = sqrt(2 * before.energy / mass);
+    drift[0] = fabs(after.energy / before.energy - 1);
+    drift[1] = v3_norm(v3_sub(after.p, before.p)) / (mass * speed);
+    drift[2] = v3_norm(v3_sub(after.l, before.l)) / (mass * speed * 0.5 * N);
+    rig_free(r);
+}
+
+/* Three decades of accuracy: the drifts are of the tolerance's size and fall with it. */
+static void check_drifts(int max_order, double energy_limit, double energy_ratio)
+{
+    double drift[4][3];
+    for (int k = 0; k < 4; ++k) {
+        drifts(pow(10, -3 - k), max_order, drift[k]);
+        print_message("order %d, accuracy 1e-%d: energy %.2g, momentum %.2g, angular momentum %.2g\n", max_order, 3 + k,
+                      drift[k][0], drift[k][1], drift[k][2]);
+    }
+    for (int k = 0; k < 4; ++k) {
+        assert_true(drift[k][0] < energy_limit * pow(10, -3 - k * log10(energy_ratio) / 3));
+    }
+    for (int m = 0; m < 3; ++m) assert_true(drift[3][m] * energy_ratio < drift[0][m] || drift[0][m] < 1e-12);
+}
+
+static void test_drift_order_2(void **state)
+{
+    (void)state;
+    check_drifts(2, 300, 30);
+}
+
+static void test_drift_order_5(void **state)
+{
+    (void)state;
+    check_drifts(5, 100, 100);
+}
+
+/* A straight chain that flies evenly and turns about its own axis moves as one body. */
+static void test_free_flight(void **state)
+{
+    (void)state;
+    Rig *r = free_chain(1e-4, 2);
+    double start[SIZE];
+    const Vec3 v = v3(3, -2, 1), w = v3(0.8, 0, 0);
+    hawser_error err = {0};
+    for (int i = 0; i < N; ++i) {
+        state_set_vec(r->y, N, STATE_V, i, v);
+        state_set_vec(r->y, N, STATE_W, i, w);
+    }
+    memcpy(start, r->y, sizeof start);
+    if (rig_run(r, 1, &err)) fail_msg("%s", err.message);
+    double off = 0, turned = 0, speed = 0;
+    for (int i = 0; i < N; ++i) {
+        const Vec3 p = v3_add(state_vec(start, N, STATE_P, i), v3_scale(r->t, v));
+        const Quat q = quat_mul(quat_exp(v3_scale(r->t, w)), state_quat(start, N, i));
+        const Quat error = quat_mul(state_quat(r->y, N, i), quat_conj(q));
+        off = fmax(off, v3_norm(v3_sub(state_vec(r->y, N, STATE_P, i), p)));
+        turned = fmax(turned, 2 * v3_norm(v3(error.x, error.y, error.z)));
+        speed = fmax(speed, v3_norm(v3_sub(state_vec(r->y, N, STATE_V, i), v)));
+        speed = fmax(speed, v3_norm(v3_sub(state_vec(r->y, N, STATE_W, i), w)));
+    }
+    print_message("off by %.2g m, turned too far by %.2g rad, speeds wrong by %.2g\n", off, turned, speed);
+    assert_true(fabs(r->t - 1) < 1e-15);
+    assert_true(off < 1e-12 && speed < 1e-12);
+    assert_true(turned < 10 * 1e-4 * 0.1); /* accuracy times the scale of rotations */
+    rig_free(r);
+}
+
+/* After every single step. */
+static void test_unit_quaternions(void **state)
+{
+    (void)state;
+    Rig *r = free_chain(1e-3, 2);
+    uint64_t seed = 5;
+    double worst = 0;
+    hawser_error err = {0};
+    state_shake(r->y, N, 0.01, 0.2, 0.5, 3, &seed);
+    assert_int_equal(integrator_new(&r->scene, &r->ws, &r->newton, 0, r->y, &r->integrator, &err), HAWSER_OK);
+    int steps = 0;
+    for (; r->t < 1; ++steps) {
+        assert_int_equal(integrator_step(r->integrator, 1, &r->t, &err), HAWSER_OK);
+        for (int i = 0; i < N; ++i) {
+            const Quat q = state_quat(r->y, N, i);
+            worst = fmax(worst, fabs(sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z) - 1));
+        }
+    }
+    print_message("%d steps, lengths off by at most %.2g\n", steps, worst);
+    assert_true(steps > 20);
+    assert_true(worst < 1e-12);
+    IntegratorStats stats;
+    integrator_stats(r->integrator, &stats);
+    assert_int_equal(stats.steps, steps);
+    assert_true(stats.rhs_evals >= stats.steps && stats.jac_evals >= 1 && stats.lin_setups >= stats.jac_evals);
+    rig_free(r);
+}
+
+/* A tail tension that becomes infinite after 0.5 s: told with time, place and advice; the last good state is kept. */
+static void test_failure_is_told(void **state)
+{
+    (void)state;
+    double time[] = {0, 0.5, 0.6}, tension[] = {0, 0, INFINITY};
+    SceneDef def;
+    fixture_free_chain(&def, N);
+    Rig *r = rig_new(&def);
+    r->scene.tail = (Profile){.kind = PROFILE_TABLE, .n = 3, .time = time, .value = tension};
+    for (int i = 0; i < N; ++i) state_set_vec(r->y, N, STATE_V, i, v3(1, 0, 0));
+    hawser_error err = {0};
+    double good[SIZE];
+    assert_int_equal(rig_run(r, 0.5, &err), HAWSER_OK);
+    memcpy(good, r->y, sizeof good);
+    assert_int_equal(rig_run(r, 1, &err), HAWSER_ERR_RUN);
+    print_message("%s\n", err.message);
+    assert_int_equal(err.status, HAWSER_ERR_RUN);
+    assert_non_null(strstr(err.message, "t = 0.5 s"));
+    assert_non_null(strstr(err.message, "at segment "));
+    assert_non_null(strstr(err.message, "infinite"));
+    assert_true(fabs(r->t - 0.5) < 1e-15);
+    assert_memory_equal(good, r->y, sizeof good);
+    rig_free(r);
+}
+
+/* A roller so stiff that touching it overflows. */
+static void test_failure_of_contact(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_free_chain(&def, N);
+    def.gravity = v3(0, 0, -10);
+    def.impact = (ImpactLaw){.k = 1e308, .e = 1, .c = 1e308, .d = 1e-9};
+    def.n_rollers = 1;
+    def.rollers = fixture_array(1, sizeof *def.rollers);
+    def.rollers[0] = (RollerDef){.centre = v3(4.1, 0, -0.35), .axis = v3(0, 1, 0), .radius = 0.1, .width = 1, .s = NAN,
+                                 .friction = def.friction};
+    Rig *r = rig_new(&def);
+    hawser_error err = {0};
+    const hawser_status status = rig_run(r, 1, &err);
+    print_message("%s\n", err.message);
+    assert_int_equal(status, HAWSER_ERR_RUN);
+    assert_non_null(strstr(err.message, "try "));
+    assert_true(r->t > 0.12 && r->t < 0.16); /* it fell 0.1 m: sqrt(2 0.1 / 10) = 0.141 s */
+    for (int k = 0; k < SIZE; ++k) assert_true(isfinite(r->y[k]));
+    rig_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_drift_order_2),    cmocka_unit_test(test_drift_order_5),
+        cmocka_unit_test(test_free_flight),      cmocka_unit_test(test_unit_quaternions),
+        cmocka_unit_test(test_failure_is_told),  cmocka_unit_test(test_failure_of_contact),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

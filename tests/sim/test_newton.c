@@ -1,0 +1,193 @@
+/* The reduced Newton matrix against the whole system: newton_solve must solve (1 - gamma J) x = b with J x taken by
+ * differences of the rates, whatever the quaternions' lengths and however fast the segments spin. */
+#include "sim/dynamics.h"
+#include "sim/newton.h"
+#include "tests/sim/scene_fixture.h"
+
+enum { N = FIXTURE_SEGMENTS, SIZE = STATE_SIZE * N };
+
+static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */
+
+typedef struct Rig {
+    Scene scene;
+    Workspace ws;
+    Newton newton;
+    double y[SIZE], rate[SIZE];
+    uint64_t seed;
+} Rig;
+
+/* The soft scene in disorder: segments spin at up to `spin` (rad/s), quaternions are 1 +- 0.01 long. */
+static Rig *rig_new(const FixtureChoice *choice, LinKind kind, double spin, uint64_t seed)
+{
+    Rig *const r = fixture_array(1, sizeof *r);
+    SceneDef def;
+    hawser_error err = {0};
+    fixture_pull(&def, choice);
+    fixture_build(&def, &r->scene);
+    r->seed = seed;
+    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
+    const LinOptions options = {.kind = kind, .threads = 1};
+    if (newton_new(&r->newton, &r->scene, &options, &err)) fail_msg("%s", err.message);
+    scene_initial_state(&r->scene, r->y);
+    state_shake(r->y, N, 3e-3, 0.02, 0.05, spin, &r->seed);
+    for (int i = 0; i < N; ++i) {
+        const double length = 1 + 0.01 * fixture_random(&r->seed);
+        for (int c = 0; c < 4; ++c) r->y[(STATE_Q + c) * N + i] *= length;
+    }
+    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, T, r->y, 1, NULL), HAWSER_OK);
+    dynamics_rates(&r->scene, &r->ws, T, r->y, 1, r->rate);
+    dynamics_blocks(&r->scene, &r->ws, T, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
+    newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
+    return r;
+}
+
+static void rig_free(Rig *r)
+{
+    newton_free(&r->newton);
+    workspace_free(&r->ws);
+    scene_clear(&r->scene);
+    free(r);
+}
+
+/* Which of position, quaternion, velocity, angular velocity an entry of the state is. */
+static int kind_of(int k)
+{
+    const int c = k / N;
+    return c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3;
+}
+
+/* J x by the central difference along x, with a step that moves no coordinate by more than 4e-6. */
+static void jacobian_times(Rig *r, const double *x, double *jx)
+{
+    double size = 0, y[SIZE], minus[SIZE];
+    for (int k = 0; k < SIZE; ++k) size = fmax(size, fabs(x[k]));
+    const double e = 4e-6 / size;
+    for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] + e * x[k];
+    dynamics_rates(&r->scene, &r->ws, T, y, 1, jx);
+    for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] - e * x[k];
+    dynamics_rates(&r->scene, &r->ws, T, y, 1, minus);
+    for (int k = 0; k < SIZE; ++k) jx[k] = (jx[k] - minus[k]) / (2 * e);
+}
+
+/* Largest |x - gamma J x - b|, kind by kind, over the size of the terms that cancel in it: those of x, b and gamma J z with
+ * z the numbers of x in disorder. */
+static double solve_error(Rig *r, double gamma)
+{
+    double b[SIZE], x[SIZE], z[SIZE], jx[SIZE], jz[SIZE], error[4] = {0}, term[4] = {0}, worst = 0;
+    for (int k = 0; k < SIZE; ++k) b[k] = fixture_random(&r->seed);
+    memcpy(x, b, sizeof x);
+    assert_int_equal(newton_solve(&r->newton, x), 0);
+    for (int k = 0; k < SIZE; ++k) z[k] = fixture_random(&r->seed) > 0 ? x[k] : -x[k];
+    jacobian_times(r, x, jx);
+    jacobian_times(r, z, jz);
+    for (int k = 0; k < SIZE; ++k) {
+        const int kind = kind_of(k);
+        error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
+        term[kind] = fmax(term[kind], fmax(fabs(x[k]), fmax(fabs(gamma * jz[k]), fabs(b[k]))));
+    }
+    for (int kind = 0; kind < 4; ++kind) worst = fmax(worst, error[kind] / term[kind]);
+    return worst;
+}
+
+/* From tiny to large gamma, without new blocks in between. */
+static double gammas_error(Rig *r)
+{
+    double worst = 0;
+    for (int k = -6; k <= 0; ++k) {
+        const double gamma = pow(10, k);
+        newton_form(&r->newton, gamma);
+        assert_int_equal(newton_factor(&r->newton), 0);
+        worst = fmax(worst, solve_error(r, gamma));
+    }
+    return worst;
+}
+
+static void test_solve(void **state)
+{
+    (void)state;
+    double worst = 0;
+    for (int choice = 0; choice < 4; ++choice) {
+        const FixtureChoice c = {.geometry = choice % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH,
+                                 .frame = choice / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC, .soft = 1, .heading = 1.1};
+        Rig *const r = rig_new(&c, LIN_AUTO, 5, 100 + (uint64_t)choice);
+        worst = fmax(worst, gammas_error(r));
+        rig_free(r);
+    }
+    print_message("worst relative residual %.2g\n", worst);
+    assert_true(worst < 1e-6);
+}
+
+/* Fast spin: gamma w of order 10, where the elimination of the quaternions is far from the identity. */
+static void test_spin(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 40, 9);
+    newton_form(&r->newton, 0.3);
+    assert_int_equal(newton_factor(&r->newton), 0);
+    const double error = solve_error(r, 0.3);
+    print_message("relative residual %.2g\n", error);
+    assert_true(error < 1e-6);
+    rig_free(r);
+}
+
+/* The same blocks at the same gamma give the same bits, whatever was formed before. */
+static void test_form_again(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 5, 4);
+    double b[SIZE], first[SIZE], again[SIZE];
+    for (int k = 0; k < SIZE; ++k) b[k] = fixture_random(&r->seed);
+    double *const x[2] = {first, again};
+    for (int k = 0; k < 2; ++k) {
+        newton_form(&r->newton, 1e-3);
+        assert_int_equal(newton_factor(&r->newton), 0);
+        memcpy(x[k], b, sizeof b);
+        assert_int_equal(newton_solve(&r->newton, x[k]), 0);
+        newton_form(&r->newton, 0.1);
+        assert_int_equal(newton_factor(&r->newton), 0);
+    }
+    assert_memory_equal(first, again, sizeof first);
+    rig_free(r);
+}
+
+/* KLU and the block solver agree on the scene's matrix. */
+static void test_solvers_agree(void **state)
+{
+    (void)state;
+    const LinKind kind[2] = {LIN_BLOCK, LIN_KLU};
+    double x[2][SIZE], size = 0, apart = 0;
+    for (int k = 0; k < 2; ++k) {
+        Rig *const r = rig_new(&(FixtureChoice){0}, kind[k], 1, 6);
+        newton_form(&r->newton, 5e-3);
+        assert_int_equal(newton_factor(&r->newton), 0);
+        for (int c = 0; c < SIZE; ++c) x[k][c] = fixture_random(&r->seed);
+        assert_int_equal(newton_solve(&r->newton, x[k]), 0);
+        rig_free(r);
+    }
+    for (int c = 0; c < SIZE; ++c) {
+        size = fmax(size, fabs(x[0][c]));
+        apart = fmax(apart, fabs(x[0][c] - x[1][c]));
+    }
+    print_message("solvers differ by %.2g of the largest entry\n", apart / size);
+    assert_true(apart < 1e-10 * size);
+}
+
+/* Values that are not finite are reported, not solved. */
+static void test_not_finite(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 1, 8);
+    r->newton.k.diag[36 * 7 + 3] = NAN;
+    newton_form(&r->newton, 0.01);
+    assert_true(newton_factor(&r->newton) > 0);
+    rig_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_solve),         cmocka_unit_test(test_spin),       cmocka_unit_test(test_form_again),
+        cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_not_finite),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

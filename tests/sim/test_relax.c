@@ -1,0 +1,190 @@
+/* The relaxation: it balances the fixture, the start from it is free of motion, and it says when it did not get there. */
+#include "sim/integrator.h"
+#include "sim/relax.h"
+#include "tests/sim/scene_fixture.h"
+
+typedef struct Rig {
+    Scene scene;
+    Workspace ws;
+    Newton newton;
+    double *y, *rate; /* [13 n] */
+} Rig;
+
+static Rig *rig_new(SceneDef *def)
+{
+    Rig *const r = fixture_array(1, sizeof *r);
+    hawser_error err = {0};
+    fixture_build(def, &r->scene);
+    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
+    if (newton_new(&r->newton, &r->scene, &r->scene.def.solver.linear, &err)) fail_msg("%s", err.message);
+    r->y = fixture_array(STATE_SIZE * r->scene.chain.n, sizeof(double));
+    r->rate = fixture_array(STATE_SIZE * r->scene.chain.n, sizeof(double));
+    scene_initial_state(&r->scene, r->y);
+    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0, r->y, 1, &err), HAWSER_OK);
+    return r;
+}
+
+static void rig_free(Rig *r)
+{
+    newton_free(&r->newton);
+    workspace_free(&r->ws);
+    scene_clear(&r->scene);
+    free(r->y);
+    free(r->rate);
+    free(r);
+}
+
+static hawser_relaxation rig_relax(Rig *r)
+{
+    hawser_relaxation out;
+    hawser_error err = {0};
+    if (relax_to_equilibrium(&r->scene, &r->ws, &r->newton, 0, r->y, &out, &err)) fail_msg("%s", err.message);
+    for (int k = 0; k < STATE_SIZE * r->scene.chain.n; ++k) assert_true(isfinite(r->y[k]));
+    return out;
+}
+
+/* The largest entry of y over segments' velocities and angular velocities, m/s and rad/s. */
+static double fastest(const Rig *r, const double *y)
+{
+    const int n = r->scene.chain.n;
+    double largest = 0;
+    for (int k = STATE_V * n; k < STATE_SIZE * n; ++k) largest = fmax(largest, fabs(y[k]));
+    return largest;
+}
+
+/* Both geometries: balanced, at rest, and no farther from the route than what is soft gives way. */
+static void test_reached(void **state)
+{
+    (void)state;
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        SceneDef def;
+        fixture_pull(&def, &(FixtureChoice){.geometry = geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH});
+        Rig *const r = rig_new(&def);
+        const hawser_relaxation out = rig_relax(r);
+        print_message("%d iterations, residual %.2g of %.2g N, moved %.3f m\n", out.iterations, out.residual_N,
+                      out.tolerance_N, out.moved_m);
+        assert_true(out.reached && out.residual_N <= out.tolerance_N);
+        assert_true(out.iterations > 2 && out.iterations < 60);
+        assert_true(out.moved_m > 0 && out.moved_m < 0.5);
+        assert_true(fastest(r, r->y) <= 0);
+        /* friction or not: at rest there is none */
+        const int n = r->scene.chain.n;
+        dynamics_rates(&r->scene, &r->ws, 0, r->y, 1, r->rate);
+        for (int i = 0; i < n; ++i) {
+            const double force = r->scene.chain.mass[i] * v3_norm(state_vec(r->rate, n, STATE_V, i));
+            assert_true(force <= out.tolerance_N * (1 + 1e-9));
+        }
+        rig_free(r);
+    }
+}
+
+/* What holds the chain at rest adds up to its weight and the tail's pull: rollers, winch, lead-in. */
+static void test_total_balance(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_pull(&def, &(FixtureChoice){0});
+    def.lead_in.present = 0;
+    Rig *const r = rig_new(&def);
+    const hawser_relaxation out = rig_relax(r);
+    const int n = r->scene.chain.n;
+    assert_true(out.reached);
+    dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
+    bushing_loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
+    Vec3 sum = vec_load(r->ws.joints.force, n);
+    for (int i = 0; i < n; ++i) sum = v3_axpy(sum, r->scene.chain.mass[i], r->scene.weight.gravity);
+    sum = v3_axpy(sum, -profile_value(&r->scene.tail, 0), r->scene.weight.direction);
+    dynamics_roller_forces(&r->scene, &r->ws);
+    for (int k = 0; k < r->scene.contact.n_rollers; ++k) sum = v3_sub(sum, r->ws.on_roller[k]);
+    print_message("forces on the whole chain add up to %.2g N\n", v3_norm(sum));
+    assert_true(v3_norm(sum) < n * out.tolerance_N);
+    rig_free(r);
+}
+
+/* With winch and tail at rest nothing moves for a second, friction on. */
+static void test_start_is_still(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_pull(&def, &(FixtureChoice){0});
+    def.winch.speed = (Profile){.kind = PROFILE_CONSTANT};
+    def.tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = 500};
+    def.solver.relax_tolerance = 1e-12;
+    Rig *const r = rig_new(&def);
+    assert_true(rig_relax(r).reached);
+    Integrator *in;
+    double t = 0, largest = 0;
+    hawser_error err = {0};
+    assert_int_equal(integrator_new(&r->scene, &r->ws, &r->newton, 0, r->y, &in, &err), HAWSER_OK);
+    while (t < 1) {
+        if (integrator_step(in, 1, &t, &err)) fail_msg("%s", err.message);
+        largest = fmax(largest, fastest(r, r->y));
+    }
+    print_message("fastest motion in 1 s: %.2g m/s or rad/s\n", largest);
+    assert_true(largest < 1e-8);
+    integrator_free(in);
+    rig_free(r);
+}
+
+/* One iteration is not enough, and it says so. */
+static void test_too_few_iterations(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_pull(&def, &(FixtureChoice){0});
+    def.solver.relax_iterations = 1;
+    Rig *const r = rig_new(&def);
+    const hawser_relaxation out = rig_relax(r);
+    assert_false(out.reached);
+    assert_int_equal(out.iterations, 1);
+    assert_true(out.residual_N > out.tolerance_N && isfinite(out.residual_N));
+    assert_true(out.segment >= 0 && out.segment < r->scene.chain.n);
+    rig_free(r);
+}
+
+/* A chain that nothing holds falls: its weight remains unbalanced, on some segment, and nothing breaks. */
+static void test_free_fall(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_free_chain(&def, 12);
+    def.gravity = v3(0, 0, -9.81);
+    Rig *const r = rig_new(&def);
+    const hawser_relaxation out = rig_relax(r);
+    assert_false(out.reached);
+    assert_int_equal(out.iterations, r->scene.def.solver.relax_iterations);
+    assert_true(fabs(out.residual_N - 9.81 * r->scene.chain.mass[0]) < 1e-6);
+    assert_true(out.moved_m > 0.1);
+    assert_true(out.segment >= 0 && out.segment < 12);
+    rig_free(r);
+}
+
+/* The residual is measured with the largest of the segments' weights and the tail's tension. */
+static void test_scale(void **state)
+{
+    (void)state;
+    const double tension[] = {0, 5000};
+    for (int k = 0; k < 2; ++k) {
+        SceneDef def;
+        fixture_pull(&def, &(FixtureChoice){0});
+        def.tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = tension[k]};
+        def.solver.relax_tolerance = 1e-4;
+        def.solver.relax_iterations = 0;
+        Rig *const r = rig_new(&def);
+        const hawser_relaxation out = rig_relax(r);
+        const double load = fmax(tension[k], 20 * 0.5 * 9.81);
+        assert_true(fabs(out.tolerance_N - 1e-4 * load) < 1e-9);
+        assert_int_equal(out.iterations, 0);
+        rig_free(r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_reached),        cmocka_unit_test(test_total_balance),
+        cmocka_unit_test(test_start_is_still), cmocka_unit_test(test_too_few_iterations),
+        cmocka_unit_test(test_free_fall),      cmocka_unit_test(test_scale),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
