@@ -1,14 +1,7 @@
 /* docs/case-format.md says the same as the tables that the reader works from: every section, every key with
  * value, default and range, every unit, and nothing else. Started with the word `print`, it prints the tables
  * as they should be. */
-#include <cmocka.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "tests/io/case_fixture.h"
 
 #include "io/case_fields.h"
 #include "io/case_schema.h"
@@ -89,8 +82,8 @@ static void row_begin(const CaseKey *key, char *row)
 
 static void heading(const CaseSection *section, char *line)
 {
-    snprintf(line, CELL_MAX, "### %s%s%s", *section->path ? "`" : "",
-             *section->path ? section->path : "The whole case", *section->path ? "`" : "");
+    snprintf(line, CELL_MAX, "### %s%s%s", *section->path ? "`" : "", *section->path ? section->path : "The whole case",
+             *section->path ? "`" : "");
 }
 
 static int print(void)
@@ -202,8 +195,8 @@ static void every_dimension_is_documented(void **state)
     (void)state;
     char *doc = document(), row[200];
     for (int d = 0; d < DIM_COUNT; d++) {
-        snprintf(row, sizeof row, "| %s | `%s` | `%s` |", dimension_name((Dimension)d),
-                 dimension_unit((Dimension)d), dimension_example((Dimension)d));
+        snprintf(row, sizeof row, "| %s | `%s` | `%s` |", dimension_name((Dimension)d), dimension_unit((Dimension)d),
+                 dimension_example((Dimension)d));
         if (!strstr(doc, row)) fail_msg("no row '%s'", row);
     }
     free(doc);
