@@ -51,6 +51,8 @@ static int complain_option(char **argv, const struct option *list)
     return EXIT_USAGE;
 }
 
+/* Only what was measured to help is offered: one thread or two. Anything that is not exactly such a number is refused,
+ * not rounded or cut. */
 static int parse_threads(const char *text, Arguments *args)
 {
     char *end;
@@ -61,6 +63,7 @@ static int parse_threads(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
+/* --format: the three forms of hawser_format by name. */
 static int parse_format(const char *text, Arguments *args)
 {
     const char *const names[] = {"table", "json", "csv"};
@@ -74,6 +77,7 @@ static int parse_format(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
+/* There are never more settings than words on the command line, for which room was made. */
 static int add_setting(const char *key, const char *value, Arguments *args)
 {
     args->settings[args->n_settings++] = (Setting){key, value};
@@ -92,6 +96,8 @@ static int parse_setting(char *text, Arguments *args)
     return add_setting(text, equal + 1, args);
 }
 
+/* Acts on one option that getopt has recognised; optarg is its value. --help and --version end the parsing with
+ * the exit status of having printed. */
 static int take_option(const Command *command, int letter, Arguments *args)
 {
     switch (letter) {
@@ -118,6 +124,7 @@ static int take_option(const Command *command, int letter, Arguments *args)
     }
 }
 
+/* What is left when the options are gone: exactly one word, the case. */
 static int take_case(const Command *command, int argc, char **argv, Arguments *args)
 {
     if (optind + 1 == argc && argv[optind][0]) {
@@ -127,12 +134,13 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
     if (optind + 1 < argc) {
         complain("%s takes one case file; what is '%s'?", command->name, argv[optind + 1]);
     } else {
-        complain("%s needs a case file, as in: hawser %s cases/huangjiahu.yaml", command->name,
-                 command->name);
+        complain("%s needs a case file, as in: hawser %s cases/huangjiahu.yaml", command->name, command->name);
     }
     return EXIT_USAGE;
 }
 
+/* getopt moves the options before the other words, so that they may stand anywhere; after "--" there are none.
+ * Every message about the command line comes from here, not from getopt. */
 int arguments_parse(const Command *command, int argc, char **argv, Arguments *args)
 {
     struct option list[KNOWN_MAX];

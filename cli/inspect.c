@@ -44,10 +44,9 @@ static int print_case(const Arguments *args, Describe describe)
     return finish_stdout(exit_status(status, &err));
 }
 
+/* The two commands differ in what they ask the library for. */
 static int check(const Arguments *args) { return print_case(args, hawser_case_describe); }
 static int theory(const Arguments *args) { return print_case(args, hawser_case_theory); }
 
-const Command command_check = {"check", "checks a case and prints what would be built", "sf", check_help,
-                               check};
-const Command command_theory = {"theory", "prints the theoretical tension along the route", "sf", theory_help,
-                                theory};
+const Command command_check = {"check", "checks a case and prints what would be built", "sf", check_help, check};
+const Command command_theory = {"theory", "prints the theoretical tension along the route", "sf", theory_help, theory};

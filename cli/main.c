@@ -7,17 +7,18 @@
 static const Command *const commands[] = {&command_run, &command_check, &command_theory};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
+/* What hawser says about itself: the commands with a line each. */
 static void print_usage(FILE *f)
 {
     fprintf(f, "Usage: hawser COMMAND CASE [options]\n\n"
                "Simulates how a power cable is pulled over rollers. Commands:\n\n");
     for (int i = 0; i < COMMANDS; i++) fprintf(f, "  %-8s %s\n", commands[i]->name, commands[i]->summary);
-    fprintf(f,
-            "\nhawser COMMAND --help says more about each. Case files are described in docs/case-format.md.\n"
-            "  -h, --help     this text\n"
-            "  -V, --version  the version\n");
+    fprintf(f, "\nhawser COMMAND --help says more about each. Case files are described in docs/case-format.md.\n"
+               "  -h, --help     this text\n"
+               "  -V, --version  the version\n");
 }
 
+/* NULL if there is none of that name; unlike options, commands cannot be shortened. */
 static const Command *find_command(const char *name)
 {
     for (int i = 0; i < COMMANDS; i++) {
@@ -26,6 +27,7 @@ static const Command *find_command(const char *name)
     return NULL;
 }
 
+/* A first word that is neither a command nor one of the options that stand alone. */
 static int complain_command(const char *name)
 {
     const char *names[COMMANDS + 2] = {[COMMANDS] = "--help", "--version"};
@@ -44,6 +46,7 @@ static int print_help(const char *name)
     return finish_stdout(0);
 }
 
+/* argv[0] is the command's name here, as getopt wants it. */
 static int run_command(const Command *command, int argc, char **argv)
 {
     Arguments args;
@@ -53,6 +56,8 @@ static int run_command(const Command *command, int argc, char **argv)
     return status;
 }
 
+/* The exit status says how it ended: see run.c's help. Without any word the usage goes to standard error, since a
+ * script that forgot its arguments did something wrong. */
 int main(int argc, char **argv)
 {
     if (argc < 2) {

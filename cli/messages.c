@@ -7,6 +7,7 @@
 
 enum { WORD_MAX = 64 };
 
+/* One line on standard error, named after the program as shells expect it. */
 void complain(const char *format, ...)
 {
     va_list args;
@@ -37,6 +38,7 @@ static int edit_distance(const char *a, const char *b)
     return row[n];
 }
 
+/* A name is near if at most a third of its letters (and one more) are wrong: "thoery" is, "xyzzy" is not. */
 void complain_unknown(const char *what, const char *given, int n, const char *const *known)
 {
     char word[WORD_MAX];
@@ -53,6 +55,7 @@ void complain_unknown(const char *what, const char *given, int n, const char *co
     if (!near) complain("unknown %s '%s'; try --help", what, given);
 }
 
+/* Statuses of the library were chosen to be exit statuses; only a lack of memory has none of its own. */
 int exit_status(hawser_status status, const hawser_error *err)
 {
     if (status == HAWSER_OK) return 0;
@@ -60,6 +63,7 @@ int exit_status(hawser_status status, const hawser_error *err)
     return status == HAWSER_ERR_MEMORY ? EXIT_INTERNAL : (int)status;
 }
 
+/* Without this, a report into a full disk would be lost silently: the C library writes it after main. */
 int finish_stdout(int status)
 {
     errno = 0;

@@ -8,6 +8,7 @@
 
 enum { LINE_MAX = 256 };
 
+/* A terminal that cannot go back to its line's start ("dumb", as in editors) gets plain lines too. */
 void progress_start(Progress *p, int quiet)
 {
     const char *term = getenv("TERM");
@@ -38,13 +39,14 @@ static void say_duration(char *text, size_t size, double s)
     }
 }
 
+/* Time, share, speed, step and what is left; the last is only as good as the speed is even. */
 static void say_line(const Progress *p, const hawser_sample *sample, double end, char *line)
 {
     char left[32] = "?";
     if (p->speed > 0) say_duration(left, sizeof left, (end - sample->t) / p->speed);
     const double share = end > 0 ? 100 * sample->t / end : 100;
-    snprintf(line, LINE_MAX, "t = %.2f s of %g s, %3.0f %%, %.3g x real time, step %.3g ms, %s left",
-             sample->t, end, share, p->speed, 1e3 * sample->step_size, left);
+    snprintf(line, LINE_MAX, "t = %.2f s of %g s, %3.0f %%, %.3g x real time, step %.3g ms, %s left", sample->t, end,
+             share, p->speed, 1e3 * sample->step_size, left);
 }
 
 /* Cut to the terminal's width, so that it stays one line. */
@@ -59,6 +61,7 @@ static void draw_line(Progress *p, char *line)
     p->drawn = 1;
 }
 
+/* Live: at every call. Else: when another tenth of the run is done, so that a log stays short. */
 void progress_show(Progress *p, const hawser_sample *sample, double wall_s, double end_s)
 {
     char line[LINE_MAX];
@@ -75,6 +78,7 @@ void progress_show(Progress *p, const hawser_sample *sample, double wall_s, doub
     }
 }
 
+/* The report that follows starts on a clean line. */
 void progress_end(Progress *p)
 {
     if (p->drawn) fputs("\r\033[K", stderr);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+/* Before the run: what the counts of the model are. */
 void report_scene(const hawser_sim *s)
 {
     hawser_summary sum;
@@ -12,6 +13,8 @@ void report_scene(const hawser_sim *s)
            sum.bushings, sum.rollers, sum.contact_candidates, hawser_sim_end_time(s));
 }
 
+/* Whether the run began at rest. Not having reached it is no error, but the start of the run is then not to be trusted.
+ */
 static void report_relaxation(const hawser_relaxation *r)
 {
     if (!(r->tolerance_N > 0)) return; /* the case did not want it */
@@ -31,17 +34,17 @@ static void report_relaxation(const hawser_relaxation *r)
 static void report_theory(const char *name, double total, double pull, double max_pct, double mean_pct)
 {
     if (!(total > 0)) return;
-    printf("  %-18s %12.2f N %+8.2f %% %12.2f %% %10.2f %%\n", name, total, 100 * (pull - total) / total,
-           max_pct, mean_pct);
+    printf("  %-18s %12.2f N %+8.2f %% %12.2f %% %10.2f %%\n", name, total, 100 * (pull - total) / total, max_pct,
+           mean_pct);
 }
 
+/* The figures that a run is made for: the pull, its theory, and when it was steady. */
 static void report_pull(const hawser_summary *s)
 {
     printf("\nPull force: mean %.2f N (ripple %.3g N RMS) from %g s to %g s, peak %.2f N\n", s->pull_mean_N,
            s->pull_ripple_N, s->steady_from_s, s->steady_to_s, s->pull_peak_N);
     printf("  %-18s %14s %10s %14s %12s\n", "", "winch force", "mean off", "stations: max", "mean error");
-    report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct,
-                  s->error_mean_pct);
+    report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct, s->error_mean_pct);
     report_theory("paper's formulas", s->paper_total_N, s->pull_mean_N, s->error_max_paper_pct,
                   s->error_mean_paper_pct);
     printf("  speed %.5g m/s, settled at %.4g s\n", s->steady_speed_m_per_s, s->settle_time_s);
@@ -57,16 +60,16 @@ static void report_rollers(hawser_sim *s)
     for (int i = 1; i < n; i++) {
         if (r[i].peak_N > heaviest->peak_N) heaviest = &r[i];
     }
-    printf("  largest roller load %.1f N on %s (steady %.1f N", heaviest->peak_N, heaviest->name,
-           heaviest->steady_N);
+    printf("  largest roller load %.1f N on %s (steady %.1f N", heaviest->peak_N, heaviest->name, heaviest->steady_N);
     if (heaviest->rating_N > 0) printf(", rated %g N", heaviest->rating_N);
     printf(")\n");
 }
 
+/* What it cost, in the integrator's own counts. */
 static void report_work(const hawser_summary *s)
 {
-    printf("\nWork: %g s in %.3g s (%.3g x real time), %ld steps (%.0f a second)\n", s->sim_time_s,
-           s->wall_time_s, s->real_time_factor, s->steps, s->steps_per_second);
+    printf("\nWork: %g s in %.3g s (%.3g x real time), %ld steps (%.0f a second)\n", s->sim_time_s, s->wall_time_s,
+           s->real_time_factor, s->steps, s->steps_per_second);
     printf("  %ld right-hand sides, %ld Newton iterations, %ld Jacobians, %ld set-ups, %ld error-test and "
            "%ld Newton "
            "failures\n",
@@ -79,6 +82,7 @@ static void report_work(const hawser_summary *s)
     printf("; %d thread%s\n", s->threads, s->threads == 1 ? "" : "s");
 }
 
+/* Where the time went, so that a slow case shows its reason. */
 static void report_phases(const hawser_summary *s)
 {
     const hawser_phases *p = &s->phases;
@@ -95,6 +99,7 @@ static void report_phases(const hawser_summary *s)
     }
 }
 
+/* The whole report, in the order in which a planner asks. */
 void report_run(hawser_sim *s, const char *dir)
 {
     hawser_summary sum;

@@ -35,6 +35,7 @@ static void on_signal(int number)
     signal(number, SIG_DFL);
 }
 
+/* Both ask for the same: to end with what there is. Installed only when the run is about to start. */
 static void catch_signals(void)
 {
     struct sigaction action = {.sa_handler = on_signal};
@@ -43,6 +44,7 @@ static void catch_signals(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
+/* Called by the library a few times a second: the place where a signal is noticed. */
 static int show_progress(void *user, const hawser_sample *sample, double wall_s, double end_s)
 {
     progress_show(user, sample, wall_s, end_s);
@@ -61,6 +63,7 @@ static char *default_dir(const char *case_path)
     return dir;
 }
 
+/* Settings are applied in the order given, so that a later one wins. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err)
 {
     hawser_status status = hawser_case_load(args->case_path, out, err);
@@ -70,6 +73,7 @@ hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *
     return status;
 }
 
+/* The case is only needed until the simulation is built. */
 static hawser_status build_sim(const Arguments *args, hawser_sim **out, hawser_error *err)
 {
     hawser_case *c = NULL;
@@ -90,6 +94,7 @@ static int conclude(hawser_sim *sim, const Arguments *args, const char *dir, haw
     return finish_stdout(exit_status(status, err));
 }
 
+/* Nothing is written before the simulation is built: a wrong case leaves earlier results alone. */
 static int run(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};

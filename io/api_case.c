@@ -20,6 +20,7 @@ static hawser_status wrap_tree(CaseTree *tree, const char *name, hawser_case **o
     return HAWSER_OK;
 }
 
+/* Only the YAML is read here; what its values mean is looked at when somebody asks, so that settings may follow. */
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err)
 {
     CaseTree *tree;
@@ -28,6 +29,7 @@ hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error
     return status ? status : wrap_tree(tree, path, out, err);
 }
 
+/* As above, from memory. */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err)
 {
     CaseTree *tree;
@@ -43,12 +45,14 @@ static void drop_read(hawser_case *c)
     c->read = 0;
 }
 
+/* Whatever was read before may be different now. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err)
 {
     drop_read(c);
     return case_tree_set(c->tree, key, value, err);
 }
 
+/* Reading is done once for any number of checks, descriptions and simulations. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
 {
     if (c->read) return HAWSER_OK;
@@ -57,6 +61,7 @@ hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
     return status;
 }
 
+/* Errors of the reader carry file and line themselves; those of the scene only know the key. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err)
 {
     if (status != HAWSER_ERR_INPUT || !err) return status;
@@ -67,6 +72,7 @@ hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser
 
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err) { return case_ensure_read(c, err); }
 
+/* NULL is fine, as for every free. */
 void hawser_case_free(hawser_case *c)
 {
     if (!c) return;

@@ -16,6 +16,7 @@ typedef struct Description {
     Cell *piece, *leg; /* [n_pieces * PIECE_COLUMNS], [n_route * ROUTE_COLUMNS] */
 } Description;
 
+/* Cable and rope piece by piece: what is cut into segments and how stiff it is. */
 static void fill_pieces(Description *d)
 {
     for (int i = 0; i < d->def->n_pieces; i++) {
@@ -34,6 +35,7 @@ static void fill_pieces(Description *d)
     }
 }
 
+/* The route piece by piece; the rise is from its start to its end. */
 static void fill_route(Description *d)
 {
     for (int i = 0; i < d->route.n; i++) {
@@ -61,6 +63,7 @@ static void sum_chain(const SceneDef *def, double *mass, double *length)
     }
 }
 
+/* Keys carry their unit, so that JSON and CSV need no other place for it. */
 static hawser_status write_description(Description *d, const char *title, hawser_format format, char **text,
                                        hawser_error *err)
 {
@@ -85,8 +88,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
          cell_number(def->winch.present ? profile_value(&def->winch.speed, end) : NAN)},
         {"winch_travel_m", "winch travel", "m",
          cell_number(def->winch.present ? profile_integral(&def->winch.speed, end) : NAN)},
-        {"tail_tension_N", "tail tension at the end", "N",
-         cell_number(profile_value(&def->tail.tension, end))},
+        {"tail_tension_N", "tail tension at the end", "N", cell_number(profile_value(&def->tail.tension, end))},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
         {"paper_total_N", "winch force, paper's formulas", "N", cell_number(s->paper_total_N)},
         {"reference_total_N", "winch force, reference", "N", cell_number(s->reference_total_N)},
@@ -135,8 +137,8 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     hawser_status status = sim_new(def, 0, &sim, err);
     if (status) return case_name_error(c, status, err);
     sim_summary(sim, &d.summary);
-    status = route_build(&d.route, def->n_route, def->route, def->route_start, def->route_heading,
-                         def->route_slope, err);
+    status =
+        route_build(&d.route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, err);
     d.piece = calloc((size_t)def->n_pieces * PIECE_COLUMNS + 1, sizeof *d.piece);
     d.leg = calloc((size_t)def->n_route * ROUTE_COLUMNS + 1, sizeof *d.leg);
     if (!status && !(d.piece && d.leg)) status = error_memory(err);
@@ -152,6 +154,7 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     return status;
 }
 
+/* Everything is freed again: a description leaves nothing behind in the case but what was read. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
     *text = NULL;

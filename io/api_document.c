@@ -21,11 +21,10 @@ static const char *say_cell(Cell cell, int decimals, char *text)
     return text;
 }
 
-static const Cell *cell_at(const Table *t, int row, int column)
-{
-    return &t->cell[row * t->n_columns + column];
-}
+/* Cells lie row by row. */
+static const Cell *cell_at(const Table *t, int row, int column) { return &t->cell[row * t->n_columns + column]; }
 
+/* Wide enough for the label and for every cell, counted in bytes (names with accents come out a little narrow). */
 static int column_width(const Table *t, int c)
 {
     char text[CELL_MAX];
@@ -52,13 +51,13 @@ static void print_table(FILE *f, const Table *t)
         fputc('\n', f);
         for (int c = 0; c < t->n_columns; c++) {
             const Cell *cell = cell_at(t, r, c);
-            fprintf(f, "  %*s", cell->text ? -width[c] : width[c],
-                    say_cell(*cell, t->column[c].decimals, text));
+            fprintf(f, "  %*s", cell->text ? -width[c] : width[c], say_cell(*cell, t->column[c].decimals, text));
         }
     }
     fputc('\n', f);
 }
 
+/* Label, value, unit; the values stand under each other. */
 static void print_facts(FILE *f, const Document *doc)
 {
     char text[CELL_MAX];
@@ -91,6 +90,7 @@ static void print_csv_cell(FILE *f, Cell cell)
     fputc('"', f);
 }
 
+/* Keys in the first row, then the rows. */
 static void print_csv_table(FILE *f, const Table *t)
 {
     for (int c = 0; c < t->n_columns; c++) fprintf(f, "%s%s", c ? "," : "", t->column[c].key);
@@ -104,6 +104,7 @@ static void print_csv_table(FILE *f, const Table *t)
     }
 }
 
+/* A fact a row. */
 static void print_csv_facts(FILE *f, const Document *doc)
 {
     fprintf(f, "key,value,unit\n");
@@ -121,6 +122,7 @@ static json_t *json_cell(Cell cell)
     return value ? value : json_null();
 }
 
+/* A table is a list of objects, one a row. */
 static json_t *json_table(const Table *t)
 {
     json_t *rows = json_array();
@@ -139,15 +141,14 @@ static char *json_document(const Document *doc)
 {
     json_t *o = json_object();
     json_object_set_new(o, "title", json_cell(cell_text(doc->title)));
-    for (int i = 0; i < doc->n_facts; i++)
-        json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
-    for (int i = 0; i < doc->n_tables; i++)
-        json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
+    for (int i = 0; i < doc->n_facts; i++) json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
+    for (int i = 0; i < doc->n_tables; i++) json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
     char *body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
     json_decref(o);
     return body;
 }
 
+/* The same content in each form; CSV can hold one table only. */
 static void print_document(FILE *f, const Document *doc, hawser_format format)
 {
     if (format == HAWSER_CSV) {
@@ -163,6 +164,7 @@ static void print_document(FILE *f, const Document *doc, hawser_format format)
     }
 }
 
+/* Written under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
 hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err)
 {
     size_t size = 0;

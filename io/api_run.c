@@ -26,6 +26,7 @@ typedef struct Run {
     const hawser_sample *look;   /* the simulation's, brought up to date by sim_sample and sim_record */
 } Run;
 
+/* Counted, not summed: the thousandth beat is not late by rounding. */
 static double beat_next(const Beat *b) { return b->interval > 0 ? b->interval * (double)b->count : INFINITY; }
 
 /* Whether the beat is due at time t, up to rounding; counts it if so. */
@@ -81,6 +82,7 @@ static hawser_status tell_progress(Run *run, int now, hawser_error *err)
     return stop ? error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s", sim_time(sim)) : HAWSER_OK;
 }
 
+/* Only once, and only before anything has moved; the case may forbid it. */
 static hawser_status run_relaxation(Run *run, hawser_error *err)
 {
     hawser_sim *s = run->s;
@@ -116,8 +118,7 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
                       .segments = run->look->segments,
                       .n_watched = output->n_speed_segments,
                       .watched = output->speed_segments,
-                      .states =
-                          output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};
+                      .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};
     def.rollers = hawser_sim_rollers(s, &def.roller);
     char *summary;
     hawser_status status = hawser_sim_summary_json(s, &summary, err);
@@ -165,17 +166,14 @@ static hawser_status settle(hawser_sim *s, hawser_status status, hawser_error *e
     return status;
 }
 
-hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user,
-                             hawser_error *err)
+/* Folder, steps, tables: the tables are written whatever ended the steps. The first error counts, except that a result
+ * that could not be written is worse than a stop, which was the caller's wish. */
+hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
     hawser_error local = {HAWSER_OK, ""}, late = {HAWSER_OK, ""};
     hawser_error *e = err ? err : &local;
-    Run run = {.s = s,
-               .progress = progress,
-               .user = user,
-               .started = clock_now(),
-               .last_row = -1,
-               .look = sim_sample(s->sim)};
+    Run run = {
+        .s = s, .progress = progress, .user = user, .started = clock_now(), .last_row = -1, .look = sim_sample(s->sim)};
     s->running = 1;
     s->outcome = HAWSER_OK;
     start_beats(&run, sim_time(s->sim));

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What the handle must remember of the case, which may be gone soon, and the simulation itself. */
 static hawser_status fill_handle(hawser_sim *s, const hawser_case *c, int threads, hawser_error *err)
 {
     s->case_name = strdup(c->name);
@@ -18,14 +19,13 @@ static hawser_status fill_handle(hawser_sim *s, const hawser_case *c, int thread
     return s->roller ? HAWSER_OK : error_memory(err);
 }
 
-hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out,
-                             hawser_error *err)
+/* Options come from a program or a command line, so they are checked like a case. */
+hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out, hawser_error *err)
 {
     *out = NULL;
     const int threads = options ? options->threads : 0;
     if (threads < 0 || threads > 2) {
-        return error_set(err, HAWSER_ERR_INPUT, "%d threads: 1 or 2 can be used (0: the case's choice)",
-                         threads);
+        return error_set(err, HAWSER_ERR_INPUT, "%d threads: 1 or 2 can be used (0: the case's choice)", threads);
     }
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
@@ -40,6 +40,7 @@ hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, haws
     return HAWSER_OK;
 }
 
+/* Also for a handle that was never finished. */
 void hawser_sim_free(hawser_sim *s)
 {
     if (!s) return;
@@ -58,18 +59,19 @@ static hawser_status keep_outcome(hawser_sim *s, hawser_status status, const haw
     return status;
 }
 
+/* The statistics and the integrator start from here; later the state is theirs. */
 hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err)
 {
     hawser_error local;
     hawser_error *e = err ? err : &local;
     if (sim_time(s->sim) > 0) {
-        return error_set(e, HAWSER_ERR_INPUT,
-                         "only a simulation that has not moved on from t = 0 can be relaxed");
+        return error_set(e, HAWSER_ERR_INPUT, "only a simulation that has not moved on from t = 0 can be relaxed");
     }
     s->relaxed = 1;
     return keep_outcome(s, sim_relax(s->sim, out, e), e);
 }
 
+/* The corners of the drive are never stepped over, whatever t is. */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_error local;
@@ -77,6 +79,7 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
     return keep_outcome(s, sim_advance(s->sim, t, one_step, e), e);
 }
 
+/* The rest of the interface passes through: the simulation keeps its own books. */
 double hawser_sim_time(const hawser_sim *s) { return sim_time(s->sim); }
 
 double hawser_sim_end_time(const hawser_sim *s) { return sim_end_time(s->sim); }
@@ -89,6 +92,7 @@ void hawser_sim_summary(const hawser_sim *s, hawser_summary *out) { sim_summary(
 
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out) { return sim_stations(s->sim, out); }
 
+/* The public table names things a little differently from the one inside. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
 {
     const SimRoller *table;
@@ -103,6 +107,7 @@ int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
 
 const char *hawser_sim_title(const hawser_sim *s) { return s->title; }
 
+/* One word for the summary. */
 static const char *outcome_name(const hawser_sim *s)
 {
     if (s->running) return "running";
@@ -111,6 +116,7 @@ static const char *outcome_name(const hawser_sim *s)
     return sim_time(s->sim) < sim_end_time(s->sim) ? "unfinished" : "finished";
 }
 
+/* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
     hawser_summary summary;

@@ -30,6 +30,7 @@ typedef struct Theory {
     Cell *cell, *term;     /* [n * PLACE_COLUMNS], [n_paper * TERM_COLUMNS] */
 } Theory;
 
+/* By place; places that coincide keep no particular order. */
 static int compare_places(const void *a, const void *b)
 {
     const double x = ((const Place *)a)->s, y = ((const Place *)b)->s;
@@ -57,6 +58,7 @@ static void collect_places(Theory *t)
     qsort(t->place, (size_t)t->n, sizeof *t->place, compare_places);
 }
 
+/* Sized for all stations and all piece ends. */
 static hawser_status make_arrays(Theory *t, hawser_error *err)
 {
     const size_t places = (size_t)(t->scene.def.n_stations + t->scene.route.n + 1);
@@ -81,6 +83,7 @@ static hawser_status solve_reference(Theory *t, hawser_error *err)
     return pull_solve(&def, &t->pull, err);
 }
 
+/* Both theories at every place. */
 static hawser_status solve(Theory *t, hawser_error *err)
 {
     hawser_status status = make_arrays(t, err);
@@ -94,6 +97,7 @@ static hawser_status solve(Theory *t, hawser_error *err)
     return status ? status : solve_reference(t, err);
 }
 
+/* Off the counted stretch there is no cable, so no force: those cells stay empty. */
 static void fill_places(Theory *t)
 {
     for (int i = 0; i < t->n; i++) {
@@ -111,19 +115,19 @@ static void fill_places(Theory *t)
     }
 }
 
+/* The terms of eq. 10 one by one, as the case names them. */
 static void fill_terms(Theory *t)
 {
     const SceneDef *def = &t->scene.def;
     const double g = v3_norm(def->gravity), W = g > 0 ? t->scene.cable_weight / g : 0;
     for (int i = 0; i < def->n_paper; i++) {
         t->term[i * TERM_COLUMNS] = cell_text(def->paper[i].name);
-        t->term[i * TERM_COLUMNS + 1] =
-            cell_number(paper_term_force(&def->paper[i], W, def->friction.mu_d, g));
+        t->term[i * TERM_COLUMNS + 1] = cell_number(paper_term_force(&def->paper[i], W, def->friction.mu_d, g));
     }
 }
 
-static hawser_status write_theory(Theory *t, const char *title, hawser_format format, char **text,
-                                  hawser_error *err)
+/* Facts first, the tension along the route, then the paper's own terms if the case lists them. */
+static hawser_status write_theory(Theory *t, const char *title, hawser_format format, char **text, hawser_error *err)
 {
     const SceneDef *def = &t->scene.def;
     const Expected *e = &t->expected;
@@ -160,8 +164,7 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
          {{"name", "term", 0}, {"force_N", "N", 2}},
          t->term},
     };
-    const Document doc = {title,     sizeof facts / sizeof *facts, def->n_paper ? 2 : 1, facts, tables,
-                          &tables[0]};
+    const Document doc = {title, sizeof facts / sizeof *facts, def->n_paper ? 2 : 1, facts, tables, &tables[0]};
     return document_write(&doc, format, text, err);
 }
 
@@ -174,6 +177,7 @@ static hawser_status build_and_solve(Theory *t, const hawser_case *c, hawser_err
     return solve(t, err);
 }
 
+/* Also for a theory that was never finished. */
 static void theory_free(Theory *t)
 {
     pull_clear(&t->pull);
@@ -185,6 +189,7 @@ static void theory_free(Theory *t)
     free(t);
 }
 
+/* No simulation is built: this takes milliseconds even for a long route. */
 hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
     *text = NULL;

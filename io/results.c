@@ -53,12 +53,14 @@ static hawser_status write_whole(const char *dir, const char *name, const char *
     return status ? status : closed;
 }
 
+/* Both files or none: one is of no use without the other. */
 static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
 {
     const hawser_status status = h5_open(&r->h5, r->dir, def, err);
     return status ? status : xdmf_open(&r->xdmf, r->dir, def->segments, err);
 }
 
+/* The summary comes first: a folder whose run is killed says "running", not what the run before had to say. */
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
 {
     hawser_status s = out_make_dir(r->dir, err);
@@ -73,20 +75,19 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     return s;
 }
 
+/* Nothing stays open after a failure; files that were made by then are left, empty. */
 hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
                            hawser_error *err)
 {
     *out = NULL;
-    if (strlen(dir) >= OUT_PATH_MAX)
-        return error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
+    if (strlen(dir) >= OUT_PATH_MAX) return error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
     Results *r = calloc(1, sizeof *r);
     if (!r) return error_memory(err);
     strcpy(r->dir, dir);
     r->n_watched = def->n_watched;
     r->watched = malloc(sizeof *r->watched * (size_t)(def->n_watched + 1));
     hawser_status status = r->watched ? HAWSER_OK : error_memory(err);
-    if (!status && def->n_watched)
-        memcpy(r->watched, def->watched, sizeof *r->watched * (size_t)def->n_watched);
+    if (!status && def->n_watched) memcpy(r->watched, def->watched, sizeof *r->watched * (size_t)def->n_watched);
     if (!status) status = open_all(r, def, summary, err);
     if (status) {
         results_free(r);
@@ -96,11 +97,12 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     return HAWSER_OK;
 }
 
+/* Nine digits show more than the integrator knows. The step needs fewer. */
 hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
 {
-    hawser_status status = out_print(&r->series, err, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d,%d,%.5g", s->t,
-                                     s->winch_force, s->tail_tension, s->winch_speed, s->winch_travel,
-                                     s->max_tension, s->max_tension_joint, s->active_contacts, s->step_size);
+    hawser_status status = out_print(&r->series, err, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d,%d,%.5g", s->t, s->winch_force,
+                                     s->tail_tension, s->winch_speed, s->winch_travel, s->max_tension,
+                                     s->max_tension_joint, s->active_contacts, s->step_size);
     /* of a watched segment: its speed along itself, and the tension of the joint ahead of it */
     for (int i = 0; i < r->n_watched && !status; i++) {
         const int k = r->watched[i];
@@ -119,6 +121,7 @@ static hawser_status flush_states(Results *r, hawser_error *err)
     return status;
 }
 
+/* What readers are promised: after this, every row and state is there for them. */
 static hawser_status flush_all(Results *r, hawser_error *err)
 {
     const hawser_status status = out_flush(&r->series, err);
@@ -126,6 +129,7 @@ static hawser_status flush_all(Results *r, hawser_error *err)
     return status ? status : flush_states(r, err);
 }
 
+/* Frames wait for results.xdmf until they are flushed; there is room for a fixed number of them. */
 hawser_status results_state(Results *r, const hawser_sample *sample, hawser_error *err)
 {
     if (!r->h5) return HAWSER_OK;
@@ -136,6 +140,7 @@ hawser_status results_state(Results *r, const hawser_sample *sample, hawser_erro
     return r->n_pending == PENDING_MAX ? flush_all(r, err) : HAWSER_OK;
 }
 
+/* By wall time: a fast run would spend its time flushing, a slow one would hide its states for minutes. */
 hawser_status results_tick(Results *r, hawser_error *err)
 {
     return clock_now() - r->last_flush < flush_interval ? HAWSER_OK : flush_all(r, err);
@@ -147,6 +152,7 @@ static void keep_first(hawser_status *first, hawser_status status)
     if (!*first) *first = status;
 }
 
+/* A full disk may still have room for the small tables, so every file gets its chance. */
 hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
 {
     hawser_status s = flush_all(r, err);
@@ -161,6 +167,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     return s;
 }
 
+/* After results_finish only memory is left to free; without it, everything is closed as it stands. */
 Results *results_free(Results *r)
 {
     if (!r) return NULL;

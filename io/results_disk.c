@@ -23,11 +23,13 @@ typedef struct DiskFile {
 
 static const haddr_t address_max = ((haddr_t)1 << 62) - 1;
 
+/* The first one tells the reason; later ones are its consequences. */
 static void keep_error(const DiskFile *f)
 {
     if (!*f->error) *f->error = errno ? errno : EIO;
 }
 
+/* Called by HDF5, also to look whether the file can be opened at all. H5F_ACC flags are translated to open(2). */
 static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t max)
 {
     const DiskInfo *info = H5Pget_driver_info(access);
@@ -51,6 +53,7 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     return &f->base;
 }
 
+/* HDF5 gives the file up whatever is returned, so a failed close is kept as an error, too. */
 static herr_t disk_close(H5FD_t *file)
 {
     DiskFile *f = (DiskFile *)file;
@@ -67,6 +70,7 @@ static int disk_compare(const H5FD_t *a, const H5FD_t *b)
     return (f->inode > g->inode) - (f->inode < g->inode);
 }
 
+/* What this driver can be asked to do: gather small pieces before they are written, as HDF5's own driver does. */
 static herr_t disk_query(const H5FD_t *file, unsigned long *flags)
 {
     (void)file;
@@ -75,12 +79,14 @@ static herr_t disk_query(const H5FD_t *file, unsigned long *flags)
     return 0;
 }
 
+/* The end of what HDF5 has laid out, which it counts itself. */
 static haddr_t disk_get_allocated(const H5FD_t *file, H5FD_mem_t type)
 {
     (void)type;
     return ((const DiskFile *)file)->allocated;
 }
 
+/* The counterpart of the above. */
 static herr_t disk_set_allocated(H5FD_t *file, H5FD_mem_t type, haddr_t address)
 {
     (void)type;
@@ -88,6 +94,7 @@ static herr_t disk_set_allocated(H5FD_t *file, H5FD_mem_t type, haddr_t address)
     return 0;
 }
 
+/* The end of what is on disk. */
 static haddr_t disk_get_size(const H5FD_t *file, H5FD_mem_t type)
 {
     (void)type;
@@ -113,8 +120,8 @@ static herr_t disk_read(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t a
     return 0;
 }
 
-static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size,
-                         const void *buffer)
+/* After an error nothing is written any more: metadata must not point to data that did not get out. */
+static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, const void *buffer)
 {
     DiskFile *f = (DiskFile *)file;
     const char *p = buffer;
@@ -145,6 +152,7 @@ static herr_t disk_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
     return 0;
 }
 
+/* The driver is registered for each file, so that no state is shared between simulations. */
 hid_t disk_driver_use(hid_t access, int *error)
 {
     const H5FD_class_t driver = {.name = "hawser_disk",

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+/* One form for every file, so that a user always learns the same three things: what, where, why. */
 hawser_status out_error(const char *path, int number, hawser_error *err)
 {
     const char *reason = number ? strerror(number) : "the write failed";
@@ -24,6 +25,7 @@ static int make_level(const char *path)
     return S_ISDIR(info.st_mode) ? 0 : ENOTDIR;
 }
 
+/* Levels are made one after the other; one that somebody else makes at the same moment is as good. */
 hawser_status out_make_dir(const char *dir, hawser_error *err)
 {
     char path[OUT_PATH_MAX];
@@ -42,12 +44,14 @@ hawser_status out_make_dir(const char *dir, hawser_error *err)
     return number ? out_error(path, number, err) : HAWSER_OK;
 }
 
+/* A doubled slash does no harm. */
 hawser_status out_join(char *path, const char *dir, const char *name, hawser_error *err)
 {
     const int n = snprintf(path, OUT_PATH_MAX, "%s/%s", dir, name);
     return n < OUT_PATH_MAX ? HAWSER_OK : out_error(dir, ENAMETOOLONG, err);
 }
 
+/* The locale is made for each file: there is no place for a shared one. */
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
 {
     memset(out, 0, sizeof *out);
@@ -63,6 +67,7 @@ hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_e
     return out_error(out->path, number, err);
 }
 
+/* The locale is the thread's, and only for the duration of the call. */
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...)
 {
     assert(out->f);
@@ -76,6 +81,7 @@ hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...
     return n < 0 ? out_error(out->path, errno, err) : HAWSER_OK;
 }
 
+/* As far as the system's cache: it survives the program, not the machine. */
 hawser_status out_flush(OutFile *out, hawser_error *err)
 {
     errno = 0;
@@ -84,6 +90,7 @@ hawser_status out_flush(OutFile *out, hawser_error *err)
     return HAWSER_OK;
 }
 
+/* Closing is the last chance to learn that a write failed. */
 hawser_status out_close(OutFile *out, hawser_error *err)
 {
     if (!out->f) return HAWSER_OK;

@@ -28,8 +28,7 @@ hawser_status out_error(const char *path, int number, hawser_error *err);
 /* Creates dir/name or empties it. Errors: OUTPUT, MEMORY; the file is then closed. */
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);
 /* Appends text; errors that the system only finds later come from out_flush or out_close. */
-hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Hands everything to the system. Errors: OUTPUT. */
 hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */

@@ -21,17 +21,7 @@ typedef struct SetInfo {
     int width; /* values an item; 0: one, without a dimension of its own */
 } SetInfo;
 
-enum {
-    SET_TIME,
-    SET_WINCH,
-    SET_TAIL,
-    SET_POSITION,
-    SET_QUATERNION,
-    SET_VELOCITY,
-    SET_OMEGA,
-    SET_TENSION,
-    SET_ROLLER
-};
+enum { SET_TIME, SET_WINCH, SET_TAIL, SET_POSITION, SET_QUATERNION, SET_VELOCITY, SET_OMEGA, SET_TENSION, SET_ROLLER };
 enum { SET_COUNT = SET_ROLLER + 1 };
 
 static const SetInfo infos[SET_COUNT] = {
@@ -63,6 +53,7 @@ static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
     return ok && !h->disk_error ? HAWSER_OK : out_error(h->path, h->disk_error, err);
 }
 
+/* How many items a row of this kind has in this scene. */
 static hsize_t item_count(const H5File *h, PerItem per)
 {
     const hsize_t n = (hsize_t)h->segments;
@@ -140,8 +131,7 @@ static int write_connectivity(H5File *h)
         pairs[2 * i + 1] = i + 1;
     }
     const hid_t space = H5Screate_simple(2, dims, NULL);
-    const hid_t set =
-        H5Dcreate2(h->file, "connectivity", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t set = H5Dcreate2(h->file, "connectivity", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     const int ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, pairs) >= 0;
     if (set >= 0) H5Dclose(set);
     H5Sclose(space);
@@ -183,6 +173,7 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     return ok;
 }
 
+/* A file on the driver that never fails in HDF5's eyes; < 0 if there is none. */
 static hid_t create_file(H5File *h)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, &h->disk_error);
@@ -209,6 +200,7 @@ static int make_file(H5File *h, const ResultsDef *def)
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
 
+/* Flushed at once, so that a full disk shows before anything is computed. */
 hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err)
 {
     *out = NULL;
@@ -283,10 +275,11 @@ static int append_state(H5File *h, const hawser_sample *s)
     return append_row(h, SET_WINCH, &s->winch_force) && append_row(h, SET_TAIL, &s->tail_tension) &&
            append_row(h, SET_POSITION, s->position) && append_row(h, SET_QUATERNION, s->quaternion) &&
            append_row(h, SET_VELOCITY, s->velocity) && append_row(h, SET_OMEGA, s->omega) &&
-           append_row(h, SET_TENSION, s->tension) && append_row(h, SET_ROLLER, s->roller_load) &&
-           write_frame(h, s) && append_row(h, SET_TIME, &s->t);
+           append_row(h, SET_TENSION, s->tension) && append_row(h, SET_ROLLER, s->roller_load) && write_frame(h, s) &&
+           append_row(h, SET_TIME, &s->t);
 }
 
+/* All sets grow by one row; if the disk says no, the rows before stay. */
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err)
 {
     int ok = 0;
@@ -296,6 +289,7 @@ hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *er
     return h5_result(h, ok, err);
 }
 
+/* HDF5 keeps chunks and metadata back until this. */
 hawser_status h5_flush(H5File *h, hawser_error *err)
 {
     herr_t code = -1;
@@ -304,6 +298,7 @@ hawser_status h5_flush(H5File *h, hawser_error *err)
     return h5_result(h, code >= 0, err);
 }
 
+/* NULL is fine. The handle is gone afterwards, also after an error. */
 hawser_status h5_close(H5File **file, hawser_error *err)
 {
     H5File *h = *file;

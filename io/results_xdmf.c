@@ -17,6 +17,7 @@ static hawser_status write_tail(XdmfFile *x, hawser_error *err)
     return status;
 }
 
+/* An empty collection is a valid document, too. */
 hawser_status xdmf_open(XdmfFile *x, const char *dir, int segments, hawser_error *err)
 {
     x->segments = segments;
@@ -62,6 +63,7 @@ static hawser_status write_frame(XdmfFile *x, long frame, double t, hawser_error
     return s ? s : out_print(&x->out, err, "   </Grid>\n");
 }
 
+/* The closing tags are overwritten by the new states and written again behind them. */
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err)
 {
     errno = 0;
@@ -76,4 +78,5 @@ hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawse
     return status;
 }
 
+/* Nothing is missing at the end, since every call left a whole document. */
 hawser_status xdmf_close(XdmfFile *x, hawser_error *err) { return out_close(&x->out, err); }

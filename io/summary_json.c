@@ -13,10 +13,8 @@ static int put_real(json_t *o, const char *key, double v)
     return json_object_set_new(o, key, isfinite(v) ? json_real(v) : json_null());
 }
 
-static int put_int(json_t *o, const char *key, long v)
-{
-    return json_object_set_new(o, key, json_integer(v));
-}
+/* Counts. */
+static int put_int(json_t *o, const char *key, long v) { return json_object_set_new(o, key, json_integer(v)); }
 
 /* Text that is not UTF-8 (a name from a strange file) becomes null. */
 static int put_text(json_t *o, const char *key, const char *v)
@@ -31,6 +29,7 @@ typedef struct RealPair {
     double value;
 } RealPair;
 
+/* Quantities that belong together share an object. */
 static int put_reals(json_t *o, const char *key, int n, const RealPair *pair)
 {
     json_t *inner = json_object();
@@ -39,6 +38,7 @@ static int put_reals(json_t *o, const char *key, int n, const RealPair *pair)
     return json_object_set_new(o, key, inner) | bad;
 }
 
+/* What was run, by what, and how it ended. */
 static int put_labels(json_t *o, const SummaryLabels *l)
 {
     return put_text(o, "title", l->title) | put_text(o, "case", l->case_name) |
@@ -46,6 +46,7 @@ static int put_labels(json_t *o, const SummaryLabels *l)
            put_text(o, "message", l->message);
 }
 
+/* Counts of the model. */
 static int put_scene(json_t *o, const hawser_summary *s)
 {
     return put_int(o, "segments", s->segments) | put_int(o, "bushings", s->bushings) |
@@ -53,6 +54,7 @@ static int put_scene(json_t *o, const hawser_summary *s)
            put_int(o, "contact_active_max", s->contact_active_max);
 }
 
+/* What the integrator and the linear solver did. */
 static int put_work(json_t *o, const hawser_summary *s)
 {
     return put_real(o, "sim_time_s", s->sim_time_s) | put_real(o, "wall_time_s", s->wall_time_s) |
@@ -60,43 +62,40 @@ static int put_work(json_t *o, const hawser_summary *s)
            put_real(o, "steps_per_second", s->steps_per_second) | put_int(o, "rhs_evals", s->rhs_evals) |
            put_int(o, "newton_iters", s->newton_iters) | put_int(o, "jac_evals", s->jac_evals) |
            put_int(o, "lin_setups", s->lin_setups) | put_int(o, "error_test_fails", s->error_test_fails) |
-           put_int(o, "newton_fails", s->newton_fails) |
-           put_int(o, "contact_refreshes", s->contact_refreshes) |
-           put_text(o, "linear_solver", s->linear_solver) |
-           put_text(o, "linear_solver_why", s->linear_solver_why) | put_text(o, "ordering", s->ordering) |
-           put_int(o, "threads", s->threads);
+           put_int(o, "newton_fails", s->newton_fails) | put_int(o, "contact_refreshes", s->contact_refreshes) |
+           put_text(o, "linear_solver", s->linear_solver) | put_text(o, "linear_solver_why", s->linear_solver_why) |
+           put_text(o, "ordering", s->ordering) | put_int(o, "threads", s->threads);
 }
 
+/* The results proper: pull, theory, errors, speed, and the window over which they were taken. */
 static int put_figures(json_t *o, const hawser_summary *s)
 {
-    const RealPair pull[] = {{"steady_mean_N", s->pull_mean_N},
-                             {"peak_N", s->pull_peak_N},
-                             {"steady_ripple_rms_N", s->pull_ripple_N}};
-    const RealPair theory[] = {{"paper_total_N", s->paper_total_N},
-                               {"reference_total_N", s->reference_total_N}};
+    const RealPair pull[] = {
+        {"steady_mean_N", s->pull_mean_N}, {"peak_N", s->pull_peak_N}, {"steady_ripple_rms_N", s->pull_ripple_N}};
+    const RealPair theory[] = {{"paper_total_N", s->paper_total_N}, {"reference_total_N", s->reference_total_N}};
     const RealPair error[] = {{"max_pct", s->error_max_pct},
                               {"mean_pct", s->error_mean_pct},
                               {"max_pct_paper", s->error_max_paper_pct},
                               {"mean_pct_paper", s->error_mean_paper_pct}};
-    const RealPair speed[] = {{"steady_m_per_s", s->steady_speed_m_per_s},
-                              {"settle_time_s", s->settle_time_s}};
+    const RealPair speed[] = {{"steady_m_per_s", s->steady_speed_m_per_s}, {"settle_time_s", s->settle_time_s}};
     const RealPair window[] = {{"from_s", s->steady_from_s}, {"to_s", s->steady_to_s}};
     return put_reals(o, "pull_force", 3, pull) | put_reals(o, "theory", 2, theory) |
            put_reals(o, "tension_error", 4, error) | put_reals(o, "speed", 2, speed) |
            put_reals(o, "steady_window", 2, window);
 }
 
+/* How the initial equilibrium went. */
 static int put_relaxation(json_t *o, const hawser_relaxation *r)
 {
     json_t *inner = json_object();
     const int bad = json_object_set_new(inner, "reached", json_boolean(r->reached)) |
-                    put_int(inner, "iterations", r->iterations) |
-                    put_real(inner, "residual_N", r->residual_N) |
+                    put_int(inner, "iterations", r->iterations) | put_real(inner, "residual_N", r->residual_N) |
                     put_real(inner, "tolerance_N", r->tolerance_N) | put_int(inner, "segment", r->segment) |
                     put_real(inner, "moved_m", r->moved_m);
     return json_object_set_new(o, "relaxation", inner) | bad;
 }
 
+/* Where the wall time went. */
 static int put_phases(json_t *o, const hawser_phases *p)
 {
     const RealPair pair[] = {{"relax", p->relax},       {"rhs", p->rhs},       {"contacts", p->contacts},
@@ -105,8 +104,8 @@ static int put_phases(json_t *o, const hawser_phases *p)
     return put_reals(o, "phases_s", 9, pair);
 }
 
-hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text,
-                           hawser_error *err)
+/* Keys keep the order in which they are put. Ten digits: enough to compare runs, short enough to read. */
+hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
     json_t *o = json_object();
     int bad = !o;

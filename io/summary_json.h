@@ -12,7 +12,6 @@ typedef struct SummaryLabels {
 } SummaryLabels;
 
 /* The text of summary.json, malloc'ed; what is not known (NAN) becomes null. Errors: MEMORY. */
-hawser_status summary_json(const hawser_summary *summary, const SummaryLabels *labels, char **text,
-                           hawser_error *err);
+hawser_status summary_json(const hawser_summary *summary, const SummaryLabels *labels, char **text, hawser_error *err);
 
 #endif

@@ -3,20 +3,22 @@
 #include <math.h>
 #include <string.h>
 
+/* Of the theory, with its sign: positive when the simulation is above. */
 double error_percent(double value, double theory)
 {
     return theory > 0 || theory < 0 ? 100 * (value - theory) / theory : NAN;
 }
 
+/* A quote inside is doubled. */
 hawser_status csv_text(OutFile *out, const char *separator, const char *text, hawser_error *err)
 {
     if (!strpbrk(text, ",\"\r\n")) return out_print(out, err, "%s%s", separator, text);
     hawser_status status = out_print(out, err, "%s\"", separator);
-    for (const char *p = text; *p && !status; p++)
-        status = out_print(out, err, *p == '"' ? "\"%c" : "%c", *p);
+    for (const char *p = text; *p && !status; p++) status = out_print(out, err, *p == '"' ? "\"%c" : "%c", *p);
     return status ? status : out_print(out, err, "\"");
 }
 
+/* Readers of CSV disagree about "nan"; an empty cell is understood by all. */
 hawser_status csv_number(OutFile *out, double value, hawser_error *err)
 {
     return isfinite(value) ? out_print(out, err, ",%.9g", value) : out_print(out, err, ",");
@@ -30,14 +32,15 @@ static hawser_status write_row(OutFile *out, const char *name, int n, const doub
     return status ? status : out_print(out, err, "\n");
 }
 
+/* Flushed, so that a table that cannot be written is noticed before the run. */
 hawser_status stations_write_head(OutFile *out, hawser_error *err)
 {
     const hawser_status status = out_print(
-        out, err,
-        "name,s_m,paper_N,reference_N,mean_N,peak_N,error_paper_pct,error_reference_pct,peak_ratio\n");
+        out, err, "name,s_m,paper_N,reference_N,mean_N,peak_N,error_paper_pct,error_reference_pct,peak_ratio\n");
     return status ? status : out_flush(out, err);
 }
 
+/* The same for the rollers. */
 hawser_status rollers_write_head(OutFile *out, hawser_error *err)
 {
     const hawser_status status =
@@ -45,6 +48,7 @@ hawser_status rollers_write_head(OutFile *out, hawser_error *err)
     return status ? status : out_flush(out, err);
 }
 
+/* Errors are those of the mean; the peak is compared as a ratio, the paper's overload factor (its eq. 12). */
 hawser_status stations_write(OutFile *out, int n, const hawser_station *station, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -63,6 +67,7 @@ hawser_status stations_write(OutFile *out, int n, const hawser_station *station,
     return status;
 }
 
+/* A roller that nothing rests on has no ratios; one without a rating has no margin. */
 hawser_status rollers_write(OutFile *out, int n, const hawser_roller *roller, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;

@@ -64,10 +64,7 @@ static const UnitRow derived_units[] = {
     {"J", 1, "N m"},
     {"W", 1, "J s-1"},
 };
-enum {
-    N_BASE = sizeof base_units / sizeof *base_units,
-    N_DERIVED = sizeof derived_units / sizeof *derived_units
-};
+enum { N_BASE = sizeof base_units / sizeof *base_units, N_DERIVED = sizeof derived_units / sizeof *derived_units };
 
 static const char *const prefix_names[] = {"n", "u", "\xc2\xb5", "m", "c", "k", "M", "G", NULL};
 static const double prefix_values[] = {1e-9, 1e-6, 1e-6, 1e-3, 1e-2, 1e3, 1e6, 1e9};
@@ -187,15 +184,20 @@ static int number_read(const Units *units, const char *text, double *value, cons
     return 1;
 }
 
-/* Whether text looks like an expression of units: names, powers, products and quotients. Digits count only as
- * powers, so that a second number is not taken for a factor. */
+/* Whether text looks like an expression of units: names, powers, products and quotients. Digits count only as powers,
+ * so that a second number is not taken for a factor. Beyond ASCII there are only a micro sign, the dot and small
+ * powers. */
 static int unit_plausible(const char *text)
 {
     char before = ' ';
     for (const char *p = text; *p; before = *p++) {
         const unsigned char c = (unsigned char)*p;
-        if (!isalpha(c) && !isdigit(c) && !strchr(" /*.^-", c) && c < 0x80) return 0;
         if (isdigit(c) && !isalnum((unsigned char)before) && before != '^' && before != '-') return 0;
+        if (c == 0xc2 && p[1] && strchr("\xb2\xb3\xb5\xb7", p[1])) {
+            p++;
+        } else if (c >= 0x80 || (!isalpha(c) && !isdigit(c) && !strchr(" /*.^-", c))) {
+            return 0;
+        }
     }
     return 1;
 }
@@ -221,8 +223,7 @@ static double unit_read(const Units *units, const char *text, Dimension dimensio
     if (!unit) {
         snprintf(why, UNITS_WHY_MAX, "has an unknown unit '%.40s'", text);
     } else if (factor == 0) {
-        snprintf(why, UNITS_WHY_MAX, "has the unit '%.40s', which is not that of %s", text,
-                 dimensions[dimension].name);
+        snprintf(why, UNITS_WHY_MAX, "has the unit '%.40s', which is not that of %s", text, dimensions[dimension].name);
     }
     ut_free(unit);
     udunits_leave(before);
@@ -275,9 +276,7 @@ int units_read_stiffness(const Units *units, const char *text, double e, double 
     const double metre = force != 0 ? unit_read(units, length, DIM_LENGTH, why) : 0;
     if (metre == 0) return 0;
     if (fabs(power - e) > 1e-12) {
-        return snprintf(why, UNITS_WHY_MAX, "has the power %g of a length, but the exponent e is %g", power,
-                        e),
-               0;
+        return snprintf(why, UNITS_WHY_MAX, "has the power %g of a length, but the exponent e is %g", power, e), 0;
     }
     *value = number * force / pow(metre, e);
     if (!isfinite(*value)) return snprintf(why, UNITS_WHY_MAX, "is too large a number"), 0;

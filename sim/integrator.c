@@ -73,22 +73,8 @@ static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, boolean
 /* Keeps the quaternions of unit length (N9): correction of the state and projection of the error. */
 static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype tolerance, N_Vector error, void *user)
 {
-    (void)t, (void)tolerance;
-    const Integrator *const in = user;
-    const int n = in->scene->chain.n;
-    const double *const q = N_VGetArrayPointer(y) + STATE_Q * n;
-    N_VConst(0, correction);
-    double *const c = N_VGetArrayPointer(correction) + STATE_Q * n;
-    double *const e = error ? N_VGetArrayPointer(error) + STATE_Q * n : NULL;
-    for (int i = 0; i < n; ++i) {
-        double square = 0, along = 0;
-        for (int k = 0; k < 4; ++k) square += q[k * n + i] * q[k * n + i];
-        const double scale = 1 / sqrt(square) - 1;
-        for (int k = 0; k < 4; ++k) c[k * n + i] = scale * q[k * n + i];
-        if (!e) continue;
-        for (int k = 0; k < 4; ++k) along += q[k * n + i] * e[k * n + i];
-        for (int k = 0; k < 4; ++k) e[k * n + i] -= along / square * q[k * n + i];
-    }
+    (void)t, (void)tolerance, (void)user;
+    vector_project(y, correction, error);
     return 0;
 }
 

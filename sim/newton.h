@@ -9,14 +9,18 @@
 
 typedef struct Newton {
     int n;
+    int middle;      /* segments before it are the first half of a split loop; a multiple of LANES */
     BlockChain k, d; /* derivative blocks at the linearisation point */
     BlockChain a;    /* M - gamma D - gamma^2 K S */
-    double *mass;    /* [n] kg */
-    double *inertia; /* [n][9] row-major, world, at the linearisation point */
-    double *q, *w;   /* [n][4] as in y (not normalised), [n][3] rad/s, at the linearisation point */
-    double *turn;    /* [n][3] work: rotation part of the eliminated residual */
-    double *x;       /* [6n] work: reduced right-hand side and solution */
-    double gamma;    /* s, of a */
+    /* at the linearisation point, chain arrays */
+    double *mass;       /* kg */
+    double *inertia[9]; /* row-major, world, kg m2 */
+    double *q[4];       /* as in y (not normalised) */
+    double *w[3];       /* rad/s */
+    /* of one solution */
+    double *z;    /* [6n] gamma times position residual and eliminated rotation */
+    double *x;    /* [6n] reduced right-hand side and solution */
+    double gamma; /* s, of a */
     LinSolver *solver;
     Team *team; /* borrowed; NULL: one thread */
 } Newton;

@@ -22,11 +22,15 @@ void scales_weights(const Scene *scene, double *weight)
     }
 }
 
-double scales_norm(int n, const double *x, const double *weight)
+static const VectorKernels *kernels(void)
 {
     static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
-    return sqrt(table[isa_best()]->window_square(n, x, weight));
+    return table[isa_best()];
 }
+
+double scales_norm(int n, const double *x, const double *weight) { return sqrt(kernels()->window_square(n, x, weight)); }
+
+int scales_all_finite(const double *x, int count) { return kernels()->all_finite(count, x); }
 
 int scales_worst_segment(int n, const double *x, const double *weight)
 {
@@ -42,11 +46,4 @@ int scales_worst_segment(int n, const double *x, const double *weight)
         }
     }
     return worst;
-}
-
-int scales_all_finite(const double *x, int count)
-{
-    double sum = 0;
-    for (int i = 0; i < count; ++i) sum += x[i] * 0; /* 0, or NaN if any entry is not finite */
-    return sum == 0;
 }

@@ -42,8 +42,7 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
     stats->roller = calloc(nr, sizeof *stats->roller);
     stats->station_out = calloc(ns, sizeof *stats->station_out);
     stats->roller_out = calloc(nr, sizeof *stats->roller_out);
-    stats->joint_s = calloc((size_t)scene->chain.n + 1, sizeof(double));
-    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !stats->joint_s) {
+    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -66,7 +65,6 @@ void stats_free(Stats *stats)
     free(stats->roller);
     free(stats->station_out);
     free(stats->roller_out);
-    free(stats->joint_s);
     memset(stats, 0, sizeof *stats);
 }
 
@@ -91,33 +89,46 @@ static Vec3 joint_position(const hawser_sample *s, const Chain *chain, int j)
     return v3_axpy(v3(p[0], p[1], p[2]), side * chain->half[i], a);
 }
 
-/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is there. */
-static double tension_at(Stats *stats, const Scene *scene, const hawser_sample *sample, double s)
+/* Route coordinate of joint j now: where it would be if nothing stretched is a good guess. */
+static double joint_now(const Scene *scene, const hawser_sample *sample, int j)
 {
-    const double *const js = stats->joint_s;
-    int low = 0, high = scene->chain.n;
-    if (s < js[0] || s > js[high]) return NAN;
-    while (high - low > 1) {
+    const double guess = scene->joint_s[j] + sample->winch_travel;
+    return route_coordinate(&scene->route, joint_position(sample, &scene->chain, j), guess);
+}
+
+/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is there. */
+static double tension_at(const Scene *scene, const hawser_sample *sample, double s)
+{
+    const int n = scene->chain.n;
+    int low = 0, high = n;
+    while (high - low > 1) { /* by the unstretched places */
         const int mid = (low + high) / 2;
-        if (js[mid] <= s) {
+        if (scene->joint_s[mid] + sample->winch_travel <= s) {
             low = mid;
         } else {
             high = mid;
         }
     }
-    const double u = (s - js[low]) / (js[high] - js[low]);
+    double a = joint_now(scene, sample, low), b = joint_now(scene, sample, high);
+    while (s < a && low > 0) {
+        high = low--;
+        b = a;
+        a = joint_now(scene, sample, low);
+    }
+    while (s > b && high < n) {
+        low = high++;
+        a = b;
+        b = joint_now(scene, sample, high);
+    }
+    if (s < a || s > b) return NAN;
+    const double u = (s - a) / (b - a);
     return (1 - u) * sample->tension[low] + u * sample->tension[high];
 }
 
 static void stations_record(Stats *stats, const Scene *scene, const hawser_sample *sample, double dt, int steady)
 {
-    if (stats->n_stations == 0) return;
-    for (int j = 0; j <= scene->chain.n; ++j) {
-        const double guess = scene->joint_s[j] + sample->winch_travel;
-        stats->joint_s[j] = route_coordinate(&scene->route, joint_position(sample, &scene->chain, j), guess);
-    }
     for (int i = 0; i < stats->n_stations; ++i) {
-        const double tension = tension_at(stats, scene, sample, stats->station_out[i].s);
+        const double tension = tension_at(scene, sample, stats->station_out[i].s);
         if (!isnan(tension)) mean_add(&stats->station[i], tension, dt, steady);
     }
 }

@@ -23,7 +23,6 @@ typedef struct Stats {
     TimeMean *roller;    /* [n_rollers], N */
     hawser_station *station_out;
     SimRoller *roller_out;
-    double *joint_s;     /* [n+1] work: route coordinates of the joints now */
 } Stats;
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);

@@ -44,10 +44,22 @@ static int op_scale_add_multi(int terms, realtype *a, N_Vector x, N_Vector *y, N
     return 0;
 }
 
+static void op_const(realtype a, N_Vector z)
+{
+    double *const data = NV_DATA_S(z);
+    for (int i = 0; i < length_of(z); ++i) data[i] = a;
+}
+
+void vector_project(N_Vector y, N_Vector correction, N_Vector error)
+{
+    kernels()->project(length_of(y) / STATE_SIZE, NV_DATA_S(y), NV_DATA_S(correction), error ? NV_DATA_S(error) : NULL);
+}
+
 void vector_use_kernels(N_Vector v)
 {
     v->ops->nvlinearsum = op_linear_sum;
     v->ops->nvscale = op_scale;
+    v->ops->nvconst = op_const;
     v->ops->nvwrmsnorm = op_norm;
     v->ops->nvlinearcombination = op_combination;
     v->ops->nvscaleaddmulti = op_scale_add_multi;

@@ -14,6 +14,11 @@ typedef struct VectorKernels {
     /* Largest over windows of 16 segments of the sum of (x w)^2 over the window's entries, divided by their number; x and w
      * are 13 arrays of n (N11). A NaN in x or w gives a NaN. */
     double (*window_square)(int n, const double *x, const double *w);
+    /* 1 if every entry is finite */
+    int (*all_finite)(int count, const double *x);
+    /* Correction of the quaternions of y (13 arrays of n) to unit length, zero elsewhere; error (NULL: none) loses its part
+     * along them (N9). */
+    void (*project)(int n, const double *y, double *correction, double *error);
 } VectorKernels;
 
 extern const VectorKernels vector_kernels_generic, vector_kernels_avx2, vector_kernels_avx512;

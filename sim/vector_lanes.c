@@ -1,4 +1,6 @@
 /* The kernels of vector_kernels.h for one instruction set. */
+#include <math.h>
+
 #include "core/lanes.h"
 #include "core/state.h"
 #include "sim/scales.h"
@@ -67,5 +69,42 @@ static double kernel_window_square(int n, const double *x, const double *w)
     return largest;
 }
 
-const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum, kernel_scale, kernel_combination,
-                                                kernel_window_square};
+static int kernel_all_finite(int count, const double *x)
+{
+    Lane sum = lane_set(0); /* x 0 is 0, or NaN where x is not finite */
+    double total = 0;
+    int i = 0;
+    for (; i + LANES <= count; i += LANES) sum += lane_load(x + i) * lane_set(0);
+    for (; i < count; ++i) total += x[i] * 0;
+    for (int k = 0; k < LANES; ++k) total += sum[k];
+    return total == 0;
+}
+
+/* One lane of quaternions, q[4] and e[4] (or NULL). */
+LANE_INLINE void project_lane(const Lane q[4], Lane c[4], Lane *e)
+{
+    const Lane square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    Lane scale;
+    for (int k = 0; k < LANES; ++k) scale[k] = 1 / sqrt(square[k]);
+    for (int k = 0; k < 4; ++k) c[k] = (scale - 1) * q[k];
+    if (!e) return;
+    const Lane along = (q[0] * e[0] + q[1] * e[1] + q[2] * e[2] + q[3] * e[3]) / square;
+    for (int k = 0; k < 4; ++k) e[k] -= along * q[k];
+}
+
+static void kernel_project(int n, const double *y, double *correction, double *error)
+{
+    memset(correction, 0, (size_t)(STATE_SIZE * n) * sizeof(double));
+    for (int i = 0; i < n; i += LANES) {
+        const size_t bytes = (size_t)(n - i < LANES ? n - i : LANES) * sizeof(double);
+        Lane q[4] = {{1, 1, 1, 1, 1, 1, 1, 1}}, c[4], e[4] = {{0}};
+        for (int k = 0; k < 4; ++k) memcpy(&q[k], y + (STATE_Q + k) * n + i, bytes);
+        for (int k = 0; error && k < 4; ++k) memcpy(&e[k], error + (STATE_Q + k) * n + i, bytes);
+        project_lane(q, c, error ? e : NULL);
+        for (int k = 0; k < 4; ++k) memcpy(correction + (STATE_Q + k) * n + i, &c[k], bytes);
+        for (int k = 0; error && k < 4; ++k) memcpy(error + (STATE_Q + k) * n + i, &e[k], bytes);
+    }
+}
+
+const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum,    kernel_scale,      kernel_combination,
+                                                kernel_window_square, kernel_all_finite, kernel_project};

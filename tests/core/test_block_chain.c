@@ -1,0 +1,93 @@
+/* The block tridiagonal matrix. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/block_chain.h"
+
+/* Block (i, j) has entries 100 i + 10 j + row + column / 8, so that none equals another's. */
+static double entry(int i, int j, int r, int c) { return 100 * i + 10 * j + r + 0.125 * c; }
+
+static void fill(BlockChain *a)
+{
+    const int b = a->b;
+    double *const blocks[3] = {a->lower, a->diag, a->upper};
+    for (int i = 0; i < a->n; ++i) {
+        for (int d = 0; d < 3; ++d) {
+            if (i + d < 1 || i + d > a->n) continue;
+            for (int k = 0; k < b * b; ++k) blocks[d][i * b * b + k] = entry(i, i + d - 1, k % b, k / b);
+        }
+    }
+}
+
+static void allocation(void **state)
+{
+    (void)state;
+    BlockChain a;
+    assert_true(block_chain_alloc(&a, 5, 6));
+    double *const blocks[3] = {a.lower, a.diag, a.upper};
+    for (int d = 0; d < 3; ++d) {
+        assert_int_equal((uintptr_t)blocks[d] % 64, 0);
+        for (int k = 0; k < 5 * 36 + 8; ++k) assert_true(blocks[d][k] == 0); /* and a vector beyond */
+    }
+    block_chain_free(&a);
+    assert_null(a.diag);
+    block_chain_free(&a);
+}
+
+static void product(void **state)
+{
+    (void)state;
+    for (int b = 3; b <= 6; b += 3) {
+        for (int n = 1; n <= 4; ++n) {
+            BlockChain a;
+            double x[24], y[24];
+            block_chain_alloc(&a, n, b);
+            fill(&a);
+            for (int k = 0; k < n * b; ++k) x[k] = k % 3 - 0.75, y[k] = 1;
+            block_chain_gemv(&a, -2, x, y);
+            for (int i = 0; i < n; ++i) {
+                for (int r = 0; r < b; ++r) {
+                    double sum = 1;
+                    for (int j = i ? i - 1 : 0; j <= i + 1 && j < n; ++j) {
+                        for (int c = 0; c < b; ++c) sum -= 2 * entry(i, j, r, c) * x[j * b + c];
+                    }
+                    assert_true(fabs(y[i * b + r] - sum) <= 1e-12 * (1 + fabs(sum)));
+                }
+            }
+            block_chain_free(&a);
+        }
+    }
+}
+
+static void copy_and_zero(void **state)
+{
+    (void)state;
+    BlockChain a, c;
+    block_chain_alloc(&a, 4, 3);
+    block_chain_alloc(&c, 4, 3);
+    fill(&a);
+    block_chain_copy(&c, &a);
+    assert_memory_equal(a.lower, c.lower, 36 * sizeof(double));
+    assert_memory_equal(a.diag, c.diag, 36 * sizeof(double));
+    assert_memory_equal(a.upper, c.upper, 36 * sizeof(double));
+    block_chain_zero(&a);
+    for (int k = 0; k < 36; ++k) assert_true(a.lower[k] == 0 && a.diag[k] == 0 && a.upper[k] == 0);
+    assert_true(c.diag[0] == entry(0, 0, 0, 0) && c.lower[9] == entry(1, 0, 0, 0));
+    block_chain_free(&a);
+    block_chain_free(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(allocation),
+        cmocka_unit_test(product),
+        cmocka_unit_test(copy_and_zero),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

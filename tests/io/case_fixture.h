@@ -1,0 +1,70 @@
+/* What the tests of case files share: reading a text, and what its message must say. */
+#ifndef HAWSER_TESTS_CASE_FIXTURE_H
+#define HAWSER_TESTS_CASE_FIXTURE_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "io/case_read.h"
+
+#define NAME "pull.yaml"
+
+/* |a - b| <= share |b| */
+static inline void expect_near(double a, double b, double share)
+{
+    if (!(fabs(a - b) <= share * fabs(b))) fail_msg("%.17g is not %.17g", a, b);
+}
+
+/* The smallest case there is. */
+static const char SMALLEST[] =
+    "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"
+    "chain: [{cable: c, length: 5 m}]\n"
+    "route: {pieces: [{straight: 20 m}]}\n"
+    "run: {duration: 10 s}\n";
+
+/* Reads a text as a case called NAME, with one setting (key NULL: none). */
+static inline hawser_status read_with(const char *text, const char *key, const char *value, SceneDef *def,
+                                      hawser_error *err)
+{
+    CaseTree *tree;
+    memset(err, 0, sizeof *err);
+    hawser_status status = case_tree_parse(text, NAME, &tree, err);
+    if (!status && key) status = case_tree_set(tree, key, value, err);
+    if (!status) status = case_read(tree, def, err);
+    case_tree_free(tree);
+    return status;
+}
+
+/* The text with one setting must be a good case; the caller clears *def. */
+static inline void expect_good(const char *text, const char *key, const char *value, SceneDef *def)
+{
+    hawser_error err;
+    const hawser_status status = read_with(text, key, value, def, &err);
+    if (status) fail_msg("refused: %s", err.message);
+}
+
+/* The text with one setting must be refused with a message that holds `part`. */
+static inline void expect_bad(const char *text, const char *key, const char *value, const char *part)
+{
+    hawser_error err;
+    SceneDef def;
+    const hawser_status status = read_with(text, key, value, &def, &err);
+    if (!status) {
+        scene_def_clear(&def);
+        fail_msg("accepted: %s = %s", key ? key : "the text", key ? value : text);
+    }
+    assert_int_equal(status, HAWSER_ERR_INPUT);
+    assert_int_equal(err.status, HAWSER_ERR_INPUT);
+    assert_null(strchr(err.message, '\n'));
+    if (!strstr(err.message, part)) fail_msg("'%s' is not in: %s", part, err.message);
+}
+
+#endif

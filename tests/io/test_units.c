@@ -1,0 +1,195 @@
+/* Numbers with units: what is read, and what is refused with which words. */
+#include "tests/io/case_fixture.h"
+
+#include <locale.h>
+
+#include "io/units.h"
+
+static int units_setup(void **state)
+{
+    *state = units_new();
+    return *state ? 0 : -1;
+}
+
+static int units_teardown(void **state)
+{
+    *state = units_free(*state);
+    return 0;
+}
+
+static void good(void **state, const char *text, Dimension dimension, double expected)
+{
+    char why[UNITS_WHY_MAX] = "";
+    double value = NAN;
+    if (!units_read(*state, text, dimension, &value, why)) fail_msg("'%s' %s", text, why);
+    if (fabs(value - expected) > 1e-14 * fabs(expected)) fail_msg("'%s': %.17g, not %.17g", text, value, expected);
+}
+
+static void bad(void **state, const char *text, Dimension dimension, const char *part)
+{
+    char why[UNITS_WHY_MAX] = "";
+    double value = 0;
+    if (units_read(*state, text, dimension, &value, why)) fail_msg("'%s' was taken for %g", text, value);
+    if (!strstr(why, part)) fail_msg("'%s': '%s' does not say '%s'", text, why, part);
+}
+
+static void units_of_each_kind(void **state)
+{
+    const double deg = 3.14159265358979323846 / 180;
+    good(state, "500 mm", DIM_LENGTH, 0.5);
+    good(state, "500mm", DIM_LENGTH, 0.5);
+    good(state, "10 ft", DIM_LENGTH, 3.048);
+    good(state, "3 in", DIM_LENGTH, 0.0762);
+    good(state, "5982.7 mm2", DIM_AREA, 5982.7e-6);
+    good(state, "5982.7 mm^2", DIM_AREA, 5982.7e-6);
+    good(state, "5982.7 mm\xc2\xb2", DIM_AREA, 5982.7e-6);
+    good(state, "12 kN\xc2\xb7m\xc2\xb2", DIM_RIGIDITY, 12e3);
+    good(state, "1.5 min", DIM_TIME, 90);
+    good(state, "1 ms", DIM_TIME, 1e-3);
+    good(state, "1 \xc2\xb5s", DIM_TIME, 1e-6);
+    good(state, "6 m/min", DIM_SPEED, 0.1);
+    good(state, "36 km/h", DIM_SPEED, 10);
+    good(state, "9.8 m/s2", DIM_ACCELERATION, 9.8);
+    good(state, "9.8 m s-2", DIM_ACCELERATION, 9.8);
+    good(state, "-5 deg", DIM_ANGLE, -5 * deg);
+    good(state, "0.5 rev", DIM_ANGLE, 180 * deg);
+    good(state, "30 rpm", DIM_ANGULAR_SPEED, 180 * deg);
+    good(state, "6860.64 N", DIM_FORCE, 6860.64);
+    good(state, "16 kN", DIM_FORCE, 16e3);
+    good(state, "1 kgf", DIM_FORCE, 9.80665);
+    good(state, "1 lbf", DIM_FORCE, 4.4482216152605);
+    good(state, "115 GPa", DIM_PRESSURE, 115e9);
+    good(state, "115000 N/mm2", DIM_PRESSURE, 115e9);
+    good(state, "1 psi", DIM_PRESSURE, 6894.757293168361);
+    good(state, "12 kN m2", DIM_RIGIDITY, 12e3);
+    good(state, "12 kN*m2", DIM_RIGIDITY, 12e3);
+    good(state, "7801 kg/m3", DIM_DENSITY, 7801);
+    good(state, "7.8 g/cm3", DIM_DENSITY, 7800);
+    good(state, "22 kg/m", DIM_LINE_MASS, 22);
+    good(state, "1 lb/ft", DIM_LINE_MASS, 0.45359237 / 0.3048);
+    good(state, "10 N s/mm", DIM_DASHPOT, 1e4);
+}
+
+static void bare_numbers_are_si(void **state)
+{
+    good(state, "0.1", DIM_NONE, 0.1);
+    good(state, "115e9", DIM_PRESSURE, 115e9);
+    good(state, "+3.", DIM_LENGTH, 3);
+    good(state, ".5", DIM_LENGTH, 0.5);
+    good(state, "-2.5E-3", DIM_ANGLE, -2.5e-3);
+    good(state, " 7 ", DIM_FORCE, 7);
+    good(state, "0", DIM_TIME, 0);
+}
+
+static void what_is_not_a_number(void **state)
+{
+    static const char *const words[] = {"nan", "NaN", "inf", "-inf", "Infinity", "abc",
+                                        "e5",  "-",   ".",   "--3",  "~",        "m"};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) bad(state, words[k], DIM_LENGTH, "is not a number");
+    bad(state, "", DIM_LENGTH, "is empty");
+    bad(state, "  ", DIM_LENGTH, "is empty");
+    bad(state, "0x10", DIM_LENGTH, "hexadecimal");
+    bad(state, "1,5 m", DIM_LENGTH, "comma");
+    bad(state, "1e400", DIM_LENGTH, "too large");
+    bad(state, "1e308 Gm", DIM_LENGTH, "too large");
+}
+
+static void trailing_garbage(void **state)
+{
+    static const char *const texts[] = {"115e9x",  "115e9 x", "5 m garbage", "5 m 3",  "5 3 m", "5 m;",
+                                        "5 m,",    "5 m @ 3", "5 m since",   "1e",     "1.2.3", "5 m 2",
+                                        "5 m/",    "5 /m/",   "5 (m",        "5 \xff", "5 1/m", "1_000 m",
+                                        "5 m # c", "5 ''m",   "5 log(m)"};
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) bad(state, texts[k], DIM_LENGTH, "unknown unit");
+}
+
+/* A unit of another kind is never converted, a reciprocal or an angle neither. */
+static void units_of_the_wrong_kind(void **state)
+{
+    bad(state, "5 kg", DIM_LENGTH, "has the unit 'kg', which is not that of a length");
+    bad(state, "5 m", DIM_NONE, "not that of a number");
+    bad(state, "5 \xff", DIM_NONE, "unknown unit");
+    bad(state, "5 deg", DIM_NONE, "not that of a number");
+    bad(state, "0.1 m/m", DIM_ANGLE, "not that of an angle");
+    bad(state, "20 Hz", DIM_TIME, "not that of a time");
+    bad(state, "10 min/m", DIM_SPEED, "not that of a speed");
+    bad(state, "1 Hz", DIM_ANGULAR_SPEED, "not that of an angular speed");
+    bad(state, "5 kg", DIM_FORCE, "not that of a force");
+    for (int d = 0; d < DIM_COUNT; d++) {
+        if (d != DIM_STIFFNESS) bad(state, "1 kg rad5", (Dimension)d, dimension_name((Dimension)d));
+    }
+}
+
+static void examples_are_of_their_kind(void **state)
+{
+    char why[UNITS_WHY_MAX], si[80];
+    double value;
+    for (int d = 0; d < DIM_COUNT; d++) {
+        if (d == DIM_STIFFNESS) continue;
+        assert_true(units_read(*state, dimension_example((Dimension)d), (Dimension)d, &value, why));
+        if (d == DIM_NONE) continue;
+        snprintf(si, sizeof si, "7 %s", dimension_unit((Dimension)d));
+        good(state, si, (Dimension)d, 7);
+    }
+}
+
+static void stiffness(void **state)
+{
+    char why[UNITS_WHY_MAX];
+    double k = 0;
+    assert_true(units_read_stiffness(*state, "3.4e8 N/m^1.5", 1.5, &k, why));
+    expect_near(k, 3.4e8, 0);
+    assert_true(units_read_stiffness(*state, "3.4e8", 1.5, &k, why));
+    expect_near(k, 3.4e8, 0);
+    assert_true(units_read_stiffness(*state, "1e5 N/mm^2.2", 2.2, &k, why));
+    expect_near(k, 1e5 * pow(1e3, 2.2), 1e-14);
+    assert_true(units_read_stiffness(*state, "10 kN/mm", 1, &k, why));
+    expect_near(k, 1e7, 1e-15);
+    static const char *const texts[] = {"5 N/m",         "5 N", "5 m/N^1.5", "5 N/m^1.5x",  "5 N/m^",    "5 N/",
+                                        "5 /m^1.5",      "5x",  "nan",       "inf N/m^1.5", "5 N/m^nan", "5 N/m^1.5/m",
+                                        "1e308 N/nm^1.5"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        *why = 0;
+        if (units_read_stiffness(*state, texts[i], 1.5, &k, why)) fail_msg("'%s' was taken for %g", texts[i], k);
+        assert_true(strlen(why) > 5);
+    }
+}
+
+/* A locale with decimal commas changes nothing. */
+static void locales_do_not_matter(void **state)
+{
+    static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE"};
+    int found = 0;
+    for (size_t k = 0; !found && k < sizeof names / sizeof *names; k++) found = setlocale(LC_ALL, names[k]) != NULL;
+    good(state, "1.5 mm", DIM_LENGTH, 1.5e-3);
+    bad(state, "1,5 mm", DIM_LENGTH, "comma");
+    setlocale(LC_ALL, "C");
+    if (!found) print_message("no locale with decimal commas is installed: read in the C locale\n");
+}
+
+/* Two sets of units do not know of each other. */
+static void sets_are_independent(void **state)
+{
+    Units *other = units_new();
+    assert_non_null(other);
+    good(state, "500 mm", DIM_LENGTH, 0.5);
+    units_free(other);
+    good(state, "500 mm", DIM_LENGTH, 0.5);
+    assert_null(units_free(NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(units_of_each_kind),
+        cmocka_unit_test(bare_numbers_are_si),
+        cmocka_unit_test(what_is_not_a_number),
+        cmocka_unit_test(trailing_garbage),
+        cmocka_unit_test(units_of_the_wrong_kind),
+        cmocka_unit_test(examples_are_of_their_kind),
+        cmocka_unit_test(stiffness),
+        cmocka_unit_test(locales_do_not_matter),
+        cmocka_unit_test(sets_are_independent),
+    };
+    return cmocka_run_group_tests(tests, units_setup, units_teardown);
+}

@@ -1,0 +1,185 @@
+/* KLU behind the contract: assembly into compressed columns, orderings, refactorisation and its way out. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "linsolve/linsolve.h"
+#include "linsolve/ordering.h"
+#include "tests/linsolve/matrix_fixture.h"
+
+/* A ring of 30 blocks with a bridge: the chain's ends and two inner blocks are coupled both ways. */
+typedef struct Ring {
+    NewtonMatrix m;
+    ExtraBlock extra[5];
+    double *block;
+} Ring;
+
+static void ring_init(Ring *ring, int n, int b, uint64_t *seed)
+{
+    *ring = (Ring){.block = fixture_vector(5 * b * b, seed)};
+    const int at[5][2] = {{0, n - 1}, {n - 1, 0}, {n / 3, 2 * n / 3}, {2 * n / 3, n / 3}, {1, 1}};
+    fixture_chain_random(&ring->m.chain, n, b, 5 * b, seed);
+    for (int k = 0; k < 5; ++k) ring->extra[k] = (ExtraBlock){at[k][0], at[k][1], ring->block + k * b * b};
+    ring->m.extras = 5;
+    ring->m.extra = ring->extra;
+}
+
+static void ring_free(Ring *ring)
+{
+    block_chain_free(&ring->m.chain);
+    free(ring->block);
+}
+
+/* Assembled columns are sorted, without repetition, and act like the matrix. */
+static void assembly(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    Ring ring;
+    SparseAssembly s;
+    ring_init(&ring, 30, 6, &seed);
+    assert_true(sparse_assembly_new(&ring.m, &s));
+    assert_int_equal(s.a.n, 180);
+    assert_int_equal(s.a.p[180], (30 + 2 * 29 + 4) * 36); /* the fifth extra block lies on the chain's */
+    for (int again = 0; again < 2; ++again) {
+        sparse_assembly_refresh(&s, &ring.m);
+        double *const x = fixture_vector(180, &seed), y[180] = {0}, z[180] = {0};
+        newton_gemv(&ring.m, 2, x, y);
+        for (int c = 0; c < 180; ++c) {
+            for (int k = s.a.p[c]; k < s.a.p[c + 1]; ++k) {
+                assert_true(k == s.a.p[c] || s.a.i[k] > s.a.i[k - 1]);
+                z[s.a.i[k]] += 2 * x[c] * s.a.x[k];
+            }
+        }
+        for (int i = 0; i < 180; ++i) assert_true(fabs(y[i] - z[i]) < 1e-12);
+        free(x);
+    }
+    sparse_assembly_free(&s);
+    ring_free(&ring);
+}
+
+/* METIS' order is a permutation that keeps groups together; tiny and unconnected graphs are no trouble. */
+static void metis_order(void **state)
+{
+    (void)state;
+    for (int n = 1; n <= 40; n += n < 4 ? 1 : 12) {
+        uint64_t seed = 2;
+        BlockChain a;
+        fixture_chain_random(&a, n, 6, 0, &seed);
+        const NewtonMatrix m = {.chain = a};
+        SparseAssembly s;
+        assert_true(sparse_assembly_new(&m, &s));
+        int at[41], perm[240], seen[240] = {0};
+        const int groups = newton_groups(&m, at);
+        assert_int_equal(groups, n);
+        const LinMatrix view = {.sparse = &s.a, .groups = groups, .group_at = at};
+        assert_int_equal(ordering_metis(&view, perm), 0);
+        for (int k = 0; k < 6 * n; ++k) {
+            assert_false(seen[perm[k]]++);
+            assert_int_equal(perm[k] % 6, k % 6);
+        }
+        sparse_assembly_free(&s);
+        block_chain_free(&a);
+    }
+    int p[] = {0, 1, 2, 3, 4}, i[] = {0, 1, 2, 3}, perm[4];
+    double x[] = {1, 1, 1, 1};
+    const SparseMatrix diagonal = {4, p, i, x};
+    assert_int_equal(ordering_metis(&(LinMatrix){.sparse = &diagonal, .groups = 4}, perm), 0);
+    for (int k = 0; k < 4; ++k) assert_int_equal(perm[k], k);
+}
+
+/* The automatic ordering has the least fill of all, and keeps its choice. */
+static void least_fill(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    Ring ring;
+    ring_init(&ring, 60, 6, &seed);
+    long nonzeros[4];
+    for (LinOrdering o = ORDER_AUTO; o <= ORDER_METIS; ++o) {
+        static const char *const expected[] = {NULL, "amd", "colamd", "metis"};
+        LinStats stats;
+        LinSolver *const s = linsolver_new_newton(&ring.m, &(LinOptions){.kind = LIN_KLU, .ordering = o}, NULL);
+        for (int k = 0; k < 3; ++k) assert_int_equal(linsolver_factor_newton(s, &ring.m), 0);
+        linsolver_stats(s, &stats);
+        nonzeros[o] = stats.nonzeros;
+        if (expected[o]) assert_string_equal(stats.ordering, expected[o]);
+        assert_int_equal(stats.factors, 3);
+        assert_int_equal(stats.refactors, 2);
+        assert_int_equal(stats.fallbacks, 0);
+        assert_int_equal(stats.analyses, o == ORDER_AUTO ? 4 : 1);
+        assert_true(stats.growth > 0.1 && stats.growth <= 1);
+        assert_true(nonzeros[o] > 0 && nonzeros[ORDER_AUTO] <= nonzeros[o]);
+        linsolver_free(s);
+    }
+    ring_free(&ring);
+}
+
+/* New values may make the old pivots worthless: the refactorisation notices and chooses new ones. */
+static void fallback_growth(void **state)
+{
+    (void)state;
+    uint64_t seed = 4;
+    BlockChain a, turned;
+    fixture_chain_random(&a, 6, 6, 12, &seed);
+    fixture_chain_random(&turned, 6, 6, 12, &seed);
+    for (int i = 0; i < 6; ++i) { /* rows 0 and 1 change places: the old pivots are 1e-12 */
+        double *const block = turned.diag + 36 * i;
+        for (int c = 0; c < 6; ++c) {
+            const double row = block[6 * c];
+            block[6 * c] = block[6 * c + 1];
+            block[6 * c + 1] = row;
+        }
+        block[0] = block[7] = 1e-12;
+    }
+    const NewtonMatrix m = {.chain = turned};
+    double *const r = fixture_vector(36, &seed), x[36];
+    LinStats stats;
+    LinSolver *const s = linsolver_new(&a, &(LinOptions){.kind = LIN_KLU, .ordering = ORDER_AMD}, NULL);
+    assert_int_equal(linsolver_factor(s, &a), 0);
+    assert_int_equal(linsolver_factor(s, &turned), 0);
+    linsolver_stats(s, &stats);
+    assert_int_equal(stats.fallbacks, 1);
+    memcpy(x, r, sizeof x);
+    assert_int_equal(linsolver_solve(s, x), 0);
+    assert_true(fixture_backward_error(&m, x, r) < 1e-13);
+    assert_int_equal(linsolver_factor(s, &turned), 0);
+    linsolver_stats(s, &stats);
+    assert_int_equal(stats.fallbacks, 1); /* the new pivots serve from now on */
+    linsolver_free(s);
+    free(r);
+    block_chain_free(&a);
+    block_chain_free(&turned);
+}
+
+/* The first matrix of auto's trials is singular: the choice waits for a better one. */
+static void undecided(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    BlockChain a, zero;
+    fixture_chain_random(&a, 6, 6, 12, &seed);
+    block_chain_alloc(&zero, 6, 6);
+    LinStats stats;
+    LinSolver *const s = linsolver_new(&zero, &(LinOptions){.kind = LIN_KLU}, NULL);
+    assert_true(linsolver_factor(s, &zero) > 0);
+    linsolver_stats(s, &stats);
+    assert_string_equal(stats.ordering, "undecided");
+    assert_int_equal(linsolver_factor(s, &a), 0);
+    linsolver_stats(s, &stats);
+    assert_string_not_equal(stats.ordering, "undecided");
+    linsolver_free(s);
+    block_chain_free(&a);
+    block_chain_free(&zero);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(assembly),        cmocka_unit_test(metis_order), cmocka_unit_test(least_fill),
+        cmocka_unit_test(fallback_growth), cmocka_unit_test(undecided),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
