@@ -1,3 +1,5 @@
+/* What the program says when something is wrong, and what it returns to the shell then. A wrong name is answered with
+ * the nearest right one. */
 #include "arguments.h"
 
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* Progress goes to standard error, the report to standard output: a user may keep one and drop the other. */
 #include "progress.h"
 
 #include <stdio.h>

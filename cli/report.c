@@ -1,3 +1,5 @@
+/* Everything in the report is also in summary.json, stations.csv and rollers.csv, where programs should look for it:
+ * the layout here may change. */
 #include "report.h"
 
 #include <math.h>

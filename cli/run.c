@@ -1,3 +1,5 @@
+/* The command that everything is for. It drives the library's run and adds what a terminal needs: progress, an orderly
+ * end on Ctrl-C, a report, an exit status. */
 #include "commands.h"
 #include "progress.h"
 #include "report.h"

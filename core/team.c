@@ -9,8 +9,8 @@
 
 /* How often a waiting thread looks before it sleeps: some tens of microseconds, longer than the gaps in a step. */
 enum { SPINS = 1000, CACHE_LINE = 64 };
-/* After so many jobs in a row for which the helper came too late (its core is busy with something else), the caller works
- * alone for a while, and does not pay for waking the helper. */
+/* After so many jobs in a row for which the helper came too late (its core is busy with something else), the caller
+ * works alone for a while, and does not pay for waking the helper. */
 enum { MISSES = 4, REST = 64 };
 
 /* A count that one thread raises and the other awaits. */
@@ -24,13 +24,13 @@ typedef struct Signal {
 struct Team {
     int size;
     pthread_t helper;
-    int missed, rest; /* the caller's: jobs in a row that the helper missed; jobs still to do alone */
+    int missed, rest;  /* the caller's: jobs in a row that the helper missed; jobs still to do alone */
     atomic_int core;   /* where the caller runs */
     atomic_int ending; /* the helper is to end */
-    TeamJob job; /* of the job that `given` counts */
+    TeamJob job;       /* of the job that `given` counts */
     void *arg;
-    Signal given; /* jobs so far */
-    Signal done;  /* the last job whose second share the helper has finished */
+    Signal given;                            /* jobs so far */
+    Signal done;                             /* the last job whose second share the helper has finished */
     _Alignas(CACHE_LINE) atomic_ulong taken; /* the last job whose second share has a taker */
 };
 
@@ -64,8 +64,8 @@ static void signal_raise(Signal *s, unsigned long to)
     pthread_mutex_unlock(&s->lock);
 }
 
-/* Waits until the count is at least `goal`. Either this thread sees the count after it said that it sleeps, or the other
- * sees that after it raised the count (both are sequentially consistent): no wake-up is lost. */
+/* Waits until the count is at least `goal`. Either this thread sees the count after it said that it sleeps, or the
+ * other sees that after it raised the count (both are sequentially consistent): no wake-up is lost. */
 static unsigned long signal_await(Signal *s, unsigned long goal, int spins)
 {
     for (int k = 0; k < spins; ++k) {

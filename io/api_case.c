@@ -1,3 +1,5 @@
+/* A case behind the public handle: a tree of what the file says, and the definition read from it once somebody asks.
+ * Settings change the tree, and what was read is read again. */
 #include "core/error.h"
 #include "io/api_handles.h"
 #include "io/case_read.h"

@@ -1,3 +1,5 @@
+/* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns,
+ * lists of objects or CSV. */
 #include "io/api_document.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+/* A simulation behind the public handle: what the interface says is checked here, everything else is passed on. */
 #include "core/error.h"
 #include "io/api_handles.h"
 #include "io/summary_json.h"

@@ -1,3 +1,5 @@
+/* The driver does what HDF5's own POSIX driver does, with pread and pwrite, but for two things: it takes no lock, and a
+ * write that fails is remembered instead of returned. */
 #include "io/results_disk.h"
 
 #include <errno.h>

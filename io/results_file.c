@@ -1,3 +1,5 @@
+/* Text output with nothing left to chance: paths that are too long, folders that are files, disks that fill up, locales
+ * with decimal commas. The system's reason is always passed on. */
 #include "io/results_file.h"
 
 #include "core/error.h"

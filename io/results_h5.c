@@ -1,3 +1,7 @@
+/* Every set is a row of the table `infos`: name, unit, description, and what a row of it holds. Sets grow by one row a
+ * state; a chunk is one row, so that each state is written once and nothing is read back. Beside them, a group a state
+ * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
+ * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
 #include "io/results_h5.h"
 
 #include "core/error.h"

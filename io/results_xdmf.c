@@ -1,3 +1,5 @@
+/* The file is rewritten from its last state on with every call, in one piece: a reader, or a kill, meets a whole
+ * document. */
 #include "io/results_xdmf.h"
 
 #include <errno.h>

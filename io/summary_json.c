@@ -1,3 +1,5 @@
+/* Each function puts one group of keys. They return 0, or something else when memory ran out, and are or'ed together:
+ * one look at the end is enough. */
 #include "io/summary_json.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+/* The tables are small and written once, at the end. */
 #include "io/summary_tables.h"
 
 #include <math.h>

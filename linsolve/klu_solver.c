@@ -17,6 +17,7 @@ typedef struct KluSolver {
     int decided;          /* the ordering is chosen */
     Candidate candidate;
     double growth_limit;
+    double rcond; /* ratio of U's diagonal in the last full factorisation */
     LinStats stats;
 } KluSolver;
 
@@ -81,30 +82,56 @@ static void *klu_make(const LinMatrix *a, const LinOptions *options)
 
 static int values_are_finite(const SparseMatrix *m)
 {
-    double zero = 0; /* becomes NaN with the first value that is not finite */
-    for (int k = 0; k < m->p[m->n]; ++k) zero += 0 * m->x[k];
-    return zero == 0;
+    enum { SUMS = 8 };
+    double zero[SUMS] = {0}; /* become NaN with the first value that is not finite; several do not wait for each other */
+    const int count = m->p[m->n];
+    for (int k = 0; k + SUMS <= count; k += SUMS) {
+        for (int j = 0; j < SUMS; ++j) zero[j] += 0 * m->x[k + j];
+    }
+    for (int k = count - count % SUMS; k < count; ++k) zero[0] += 0 * m->x[k];
+    for (int j = 1; j < SUMS; ++j) zero[0] += zero[j];
+    return zero[0] == 0;
 }
 
-/* 0: good; > 0: singular, by the ratio of U's diagonal (L13); < 0: no memory. Grades the present factors. */
-static int grade(KluSolver *s, const SparseMatrix *m)
+/* 0: good; > 0: singular, by the ratio of U's diagonal (L13); < 0: no memory. Looks at the present factors. */
+static int grade(KluSolver *s)
 {
     if (!s->numeric) return s->common.status < 0 && s->common.status != KLU_INVALID ? -1 : 1;
     if (s->common.status != KLU_OK) return 1;
-    if (!klu_rcond(s->symbolic, s->numeric, &s->common) || !(s->common.rcond > 4 * DBL_EPSILON)) return 1;
-    if (!klu_rgrowth(m->p, m->i, m->x, s->symbolic, s->numeric, &s->common)) return 1;
-    s->stats.growth = s->common.rgrowth;
-    return s->common.rgrowth > 0 ? 0 : 1;
+    if (!klu_rcond(s->symbolic, s->numeric, &s->common)) return 1;
+    return s->common.rcond > 4 * DBL_EPSILON ? 0 : 1;
+}
+
+/* The growth of the present factors, measured; it reads the whole matrix, a third of a refactorisation's time. */
+static void measure_growth(KluSolver *s, const SparseMatrix *m)
+{
+    const int ok = klu_rgrowth(m->p, m->i, m->x, s->symbolic, s->numeric, &s->common);
+    s->stats.growth = ok ? s->common.rgrowth : 0;
 }
 
 static int factor_full(KluSolver *s, const SparseMatrix *m)
 {
     klu_free_numeric(&s->numeric, &s->common);
     s->numeric = klu_factor(m->p, m->i, m->x, s->symbolic, &s->common);
-    const int status = grade(s, m);
-    if (status) klu_free_numeric(&s->numeric, &s->common);
-    if (!status) s->stats.nonzeros = (long)s->numeric->lnz + s->numeric->unz - m->n;
-    return status;
+    const int status = grade(s);
+    if (status) {
+        klu_free_numeric(&s->numeric, &s->common);
+        return status;
+    }
+    measure_growth(s, m);
+    s->rcond = s->common.rcond;
+    s->stats.nonzeros = (long)s->numeric->lnz + s->numeric->unz - m->n;
+    return 0;
+}
+
+/* Whether the old pivots serve the new values. Rows are scaled to 1, so factors grow only over a small pivot: while the
+ * smallest pivot stays near what the full factorisation found, there is nothing to measure (L14). */
+static int refactor_is_good(KluSolver *s, const SparseMatrix *m)
+{
+    if (!klu_refactor(m->p, m->i, m->x, s->symbolic, s->numeric, &s->common) || grade(s)) return 0;
+    if (s->common.rcond > 1e-2 * s->rcond) return 1;
+    measure_growth(s, m);
+    return s->stats.growth * s->growth_limit >= 1;
 }
 
 /* Measures the fill of every ordering on the first matrix and keeps the least (L12). */
@@ -118,7 +145,11 @@ static int decide(KluSolver *s, const LinMatrix *a)
         if (now == 0 && (!best.symbolic || s->stats.nonzeros < best.stats.nonzeros)) {
             klu_free_numeric(&best.numeric, &s->common);
             klu_free_symbolic(&best.symbolic, &s->common);
-            best = (KluSolver){.symbolic = s->symbolic, .numeric = s->numeric, .candidate = c, .stats = s->stats};
+            best = (KluSolver){.symbolic = s->symbolic,
+                               .numeric = s->numeric,
+                               .candidate = c,
+                               .rcond = s->rcond,
+                               .stats = s->stats};
         } else {
             klu_free_numeric(&s->numeric, &s->common);
             klu_free_symbolic(&s->symbolic, &s->common);
@@ -130,6 +161,7 @@ static int decide(KluSolver *s, const LinMatrix *a)
     s->symbolic = best.symbolic;
     s->numeric = best.numeric;
     s->candidate = best.candidate;
+    s->rcond = best.rcond;
     s->stats.nonzeros = best.stats.nonzeros;
     s->stats.growth = best.stats.growth;
     s->decided = status == 0;
@@ -144,8 +176,7 @@ static int klu_factorise(void *self, const LinMatrix *a)
     if (!s->decided) return decide(s, a);
     if (!s->numeric) return factor_full(s, m);
     ++s->stats.refactors;
-    const int ok = klu_refactor(m->p, m->i, m->x, s->symbolic, s->numeric, &s->common);
-    if (ok && grade(s, m) == 0 && s->stats.growth * s->growth_limit >= 1) return 0;
+    if (refactor_is_good(s, m)) return 0;
     ++s->stats.fallbacks;
     return factor_full(s, m);
 }

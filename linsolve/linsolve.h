@@ -28,7 +28,7 @@ typedef struct LinStats {
     long analyses, factors, refactors, fallbacks, solves;
     long pivoted;   /* block rows of the last factorisation that needed pivoting off the diagonal */
     long nonzeros;  /* of the factors */
-    double growth;  /* of the last factorisation: smallest reciprocal pivot growth, 1 is best */
+    double growth;  /* smallest reciprocal pivot growth when last measured, 1 is best */
 } LinStats;
 
 typedef struct LinSolver LinSolver;

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/lanes.h"
+#include "sim/newton_full.h"
 #include "sim/newton_kernels.h"
 
 static const NewtonKernels *kernels(void)
@@ -52,8 +53,12 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     }
     for (int i = 0; i < nw->n; ++i) nw->mass[i] = scene->chain.mass[i];
     hawser_error mine = {0};
-    nw->solver = linsolver_new(&nw->a, options, &mine);
-    if (nw->solver) return HAWSER_OK;
+    if (options->kind == LIN_KLU_FULL) {
+        newton_full_new(nw, options, &nw->full, &mine);
+    } else {
+        nw->solver = linsolver_new(&nw->a, options, &mine);
+    }
+    if (nw->solver || nw->full) return HAWSER_OK;
     newton_free(nw);
     return error_set(err, mine.status ? mine.status : HAWSER_ERR_MEMORY, "%s", mine.message);
 }
@@ -70,6 +75,7 @@ void newton_free(Newton *nw)
     free(nw->z);
     free(nw->x);
     nw->solver = linsolver_free(nw->solver);
+    nw->full = newton_full_free(nw->full);
     memset(nw, 0, sizeof *nw);
 }
 
@@ -137,13 +143,26 @@ void newton_form(Newton *nw, double gamma)
 {
     Split split = {.nw = nw};
     nw->gamma = gamma;
-    both(form_job, &split);
+    if (nw->full) {
+        newton_full_form(nw->full, nw);
+    } else {
+        both(form_job, &split);
+    }
 }
 
-int newton_factor(Newton *nw) { return linsolver_factor(nw->solver, &nw->a); }
+int newton_factor(Newton *nw)
+{
+    return nw->full ? newton_full_factor(nw->full) : linsolver_factor(nw->solver, &nw->a);
+}
+
+void newton_stats(const Newton *nw, LinStats *stats)
+{
+    linsolver_stats(nw->full ? newton_full_solver(nw->full) : nw->solver, stats);
+}
 
 int newton_solve(Newton *nw, double *b)
 {
+    if (nw->full) return newton_full_solve(nw->full, nw, b);
     Split split = {.nw = nw, .b = b};
     both(eliminate_job, &split);
     both(couple_job, &split);

@@ -21,7 +21,8 @@ typedef struct Newton {
     double *z;    /* [6n] gamma times position residual and eliminated rotation */
     double *x;    /* [6n] reduced right-hand side and solution */
     double gamma; /* s, of a */
-    LinSolver *solver;
+    LinSolver *solver;        /* of a; NULL if the full system is solved */
+    struct NewtonFull *full;  /* klu-full: the unreduced system; NULL otherwise */
     Team *team; /* borrowed; NULL: one thread */
 } Newton;
 
@@ -34,6 +35,8 @@ void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const d
 void newton_form(Newton *nw, double gamma);
 /* Factors a: see linsolver_factor. */
 int newton_factor(Newton *nw);
+/* What is being solved with, and how it went. */
+void newton_stats(const Newton *nw, LinStats *stats);
 /* b [13n] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */
 int newton_solve(Newton *nw, double *b);
 

@@ -39,7 +39,7 @@ static hawser_status parts_new(Sim *s, hawser_error *err)
     options.threads = team_size(s->team);
     options.team = s->team;
     hawser_status status = newton_new(&s->newton, scene, &options, err);
-    if (!status) linsolver_stats(s->newton.solver, &s->lin);
+    if (!status) newton_stats(&s->newton, &s->lin);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     if (!status) status = dynamics_refresh(scene, &s->ws, 0, s->y, 1, err);
@@ -127,6 +127,7 @@ const hawser_sample *sim_sample(Sim *s)
         s->look.sample.step_size = stats.last_step;
     }
     if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
+    newton_stats(&s->newton, &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
