@@ -1,8 +1,8 @@
-#define BLOCK_B 6
+#define BLOCK_B       6
 #define PART6_generic 2
-#define PART6_avx2 4
-#define PART6_avx512 8
-#define BLOCK_PART ISA_NAME(PART6)
+#define PART6_avx2    4
+#define PART6_avx512  8
+#define BLOCK_PART    ISA_NAME(PART6)
 #include "bench/peak.h"
 #include "linsolve/block_vec.h"
 

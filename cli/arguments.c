@@ -1,6 +1,6 @@
 /* What a user can say after a command's name. One table holds every option there is; each command names the letters
  * of those that it takes, so that an option that makes no sense for it is refused like an unknown one. */
-#include "arguments.h"
+#include "cli/arguments.h"
 
 #include <getopt.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef HAWSER_CLI_COMMANDS_H
 #define HAWSER_CLI_COMMANDS_H
 
-#include "arguments.h"
+#include "cli/arguments.h"
 
 extern const Command command_run, command_check, command_theory;
 

@@ -1,5 +1,5 @@
 /* The commands that look at a case without simulating it. */
-#include "commands.h"
+#include "cli/commands.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 /* hawser, the program: written against the public interface alone. */
-#include "commands.h"
+#include "cli/commands.h"
 
 #include <stdio.h>
 #include <string.h>

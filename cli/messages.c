@@ -1,6 +1,6 @@
 /* What the program says when something is wrong, and what it returns to the shell then. A wrong name is answered with
  * the nearest right one. */
-#include "arguments.h"
+#include "cli/arguments.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -12,12 +12,12 @@ enum { WORD_MAX = 64 };
 /* One line on standard error, named after the program as shells expect it. */
 void complain(const char *format, ...)
 {
+    char text[HAWSER_MESSAGE_MAX + 256];
     va_list args;
     va_start(args, format);
-    fputs("hawser: ", stderr);
-    vfprintf(stderr, format, args);
-    fputc('\n', stderr);
+    vsnprintf(text, sizeof text, format, args);
     va_end(args);
+    fprintf(stderr, "hawser: %s\n", text);
 }
 
 /* How many letters must be added, dropped or changed to make b of a (Levenshtein's distance, row by row). */

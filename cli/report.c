@@ -1,6 +1,6 @@
 /* Everything in the report is also in summary.json, stations.csv and rollers.csv, where programs should look for it:
  * the layout here may change. */
-#include "report.h"
+#include "cli/report.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,7 +36,7 @@ static void report_relaxation(const hawser_relaxation *r)
 static void report_theory(const char *name, double total, double pull, double max_pct, double mean_pct)
 {
     if (!(total > 0)) return;
-    printf("  %-18s %12.2f N %+8.2f %% %12.2f %% %10.2f %%\n", name, total, 100 * (pull - total) / total, max_pct,
+    printf("  %-18s %12.2f N %+13.2f %% %21.2f %% %7.2f %%\n", name, total, 100 * (pull - total) / total, max_pct,
            mean_pct);
 }
 
@@ -45,7 +45,7 @@ static void report_pull(const hawser_summary *s)
 {
     printf("\nPull force: mean %.2f N (ripple %.3g N RMS) from %g s to %g s, peak %.2f N\n", s->pull_mean_N,
            s->pull_ripple_N, s->steady_from_s, s->steady_to_s, s->pull_peak_N);
-    printf("  %-18s %14s %10s %14s %12s\n", "", "winch force", "mean off", "stations: max", "mean error");
+    printf("  %-18s %14s %15s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");
     report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct, s->error_mean_pct);
     report_theory("paper's formulas", s->paper_total_N, s->pull_mean_N, s->error_max_paper_pct,
                   s->error_mean_paper_pct);

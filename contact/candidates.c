@@ -57,8 +57,7 @@ static Sphere sphere_around(Sphere a, Sphere b)
 }
 
 /* Leaves are the elements' spheres; a node holds its two children (C19). */
-static void tree_build(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                       ContactPairs *pairs)
+static void tree_build(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs)
 {
     const int elements = element_count(model->geometry, pairs->n);
     for (int e = 0; e < pairs->leaves; ++e) {
@@ -124,8 +123,8 @@ static int hits_reserve(ContactPairs *pairs)
     return 1;
 }
 
-hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                              ContactPairs *pairs, hawser_error *err)
+hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
+                              hawser_error *err)
 {
     assert(chain->n == pairs->n);
     /* candidates, roller by roller */

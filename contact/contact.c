@@ -25,8 +25,8 @@ static void hit_add(ContactPairs *pairs, int roller, int element)
 /* Smooth line (C11): element e owns a minimum if the slope of the gap is negative at its first node and not
  * at its second. Beyond the line's ends the slope counts as -1 and +1: the ends are minima where the gap
  * grows inward. */
-static void hits_smooth(const ContactKernels *kernel, const Shape *shape, const Kinematics *kin,
-                        ContactRange range, ContactPairs *pairs)
+static void hits_smooth(const ContactKernels *kernel, const Shape *shape, const Kinematics *kin, ContactRange range,
+                        ContactPairs *pairs)
 {
     double *const slope = pairs->node;
     const int n = pairs->n, end = range.first + range.count;
@@ -42,8 +42,8 @@ static void hits_smooth(const ContactKernels *kernel, const Shape *shape, const 
 }
 
 /* Capsules: every one has its own minimum, if it is near enough. */
-static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, const Chain *chain,
-                          const Kinematics *kin, ContactRange range, ContactPairs *pairs)
+static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, const Chain *chain, const Kinematics *kin,
+                          ContactRange range, ContactPairs *pairs)
 {
     const int end = range.first + range.count;
     /* a capsule reaches no farther from its centre than half its length and its radius */
@@ -54,8 +54,7 @@ static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, cons
 }
 
 /* All places worth a closer look, by roller, then by element. */
-static void hits_find(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                      ContactPairs *pairs)
+static void hits_find(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs)
 {
     const ContactKernels *const kernel = kernels();
     pairs->n_hits = 0;
@@ -100,8 +99,8 @@ static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l
 }
 
 /* One hit into lane l: the weights of its element, its segments, its roller. */
-static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chain *chain,
-                      const Kinematics *kin, ContactHit hit, int l)
+static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                      ContactHit hit, int l)
 {
     const Element element = element_at(model->geometry, chain->n, hit.element);
     batch->roller[l] = hit.roller;
@@ -118,8 +117,8 @@ static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chai
 
 /* Gathers hits from `first` on; returns the first that does not fit. Lanes are independent of each other, so
  * how hits fall into batches changes nothing. */
-static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chain *chain,
-                      const Kinematics *kin, double friction_scale, const ContactPairs *pairs, int first)
+static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                      double friction_scale, const ContactPairs *pairs, int first)
 {
     batch->impact = &model->impact;
     batch->friction_scale = friction_scale;
@@ -145,8 +144,8 @@ static void push_add(const ContactBatch *batch, const ContactPush *push, int l, 
     }
 }
 
-void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                    double friction_scale, ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
+void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
 {
     const ContactKernels *const kernel = kernels();
     ContactBatch batch;
@@ -188,8 +187,8 @@ static void matrix_add(const ContactBatch *batch, const ContactMatrix *m, int l,
     part_add(out->lower + 36 * k, m, l, 1, 0);
 }
 
-void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                    double friction_scale, ContactPairs *pairs, BlockChain *k, BlockChain *d)
+void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, BlockChain *k, BlockChain *d)
 {
     assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
     const ContactKernels *const kernel = kernels();
@@ -220,8 +219,8 @@ static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *pus
                            .force = v3(push->total[0][l], push->total[1][l], push->total[2][l])};
 }
 
-int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                    double friction_scale, ContactPairs *pairs, int room, ContactDetail *out)
+int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, int room, ContactDetail *out)
 {
     const ContactKernels *const kernel = kernels();
     ContactBatch batch;

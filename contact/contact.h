@@ -64,8 +64,8 @@ void contact_pairs_free(ContactPairs *pairs);
 
 /* Finds the candidates: all elements whose sphere comes within reach of a roller's surface. O(n + (rollers +
  * candidates) log n). Errors: HAWSER_ERR_MEMORY. The only call that may allocate. */
-hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                              ContactPairs *pairs, hawser_error *err);
+hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
+                              hawser_error *err);
 /* Whether a point of the line may have moved by more than 3/4 of the reach since the refresh (C20). */
 int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
                           const ContactPairs *pairs);
@@ -73,13 +73,13 @@ int contact_moved_too_far(const ContactModel *model, const Chain *chain, const K
 /* Adds forces (N) and moments (N m) on the segments to loads. friction_scale multiplies every friction
  * coefficient (0: smooth rollers). on_roller[n_rollers] (NULL: not wanted) is overwritten by the force on
  * each roller, N. */
-void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                    double friction_scale, ContactPairs *pairs, Loads *loads, Vec3 *on_roller);
+void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, Loads *loads, Vec3 *on_roller);
 
 /* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv;
  * dw] to d (6x6 blocks, world) (C15)-(C17). */
-void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                    double friction_scale, ContactPairs *pairs, BlockChain *k, BlockChain *d);
+void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, BlockChain *k, BlockChain *d);
 
 /* One contact in detail, for tests, tools and reports. */
 typedef struct ContactDetail {
@@ -92,7 +92,7 @@ typedef struct ContactDetail {
 } ContactDetail;
 
 /* Writes up to `room` hits, touching or not, in the order of summation; returns how many there are. */
-int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin,
-                    double friction_scale, ContactPairs *pairs, int room, ContactDetail *out);
+int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, int room, ContactDetail *out);
 
 #endif

@@ -95,10 +95,7 @@ LANE_INLINE void column_speed(const Contact *c, Lane3 pdot, Lane3 omega, double 
 }
 
 /* World axis 0, 1 or 2. */
-LANE_INLINE Lane3 axis_unit(int axis)
-{
-    return (Lane3){lane_set(axis == 0), lane_set(axis == 1), lane_set(axis == 2)};
-}
+LANE_INLINE Lane3 axis_unit(int axis) { return (Lane3){lane_set(axis == 0), lane_set(axis == 1), lane_set(axis == 2)}; }
 
 /* The twelve columns of body b: three shifts, three turns, three velocities, three angular velocities. */
 LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, ContactMatrix *k, ContactMatrix *d)
@@ -119,8 +116,7 @@ LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, Contact
     }
 }
 
-int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d,
-                              double normal[LANES])
+int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
 {
     /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
     const Line line = line_load(batch);

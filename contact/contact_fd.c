@@ -62,9 +62,8 @@ static double column_add(const Loads *plus, const Loads *minus, int n, double by
     return stray;
 }
 
-double contact_blocks_fd(const ContactModel *model, const Chain *chain, Kinematics *kin,
-                         double friction_scale, ContactPairs *pairs, double step, double speed_step,
-                         BlockChain *k, BlockChain *d)
+double contact_blocks_fd(const ContactModel *model, const Chain *chain, Kinematics *kin, double friction_scale,
+                         ContactPairs *pairs, double step, double speed_step, BlockChain *k, BlockChain *d)
 {
     Loads plus, minus;
     if (!loads_alloc(&plus, chain->n)) return -1;

@@ -8,8 +8,7 @@
  * m and rad for the configuration (rotations are applied on the left, world), `speed_step` in m/s and rad/s.
  * kin is changed meanwhile and restored; its quaternions are not used. Returns the largest entry found
  * outside the three block diagonals, which must be zero; -1 if there is no memory. */
-double contact_blocks_fd(const ContactModel *model, const Chain *chain, Kinematics *kin,
-                         double friction_scale, ContactPairs *pairs, double step, double speed_step,
-                         BlockChain *k, BlockChain *d);
+double contact_blocks_fd(const ContactModel *model, const Chain *chain, Kinematics *kin, double friction_scale,
+                         ContactPairs *pairs, double step, double speed_step, BlockChain *k, BlockChain *d);
 
 #endif

@@ -19,7 +19,7 @@ typedef struct Contact {
     Lane normal, normal_gap, normal_rate; /* N and its derivatives (C12) */
     Lane phi, phi_over;                   /* mu/v and its derivative over v, friction scale included (C14) */
     Lane3 force;                          /* F (C13), N */
-    Lane3 arm[2]; /* beta_i r_i - alpha_i rc n: lever of F about the centres (C15), m */
+    Lane3 arm[2];                         /* beta_i r_i - alpha_i rc n: lever of F about the centres (C15), m */
 } Contact;
 
 /* Normal force and friction coefficient of every lane (C12), (C14): the scalar laws, since few lanes differ
@@ -71,14 +71,12 @@ LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line)
     const Lane3 n = c.at.probe.normal;
     c.force = l3_scale(c.normal, l3_axpy(n, -c.phi, c.slide));
     for (int b = 0; b < 2; ++b) {
-        c.arm[b] =
-            l3_axpy(l3_scale(c.at.weight.beta[b], line->body[b].r), -c.at.weight.alpha[b] * c.at.radius, n);
+        c.arm[b] = l3_axpy(l3_scale(c.at.weight.beta[b], line->body[b].r), -c.at.weight.alpha[b] * c.at.radius, n);
     }
     return c;
 }
 
 /* In contact_blocks_lanes.c; see ContactKernels. */
-int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d,
-                              double normal[LANES]);
+int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
 
 #endif

@@ -51,16 +51,15 @@ LANE_INLINE Line line_load(const ContactBatch *batch)
 {
     Line line;
     for (int b = 0; b < 2; ++b) {
-        line.body[b] =
-            (LaneBody){batch_vector(batch->x[b]), batch_vector(batch->r[b]), batch_vector(batch->v[b]),
-                       batch_vector(batch->w[b]), lane_load(batch->radius[b])};
+        line.body[b] = (LaneBody){batch_vector(batch->x[b]), batch_vector(batch->r[b]), batch_vector(batch->v[b]),
+                                  batch_vector(batch->w[b]), lane_load(batch->radius[b])};
         line.beta[b][0] = lane_load(batch->beta[b][0]);
         line.beta[b][1] = lane_load(batch->beta[b][1]);
     }
     line.arc = lane_load(batch->arc);
     line.alpha = lane_load(batch->alpha);
-    line.shape = (LaneShape){batch_vector(batch->centre), batch_vector(batch->axis),
-                             lane_load(batch->shape_radius), lane_load(batch->shape_half_width)};
+    line.shape = (LaneShape){batch_vector(batch->centre), batch_vector(batch->axis), lane_load(batch->shape_radius),
+                             lane_load(batch->shape_half_width)};
     return line;
 }
 
@@ -111,8 +110,7 @@ LANE_INLINE LinePoint line_at(const Line *line, Lane u)
     const Lane radius2 = weight2.alpha[1] * (k->radius - j->radius);
     at.probe = shape_cylinder(&line->shape, at.p);
     at.slope = l3_dot(at.probe.normal, at.p1) - at.radius1;
-    at.curvature =
-        l3_dot(at.p1, probe_hessian_times(&at.probe, at.p1)) + l3_dot(at.probe.normal, p2) - radius2;
+    at.curvature = l3_dot(at.p1, probe_hessian_times(&at.probe, at.p1)) + l3_dot(at.probe.normal, p2) - radius2;
     return at;
 }
 

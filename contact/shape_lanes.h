@@ -33,10 +33,7 @@ LANE_INLINE Lane shape_root(Lane x)
 }
 
 /* max(x, floor). */
-LANE_INLINE Lane shape_at_least(Lane x, double floor)
-{
-    return lane_select(x > lane_set(floor), x, lane_set(floor));
-}
+LANE_INLINE Lane shape_at_least(Lane x, double floor) { return lane_select(x > lane_set(floor), x, lane_set(floor)); }
 
 /* The finite cylinder (C7), (C8). rho, z: cylindrical coordinates of p; the regions are the lateral surface,
  * the end faces and, outside both, the rim. Distance and normal are continuous outside the body; the
@@ -89,15 +86,13 @@ LANE_INLINE Lane shape_cylinder_slope(const LaneShape *s, Lane3 p, Lane3 directi
     const Lane q_rho = rho - s->radius, q_z = lane_select(z < zero, -z, z) - s->half_width;
     const LaneMask rim = (q_rho > zero) & (q_z > zero);
     const LaneMask face = (q_z > q_rho) & ~rim;
-    return lane_select(rim, q_rho * along_radius + q_z * rho * outward,
-                       lane_select(face, outward, along_radius));
+    return lane_select(rim, q_rho * along_radius + q_z * rho * outward, lane_select(face, outward, along_radius));
 }
 
 /* H v. */
 LANE_INLINE Lane3 probe_hessian_times(const LaneProbe *probe, Lane3 v)
 {
-    return l3_axpy(l3_scale(probe->k1 * l3_dot(probe->t1, v), probe->t1), probe->k2 * l3_dot(probe->t2, v),
-                   probe->t2);
+    return l3_axpy(l3_scale(probe->k1 * l3_dot(probe->t1, v), probe->t1), probe->k2 * l3_dot(probe->t2, v), probe->t2);
 }
 
 #endif

@@ -18,7 +18,8 @@ static double *blocks_new(size_t count)
 int block_chain_alloc(BlockChain *a, int n, int b)
 {
     const size_t count = (size_t)n * (size_t)(b * b);
-    *a = (BlockChain){.n = n, .b = b, .lower = blocks_new(count), .diag = blocks_new(count), .upper = blocks_new(count)};
+    *a =
+        (BlockChain){.n = n, .b = b, .lower = blocks_new(count), .diag = blocks_new(count), .upper = blocks_new(count)};
     if (a->lower && a->diag && a->upper) return 1;
     block_chain_free(a);
     return 0;

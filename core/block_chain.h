@@ -11,7 +11,8 @@ typedef struct BlockChain {
     double *upper; /* [n][b*b]: row i, column i+1; the last is zero and unused */
 } BlockChain;
 
-/* Allocates zeroed blocks, 64-byte aligned and readable a vector beyond their end; returns 0 if there is no memory (and leaves nothing allocated). */
+/* Allocates zeroed blocks, 64-byte aligned and readable a vector beyond their end; returns 0 if there is no memory (and
+ * leaves nothing allocated). */
 int block_chain_alloc(BlockChain *a, int n, int b);
 void block_chain_free(BlockChain *a);
 void block_chain_zero(BlockChain *a);

@@ -53,10 +53,9 @@ void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, 
         const Vec3 momentum = body_inertia_times(chain, kin, i, w);
         for (int c = 0; c < 3; ++c) { /* (S4) */
             const Vec3 turned = v3_cross(w, inertia_turned(chain, kin, i, unit[c], w));
-            column_add(k->diag + 36 * i, c,
-                       v3_scale(-1, v3_add(inertia_turned(chain, kin, i, unit[c], spin), turned)));
-            const Vec3 gyro = v3_add(v3_cross(unit[c], momentum),
-                                     v3_cross(w, body_inertia_times(chain, kin, i, unit[c])));
+            column_add(k->diag + 36 * i, c, v3_scale(-1, v3_add(inertia_turned(chain, kin, i, unit[c], spin), turned)));
+            const Vec3 gyro =
+                v3_add(v3_cross(unit[c], momentum), v3_cross(w, body_inertia_times(chain, kin, i, unit[c])));
             column_add(d->diag + 36 * i, c, v3_scale(-1, gyro));
         }
     }

@@ -9,8 +9,9 @@
 #include "core/state.h"
 #include "core/vec3.h"
 
-/* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. from is a multiple
- * of LANES. Entries up to the next multiple of LANES after `to` are overwritten: set the head ghost afterwards. */
+/* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. from is a
+ * multiple of LANES. Entries up to the next multiple of LANES after `to` are overwritten: set the head ghost
+ * afterwards. */
 void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin);
 
 /* Rates of y for segments from..to-1 (S1)-(S3): v, half w q, (sum of forces)/m, and Euler's equation, from the joints'

@@ -48,8 +48,8 @@ static void kernel_kinematics(int n, const double *y, int from, int to, Kinemati
 }
 
 /* Rates of LANES segments from i; q: their quaternions as the state has them. dst as src above. */
-LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2], int i,
-                          Lane qw, Lane3 qu, double *const dst[STATE_SIZE])
+LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
+                          int i, Lane qw, Lane3 qu, double *const dst[STATE_SIZE])
 {
     const Lane3 v = l3_load(kin->v, i), w = l3_load(kin->w, i);
     const Lane half = lane_set(0.5);
@@ -66,7 +66,9 @@ LANE_INLINE void rates_of(const Chain *chain, const Kinematics *kin, const Joint
     const LaneFrame frame = frame_of_quaternion(lane_load(kin->q[0] + i), l3_load(kin->q + 1, i));
     const Lane3 inertia = l3_load(chain->inertia, i);
     const Lane3 wb = frame_in(&frame, w);
-    const Lane3 moment = l3_sub(frame_in(&frame, l3_add(turning, l3_add(l3_load(loads[0].m, i), l3_load(loads[1].m, i)))), l3_cross(wb, l3_times(inertia, wb)));
+    const Lane3 moment =
+        l3_sub(frame_in(&frame, l3_add(turning, l3_add(l3_load(loads[0].m, i), l3_load(loads[1].m, i)))),
+               l3_cross(wb, l3_times(inertia, wb)));
     const Lane3 spin = {moment.x / inertia.x, moment.y / inertia.y, moment.z / inertia.z};
     l3_store(dst + STATE_W, 0, frame_out(&frame, spin));
 }

@@ -32,8 +32,8 @@ static void kernel_law(const Chain *chain, const Kinematics *kin, int from, int 
 
 /* What a variation of the joint needs besides the joint itself. */
 typedef struct JointSlopes {
-    Lane t0, t1, h;          /* (d./dtheta)/theta of t0, t1, h (B10) */
-    Lane3 kt, kr, ct, cr;    /* stiffness and damping of the law */
+    Lane t0, t1, h;       /* (d./dtheta)/theta of t0, t1, h (B10) */
+    Lane3 kt, kr, ct, cr; /* stiffness and damping of the law */
 } JointSlopes;
 
 LANE_INLINE JointSlopes joint_slopes(const Joint *j, const Chain *chain, int jj)
@@ -129,7 +129,8 @@ LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3
     const Turn t = turn_of(j, a, b, symmetric);
     const Lane3 moved_a = l3_cross(a, j->la), moved_b = l3_cross(b, j->lb);
     const Lane3 dd = l3_neg(l3_add(l3_add(moved_a, moved_b), l3_cross(t.frame, j->d)));
-    const Lane3 de = l3_neg(l3_add(l3_add(l3_cross(j->wa, moved_a), l3_cross(j->wb, moved_b)), l3_cross(t.frame, j->e)));
+    const Lane3 de =
+        l3_neg(l3_add(l3_add(l3_cross(j->wa, moved_a), l3_cross(j->wb, moved_b)), l3_cross(t.frame, j->e)));
     const Lane3 domega = vary_omega(j, g, &t, symmetric);
     const Lane3 drate = l3_sub(de, l3_add(l3_cross(domega, j->d), l3_cross(j->omega, dd)));
     const Lane3 force = l3_add(l3_times(g->kt, dd), l3_times(g->ct, drate));
@@ -183,7 +184,8 @@ LANE_INLINE void column_store(const Joint *j, JointVariation v, double (*out)[LA
     }
 }
 
-LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, JointMatrix *k, JointMatrix *d, int symmetric)
+LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, JointMatrix *k, JointMatrix *d,
+                            int symmetric)
 {
     const Joint j = joint_at(chain, kin, jj, symmetric);
     const JointSlopes g = joint_slopes(&j, chain, jj);

@@ -1,6 +1,6 @@
 /* The geometry and the wrench of LANES bushings at once: what the force and the derivative kernels share.
- * Derivation and equation numbers: docs/model.md, "Bushing". Letters as there: A the segment before the joint, B the one
- * after; vectors are components in the bushing's frame F unless they end in _w (world). */
+ * Derivation and equation numbers: docs/model.md, "Bushing". Letters as there: A the segment before the joint, B the
+ * one after; vectors are components in the bushing's frame F unless they end in _w (world). */
 #ifndef HAWSER_CORE_JOINT_LANES_H
 #define HAWSER_CORE_JOINT_LANES_H
 
@@ -15,21 +15,21 @@ typedef struct LaneFrame {
 } LaneFrame;
 
 typedef struct Joint {
-    LaneFrame frame;    /* F in the world */
-    Lane3 theta;        /* relative rotation vector, the same components in A, F and B */
-    Lane theta2;        /* its square */
-    Lane t0, t1;        /* T = t0 1 + t1 theta theta^T (B5) */
-    Lane h;             /* tan(theta/4) / (2 theta) (B6) */
-    Lane cos_half;      /* cos(theta/2) */
-    Lane3 la, lb;       /* half-length vectors toward the joint's side: rA along A's axis, rB along B's */
-    Lane3 d, e;         /* gap and its world rate in F (B1), (B7) */
-    Lane3 wa, wb, rho;  /* angular velocities, rho = wb - wa */
-    Lane3 omega;        /* angular velocity of F (B6) */
-    Lane3 d_rate;       /* rate of d in F: e - omega x d (B7) */
-    Lane3 theta_rate;   /* rate of theta as the law takes it (B7) */
-    Lane3 force, mu;    /* law: K d + C d' + f0 and K theta + C theta' + m0 (B8) */
-    Lane3 moment;       /* T mu (symmetric) or mu (adams) (B9) */
-    Lane3 c;            /* d x force */
+    LaneFrame frame;          /* F in the world */
+    Lane3 theta;              /* relative rotation vector, the same components in A, F and B */
+    Lane theta2;              /* its square */
+    Lane t0, t1;              /* T = t0 1 + t1 theta theta^T (B5) */
+    Lane h;                   /* tan(theta/4) / (2 theta) (B6) */
+    Lane cos_half;            /* cos(theta/2) */
+    Lane3 la, lb;             /* half-length vectors toward the joint's side: rA along A's axis, rB along B's */
+    Lane3 d, e;               /* gap and its world rate in F (B1), (B7) */
+    Lane3 wa, wb, rho;        /* angular velocities, rho = wb - wa */
+    Lane3 omega;              /* angular velocity of F (B6) */
+    Lane3 d_rate;             /* rate of d in F: e - omega x d (B7) */
+    Lane3 theta_rate;         /* rate of theta as the law takes it (B7) */
+    Lane3 force, mu;          /* law: K d + C d' + f0 and K theta + C theta' + m0 (B8) */
+    Lane3 moment;             /* T mu (symmetric) or mu (adams) (B9) */
+    Lane3 c;                  /* d x force */
     Lane3 torque_a, torque_b; /* moments about the centres of A and B (B9) */
 } Joint;
 
@@ -46,10 +46,9 @@ LANE_INLINE Lane3 frame_out(const LaneFrame *f, Lane3 v)
 LANE_INLINE LaneFrame frame_of_quaternion(Lane w, Lane3 u)
 {
     const Lane one = lane_set(1), two = lane_set(2);
-    return (LaneFrame){
-        {one - two * (u.y * u.y + u.z * u.z), two * (u.x * u.y + w * u.z), two * (u.x * u.z - w * u.y)},
-        {two * (u.x * u.y - w * u.z), one - two * (u.x * u.x + u.z * u.z), two * (u.y * u.z + w * u.x)},
-        {two * (u.x * u.z + w * u.y), two * (u.y * u.z - w * u.x), one - two * (u.x * u.x + u.y * u.y)}};
+    return (LaneFrame){{one - two * (u.y * u.y + u.z * u.z), two * (u.x * u.y + w * u.z), two * (u.x * u.z - w * u.y)},
+                       {two * (u.x * u.y - w * u.z), one - two * (u.x * u.x + u.z * u.z), two * (u.y * u.z + w * u.x)},
+                       {two * (u.x * u.z + w * u.y), two * (u.y * u.z - w * u.x), one - two * (u.x * u.x + u.y * u.y)}};
 }
 
 /* Horner's rule, c[0] + c[1] x + ... */
@@ -138,7 +137,7 @@ LANE_INLINE Lane joint_t0_slope(Lane t0, Lane cos_half, Lane theta2)
 /* (dt1/dtheta) / theta = -(t0'/theta + 2 t1) / theta^2 */
 LANE_INLINE Lane joint_t1_slope(Lane t0_slope, Lane t1, Lane theta2)
 {
-    static const double c[] = {-0.0024305555555555556, -0.00012814153439153438, -4.92156498015873e-06,
+    static const double c[] = {-0.0024305555555555556,  -0.00012814153439153438, -4.92156498015873e-06,
                                -1.6668785657500935e-07, -5.2816099677213374e-09, -1.6057083504322002e-10,
                                -4.7454075920850495e-12, -1.3737594479716716e-13, -3.9147561905854015e-15};
     return even_function(c, 9, theta2, -(t0_slope + 2 * t1) / theta2);

@@ -27,7 +27,10 @@ LANE_INLINE Lane lane_load(const double *p)
 LANE_INLINE void lane_store(double *p, Lane v) { memcpy(p, &v, sizeof v); }
 LANE_INLINE Lane lane_set(double s) { return (Lane){s, s, s, s, s, s, s, s}; }
 /* a where the mask is set (all ones), b elsewhere. */
-LANE_INLINE Lane lane_select(LaneMask mask, Lane a, Lane b) { return (Lane)(((LaneMask)a & mask) | ((LaneMask)b & ~mask)); }
+LANE_INLINE Lane lane_select(LaneMask mask, Lane a, Lane b)
+{
+    return (Lane)(((LaneMask)a & mask) | ((LaneMask)b & ~mask));
+}
 
 LANE_INLINE Lane3 l3_load(double *const p[3], int i)
 {

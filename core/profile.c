@@ -76,8 +76,7 @@ static double table_area(const Profile *p, double t)
 static double ramp_area(const Profile *p, double t)
 {
     const double d = ramp_share(t, p->t0, p->t1);
-    const double rise =
-        p->kind == PROFILE_STEP ? d * d * d * (1 - d / 2) : d * d * d * d * (2.5 + d * (d - 3));
+    const double rise = p->kind == PROFILE_STEP ? d * d * d * (1 - d / 2) : d * d * d * d * (2.5 + d * (d - 3));
     const double beyond = t > p->t1 ? t - p->t1 : 0;
     return p->v0 * (t - p->t0) + (p->v1 - p->v0) * (rise * (p->t1 - p->t0) + beyond);
 }

@@ -27,7 +27,8 @@ double profile_value(const Profile *p, double t);
 double profile_rate(const Profile *p, double t);
 /* Integral of the value from 0 to t (t >= 0), exact for every kind. */
 double profile_integral(const Profile *p, double t);
-/* Writes the next time after t at which the profile is not smooth (a ramp's end, a table's corner); returns 0 if none. */
+/* Writes the next time after t at which the profile is not smooth (a ramp's end, a table's corner); returns 0 if none.
+ */
 int profile_next_corner(const Profile *p, double t, double *corner);
 
 #endif

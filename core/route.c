@@ -22,8 +22,8 @@ static RoutePoint piece_at(const RoutePiece *p, double x)
     RoutePoint at = {.position = v3_axpy(p->start, x, p->tangent), .tangent = p->tangent};
     if (p->kind == ROUTE_BEND && x >= 0) {
         const double turn = x / p->radius, c = cos(turn), s = sin(turn), half = sin(turn / 2);
-        at.position = v3_add(p->start, v3_add(v3_scale(p->radius * s, p->tangent),
-                                              v3_scale(p->radius * 2 * half * half, p->centre)));
+        at.position = v3_add(
+            p->start, v3_add(v3_scale(p->radius * s, p->tangent), v3_scale(p->radius * 2 * half * half, p->centre)));
         at.tangent = v3_unit(v3_add(v3_scale(c, p->tangent), v3_scale(s, p->centre)));
         at.curvature = v3_scale(1 / p->radius, v3_axpy(v3_scale(c, p->centre), -s, p->tangent));
     }
@@ -50,8 +50,8 @@ static void piece_set(RoutePiece *p, const RoutePieceDef *def, double s0, const 
     assert(p->length > 0);
 }
 
-hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 start, double heading,
-                          double slope, hawser_error *err)
+hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 start, double heading, double slope,
+                          hawser_error *err)
 {
     assert(n >= 1);
     *route = (Route){.n = n, .piece = calloc((size_t)n, sizeof *route->piece)};

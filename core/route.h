@@ -43,8 +43,8 @@ typedef struct RoutePoint {
     int piece;
 } RoutePoint;
 
-/* Builds a route of n >= 1 pieces from `start`; heading is the first tangent's angle from x toward y, slope its angle above
- * the horizontal (rad, |slope| < pi/2). Errors: HAWSER_ERR_MEMORY. The definitions must have been checked. */
+/* Builds a route of n >= 1 pieces from `start`; heading is the first tangent's angle from x toward y, slope its angle
+ * above the horizontal (rad, |slope| < pi/2). Errors: HAWSER_ERR_MEMORY. The definitions must have been checked. */
 hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 start, double heading, double slope,
                           hawser_error *err);
 void route_clear(Route *route);

@@ -25,6 +25,7 @@ struct Team {
     int size;
     pthread_t helper;
     int missed, rest;  /* the caller's: jobs in a row that the helper missed; jobs still to do alone */
+    cpu_set_t cores;   /* where the process may run */
     atomic_int core;   /* where the caller runs */
     atomic_int ending; /* the helper is to end */
     TeamJob job;       /* of the job that `given` counts */
@@ -88,8 +89,16 @@ static int share_take(Team *t, unsigned long job)
     return atomic_compare_exchange_strong(&t->taken, &before, job);
 }
 
-/* On a busy machine the helper may be woken on the caller's own core, and only keep the caller from working. */
+/* On a busy machine the helper may be woken on the caller's own core, where it only keeps the caller from working. */
 static int in_the_way(Team *t) { return sched_getcpu() == atomic_load_explicit(&t->core, memory_order_relaxed); }
+
+/* Confines the helper to the other cores that the process may use. */
+static void move_away(Team *t)
+{
+    cpu_set_t others = t->cores;
+    CPU_CLR((size_t)atomic_load_explicit(&t->core, memory_order_relaxed), &others);
+    if (CPU_COUNT(&others) > 0) sched_setaffinity(0, sizeof others, &others);
+}
 
 static void *helper_main(void *team)
 {
@@ -97,18 +106,14 @@ static void *helper_main(void *team)
     for (unsigned long job = 0;;) {
         job = signal_await(&t->given, job + 1, in_the_way(t) ? 0 : SPINS);
         if (atomic_load(&t->ending)) return NULL;
-        if (in_the_way(t) || !share_take(t, job)) continue; /* the caller does it, or did */
+        if (in_the_way(t)) {
+            move_away(t);
+            continue; /* the caller does it, or did */
+        }
+        if (!share_take(t, job)) continue;
         t->job(t->arg, 1);
         signal_raise(&t->done, job);
     }
-}
-
-/* Cores that this process may run on. */
-static int cores_available(void)
-{
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
 }
 
 static Team *team_drop(Team *t)
@@ -124,7 +129,8 @@ Team *team_new(int threads)
     assert(threads == 1 || threads == 2);
     Team *const t = aligned_alloc(CACHE_LINE, sizeof *t);
     if (!t) return NULL;
-    *t = (Team){.size = threads == 2 && cores_available() > 1 ? 2 : 1};
+    *t = (Team){.size = 1};
+    if (threads == 2 && sched_getaffinity(0, sizeof t->cores, &t->cores) == 0 && CPU_COUNT(&t->cores) > 1) t->size = 2;
     signal_init(&t->given);
     signal_init(&t->done);
     atomic_init(&t->taken, 0);

@@ -1,5 +1,5 @@
-/* A team of one or two threads that do the same function side by side. The second thread is started once; between jobs it
- * spins briefly, then sleeps. A team of one calls the function and nothing else. */
+/* A team of one or two threads that do the same function side by side. The second thread is started once; between jobs
+ * it spins briefly, then sleeps. A team of one calls the function and nothing else. */
 #ifndef HAWSER_CORE_TEAM_H
 #define HAWSER_CORE_TEAM_H
 
@@ -15,8 +15,8 @@ Team *team_new(int threads);
 Team *team_free(Team *t);
 /* 1 or 2; NULL is a team of one. */
 int team_size(const Team *t);
-/* 1 if a second thread is there and has come in time lately. Otherwise a caller that knows a better way than both shares
- * in a row may take it instead of team_run; it is to ask before every job. */
+/* 1 if a second thread is there and has come in time lately. Otherwise a caller that knows a better way than both
+ * shares in a row may take it instead of team_run; it is to ask before every job. */
 int team_ready(Team *t);
 /* Runs both shares of a job and returns when they are done: what they wrote is visible. Not re-entrant. */
 void team_run(Team *t, TeamJob job, void *arg);

@@ -128,25 +128,31 @@ static hawser_status write_description(Description *d, const char *title, hawser
     return document_write(&doc, format, text, err);
 }
 
+/* The tables' cells, and what they need. */
+static hawser_status gather(Description *d, hawser_error *err)
+{
+    const SceneDef *def = d->def;
+    const hawser_status status =
+        route_build(&d->route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, err);
+    if (status) return status;
+    d->piece = calloc((size_t)def->n_pieces * PIECE_COLUMNS, sizeof *d->piece);
+    d->leg = calloc((size_t)def->n_route * ROUTE_COLUMNS, sizeof *d->leg);
+    if (!d->piece || !d->leg) return error_memory(err);
+    fill_pieces(d);
+    fill_route(d);
+    return HAWSER_OK;
+}
+
 /* Builds the simulation for its counts; its texts live as long as it does. */
 static hawser_status describe(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
-    const SceneDef *def = &c->def;
-    Description d = {.def = def};
+    Description d = {.def = &c->def};
     Sim *sim = NULL;
-    hawser_status status = sim_new(def, 0, &sim, err);
+    hawser_status status = sim_new(d.def, 0, &sim, err);
     if (status) return case_name_error(c, status, err);
     sim_summary(sim, &d.summary);
-    status =
-        route_build(&d.route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, err);
-    d.piece = calloc((size_t)def->n_pieces * PIECE_COLUMNS + 1, sizeof *d.piece);
-    d.leg = calloc((size_t)def->n_route * ROUTE_COLUMNS + 1, sizeof *d.leg);
-    if (!status && !(d.piece && d.leg)) status = error_memory(err);
-    if (!status) {
-        fill_pieces(&d);
-        fill_route(&d);
-        status = write_description(&d, def->title[0] ? def->title : c->name, format, text, err);
-    }
+    status = gather(&d, err);
+    if (!status) status = write_description(&d, d.def->title[0] ? d.def->title : c->name, format, text, err);
     route_clear(&d.route);
     free(d.piece);
     free(d.leg);

@@ -1,6 +1,6 @@
 /* A run from the initial state to the case's end. The integrator takes its own steps; between them this file looks
- * whether a row, a state or a word to the caller is due. Output times are stops of the integrator, so that what is
- * written is a state that it reached, not one between two. */
+ * whether a row, a state or a word to the caller is due. The integrator's steps do not stop at output times: what is
+ * written there is the polynomial of its method within the step (and no step is longer than the time between rows). */
 #include "core/clock.h"
 #include "core/error.h"
 #include "io/api_handles.h"

@@ -78,6 +78,18 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     return s;
 }
 
+/* The list of watched segments, which the definition only lends. */
+static hawser_status copy_watched(Results *r, const ResultsDef *def, hawser_error *err)
+{
+    if (def->n_watched == 0) return HAWSER_OK;
+    const size_t size = sizeof *r->watched * (size_t)def->n_watched;
+    r->watched = malloc(size);
+    if (!r->watched) return error_memory(err);
+    memcpy(r->watched, def->watched, size);
+    r->n_watched = def->n_watched;
+    return HAWSER_OK;
+}
+
 /* Nothing stays open after a failure; files that were made by then are left, empty. */
 hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
                            hawser_error *err)
@@ -87,10 +99,7 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     Results *r = calloc(1, sizeof *r);
     if (!r) return error_memory(err);
     strcpy(r->dir, dir);
-    r->n_watched = def->n_watched;
-    r->watched = malloc(sizeof *r->watched * (size_t)(def->n_watched + 1));
-    hawser_status status = r->watched ? HAWSER_OK : error_memory(err);
-    if (!status && def->n_watched) memcpy(r->watched, def->watched, sizeof *r->watched * (size_t)def->n_watched);
+    hawser_status status = copy_watched(r, def, err);
     if (!status) status = open_all(r, def, summary, err);
     if (status) {
         results_free(r);

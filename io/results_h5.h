@@ -13,7 +13,7 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err);
 /* After this, readers see every state. Errors: OUTPUT. */
 hawser_status h5_flush(H5File *h, hawser_error *err);
-/* Closes *h and sets it to NULL (NULL is fine). Errors: OUTPUT. */
-hawser_status h5_close(H5File **h, hawser_error *err);
+/* Closes *file and sets it to NULL (NULL is fine). Errors: OUTPUT. */
+hawser_status h5_close(H5File **file, hawser_error *err);
 
 #endif

@@ -12,7 +12,9 @@
 
 /* Far more than any case needs; what lies beyond is an accident or an attack. Aliases are expanded, so that
  * the number of nodes may be large however small the file is. */
-enum { FILE_MAX = 32 << 20, NODES_MAX = 500000, KEYS_MAX = 500, DEPTH_MAX = 24 };
+enum { FILE_MAX = 32 << 20, NODES_MAX = 500000, KEYS_MAX = 500, DEPTH_MAX = 24, ANCHORS_MAX = 1000, TAGS_MAX = 16 };
+
+static const char TOO_DEEP[] = "nested too deeply, or an alias inside itself";
 
 /* One document on its way into nodes. */
 typedef struct Reading {
@@ -85,8 +87,7 @@ static hawser_status list_convert(Reading *r, const yaml_node_t *from, int depth
 static hawser_status text_convert(Reading *r, const yaml_node_t *from, CaseNode *text)
 {
     const char *value = (const char *)from->data.scalar.value;
-    if (strlen(value) != from->data.scalar.length)
-        return complain(r, text->line, "a NUL character in a text", NULL);
+    if (strlen(value) != from->data.scalar.length) return complain(r, text->line, "a NUL character in a text", NULL);
     text->text = strdup(value);
     return text->text ? HAWSER_OK : error_memory(r->err);
 }
@@ -99,7 +100,7 @@ static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out)
         [YAML_SCALAR_NODE] = NODE_TEXT, [YAML_MAPPING_NODE] = NODE_MAP, [YAML_SEQUENCE_NODE] = NODE_LIST};
     const yaml_node_t *from = yaml_document_get_node(&r->document, id);
     const int line = line_of(r, from->start_mark);
-    if (depth > DEPTH_MAX) return complain(r, line, "nested too deeply, or an alias inside itself", NULL);
+    if (depth > DEPTH_MAX) return complain(r, line, TOO_DEEP, NULL);
     if (++r->nodes > NODES_MAX) return complain(r, line, "too many values, with aliases written out", NULL);
     CaseNode *node = node_new(kinds[from->type], r->origin, line);
     if (!node) return error_memory(r->err);
@@ -135,8 +136,7 @@ static hawser_status parser_complain(const Reading *r, const yaml_parser_t *pars
     if (parser->error == YAML_MEMORY_ERROR) return error_memory(r->err);
     int line = (int)parser->problem_mark.line + 1;
     if (parser->error == YAML_READER_ERROR) line = line_at(text, parser->problem_offset);
-    if (indented_with_tab(text, line))
-        return complain(r, line, "indented with a tab: YAML wants spaces", NULL);
+    if (indented_with_tab(text, line)) return complain(r, line, "indented with a tab: YAML wants spaces", NULL);
     char place[CASE_PLACE_MAX];
     return error_set(r->err, HAWSER_ERR_INPUT, "%s: not YAML: %s%s%s%s",
                      case_place(r->origin, r->lines ? line : 0, place),
@@ -150,10 +150,60 @@ static hawser_status end_expect(Reading *r, yaml_parser_t *parser, const char *t
     yaml_document_t second;
     if (!yaml_parser_load(parser, &second)) return parser_complain(r, parser, text);
     const yaml_node_t *root = yaml_document_get_root_node(&second);
-    const hawser_status status = root ? complain(r, line_of(r, second.start_mark),
-                                                 "a second document begins here: one is allowed", NULL)
-                                      : HAWSER_OK;
+    const hawser_status status =
+        root ? complain(r, line_of(r, second.start_mark), "a second document begins here: one is allowed", NULL)
+             : HAWSER_OK;
     yaml_document_delete(&second);
+    return status;
+}
+
+static int parser_start(yaml_parser_t *parser, const char *text, size_t size)
+{
+    if (!yaml_parser_initialize(parser)) return 0;
+    yaml_parser_set_encoding(parser, YAML_UTF8_ENCODING);
+    yaml_parser_set_input_string(parser, (const unsigned char *)text, size);
+    return 1;
+}
+
+static int event_has_anchor(const yaml_event_t *event)
+{
+    if (event->type == YAML_SCALAR_EVENT) return event->data.scalar.anchor != NULL;
+    if (event->type == YAML_MAPPING_START_EVENT) return event->data.mapping_start.anchor != NULL;
+    return event->type == YAML_SEQUENCE_START_EVENT && event->data.sequence_start.anchor != NULL;
+}
+
+/* %TAG lines; libyaml compares each with all before it. */
+static int tags_count(const char *text)
+{
+    int n = 0;
+    for (const char *p = strstr(text, "%TAG"); p && n <= TAGS_MAX; p = strstr(p + 1, "%TAG")) {
+        n += p == text || p[-1] == '\n';
+    }
+    return n;
+}
+
+/* Refuses what libyaml would load in a time that grows with the square of its size: deep nesting, many anchors, many
+ * tags. Other mistakes are left to the loading. */
+static hawser_status size_check(const Reading *r, const char *text, size_t size)
+{
+    yaml_parser_t parser;
+    yaml_event_t event;
+    hawser_status status = HAWSER_OK;
+    int depth = 0, anchors = 0, end = 0;
+    if (tags_count(text) > TAGS_MAX) return complain(r, r->lines, "too many tags", NULL);
+    if (!parser_start(&parser, text, size)) return error_memory(r->err);
+    while (!status && !end && yaml_parser_parse(&parser, &event)) {
+        const int opens = event.type == YAML_SEQUENCE_START_EVENT || event.type == YAML_MAPPING_START_EVENT;
+        const int closes = event.type == YAML_SEQUENCE_END_EVENT || event.type == YAML_MAPPING_END_EVENT;
+        const int line = line_of(r, event.start_mark);
+        depth += opens - closes;
+        anchors += event_has_anchor(&event);
+        end = event.type == YAML_STREAM_END_EVENT || event.type == YAML_NO_EVENT;
+        if (depth > DEPTH_MAX) status = complain(r, line, TOO_DEEP, NULL);
+        if (anchors > ANCHORS_MAX) status = complain(r, line, "too many anchors", NULL);
+        yaml_event_delete(&event);
+    }
+    yaml_parser_delete(&parser);
     return status;
 }
 
@@ -163,10 +213,9 @@ hawser_status tree_read_text(CaseTree *tree, const char *text, size_t size, cons
     Reading r = {.tree = tree, .origin = origin, .lines = lines, .err = err};
     yaml_parser_t parser;
     *out = NULL;
-    if (!yaml_parser_initialize(&parser)) return error_memory(err);
-    yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
-    yaml_parser_set_input_string(&parser, (const unsigned char *)text, size);
-    hawser_status status = HAWSER_OK;
+    hawser_status status = size_check(&r, text, size);
+    if (status) return status;
+    if (!parser_start(&parser, text, size)) return error_memory(err);
     if (!yaml_parser_load(&parser, &r.document)) {
         status = parser_complain(&r, &parser, text);
     } else {
@@ -182,8 +231,7 @@ hawser_status tree_read_text(CaseTree *tree, const char *text, size_t size, cons
 }
 
 /* A tree from `size` bytes of text. */
-static hawser_status tree_new(const char *text, size_t size, const char *name, CaseTree **out,
-                              hawser_error *err)
+static hawser_status tree_new(const char *text, size_t size, const char *name, CaseTree **out, hawser_error *err)
 {
     CaseTree *tree = calloc(1, sizeof *tree);
     const char *origin = tree ? tree_origin(tree, name) : NULL;

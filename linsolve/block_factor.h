@@ -1,5 +1,5 @@
 /* The twisted block LU of a block chain: its data and the kernels that every instruction set offers.
- * docs/model.md, "Linear solvers", (L1)-(L9). */
+ * docs/model.md, "Linear solvers", (L1)-(L8). */
 #ifndef HAWSER_LINSOLVE_BLOCK_FACTOR_H
 #define HAWSER_LINSOLVE_BLOCK_FACTOR_H
 
@@ -12,10 +12,11 @@ enum { SIDE_TOP = 1, SIDE_BOTTOM = 2, SIDE_BOTH = 3 };
 /* Right-hand sides that the kernels take at once. */
 enum { BLOCK_RHS = 4 };
 
-/* Blocks are stored like the chain's, b*b doubles; vectors of the solve are padded to `width` (8 for b = 6, 4 for 3). */
+/* Blocks are stored like the chain's, b*b doubles; vectors of the solve are padded to `width` (8 for b = 6, 4 for 3).
+ */
 typedef struct BlockFactor {
     int n, b, width, middle;
-    double *front; /* [n][2][b*b]: coupling with the neighbour eliminated before (L2), inverse X of the pivot (L3) */
+    double *front; /* [n][2][b*b]: inverse X of the pivot (L3), E = X times the coupling eliminated before (L4) */
     double *back;  /* [n][b*b]: V = X times the coupling with the neighbour eliminated after (L4) */
     double *z;     /* [BLOCK_RHS][n][width]: scratch of the solve (L6) */
     double growth_limit;
@@ -44,9 +45,10 @@ extern const BlockKernels block3_kernels_generic, block3_kernels_avx2, block3_ke
 
 /* One block row as the kernels and the pivoting see it. */
 typedef struct BlockRow {
-    const double *diag, *before, *after; /* the chain's blocks: own, towards the neighbours eliminated before and after */
-    const double *v_before;              /* V of the neighbour eliminated before */
-    double *front, *back;                /* of this row */
+    const double *diag, *before,
+        *after;             /* the chain's blocks: own, towards the neighbours eliminated before and after */
+    const double *v_before; /* V of the neighbour eliminated before */
+    double *front, *back;   /* of this row */
 } BlockRow;
 
 /* No neighbour: a coupling, or a V, of zeros; as long as a vector load may reach. */

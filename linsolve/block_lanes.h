@@ -1,6 +1,6 @@
-/* Kernels of the twisted block LU, written once over columns of a block (block_vec.h); block6_lanes.c and block3_lanes.c
- * set the sizes and include this. A row's elimination works in registers on its pivot block and the coupling that
- * follows. Letters and numbers as in docs/model.md, "Linear solvers". */
+/* Kernels of the twisted block LU, written once over columns of a block (block_vec.h); block6_lanes.c and
+ * block3_lanes.c set the sizes and include this. A row's elimination works in registers on its pivot block and the
+ * coupling that follows. Letters and numbers as in docs/model.md, "Linear solvers". */
 #include <float.h>
 
 #include "linsolve/backend.h"
@@ -12,8 +12,8 @@ enum { W = BLOCK_W, CELL = BLOCK_B * BLOCK_B };
 /* Limits of the fast path (L7): the sum of the multipliers, and row sum over pivot. */
 static const double multipliers_max = 30, smallness_max = 1e13;
 
-/* A B x B block, column by column. In memory columns lie side by side: a load brings along the beginning of what follows,
- * and nobody looks at those places. */
+/* A B x B block, column by column. In memory columns lie side by side: a load brings along the beginning of what
+ * follows, and nobody looks at those places. */
 typedef struct Block {
     Vec c[B];
 } Block;
@@ -32,12 +32,24 @@ VEC_INLINE void block_store(double *p, const Block *a)
     vec_store_short(p + (B - 1) * B, a->c[B - 1]);
 }
 
-/* s - a v, v a block of the factor in memory: its numbers spread as they are loaded. */
+/* s - a v, v a block in memory: its numbers spread as they are loaded. */
 VEC_INLINE Block block_minus(Block s, const Block *a, const double *v)
 {
     UNROLL for (int k = 0; k < B; ++k)
     {
         UNROLL for (int c = 0; c < B; ++c) s.c[c] = vec_minus_number(s.c[c], a->c[k], v[c * B + k]);
+    }
+    return s;
+}
+
+/* a v, likewise. */
+VEC_INLINE Block block_times(const Block *a, const double *v)
+{
+    Block s;
+    UNROLL for (int c = 0; c < B; ++c) s.c[c] = vec_times_number(a->c[0], v[c * B]);
+    UNROLL for (int k = 1; k < B; ++k)
+    {
+        UNROLL for (int c = 0; c < B; ++c) s.c[c] = vec_plus_number(s.c[c], a->c[k], v[c * B + k]);
     }
     return s;
 }
@@ -61,8 +73,9 @@ VEC_INLINE Vec quotients(const Block *s, int k)
 VEC_INLINE Vec column_eliminate(Vec a, Vec m, int k) { return vec_minus(a, m, vec_splat(a, k)); }
 
 /* Gauss-Jordan on [s | u], pivots on the diagonal (L3): s becomes its inverse and u the inverse times u, but for the
- * rows' division by their pivots; inverse gets 1 / pivot, multipliers the sum of |multipliers| below the diagonal, place
- * by place. The next pivot's column goes first in each step, so that its division overlaps with the other columns. */
+ * rows' division by their pivots; inverse gets 1 / pivot, multipliers the sum of |multipliers| below the diagonal,
+ * place by place. The next pivot's column goes first in each step, so that its division overlaps with the other
+ * columns. */
 VEC_INLINE void eliminate(Block *s, Block *u, Vec *inverse, Vec *multipliers)
 {
     Vec q = quotients(s, 0);
@@ -86,13 +99,12 @@ VEC_INLINE void eliminate(Block *s, Block *u, Vec *inverse, Vec *multipliers)
     }
 }
 
-/* One block row: X and V, or the pivoting path if the diagonal's pivots are too small. */
+/* One block row: X, V and E, or the pivoting path if the diagonal's pivots are too small. */
 VEC_INLINE int row_factor(const BlockFactor *f, const BlockRow *row, BlockReport *report)
 {
     const Block before = block_load(row->before);
     Block s = block_load(row->diag), u = block_load(row->after);
     const Vec scale = row_sums(row_sums(vec_zero(), &before), &s);
-    block_store(row->front, &before);
     s = block_minus(s, &before, row->v_before); /* (L2) */
     const Vec sums = row_sums(vec_zero(), &s);
     Vec inverse, multipliers;
@@ -102,8 +114,10 @@ VEC_INLINE int row_factor(const BlockFactor *f, const BlockRow *row, BlockReport
         s.c[c] = vec_mul(s.c[c], inverse);
         u.c[c] = vec_mul(u.c[c], inverse);
     }
-    block_store(row->front + CELL, &s);
+    const Block e = block_times(&s, row->before);
     block_store(row->back, &u);
+    block_store(row->front, &s);
+    block_store(row->front + CELL, &e);
     const double growth = vec_max(vec_div(sums, vec_add(scale, vec_set(DBL_MIN))));
     if (!(growth <= f->growth_limit)) return LIN_UNSTABLE;
     if (growth > report->growth) report->growth = growth;
@@ -119,9 +133,9 @@ static int side_factor(const BlockFactor *f, const BlockChain *a, int top, Block
     const int count = top ? f->middle : f->n - 1 - f->middle, step = top ? 1 : -1;
     const double *const before = top ? a->lower : a->upper, *const after = top ? a->upper : a->lower;
     for (int k = 0, i = top ? 0 : f->n - 1; k < count; ++k, i += step) {
-        const BlockRow row = {.diag = a->diag + i * B * B,
-                              .before = k ? before + i * B * B : block_zero,
-                              .after = after + i * B * B,
+        const BlockRow row = {.diag = a->diag + i * CELL,
+                              .before = k ? before + i * CELL : block_zero,
+                              .after = after + i * CELL,
                               .v_before = k ? f->back + (i - step) * CELL : block_zero,
                               .front = f->front + 2 * i * CELL,
                               .back = f->back + i * CELL};
@@ -136,23 +150,23 @@ static int kernel_factor(const BlockFactor *f, const BlockChain *a, int sides, B
     return sides & SIDE_BOTTOM ? side_factor(f, a, 0, report) : 0;
 }
 
-/* S = D - L V of both neighbours: what comes from below is taken off first, the rest is a row like the others. */
+/* S = D - L V of both neighbours: what comes from below is taken off first, the rest is a row like the others, the last
+ * of the top side. */
 static int kernel_factor_middle(const BlockFactor *f, const BlockChain *a, BlockReport *report)
 {
     double diag[CELL + W] = {0};
     const int m = f->middle, first = m == 0, last = m + 1 == f->n;
-    const Block below = block_load(last ? block_zero : a->upper + m * B * B);
-    const Block s = block_minus(block_load(a->diag + m * B * B), &below, last ? block_zero : f->back + (m + 1) * CELL);
-    UNROLL for (int c = 0; c < B; ++c) vec_store_short(diag + c * B, s.c[c]);
+    const double *const upper = last ? block_zero : a->upper + m * CELL;
+    const Block below = block_load(upper);
+    const Block s = block_minus(block_load(a->diag + m * CELL), &below, last ? block_zero : f->back + (m + 1) * CELL);
+    block_store(diag, &s);
     const BlockRow row = {.diag = diag,
-                          .before = first ? block_zero : a->lower + m * B * B,
-                          .after = block_zero,
+                          .before = first ? block_zero : a->lower + m * CELL,
+                          .after = upper,
                           .v_before = first ? block_zero : f->back + (m - 1) * CELL,
                           .front = f->front + 2 * m * CELL,
                           .back = f->back + m * CELL};
-    const int status = row_factor(f, &row, report);
-    block_store(f->back + m * CELL, &below); /* the middle has no row after it */
-    return status;
+    return row_factor(f, &row, report);
 }
 
 /* Row i of a right-hand side; the last row has nothing behind it to read. */
@@ -184,29 +198,21 @@ VEC_INLINE Vec minus_times(Vec t, const Block *a, Vec x)
 
 VEC_INLINE double *z_at(const BlockFactor *f, int i, int rhs) { return f->z + (rhs * f->n + i) * W; }
 
-/* z_i = X (r - L z_before) (L5); z holds z_before and receives z_i. */
+/* z_i = X r - E z_before (L5); z holds z_before and receives z_i. */
 VEC_INLINE void row_forward(const BlockFactor *f, int i, int count, const double *x, Vec z[])
 {
-    const Block l = block_load(f->front + 2 * i * CELL), inverse = block_load(f->front + (2 * i + 1) * CELL);
+    const Block inverse = block_load(f->front + 2 * i * CELL), e = block_load(f->front + (2 * i + 1) * CELL);
     UNROLL for (int r = 0; r < count; ++r)
     {
-        z[r] = times(&inverse, minus_times(row_load(f, x + r * f->n * B, i), &l, z[r]));
+        z[r] = minus_times(times(&inverse, row_load(f, x + r * f->n * B, i)), &e, z[r]);
         vec_store(z_at(f, i, r), z[r]);
     }
 }
 
-/* r - L z_before of the middle row. */
-VEC_INLINE void middle_forward(const BlockFactor *f, int count, const double *x, const Vec z[])
-{
-    const Block l = block_load(f->front + 2 * f->middle * CELL);
-    for (int r = 0; r < count; ++r) {
-        vec_store(z_at(f, f->middle, r), minus_times(row_load(f, x + r * f->n * B, f->middle), &l, z[r]));
-    }
-}
-
+/* The top side takes the middle row along. */
 VEC_INLINE void forward(const BlockFactor *f, int sides, int count, const double *x)
 {
-    const int top = sides & SIDE_TOP ? f->middle : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - f->middle : 0;
+    const int top = sides & SIDE_TOP ? f->middle + 1 : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - f->middle : 0;
     Vec down[BLOCK_RHS], up[BLOCK_RHS];
     UNROLL for (int r = 0; r < count; ++r) down[r] = up[r] = vec_zero();
     int k = 0;
@@ -216,42 +222,27 @@ VEC_INLINE void forward(const BlockFactor *f, int sides, int count, const double
     }
     for (int i = k; i < top; ++i) row_forward(f, i, count, x, down);
     for (int i = k; i < bottom; ++i) row_forward(f, f->n - 1 - i, count, x, up);
-    if (sides & SIDE_TOP) middle_forward(f, count, x, down);
 }
 
-/* x_m = X (z_m - U z_below), computed by each side for itself. */
-VEC_INLINE void middle_back(const BlockFactor *f, int count, Vec next[])
-{
-    const int m = f->middle;
-    const Block u = block_load(f->back + m * CELL), inverse = block_load(f->front + (2 * m + 1) * CELL);
-    UNROLL for (int r = 0; r < count; ++r)
-    {
-        const Vec below = m + 1 < f->n ? vec_load(z_at(f, m + 1, r)) : vec_zero();
-        next[r] = times(&inverse, minus_times(vec_load(z_at(f, m, r)), &u, below));
-    }
-}
-
-/* x_i = z_i - V x_next (L6); next holds x_next and receives x_i. */
+/* x_i = z_i - V x_next (L6); next holds x_next and receives x_i, which goes to x unless that is NULL. */
 VEC_INLINE void row_back(const BlockFactor *f, int i, int count, double *x, Vec next[])
 {
     const Block v = block_load(f->back + i * CELL);
     UNROLL for (int r = 0; r < count; ++r)
     {
         next[r] = minus_times(vec_load(z_at(f, i, r)), &v, next[r]);
-        vec_store_short(x + (r * f->n + i) * B, next[r]);
+        if (x) vec_store_short(x + (r * f->n + i) * B, next[r]);
     }
 }
 
+/* Each side computes the middle row for itself, from z below it; the top writes it. */
 VEC_INLINE void back(const BlockFactor *f, int sides, int count, double *x)
 {
     const int m = f->middle, top = sides & SIDE_TOP ? m : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - m : 0;
     Vec up[BLOCK_RHS], down[BLOCK_RHS];
-    middle_back(f, count, up);
-    UNROLL for (int r = 0; r < count; ++r)
-    {
-        down[r] = up[r];
-        if (sides & SIDE_TOP) vec_store_short(x + (r * f->n + m) * B, up[r]);
-    }
+    UNROLL for (int r = 0; r < count; ++r) up[r] = m + 1 < f->n ? vec_load(z_at(f, m + 1, r)) : vec_zero();
+    row_back(f, m, count, sides & SIDE_TOP ? x : NULL, up);
+    UNROLL for (int r = 0; r < count; ++r) down[r] = up[r];
     int k = 0;
     for (; k < top && k < bottom; ++k) {
         row_back(f, m - 1 - k, count, x, up);

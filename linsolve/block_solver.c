@@ -30,7 +30,7 @@ int block_solver_init(BlockSolver *s, int n, int b, Isa isa, double growth_limit
     assert(n > 0 && (b == 3 || b == 6));
     const int width = b == 6 ? 8 : 4;
     const size_t cell = (size_t)(b * b), rows = (size_t)n;
-    *s = (BlockSolver){.kernels = kernels_for(b, isa), .team = team};
+    *s = (BlockSolver){.kernels = kernels_for(b, isa), .team = team, .report = {.growth = 1}};
     s->f = (BlockFactor){.n = n, .b = b, .width = width, .middle = n / 2, .growth_limit = growth_limit};
     s->f.front = cells_new(2 * cell * rows);
     s->f.back = cells_new(cell * rows);
@@ -61,8 +61,8 @@ typedef struct FactorJob {
 static void factor_side(void *arg, int rank)
 {
     FactorJob *const job = arg;
-    job->side[rank].status = job->s->kernels->factor(&job->s->f, job->a, rank ? SIDE_BOTTOM : SIDE_TOP,
-                                                     &job->side[rank].report);
+    job->side[rank].status =
+        job->s->kernels->factor(&job->s->f, job->a, rank ? SIDE_BOTTOM : SIDE_TOP, &job->side[rank].report);
 }
 
 static int factor_apart(BlockSolver *s, const BlockChain *a)
@@ -80,7 +80,7 @@ static int factor_apart(BlockSolver *s, const BlockChain *a)
 int block_solver_factor(BlockSolver *s, const BlockChain *a)
 {
     const BlockFactor *const f = &s->f;
-    s->report = (BlockReport){0};
+    s->report = (BlockReport){.growth = 1};
     const int apart = f->n >= TEAM_FACTOR_MIN && team_ready(s->team);
     int status = apart ? factor_apart(s, a) : s->kernels->factor(f, a, SIDE_BOTH, &s->report);
     if (!status) status = s->kernels->factor_middle(f, a, &s->report);
@@ -155,11 +155,8 @@ static void block_stats(const void *self, LinStats *stats)
     const BlockSolver *const s = self;
     stats->pivoted = s->report.pivoted;
     stats->nonzeros = block_solver_nonzeros(s);
-    stats->growth = s->report.growth > 0 ? 1 / s->report.growth : 1;
+    stats->growth = 1 / s->report.growth;
 }
 
-const LinBackend block_backend = {.make = block_make,
-                                  .drop = block_drop,
-                                  .factor = block_factorise,
-                                  .solve = block_solve,
-                                  .stats = block_stats};
+const LinBackend block_backend = {
+    .make = block_make, .drop = block_drop, .factor = block_factorise, .solve = block_solve, .stats = block_stats};

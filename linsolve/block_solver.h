@@ -12,8 +12,8 @@ typedef struct BlockSolver {
     BlockReport report;
 } BlockSolver;
 
-/* Scratch and factors for n blocks of b (3 or 6). `isa` picks the kernels: isa_best(), or a lesser one in tests. Returns
- * 0 if there is no memory (and nothing stays allocated). */
+/* Scratch and factors for n blocks of b (3 or 6). `isa` picks the kernels: isa_best(), or a lesser one in tests.
+ * Returns 0 if there is no memory (and nothing stays allocated). */
 int block_solver_init(BlockSolver *s, int n, int b, Isa isa, double growth_limit, Team *team);
 void block_solver_release(BlockSolver *s);
 /* 0, or LIN_UNSTABLE. */

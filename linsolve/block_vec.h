@@ -1,5 +1,5 @@
-/* One column of a small block as a vector: BLOCK_PARTS parts of BLOCK_PART doubles, the machine's own width, padded with
- * zeros behind BLOCK_B. For block_lanes.h only. */
+/* One column of a small block as a vector: BLOCK_PARTS parts of BLOCK_PART doubles, the machine's own width, padded
+ * with zeros behind BLOCK_B. For block_lanes.h only. */
 #ifndef HAWSER_LINSOLVE_BLOCK_VEC_H
 #define HAWSER_LINSOLVE_BLOCK_VEC_H
 
@@ -25,7 +25,7 @@ typedef struct Vec {
 #define SPLAT_2(v, k) __builtin_shufflevector(v, v, k, k)
 #define SPLAT_4(v, k) __builtin_shufflevector(v, v, k, k, k, k)
 #define SPLAT_8(v, k) __builtin_shufflevector(v, v, k, k, k, k, k, k, k, k)
-#define PART_SPLAT ISA_JOIN(SPLAT, BLOCK_PART)
+#define PART_SPLAT    ISA_JOIN(SPLAT, BLOCK_PART)
 
 VEC_INLINE Vec vec_load(const double *p)
 {
@@ -112,11 +112,23 @@ VEC_INLINE Vec vec_fill(Part s)
 
 VEC_INLINE Vec vec_set(double s) { return vec_fill(s - (Part){0}); }
 
-/* t - a s with a number from memory. */
+/* t - a s, t + a s, a s with a number from memory. */
 VEC_INLINE Vec vec_minus_number(Vec t, Vec a, double s)
 {
     UNROLL for (int i = 0; i < PARTS; ++i) t.p[i] -= a.p[i] * s;
     return t;
+}
+
+VEC_INLINE Vec vec_plus_number(Vec t, Vec a, double s)
+{
+    UNROLL for (int i = 0; i < PARTS; ++i) t.p[i] += a.p[i] * s;
+    return t;
+}
+
+VEC_INLINE Vec vec_times_number(Vec a, double s)
+{
+    UNROLL for (int i = 0; i < PARTS; ++i) a.p[i] *= s;
+    return a;
 }
 
 /* All places get v's place k, which is a constant once the loops are spelt out. */
@@ -124,12 +136,18 @@ VEC_INLINE Part vec_splat(Vec v, int k)
 {
     const Part part = v.p[k / PART];
     switch (k % PART) {
-    case 0: return PART_SPLAT(part, 0);
-    case 1: return PART_SPLAT(part, 1 % BLOCK_PART);
-    case 2: return PART_SPLAT(part, 2 % BLOCK_PART);
-    case 3: return PART_SPLAT(part, 3 % BLOCK_PART);
-    case 4: return PART_SPLAT(part, 4 % BLOCK_PART);
-    default: return PART_SPLAT(part, 5 % BLOCK_PART);
+    case 0:
+        return PART_SPLAT(part, 0);
+    case 1:
+        return PART_SPLAT(part, 1 % BLOCK_PART);
+    case 2:
+        return PART_SPLAT(part, 2 % BLOCK_PART);
+    case 3:
+        return PART_SPLAT(part, 3 % BLOCK_PART);
+    case 4:
+        return PART_SPLAT(part, 4 % BLOCK_PART);
+    default:
+        return PART_SPLAT(part, 5 % BLOCK_PART);
     }
 }
 

@@ -60,6 +60,7 @@ static void *bordered_make(const LinMatrix *a, const LinOptions *options)
     if (!s) return NULL;
     s->nb = a->newton->chain.n * a->newton->chain.b;
     s->w = a->newton->border;
+    s->growth = 1;
     s->growth_limit = growth_limit_of(options);
     if (bordered_alloc(s, a->newton, options)) return s;
     bordered_drop(s);
@@ -88,7 +89,7 @@ static void bottom_subtract(const BorderedSolver *s, const double *chain, const 
 static int inner_factor(BorderedSolver *s, const NewtonMatrix *a)
 {
     const BlockChain *chain = &a->chain;
-    s->growth = 0;
+    s->growth = 1;
     if (a->leaves) {
         block_chain_copy(&s->condensed, chain);
         const int status = leaves_condense(&s->leaves, a, &s->condensed, s->growth_limit, &s->growth);
@@ -158,7 +159,7 @@ static void bordered_stats(const void *self, LinStats *stats)
     const long inner = s->nb + s->leaves.unknowns;
     stats->pivoted = s->block.report.pivoted;
     stats->nonzeros = block_solver_nonzeros(&s->block) + (2 * inner + s->w) * s->w;
-    stats->growth = s->growth > 0 ? 1 / s->growth : 1;
+    stats->growth = 1 / s->growth;
 }
 
 const LinBackend bordered_backend = {.make = bordered_make,

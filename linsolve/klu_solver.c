@@ -1,5 +1,5 @@
-/* KLU for any pattern: one symbolic analysis, refactorisation while the pivots stay good, a full factorisation when they
- * do not. docs/model.md, "Linear solvers", (L12)-(L14). */
+/* KLU for any pattern: one symbolic analysis, refactorisation while the pivots stay good, a full factorisation when
+ * they do not. docs/model.md, "Linear solvers", (L12)-(L14). */
 #include <float.h>
 #include <klu.h>
 #include <stdlib.h>
@@ -83,7 +83,8 @@ static void *klu_make(const LinMatrix *a, const LinOptions *options)
 static int values_are_finite(const SparseMatrix *m)
 {
     enum { SUMS = 8 };
-    double zero[SUMS] = {0}; /* become NaN with the first value that is not finite; several do not wait for each other */
+    double zero[SUMS] = {
+        0}; /* become NaN with the first value that is not finite; several do not wait for each other */
     const int count = m->p[m->n];
     for (int k = 0; k + SUMS <= count; k += SUMS) {
         for (int j = 0; j < SUMS; ++j) zero[j] += 0 * m->x[k + j];
@@ -145,11 +146,8 @@ static int decide(KluSolver *s, const LinMatrix *a)
         if (now == 0 && (!best.symbolic || s->stats.nonzeros < best.stats.nonzeros)) {
             klu_free_numeric(&best.numeric, &s->common);
             klu_free_symbolic(&best.symbolic, &s->common);
-            best = (KluSolver){.symbolic = s->symbolic,
-                               .numeric = s->numeric,
-                               .candidate = c,
-                               .rcond = s->rcond,
-                               .stats = s->stats};
+            best = (KluSolver){
+                .symbolic = s->symbolic, .numeric = s->numeric, .candidate = c, .rcond = s->rcond, .stats = s->stats};
         } else {
             klu_free_numeric(&s->numeric, &s->common);
             klu_free_symbolic(&s->symbolic, &s->common);

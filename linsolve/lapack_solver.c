@@ -107,8 +107,9 @@ static int lapack_factor(void *self, const LinMatrix *a)
     double largest, rcond = 0;
     const double norm = load(s, a->sparse, &largest);
     if (isnan(norm)) return 1;
-    const int info = s->banded ? LAPACKE_dgbtrf(LAPACK_COL_MAJOR, s->n, s->n, s->below, s->above, s->lu, s->rows, s->pivot)
-                               : LAPACKE_dgetrf(LAPACK_COL_MAJOR, s->n, s->n, s->lu, s->rows, s->pivot);
+    const int info = s->banded
+                         ? LAPACKE_dgbtrf(LAPACK_COL_MAJOR, s->n, s->n, s->below, s->above, s->lu, s->rows, s->pivot)
+                         : LAPACKE_dgetrf(LAPACK_COL_MAJOR, s->n, s->n, s->lu, s->rows, s->pivot);
     if (info) return info;
     s->growth = largest / upper_max(s);
     if (s->banded) {

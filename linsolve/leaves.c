@@ -17,8 +17,7 @@ int leaves_init(Leaves *s, const NewtonMatrix *a)
         const Leaf *const leaf = a->leaf + l;
         assert(leaf->size >= 1 && leaf->size <= LEAF_MAX && leaf->touches >= 0 && leaf->touches <= 2);
         assert(leaf->touches == 0 || (leaf->at >= 0 && leaf->at + leaf->touches <= a->chain.n));
-        s->factor[l] =
-            (LeafFactor){.size = leaf->size, .at = leaf->at, .touches = leaf->touches, .first = s->unknowns};
+        s->factor[l] = (LeafFactor){.size = leaf->size, .at = leaf->at, .touches = leaf->touches, .first = s->unknowns};
         s->unknowns += leaf->size;
     }
     return 1;

@@ -8,10 +8,10 @@
 /* One leaf, eliminated. */
 typedef struct LeafFactor {
     int size, at, touches;
-    int first;                                      /* its first unknown, counted from the first leaf's */
-    double inverse[LEAF_MAX * LEAF_MAX];            /* E^-1 */
-    double into[2][LEAF_MAX * LEAF_MAX];            /* [b*size]: copy of Leaf.into */
-    double back[2][LEAF_MAX * LEAF_MAX];            /* [size*b]: E^-1 from */
+    int first;                           /* its first unknown, counted from the first leaf's */
+    double inverse[LEAF_MAX * LEAF_MAX]; /* E^-1 */
+    double into[2][LEAF_MAX * LEAF_MAX]; /* [b*size]: copy of Leaf.into */
+    double back[2][LEAF_MAX * LEAF_MAX]; /* [size*b]: E^-1 from */
 } LeafFactor;
 
 typedef struct Leaves {

@@ -78,7 +78,7 @@ static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
     }
     const LinKind kind = s->options.kind;
     const NewtonMatrix *const m = a->newton;
-    const int fits = !m                    ? kind != LIN_BLOCK && kind != LIN_BORDERED
+    const int fits = !m                     ? kind != LIN_BLOCK && kind != LIN_BORDERED
                      : kind == LIN_BLOCK    ? !m->extras && !m->leaves && !m->border
                      : kind == LIN_BORDERED ? !m->extras
                                             : kind != LIN_KLU_FULL;

@@ -26,9 +26,9 @@ typedef struct LinStats {
     const char *ordering; /* "amd", "colamd", "metis", "natural" */
     char why[128];        /* why auto chose it */
     long analyses, factors, refactors, fallbacks, solves;
-    long pivoted;   /* block rows of the last factorisation that needed pivoting off the diagonal */
-    long nonzeros;  /* of the factors */
-    double growth;  /* smallest reciprocal pivot growth when last measured, 1 is best */
+    long pivoted;  /* block rows of the last factorisation that needed pivoting off the diagonal */
+    long nonzeros; /* of the factors */
+    double growth; /* smallest reciprocal pivot growth when last measured, 1 is best */
 } LinStats;
 
 typedef struct LinSolver LinSolver;

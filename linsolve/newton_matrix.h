@@ -7,7 +7,7 @@
 
 /* A b x b block outside the three diagonals (cable on cable); blocks at the same place add up. */
 typedef struct ExtraBlock {
-    int row, col; /* block row and column of the chain */
+    int row, col;        /* block row and column of the chain */
     const double *block; /* [b*b], column-major */
 } ExtraBlock;
 
@@ -15,9 +15,9 @@ enum { LEAF_MAX = 6 };
 
 /* A small body that touches at most two neighbouring blocks of the chain: a spinning roller, a roller's mount. */
 typedef struct Leaf {
-    int size;    /* unknowns, 1..LEAF_MAX */
-    int at;      /* the first chain block it touches */
-    int touches; /* 0, 1 (at) or 2 (at and at + 1) */
+    int size;              /* unknowns, 1..LEAF_MAX */
+    int at;                /* the first chain block it touches */
+    int touches;           /* 0, 1 (at) or 2 (at and at + 1) */
     const double *diag;    /* [size*size]: rows and columns of the leaf; all blocks are column-major */
     const double *into[2]; /* [b*size]: rows of chain block at + k, columns of the leaf */
     const double *from[2]; /* [size*b]: rows of the leaf, columns of chain block at + k */
@@ -28,8 +28,8 @@ typedef struct NewtonMatrix {
     int extras;
     const ExtraBlock *extra; /* [extras] */
     int leaves;
-    const Leaf *leaf; /* [leaves] */
-    int border;       /* w unknowns that couple with anything: a reel drum, shared bodies */
+    const Leaf *leaf;     /* [leaves] */
+    int border;           /* w unknowns that couple with anything: a reel drum, shared bodies */
     const double *right;  /* [m*w], m = newton_inner(): rows of chain and leaves, columns of the border */
     const double *bottom; /* [w*m]: rows of the border, columns of chain and leaves */
     const double *corner; /* [w*w] */
@@ -41,7 +41,8 @@ int newton_size(const NewtonMatrix *a);
 /* y = y + s A x for vectors of newton_size(). */
 void newton_gemv(const NewtonMatrix *a, double s, const double *x, double *y);
 
-/* The matrix as a list of dense pieces, in a fixed order; values may be NULL where a caller asks for the pattern only. */
+/* The matrix as a list of dense pieces, in a fixed order; values may be NULL where a caller asks for the pattern only.
+ */
 typedef struct Piece {
     int row, col, rows, cols; /* place in the whole matrix */
     const double *value;      /* [rows*cols], column-major */

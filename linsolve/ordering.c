@@ -104,8 +104,7 @@ static int dissect(Graph *g, const LinMatrix *a, int *perm)
     METIS_SetDefaultOptions(options);
     options[METIS_OPTION_NUMBERING] = 0;
     options[METIS_OPTION_SEED] = 1;
-    const int status =
-        METIS_NodeND(&g->groups, g->start, g->neighbour, g->weight, options, order, order + g->groups);
+    const int status = METIS_NodeND(&g->groups, g->start, g->neighbour, g->weight, options, order, order + g->groups);
     if (status == METIS_OK) spell_out(a, order, perm);
     free(order);
     return status == METIS_OK ? 0 : status == METIS_ERROR_MEMORY ? -1 : 1;

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/clock.h"
-#include "core/team.h"
 #include "core/lanes.h"
+#include "core/team.h"
 #include "sim/applied.h"
 
 /* The rollers in two halves by number, which is mostly their order along the route. */

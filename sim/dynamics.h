@@ -17,14 +17,14 @@ typedef struct ContactPart {
 
 /* Scratch of one evaluation, grouped by what computes it; discardable. */
 typedef struct Workspace {
-    Team *team;        /* borrowed; NULL: one thread */
-    int middle;        /* segments before it are the first part's; a multiple of LANES */
-    Kinematics kin;    /* body_kinematics, scene_ghosts */
-    JointLoads joints; /* bushing_loads */
+    Team *team;         /* borrowed; NULL: one thread */
+    int middle;         /* segments before it are the first part's; a multiple of LANES */
+    Kinematics kin;     /* body_kinematics, scene_ghosts */
+    JointLoads joints;  /* bushing_loads */
     Loads loads[PARTS]; /* on segments: weight, tail, drag and the first half's contacts; the second half's contacts */
     ContactPart contact[PARTS];
-    Vec3 *on_roller;   /* [rollers] contact_forces, where asked for, N */
-    double *law[6];    /* bushing_law: [n+1] */
+    Vec3 *on_roller; /* [rollers] contact_forces, where asked for, N */
+    double *law[6];  /* bushing_law: [n+1] */
     long rhs_evals, refreshes;
     int candidates_max;
 } Workspace;
@@ -37,12 +37,12 @@ void workspace_free(Workspace *ws);
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
 /* ydot [13 n] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot);
-/* k and d (6x6 blocks) at (t, y): the derivatives of force and moment minus inertia times ydot, see body_blocks. Leaves the kinematics
- * of y in the workspace. */
+/* k and d (6x6 blocks) at (t, y): the derivatives of force and moment minus inertia times ydot, see body_blocks. Leaves
+ * the kinematics of y in the workspace. */
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
                      BlockChain *k, BlockChain *d);
-/* Force of the cable on every roller, into ws->on_roller, for the kinematics in the workspace; returns how many contacts carry
- * force. Overwrites ws->loads. */
+/* Force of the cable on every roller, into ws->on_roller, for the kinematics in the workspace; returns how many
+ * contacts carry force. Overwrites ws->loads. */
 int dynamics_roller_forces(const Scene *scene, Workspace *ws);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);

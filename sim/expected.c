@@ -25,8 +25,13 @@ static void stretch_of(const Scene *scene, Expected *out)
 static hawser_status solve(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
 {
     const PullStretch whole = {.weight = scene->cable_weight, .mu = scene->def.friction.mu_d};
-    const PullDef def = {.route = &scene->route, .law = law, .from = e->from, .to = e->to,
-                         .start_tension = e->start_tension, .n_stretches = 1, .stretch = &whole};
+    const PullDef def = {.route = &scene->route,
+                         .law = law,
+                         .from = e->from,
+                         .to = e->to,
+                         .start_tension = e->start_tension,
+                         .n_stretches = 1,
+                         .stretch = &whole};
     return pull_solve(&def, pull, err);
 }
 
@@ -40,7 +45,8 @@ static hawser_status paper_fill(const Scene *scene, int n, hawser_station *stati
     if (def->n_paper > 0) {
         const double W = scene->cable_weight / g;
         out->paper_total = paper_total(def->n_paper, def->paper, W, mu, g);
-        for (int i = 0; i < n; ++i) station[i].paper_N = paper_tension(def->n_paper, def->paper, W, mu, g, station[i].s);
+        for (int i = 0; i < n; ++i)
+            station[i].paper_N = paper_tension(def->n_paper, def->paper, W, mu, g, station[i].s);
         return HAWSER_OK;
     }
     Pull pull;

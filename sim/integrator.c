@@ -8,10 +8,12 @@
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 
-#include "core/error.h"
 #include "core/clock.h"
+#include "core/error.h"
 #include "sim/scales.h"
 #include "sim/vector.h"
+
+enum { STALLED_MOST = 20 };
 
 struct Integrator {
     const Scene *scene;
@@ -21,9 +23,11 @@ struct Integrator {
     double *y_good; /* [13 n] state of the last good step */
     double *weight; /* [13 n] 1 / absolute tolerance */
     double stop;    /* s, the stop time that CVODE knows */
+    int stalled;    /* steps in a row that were too small to change t */
     void *cvode;
     SUNContext context;
     N_Vector state;
+    N_Vector between; /* work of integrator_state_at */
     SUNMatrix matrix;
     SUNLinearSolver solver;
     IntegratorStats stats;
@@ -85,7 +89,8 @@ static void call_complaint(int code, const char *module, const char *function, c
     snprintf(in->complaint, sizeof in->complaint, "%s", message);
 }
 
-/* ----------------------------------------------------------- the Newton matrix in SUNDIALS' clothes (SUNDIALS custom) */
+/* ----------------------------------------------------------- the Newton matrix in SUNDIALS' clothes (SUNDIALS custom)
+ */
 
 static SUNMatrix_ID matrix_id(SUNMatrix a)
 {
@@ -153,7 +158,8 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
     bad |= CVodeSetProjFn(c, call_projection);
-    if (def->max_step > 0) bad |= CVodeSetMaxStep(c, def->max_step);
+    const double longest = def->max_step > 0 ? def->max_step : in->scene->def.output.interval;
+    if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
     if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
     return !bad && linear_attach(in);
 }
@@ -169,6 +175,8 @@ static int integrator_start(Integrator *in, double t)
     in->state = N_VMake_Serial(length, in->y, in->context);
     if (!in->state) return 0;
     vector_use_kernels(in->state);
+    in->between = N_VClone(in->state);
+    if (!in->between) return 0;
     in->cvode = CVodeCreate(CV_BDF, in->context);
     return in->cvode && CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS && cvode_set(in);
 }
@@ -191,6 +199,7 @@ Integrator *integrator_free(Integrator *in)
     if (in->cvode) CVodeFree(&in->cvode);
     if (in->solver) SUNLinSolFreeEmpty(in->solver);
     if (in->matrix) SUNMatFreeEmpty(in->matrix);
+    if (in->between) N_VDestroy(in->between);
     if (in->state) N_VDestroy(in->state);
     if (in->context) SUNContext_Free(&in->context);
     free(in->y_good);
@@ -218,12 +227,16 @@ static const char *advice_for(int flag)
 {
     switch (flag) {
     case CV_CONV_FAILURE:
-        return "Newton's iteration did not converge: try a smaller solver.max_step, a softer contact.k or a larger friction.v_s";
+        return "Newton's iteration did not converge: try a smaller solver.max_step, a softer contact.k or a larger "
+               "friction.v_s";
     case CV_ERR_FAILURE:
         return "the error test failed again and again: try a larger solver.accuracy, or a gentler drive";
     case CV_LSETUP_FAIL:
     case CV_LSOLVE_FAIL:
         return "the Newton matrix could not be factored: try --set solver.linear_solver=klu";
+    case CV_TOO_CLOSE:
+        return "the steps have become too small to move on: try a softer contact.k, less stiffness or a larger "
+               "friction.v_s";
     case CV_REPTD_RHSFUNC_ERR:
     case CV_FIRST_RHSFUNC_ERR:
     case CV_RHSFUNC_FAIL:
@@ -240,14 +253,36 @@ static hawser_status step_failed(Integrator *in, int flag, double t, hawser_erro
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
     memcpy(in->y, in->y_good, (size_t)(STATE_SIZE * n) * sizeof(double));
-    return error_set(err, HAWSER_ERR_RUN,
-                     "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
-                     "%s (CVODE flag %d: %s)",
-                     t, step, i, n, p.x, p.y, p.z, advice_for(flag), flag, in->complaint);
+    return error_set(
+        err, HAWSER_ERR_RUN,
+        "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
+        "%s (CVODE flag %d: %s)",
+        t, step, i, n, p.x, p.y, p.z, advice_for(flag), flag, in->complaint);
+}
+
+/* solver.max_steps, if given, is used up. */
+static int steps_spent(const Integrator *in)
+{
+    const long limit = in->scene->def.solver.max_steps;
+    long steps = 0;
+    CVodeGetNumSteps(in->cvode, &steps);
+    return limit > 0 && steps >= limit;
+}
+
+static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
+{
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    return error_set(
+        err, HAWSER_ERR_RUN,
+        "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
+        "raise it or solver.accuracy, or soften what is stiff there",
+        in->scene->def.solver.max_steps, t, step, worst_segment(in), in->scene->chain.n);
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
 {
+    if (steps_spent(in)) return steps_failed(in, *t, err);
     if (stop > in->stop || stop < in->stop) {
         CVodeSetStopTime(in->cvode, stop);
         in->stop = stop;
@@ -257,9 +292,23 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
     in->stats.total += clock_now() - start;
     if (flag < 0) return step_failed(in, flag, *t, err);
+    in->stalled = reached > *t ? 0 : in->stalled + 1;
+    if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
     memcpy(in->y_good, in->y, (size_t)(STATE_SIZE * in->scene->chain.n) * sizeof(double));
     return dynamics_refresh(in->scene, in->ws, reached, in->y, 0, err);
+}
+
+void integrator_state_at(const Integrator *in, double t, double *y)
+{
+    const size_t bytes = (size_t)(STATE_SIZE * in->scene->chain.n) * sizeof(double);
+    double now = t;
+    CVodeGetCurrentTime(in->cvode, &now);
+    if (t < now && CVodeGetDky(in->cvode, t, 0, in->between) == CV_SUCCESS) {
+        memcpy(y, N_VGetArrayPointer(in->between), bytes);
+    } else {
+        memcpy(y, in->y, bytes);
+    }
 }
 
 void integrator_stats(const Integrator *in, IntegratorStats *stats)

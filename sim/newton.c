@@ -150,10 +150,7 @@ void newton_form(Newton *nw, double gamma)
     }
 }
 
-int newton_factor(Newton *nw)
-{
-    return nw->full ? newton_full_factor(nw->full) : linsolver_factor(nw->solver, &nw->a);
-}
+int newton_factor(Newton *nw) { return nw->full ? newton_full_factor(nw->full) : linsolver_factor(nw->solver, &nw->a); }
 
 void newton_stats(const Newton *nw, LinStats *stats)
 {

@@ -1,6 +1,6 @@
-/* Newton's matrix reduced to the velocities. CVODE asks for delta in (1 - gamma J) delta = b over all 13n rates; positions
- * and quaternions are eliminated exactly, which leaves (M - gamma D - gamma^2 K S) du = r, block tridiagonal with 6x6
- * blocks. docs/model.md, "Newton matrix" (N1)-(N8). */
+/* Newton's matrix reduced to the velocities. CVODE asks for delta in (1 - gamma J) delta = b over all 13n rates;
+ * positions and quaternions are eliminated exactly, which leaves (M - gamma D - gamma^2 K S) du = r, block tridiagonal
+ * with 6x6 blocks. docs/model.md, "Newton matrix" (N1)-(N8). */
 #ifndef HAWSER_SIM_NEWTON_H
 #define HAWSER_SIM_NEWTON_H
 
@@ -18,12 +18,12 @@ typedef struct Newton {
     double *q[4];       /* as in y (not normalised) */
     double *w[3];       /* rad/s */
     /* of one solution */
-    double *z;    /* [6n] gamma times position residual and eliminated rotation */
-    double *x;    /* [6n] reduced right-hand side and solution */
-    double gamma; /* s, of a */
-    LinSolver *solver;        /* of a; NULL if the full system is solved */
-    struct NewtonFull *full;  /* klu-full: the unreduced system; NULL otherwise */
-    Team *team; /* borrowed; NULL: one thread */
+    double *z;               /* [6n] gamma times position residual and eliminated rotation */
+    double *x;               /* [6n] reduced right-hand side and solution */
+    double gamma;            /* s, of a */
+    LinSolver *solver;       /* of a; NULL if the full system is solved */
+    struct NewtonFull *full; /* klu-full: the unreduced system; NULL otherwise */
+    Team *team;              /* borrowed; NULL: one thread */
 } Newton;
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);

@@ -1,6 +1,6 @@
-/* The unreduced Newton matrix, 13 unknowns a segment, for klu-full: a check of the reduction and the benchmark's other side.
- * Unknowns of a segment in the order position, quaternion, velocity, angular velocity; the velocity rows are multiplied by
- * the mass matrix as in (N5). docs/model.md, "Newton matrix" (N12). */
+/* The unreduced Newton matrix, 13 unknowns a segment, for klu-full: a check of the reduction and the benchmark's other
+ * side. Unknowns of a segment in the order position, quaternion, velocity, angular velocity; the velocity rows are
+ * multiplied by the mass matrix as in (N5). docs/model.md, "Newton matrix" (N12). */
 #ifndef HAWSER_SIM_NEWTON_FULL_H
 #define HAWSER_SIM_NEWTON_FULL_H
 

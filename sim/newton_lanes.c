@@ -1,5 +1,5 @@
-/* The kernels of newton_kernels.h for one instruction set. Blocks are 6x6, column-major; a column is taken as a lane whose
- * last two entries belong to what follows it in memory (every array of blocks is padded) and are never stored. */
+/* The kernels of newton_kernels.h for one instruction set. Blocks are 6x6, column-major; a column is taken as a lane
+ * whose last two entries belong to what follows it in memory (every array of blocks is padded) and are never stored. */
 #include "core/lanes.h"
 #include "sim/newton_kernels.h"
 
@@ -26,7 +26,8 @@ LANE_INLINE LaneQuat lane_quat_eliminate(Lane3 w, double gamma, LaneQuat p)
     return (LaneQuat){scale * (p.w + turned.w), l3_scale(scale, l3_add(p.u, turned.u))};
 }
 
-/* Components first..first+width-1 of the 13n vector at LANES segments from i, of which `count` exist; the others are 0. */
+/* Components first..first+width-1 of the 13n vector at LANES segments from i, of which `count` exist; the others are 0.
+ */
 LANE_INLINE void vector_load(int n, const double *b, int first, int width, int i, int count, Lane *out)
 {
     for (int c = 0; c < width; ++c) {
@@ -122,8 +123,8 @@ static void kernel_expand(const Newton *nw, double *b, int from, int to)
         const LaneQuat p = {in[STATE_Q] + moved.w,
                             l3_add((Lane3){in[STATE_Q + 1], in[STATE_Q + 2], in[STATE_Q + 3]}, moved.u)};
         const LaneQuat e = lane_quat_eliminate(l3_load(nw->w, i), nw->gamma, p);
-        const Lane out[STATE_V] = {in[0] + gamma * u[0], in[1] + gamma * u[1], in[2] + gamma * u[2],
-                                   e.w, e.u.x, e.u.y, e.u.z};
+        const Lane out[STATE_V] = {
+            in[0] + gamma * u[0], in[1] + gamma * u[1], in[2] + gamma * u[2], e.w, e.u.x, e.u.y, e.u.z};
         vector_store(nw->n, b, 0, STATE_V, i, count, out);
         vector_store(nw->n, b, STATE_V, 6, i, count, u);
     }
@@ -148,7 +149,8 @@ LANE_INLINE void block_form(const double *k, const double *d, const double s[9],
     }
     const Lane kx = g2 * lane_load(k + 18), ky = g2 * lane_load(k + 24), kz = g2 * lane_load(k + 30);
     for (int c = 0; c < 3; ++c) {
-        const Lane column = g * lane_load(d + 18 + 6 * c) + kx * lane_set(s[c]) + ky * lane_set(s[3 + c]) + kz * lane_set(s[6 + c]);
+        const Lane column =
+            g * lane_load(d + 18 + 6 * c) + kx * lane_set(s[c]) + ky * lane_set(s[3 + c]) + kz * lane_set(s[6 + c]);
         memcpy(out + 18 + 6 * c, &column, 6 * sizeof(double));
     }
 }
@@ -163,7 +165,8 @@ static void kernel_form(Newton *nw, int from, int to)
         double *const diag = a->diag + 36 * i;
         block_form(k->diag + 36 * i, d->diag + 36 * i, s, gamma, diag);
         if (i > 0) block_form(k->upper + 36 * (i - 1), d->upper + 36 * (i - 1), s, gamma, a->upper + 36 * (i - 1));
-        if (i + 1 < nw->n) block_form(k->lower + 36 * (i + 1), d->lower + 36 * (i + 1), s, gamma, a->lower + 36 * (i + 1));
+        if (i + 1 < nw->n)
+            block_form(k->lower + 36 * (i + 1), d->lower + 36 * (i + 1), s, gamma, a->lower + 36 * (i + 1));
         for (int c = 0; c < 3; ++c) {
             diag[7 * c] += nw->mass[i];
             for (int r = 0; r < 3; ++r) diag[6 * (3 + c) + 3 + r] += nw->inertia[3 * r + c][i];

@@ -7,7 +7,7 @@
 #include "core/error.h"
 
 /* The largest change that one iteration may make. */
-static const double MOVE_MAX = 0.05, TURN_MAX = 0.1; /* m, rad */
+static const double MOVE_MAX = 0.05, TURN_MAX = 0.1;                   /* m, rad */
 static const double DT_FIRST = 1e-2, DT_LARGEST = 1e8, DT_GROWTH = 10; /* s, s, 1 */
 
 typedef struct Relaxation {
@@ -70,8 +70,8 @@ static void move(Relaxation *r, double dt)
         double *const y = r->y + i;
         for (int c = 0; c < 3; ++c) y[c * n] += scale * dt * r->rate[(STATE_V + c) * n + i];
         const Vec3 turn = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        const Quat q = quat_unit(quat_mul(quat_exp(v3_scale(scale * dt, turn)),
-                                          (Quat){y[3 * n], y[4 * n], y[5 * n], y[6 * n]}));
+        const Quat q =
+            quat_unit(quat_mul(quat_exp(v3_scale(scale * dt, turn)), (Quat){y[3 * n], y[4 * n], y[5 * n], y[6 * n]}));
         y[3 * n] = q.w;
         y[4 * n] = q.x;
         y[5 * n] = q.y;

@@ -16,10 +16,16 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
     b->tension = calloc(n + 1, sizeof(double));
     b->axial_speed = calloc(n, sizeof(double));
     b->roller_load = calloc((size_t)scene->contact.n_rollers + 1, sizeof(double));
-    b->sample = (hawser_sample){.segments = scene->chain.n, .joints = scene->chain.n + 1,
-                                .rollers = scene->contact.n_rollers, .position = b->position,
-                                .quaternion = b->quaternion, .velocity = b->velocity, .omega = b->omega,
-                                .tension = b->tension, .axial_speed = b->axial_speed, .roller_load = b->roller_load};
+    b->sample = (hawser_sample){.segments = scene->chain.n,
+                                .joints = scene->chain.n + 1,
+                                .rollers = scene->contact.n_rollers,
+                                .position = b->position,
+                                .quaternion = b->quaternion,
+                                .velocity = b->velocity,
+                                .omega = b->omega,
+                                .tension = b->tension,
+                                .axial_speed = b->axial_speed,
+                                .roller_load = b->roller_load};
     return b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed && b->roller_load;
 }
 

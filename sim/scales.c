@@ -28,7 +28,10 @@ static const VectorKernels *kernels(void)
     return table[isa_best()];
 }
 
-double scales_norm(int n, const double *x, const double *weight) { return sqrt(kernels()->window_square(n, x, weight)); }
+double scales_norm(int n, const double *x, const double *weight)
+{
+    return sqrt(kernels()->window_square(n, x, weight));
+}
 
 int scales_all_finite(const double *x, int count) { return kernels()->all_finite(count, x); }
 

@@ -1,5 +1,5 @@
-/* What an error of the state is measured with: physical scales, the weights that follow from `accuracy`, and a norm that
- * does not dilute a local event in a long chain. docs/model.md, "Integration" (N10), (N11). */
+/* What an error of the state is measured with: physical scales, the weights that follow from `accuracy`, and a norm
+ * that does not dilute a local event in a long chain. docs/model.md, "Integration" (N10), (N11). */
 #ifndef HAWSER_SIM_SCALES_H
 #define HAWSER_SIM_SCALES_H
 
@@ -8,7 +8,8 @@
 /* weight [13 n] = 1 / absolute tolerance of every component of the state. */
 void scales_weights(const Scene *scene, double *weight);
 
-/* Largest over windows of SCALES_WINDOW neighbouring segments of the RMS of x w over the window's 13 components each. */
+/* Largest over windows of SCALES_WINDOW neighbouring segments of the RMS of x w over the window's 13 components each.
+ */
 enum { SCALES_WINDOW = 16 };
 double scales_norm(int n, const double *x, const double *weight);
 

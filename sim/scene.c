@@ -180,8 +180,11 @@ static void weight_fill(Scene *scene)
     const RoutePoint start = route_at(&scene->route, 0);
     const LeadInDef *const lead = &scene->def.lead_in;
     const Vec3 g = scene->def.gravity;
-    scene->weight = (Weight){.gravity = g, .lead_in = lead->present, .origin = start.position,
-                             .direction = start.tangent, .blend = lead->blend};
+    scene->weight = (Weight){.gravity = g,
+                             .lead_in = lead->present,
+                             .origin = start.position,
+                             .direction = start.tangent,
+                             .blend = lead->blend};
     /* The lead-in gives way by 1 mm under the cable's weight, half critically damped. */
     scene->weight.hold = v3_norm(g) / 1e-3;
     scene->weight.hold_damping = sqrt(scene->weight.hold);
@@ -217,13 +220,19 @@ static hawser_status contact_fill(Scene *scene, hawser_error *err)
     if (!roller) return error_memory(err);
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const d = &def->rollers[r];
-        roller[r] = (ContactRoller){.shape = {.kind = SHAPE_CYLINDER, .centre = d->centre, .axis = v3_unit(d->axis),
-                                              .radius = d->radius, .half_width = d->width / 2},
+        roller[r] = (ContactRoller){.shape = {.kind = SHAPE_CYLINDER,
+                                              .centre = d->centre,
+                                              .axis = v3_unit(d->axis),
+                                              .radius = d->radius,
+                                              .half_width = d->width / 2},
                                     .friction = d->friction};
     }
     scene->rollers = roller;
-    scene->contact = (ContactModel){.geometry = def->geometry, .impact = def->impact,
-                                    .n_rollers = def->n_rollers, .roller = roller, .reach = def->contact_reach};
+    scene->contact = (ContactModel){.geometry = def->geometry,
+                                    .impact = def->impact,
+                                    .n_rollers = def->n_rollers,
+                                    .roller = roller,
+                                    .reach = def->contact_reach};
     return HAWSER_OK;
 }
 

@@ -9,46 +9,46 @@
 /* The moving ground body at the chain's head: translation along `direction` by the integral of the speed. */
 typedef struct Winch {
     int present;
-    Profile speed;   /* m/s */
-    Vec3 origin;     /* where the head's end is at t = 0, m */
-    Vec3 direction;  /* unit */
+    Profile speed;  /* m/s */
+    Vec3 origin;    /* where the head's end is at t = 0, m */
+    Vec3 direction; /* unit */
     Quat attitude;
 } Winch;
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
  * lead-in's hold on the cable across its line (F1). */
 typedef struct Weight {
-    Vec3 gravity;    /* m/s2 */
-    int lead_in;     /* 0: full gravity everywhere */
-    Vec3 behind;     /* gravity that acts behind the start, m/s2: none, or its part along the lead-in */
-    Vec3 origin;     /* the route's start, m */
-    Vec3 direction;  /* the route's first tangent */
-    double blend;    /* m, over which the weight comes in */
+    Vec3 gravity;        /* m/s2 */
+    int lead_in;         /* 0: full gravity everywhere */
+    Vec3 behind;         /* gravity that acts behind the start, m/s2: none, or its part along the lead-in */
+    Vec3 origin;         /* the route's start, m */
+    Vec3 direction;      /* the route's first tangent */
+    double blend;        /* m, over which the weight comes in */
     double hold;         /* 1/s2: the lead-in\'s stiffness across its line over the mass it holds */
     double hold_damping; /* 1/s: its damping over mass */
 } Weight;
 
 typedef struct Drag {
-    int segment; /* -1: none */
-    double force; /* N */
+    int segment;     /* -1: none */
+    double force;    /* N */
     FrictionLaw law; /* mu_s = 1 */
 } Drag;
 
 typedef struct Scene {
     Chain chain;
-    int *piece;          /* [n] the chain piece of each segment */
-    double *joint_s;     /* [n+1] route coordinate of each joint at t = 0, m */
-    int eye;             /* joint of the pulling eye: first joint of the last piece, n if there is one piece */
-    double cable_weight; /* N/m, of the piece before the eye */
+    int *piece;           /* [n] the chain piece of each segment */
+    double *joint_s;      /* [n+1] route coordinate of each joint at t = 0, m */
+    int eye;              /* joint of the pulling eye: first joint of the last piece, n if there is one piece */
+    double cable_weight;  /* N/m, of the piece before the eye */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves */
     Route route;
     Weight weight;
     Winch winch;
-    Profile tail;        /* N */
+    Profile tail; /* N */
     Drag drag;
     ContactRoller *rollers; /* owned; the contact model borrows them */
     ContactModel contact;
-    SceneDef def;        /* a deep copy of what this was built from */
+    SceneDef def; /* a deep copy of what this was built from */
 } Scene;
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */

@@ -16,12 +16,12 @@ enum { NAME_MAX_LENGTH = 64 };
 /* A kind of cable or rope, per unit length. */
 typedef struct CableDef {
     char name[NAME_MAX_LENGTH];
-    double ea, ga;     /* N */
-    double gj;         /* N m2 */
-    double ei_y, ei_z; /* N m2 */
-    double mass;       /* kg/m */
-    double diameter;   /* m, outside: contact and rotary inertia */
-    double damping;    /* s: C = damping * factor * K */
+    double ea, ga;            /* N */
+    double gj;                /* N m2 */
+    double ei_y, ei_z;        /* N m2 */
+    double mass;              /* kg/m */
+    double diameter;          /* m, outside: contact and rotary inertia */
+    double damping;           /* s: C = damping * factor * K */
     double damping_factor[6]; /* axial, shear y, shear z, torsion, bending y, bending z */
 } CableDef;
 
@@ -35,10 +35,10 @@ typedef struct ChainPieceDef {
 
 typedef struct RollerDef {
     char name[NAME_MAX_LENGTH];
-    Vec3 centre, axis;   /* m, unit */
+    Vec3 centre, axis;    /* m, unit */
     double radius, width; /* m; width is the whole length of the cylinder */
-    double rating;       /* N; 0: none given */
-    double s;            /* m along the route, for tables; NAN if listed by coordinates */
+    double rating;        /* N; 0: none given */
+    double s;             /* m along the route, for tables; NAN if listed by coordinates */
     int hold_down;
     FrictionLaw friction;
 } RollerDef;
@@ -64,7 +64,7 @@ typedef struct TailDef {
 /* A drag on the rope just ahead of the pulling eye (the paper's rope allowance, eq. 9): force times the friction law's
  * velocity function, against the motion along the segment's axis. */
 typedef struct RopeDragDef {
-    double force; /* N; 0: none */
+    double force;           /* N; 0: none */
     double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
 } RopeDragDef;
 
@@ -74,25 +74,25 @@ typedef struct StationDef {
 } StationDef;
 
 typedef struct SolverDef {
-    double accuracy;   /* one number for all tolerances */
+    double accuracy;                                                /* one number for all tolerances */
     double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
-    int max_order;     /* BDF, 1..5 */
-    double max_step;   /* s, 0: none */
-    double first_step; /* s, 0: CVODE's choice */
-    long max_steps;    /* 0: none */
-    int relax;         /* bring to equilibrium before t = 0 */
-    double relax_tolerance; /* fraction of the largest segment weight or load */
+    int max_order;                                                  /* BDF, 1..5 */
+    double max_step;                                                /* s, 0: none */
+    double first_step;                                              /* s, 0: CVODE's choice */
+    long max_steps;                                                 /* 0: none */
+    int relax;                                                      /* bring to equilibrium before t = 0 */
+    double relax_tolerance;                                         /* fraction of the largest segment weight or load */
     int relax_iterations;
     LinOptions linear;
     int threads;
 } SolverDef;
 
 typedef struct OutputDef {
-    double interval;        /* s between rows of series.csv and samples of statistics */
-    double state_interval;  /* s between states in results.h5; 0: none */
-    double steady_from;     /* s; the steady window is steady_from .. end */
+    double interval;       /* s between rows of series.csv and samples of statistics */
+    double state_interval; /* s between states in results.h5; 0: none */
+    double steady_from;    /* s; the steady window is steady_from .. end */
     int n_speed_segments;
-    int *speed_segments;    /* whose speeds are columns of series.csv */
+    int *speed_segments; /* whose speeds are columns of series.csv */
 } OutputDef;
 
 typedef struct SceneDef {

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/error.h"
 #include "core/clock.h"
+#include "core/error.h"
 #include "sim/expected.h"
 #include "sim/integrator.h"
 #include "sim/relax.h"
@@ -19,12 +19,14 @@ struct Sim {
     SampleBuffers look;
     Stats stats;
     Expected expected;
-    double t, *y; /* s; [13 n] */
+    double t;            /* s, the time looked at; the integrator may be ahead by part of a step */
+    double t_step, *y;   /* s; [13 n] state at the end of the last step */
+    double *between;     /* [13 n] work: the state at t */
     hawser_relaxation relaxation;
-    LinStats lin; /* what was chosen, and why */
+    LinStats lin;                       /* what was chosen, and why */
     double relax_s, output_s, record_s; /* s */
     int threads;
-    Team *team; /* of two, or NULL */
+    Team *team;     /* of two, or NULL */
     int active_max; /* contacts */
 };
 
@@ -33,7 +35,10 @@ static hawser_status parts_new(Sim *s, hawser_error *err)
     const Scene *const scene = &s->scene;
     s->y = malloc((size_t)(STATE_SIZE * scene->chain.n) * sizeof(double));
     if (s->threads > 1) s->team = team_new(s->threads);
-    if ((s->threads > 1 && !s->team) || !s->y || !workspace_alloc(&s->ws, scene, s->team) || !sample_alloc(&s->look, scene)) return error_memory(err);
+    s->between = malloc((size_t)(STATE_SIZE * scene->chain.n) * sizeof(double));
+    if ((s->threads > 1 && !s->team) || !s->y || !s->between || !workspace_alloc(&s->ws, scene, s->team) ||
+        !sample_alloc(&s->look, scene))
+        return error_memory(err);
     scene_initial_state(scene, s->y);
     LinOptions options = scene->def.solver.linear;
     options.threads = team_size(s->team);
@@ -73,6 +78,7 @@ Sim *sim_free(Sim *s)
     sample_free(&s->look);
     workspace_free(&s->ws);
     free(s->y);
+    free(s->between);
     scene_clear(&s->scene);
     team_free(s->team);
     free(s);
@@ -88,13 +94,13 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     return status;
 }
 
-/* The next time at which a profile has a corner, or `stop`: the integrator must not step across. */
+/* Where the integrator must stop next: a corner of a profile, or `stop`. */
 static double next_stop(const Sim *s, double stop)
 {
     const Profile *const profile[] = {&s->scene.winch.speed, &s->scene.tail};
     for (int p = 0; p < 2; ++p) {
         double corner;
-        if (profile_next_corner(profile[p], s->t + 1e-9, &corner) && corner < stop) stop = corner;
+        if (profile_next_corner(profile[p], s->t_step + 1e-9, &corner) && corner < stop) stop = corner;
     }
     return stop;
 }
@@ -105,11 +111,22 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
         const hawser_status status = integrator_new(&s->scene, &s->ws, &s->newton, s->t, s->y, &s->integrator, err);
         if (status) return status;
     }
-    while (s->t < t) {
-        const hawser_status status = integrator_step(s->integrator, next_stop(s, t), &s->t, err);
-        if (status || one_step) return status;
+    const double end = fmax(t, s->scene.def.duration); /* steps may end beyond t, but not beyond the case */
+    hawser_status status = HAWSER_OK;
+    while (s->t_step < t && !status) {
+        status = integrator_step(s->integrator, next_stop(s, end), &s->t_step, err);
+        if (one_step) break;
     }
-    return HAWSER_OK;
+    if (t > s->t) s->t = fmin(t, s->t_step); /* time never goes back */
+    return status;
+}
+
+/* The state at the time looked at. */
+static const double *state_now(Sim *s)
+{
+    if (!s->integrator || s->t >= s->t_step) return s->y;
+    integrator_state_at(s->integrator, s->t, s->between);
+    return s->between;
 }
 
 double sim_time(const Sim *s) { return s->t; }
@@ -120,7 +137,7 @@ const char *sim_title(const Sim *s) { return s->scene.def.title; }
 const hawser_sample *sim_sample(Sim *s)
 {
     const double start = clock_now();
-    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, s->y);
+    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, state_now(s));
     if (s->integrator) {
         IntegratorStats stats;
         integrator_stats(s->integrator, &stats);
@@ -155,8 +172,12 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->error_test_fails = i.error_fails;
     out->newton_fails = i.newton_fails;
     const double other = i.rhs + i.jacobian + i.factor + i.solve;
-    out->phases = (hawser_phases){.rhs = i.rhs - i.contacts, .contacts = i.contacts, .jacobian = i.jacobian,
-                                  .factor = i.factor, .solve = i.solve, .vector = i.total - other};
+    out->phases = (hawser_phases){.rhs = i.rhs - i.contacts,
+                                  .contacts = i.contacts,
+                                  .jacobian = i.jacobian,
+                                  .factor = i.factor,
+                                  .solve = i.solve,
+                                  .vector = i.total - other};
     out->wall_time_s = i.total;
 }
 

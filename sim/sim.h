@@ -32,10 +32,10 @@ int sim_stations(const Sim *s, const hawser_station **out);
 
 typedef struct SimRoller {
     char name[NAME_MAX_LENGTH];
-    double s;      /* m along the route, NAN if listed by coordinates */
-    double rating; /* N, 0: none */
-    double steady; /* N, mean load in the steady window */
-    double peak;   /* N, of the run */
+    double s;       /* m along the route, NAN if listed by coordinates */
+    double rating;  /* N, 0: none */
+    double steady;  /* N, mean load in the steady window */
+    double peak;    /* N, of the run */
     double initial; /* N, at equilibrium before t = 0 */
 } SimRoller;
 

@@ -96,7 +96,8 @@ static double joint_now(const Scene *scene, const hawser_sample *sample, int j)
     return route_coordinate(&scene->route, joint_position(sample, &scene->chain, j), guess);
 }
 
-/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is there. */
+/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
+ * there. */
 static double tension_at(const Scene *scene, const hawser_sample *sample, double s)
 {
     const int n = scene->chain.n;
@@ -153,7 +154,8 @@ void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample)
     if (stats->last_t >= 0 && dt <= 0) return;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
     mean_add(&stats->speed, sample->axial_speed[0], dt, steady);
-    if (fabs(sample->axial_speed[0] - scene->largest_speed) > 0.02 * scene->largest_speed) stats->settled_at = sample->t;
+    if (fabs(sample->axial_speed[0] - scene->largest_speed) > 0.02 * scene->largest_speed)
+        stats->settled_at = sample->t;
     stations_record(stats, scene, sample, dt, steady);
     for (int r = 0; r < stats->n_rollers; ++r) {
         mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);

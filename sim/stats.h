@@ -13,14 +13,14 @@ typedef struct TimeMean {
 } TimeMean;
 
 typedef struct Stats {
-    double last_t;       /* s, of the last sample; < 0: none */
-    double steady_from;  /* s */
-    TimeMean pull;       /* N, winch force */
-    TimeMean speed;      /* m/s, axial speed of the cable's first segment */
-    double settled_at;   /* s, last time the speed was more than 2 % off the winch's final speed */
+    double last_t;      /* s, of the last sample; < 0: none */
+    double steady_from; /* s */
+    TimeMean pull;      /* N, winch force */
+    TimeMean speed;     /* m/s, axial speed of the cable's first segment */
+    double settled_at;  /* s, last time the speed was more than 2 % off the winch's final speed */
     int n_stations, n_rollers;
-    TimeMean *station;   /* [n_stations], N */
-    TimeMean *roller;    /* [n_rollers], N */
+    TimeMean *station; /* [n_stations], N */
+    TimeMean *roller;  /* [n_rollers], N */
     hawser_station *station_out;
     SimRoller *roller_out;
 } Stats;

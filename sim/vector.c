@@ -21,7 +21,10 @@ static void op_linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vect
     kernels()->linear_sum(length_of(x), a, NV_DATA_S(x), b, NV_DATA_S(y), NV_DATA_S(z));
 }
 
-static void op_scale(realtype a, N_Vector x, N_Vector z) { kernels()->scale(length_of(x), a, NV_DATA_S(x), NV_DATA_S(z)); }
+static void op_scale(realtype a, N_Vector x, N_Vector z)
+{
+    kernels()->scale(length_of(x), a, NV_DATA_S(x), NV_DATA_S(z));
+}
 
 static realtype op_norm(N_Vector x, N_Vector w)
 {

@@ -4,7 +4,8 @@
 
 #include <sundials/sundials_nvector.h>
 
-/* Replaces the operations of a serial vector of 13 n entries; its clones inherit them. The norm becomes that of (N11). */
+/* Replaces the operations of a serial vector of 13 n entries; its clones inherit them. The norm becomes that of (N11).
+ */
 void vector_use_kernels(N_Vector v);
 
 /* Correction of a state's quaternions to unit length and projection of its error (NULL: none), (N9). */

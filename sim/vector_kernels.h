@@ -11,13 +11,13 @@ typedef struct VectorKernels {
     void (*scale)(int count, double a, const double *x, double *z);
     /* z = sum of a[k] x[k], k < terms; z may be x[0] */
     void (*combination)(int count, int terms, const double *a, double *const *x, double *z);
-    /* Largest over windows of 16 segments of the sum of (x w)^2 over the window's entries, divided by their number; x and w
-     * are 13 arrays of n (N11). A NaN in x or w gives a NaN. */
+    /* Largest over windows of 16 segments of the sum of (x w)^2 over the window's entries, divided by their number; x
+     * and w are 13 arrays of n (N11). A NaN in x or w gives a NaN. */
     double (*window_square)(int n, const double *x, const double *w);
     /* 1 if every entry is finite */
     int (*all_finite)(int count, const double *x);
-    /* Correction of the quaternions of y (13 arrays of n) to unit length, zero elsewhere; error (NULL: none) loses its part
-     * along them (N9). */
+    /* Correction of the quaternions of y (13 arrays of n) to unit length, zero elsewhere; error (NULL: none) loses its
+     * part along them (N9). */
     void (*project)(int n, const double *y, double *correction, double *error);
 } VectorKernels;
 

@@ -18,8 +18,7 @@ double capstan_tension(double T1, double mu, double turn) { return T1 * exp(mu *
 
 static hawser_status refuse_slack(const char *where, double T, hawser_error *err)
 {
-    return error_set(err, HAWSER_ERR_INPUT, "the tension %s the bend is %g N: a cable does not push", where,
-                     T);
+    return error_set(err, HAWSER_ERR_INPUT, "the tension %s the bend is %g N: a cable does not push", where, T);
 }
 
 /* Both ends must pull; gives out T2 if they do. */
@@ -31,8 +30,7 @@ static hawser_status give_bend(double T1, double result, double *T2, hawser_erro
     return HAWSER_OK;
 }
 
-hawser_status bend_level_tension(double T1, double w, double mu, double R, double turn, double *T2,
-                                 hawser_error *err)
+hawser_status bend_level_tension(double T1, double w, double mu, double R, double turn, double *T2, hawser_error *err)
 {
     assert(w >= 0 && mu >= 0 && R > 0 && turn >= 0);
     return give_bend(T1, T1 * cosh(mu * turn) + sinh(mu * turn) * hypot(T1, w * R), T2, err);
@@ -43,11 +41,10 @@ static hawser_status check_lifted(double T, double w, double R, double slope, ha
 {
     const double needed = w * R * cos(slope);
     if (T >= needed) return HAWSER_OK;
-    return error_set(
-        err, HAWSER_ERR_INPUT,
-        "at slope %.4g deg of the sag the tension %.6g N is below w R cos = %.6g N: the cable lies on the "
-        "bottom and this form does not hold",
-        slope * 90 / HALF_PI, T, needed);
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "at slope %.4g deg of the sag the tension %.6g N is below w R cos = %.6g N: the cable lies on the "
+                     "bottom and this form does not hold",
+                     slope * 90 / HALF_PI, T, needed);
 }
 
 /* (T12)-(T15) with K = mu, c = w R / (1 + mu^2), e = exp(mu turn); TB 889 eq. 10-13. */
@@ -74,8 +71,7 @@ hawser_status bend_vertical_tension(VerticalBend kind, double T1, double w, doub
 {
     assert(w >= 0 && mu >= 0 && R > 0 && turn >= 0);
     if (turn > HALF_PI) {
-        return error_set(err, HAWSER_ERR_INPUT, "the bend turns by %.4g deg, past the vertical",
-                         turn * 90 / HALF_PI);
+        return error_set(err, HAWSER_ERR_INPUT, "the bend turns by %.4g deg, past the vertical", turn * 90 / HALF_PI);
     }
     const double result = vertical_form(kind, T1, w * R / (1 + mu * mu), mu, turn);
     double checked = 0;
@@ -154,8 +150,8 @@ static double sag_tension(VerticalArc arc, double T, double a, double b)
     return T;
 }
 
-hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b,
-                                        double *T2, hawser_error *err)
+hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b, double *T2,
+                                        hawser_error *err)
 {
     assert(w >= 0 && mu >= 0 && R > 0);
     if (fmax(fabs(a), fabs(b)) > HALF_PI + PLANE_TOLERANCE) {
@@ -187,8 +183,8 @@ double roller_load_in_bend(double T, double R, double spacing) { return 2 * T * 
 
 /* Slopes at both ends of a bend in a vertical plane: the tangent's vertical component, and the side of the
  * centre, say by how much the slope rises. */
-static hawser_status vertical_piece(const RoutePiece *p, int direction, double T1, double w, double mu,
-                                    double *T2, hawser_error *err)
+static hawser_status vertical_piece(const RoutePiece *p, int direction, double T1, double w, double mu, double *T2,
+                                    hawser_error *err)
 {
     const double start = atan2(p->tangent.z, hypot(p->tangent.x, p->tangent.y));
     const double end = start + (p->centre.z > 0 ? p->angle : -p->angle);
@@ -196,8 +192,8 @@ static hawser_status vertical_piece(const RoutePiece *p, int direction, double T
     return bend_any_vertical_tension(T1, w, mu, p->radius, a, b, T2, err);
 }
 
-hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu,
-                            double *T2, hawser_error *err)
+hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, double *T2,
+                            hawser_error *err)
 {
     if (piece->kind == ROUTE_STRAIGHT) {
         const double slope = atan2(piece->tangent.z, hypot(piece->tangent.x, piece->tangent.y));
@@ -209,6 +205,5 @@ hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, d
         return bend_level_tension(T1, w, mu, piece->radius, piece->angle, T2, err);
     }
     if (aside < PLANE_TOLERANCE) return vertical_piece(piece, direction, T1, w, mu, T2, err);
-    return error_set(err, HAWSER_ERR_INPUT,
-                     "the bend is neither level nor in a vertical plane: no closed form");
+    return error_set(err, HAWSER_ERR_INPUT, "the bend is neither level nor in a vertical plane: no closed form");
 }

@@ -13,8 +13,7 @@ double slope_tension(double T1, double w, double mu, double length, double slope
 /* T1 exp(mu turn): a bend whose weight does not count. (T10) */
 double capstan_tension(double T1, double mu, double turn);
 /* A level bend: T1 cosh(mu turn) + sinh(mu turn) sqrt(T1^2 + (w R)^2). Refuses T1 < 0. (T11) */
-hawser_status bend_level_tension(double T1, double w, double mu, double R, double turn, double *T2,
-                                 hawser_error *err);
+hawser_status bend_level_tension(double T1, double w, double mu, double R, double turn, double *T2, hawser_error *err);
 
 /* Bends in a vertical plane that begin or end level. */
 typedef enum VerticalBend { SAG_LEVEL_UP, CREST_UP_LEVEL, CREST_LEVEL_DOWN, SAG_DOWN_LEVEL } VerticalBend;
@@ -26,8 +25,8 @@ hawser_status bend_vertical_tension(VerticalBend kind, double T1, double w, doub
 /* (T16): any bend in a vertical plane, from slope a to slope b (rad, within +-pi/2; b > a is a sag),
  * whichever side the cable bears on; where a sag's normal force changes sign the arc is cut there. Refuses T
  * < 0 at either end. */
-hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b,
-                                        double *T2, hawser_error *err);
+hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b, double *T2,
+                                        hawser_error *err);
 
 /* One roller over which a weightless cable turns by `turn`: T1 (1 + mu tan(turn/2)) / (1 - mu tan(turn/2));
  * refuses where it locks, mu tan(turn/2) >= 1. (T17) */
@@ -41,7 +40,7 @@ double roller_load_in_bend(double T, double R, double spacing);
 /* The closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1). Refuses
  * what has none: bends that are neither level nor in a vertical plane, and those that the functions above
  * refuse. */
-hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu,
-                            double *T2, hawser_error *err);
+hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, double *T2,
+                            hawser_error *err);
 
 #endif

@@ -7,10 +7,7 @@
 
 /* (T19): x = d / (D - d), the sine of half the angle between two touching cables on the duct's wall, seen
  * from its centre for the cradle, and of the whole angle from the vertical for a pair. */
-static double wall_sine(const DuctDef *def)
-{
-    return def->cable_diameter / (def->duct_diameter - def->cable_diameter);
-}
+static double wall_sine(const DuctDef *def) { return def->cable_diameter / (def->duct_diameter - def->cable_diameter); }
 
 /* Smallest D/d into which n equal circles fit: 1, 2, 1 + 2/sqrt 3, 1 + sqrt 2. */
 static double fit_ratio(int cables)
@@ -30,8 +27,8 @@ static hawser_status check_def(const DuctDef *def, hawser_error *err)
     }
     if (D <= d * fit_ratio(def->cables)) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "%d cables of %g m do not fit into a duct of %g m: it must be wider than %g m",
-                         def->cables, d, D, d * fit_ratio(def->cables));
+                         "%d cables of %g m do not fit into a duct of %g m: it must be wider than %g m", def->cables, d,
+                         D, d * fit_ratio(def->cables));
     }
     return HAWSER_OK;
 }

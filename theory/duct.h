@@ -7,14 +7,7 @@
 
 /* How the cables lie. AUTO: one alone, two side by side, three in a triangle below D/d = 2.5 and cradled from
  * there on, four as a diamond. */
-typedef enum DuctLayout {
-    DUCT_AUTO,
-    DUCT_SINGLE,
-    DUCT_PAIR,
-    DUCT_TRIANGLE,
-    DUCT_CRADLE,
-    DUCT_DIAMOND
-} DuctLayout;
+typedef enum DuctLayout { DUCT_AUTO, DUCT_SINGLE, DUCT_PAIR, DUCT_TRIANGLE, DUCT_CRADLE, DUCT_DIAMOND } DuctLayout;
 
 typedef enum JamRisk { JAM_NONE, JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE, JAM_SIGNIFICANT } JamRisk;
 

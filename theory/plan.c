@@ -15,19 +15,17 @@ static hawser_status check_def(const PlanDef *def, hawser_error *err)
 {
     assert(def->route && def->n_stretches >= 1 && def->n_conveyors >= 0);
     if (!is_length(def->reel_length) || !is_length(def->rope_length) || !is_length(def->roller_spacing)) {
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "reel %g m, rope %g m and roller spacing %g m must not be negative",
+        return error_set(err, HAWSER_ERR_INPUT, "reel %g m, rope %g m and roller spacing %g m must not be negative",
                          def->reel_length, def->rope_length, def->roller_spacing);
     }
     if (!is_length(def->back_tension)) {
-        return error_set(err, HAWSER_ERR_INPUT, "the back tension of %g N must not be negative",
-                         def->back_tension);
+        return error_set(err, HAWSER_ERR_INPUT, "the back tension of %g N must not be negative", def->back_tension);
     }
     for (int i = 0; i < def->n_conveyors; i++) {
         const PullStep *c = &def->conveyor[i];
         if (!is_length(c->force)) {
-            return error_set(err, HAWSER_ERR_INPUT, "conveyor %d pushes with %g N: it must not be negative",
-                             i, c->force);
+            return error_set(err, HAWSER_ERR_INPUT, "conveyor %d pushes with %g N: it must not be negative", i,
+                             c->force);
         }
         if (!(c->at >= 0 && c->at <= def->route->length)) {
             return error_set(err, HAWSER_ERR_INPUT, "conveyor %d at %g m is off the route of %g m", i, c->at,
@@ -113,8 +111,8 @@ static void fill_pieces(const PlanDef *def, double sidewall_factor, PlanWay *way
 }
 
 /* The route pulled one way: reel, pull, rope; then again from rest. */
-static hawser_status solve_way(const PlanDef *def, const Inputs *in, const DuctLoad *duct, int backward,
-                               PlanWay *way, hawser_error *err)
+static hawser_status solve_way(const PlanDef *def, const Inputs *in, const DuctLoad *duct, int backward, PlanWay *way,
+                               hawser_error *err)
 {
     const double first = backward ? def->route->length : 0, last = backward ? 0 : def->route->length;
     way->start = weight_at(def, first) * def->reel_length + def->back_tension; /* (T24) */

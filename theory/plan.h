@@ -24,12 +24,12 @@ typedef struct PlanDef {
 
 /* One piece of the route, pulled one way. */
 typedef struct PlanPiece {
-    double t_in, t_out; /* N, where the pull enters and leaves; a conveyor exactly at an end counts to the
-                         * piece that the pull enters there */
-    double max_tension; /* N */
-    double sidewall;    /* N/m, the worst loaded cable's T/R; 0 on straights */
-    double roller_load; /* N, largest normal force per length times the spacing (T18) */
-    double closed;      /* N, t_out by the closed form; NAN if it is refused */
+    double t_in, t_out;           /* N, where the pull enters and leaves; a conveyor exactly at an end counts to the
+                                   * piece that the pull enters there */
+    double max_tension;           /* N */
+    double sidewall;              /* N/m, the worst loaded cable's T/R; 0 on straights */
+    double roller_load;           /* N, largest normal force per length times the spacing (T18) */
+    double closed;                /* N, t_out by the closed form; NAN if it is refused */
     char reason[PLAN_REASON_MAX]; /* why it is refused, else empty */
 } PlanPiece;
 

@@ -74,8 +74,7 @@ static double dopri_step(const SpanLaw *p, double s, double tension, double h, d
         {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
         {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
     };
-    static const double E[7] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+    static const double E[7] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
     double end = tension;
     for (int i = 1; i < 7; i++) {
         double sum = 0;
@@ -104,8 +103,7 @@ static double step_to_corner(const SpanLaw *p, double s, double tension, double 
     const double before = signed_normal(p, s, tension);
     if (before == 0) return h;
     double trial[7] = {k[0]}, error, low = 0, high = h;
-    if (before * signed_normal(p, s + p->direction * h, dopri_step(p, s, tension, h, trial, &error)) >= 0)
-        return h;
+    if (before * signed_normal(p, s + p->direction * h, dopri_step(p, s, tension, h, trial, &error)) >= 0) return h;
     for (int i = 0; i < 60; i++) {
         const double x = low + (high - low) / 2;
         const double g = signed_normal(p, s + p->direction * x, dopri_step(p, s, tension, x, trial, &error));
@@ -139,8 +137,8 @@ static void extremes_take_inside(SpanExtremes *e, const SpanLaw *p, double s, do
 }
 
 /* One accepted step of h from (s, tension) to (s_end, end). */
-static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h,
-                               double s_end, double end, const double k[7])
+static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h, double s_end,
+                               double end, const double k[7])
 {
     extremes_take(e, s, tension);
     extremes_take_inside(e, p, s, tension, h, k);

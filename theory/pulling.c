@@ -17,14 +17,13 @@ static hawser_status check_def(const PullDef *def, hawser_error *err)
     }
     for (int i = 0; i < def->n_stretches; i++) {
         const PullStretch *a = &def->stretch[i];
-        if (!(a->weight >= 0 && isfinite(a->weight)) || !(a->mu >= 0 && isfinite(a->mu)) ||
-            !isfinite(a->mu_static)) {
-            return error_set(err, HAWSER_ERR_INPUT, "stretch %d: weight %g N/m and friction %g must be >= 0",
-                             i, a->weight, a->mu);
+        if (!(a->weight >= 0 && isfinite(a->weight)) || !(a->mu >= 0 && isfinite(a->mu)) || !isfinite(a->mu_static)) {
+            return error_set(err, HAWSER_ERR_INPUT, "stretch %d: weight %g N/m and friction %g must be >= 0", i,
+                             a->weight, a->mu);
         }
         if (i > 0 && !(a->from > def->stretch[i - 1].from)) {
-            return error_set(err, HAWSER_ERR_INPUT, "stretch %d begins at %g m, not beyond the one before it",
-                             i, a->from);
+            return error_set(err, HAWSER_ERR_INPUT, "stretch %d begins at %g m, not beyond the one before it", i,
+                             a->from);
         }
     }
     for (int i = 0; i < def->n_steps; i++) {
@@ -142,8 +141,7 @@ hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err)
     if (out->span) {
         run_spans(def, n, cut, out);
         if (!isfinite(out->end_tension)) {
-            status = error_set(err, HAWSER_ERR_INPUT,
-                               "the tension grows past all bounds: too much friction and turn");
+            status = error_set(err, HAWSER_ERR_INPUT, "the tension grows past all bounds: too much friction and turn");
         }
     } else {
         status = error_memory(err);

@@ -28,8 +28,7 @@ typedef struct PullStep {
 typedef struct PullDef {
     const Route *route;
     PullLaw law;
-    double from,
-        to; /* m along the route; to < from: pulled toward smaller s. Beyond the route it is straight. */
+    double from, to;      /* m along the route; to < from: pulled toward smaller s. Beyond the route it is straight. */
     double start_tension; /* N at `from` */
     int restart;          /* friction is static: the pull starts from rest */
     int n_stretches;      /* >= 1, by rising `from` */

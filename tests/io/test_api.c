@@ -1,6 +1,7 @@
 /* The public interface: cases, simulations side by side, runs with and without a folder, stopping, errors. */
 #include "results_fixture.h"
 
+#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,22 +11,21 @@
 #include <jansson.h>
 
 /* Twenty segments, 200 kg, on a level row of rollers: the steady pull is mu m g. */
-static const char case_text[] =
-    "title: A short pull\n"
-    "cables:\n"
-    "  power: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}\n"
-    "chain:\n"
-    "  - {cable: power, length: 10 m, segment: 500 mm}\n"
-    "route:\n"
-    "  head_at: 12 m\n"
-    "  pieces: [{straight: 20 m, name: row}]\n"
-    "rollers:\n"
-    "  along: {spacing: 1 m, rating: 5 kN}\n"
-    "friction: {mu: 0.2}\n"
-    "drive:\n"
-    "  winch: {speed: 6 m/min, to: 1 s}\n"
-    "run: {duration: 2 s, steady_from: 1500 ms}\n"
-    "output: {interval: 50 ms, states: 500 ms, stations: [{name: middle, at: 7 m}]}\n";
+static const char case_text[] = "title: A short pull\n"
+                                "cables:\n"
+                                "  power: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}\n"
+                                "chain:\n"
+                                "  - {cable: power, length: 10 m, segment: 500 mm}\n"
+                                "route:\n"
+                                "  head_at: 12 m\n"
+                                "  pieces: [{straight: 20 m, name: row}]\n"
+                                "rollers:\n"
+                                "  along: {spacing: 1 m, rating: 5 kN}\n"
+                                "friction: {mu: 0.2}\n"
+                                "drive:\n"
+                                "  winch: {speed: 6 m/min, to: 1 s}\n"
+                                "run: {duration: 2 s, steady_from: 1500 ms}\n"
+                                "output: {interval: 50 ms, states: 500 ms, stations: [{name: middle, at: 7 m}]}\n";
 
 /* cmocka compares in single precision. */
 static void assert_near(double a, double b, double tolerance)
@@ -153,8 +153,7 @@ static void test_side_by_side(void **state)
     hawser_sim *pair[2] = {make_sim("friction.mu", "0.2"), make_sim("friction.mu", "0.3")};
     for (int k = 0; k < 2; k++) assert_int_equal(hawser_sim_relax(pair[k], NULL, NULL), HAWSER_OK);
     for (int i = 1; i <= 5; i++) {
-        for (int k = 0; k < 2; k++)
-            assert_int_equal(hawser_sim_advance(pair[k], 0.1 * i, 0, NULL), HAWSER_OK);
+        for (int k = 0; k < 2; k++) assert_int_equal(hawser_sim_advance(pair[k], 0.1 * i, 0, NULL), HAWSER_OK);
     }
     for (int k = 0; k < 2; k++) {
         together[k] = winch_force(pair[k]);
@@ -162,6 +161,46 @@ static void test_side_by_side(void **state)
         assert_true(together[k] == alone[k]);
     }
     assert_true(alone[0] != alone[1]);
+}
+
+/* What one thread of the next test does: everything, from the text to the folder. */
+static void *run_thread(void *dir)
+{
+    hawser_case *c = NULL;
+    hawser_sim *s = NULL;
+    hawser_error *err = calloc(1, sizeof *err);
+    hawser_status status = hawser_case_parse(case_text, "pull.yaml", &c, err);
+    if (!status) status = hawser_sim_new(c, NULL, &s, err);
+    hawser_case_free(c);
+    if (!status) status = hawser_sim_run(s, dir, NULL, NULL, err);
+    hawser_sim_free(s);
+    if (!status) memset(err, 0, sizeof *err);
+    return err;
+}
+
+/* Two threads with a simulation each, at the same time, write the same results. */
+static void test_two_threads(void **state)
+{
+    const Fixture *f = *state;
+    pthread_t thread[2];
+    char dir[2][128], *text[2];
+    for (int k = 0; k < 2; k++) {
+        snprintf(dir[k], sizeof dir[k], "%s/%d", f->dir, k);
+        assert_int_equal(pthread_create(&thread[k], NULL, run_thread, dir[k]), 0);
+    }
+    for (int k = 0; k < 2; k++) {
+        void *result;
+        pthread_join(thread[k], &result);
+        const hawser_error *err = result;
+        if (err->status) fail_msg("%s", err->message);
+        free(result);
+        strcat(dir[k], "/series.csv");
+        text[k] = read_text(dir[k]);
+        assert_non_null(text[k]);
+    }
+    assert_string_equal(text[0], text[1]);
+    free(text[0]);
+    free(text[1]);
 }
 
 static void test_sample(void **state)
@@ -243,8 +282,7 @@ static void test_phases(void **state)
     assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, NULL), HAWSER_OK);
     hawser_sim_summary(s, &sum);
     const hawser_phases *p = &sum.phases;
-    const double parts =
-        p->relax + p->rhs + p->contacts + p->jacobian + p->factor + p->solve + p->vector + p->output;
+    const double parts = p->relax + p->rhs + p->contacts + p->jacobian + p->factor + p->solve + p->vector + p->output;
     assert_near(parts + p->other, sum.wall_time_s, 1e-3 * sum.wall_time_s);
     hawser_sim_free(s);
 }
@@ -363,6 +401,7 @@ int main(void)
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_texts),
         cmocka_unit_test(test_side_by_side),
+        CASE(test_two_threads),
         cmocka_unit_test(test_sample),
         cmocka_unit_test(test_run),
         cmocka_unit_test(test_phases),

@@ -117,14 +117,34 @@ static void deep_nesting(void **state)
     nested(20000, "? ");
 }
 
-static void many_keys(void **state)
+/* `line` with its number in place of %d, n times, behind `begin`. */
+static char *lines_of(int n, const char *begin, const char *line)
+{
+    char *text = malloc((size_t)n * 40 + 40);
+    assert_non_null(text);
+    size_t used = (size_t)sprintf(text, "%s", begin);
+    for (int k = 0; k < n; k++) {
+        const char *number = strstr(line, "%d");
+        used += (size_t)sprintf(text + used, "%.*s%d%s", (int)(number - line), line, k, number + 2);
+    }
+    return text;
+}
+
+static void many_of_a_kind(void **state)
 {
     (void)state;
-    char *text = malloc(600 * 12);
-    size_t n = 0;
-    for (int k = 0; k < 600; k++) n += (size_t)sprintf(text + n, "k%d: 1\n", k);
-    refused(text, NAME ":501:", "too many keys");
-    free(text);
+    static const struct {
+        int n;
+        const char *begin, *line, *place, *part;
+    } cases[] = {{600, "", "k%d: 1\n", NAME ":501:", "too many keys"},
+                 {100000, "a:\n", "  - &x%d 1\n", NAME ":1002:", "too many anchors"},
+                 {100000, "", "%TAG !x%d! tag:x\n", NAME, "too many tags"},
+                 {600000, "a:\n", "  - %d\n", NAME ":", "too many values"}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char *text = lines_of(cases[k].n, cases[k].begin, cases[k].line);
+        refused(text, cases[k].place, cases[k].part);
+        free(text);
+    }
 }
 
 /* Junk of all kinds is refused or read, never more: 3000 texts of bytes that YAML likes, seed fixed. */
@@ -295,7 +315,7 @@ int main(void)
         cmocka_unit_test(not_a_case),
         cmocka_unit_test(alias_bomb),
         cmocka_unit_test(deep_nesting),
-        cmocka_unit_test(many_keys),
+        cmocka_unit_test(many_of_a_kind),
         cmocka_unit_test(random_junk),
         cmocka_unit_test(files),
         cmocka_unit_test(forbidden_file),

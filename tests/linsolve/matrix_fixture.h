@@ -43,7 +43,8 @@ static inline void fixture_chain_random(BlockChain *a, int n, int b, double shif
 
 /* One bushing between bodies i - 1 and i: wrench = k (relative displacement, relative rotation) at arms +h/2, -h/2,
  * for the axial, two bending planes and torsion of a cable; b = 3 keeps one bending plane. */
-static inline void fixture_bushing(const BlockChain *a, int i, double *block, double side_r, double side_c, double scale)
+static inline void fixture_bushing(const BlockChain *a, int i, double *block, double side_r, double side_c,
+                                   double scale)
 {
     static const double axial = 1.8e8, shear = 6e7, bend = 6.5e5, twist = 5e5, half = 0.25;
     const int b = a->b;

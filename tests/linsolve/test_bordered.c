@@ -88,7 +88,8 @@ static double solve_error(const NewtonMatrix *m, LinKind kind, LinOrdering order
     uint64_t seed = 99;
     hawser_error err = {0};
     const int size = newton_size(m);
-    double error = 0, *const r = fixture_vector(COUNT * size, &seed), *const x = malloc((size_t)(COUNT * size) * sizeof *x);
+    double error = 0, *const r = fixture_vector(COUNT * size, &seed),
+           *const x = malloc((size_t)(COUNT * size) * sizeof *x);
     memcpy(x, r, (size_t)(COUNT * size) * sizeof *x);
     LinSolver *s = linsolver_new_newton(m, &(LinOptions){.kind = kind, .ordering = ordering, .threads = 1}, &err);
     if (s) {

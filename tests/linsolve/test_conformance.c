@@ -235,7 +235,8 @@ static void spoil(BlockChain *a, int how)
     if (how == SPOIL_NAN) a->diag[row * bb + 1] = NAN;
     if (how == SPOIL_INFINITE) a->diag[row * bb] = INFINITY;
     for (int c = 0; c < b; ++c) {
-        double *const blocks[3] = {a->lower + row * bb + c * b, a->diag + row * bb + c * b, a->upper + row * bb + c * b};
+        double *const blocks[3] = {a->lower + row * bb + c * b, a->diag + row * bb + c * b,
+                                   a->upper + row * bb + c * b};
         for (int d = 0; d < 3; ++d) {
             if (how == SPOIL_ROW) blocks[d][1] = 0;
             if (how == SPOIL_TWINS) blocks[d][1] = blocks[d][0];
@@ -409,9 +410,9 @@ static void names(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(well_conditioned),  cmocka_unit_test(random_blocks),   cmocka_unit_test(ill_conditioned),
-        cmocka_unit_test(mixed_units),       cmocka_unit_test(cable),           cmocka_unit_test(singular),
-        cmocka_unit_test(nearly_singular),   cmocka_unit_test(repeatable),      cmocka_unit_test(many_right_hand_sides),
+        cmocka_unit_test(well_conditioned),  cmocka_unit_test(random_blocks), cmocka_unit_test(ill_conditioned),
+        cmocka_unit_test(mixed_units),       cmocka_unit_test(cable),         cmocka_unit_test(singular),
+        cmocka_unit_test(nearly_singular),   cmocka_unit_test(repeatable),    cmocka_unit_test(many_right_hand_sides),
         cmocka_unit_test(changing_patterns), cmocka_unit_test(names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

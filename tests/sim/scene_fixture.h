@@ -15,7 +15,8 @@
 
 enum { FIXTURE_CABLE = 24, FIXTURE_ROPE = 8, FIXTURE_SEGMENTS = FIXTURE_CABLE + FIXTURE_ROPE };
 
-/* Where the scene stands, and which of the choices it makes. Zeros: at the origin, smooth, symmetric, real stiffness. */
+/* Where the scene stands, and which of the choices it makes. Zeros: at the origin, smooth, symmetric, real stiffness.
+ */
 typedef struct FixtureChoice {
     ContactGeometry geometry;
     BushingFrame frame;
@@ -35,8 +36,15 @@ static inline void *fixture_array(int count, size_t size)
 /* A cable whose rigidities are `scale` times those of EI = 10 kN m2. */
 static inline CableDef fixture_cable(double scale, double mass, double diameter)
 {
-    CableDef c = {.name = "cable", .ea = 5e7 * scale, .ga = 2e7 * scale, .gj = 1e4 * scale, .ei_y = 1e4 * scale,
-                  .ei_z = 1.2e4 * scale, .mass = mass, .diameter = diameter, .damping = 2e-3};
+    CableDef c = {.name = "cable",
+                  .ea = 5e7 * scale,
+                  .ga = 2e7 * scale,
+                  .gj = 1e4 * scale,
+                  .ei_y = 1e4 * scale,
+                  .ei_z = 1.2e4 * scale,
+                  .mass = mass,
+                  .diameter = diameter,
+                  .damping = 2e-3};
     for (int k = 0; k < 6; ++k) c.damping_factor[k] = 1;
     return c;
 }
@@ -59,17 +67,22 @@ static inline void fixture_route(SceneDef *def, const FixtureChoice *choice)
 static inline RollerDef fixture_roller(const SceneDef *def, Vec3 place, Vec3 from, Vec3 axis)
 {
     const double radius = 0.1, reach = radius + def->cables[0].diameter / 2;
-    return (RollerDef){.name = "roller", .centre = v3_axpy(place, reach, from), .axis = axis, .radius = radius,
-                       .width = 0.6, .s = NAN, .friction = def->friction};
+    return (RollerDef){.name = "roller",
+                       .centre = v3_axpy(place, reach, from),
+                       .axis = axis,
+                       .radius = radius,
+                       .width = 0.6,
+                       .s = NAN,
+                       .friction = def->friction};
 }
 
 /* Rollers below the route every metre from 0.5 m on, and upright ones inside the bend to the left. */
 static inline void fixture_rollers(SceneDef *def)
 {
     Route route;
-    assert_int_equal(route_build(&route, def->n_route, def->route, def->route_start, def->route_heading,
-                                 def->route_slope, NULL),
-                     HAWSER_OK);
+    assert_int_equal(
+        route_build(&route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, NULL),
+        HAWSER_OK);
     def->rollers = fixture_array(32, sizeof *def->rollers);
     for (double s = 0.5; s < 12; s += 1) {
         const RoutePoint at = route_at(&route, s);
@@ -171,8 +184,8 @@ static inline void state_set_vec(double *y, int n, int at, int i, Vec3 v)
     y[(at + 2) * n + i] = v.z;
 }
 
-/* Moves every segment by up to `shift` (m), turns it by up to `turn` (rad) and gives it velocities of up to `speed` (m/s)
- * and `spin` (rad/s); x, y, z each. */
+/* Moves every segment by up to `shift` (m), turns it by up to `turn` (rad) and gives it velocities of up to `speed`
+ * (m/s) and `spin` (rad/s); x, y, z each. */
 static inline void state_shake(double *y, int n, double shift, double turn, double speed, double spin, uint64_t *seed)
 {
     for (int i = 0; i < n; ++i) {
@@ -183,8 +196,8 @@ static inline void state_shake(double *y, int n, double shift, double turn, doub
     }
 }
 
-/* Moves one coordinate of segment i by e: c = 0..2 shifts it (m), 3..5 turns it about a world axis (rad), 6..8 changes its
- * velocity (m/s), 9..11 its angular velocity (rad/s). */
+/* Moves one coordinate of segment i by e: c = 0..2 shifts it (m), 3..5 turns it about a world axis (rad), 6..8 changes
+ * its velocity (m/s), 9..11 its angular velocity (rad/s). */
 static inline void state_nudge(double *y, int n, int i, int c, double e)
 {
     if (c >= 3 && c < 6) {

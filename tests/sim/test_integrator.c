@@ -98,31 +98,35 @@ static void drifts(double accuracy, int max_order, double drift[3])
     rig_free(r);
 }
 
-/* Three decades of accuracy: the drifts are of the tolerance's size and fall with it. */
-static void check_drifts(int max_order, double energy_limit, double energy_ratio)
+/* Three decades of accuracy: the drifts are of the tolerance's size and fall with it: energy to less than limit times
+ * accuracy, all of them over the three decades by `ratio` (what is rounding already stays). */
+static void check_drifts(int max_order, double limit, double ratio)
 {
     double drift[4][3];
     for (int k = 0; k < 4; ++k) {
-        drifts(pow(10, -3 - k), max_order, drift[k]);
-        print_message("order %d, accuracy 1e-%d: energy %.2g, momentum %.2g, angular momentum %.2g\n", max_order, 3 + k,
-                      drift[k][0], drift[k][1], drift[k][2]);
+        const double accuracy = pow(10, -3 - k);
+        drifts(accuracy, max_order, drift[k]);
+        print_message("order %d, accuracy %.0e: energy %.2g, momentum %.2g, angular momentum %.2g\n", max_order,
+                      accuracy, drift[k][0], drift[k][1], drift[k][2]);
+        assert_true(drift[k][0] < limit * accuracy);
+        assert_true(drift[k][1] < 1e-14);
+        assert_true(drift[k][2] < 0.1 * accuracy);
     }
-    for (int k = 0; k < 4; ++k) {
-        assert_true(drift[k][0] < energy_limit * pow(10, -3 - k * log10(energy_ratio) / 3));
-    }
-    for (int m = 0; m < 3; ++m) assert_true(drift[3][m] * energy_ratio < drift[0][m] || drift[0][m] < 1e-12);
+    assert_true(drift[3][0] * ratio < drift[0][0]);
+    assert_true(drift[3][2] * ratio < drift[0][2]);
 }
 
 static void test_drift_order_2(void **state)
 {
     (void)state;
-    check_drifts(2, 300, 30);
+    check_drifts(2, 60, 100);
 }
 
+/* Higher orders take longer steps near the edge of their stability. */
 static void test_drift_order_5(void **state)
 {
     (void)state;
-    check_drifts(5, 100, 100);
+    check_drifts(5, 600, 50);
 }
 
 /* A straight chain that flies evenly and turns about its own axis moves as one body. */
@@ -152,7 +156,7 @@ static void test_free_flight(void **state)
     print_message("off by %.2g m, turned too far by %.2g rad, speeds wrong by %.2g\n", off, turned, speed);
     assert_true(fabs(r->t - 1) < 1e-15);
     assert_true(off < 1e-12 && speed < 1e-12);
-    assert_true(turned < 10 * 1e-4 * 0.1); /* accuracy times the scale of rotations */
+    assert_true(turned < 30 * 1e-4 * 0.1); /* accuracy times the scale of rotations */
     rig_free(r);
 }
 
@@ -209,35 +213,59 @@ static void test_failure_is_told(void **state)
     rig_free(r);
 }
 
-/* A roller so stiff that touching it overflows. */
-static void test_failure_of_contact(void **state)
+/* A chain that falls on a roller so stiff that the steps shrink to nothing. */
+static Rig *falling_chain(long max_steps)
 {
-    (void)state;
     SceneDef def;
     fixture_free_chain(&def, N);
     def.gravity = v3(0, 0, -10);
     def.impact = (ImpactLaw){.k = 1e308, .e = 1, .c = 1e308, .d = 1e-9};
     def.n_rollers = 1;
     def.rollers = fixture_array(1, sizeof *def.rollers);
-    def.rollers[0] = (RollerDef){.centre = v3(4.1, 0, -0.35), .axis = v3(0, 1, 0), .radius = 0.1, .width = 1, .s = NAN,
+    def.rollers[0] = (RollerDef){.centre = v3(4.1, 0, -0.35),
+                                 .axis = v3(0, 1, 0),
+                                 .radius = 0.1,
+                                 .width = 1,
+                                 .s = NAN,
                                  .friction = def.friction};
-    Rig *r = rig_new(&def);
+    def.solver.max_steps = max_steps;
+    return rig_new(&def);
+}
+
+/* The run ends between two times (s) with a message and a finite state. */
+static void check_fall(long max_steps, double after, double before, const char *says)
+{
+    Rig *r = falling_chain(max_steps);
     hawser_error err = {0};
     const hawser_status status = rig_run(r, 1, &err);
     print_message("%s\n", err.message);
     assert_int_equal(status, HAWSER_ERR_RUN);
-    assert_non_null(strstr(err.message, "try "));
-    assert_true(r->t > 0.12 && r->t < 0.16); /* it fell 0.1 m: sqrt(2 0.1 / 10) = 0.141 s */
+    assert_non_null(strstr(err.message, says));
+    assert_non_null(strstr(err.message, "segment "));
+    assert_true(r->t > after && r->t < before);
     for (int k = 0; k < SIZE; ++k) assert_true(isfinite(r->y[k]));
     rig_free(r);
+}
+
+static void test_stall_is_told(void **state)
+{
+    (void)state;
+    check_fall(0, 0.12, 0.16, "try a softer contact.k"); /* 0.1 m of fall: sqrt(2 0.1 / 10) = 0.141 s */
+}
+
+static void test_max_steps(void **state)
+{
+    (void)state;
+    check_fall(20, 0, 0.16, "solver.max_steps = 20");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drift_order_2),    cmocka_unit_test(test_drift_order_5),
-        cmocka_unit_test(test_free_flight),      cmocka_unit_test(test_unit_quaternions),
-        cmocka_unit_test(test_failure_is_told),  cmocka_unit_test(test_failure_of_contact),
+        cmocka_unit_test(test_drift_order_2),   cmocka_unit_test(test_drift_order_5),
+        cmocka_unit_test(test_free_flight),     cmocka_unit_test(test_unit_quaternions),
+        cmocka_unit_test(test_failure_is_told), cmocka_unit_test(test_stall_is_told),
+        cmocka_unit_test(test_max_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

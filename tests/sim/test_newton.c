@@ -69,8 +69,8 @@ static void jacobian_times(Rig *r, const double *x, double *jx)
     for (int k = 0; k < SIZE; ++k) jx[k] = (jx[k] - minus[k]) / (2 * e);
 }
 
-/* Largest |x - gamma J x - b|, kind by kind, over the size of the terms that cancel in it: those of x, b and gamma J z with
- * z the numbers of x in disorder. */
+/* Largest |x - gamma J x - b|, kind by kind, over the size of the terms that cancel in it: those of x, b and gamma J z
+ * with z the numbers of x in disorder. */
 static double solve_error(Rig *r, double gamma)
 {
     double b[SIZE], x[SIZE], z[SIZE], jx[SIZE], jz[SIZE], error[4] = {0}, term[4] = {0}, worst = 0;
@@ -108,7 +108,9 @@ static void test_solve(void **state)
     double worst = 0;
     for (int choice = 0; choice < 4; ++choice) {
         const FixtureChoice c = {.geometry = choice % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH,
-                                 .frame = choice / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC, .soft = 1, .heading = 1.1};
+                                 .frame = choice / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
+                                 .soft = 1,
+                                 .heading = 1.1};
         Rig *const r = rig_new(&c, LIN_AUTO, 5, 100 + (uint64_t)choice);
         worst = fmax(worst, gammas_error(r));
         rig_free(r);

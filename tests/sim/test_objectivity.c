@@ -92,7 +92,8 @@ static void test_rates_turn_with_the_world(void **state)
     (void)state;
     for (int k = 0; k < 8; ++k) {
         const FixtureChoice choice = {.geometry = k & 1 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH,
-                                      .frame = k & 2 ? FRAME_ADAMS : FRAME_SYMMETRIC, .soft = k / 4};
+                                      .frame = k & 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
+                                      .soft = k / 4};
         check(&choice, 31 + (uint64_t)k);
     }
 }

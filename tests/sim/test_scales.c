@@ -138,9 +138,8 @@ static void test_weights(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_not_diluted),   cmocka_unit_test(test_uniform),
-        cmocka_unit_test(test_by_definition), cmocka_unit_test(test_not_finite),
-        cmocka_unit_test(test_worst_segment), cmocka_unit_test(test_weights),
+        cmocka_unit_test(test_not_diluted), cmocka_unit_test(test_uniform),       cmocka_unit_test(test_by_definition),
+        cmocka_unit_test(test_not_finite),  cmocka_unit_test(test_worst_segment), cmocka_unit_test(test_weights),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

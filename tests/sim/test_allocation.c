@@ -1,0 +1,110 @@
+/* No step allocates: the C library's allocation functions are replaced by ones that count. Nothing to see under the
+ * address sanitizer, which replaces them itself; there the counters stay at zero and the test only runs the pull. */
+#include "sim/sim.h"
+#include "tests/sim/scene_fixture.h"
+
+#if !defined(__SANITIZE_ADDRESS__)
+static volatile int counting;
+static volatile long allocations;
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *old, size_t size);
+void *__libc_memalign(size_t alignment, size_t size);
+
+void *malloc(size_t size)
+{
+    allocations += counting;
+    return __libc_malloc(size);
+}
+void *calloc(size_t count, size_t size)
+{
+    allocations += counting;
+    return __libc_calloc(count, size);
+}
+void *realloc(void *old, size_t size)
+{
+    allocations += counting;
+    return __libc_realloc(old, size);
+}
+void *aligned_alloc(size_t alignment, size_t size)
+{
+    allocations += counting;
+    return __libc_memalign(alignment, size);
+}
+#else
+static int counting;
+static long allocations;
+#endif
+
+/* Allocations in the steps of a pull from rest through its ramp, with samples and records. */
+static long pull_allocations(LinKind kind, int threads)
+{
+    SceneDef def;
+    Sim *s = NULL;
+    hawser_error err = {0};
+    fixture_pull(&def, &(FixtureChoice){0});
+    def.solver.linear.kind = kind;
+    def.contact_reach = 0.05; /* so that candidates are renewed while we count */
+    if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(&def);
+    assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    if (sim_advance(s, 0.1, 0, &err)) fail_msg("%s", err.message); /* makes the integrator */
+    allocations = 0;
+    counting = 1;
+    hawser_status status = HAWSER_OK;
+    while (!status && sim_time(s) < 2) {
+        status = sim_advance(s, 2, 1, &err);
+        sim_record(s);
+    }
+    counting = 0;
+    hawser_summary summary;
+    sim_summary(s, &summary);
+    if (status) fail_msg("%s", err.message);
+    assert_true(summary.steps > 100 && summary.jac_evals > 5 && summary.contact_refreshes > 5);
+    sim_free(s);
+    return allocations;
+}
+
+static void test_block(void **state)
+{
+    (void)state;
+    assert_int_equal(pull_allocations(LIN_BLOCK, 1), 0);
+}
+
+static void test_block_two_threads(void **state)
+{
+    (void)state;
+    assert_int_equal(pull_allocations(LIN_BLOCK, 2), 0);
+}
+
+static void test_klu(void **state)
+{
+    (void)state;
+    assert_int_equal(pull_allocations(LIN_KLU, 1), 0);
+}
+
+/* The counters do count. */
+static void test_counting(void **state)
+{
+    (void)state;
+#if !defined(__SANITIZE_ADDRESS__)
+    allocations = 0;
+    counting = 1;
+    void *volatile block = malloc(10);
+    counting = 0;
+    free(block);
+    assert_int_equal(allocations, 1);
+#endif
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_counting),
+        cmocka_unit_test(test_block),
+        cmocka_unit_test(test_block_two_threads),
+        cmocka_unit_test(test_klu),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

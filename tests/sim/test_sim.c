@@ -1,0 +1,234 @@
+/* A simulation as a whole: a short pull, the same one elsewhere, twice, side by side and on two threads. */
+#include "sim/sim.h"
+#include "tests/sim/scene_fixture.h"
+
+enum { N = FIXTURE_SEGMENTS, ROLLERS_MAX = 32 };
+
+/* What a pull ends with. */
+typedef struct Result {
+    double t, winch_force, travel;
+    double position[3 * N], quaternion[4 * N], velocity[3 * N], omega[3 * N];
+    double tension[N + 1], roller_load[ROLLERS_MAX];
+    int rollers;
+    long steps;
+} Result;
+
+static Sim *pull_new(const FixtureChoice *choice, int threads)
+{
+    SceneDef def;
+    Sim *s = NULL;
+    hawser_error err = {0};
+    fixture_pull(&def, choice);
+    if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(&def);
+    return s;
+}
+
+static void advance(Sim *s, double t)
+{
+    hawser_error err = {0};
+    if (sim_advance(s, t, 0, &err)) fail_msg("%s", err.message);
+}
+
+static void result_take(Sim *s, Result *out)
+{
+    memset(out, 0, sizeof *out); /* padding too: results are compared bit by bit */
+    const hawser_sample *const look = sim_sample(s);
+    hawser_summary summary;
+    sim_summary(s, &summary);
+    out->t = look->t;
+    out->winch_force = look->winch_force;
+    out->travel = look->winch_travel;
+    out->rollers = look->rollers;
+    out->steps = summary.steps;
+    memcpy(out->position, look->position, sizeof out->position);
+    memcpy(out->quaternion, look->quaternion, sizeof out->quaternion);
+    memcpy(out->velocity, look->velocity, sizeof out->velocity);
+    memcpy(out->omega, look->omega, sizeof out->omega);
+    memcpy(out->tension, look->tension, sizeof out->tension);
+    memcpy(out->roller_load, look->roller_load, (size_t)look->rollers * sizeof(double));
+}
+
+/* Relaxes, pulls to `to` in two goes, takes the result. */
+static void pull_run(const FixtureChoice *choice, int threads, double to, Result *out)
+{
+    Sim *s = pull_new(choice, threads);
+    hawser_relaxation relaxation;
+    assert_int_equal(sim_relax(s, &relaxation, NULL), HAWSER_OK);
+    assert_true(relaxation.reached);
+    advance(s, to / 3);
+    advance(s, to);
+    result_take(s, out);
+    sim_free(s);
+}
+
+/* The pull runs, with both geometries; the cable moves at the winch's speed and is held back by tail and friction. */
+static void test_pull(void **state)
+{
+    (void)state;
+    double force[2];
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        Result r;
+        pull_run(&(FixtureChoice){.geometry = geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH}, 1, 3, &r);
+        print_message("pull %.1f N after %ld steps\n", r.winch_force, r.steps);
+        force[geometry] = r.winch_force;
+        assert_true(fabs(r.t - 3) < 1e-14);
+        assert_true(fabs(r.travel - 0.1 * 2.5) < 1e-14); /* STEP's area is half of its second */
+        /* more than tail and drag, less than these with all the weight as friction and hoisted by 0.5 m */
+        assert_true(r.winch_force > 800 + 240 && r.winch_force < 800 + 300 + 0.3 * 12 * 20 * 9.81 + 20 * 9.81);
+        assert_true(fabs(r.tension[N] - r.winch_force) < 0.02 * r.winch_force);
+        for (int i = 0; i < N; ++i) {
+            const double *const v = r.velocity + 3 * i;
+            assert_true(fabs(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 0.1) < 0.02);
+        }
+    }
+    assert_true(fabs(force[0] - force[1]) < 0.1 * force[0]); /* the capsules' ripple */
+}
+
+/* Turned about the vertical and shifted, the pull is the same. */
+static void test_elsewhere(void **state)
+{
+    (void)state;
+    Result here, there;
+    pull_run(&(FixtureChoice){0}, 1, 3, &here);
+    pull_run(&(FixtureChoice){.start = {3, -7, 2}, .heading = 2.2}, 1, 3, &there);
+    double tension = fabs(here.winch_force - there.winch_force), load = 0;
+    for (int j = 0; j <= N; ++j) tension = fmax(tension, fabs(here.tension[j] - there.tension[j]));
+    for (int k = 0; k < here.rollers; ++k) load = fmax(load, fabs(here.roller_load[k] - there.roller_load[k]));
+    print_message("tensions differ by %.2g N of %.0f, roller loads by %.2g N\n", tension, here.winch_force, load);
+    assert_true(tension < 1e-3 * here.winch_force);
+    assert_true(load < 1e-3 * here.winch_force);
+}
+
+/* The same run gives the same bits; so does a second thread. */
+static void test_repeated(void **state)
+{
+    (void)state;
+    Result first, again, two;
+    pull_run(&(FixtureChoice){0}, 1, 2, &first);
+    pull_run(&(FixtureChoice){0}, 1, 2, &again);
+    pull_run(&(FixtureChoice){0}, 2, 2, &two);
+    assert_memory_equal(&first, &again, sizeof first);
+    assert_memory_equal(&first, &two, sizeof first);
+}
+
+/* Two simulations, taking turns step by step, do not notice each other. */
+static void test_side_by_side(void **state)
+{
+    (void)state;
+    const FixtureChoice choice[2] = {{0}, {.geometry = GEOMETRY_CYLINDER, .frame = FRAME_ADAMS, .heading = 1}};
+    Result alone[2], together[2];
+    Sim *s[2];
+    for (int k = 0; k < 2; ++k) {
+        pull_run(&choice[k], 1, 1.5, &alone[k]);
+        s[k] = pull_new(&choice[k], 1);
+    }
+    for (int k = 0; k < 2; ++k) assert_int_equal(sim_relax(s[k], NULL, NULL), HAWSER_OK);
+    for (double to = 0.5; to < 2; to += 1) { /* 0.5, 1.5: as pull_run stops */
+        while (sim_time(s[0]) < to || sim_time(s[1]) < to) {
+            for (int k = 0; k < 2; ++k) assert_int_equal(sim_advance(s[k], to, 1, NULL), HAWSER_OK);
+        }
+    }
+    for (int k = 0; k < 2; ++k) {
+        result_take(s[k], &together[k]);
+        sim_free(s[k]);
+        assert_memory_equal(&alone[k], &together[k], sizeof alone[k]);
+    }
+}
+
+/* One step is one step: forward, never beyond the time given, and every corner of the profiles is hit on the way. */
+static void test_one_step(void **state)
+{
+    (void)state;
+    Sim *s = pull_new(&(FixtureChoice){0}, 1);
+    const double corner[] = {0.5, 1, 1.5}; /* s: tail starts, winch is up, tail is up */
+    int hit[3] = {0};
+    long calls = 0;
+    assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
+    while (sim_time(s) < 1.75) {
+        const double before = sim_time(s);
+        assert_int_equal(sim_advance(s, 1.75, 1, NULL), HAWSER_OK);
+        assert_true(sim_time(s) > before && sim_time(s) <= 1.75);
+        for (int k = 0; k < 3; ++k) hit[k] += fabs(sim_time(s) - corner[k]) < 1e-12;
+        ++calls;
+    }
+    hawser_summary summary;
+    sim_summary(s, &summary);
+    assert_int_equal(summary.steps, calls);
+    for (int k = 0; k < 3; ++k) assert_int_equal(hit[k], 1);
+    /* what lies behind is no work */
+    assert_int_equal(sim_advance(s, 1, 0, NULL), HAWSER_OK);
+    assert_true(fabs(sim_time(s) - 1.75) < 1e-15);
+    sim_free(s);
+}
+
+/* Looking does not disturb, and where one stops to look changes neither the steps nor the end. */
+static void test_sample_is_pure(void **state)
+{
+    (void)state;
+    Result seen, unseen;
+    pull_run(&(FixtureChoice){0}, 1, 1.6, &unseen);
+    Sim *s = pull_new(&(FixtureChoice){0}, 1);
+    assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
+    for (int k = 1; k <= 100; ++k) {
+        advance(s, k < 100 ? 0.016 * k : 1.6);
+        sim_record(s);
+    }
+    result_take(s, &seen);
+    assert_memory_equal(&seen, &unseen, sizeof seen);
+    sim_free(s);
+}
+
+/* What is known before anything moves, and what the summary counts. */
+static void test_summary(void **state)
+{
+    (void)state;
+    Sim *s = pull_new(&(FixtureChoice){0}, 1);
+    hawser_summary summary;
+    assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
+    sim_summary(s, &summary);
+    assert_int_equal(summary.segments, N);
+    assert_int_equal(summary.bushings, N); /* between segments, and to the winch */
+    assert_int_equal(summary.rollers, 14); /* 12 below, 2 beside the bend */
+    assert_true(summary.relaxation.reached);
+    assert_true(summary.contact_candidates >= summary.rollers);
+    assert_int_equal(summary.steps, 0);
+    assert_true(fabs(sim_end_time(s) - 3) < 1e-15);
+    advance(s, 0.5);
+    sim_record(s);
+    sim_summary(s, &summary);
+    assert_true(summary.steps > 5 && summary.rhs_evals >= summary.steps && summary.newton_iters >= summary.steps);
+    assert_true(summary.contact_active_max >= 5 && summary.contact_active_max <= summary.contact_candidates);
+    assert_true(summary.pull_peak_N > 0);
+    assert_non_null(summary.linear_solver);
+    sim_free(s);
+}
+
+/* The weight of the whole chain rests on the rollers, up to what slope, lead-in and winch take. */
+static void test_roller_table(void **state)
+{
+    (void)state;
+    Sim *s = pull_new(&(FixtureChoice){0}, 1);
+    const SimRoller *roller;
+    double sum = 0;
+    assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
+    sim_record(s);
+    const int count = sim_rollers(s, &roller);
+    for (int k = 0; k < count; ++k) {
+        assert_true(roller[k].initial >= 0 && roller[k].peak >= roller[k].initial);
+        sum += roller[k].initial;
+    }
+    /* 9 m of cable at 20 kg/m, without what tension adds in the bends */
+    assert_true(sum > 0.9 * 9 * 20 * 9.81 && sum < 1.5 * 9 * 20 * 9.81);
+    sim_free(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pull),         cmocka_unit_test(test_elsewhere),    cmocka_unit_test(test_repeated),
+        cmocka_unit_test(test_side_by_side), cmocka_unit_test(test_one_step),     cmocka_unit_test(test_sample_is_pure),
+        cmocka_unit_test(test_summary),      cmocka_unit_test(test_roller_table),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

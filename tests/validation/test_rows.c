@@ -1,0 +1,97 @@
+/* Straight rows of rollers: friction on the level, hoisting on a slope, and the ripple of the two contact geometries.
+ */
+#include "tests/validation/row_fixture.h"
+
+static const char *const NAME[] = {"smooth", "cylinder"};
+
+/* Pulls the row for 22 s, 2 m of them steady. */
+static hawser_summary row_pulled(const RowChoice *row)
+{
+    SceneDef def;
+    hawser_summary out;
+    row_scene(&def, row);
+    pull_record(&def, 22, &out);
+    const double exact = row->mu * row_weight(row);
+    print_message("%s, %d segments: pull %.2f N, exact %.2f N (%.3f %%), ripple %.2f N, %ld steps\n",
+                  NAME[row->geometry], row->segments, out.pull_mean_N, exact, 100 * (out.pull_mean_N / exact - 1),
+                  out.pull_ripple_N, out.steps);
+    assert_true(fabs(out.pull_mean_N / exact - 1) < 1e-3);
+    assert_true(fabs(out.reference_total_N / exact - 1) < 1e-9);
+    assert_true(fabs(out.steady_speed_m_per_s / 0.1 - 1) < 5e-3);
+    return out;
+}
+
+/* The mean pull is mu m g N, with both geometries. */
+static void test_level_row(void **state)
+{
+    (void)state;
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        const RowChoice row = {.segments = 60, .pitch = 2, .mu = 0.2, .geometry = (ContactGeometry)geometry};
+        row_pulled(&row);
+    }
+}
+
+/* In a long row the smooth line ripples at least ten times less than the capsules, whose joints pass all rollers at
+ * once. (In a short one, or with rollers so far apart that the ends droop, what is left are the ends as they meet
+ * rollers.) */
+static void test_ripple(void **state)
+{
+    (void)state;
+    double ripple[2];
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        const RowChoice row = {.segments = 370, .pitch = 1, .mu = 0.2, .geometry = (ContactGeometry)geometry};
+        ripple[geometry] = row_pulled(&row).pull_ripple_N;
+    }
+    assert_true(ripple[GEOMETRY_CYLINDER] > 10 * ripple[GEOMETRY_SMOOTH]);
+}
+
+/* At rest on smooth rollers the winch carries the weight's part along the slope, W L sin(slope). */
+static void test_slope_at_rest(void **state)
+{
+    (void)state;
+    const double slope[] = {0.05, 0.2, 0.6};
+    for (int k = 0; k < 3; ++k) {
+        const RowChoice row = {.segments = 40, .pitch = 1, .slope = slope[k]};
+        const double exact = row_weight(&row) * sin(slope[k]);
+        SceneDef def;
+        Sim *s = NULL;
+        hawser_error err = {0};
+        hawser_relaxation relaxation;
+        row_scene(&def, &row);
+        if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
+        scene_def_clear(&def);
+        assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
+        const double force = sim_sample(s)->winch_force;
+        print_message("slope %.2f: winch %.3f N, exact %.3f N (%.4f %%)\n", slope[k], force, exact,
+                      100 * (force / exact - 1));
+        assert_true(relaxation.reached);
+        assert_true(fabs(force / exact - 1) < 1e-5);
+        sim_free(s);
+    }
+}
+
+/* Pulled up the slope, friction adds mu W L cos(slope). */
+static void test_slope_up(void **state)
+{
+    (void)state;
+    const RowChoice row = {.segments = 40, .pitch = 1, .slope = 0.2, .mu = 0.15};
+    const double exact = row_weight(&row) * (sin(row.slope) + row.mu * cos(row.slope));
+    SceneDef def;
+    hawser_summary out;
+    row_scene(&def, &row);
+    pull_record(&def, 12, &out);
+    print_message("pull %.2f N, exact %.2f N (%.3f %%), ripple %.2f N\n", out.pull_mean_N, exact,
+                  100 * (out.pull_mean_N / exact - 1), out.pull_ripple_N);
+    assert_true(fabs(out.pull_mean_N / exact - 1) < 1e-3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_level_row),
+        cmocka_unit_test(test_ripple),
+        cmocka_unit_test(test_slope_at_rest),
+        cmocka_unit_test(test_slope_up),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
