@@ -2,7 +2,9 @@
 #ifndef HAWSER_CONTACT_CONTACT_KERNELS_H
 #define HAWSER_CONTACT_CONTACT_KERNELS_H
 
-#include "contact/contact.h"
+#include "contact/contact_law.h"
+#include "contact/shape.h"
+#include "core/chain.h"
 #include "core/isa.h"
 #include "core/lanes.h"
 

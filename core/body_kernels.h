@@ -2,7 +2,7 @@
 #ifndef HAWSER_CORE_BODY_KERNELS_H
 #define HAWSER_CORE_BODY_KERNELS_H
 
-#include "core/body.h"
+#include "core/chain.h"
 #include "core/isa.h"
 
 typedef struct BodyKernels {

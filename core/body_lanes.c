@@ -2,6 +2,7 @@
  * the state, so that nothing is read or written beyond it. */
 #include "core/body_kernels.h"
 #include "core/joint_lanes.h"
+#include "core/state.h"
 
 /* Copies `count` entries from index i of each of the 13 arrays between the state and a padded buffer. */
 LANE_INLINE void columns_in(int n, const double *y, int i, int count, double buffer[STATE_SIZE][LANES])

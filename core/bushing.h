@@ -6,16 +6,6 @@
 #include "core/block_chain.h"
 #include "core/chain.h"
 
-/* Per joint 0..n (arrays as in Chain): the force on the segment before it (minus that on the one after), world, N; the
- * moments about the centres of both, world, N m. */
-typedef struct JointLoads {
-    double *force[3];
-    double *torque_a[3], *torque_b[3];
-} JointLoads;
-
-int joint_loads_alloc(JointLoads *loads, int n);
-void joint_loads_free(JointLoads *loads);
-
 /* Wrenches of joints from..to-1 for the given kinematics (ghosts included). from is a multiple of LANES; joints up to
  * the next multiple of LANES after `to` may be written too. */
 void bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);

@@ -2,7 +2,7 @@
 #ifndef HAWSER_CORE_BUSHING_KERNELS_H
 #define HAWSER_CORE_BUSHING_KERNELS_H
 
-#include "core/bushing.h"
+#include "core/chain.h"
 #include "core/isa.h"
 #include "core/lanes.h"
 

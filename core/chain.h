@@ -44,6 +44,13 @@ typedef struct Loads {
     double *m[3];
 } Loads;
 
+/* Per joint 0..n (arrays as in Chain): the force on the segment before it (minus that on the one after), world, N; the
+ * moments about the centres of both, world, N m. */
+typedef struct JointLoads {
+    double *force[3];
+    double *torque_a[3], *torque_b[3];
+} JointLoads;
+
 /* One array over segments or joints of a chain of n, every entry `fill`, valid from -1 and padded as said above.
  * NULL if there is no memory. */
 double *chain_array_new(int n, double fill);
@@ -60,5 +67,7 @@ void kinematics_free(Kinematics *kin);
 int loads_alloc(Loads *loads, int n);
 void loads_free(Loads *loads);
 void loads_zero(Loads *loads, int n);
+int joint_loads_alloc(JointLoads *loads, int n);
+void joint_loads_free(JointLoads *loads);
 
 #endif

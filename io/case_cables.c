@@ -24,15 +24,14 @@ int case_eye(const SceneDef *def)
 double case_largest_diameter(const SceneDef *def)
 {
     double largest = 0;
-    for (int p = 0; p < def->n_pieces; p++)
-        largest = fmax(largest, def->cables[def->pieces[p].cable].diameter);
+    for (int p = 0; p < def->n_pieces; p++) largest = fmax(largest, def->cables[def->pieces[p].cable].diameter);
     return largest;
 }
 
 /* One property: the first that is known of what was given directly and what the shorthand gives; `shorthand`
  * names what the latter needs. */
-static hawser_status property(const CaseReader *r, const CaseNode *node, const char *key,
-                              const char *shorthand, double direct, double derived, double *out)
+static hawser_status property(const CaseReader *r, const CaseNode *node, const char *key, const char *shorthand,
+                              double direct, double derived, double *out)
 {
     *out = isnan(direct) ? derived : direct;
     if (!isnan(*out)) return HAWSER_OK;
@@ -40,8 +39,7 @@ static hawser_status property(const CaseReader *r, const CaseNode *node, const c
 }
 
 /* The paper's eq. 2: EA = E A, GA = G A, GJ = G pi d^4/32, EI = E pi d^4/64, each unless given directly. */
-static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, const CableRecord *c,
-                                   CableDef *cable)
+static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, const CableRecord *c, CableDef *cable)
 {
     const double J = PI * pow(c->d, 4) / 32, EI = isnan(c->EI) ? c->E * J / 2 : c->EI;
     hawser_status s = property(r, node, "EA", "E and A", c->EA, c->E * c->A, &cable->ea);
@@ -93,8 +91,7 @@ static hawser_status cable_find(const CaseReader *r, const CaseNode *piece, int 
         const char *const one = cables[c].name;
         if (case_nearest(name->text, &one, 1)) known = one;
     }
-    return case_value_error(r->err, name, " is not one of the %d in 'cables', such as '%s'", r->def->n_cables,
-                            known);
+    return case_value_error(r->err, name, " is not one of the %d in 'cables', such as '%s'", r->def->n_cables, known);
 }
 
 /* Segments of equal length, none longer than asked for. */

@@ -10,8 +10,7 @@ static hawser_status stiffness_read(const CaseReader *r, const CaseNode *node, d
     const CaseKey *key = case_key_of(&case_contact, "k");
     if (node->kind != NODE_TEXT) return case_value_error(r->err, node, ": expected a stiffness in N/m^%g", e);
     if (!units_read_stiffness(r->units, node->text, e, k, why)) {
-        return case_value_error(r->err, node, " %s: expected a stiffness in N/m^%g, such as 3.4e8 N/m^%g",
-                                why, e, e);
+        return case_value_error(r->err, node, " %s: expected a stiffness in N/m^%g, such as 3.4e8 N/m^%g", why, e, e);
     }
     return case_range_check(r, node, key, *k);
 }
@@ -39,8 +38,7 @@ hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, doubl
                           "value %g m/s is out of range: must be above v_s, %g m/s", *v_d, v_s);
 }
 
-hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base,
-                                 FrictionLaw *law)
+hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law)
 {
     FrictionRecord record;
     hawser_status status = case_section_read(r, node, &case_friction, &record);

@@ -17,8 +17,7 @@ static const Drive winch_drive = {&case_winch, "speed"}, tail_drive = {&case_tai
 static hawser_status points_read(const CaseReader *r, const CaseNode *list, const Drive *drive, double *time,
                                  double *value)
 {
-    const CaseKey *const keys[2] = {case_key_of(drive->section, "to"),
-                                    case_key_of(drive->section, drive->value)};
+    const CaseKey *const keys[2] = {case_key_of(drive->section, "to"), case_key_of(drive->section, drive->value)};
     for (const CaseNode *point = list->first; point; point = point->next) {
         double pair[2];
         const hawser_status status = case_numbers_read(r, point, 2, keys, pair);
@@ -35,16 +34,15 @@ static hawser_status points_read(const CaseReader *r, const CaseNode *list, cons
 }
 
 /* The arrays become the caller's even if there is an error. */
-static hawser_status table_read(const CaseReader *r, const CaseNode *map, const CaseNode *list,
-                                const Drive *drive, Profile *profile, double **time, double **value)
+static hawser_status table_read(const CaseReader *r, const CaseNode *map, const CaseNode *list, const Drive *drive,
+                                Profile *profile, double **time, double **value)
 {
     const char *const others[] = {drive->value, "ramp", "from", "to"};
     for (int k = 0; k < 4; k++) {
         const CaseNode *other = case_node_key(map, others[k]);
         if (other) return case_key_error(r->err, other, NULL, "not allowed beside 'table'");
     }
-    if (list->count < 2)
-        return case_value_error(r->err, list, " of %d points: expected two at least", list->count);
+    if (list->count < 2) return case_value_error(r->err, list, " of %d points: expected two at least", list->count);
     *time = calloc((size_t)list->count, sizeof **time);
     *value = calloc((size_t)list->count, sizeof **value);
     if (!*time || !*value) return error_memory(r->err);
@@ -57,16 +55,13 @@ static hawser_status profile_make(const CaseReader *r, const CaseNode *map, cons
                                   const DriveRecord *record, Profile *profile, double **time, double **value)
 {
     if (record->table) return table_read(r, map, record->table, drive, profile, time, value);
-    if (isnan(record->value))
-        return case_key_error(r->err, map, drive->value, "missing: give it, or a 'table'");
+    if (isnan(record->value)) return case_key_error(r->err, map, drive->value, "missing: give it, or a 'table'");
     if (record->ramp != PROFILE_CONSTANT && record->to <= record->from) {
         const CaseNode *to = case_node_key(map, "to");
         return case_key_error(r->err, to ? to : map, to ? NULL : "to",
-                              "value %g s is out of range: must be above 'from', %g s", record->to,
-                              record->from);
+                              "value %g s is out of range: must be above 'from', %g s", record->to, record->from);
     }
-    *profile = (Profile){
-        .kind = (ProfileKind)record->ramp, .t0 = record->from, .t1 = record->to, .v1 = record->value};
+    *profile = (Profile){.kind = (ProfileKind)record->ramp, .t0 = record->from, .t1 = record->to, .v1 = record->value};
     return HAWSER_OK;
 }
 
@@ -78,8 +73,7 @@ static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
     if (status) return status;
     winch->present = 1;
     winch->axial_only = record.grip;
-    return profile_make(r, node, &winch_drive, &record.drive, &winch->speed, &winch->table_time,
-                        &winch->table_value);
+    return profile_make(r, node, &winch_drive, &record.drive, &winch->speed, &winch->table_time, &winch->table_value);
 }
 
 static hawser_status tail_read(const CaseReader *r, const CaseNode *node)
@@ -96,8 +90,7 @@ static hawser_status drag_read(const CaseReader *r, const CaseNode *node)
     DragRecord record;
     hawser_status status = case_section_read(r, node, &case_rope_drag, &record);
     if (!status) status = case_speeds_check(r, node, record.v_s, &record.v_d);
-    r->def->drag =
-        (RopeDragDef){.force = record.force, .v_s = record.v_s, .v_d = record.v_d, .ratio = record.ratio};
+    r->def->drag = (RopeDragDef){.force = record.force, .v_s = record.v_s, .v_d = record.v_d, .ratio = record.ratio};
     return status;
 }
 

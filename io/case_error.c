@@ -62,8 +62,8 @@ hawser_status case_value_error(hawser_error *err, const CaseNode *node, const ch
         return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': the value is a %s%s", place, path,
                          node->kind == NODE_MAP ? "map" : "list", text);
     }
-    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': value %s%s", place, path,
-                     case_shown(node->text, shown), text);
+    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': value %s%s", place, path, case_shown(node->text, shown),
+                     text);
 }
 
 hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char *key, const char *what, ...)

@@ -38,8 +38,8 @@ const char *case_range_text(const CaseKey *key, char *text)
     const char *unit = angle ? "deg" : plain ? "" : dimension_unit(key->dimension), *gap = plain ? "" : " ";
     number_text(key->min * scale, min);
     number_text(key->max * scale, max);
-    snprintf(text, CASE_RANGE_MAX, "%s %s%s%s, at most %s%s%s", key->above ? "above" : "at least", min, gap,
-             unit, max, gap, unit);
+    snprintf(text, CASE_RANGE_MAX, "%s %s%s%s, at most %s%s%s", key->above ? "above" : "at least", min, gap, unit, max,
+             gap, unit);
     return text;
 }
 
@@ -73,8 +73,7 @@ hawser_status case_numbers_read(const CaseReader *r, const CaseNode *node, int n
                                 double value[])
 {
     if (node->kind != NODE_LIST) return case_value_error(r->err, node, ": expected a list of %d numbers", n);
-    if (node->count != n)
-        return case_value_error(r->err, node, " of %d: expected %d numbers", node->count, n);
+    if (node->count != n) return case_value_error(r->err, node, " of %d: expected %d numbers", node->count, n);
     for (int k = 0; k < n; k++) {
         const hawser_status status = case_number_read(r, case_node_item(node, k), key[k], &value[k]);
         if (status) return status;
@@ -162,8 +161,7 @@ static hawser_status point_field(const CaseReader *r, const CaseNode *node, cons
 }
 
 /* A value that code of its own will read: only its kind is looked at here. */
-static hawser_status node_field(const CaseReader *r, const CaseNode *node, const CaseKey *key,
-                                const CaseNode **at)
+static hawser_status node_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, const CaseNode **at)
 {
     if (key->kind == KEY_MAP && node->kind != NODE_MAP) {
         return case_value_error(r->err, node, ": expected a map (%s)", key->form);
@@ -235,18 +233,16 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *map, const 
 static hawser_status missing(const CaseReader *r, const CaseNode *map, const CaseKey *key)
 {
     if (key->kind == KEY_NUMBER) {
-        return case_key_error(r->err, map, key->name, "missing: give %s, such as %s",
-                              dimension_name(key->dimension), dimension_example(key->dimension));
+        return case_key_error(r->err, map, key->name, "missing: give %s, such as %s", dimension_name(key->dimension),
+                              dimension_example(key->dimension));
     }
     return case_key_error(r->err, map, key->name, "missing: give %s", key->form ? key->form : "it");
 }
 
-hawser_status case_section_read(const CaseReader *r, const CaseNode *node, const CaseSection *section,
-                                void *record)
+hawser_status case_section_read(const CaseReader *r, const CaseNode *node, const CaseSection *section, void *record)
 {
     if (node && node->kind != NODE_MAP) {
-        return case_value_error(r->err, node, ": expected a map with keys such as '%s'",
-                                section->key[0].name);
+        return case_value_error(r->err, node, ": expected a map with keys such as '%s'", section->key[0].name);
     }
     hawser_status status = node ? keys_check(r, node, section) : HAWSER_OK;
     for (int k = 0; !status && k < section->n; k++) {

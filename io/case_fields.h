@@ -18,8 +18,7 @@ typedef struct CaseReader {
 
 /* Fills `record` from a map: unknown keys, missing ones, types, units and ranges are errors (INPUT). node
  * NULL: the section is not there; optional keys get their defaults, required ones zeros. */
-hawser_status case_section_read(const CaseReader *r, const CaseNode *node, const CaseSection *section,
-                                void *record);
+hawser_status case_section_read(const CaseReader *r, const CaseNode *node, const CaseSection *section, void *record);
 
 /* One number of the key's dimension and range, SI. Errors: INPUT. */
 hawser_status case_number_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double *value);

@@ -46,8 +46,7 @@ static void stations_space(SceneDef *def, double length, double spacing)
 }
 
 /* Named stations and evenly spaced ones, by rising s. */
-static hawser_status stations_fill(const CaseReader *r, const CaseNode *node, const CaseNode *list,
-                                   double spacing)
+static hawser_status stations_fill(const CaseReader *r, const CaseNode *node, const CaseNode *list, double spacing)
 {
     SceneDef *def = r->def;
     const double even = isnan(spacing) ? 0 : floor(r->route.length / spacing) + 2;
@@ -89,22 +88,20 @@ static hawser_status speeds_read(const CaseReader *r, const CaseNode *list)
         hawser_status status = HAWSER_OK;
         if (list) status = case_integer_read(r, case_node_item(list, k), &key, &segment);
         if (status) return status;
-        const int repeated =
-            out->n_speed_segments > 0 && out->speed_segments[out->n_speed_segments - 1] == segment;
+        const int repeated = out->n_speed_segments > 0 && out->speed_segments[out->n_speed_segments - 1] == segment;
         if (list || !repeated) out->speed_segments[out->n_speed_segments++] = (int)segment;
     }
     return HAWSER_OK;
 }
 
 /* How often something may be written: the run must end. */
-static hawser_status interval_check(const CaseReader *r, const CaseNode *node, const char *key,
-                                    double interval)
+static hawser_status interval_check(const CaseReader *r, const CaseNode *node, const char *key, double interval)
 {
     if (interval <= 0 || r->def->duration <= interval * CASE_OUTPUTS_MAX) return HAWSER_OK;
     const CaseNode *given = case_node_key(node, key);
     return case_key_error(r->err, given ? given : r->root, given ? NULL : "output",
-                          "%s of %g s is out of range: the run would have more than %d of them", key,
-                          interval, CASE_OUTPUTS_MAX);
+                          "%s of %g s is out of range: the run would have more than %d of them", key, interval,
+                          CASE_OUTPUTS_MAX);
 }
 
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node)
@@ -175,9 +172,8 @@ static hawser_status path_check(const CaseReader *r, const CaseNode *node)
     double path = 0;
     for (int k = 0; k < r->def->n_paper; k++) path += paper_term_path(&r->def->paper[k]);
     if (fabs(path - r->route.length) <= 0.01 * r->route.length) return HAWSER_OK;
-    return case_key_error(r->err, node, "terms",
-                          "lengths add up to %.6g m: must be the route's %.6g m within 1 %%", path,
-                          r->route.length);
+    return case_key_error(r->err, node, "terms", "lengths add up to %.6g m: must be the route's %.6g m within 1 %%",
+                          path, r->route.length);
 }
 
 hawser_status case_paper_read(const CaseReader *r, const CaseNode *node)

@@ -20,8 +20,7 @@ static void piece_place(const SceneDef *def, int p, double *from, double *to)
 
 /* The first s between from and to where the route's line comes nearer to the shape than `least`; `to` if
  * none. The line's distance cannot change faster than s, so that a step of what is to spare is safe. */
-static double line_meets(const Route *route, const Shape *shape, double from, double to, double least,
-                         double *distance)
+static double line_meets(const Route *route, const Shape *shape, double from, double to, double least, double *distance)
 {
     double s = from;
     while (s < to) {
@@ -46,11 +45,10 @@ hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, cons
         piece_place(def, p, &from, &to);
         const double s = line_meets(&r->route, &shape, from, to, radius - PRESS_MAX, &distance);
         if (s >= to) continue;
-        return case_key_error(
-            r->err, node, NULL,
-            "roller '%s' is inside the cable: %.4g m along the route its surface is %.4g m from the "
-            "line, must be at least the cable's radius, %.4g m",
-            roller->name, s, distance, radius);
+        return case_key_error(r->err, node, NULL,
+                              "roller '%s' is inside the cable: %.4g m along the route its surface is %.4g m from the "
+                              "line, must be at least the cable's radius, %.4g m",
+                              roller->name, s, distance, radius);
     }
     return HAWSER_OK;
 }

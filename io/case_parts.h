@@ -7,12 +7,7 @@
 #include "io/case_fields.h"
 #include "io/case_records.h"
 
-enum {
-    CASE_SEGMENTS_MAX = 200000,
-    CASE_ROLLERS_MAX = 100000,
-    CASE_STATIONS_MAX = 100000,
-    CASE_OUTPUTS_MAX = 10000000
-};
+enum { CASE_SEGMENTS_MAX = 200000, CASE_ROLLERS_MAX = 100000, CASE_STATIONS_MAX = 100000, CASE_OUTPUTS_MAX = 10000000 };
 
 hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_cables_read(const CaseReader *r, const CaseNode *node);
@@ -22,8 +17,7 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node);
 hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_contact_read(const CaseReader *r, const CaseNode *node);
 /* A friction law; what is not given is the base's. */
-hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base,
-                                 FrictionLaw *law);
+hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law);
 /* Of a velocity function: v_d, or 2 v_s where it was not given, which must be above v_s. */
 hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d);
 hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node);

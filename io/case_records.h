@@ -121,8 +121,8 @@ typedef struct RunRecord {
 
 typedef struct TopRecord {
     char title[256];
-    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *contact, *friction, *drive, *run,
-        *solver, *output, *paper;
+    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *contact, *friction, *drive, *run, *solver,
+        *output, *paper;
     int frame;
 } TopRecord;
 

@@ -40,8 +40,7 @@ static hawser_status range_read(const CaseReader *r, const CaseNode *node, doubl
     const CaseKey *key = case_key_of(&case_roller_row, "hold_down");
     const CaseKey *const keys[2] = {key, key};
     const hawser_status status = case_numbers_read(r, node, 2, keys, range);
-    if (!status && range[1] < range[0])
-        return case_value_error(r->err, node, ": expected [from, to] with to >= from");
+    if (!status && range[1] < range[0]) return case_value_error(r->err, node, ": expected [from, to] with to >= from");
     return status;
 }
 
@@ -104,11 +103,9 @@ static hawser_status row_divide(const CaseReader *r, Row *row)
     const int spaced = !isnan(d->spacing);
     const double length = d->to - d->from;
     if (length < 0)
-        return case_key_error(r->err, row->node, "to", "out of range: must be at least 'from', %g m",
-                              d->from);
+        return case_key_error(r->err, row->node, "to", "out of range: must be at least 'from', %g m", d->from);
     if (spaced == (d->count > 0)) {
-        return case_key_error(r->err, row->node, spaced ? "spacing" : "count",
-                              "%s: give either 'count' or 'spacing'",
+        return case_key_error(r->err, row->node, spaced ? "spacing" : "count", "%s: give either 'count' or 'spacing'",
                               spaced ? "given beside count" : "missing");
     }
     const double n = spaced ? floor(length / d->spacing + 1e-9) + 1 : d->count;
@@ -144,8 +141,7 @@ static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
     int laid = 0;
     if (along->kind != NODE_LIST) return row_read(r, along, &laid);
     hawser_status status = HAWSER_OK;
-    for (const CaseNode *row = along->first; !status && row; row = row->next)
-        status = row_read(r, row, &laid);
+    for (const CaseNode *row = along->first; !status && row; row = row->next) status = row_read(r, row, &laid);
     return status;
 }
 
@@ -157,8 +153,7 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
     hawser_status status = case_section_read(r, node, &case_roller, &record);
     if (!status) status = case_friction_read(r, record.friction, &def->friction, &friction);
     if (!status && v3_norm(record.axis) < 1e-9) {
-        status =
-            case_value_error(r->err, case_node_key(node, "axis"), ": expected a direction that is not zero");
+        status = case_value_error(r->err, case_node_key(node, "axis"), ": expected a direction that is not zero");
     }
     if (status) return status;
     RollerDef *roller = &def->rollers[def->n_rollers];

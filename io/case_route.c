@@ -29,8 +29,7 @@ static hawser_status plane_read(const CaseReader *r, const CaseNode *node, doubl
 static hawser_status key_expect(const CaseReader *r, const CaseNode *piece, const char *key, int wanted)
 {
     const CaseNode *node = case_node_key(piece, key);
-    if (wanted && !node)
-        return case_key_error(r->err, piece, key, "missing: a bend has a radius and a plane");
+    if (wanted && !node) return case_key_error(r->err, piece, key, "missing: a bend has a radius and a plane");
     if (!wanted && node) return case_key_error(r->err, node, NULL, "not allowed in a straight piece");
     return HAWSER_OK;
 }
@@ -82,8 +81,7 @@ static hawser_status head_place(const CaseReader *r, const CaseNode *node, doubl
     const CaseNode *value = case_node_key(node, "head_at");
     r->def->head_at = value ? head_at : r->route.length;
     if (r->def->head_at <= r->route.length + 1e-6) return HAWSER_OK;
-    return case_value_error(r->err, value, " is out of range: must be on the route, at most %.10g m",
-                            r->route.length);
+    return case_value_error(r->err, value, " is out of range: must be on the route, at most %.10g m", r->route.length);
 }
 
 hawser_status case_route_read(CaseReader *r, const CaseNode *node)
@@ -96,8 +94,7 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
     def->route_start = record.start;
     def->route_heading = record.heading;
     def->route_slope = record.slope;
-    status =
-        route_build(&r->route, def->n_route, def->route, record.start, record.heading, record.slope, r->err);
+    status = route_build(&r->route, def->n_route, def->route, record.start, record.heading, record.slope, r->err);
     if (!status) status = head_place(r, node, record.head_at);
     return status;
 }
@@ -106,7 +103,6 @@ hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node)
 {
     LeadInRecord record;
     const hawser_status status = case_section_read(r, node, &case_lead_in, &record);
-    r->def->lead_in =
-        (LeadInDef){.present = node != NULL, .carries_weight = record.weight, .blend = record.blend};
+    r->def->lead_in = (LeadInDef){.present = node != NULL, .carries_weight = record.weight, .blend = record.blend};
     return status;
 }

@@ -4,11 +4,10 @@
 
 /* Ranges are wide: they keep out what cannot be meant or computed, not what is unusual. Lengths to 1000 km,
  * forces to 1 GN, moduli to 1000 TPa. */
-#define AT(type, member)       .offset = offsetof(type, member), .size = sizeof(((type *)NULL)->member)
-#define FROM(lowest, highest)  .min = (lowest), .max = (highest)
-#define ABOVE(lowest, highest) .min = (lowest), .max = (highest), .above = 1
-#define SECTION(name_, path_, rows)                                                                          \
-    const CaseSection name_ = {path_, (int)(sizeof(rows) / sizeof *(rows)), rows}
+#define AT(type, member)            .offset = offsetof(type, member), .size = sizeof(((type *)NULL)->member)
+#define FROM(lowest, highest)       .min = (lowest), .max = (highest)
+#define ABOVE(lowest, highest)      .min = (lowest), .max = (highest), .above = 1
+#define SECTION(name_, path_, rows) const CaseSection name_ = {path_, (int)(sizeof(rows) / sizeof *(rows)), rows}
 
 #define LONG       1e6
 #define STRONG     1e9
@@ -27,13 +26,12 @@ static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
 static const CaseKey top_keys[] = {
     {"title", KEY_TEXT, .fallback = "", AT(TopRecord, title)},
-    {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]",
-     FROM(0, 1e3), .dimension = DIM_ACCELERATION, AT(TopRecord, gravity)},
+    {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]", FROM(0, 1e3),
+     .dimension = DIM_ACCELERATION, AT(TopRecord, gravity)},
     {"frame", KEY_CHOICE, .fallback = "symmetric", .choices = frames, AT(TopRecord, frame)},
     {"cables", KEY_MAP, .required = 1, .form = "a name and its properties for each kind of cable",
      AT(TopRecord, cables)},
-    {"chain", KEY_LIST, .required = 1, .form = "the pieces, from the tail to the winch",
-     AT(TopRecord, chain)},
+    {"chain", KEY_LIST, .required = 1, .form = "the pieces, from the tail to the winch", AT(TopRecord, chain)},
     {"route", KEY_MAP, .required = 1, .form = "section `route`", AT(TopRecord, route)},
     {"lead_in", KEY_MAP, .otherwise = "none", .form = "section `lead_in`", AT(TopRecord, lead_in)},
     {"rollers", KEY_MAP, .otherwise = "none", .form = "section `rollers`", AT(TopRecord, rollers)},
@@ -86,17 +84,14 @@ static const CaseKey route_keys[] = {
     {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(RouteRecord, start)},
     {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
      AT(RouteRecord, heading)},
-    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-89), DEGREES(89)),
-     AT(RouteRecord, slope)},
-    {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG),
-     AT(RouteRecord, head_at)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-89), DEGREES(89)), AT(RouteRecord, slope)},
+    {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(RouteRecord, head_at)},
     {"pieces", KEY_LIST, .required = 1, .form = "straights and bends, end to end", AT(RouteRecord, pieces)},
 };
 SECTION(case_route, "route", route_keys);
 
 static const CaseKey route_piece_keys[] = {
-    {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a bend", ABOVE(0, LONG),
-     AT(RoutePieceRecord, straight)},
+    {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a bend", ABOVE(0, LONG), AT(RoutePieceRecord, straight)},
     {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a straight", ABOVE(0, DEGREES(360)),
      AT(RoutePieceRecord, bend)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: bends need it", ABOVE(0, LONG),
@@ -115,26 +110,22 @@ static const CaseKey lead_in_keys[] = {
 SECTION(case_lead_in, "lead_in", lead_in_keys);
 
 static const CaseKey rollers_keys[] = {
-    {"along", KEY_ANY, .otherwise = "none", .form = "a row of rollers, or a list of rows",
-     AT(RollersRecord, along)},
+    {"along", KEY_ANY, .otherwise = "none", .form = "a row of rollers, or a list of rows", AT(RollersRecord, along)},
     {"list", KEY_LIST, .otherwise = "none", .form = "rollers one by one", AT(RollersRecord, list)},
 };
 SECTION(case_rollers, "rollers", rollers_keys);
 
 static const CaseKey roller_row_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RollerRowRecord, from)},
-    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG),
-     AT(RollerRowRecord, to)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG), AT(RollerRowRecord, to)},
     {"count", KEY_INTEGER, .fallback = "0", FROM(0, 100000), AT(RollerRowRecord, count)},
-    {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "from `count`", ABOVE(0, LONG),
-     AT(RollerRowRecord, spacing)},
+    {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "from `count`", ABOVE(0, LONG), AT(RollerRowRecord, spacing)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(RollerRowRecord, radius)},
     {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(RollerRowRecord, width)},
     {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(RollerRowRecord, rating)},
     {"hold_down", KEY_ANY, DIM_LENGTH, .otherwise = "`none`", .form = "`none`, `sag` or a list of [from, to]",
      FROM(-LONG, LONG), AT(RollerRowRecord, hold_down)},
-    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`",
-     AT(RollerRowRecord, friction)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(RollerRowRecord, friction)},
     {"name", KEY_TEXT, .fallback = "R", AT(RollerRowRecord, name)},
 };
 SECTION(case_roller_row, "rollers.along", roller_row_keys);
@@ -145,8 +136,7 @@ static const CaseKey roller_keys[] = {
     {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(RollerRecord, radius)},
     {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(RollerRecord, width)},
     {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(RollerRecord, rating)},
-    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`",
-     AT(RollerRecord, friction)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(RollerRecord, friction)},
     {"name", KEY_TEXT, .fallback = "", AT(RollerRecord, name)},
 };
 SECTION(case_roller, "rollers.list.N", roller_keys);
@@ -174,17 +164,16 @@ SECTION(case_friction, "friction", friction_keys);
 static const CaseKey drive_keys[] = {
     {"winch", KEY_MAP, .otherwise = "none", .form = "section `drive.winch`", AT(DrivesRecord, winch)},
     {"tail", KEY_MAP, .otherwise = "none", .form = "section `drive.tail`", AT(DrivesRecord, tail)},
-    {"rope_drag", KEY_MAP, .otherwise = "none", .form = "section `drive.rope_drag`",
-     AT(DrivesRecord, rope_drag)},
+    {"rope_drag", KEY_MAP, .otherwise = "none", .form = "section `drive.rope_drag`", AT(DrivesRecord, rope_drag)},
 };
 SECTION(case_drive, "drive", drive_keys);
 
 /* What a winch and a tail have in common. */
-#define RAMP_KEYS                                                                                            \
-    {"ramp", KEY_CHOICE, .fallback = "step", .choices = ramps, AT(DriveRecord, ramp)},                       \
-        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(DriveRecord, from)},             \
-    {                                                                                                        \
-        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(DriveRecord, to)                    \
+#define RAMP_KEYS                                                                                                      \
+    {"ramp", KEY_CHOICE, .fallback = "step", .choices = ramps, AT(DriveRecord, ramp)},                                 \
+        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(DriveRecord, from)},                       \
+    {                                                                                                                  \
+        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(DriveRecord, to)                              \
     }
 
 static const CaseKey winch_keys[] = {
@@ -212,15 +201,13 @@ SECTION(case_rope_drag, "drive.rope_drag", rope_drag_keys);
 
 static const CaseKey run_keys[] = {
     {"duration", KEY_NUMBER, DIM_TIME, .required = 1, ABOVE(0, LATE), AT(RunRecord, duration)},
-    {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE),
-     AT(RunRecord, steady_from)},
+    {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE), AT(RunRecord, steady_from)},
 };
 SECTION(case_run, "run", run_keys);
 
 static const CaseKey tolerances_keys[] = {
     {"position", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, 1), AT(SolverDef, atol_position)},
-    {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, DEGREES(60)),
-     AT(SolverDef, atol_rotation)},
+    {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, DEGREES(60)), AT(SolverDef, atol_rotation)},
     {"velocity", KEY_NUMBER, DIM_SPEED, .fallback = "0 m/s", FROM(0, 1e3), AT(SolverDef, atol_velocity)},
     {"omega", KEY_NUMBER, DIM_ANGULAR_SPEED, .fallback = "0 rad/s", FROM(0, 1e3), AT(SolverDef, atol_omega)},
 };
@@ -228,8 +215,7 @@ SECTION(case_tolerances, "solver.tolerances", tolerances_keys);
 
 static const CaseKey solver_keys[] = {
     {"accuracy", KEY_NUMBER, .fallback = "1e-3", FROM(1e-12, 0.1), AT(SolverDef, accuracy)},
-    {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &case_tolerances,
-     .size = sizeof(SolverDef)},
+    {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &case_tolerances, .size = sizeof(SolverDef)},
     {"max_order", KEY_INTEGER, .fallback = "2", FROM(1, 5), AT(SolverDef, max_order)},
     {"max_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, max_step)},
     {"first_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, first_step)},
@@ -269,8 +255,7 @@ SECTION(case_station, "output.stations.list.N", station_keys);
 static const CaseKey paper_keys[] = {
     {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, reel)},
     {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, rope)},
-    {"terms", KEY_LIST, .required = 1, .form = "the path's slopes and arcs, end to end",
-     AT(PaperRecord, terms)},
+    {"terms", KEY_LIST, .required = 1, .form = "the path's slopes and arcs, end to end", AT(PaperRecord, terms)},
 };
 SECTION(case_paper, "paper", paper_keys);
 
@@ -278,8 +263,7 @@ static const CaseKey paper_term_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(TermRecord, name)},
     {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is an arc", FROM(DEGREES(-89), DEGREES(89)),
      AT(TermRecord, slope)},
-    {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: slopes need it", ABOVE(0, LONG),
-     AT(TermRecord, length)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: slopes need it", ABOVE(0, LONG), AT(TermRecord, length)},
     {"arc", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a slope", ABOVE(0, LONG), AT(TermRecord, arc)},
     {"from", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(DEGREES(-89), DEGREES(89)),
      AT(TermRecord, from)},

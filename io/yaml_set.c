@@ -23,8 +23,7 @@ typedef struct Setting {
 static hawser_status complain(const Setting *s, const char *what, const char *detail)
 {
     char shown[CASE_SHOWN_MAX];
-    return error_set(s->err, HAWSER_ERR_INPUT, "%s: %s%s", s->origin, what,
-                     detail ? case_shown(detail, shown) : "");
+    return error_set(s->err, HAWSER_ERR_INPUT, "%s: %s%s", s->origin, what, detail ? case_shown(detail, shown) : "");
 }
 
 static hawser_status key_cut(Setting *s, const char *key)
@@ -123,8 +122,7 @@ hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, 
     CaseNode *node = NULL;
     /* An empty value is an empty text, which the reader will refuse where a value is wanted. */
     if (!status)
-        status = tree_read_text(tree, *value ? value : "''", strlen(*value ? value : "''"), s.origin, 0,
-                                &node, err);
+        status = tree_read_text(tree, *value ? value : "''", strlen(*value ? value : "''"), s.origin, 0, &node, err);
     if (!status) status = value_place(&s, node);
     return status;
 }

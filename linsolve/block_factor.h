@@ -12,11 +12,10 @@ enum { SIDE_TOP = 1, SIDE_BOTTOM = 2, SIDE_BOTH = 3 };
 /* Right-hand sides that the kernels take at once. */
 enum { BLOCK_RHS = 4 };
 
-/* Blocks are stored like the chain's, b*b doubles; vectors of the solve are padded to `width` (8 for b = 6, 4 for 3).
- */
+/* Blocks are stored like the chain's, b*b doubles; vectors of the solve are padded to `width`, 8 for b = 6, 4 for 3. */
 typedef struct BlockFactor {
     int n, b, width, middle;
-    double *front; /* [n][2][b*b]: inverse X of the pivot (L3), E = X times the coupling eliminated before (L4) */
+    double *front; /* [n][2][b*b]: coupling with the neighbour eliminated before (L2), inverse X of the pivot (L3) */
     double *back;  /* [n][b*b]: V = X times the coupling with the neighbour eliminated after (L4) */
     double *z;     /* [BLOCK_RHS][n][width]: scratch of the solve (L6) */
     double growth_limit;
@@ -29,7 +28,7 @@ typedef struct BlockReport {
 } BlockReport;
 
 typedef struct BlockKernels {
-    /* Factors the rows of `sides`, alternating between them; 0 or LIN_UNSTABLE. */
+    /* Factors the rows of `sides`, from the chain's ends to the middle; 0 or LIN_UNSTABLE. */
     int (*factor)(const BlockFactor *f, const BlockChain *a, int sides, BlockReport *report);
     /* Factors the middle row, when both sides are done. */
     int (*factor_middle)(const BlockFactor *f, const BlockChain *a, BlockReport *report);
@@ -45,10 +44,10 @@ extern const BlockKernels block3_kernels_generic, block3_kernels_avx2, block3_ke
 
 /* One block row as the kernels and the pivoting see it. */
 typedef struct BlockRow {
-    const double *diag, *before,
-        *after;             /* the chain's blocks: own, towards the neighbours eliminated before and after */
-    const double *v_before; /* V of the neighbour eliminated before */
-    double *front, *back;   /* of this row */
+    const double *diag;
+    const double *before, *after; /* couplings with the neighbours eliminated before and after */
+    const double *v_before;       /* V of the neighbour eliminated before */
+    double *front, *back;         /* of this row */
 } BlockRow;
 
 /* No neighbour: a coupling, or a V, of zeros; as long as a vector load may reach. */

@@ -80,12 +80,7 @@ int block_row_pivoted(const BlockFactor *f, const BlockRow *row)
     }
     for (int c = 0; c < b; ++c) {
         memcpy(row->back + c * b, g.a[b + c], (size_t)b * sizeof(double));
-        memcpy(row->front + c * b, g.a[2 * b + c], (size_t)b * sizeof(double));
-        double *const e = row->front + (b + c) * b;
-        memset(e, 0, (size_t)b * sizeof(double));
-        for (int k = 0; k < b; ++k) {
-            for (int r = 0; r < b; ++r) e[r] += g.a[2 * b + k][r] * row->before[c * b + k];
-        }
+        memcpy(row->front + (b + c) * b, g.a[2 * b + c], (size_t)b * sizeof(double));
     }
     return 0;
 }

@@ -112,23 +112,11 @@ VEC_INLINE Vec vec_fill(Part s)
 
 VEC_INLINE Vec vec_set(double s) { return vec_fill(s - (Part){0}); }
 
-/* t - a s, t + a s, a s with a number from memory. */
+/* t - a s with a number from memory. */
 VEC_INLINE Vec vec_minus_number(Vec t, Vec a, double s)
 {
     UNROLL for (int i = 0; i < PARTS; ++i) t.p[i] -= a.p[i] * s;
     return t;
-}
-
-VEC_INLINE Vec vec_plus_number(Vec t, Vec a, double s)
-{
-    UNROLL for (int i = 0; i < PARTS; ++i) t.p[i] += a.p[i] * s;
-    return t;
-}
-
-VEC_INLINE Vec vec_times_number(Vec a, double s)
-{
-    UNROLL for (int i = 0; i < PARTS; ++i) a.p[i] *= s;
-    return a;
 }
 
 /* All places get v's place k, which is a constant once the loops are spelt out. */

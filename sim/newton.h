@@ -4,27 +4,8 @@
 #ifndef HAWSER_SIM_NEWTON_H
 #define HAWSER_SIM_NEWTON_H
 
-#include "linsolve/linsolve.h"
+#include "sim/newton_data.h"
 #include "sim/scene.h"
-
-typedef struct Newton {
-    int n;
-    int middle;      /* segments before it are the first half of a split loop; a multiple of LANES */
-    BlockChain k, d; /* derivative blocks at the linearisation point */
-    BlockChain a;    /* M - gamma D - gamma^2 K S */
-    /* at the linearisation point, chain arrays */
-    double *mass;       /* kg */
-    double *inertia[9]; /* row-major, world, kg m2 */
-    double *q[4];       /* as in y (not normalised) */
-    double *w[3];       /* rad/s */
-    /* of one solution */
-    double *z;               /* [6n] gamma times position residual and eliminated rotation */
-    double *x;               /* [6n] reduced right-hand side and solution */
-    double gamma;            /* s, of a */
-    LinSolver *solver;       /* of a; NULL if the full system is solved */
-    struct NewtonFull *full; /* klu-full: the unreduced system; NULL otherwise */
-    Team *team;              /* borrowed; NULL: one thread */
-} Newton;
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);
 void newton_free(Newton *nw);

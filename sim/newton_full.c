@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/error.h"
+#include "core/vec3.h"
 
 enum { P = STATE_P, Q = STATE_Q, U = STATE_V, SIZE = STATE_SIZE };
 

@@ -4,7 +4,7 @@
 #ifndef HAWSER_SIM_NEWTON_FULL_H
 #define HAWSER_SIM_NEWTON_FULL_H
 
-#include "sim/newton.h"
+#include "sim/newton_data.h"
 
 typedef struct NewtonFull NewtonFull;
 

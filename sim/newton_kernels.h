@@ -3,7 +3,7 @@
 #define HAWSER_SIM_NEWTON_KERNELS_H
 
 #include "core/isa.h"
-#include "sim/newton.h"
+#include "sim/newton_data.h"
 
 typedef struct NewtonKernels {
     /* For segments from..to-1 of b [13 n]: z = gamma (b_x, phi_b) (N6) and x = M b_u, both [6n]. */

@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_SIM_H
 #define HAWSER_SIM_SIM_H
 
-#include "sim/scene_def.h"
+#include "sim/stats.h"
 
 typedef struct Sim Sim;
 
@@ -29,15 +29,6 @@ void sim_add_output_time(Sim *s, double seconds);
 void sim_summary(const Sim *s, hawser_summary *out);
 /* The tension table; the array is the simulation's. Returns how many. */
 int sim_stations(const Sim *s, const hawser_station **out);
-
-typedef struct SimRoller {
-    char name[NAME_MAX_LENGTH];
-    double s;       /* m along the route, NAN if listed by coordinates */
-    double rating;  /* N, 0: none */
-    double steady;  /* N, mean load in the steady window */
-    double peak;    /* N, of the run */
-    double initial; /* N, at equilibrium before t = 0 */
-} SimRoller;
 
 /* The rollers' table; the array is the simulation's. Returns how many. */
 int sim_rollers(const Sim *s, const SimRoller **out);

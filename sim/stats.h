@@ -4,13 +4,21 @@
 #define HAWSER_SIM_STATS_H
 
 #include "sim/scene.h"
-#include "sim/sim.h"
 
 /* Mean and mean square of a value over time, by the trapezoidal rule, with its peak. */
 typedef struct TimeMean {
     double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
     int started;
 } TimeMean;
+
+typedef struct SimRoller {
+    char name[NAME_MAX_LENGTH];
+    double s;       /* m along the route, NAN if listed by coordinates */
+    double rating;  /* N, 0: none */
+    double steady;  /* N, mean load in the steady window */
+    double peak;    /* N, of the run */
+    double initial; /* N, at equilibrium before t = 0 */
+} SimRoller;
 
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */

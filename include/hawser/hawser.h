@@ -1,8 +1,8 @@
 /* hawser: simulates how a power cable is pulled through a tunnel, a duct or over rollers, and says whether the pull is
  * safe. This header is the whole public interface.
  *
- * Life of a run: load or define a case -> check -> build a simulation -> relax -> advance and sample -> summary -> free.
- * Handles are opaque and independent of each other; there is no global state. Every call that can fail returns a
+ * Life of a run: load or define a case -> check -> build a simulation -> relax -> advance and sample -> summary ->
+ * free. Handles are opaque and independent of each other; there is no global state. Every call that can fail returns a
  * hawser_status and, when `err` is given, writes one line of text that says what is wrong and where. SI units
  * throughout: m, kg, s, N, rad. Strings and arrays that a call hands out stay the library's and live as long as the
  * handle they came from, unless a comment says otherwise. */
@@ -21,7 +21,7 @@ typedef enum hawser_status {
     HAWSER_ERR_RUN = 3,    /* the integration failed; what was computed before is kept */
     HAWSER_ERR_OUTPUT = 4, /* a result could not be written */
     HAWSER_ERR_MEMORY = 5,
-    HAWSER_STOPPED = 130   /* stopped because the caller asked for it */
+    HAWSER_STOPPED = 130 /* stopped because the caller asked for it */
 } hawser_status;
 
 enum { HAWSER_MESSAGE_MAX = 1024 };
@@ -70,12 +70,12 @@ void hawser_sim_free(hawser_sim *s);
 
 /* What the relaxation to the initial equilibrium reached. */
 typedef struct hawser_relaxation {
-    int reached;         /* 1: the residual is below the tolerance */
-    int iterations;      /* Newton steps */
-    double residual_N;   /* largest unbalanced force */
-    double tolerance_N;  /* what counts as equilibrium */
-    int segment;         /* where the residual is largest */
-    double moved_m;      /* farthest that a segment moved from the route */
+    int reached;        /* 1: the residual is below the tolerance */
+    int iterations;     /* Newton steps */
+    double residual_N;  /* largest unbalanced force */
+    double tolerance_N; /* what counts as equilibrium */
+    int segment;        /* where the residual is largest */
+    double moved_m;     /* farthest that a segment moved from the route */
 } hawser_relaxation;
 
 /* Brings the cable to static equilibrium under the loads of t = 0. Not reaching it is not an error: see `reached`. */
@@ -85,16 +85,16 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
 typedef struct hawser_sample {
     double t; /* s */
     int segments;
-    int joints;  /* segments + 1: joint j lies between segments j-1 and j; 0 is the tail, the last is the winch */
+    int joints; /* segments + 1: joint j lies between segments j-1 and j; 0 is the tail, the last is the winch */
     int rollers;
-    double winch_force;   /* N, pull on the rope's end along the winch's direction */
-    double tail_tension;  /* N, back tension applied at the tail */
-    double winch_speed;   /* m/s, prescribed now */
-    double winch_travel;  /* m, hauled in so far */
-    double max_tension;   /* N, over all joints */
+    double winch_force;  /* N, pull on the rope's end along the winch's direction */
+    double tail_tension; /* N, back tension applied at the tail */
+    double winch_speed;  /* m/s, prescribed now */
+    double winch_travel; /* m, hauled in so far */
+    double max_tension;  /* N, over all joints */
     int max_tension_joint;
     int active_contacts;
-    double step_size;     /* s, of the last step */
+    double step_size;          /* s, of the last step */
     const double *position;    /* [3*segments] x0 y0 z0 x1 ..., m */
     const double *quaternion;  /* [4*segments] w x y z ... */
     const double *velocity;    /* [3*segments], m/s */
@@ -110,8 +110,8 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
 double hawser_sim_time(const hawser_sim *s);
 double hawser_sim_end_time(const hawser_sim *s);
 const hawser_sample *hawser_sim_sample(hawser_sim *s);
-/* Takes the state of now into the statistics of the summary: means of the steady window, peaks. hawser_sim_run does so at
- * the case's output.interval; who advances by himself calls it after each advance. */
+/* Takes the state of now into the statistics of the summary: means of the steady window, peaks. hawser_sim_run does so
+ * at the case's output.interval; who advances by himself calls it after each advance. */
 void hawser_sim_record(hawser_sim *s);
 
 /* Runs the case: relaxes, advances to the end, samples, writes results into directory `dir` (NULL: writes nothing).
@@ -153,9 +153,9 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
 /* One station of the tension table (stations.csv). */
 typedef struct hawser_station {
     const char *name;
-    double s;             /* m along the route */
-    double paper_N;       /* the paper's formulas */
-    double reference_N;   /* the bend ODE */
+    double s;              /* m along the route */
+    double paper_N;        /* the paper's formulas */
+    double reference_N;    /* the bend ODE */
     double mean_N, peak_N; /* simulated: mean of the steady window, peak of the run */
 } hawser_station;
 
@@ -172,7 +172,8 @@ typedef struct hawser_roller {
     double peak_N;    /* largest of the run */
 } hawser_roller;
 
-/* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how many. */
+/* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how
+ * many. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
 
 /* The case's title, or its file's name if it has none. */

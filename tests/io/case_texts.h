@@ -1,5 +1,5 @@
-/* Good cases that hold every key of the tables between them: one key a line, items of lists on lines of their own, so that
- * a test can change any of them. */
+/* Good cases that hold every key of the tables between them: one key a line, items of lists on lines of their own, so
+ * that a test can change any of them. */
 #ifndef HAWSER_TESTS_CASE_TEXTS_H
 #define HAWSER_TESTS_CASE_TEXTS_H
 

@@ -6,7 +6,7 @@
 #include "io/case_fields.h"
 #include "io/case_schema.h"
 
-enum { CELL_MAX = 400, ROW_MAX = 1200 };
+enum { CELL_MAX = 400, ROW_MAX = 2000 };
 
 static void value_cell(const CaseKey *key, char *cell)
 {
