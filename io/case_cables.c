@@ -65,7 +65,7 @@ hawser_status case_cables_read(const CaseReader *r, const CaseNode *node)
     def->n_cables = node->count;
     for (const CaseNode *child = node->first; child; child = child->next) {
         CableDef *cable = &def->cables[child->index];
-        CableRecord record;
+        CableRecord record = {0};
         if (strlen(child->key) >= sizeof cable->name) {
             return case_key_error(r->err, child, NULL, "the name is too long: at most %zu characters",
                                   sizeof cable->name - 1);
@@ -109,7 +109,7 @@ static hawser_status segments_count(const CaseReader *r, const CaseNode *piece, 
 
 static hawser_status piece_read(const CaseReader *r, const CaseNode *node, ChainPieceDef *piece)
 {
-    PieceRecord record;
+    PieceRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_chain_piece, &record);
     if (!status) status = cable_find(r, node, &piece->cable);
     if (!status) status = segments_count(r, node, &record, &piece->segments);

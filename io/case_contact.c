@@ -18,7 +18,7 @@ static hawser_status stiffness_read(const CaseReader *r, const CaseNode *node, d
 hawser_status case_contact_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
-    ContactRecord record;
+    ContactRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_contact, &record);
     double k = def->impact.k;
     if (!status && record.k) status = stiffness_read(r, record.k, record.e, &k);
@@ -40,7 +40,7 @@ hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, doubl
 
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law)
 {
-    FrictionRecord record;
+    FrictionRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_friction, &record);
     if (status) return status;
     const int same = !isnan(record.mu);

@@ -68,7 +68,7 @@ static hawser_status profile_make(const CaseReader *r, const CaseNode *map, cons
 static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
 {
     WinchDef *winch = &r->def->winch;
-    WinchRecord record;
+    WinchRecord record = {0};
     const hawser_status status = case_section_read(r, node, winch_drive.section, &record);
     if (status) return status;
     winch->present = 1;
@@ -79,7 +79,7 @@ static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
 static hawser_status tail_read(const CaseReader *r, const CaseNode *node)
 {
     TailDef *tail = &r->def->tail;
-    DriveRecord record;
+    DriveRecord record = {0};
     const hawser_status status = case_section_read(r, node, tail_drive.section, &record);
     if (status) return status;
     return profile_make(r, node, &tail_drive, &record, &tail->tension, &tail->table_time, &tail->table_value);
@@ -87,7 +87,7 @@ static hawser_status tail_read(const CaseReader *r, const CaseNode *node)
 
 static hawser_status drag_read(const CaseReader *r, const CaseNode *node)
 {
-    DragRecord record;
+    DragRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_rope_drag, &record);
     if (!status) status = case_speeds_check(r, node, record.v_s, &record.v_d);
     r->def->drag = (RopeDragDef){.force = record.force, .v_s = record.v_s, .v_d = record.v_d, .ratio = record.ratio};
@@ -96,7 +96,7 @@ static hawser_status drag_read(const CaseReader *r, const CaseNode *node)
 
 hawser_status case_drive_read(const CaseReader *r, const CaseNode *node)
 {
-    DrivesRecord record;
+    DrivesRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_drive, &record);
     if (!status && record.winch) status = winch_read(r, record.winch);
     if (!status && record.tail) status = tail_read(r, record.tail);
@@ -106,7 +106,7 @@ hawser_status case_drive_read(const CaseReader *r, const CaseNode *node)
 
 hawser_status case_run_read(const CaseReader *r, const CaseNode *node)
 {
-    RunRecord record;
+    RunRecord record = {0};
     const hawser_status status = case_section_read(r, node, &case_run, &record);
     if (status) return status;
     r->def->duration = record.duration;

@@ -18,7 +18,7 @@ static int station_order(const void *a, const void *b)
 
 static hawser_status station_read(const CaseReader *r, const CaseNode *node, StationDef *station)
 {
-    StationRecord record;
+    StationRecord record = {0};
     const hawser_status status = case_section_read(r, node, &case_station, &record);
     if (status) return status;
     if (record.at > r->route.length + SAME_PLACE) {
@@ -106,7 +106,7 @@ static hawser_status interval_check(const CaseReader *r, const CaseNode *node, c
 
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node)
 {
-    OutputRecord record;
+    OutputRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_output, &record);
     if (status) return status;
     r->def->output.interval = record.interval;
@@ -139,7 +139,7 @@ static hawser_status term_keys_check(const CaseReader *r, const CaseNode *node, 
 
 static hawser_status term_read(const CaseReader *r, const CaseNode *node, PaperTermDef *term)
 {
-    TermRecord record;
+    TermRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_paper_term, &record);
     if (status) return status;
     const int arc = !isnan(record.arc);
@@ -179,7 +179,7 @@ static hawser_status path_check(const CaseReader *r, const CaseNode *node)
 hawser_status case_paper_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
-    PaperRecord record;
+    PaperRecord record = {0};
     if (!node) return HAWSER_OK;
     hawser_status status = case_section_read(r, node, &case_paper, &record);
     if (status) return status;

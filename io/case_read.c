@@ -58,7 +58,7 @@ static hawser_status parts_read(CaseReader *r, const TopRecord *top)
 
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
-    TopRecord top;
+    TopRecord top = {0};
     CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .err = err};
     scene_def_defaults(def);
     hawser_status status = r.units ? case_section_read(&r, tree->root, &case_top, &top) : error_memory(err);

@@ -148,7 +148,7 @@ static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
 static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
-    RollerRecord record;
+    RollerRecord record = {0};
     FrictionLaw friction;
     hawser_status status = case_section_read(r, node, &case_roller, &record);
     if (!status) status = case_friction_read(r, record.friction, &def->friction, &friction);
@@ -172,9 +172,10 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
 
 hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node)
 {
-    RollersRecord record;
+    RollersRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_rollers, &record);
-    if (!status && record.along) status = rows_read(r, record.along);
+    if (status) return status;
+    if (record.along) status = rows_read(r, record.along);
     if (!status && record.list) status = rollers_reserve(r, record.list, record.list->count);
     const CaseNode *item = record.list ? record.list->first : NULL;
     for (; !status && item; item = item->next) status = roller_read(r, item);

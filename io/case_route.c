@@ -36,7 +36,7 @@ static hawser_status key_expect(const CaseReader *r, const CaseNode *piece, cons
 
 static hawser_status piece_read(const CaseReader *r, const CaseNode *node, RoutePieceDef *piece)
 {
-    RoutePieceRecord record;
+    RoutePieceRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_route_piece, &record);
     if (status) return status;
     const int bend = !isnan(record.bend);
@@ -87,7 +87,7 @@ static hawser_status head_place(const CaseReader *r, const CaseNode *node, doubl
 hawser_status case_route_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
-    RouteRecord record;
+    RouteRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_route, &record);
     if (!status) status = pieces_read(r, record.pieces);
     if (status) return status;
@@ -101,7 +101,7 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
 
 hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node)
 {
-    LeadInRecord record;
+    LeadInRecord record = {0};
     const hawser_status status = case_section_read(r, node, &case_lead_in, &record);
     r->def->lead_in = (LeadInDef){.present = node != NULL, .carries_weight = record.weight, .blend = record.blend};
     return status;

@@ -211,8 +211,9 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
                                hawser_error *err)
 {
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
-    dynamics_kinematics(scene, ws, t, y);
+    /* the last evaluation is nearer to y than the reach's reserve: it will do for the question */
     if (!always && !stale(scene, ws)) return HAWSER_OK;
+    dynamics_kinematics(scene, ws, t, y);
     hawser_status status = HAWSER_OK;
     for (int p = 0; p < PARTS && !status; ++p) {
         ContactPart *const part = &ws->contact[p];

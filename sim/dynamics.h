@@ -48,7 +48,8 @@ int dynamics_roller_forces(const Scene *scene, Workspace *ws);
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */
 int dynamics_candidates(const Workspace *ws);
-/* New candidate pairs for the position y if `always`, or if something has moved too far since the last ones.
+/* New candidate pairs for the position y if `always`, or if something has moved too far since the last ones by the
+ * kinematics in the workspace, which must be of y or of an iterate close to it.
  * Errors: MEMORY. */
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
                                hawser_error *err);

@@ -290,13 +290,14 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     const double start = clock_now();
     double reached = *t;
     const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
-    in->stats.total += clock_now() - start;
     if (flag < 0) return step_failed(in, flag, *t, err);
     in->stalled = reached > *t ? 0 : in->stalled + 1;
     if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
     memcpy(in->y_good, in->y, (size_t)(STATE_SIZE * in->scene->chain.n) * sizeof(double));
-    return dynamics_refresh(in->scene, in->ws, reached, in->y, 0, err);
+    const hawser_status status = dynamics_refresh(in->scene, in->ws, reached, in->y, 0, err);
+    in->stats.total += clock_now() - start;
+    return status;
 }
 
 void integrator_state_at(const Integrator *in, double t, double *y)

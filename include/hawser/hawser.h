@@ -120,7 +120,7 @@ void hawser_sim_record(hawser_sim *s);
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 
-/* Where the time went, s; the parts of the solver add up to wall_time_s up to what `other` holds. */
+/* Where the time went, s; the phases add up to wall_time_s. `other` is the building of the scene. */
 typedef struct hawser_phases {
     double relax, rhs, contacts, jacobian, factor, solve, vector, output, other;
 } hawser_phases;

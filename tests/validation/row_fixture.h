@@ -25,6 +25,7 @@ static inline void row_scene(SceneDef *def, const RowChoice *c)
     const double length = 0.5 * c->segments;
     scene_def_defaults(def);
     def->geometry = c->geometry;
+    def->solver.accuracy = 3e-4; /* the ripple of the smooth line is finer than what 1e-3 resolves */
     def->friction = (FrictionLaw){.mu_s = c->mu, .mu_d = c->mu, .v_s = 1e-3, .v_d = 2e-3};
     def->n_cables = def->n_pieces = def->n_route = 1;
     def->cables = fixture_array(1, sizeof *def->cables);

@@ -1,0 +1,124 @@
+/* The two main cases against theory, through the public interface: the figures that the project promises. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "hawser/hawser.h"
+
+/* Runs a case of cases/ with settings ("key", "value", ..., NULL) and returns its summary and stations. */
+typedef struct Outcome {
+    hawser_summary summary;
+    hawser_sim *sim;
+} Outcome;
+
+static Outcome run(const char *name, const char *const *settings)
+{
+    char path[512];
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    Outcome out = {0};
+    snprintf(path, sizeof path, "%s/cases/%s.yaml", HAWSER_SOURCE_DIR, name);
+    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
+    for (int i = 0; settings && settings[i]; i += 2) {
+        assert_int_equal(hawser_case_set(c, settings[i], settings[i + 1], &err), HAWSER_OK);
+    }
+    assert_int_equal(hawser_sim_new(c, NULL, &out.sim, &err), HAWSER_OK);
+    hawser_case_free(c);
+    if (hawser_sim_run(out.sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_summary(out.sim, &out.summary);
+    return out;
+}
+
+static void assert_share(double found, double expected, double share)
+{
+    if (!(fabs(found - expected) <= share * fabs(expected))) fail_msg("%.6f, expected %.6f", found, expected);
+}
+
+static const hawser_station *station(const hawser_sim *sim, const char *name)
+{
+    const hawser_station *s;
+    const int n = hawser_sim_stations(sim, &s);
+    for (int i = 0; i < n; ++i) {
+        if (strcmp(s[i].name, name) == 0) return s + i;
+    }
+    fail_msg("no station %s", name);
+    return NULL;
+}
+
+/* The paper's total, its terms as differences between stations, and the simulation beside the reference theory. */
+static void test_huangjiahu(void **state)
+{
+    (void)state;
+    Outcome o = run("huangjiahu", NULL);
+    const hawser_summary *const s = &o.summary;
+    assert_int_equal(s->segments, 370);
+    assert_int_equal(s->rollers, 32);
+    assert_true(fabs(s->paper_total_N - 12903.21) < 0.01);
+    const char *const name[] = {"A", "B", "C", "D", "E", "F"};
+    const double term[] = {22.80, 134.75, 2649.34, 901.68, 47.11};
+    assert_true(fabs(station(o.sim, "A")->paper_N - 6860.64) < 0.01);
+    for (int i = 0; i < 5; ++i) {
+        const double step = station(o.sim, name[i + 1])->paper_N - station(o.sim, name[i])->paper_N;
+        assert_true(fabs(step - term[i]) < 0.01);
+    }
+    assert_true(s->relaxation.reached);
+    assert_true(s->error_max_pct < 5 && s->error_mean_pct < 2.75);
+    assert_share(s->steady_speed_m_per_s, 0.1, 0.005);
+    hawser_sim_free(o.sim);
+}
+
+/* A finer chain and a tighter tolerance change the steady pull by less than 0.2 %. */
+static void test_huangjiahu_converged(void **state)
+{
+    (void)state;
+    const char *const finer[] = {"chain.0.segment", "250 mm", "chain.1.segment", "250 mm", NULL};
+    const char *const tighter[] = {"solver.accuracy", "1e-4", NULL};
+    Outcome base = run("huangjiahu", NULL), fine = run("huangjiahu", finer), tight = run("huangjiahu", tighter);
+    assert_int_equal(fine.summary.segments, 740);
+    assert_share(fine.summary.pull_mean_N, base.summary.pull_mean_N, 0.002);
+    assert_share(tight.summary.pull_mean_N, base.summary.pull_mean_N, 0.002);
+    hawser_sim_free(base.sim);
+    hawser_sim_free(fine.sim);
+    hawser_sim_free(tight.sim);
+}
+
+/* With a real cable's bending stiffness (a twentieth of the solid bar's) the theory is met everywhere within 1 %. */
+static void test_huangjiahu_real_stiffness(void **state)
+{
+    (void)state;
+    const char *const real[] = {"cables.power.EI", "16.4 kN m2", NULL};
+    Outcome o = run("huangjiahu", real);
+    assert_true(o.summary.error_max_pct < 1 && o.summary.error_mean_pct < 0.5);
+    hawser_sim_free(o.sim);
+}
+
+/* The pull is mu W g L; the smooth line's ripple is at least ten times smaller than the capsules'. */
+static void test_straight(void **state)
+{
+    (void)state;
+    const char *const capsules[] = {"contact.geometry", "cylinder", NULL};
+    Outcome smooth = run("straight", NULL), rough = run("straight", capsules);
+    assert_true(fabs(smooth.summary.reference_total_N - 7985.34) < 0.01);
+    assert_share(smooth.summary.pull_mean_N, smooth.summary.reference_total_N, 0.001);
+    assert_true(smooth.summary.pull_ripple_N * 10 < rough.summary.pull_ripple_N);
+    assert_true(smooth.summary.contact_candidates > 1500);
+    hawser_sim_free(smooth.sim);
+    hawser_sim_free(rough.sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_huangjiahu),
+        cmocka_unit_test(test_huangjiahu_converged),
+        cmocka_unit_test(test_huangjiahu_real_stiffness),
+        cmocka_unit_test(test_straight),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
