@@ -2,7 +2,8 @@
 #ifndef HAWSER_IO_CASE_ERROR_H
 #define HAWSER_IO_CASE_ERROR_H
 
-#include "io/yaml_tree.h"
+#include "hawser/hawser.h"
+#include "io/yaml_node.h"
 
 enum { CASE_PLACE_MAX = 300, CASE_SHOWN_MAX = 80, CASE_PATH_MAX = 256 };
 

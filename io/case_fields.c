@@ -97,7 +97,7 @@ hawser_status case_integer_read(const CaseReader *r, const CaseNode *node, const
 
 static hawser_status integer_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, void *at)
 {
-    long value;
+    long value = 0;
     const hawser_status status = case_integer_read(r, node, key, &value);
     if (status) return status;
     assert(key->size == sizeof(long) || key->size == sizeof(int));
@@ -154,7 +154,7 @@ static hawser_status text_field(const CaseReader *r, const CaseNode *node, const
 static hawser_status point_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, Vec3 *at)
 {
     const CaseKey *const keys[3] = {key, key, key};
-    double x[3];
+    double x[3] = {0};
     const hawser_status status = case_numbers_read(r, node, 3, keys, x);
     if (!status) *at = v3(x[0], x[1], x[2]);
     return status;

@@ -4,7 +4,7 @@
 
 #include "core/route.h"
 #include "io/case_schema.h"
-#include "io/yaml_tree.h"
+#include "io/yaml_node.h"
 #include "sim/scene_def.h"
 
 /* One case being read. */

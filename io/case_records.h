@@ -4,7 +4,7 @@
 #ifndef HAWSER_IO_CASE_RECORDS_H
 #define HAWSER_IO_CASE_RECORDS_H
 
-#include "io/yaml_tree.h"
+#include "io/yaml_node.h"
 #include "sim/scene_def.h"
 
 typedef struct FactorRecord {

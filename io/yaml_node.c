@@ -14,7 +14,7 @@ CaseNode *node_new(NodeKind kind, const char *origin, int line)
     return node;
 }
 
-/* Recursion is as deep as the tree, which tree_read_text and case_tree_set limit. */
+/* Recursion is as deep as the tree, which yaml_read and case_tree_set limit. */
 CaseNode *node_free(CaseNode *node)
 {
     if (!node) return NULL;
@@ -71,32 +71,4 @@ const CaseNode *case_node_item(const CaseNode *node, int index)
     const CaseNode *child = node->first;
     while (child && child->index != index) child = child->next;
     return child;
-}
-
-const char *tree_origin(CaseTree *tree, const char *name)
-{
-    CaseOrigin *origin = calloc(1, sizeof *origin);
-    if (!origin) return NULL;
-    origin->name = strdup(name);
-    if (!origin->name) {
-        free(origin);
-        return NULL;
-    }
-    origin->next = tree->origins;
-    tree->origins = origin;
-    return origin->name;
-}
-
-CaseTree *case_tree_free(CaseTree *tree)
-{
-    if (!tree) return NULL;
-    node_free(tree->root);
-    for (CaseOrigin *origin = tree->origins; origin;) {
-        CaseOrigin *next = origin->next;
-        free(origin->name);
-        free(origin);
-        origin = next;
-    }
-    free(tree);
-    return NULL;
 }

@@ -1,14 +1,24 @@
-/* Making, joining and freeing the nodes of a CaseTree; for io/yaml_*.c only. */
+/* The nodes of a case's tree: texts, maps and lists that know where they were written. */
 #ifndef HAWSER_IO_YAML_NODE_H
 #define HAWSER_IO_YAML_NODE_H
 
-#include "io/yaml_tree.h"
+typedef enum NodeKind { NODE_TEXT, NODE_MAP, NODE_LIST } NodeKind;
 
-/* A place that text came from: kept for as long as the tree, since nodes point at the name. */
-typedef struct CaseOrigin {
-    char *name;
-    struct CaseOrigin *next;
-} CaseOrigin;
+/* One value. Children of a map have keys, those of a list have numbers. */
+typedef struct CaseNode {
+    NodeKind kind;
+    const char *origin; /* the file's name, or "--set KEY"; belongs to the tree */
+    int line;           /* where its key, or else itself, begins, from 1; 0: not from a file */
+    char *key;          /* in a map, else NULL */
+    int index;          /* place among its siblings, from 0 */
+    char *text;         /* of a NODE_TEXT, else NULL */
+    int count;          /* children */
+    struct CaseNode *parent, *first, *last, *next;
+} CaseNode;
+
+/* The child of a map by key, of a list by number; NULL if there is none, or if `node` is NULL or of another kind. */
+const CaseNode *case_node_key(const CaseNode *node, const char *key);
+const CaseNode *case_node_item(const CaseNode *node, int index);
 
 /* A node without parent or children; NULL if there is no memory. */
 CaseNode *node_new(NodeKind kind, const char *origin, int line);
@@ -18,12 +28,5 @@ CaseNode *node_free(CaseNode *node);
 void node_append(CaseNode *parent, CaseNode *child);
 /* Puts `by` in old's place under old's key, and frees old. */
 void node_replace(CaseNode *old, CaseNode *by);
-
-/* Remembers a name in the tree and returns the tree's copy; NULL if there is no memory. */
-const char *tree_origin(CaseTree *tree, const char *name);
-/* Reads one YAML document as nodes of `tree`, without making it the root. `lines` 0: the text is a setting's
- * value, and line numbers mean nothing. Errors as case_tree_parse. */
-hawser_status tree_read_text(CaseTree *tree, const char *text, size_t size, const char *origin, int lines,
-                             CaseNode **out, hawser_error *err);
 
 #endif

@@ -4,24 +4,11 @@
 #define HAWSER_IO_YAML_TREE_H
 
 #include "hawser/hawser.h"
-
-typedef enum NodeKind { NODE_TEXT, NODE_MAP, NODE_LIST } NodeKind;
-
-/* One value. Children of a map have keys, those of a list have numbers. */
-typedef struct CaseNode {
-    NodeKind kind;
-    const char *origin; /* the file's name, or "--set KEY"; belongs to the tree */
-    int line;           /* where its key, or else itself, begins, from 1; 0: not from a file */
-    char *key;          /* in a map, else NULL */
-    int index;          /* place among its siblings, from 0 */
-    char *text;         /* of a NODE_TEXT, else NULL */
-    int count;          /* children */
-    struct CaseNode *parent, *first, *last, *next;
-} CaseNode;
+#include "io/yaml_node.h"
 
 typedef struct CaseTree {
-    CaseNode *root; /* a map */
-    struct CaseOrigin *origins;
+    CaseNode *root;             /* a map */
+    struct CaseOrigin *origins; /* the names of the places that nodes point at */
 } CaseTree;
 
 /* Reads a file. Errors: INPUT with file and line (not readable, not YAML, empty, not a map, several
@@ -34,10 +21,5 @@ hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out
  * MEMORY. The tree is unchanged then. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err);
 CaseTree *case_tree_free(CaseTree *tree);
-
-/* The child of a map by key, of a list by number; NULL if there is none, or if `node` is NULL or of another
- * kind. */
-const CaseNode *case_node_key(const CaseNode *node, const char *key);
-const CaseNode *case_node_item(const CaseNode *node, int index);
 
 #endif
