@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "bench/straight_scene.h"
-#include "core/clock.h"
 #include "core/isa.h"
 #include "sim/dynamics.h"
 #include "sim/newton.h"
@@ -179,11 +179,11 @@ static __attribute__((noinline)) void bench_mark(void) { __asm__ volatile("" :::
 static void phase_count(const Phase *phase, Bench *b, long count)
 {
     phase->run(b);
-    const double start = clock_now();
+    const clock_t start = clock();
     bench_mark();
     for (long k = 0; k < count; ++k) phase->run(b);
     bench_mark();
-    printf("%s %ld %.3f\n", phase->name, count, 1e6 * (clock_now() - start) / (double)count);
+    printf("%s %ld %.3f\n", phase->name, count, 1e6 * (double)(clock() - start) / CLOCKS_PER_SEC / (double)count);
 }
 
 static int names_print(void)

@@ -7,8 +7,8 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* How often a waiting thread looks before it sleeps: some tens of microseconds, longer than the gaps in a step. */
-enum { SPINS = 1000, CACHE_LINE = 64 };
+/* How often a waiting thread looks before it sleeps: some 150 microseconds, longer than the gaps in a step. */
+enum { SPINS = 6000, CACHE_LINE = 64 };
 /* After so many jobs in a row for which the helper came too late (its core is busy with something else), the caller
  * works alone for a while, and does not pay for waking the helper. */
 enum { MISSES = 4, REST = 64 };

@@ -8,6 +8,7 @@
 
 static const double PI = 3.14159265358979323846;
 
+/* Counts only what has been read so far, so that it also serves while the chain is being read. */
 int case_segments(const SceneDef *def)
 {
     int n = 0;
@@ -15,12 +16,14 @@ int case_segments(const SceneDef *def)
     return n;
 }
 
+/* The same eye as the scene's: between the last piece and those behind it. */
 int case_eye(const SceneDef *def)
 {
     const int n = case_segments(def);
     return def->n_pieces > 1 ? n - def->pieces[def->n_pieces - 1].segments : n;
 }
 
+/* Of the cables that are in the chain; one that is only listed does not count. */
 double case_largest_diameter(const SceneDef *def)
 {
     double largest = 0;
@@ -56,6 +59,7 @@ static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, co
     return s;
 }
 
+/* The names are the user's: each key of the map is a cable. */
 hawser_status case_cables_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
@@ -107,6 +111,7 @@ static hawser_status segments_count(const CaseReader *r, const CaseNode *piece, 
     return HAWSER_OK;
 }
 
+/* One piece of the chain, with its cable found and its segments counted. */
 static hawser_status piece_read(const CaseReader *r, const CaseNode *node, ChainPieceDef *piece)
 {
     PieceRecord record = {0};
@@ -123,6 +128,7 @@ static hawser_status piece_read(const CaseReader *r, const CaseNode *node, Chain
     return HAWSER_OK;
 }
 
+/* n_pieces grows as they are read, which segments_count relies on. */
 hawser_status case_chain_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;

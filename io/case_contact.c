@@ -15,6 +15,7 @@ static hawser_status stiffness_read(const CaseReader *r, const CaseNode *node, d
     return case_range_check(r, node, key, *k);
 }
 
+/* The stiffness comes last: its unit has the exponent that was read. */
 hawser_status case_contact_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
@@ -29,6 +30,7 @@ hawser_status case_contact_read(const CaseReader *r, const CaseNode *node)
     return HAWSER_OK;
 }
 
+/* Where v_d was not given the message points at the section, since there is no line of its own. */
 hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d)
 {
     if (isnan(*v_d)) *v_d = 2 * v_s;
@@ -38,6 +40,7 @@ hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, doubl
                           "value %g m/s is out of range: must be above v_s, %g m/s", *v_d, v_s);
 }
 
+/* mu stands for both coefficients; each may be given by itself, and wins then. */
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law)
 {
     FrictionRecord record = {0};

@@ -65,6 +65,7 @@ static hawser_status profile_make(const CaseReader *r, const CaseNode *map, cons
     return HAWSER_OK;
 }
 
+/* Its table becomes the definition's even if there is an error: scene_def_clear frees it. */
 static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
 {
     WinchDef *winch = &r->def->winch;
@@ -76,6 +77,7 @@ static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
     return profile_make(r, node, &winch_drive, &record.drive, &winch->speed, &winch->table_time, &winch->table_value);
 }
 
+/* As winch_read, for the tension. */
 static hawser_status tail_read(const CaseReader *r, const CaseNode *node)
 {
     TailDef *tail = &r->def->tail;
@@ -85,6 +87,7 @@ static hawser_status tail_read(const CaseReader *r, const CaseNode *node)
     return profile_make(r, node, &tail_drive, &record, &tail->tension, &tail->table_time, &tail->table_value);
 }
 
+/* The drag's velocity function has the friction law's shape, with mu_s = 1. */
 static hawser_status drag_read(const CaseReader *r, const CaseNode *node)
 {
     DragRecord record = {0};
@@ -94,6 +97,7 @@ static hawser_status drag_read(const CaseReader *r, const CaseNode *node)
     return status;
 }
 
+/* Each of the three is optional: a case without a winch lies still or slides. */
 hawser_status case_drive_read(const CaseReader *r, const CaseNode *node)
 {
     DrivesRecord record = {0};
@@ -104,6 +108,7 @@ hawser_status case_drive_read(const CaseReader *r, const CaseNode *node)
     return status;
 }
 
+/* The steady window ends with the run, so it must begin before that. */
 hawser_status case_run_read(const CaseReader *r, const CaseNode *node)
 {
     RunRecord record = {0};

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 
+/* A file's name may be of any length: it is cut so that the line still shows. */
 const char *case_place(const char *origin, int line, char *place)
 {
     if (line > 0) {
@@ -17,6 +18,7 @@ const char *case_place(const char *origin, int line, char *place)
     return place;
 }
 
+/* Control characters become blanks, so that a message stays one line whatever the user wrote. */
 const char *case_shown(const char *text, char *shown)
 {
     const size_t room = CASE_SHOWN_MAX - 8;
@@ -33,6 +35,7 @@ const char *case_shown(const char *text, char *shown)
     return shown;
 }
 
+/* From the root down: the parents' path first, then the node's own key or number, then the child's. */
 const char *case_path(const CaseNode *node, const char *key, char *path)
 {
     char before[CASE_PATH_MAX] = "", own[CASE_SHOWN_MAX] = "";
@@ -49,6 +52,7 @@ const char *case_path(const CaseNode *node, const char *key, char *path)
     return path;
 }
 
+/* A map or list is not shown, only named: it may be long. */
 hawser_status case_value_error(hawser_error *err, const CaseNode *node, const char *what, ...)
 {
     char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], shown[CASE_SHOWN_MAX], text[HAWSER_MESSAGE_MAX / 2];
@@ -66,6 +70,7 @@ hawser_status case_value_error(hawser_error *err, const CaseNode *node, const ch
                      text);
 }
 
+/* The line is the node's, also where the child is missing. */
 hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char *key, const char *what, ...)
 {
     char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], text[HAWSER_MESSAGE_MAX / 2];
@@ -101,6 +106,7 @@ static int word_distance(const char *a, const char *b)
     return d[n][m];
 }
 
+/* Up to a third of the letters may be wrong; a word that differs in capitals alone is always near. */
 const char *case_nearest(const char *word, const char *const *name, int n)
 {
     const char *best = NULL;

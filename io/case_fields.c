@@ -11,6 +11,7 @@
 
 enum { WANTED_MAX = 128, NAMES_MAX = 24, NUMBER_MAX = 32 };
 
+/* Sections have two dozen keys at most: a search from the first on is quick enough. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name)
 {
     for (int k = 0; k < section->n; k++) {
@@ -30,6 +31,7 @@ static const char *number_text(double value, char *text)
     return text;
 }
 
+/* Angles are given in degrees, which is how people write them. */
 const char *case_range_text(const CaseKey *key, char *text)
 {
     char min[NUMBER_MAX], max[NUMBER_MAX];
@@ -51,6 +53,7 @@ static const char *number_wanted(const CaseKey *key, char *text)
     return text;
 }
 
+/* A NaN never comes here: units_read refuses it. */
 hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const CaseKey *key, double value)
 {
     char range[CASE_RANGE_MAX];
@@ -59,6 +62,7 @@ hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const 
     return case_value_error(r->err, node, " is out of range: must be %s", case_range_text(key, range));
 }
 
+/* What is wrong with the text comes before what is wrong with the value. */
 hawser_status case_number_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double *value)
 {
     char why[UNITS_WHY_MAX], wanted[WANTED_MAX];
@@ -69,6 +73,7 @@ hawser_status case_number_read(const CaseReader *r, const CaseNode *node, const 
     return case_range_check(r, node, key, *value);
 }
 
+/* The first item that is wrong is named by its own key, as in 'gravity.2'. */
 hawser_status case_numbers_read(const CaseReader *r, const CaseNode *node, int n, const CaseKey *const key[],
                                 double value[])
 {
@@ -81,6 +86,7 @@ hawser_status case_numbers_read(const CaseReader *r, const CaseNode *node, int n
     return HAWSER_OK;
 }
 
+/* Digits only: '1e3' and '2.0' are refused, for what stands there is a count. */
 hawser_status case_integer_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, long *value)
 {
     static const char wanted[] = ": expected a whole number, such as 2";
@@ -95,6 +101,7 @@ hawser_status case_integer_read(const CaseReader *r, const CaseNode *node, const
     return case_range_check(r, node, key, (double)*value);
 }
 
+/* Counts are int, but the number of steps is long. */
 static hawser_status integer_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, void *at)
 {
     long value = 0;
@@ -119,6 +126,7 @@ static int word_place(const CaseNode *node, const char *const *name)
     return -1;
 }
 
+/* YAML's words for truth, in pairs: the even places are false. */
 static hawser_status flag_field(const CaseReader *r, const CaseNode *node, int *value)
 {
     static const char *const words[] = {"false", "true", "no", "yes", "off", "on", NULL};
@@ -128,6 +136,7 @@ static hawser_status flag_field(const CaseReader *r, const CaseNode *node, int *
     return HAWSER_OK;
 }
 
+/* The choices are in the order of the enumeration, so that the place is the value. */
 static hawser_status choice_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, int *value)
 {
     char all[WANTED_MAX] = "";
@@ -140,6 +149,7 @@ static hawser_status choice_field(const CaseReader *r, const CaseNode *node, con
     return case_value_error(r->err, node, ": expected one of %s", all);
 }
 
+/* A text that does not fit is refused, never cut. */
 static hawser_status text_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, char *at)
 {
     if (node->kind != NODE_TEXT) return case_value_error(r->err, node, ": expected a text");
@@ -151,6 +161,7 @@ static hawser_status text_field(const CaseReader *r, const CaseNode *node, const
     return HAWSER_OK;
 }
 
+/* Three numbers of one dimension and range. */
 static hawser_status point_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, Vec3 *at)
 {
     const CaseKey *const keys[3] = {key, key, key};
@@ -173,6 +184,7 @@ static hawser_status node_field(const CaseReader *r, const CaseNode *node, const
     return HAWSER_OK;
 }
 
+/* One value into its place in the record, by its kind. */
 static hawser_status field_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, char *at)
 {
     switch (key->kind) {
@@ -230,6 +242,7 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *map, const 
     return HAWSER_OK;
 }
 
+/* The message says what to write, not only that it is missing. */
 static hawser_status missing(const CaseReader *r, const CaseNode *map, const CaseKey *key)
 {
     if (key->kind == KEY_NUMBER) {
@@ -239,6 +252,7 @@ static hawser_status missing(const CaseReader *r, const CaseNode *map, const Cas
     return case_key_error(r->err, map, key->name, "missing: give %s", key->form ? key->form : "it");
 }
 
+/* Every key of the section is visited, there or not, so that the record is always complete. */
 hawser_status case_section_read(const CaseReader *r, const CaseNode *node, const CaseSection *section, void *record)
 {
     if (node && node->kind != NODE_MAP) {

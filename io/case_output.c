@@ -10,12 +10,14 @@
 /* Stations nearer to each other than this are one, m. */
 static const double SAME_PLACE = 1e-6, USUAL_SPACING = 2;
 
+/* For qsort: by place along the route. */
 static int station_order(const void *a, const void *b)
 {
     const double sa = ((const StationDef *)a)->s, sb = ((const StationDef *)b)->s;
     return (sa > sb) - (sa < sb);
 }
 
+/* A station must be on the route: beyond its end there is no theory to compare with. */
 static hawser_status station_read(const CaseReader *r, const CaseNode *node, StationDef *station)
 {
     StationRecord record = {0};
@@ -65,6 +67,7 @@ static hawser_status stations_fill(const CaseReader *r, const CaseNode *node, co
     return HAWSER_OK;
 }
 
+/* Without the key there is a station every 2 m, at most about 1000 of them. */
 static hawser_status stations_read(const CaseReader *r, const CaseNode *node)
 {
     StationsRecord record = {.spacing = USUAL_SPACING};
@@ -104,6 +107,7 @@ static hawser_status interval_check(const CaseReader *r, const CaseNode *node, c
                           CASE_OUTPUTS_MAX);
 }
 
+/* Needs the run's duration, the route and the chain to check against. */
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node)
 {
     OutputRecord record = {0};
@@ -137,6 +141,7 @@ static hawser_status term_keys_check(const CaseReader *r, const CaseNode *node, 
     return HAWSER_OK;
 }
 
+/* One slope or arc of the paper's path. */
 static hawser_status term_read(const CaseReader *r, const CaseNode *node, PaperTermDef *term)
 {
     TermRecord record = {0};
@@ -158,6 +163,7 @@ static hawser_status term_read(const CaseReader *r, const CaseNode *node, PaperT
     return HAWSER_OK;
 }
 
+/* Reel or rope, as a length of cable; none if the length is 0. */
 static void allowance_add(SceneDef *def, PaperTermKind kind, const char *name, double length)
 {
     if (length <= 0) return;
@@ -176,6 +182,7 @@ static hawser_status path_check(const CaseReader *r, const CaseNode *node)
                           path, r->route.length);
 }
 
+/* Reel first, then the path, then the rope: the order of the paper's eq. 10. */
 hawser_status case_paper_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;

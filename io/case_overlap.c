@@ -31,6 +31,7 @@ static double line_meets(const Route *route, const Shape *shape, double from, do
     return to;
 }
 
+/* Each piece with its own radius: a roller may be nearer to the rope than to the cable. */
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller)
 {
     const SceneDef *def = r->def;

@@ -27,6 +27,7 @@ hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node)
     return status;
 }
 
+/* Its table fills SolverDef itself; the threads are the linear solver's too. */
 static hawser_status solver_read(const CaseReader *r, const CaseNode *node)
 {
     SolverDef *solver = &r->def->solver;
@@ -56,6 +57,7 @@ static hawser_status parts_read(CaseReader *r, const TopRecord *top)
     return status;
 }
 
+/* The reader's own things are given back on every way out; so is the definition, if there is an error. */
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
     TopRecord top = {0};

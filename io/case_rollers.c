@@ -44,6 +44,7 @@ static hawser_status range_read(const CaseReader *r, const CaseNode *node, doubl
     return status;
 }
 
+/* The ranges are read here for their mistakes, and again where they are used. */
 static hawser_status hold_read(const CaseReader *r, Row *row)
 {
     const CaseNode *node = row->record.hold_down;
@@ -136,6 +137,7 @@ static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *la
     return status;
 }
 
+/* One row or several, numbered through. */
 static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
 {
     int laid = 0;
@@ -145,6 +147,7 @@ static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
     return status;
 }
 
+/* A roller by coordinates has no place along the route: s is NAN. */
 static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
@@ -170,6 +173,7 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
     return case_overlap_check(r, node, roller);
 }
 
+/* Rows first, then the list: that is the order of the result tables. */
 hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node)
 {
     RollersRecord record = {0};

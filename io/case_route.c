@@ -34,6 +34,7 @@ static hawser_status key_expect(const CaseReader *r, const CaseNode *piece, cons
     return HAWSER_OK;
 }
 
+/* Either straight or a bend, with the keys of its kind and no others. */
 static hawser_status piece_read(const CaseReader *r, const CaseNode *node, RoutePieceDef *piece)
 {
     RoutePieceRecord record = {0};
@@ -61,6 +62,7 @@ static hawser_status piece_read(const CaseReader *r, const CaseNode *node, Route
     return HAWSER_OK;
 }
 
+/* An empty list is an empty route. */
 static hawser_status pieces_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
@@ -84,6 +86,7 @@ static hawser_status head_place(const CaseReader *r, const CaseNode *node, doubl
     return case_value_error(r->err, value, " is out of range: must be on the route, at most %.10g m", r->route.length);
 }
 
+/* Built here already: rollers and stations are placed along it. */
 hawser_status case_route_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
@@ -99,6 +102,7 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
+/* Its defaults are read even where there is none, so that the definition is complete. */
 hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node)
 {
     LeadInRecord record = {0};

@@ -24,6 +24,7 @@ static const char *const ramps[] = {"none", "step", "step5", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
+/* The whole case: its title, and the sections below. */
 static const CaseKey top_keys[] = {
     {"title", KEY_TEXT, .fallback = "", AT(TopRecord, title)},
     {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]", FROM(0, 1e3),
@@ -45,6 +46,7 @@ static const CaseKey top_keys[] = {
 };
 SECTION(case_top, "", top_keys);
 
+/* By component, on top of the cable's damping time. */
 static const CaseKey damping_factor_keys[] = {
     {"axial", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(FactorRecord, axial)},
     {"shear", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(FactorRecord, shear)},
@@ -53,6 +55,7 @@ static const CaseKey damping_factor_keys[] = {
 };
 SECTION(case_damping_factor, "cables.NAME.damping_factor", damping_factor_keys);
 
+/* A rigidity has no default of its own: case_cables.c takes it from the shorthand, eq. 2 of the paper. */
 static const CaseKey cable_keys[] = {
     {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 100), AT(CableRecord, d)},
     {"E", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, E)},
@@ -72,6 +75,7 @@ static const CaseKey cable_keys[] = {
 };
 SECTION(case_cable, "cables.NAME", cable_keys);
 
+/* Pieces follow each other from the tail to the winch. */
 static const CaseKey chain_piece_keys[] = {
     {"cable", KEY_TEXT, .required = 1, AT(PieceRecord, cable)},
     {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(PieceRecord, length)},
@@ -80,6 +84,7 @@ static const CaseKey chain_piece_keys[] = {
 };
 SECTION(case_chain_piece, "chain.N", chain_piece_keys);
 
+/* Where the route begins and what it is made of. */
 static const CaseKey route_keys[] = {
     {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(RouteRecord, start)},
     {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
@@ -90,6 +95,7 @@ static const CaseKey route_keys[] = {
 };
 SECTION(case_route, "route", route_keys);
 
+/* Which keys belong to straights and which to bends is checked in case_route.c. */
 static const CaseKey route_piece_keys[] = {
     {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a bend", ABOVE(0, LONG), AT(RoutePieceRecord, straight)},
     {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a straight", ABOVE(0, DEGREES(360)),
@@ -103,18 +109,21 @@ static const CaseKey route_piece_keys[] = {
 };
 SECTION(case_route_piece, "route.pieces.N", route_piece_keys);
 
+/* The section's being there is what makes a lead-in. */
 static const CaseKey lead_in_keys[] = {
     {"weight", KEY_CHOICE, .fallback = "carried", .choices = weights, AT(LeadInRecord, weight)},
     {"blend", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(LeadInRecord, blend)},
 };
 SECTION(case_lead_in, "lead_in", lead_in_keys);
 
+/* Rows along the route, and single ones. */
 static const CaseKey rollers_keys[] = {
     {"along", KEY_ANY, .otherwise = "none", .form = "a row of rollers, or a list of rows", AT(RollersRecord, along)},
     {"list", KEY_LIST, .otherwise = "none", .form = "rollers one by one", AT(RollersRecord, list)},
 };
 SECTION(case_rollers, "rollers", rollers_keys);
 
+/* A count of 0 means that the spacing decides. */
 static const CaseKey roller_row_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RollerRowRecord, from)},
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG), AT(RollerRowRecord, to)},
@@ -130,6 +139,7 @@ static const CaseKey roller_row_keys[] = {
 };
 SECTION(case_roller_row, "rollers.along", roller_row_keys);
 
+/* By coordinates: nothing is known of the route. */
 static const CaseKey roller_keys[] = {
     {"centre", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(RollerRecord, centre)},
     {"axis", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(RollerRecord, axis)},
@@ -141,6 +151,7 @@ static const CaseKey roller_keys[] = {
 };
 SECTION(case_roller, "rollers.list.N", roller_keys);
 
+/* ADAMS' IMPACT; the defaults' reasons are in sim/scene_def.c. */
 static const CaseKey contact_keys[] = {
     {"geometry", KEY_CHOICE, .fallback = "smooth", .choices = geometries, AT(ContactRecord, geometry)},
     {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "3.4e8 N/m^1.5", .form = "a force per length to the power e",
@@ -152,6 +163,7 @@ static const CaseKey contact_keys[] = {
 };
 SECTION(case_contact, "contact", contact_keys);
 
+/* No fallbacks: what is absent is the case's own law for a roller, and the default law for the case. */
 static const CaseKey friction_keys[] = {
     {"mu", KEY_NUMBER, .otherwise = "0.2", FROM(0, 10), AT(FrictionRecord, mu)},
     {"mu_s", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_s)},
@@ -161,6 +173,7 @@ static const CaseKey friction_keys[] = {
 };
 SECTION(case_friction, "friction", friction_keys);
 
+/* Each may be absent. */
 static const CaseKey drive_keys[] = {
     {"winch", KEY_MAP, .otherwise = "none", .form = "section `drive.winch`", AT(DrivesRecord, winch)},
     {"tail", KEY_MAP, .otherwise = "none", .form = "section `drive.tail`", AT(DrivesRecord, tail)},
@@ -191,6 +204,7 @@ static const CaseKey tail_keys[] = {
 };
 SECTION(case_tail, "drive.tail", tail_keys);
 
+/* The force alone is needed; the rest is the friction law's shape. */
 static const CaseKey rope_drag_keys[] = {
     {"force", KEY_NUMBER, DIM_FORCE, .required = 1, FROM(0, STRONG), AT(DragRecord, force)},
     {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "1 mm/s", ABOVE(0, 1e3), AT(DragRecord, v_s)},
@@ -199,12 +213,14 @@ static const CaseKey rope_drag_keys[] = {
 };
 SECTION(case_rope_drag, "drive.rope_drag", rope_drag_keys);
 
+/* Only the duration has no default. */
 static const CaseKey run_keys[] = {
     {"duration", KEY_NUMBER, DIM_TIME, .required = 1, ABOVE(0, LATE), AT(RunRecord, duration)},
     {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE), AT(RunRecord, steady_from)},
 };
 SECTION(case_run, "run", run_keys);
 
+/* 0 leaves a tolerance to the accuracy and the scene's scales. */
 static const CaseKey tolerances_keys[] = {
     {"position", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, 1), AT(SolverDef, atol_position)},
     {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, DEGREES(60)), AT(SolverDef, atol_rotation)},
@@ -213,6 +229,7 @@ static const CaseKey tolerances_keys[] = {
 };
 SECTION(case_tolerances, "solver.tolerances", tolerances_keys);
 
+/* Straight into SolverDef. */
 static const CaseKey solver_keys[] = {
     {"accuracy", KEY_NUMBER, .fallback = "1e-3", FROM(1e-12, 0.1), AT(SolverDef, accuracy)},
     {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &case_tolerances, .size = sizeof(SolverDef)},
@@ -229,6 +246,7 @@ static const CaseKey solver_keys[] = {
 };
 SECTION(case_solver, "solver", solver_keys);
 
+/* Straight into OutputDef, but for stations and segments. */
 static const CaseKey output_keys[] = {
     {"interval", KEY_NUMBER, DIM_TIME, .fallback = "50 ms", ABOVE(0, LATE), AT(OutputRecord, interval)},
     {"states", KEY_NUMBER, DIM_TIME, .fallback = "500 ms", FROM(0, LATE), AT(OutputRecord, states)},
@@ -239,6 +257,7 @@ static const CaseKey output_keys[] = {
 };
 SECTION(case_output, "output", output_keys);
 
+/* Both at once are allowed. */
 static const CaseKey stations_keys[] = {
     {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "those of the list alone", ABOVE(0, LONG),
      AT(StationsRecord, spacing)},
@@ -246,12 +265,14 @@ static const CaseKey stations_keys[] = {
 };
 SECTION(case_stations, "output.stations", stations_keys);
 
+/* Both keys are needed. */
 static const CaseKey station_keys[] = {
     {"name", KEY_TEXT, .required = 1, AT(StationRecord, name)},
     {"at", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(StationRecord, at)},
 };
 SECTION(case_station, "output.stations.list.N", station_keys);
 
+/* The allowances are lengths of cable, as the paper gives them. */
 static const CaseKey paper_keys[] = {
     {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, reel)},
     {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, rope)},
@@ -259,6 +280,7 @@ static const CaseKey paper_keys[] = {
 };
 SECTION(case_paper, "paper", paper_keys);
 
+/* Which keys belong to slopes and which to arcs is checked in case_output.c. */
 static const CaseKey paper_term_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(TermRecord, name)},
     {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is an arc", FROM(DEGREES(-89), DEGREES(89)),
@@ -272,6 +294,7 @@ static const CaseKey paper_term_keys[] = {
 };
 SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 
+/* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
     static const CaseSection *const all[] = {

@@ -79,12 +79,14 @@ struct Units {
  * and the handler is put back as it was. */
 static pthread_mutex_t udunits_lock = PTHREAD_MUTEX_INITIALIZER;
 
+/* Returns the handler that was there, to be put back. */
 static ut_error_message_handler udunits_enter(void)
 {
     pthread_mutex_lock(&udunits_lock);
     return ut_set_error_message_handler(ut_ignore);
 }
 
+/* The lock goes last: the handler is what it protects. */
 static void udunits_leave(ut_error_message_handler before)
 {
     ut_set_error_message_handler(before);
@@ -99,6 +101,7 @@ static int unit_name(ut_unit *unit, const char *name)
     return ok;
 }
 
+/* Each derived unit is made of those before it in the table. */
 static int system_fill(ut_system *system)
 {
     int ok = 1;
@@ -114,6 +117,7 @@ static int system_fill(ut_system *system)
     return ok;
 }
 
+/* 0 without memory; units_free takes back what was made. */
 static int units_fill(Units *units)
 {
     units->system = ut_new_system();
@@ -230,6 +234,7 @@ static double unit_read(const Units *units, const char *text, Dimension dimensio
     return factor;
 }
 
+/* A unit of scale 0 does not exist, so a factor of 0 can mean an error. */
 int units_read(const Units *units, const char *text, Dimension dimension, double *value, char *why)
 {
     assert(dimension != DIM_STIFFNESS);
@@ -260,6 +265,7 @@ static int stiffness_cut(const Units *units, char *copy, char **length, double *
     return 1;
 }
 
+/* udunits knows whole powers only, so that force and length are converted apart: N/mm^e is N (1000/m)^e. */
 int units_read_stiffness(const Units *units, const char *text, double e, double *value, char *why)
 {
     const char *unit;

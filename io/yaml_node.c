@@ -29,6 +29,7 @@ CaseNode *node_free(CaseNode *node)
     return NULL;
 }
 
+/* In constant time, by the pointer to the last child. */
 void node_append(CaseNode *parent, CaseNode *child)
 {
     assert(parent->kind != NODE_TEXT && !child->parent && !child->next);
@@ -42,6 +43,7 @@ void node_append(CaseNode *parent, CaseNode *child)
     parent->last = child;
 }
 
+/* Key and number pass to the new node, so that the old one's place in the tree is unchanged. */
 void node_replace(CaseNode *old, CaseNode *by)
 {
     CaseNode *parent = old->parent;
@@ -57,6 +59,7 @@ void node_replace(CaseNode *old, CaseNode *by)
     node_free(old);
 }
 
+/* Maps have 500 keys at most. */
 const CaseNode *case_node_key(const CaseNode *node, const char *key)
 {
     if (!node || node->kind != NODE_MAP) return NULL;
@@ -65,6 +68,7 @@ const CaseNode *case_node_key(const CaseNode *node, const char *key)
     return child;
 }
 
+/* From the first on; readers that need all items walk along `next` instead. */
 const CaseNode *case_node_item(const CaseNode *node, int index)
 {
     if (!node || node->kind != NODE_LIST) return NULL;

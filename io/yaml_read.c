@@ -22,8 +22,10 @@ typedef struct Reading {
     hawser_error *err;
 } Reading;
 
+/* libyaml counts from 0. */
 static int line_of(const Reading *r, yaml_mark_t mark) { return r->lines ? (int)mark.line + 1 : 0; }
 
+/* `detail` is the user's text and is shown in quotes. */
 static hawser_status complain(const Reading *r, int line, const char *what, const char *detail)
 {
     char place[CASE_PLACE_MAX], shown[CASE_SHOWN_MAX];
@@ -47,6 +49,7 @@ static hawser_status key_convert(Reading *r, int id, const CaseNode *map, char *
     return *key ? HAWSER_OK : error_memory(r->err);
 }
 
+/* The key's line counts for its value too: that is where people look. */
 static hawser_status map_convert(Reading *r, const yaml_node_t *from, int depth, CaseNode *map)
 {
     const yaml_node_pair_t *pair = from->data.mapping.pairs.start;
@@ -56,7 +59,7 @@ static hawser_status map_convert(Reading *r, const yaml_node_t *from, int depth,
         CaseNode *child = NULL;
         hawser_status status = key_convert(r, pair->key, map, &key, &line);
         if (!status) status = node_convert(r, pair->value, depth, &child);
-        if (status) {
+        if (!child) {
             free(key);
             return status;
         }
@@ -67,6 +70,7 @@ static hawser_status map_convert(Reading *r, const yaml_node_t *from, int depth,
     return HAWSER_OK;
 }
 
+/* Items have the line at which they begin. */
 static hawser_status list_convert(Reading *r, const yaml_node_t *from, int depth, CaseNode *list)
 {
     const yaml_node_item_t *item = from->data.sequence.items.start;
@@ -117,6 +121,7 @@ static int line_at(const char *text, size_t offset)
     return line;
 }
 
+/* libyaml's own message speaks of tokens here. */
 static int indented_with_tab(const char *text, int line)
 {
     for (; text && line > 1; line--) {
@@ -153,6 +158,7 @@ static hawser_status end_expect(Reading *r, yaml_parser_t *parser, const char *t
     return status;
 }
 
+/* The encoding is fixed, so that junk cannot pass for UTF-16. 0 without memory. */
 static int parser_start(yaml_parser_t *parser, const char *text, size_t size)
 {
     if (!yaml_parser_initialize(parser)) return 0;
@@ -161,6 +167,7 @@ static int parser_start(yaml_parser_t *parser, const char *text, size_t size)
     return 1;
 }
 
+/* Anchors may stand at any value. */
 static int event_has_anchor(const yaml_event_t *event)
 {
     if (event->type == YAML_SCALAR_EVENT) return event->data.scalar.anchor != NULL;
@@ -203,6 +210,7 @@ static hawser_status size_check(const Reading *r, const char *text, size_t size)
     return status;
 }
 
+/* The root is libyaml's node 1. */
 hawser_status yaml_read(const char *text, size_t size, const char *origin, int lines, CaseNode **out, hawser_error *err)
 {
     Reading r = {.origin = origin, .lines = lines, .err = err};

@@ -53,8 +53,12 @@ static hawser_status tree_new(const char *text, size_t size, const char *name, C
 {
     CaseTree *tree = calloc(1, sizeof *tree);
     const char *origin = tree ? tree_origin(tree, name) : NULL;
-    hawser_status status = origin ? HAWSER_OK : error_memory(err);
-    if (!status) status = yaml_read(text, size, origin, 1, &tree->root, err);
+    *out = NULL;
+    if (!origin) {
+        case_tree_free(tree);
+        return error_memory(err);
+    }
+    hawser_status status = yaml_read(text, size, origin, 1, &tree->root, err);
     if (!status && tree->root && tree->root->kind != NODE_MAP) {
         char place[CASE_PLACE_MAX];
         status = error_set(err, HAWSER_ERR_INPUT, "%s: a case is a map: lines of 'key: value'",
@@ -64,6 +68,7 @@ static hawser_status tree_new(const char *text, size_t size, const char *name, C
     return status;
 }
 
+/* The text's length is up to its NUL. */
 hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out, hawser_error *err)
 {
     return tree_new(text, strlen(text), name, out, err);
@@ -95,6 +100,7 @@ static char *stream_read(FILE *f, size_t *size)
     return text;
 }
 
+/* All of the file is in memory before anything is looked at; a pipe is as good as a file. */
 hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err)
 {
     *out = NULL;
@@ -121,12 +127,14 @@ typedef struct Setting {
     hawser_error *err;
 } Setting;
 
+/* Settings have no line; their key says where. */
 static hawser_status complain(const Setting *s, const char *what, const char *detail)
 {
     char shown[CASE_SHOWN_MAX];
     return error_set(s->err, HAWSER_ERR_INPUT, "%s: %s%s", s->origin, what, detail ? case_shown(detail, shown) : "");
 }
 
+/* The parts stay where they are, with the dots turned into ends. */
 static hawser_status key_cut(Setting *s, const char *key)
 {
     snprintf(s->key, sizeof s->key, "%s", key);
@@ -191,6 +199,7 @@ static CaseNode *branch_new(const Setting *s, int depth, CaseNode *value)
     return value;
 }
 
+/* Replaces what is there, or adds what is missing on the way. The value is placed or freed. */
 static hawser_status value_place(const Setting *s, CaseNode *value)
 {
     CaseNode *node;
@@ -210,6 +219,7 @@ static hawser_status value_place(const Setting *s, CaseNode *value)
     return HAWSER_OK;
 }
 
+/* The value is read before the tree is touched, so that a mistake leaves the tree as it was. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err)
 {
     char shown[CASE_SHOWN_MAX], origin[KEY_MAX + 16];

@@ -6,7 +6,7 @@ set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libudunits2-dev libjansson-dev libhdf5-dev
-    libcmocka-dev liblapacke-dev python3 python3-matplotlib"
+    libcmocka-dev liblapacke-dev python3 python3-matplotlib valgrind"
 lint_packages="clang clang-tidy"
 
 case "${1-}" in

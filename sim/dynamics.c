@@ -8,6 +8,8 @@
 #include "core/team.h"
 #include "sim/applied.h"
 
+enum { LONG_CHAIN = 1000 }; /* segments from which light loops pay on two threads */
+
 /* The rollers in two halves by number, which is mostly their order along the route. */
 static int parts_alloc(Workspace *ws, const Scene *scene)
 {
@@ -111,10 +113,11 @@ static void motion_job(void *arg, int rank)
                rank == 0 ? ws->middle : n, e->ydot);
 }
 
-/* Both shares of a job, on two threads or in a row. */
-static void both(Workspace *ws, TeamJob job, Evaluation *e)
+/* Both shares of a job, on two threads or in a row; jobs that take a few nanoseconds a segment (`light`) go to two threads
+ * only in long chains, where that outweighs waking the second one. */
+static void both(Workspace *ws, TeamJob job, int light, Evaluation *e)
 {
-    if (team_size(ws->team) == PARTS) {
+    if (team_size(ws->team) == PARTS && (!light || e->scene->chain.n >= LONG_CHAIN)) {
         team_run(ws->team, job, e);
     } else {
         job(e, 0);
@@ -125,10 +128,10 @@ static void both(Workspace *ws, TeamJob job, Evaluation *e)
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot)
 {
     Evaluation e = {.scene = scene, .ws = ws, .t = t, .friction = friction, .y = y, .ydot = ydot};
-    both(ws, kinematics_job, &e);
+    both(ws, kinematics_job, 1, &e);
     scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
-    both(ws, loads_job, &e);
-    both(ws, motion_job, &e);
+    both(ws, loads_job, 0, &e);
+    both(ws, motion_job, 1, &e);
     ++ws->rhs_evals;
 }
 
@@ -152,7 +155,7 @@ static void blocks_of_chain(Evaluation *e)
     Workspace *const ws = e->ws;
     const Chain *const chain = &e->scene->chain;
     const int after = ws->middle + LANES < chain->n + 1 ? ws->middle + LANES : chain->n + 1;
-    both(ws, blocks_job, e);
+    both(ws, blocks_job, 0, e);
     bushing_blocks(chain, &ws->kin, ws->middle, after, e->k, e->d);
     body_blocks(chain, &ws->kin, e->ydot, 0, chain->n, e->k, e->d);
 }

@@ -128,10 +128,12 @@ static void expand_job(void *arg, int rank)
     kernels()->expand(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
 }
 
+enum { LONG_CHAIN = 1000 }; /* segments from which these loops pay on two threads */
+
 /* Both halves, on two threads or in a row. */
 static void both(TeamJob job, Split *split)
 {
-    if (team_size(split->nw->team) == 2) {
+    if (team_size(split->nw->team) == 2 && split->nw->n >= LONG_CHAIN) {
         team_run(split->nw->team, job, split);
     } else {
         job(split, 0);

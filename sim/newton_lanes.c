@@ -43,7 +43,14 @@ LANE_INLINE void vector_load(int n, const double *b, int first, int width, int i
 
 LANE_INLINE void vector_store(int n, double *b, int first, int width, int i, int count, const Lane *in)
 {
-    for (int c = 0; c < width; ++c) memcpy(b + (first + c) * n + i, &in[c], (size_t)count * sizeof(double));
+    for (int c = 0; c < width; ++c) {
+        double *const to = b + (first + c) * n + i;
+        if (count == LANES) {
+            lane_store(to, in[c]);
+        } else {
+            memcpy(to, &in[c], (size_t)count * sizeof(double));
+        }
+    }
 }
 
 /* Six lanes to rows of six, and back. */

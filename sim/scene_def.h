@@ -30,7 +30,7 @@ typedef struct ChainPieceDef {
     int cable; /* index into cables */
     double length;
     int segments; /* >= 1 */
-    int swivel;   /* the joint to the next piece is an eye with a swivel: it transmits no torsion */
+    int swivel;   /* the joint to the piece before is an eye with a swivel: it transmits no torsion */
 } ChainPieceDef;
 
 typedef struct RollerDef {

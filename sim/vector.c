@@ -50,7 +50,8 @@ static int op_scale_add_multi(int terms, realtype *a, N_Vector x, N_Vector *y, N
 static void op_const(realtype a, N_Vector z)
 {
     double *const data = NV_DATA_S(z);
-    for (int i = 0; i < length_of(z); ++i) data[i] = a;
+    const int count = length_of(z);
+    for (int i = 0; i < count; ++i) data[i] = a;
 }
 
 void vector_project(N_Vector y, N_Vector correction, N_Vector error)

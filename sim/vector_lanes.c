@@ -92,18 +92,24 @@ LANE_INLINE void project_lane(const Lane q[4], Lane c[4], Lane *e)
     for (int k = 0; k < 4; ++k) e[k] -= along * q[k];
 }
 
+/* Quaternions i..i+count-1; a whole lane when count is LANES. */
+LANE_INLINE void project_at(int n, const double *y, double *correction, double *error, int i, int count)
+{
+    const size_t bytes = (size_t)count * sizeof(double);
+    Lane q[4] = {{1, 1, 1, 1, 1, 1, 1, 1}}, c[4], e[4] = {{0}};
+    for (int k = 0; k < 4; ++k) memcpy(&q[k], y + (STATE_Q + k) * n + i, bytes);
+    for (int k = 0; error && k < 4; ++k) memcpy(&e[k], error + (STATE_Q + k) * n + i, bytes);
+    project_lane(q, c, error ? e : NULL);
+    for (int k = 0; k < 4; ++k) memcpy(correction + (STATE_Q + k) * n + i, &c[k], bytes);
+    for (int k = 0; error && k < 4; ++k) memcpy(error + (STATE_Q + k) * n + i, &e[k], bytes);
+}
+
 static void kernel_project(int n, const double *y, double *correction, double *error)
 {
     memset(correction, 0, (size_t)(STATE_SIZE * n) * sizeof(double));
-    for (int i = 0; i < n; i += LANES) {
-        const size_t bytes = (size_t)(n - i < LANES ? n - i : LANES) * sizeof(double);
-        Lane q[4] = {{1, 1, 1, 1, 1, 1, 1, 1}}, c[4], e[4] = {{0}};
-        for (int k = 0; k < 4; ++k) memcpy(&q[k], y + (STATE_Q + k) * n + i, bytes);
-        for (int k = 0; error && k < 4; ++k) memcpy(&e[k], error + (STATE_Q + k) * n + i, bytes);
-        project_lane(q, c, error ? e : NULL);
-        for (int k = 0; k < 4; ++k) memcpy(correction + (STATE_Q + k) * n + i, &c[k], bytes);
-        for (int k = 0; error && k < 4; ++k) memcpy(error + (STATE_Q + k) * n + i, &e[k], bytes);
-    }
+    int i = 0;
+    for (; i + LANES <= n; i += LANES) project_at(n, y, correction, error, i, LANES);
+    if (i < n) project_at(n, y, correction, error, i, n - i);
 }
 
 const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum,    kernel_scale,      kernel_combination,
