@@ -18,7 +18,7 @@ static const char help[] =
     "      --set KEY=VALUE     changes a value of the case, as in --set drive.winch.speed='3 m/min';\n"
     "                          may be given many times\n"
     "      --threads N         1 or 2; results do not depend on it\n"
-    "      --linear-solver KIND  auto, block, klu ...: how Newton's matrix is solved\n"
+    "      --linear-solver KIND  auto, block, bordered, klu, klu-full, band or dense\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"

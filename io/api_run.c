@@ -1,6 +1,7 @@
 /* A run from the initial state to the case's end. The integrator takes its own steps; between them this file looks
- * whether a row, a state or a word to the caller is due. The integrator's steps do not stop at output times: what is
- * written there is the polynomial of its method within the step (and no step is longer than the time between rows). */
+ * whether a row, a state or a word to the caller is due. What is written is a state that the integrator reached, not
+ * one between two: a row belongs to the first step that ends at its time or after, and no step is longer than the time
+ * between rows. */
 #include "core/clock.h"
 #include "core/error.h"
 #include "io/api_handles.h"
@@ -37,7 +38,7 @@ static int beat_due(Beat *b, double t)
 {
     const double next = beat_next(b);
     if (!(b->interval > 0) || t < next - 1e-9 * fmax(1, next)) return 0;
-    b->count++;
+    b->count = (long)floor(t / b->interval + 1e-9) + 1;
     return 1;
 }
 
@@ -102,8 +103,7 @@ static hawser_status run_steps(Run *run, hawser_error *err)
     if (!status) status = write_due(run, err);
     if (!status) status = tell_progress(run, 1, err);
     while (!status && sim_time(sim) < end) {
-        const double next = fmin(end, fmin(beat_next(&run->row), beat_next(&run->state)));
-        status = sim_advance(sim, next, 1, err);
+        status = sim_advance(sim, end, 1, err);
         if (!status) status = write_due(run, err);
         if (!status) status = tell_progress(run, 0, err);
     }

@@ -113,8 +113,8 @@ static void motion_job(void *arg, int rank)
                rank == 0 ? ws->middle : n, e->ydot);
 }
 
-/* Both shares of a job, on two threads or in a row; jobs that take a few nanoseconds a segment (`light`) go to two threads
- * only in long chains, where that outweighs waking the second one. */
+/* Both shares of a job, on two threads or in a row; jobs that take a few nanoseconds a segment (`light`) go to two
+ * threads only in long chains, where that outweighs waking the second one. */
 static void both(Workspace *ws, TeamJob job, int light, Evaluation *e)
 {
     if (team_size(ws->team) == PARTS && (!light || e->scene->chain.n >= LONG_CHAIN)) {

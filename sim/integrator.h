@@ -20,8 +20,6 @@ Integrator *integrator_free(Integrator *in);
 /* Takes one step, but not beyond `stop` (s). On failure y and *t hold the last good step and err says when, where
  * and what to try (HAWSER_ERR_RUN). */
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err);
-/* The state at t (s), within the last step, by the polynomial that CVODE's method belongs to; y [13 n]. */
-void integrator_state_at(const Integrator *in, double t, double *y);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 
 #endif

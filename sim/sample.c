@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/applied.h"
+#include "core/lanes.h"
 
 int sample_alloc(SampleBuffers *b, const Scene *scene)
 {
@@ -79,7 +79,7 @@ static void winch_take(hawser_sample *s, const Scene *scene, Workspace *ws, doub
     const Winch *const w = &scene->winch;
     const int n = scene->chain.n;
     if (!w->present) return;
-    bushing_loads(&scene->chain, &ws->kin, 0, n + 1, &ws->joints);
+    bushing_loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints); /* the last lane holds the head's */
     const Vec3 pull = v3(ws->joints.force[0][n], ws->joints.force[1][n], ws->joints.force[2][n]);
     s->winch_force = v3_dot(pull, w->direction);
     s->winch_speed = profile_value(&w->speed, t);

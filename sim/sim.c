@@ -19,11 +19,9 @@ struct Sim {
     SampleBuffers look;
     Stats stats;
     Expected expected;
-    double t;            /* s, the time looked at; the integrator may be ahead by part of a step */
-    double t_step, *y;   /* s; [13 n] state at the end of the last step */
-    double *between;     /* [13 n] work: the state at t */
+    double t, *y; /* s; [13 n] */
     hawser_relaxation relaxation;
-    LinStats lin;                       /* what was chosen, and why */
+    LinStats lin;                                /* what was chosen, and why */
     double build_s, relax_s, output_s, record_s; /* s */
     int threads;
     Team *team;     /* of two, or NULL */
@@ -35,8 +33,7 @@ static hawser_status parts_new(Sim *s, hawser_error *err)
     const Scene *const scene = &s->scene;
     s->y = malloc((size_t)(STATE_SIZE * scene->chain.n) * sizeof(double));
     if (s->threads > 1) s->team = team_new(s->threads);
-    s->between = malloc((size_t)(STATE_SIZE * scene->chain.n) * sizeof(double));
-    if ((s->threads > 1 && !s->team) || !s->y || !s->between || !workspace_alloc(&s->ws, scene, s->team) ||
+    if ((s->threads > 1 && !s->team) || !s->y || !workspace_alloc(&s->ws, scene, s->team) ||
         !sample_alloc(&s->look, scene))
         return error_memory(err);
     scene_initial_state(scene, s->y);
@@ -80,7 +77,6 @@ Sim *sim_free(Sim *s)
     sample_free(&s->look);
     workspace_free(&s->ws);
     free(s->y);
-    free(s->between);
     scene_clear(&s->scene);
     team_free(s->team);
     free(s);
@@ -102,7 +98,7 @@ static double next_stop(const Sim *s, double stop)
     const Profile *const profile[] = {&s->scene.winch.speed, &s->scene.tail};
     for (int p = 0; p < 2; ++p) {
         double corner;
-        if (profile_next_corner(profile[p], s->t_step + 1e-9, &corner) && corner < stop) stop = corner;
+        if (profile_next_corner(profile[p], s->t + 1e-9, &corner) && corner < stop) stop = corner;
     }
     return stop;
 }
@@ -113,22 +109,12 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
         const hawser_status status = integrator_new(&s->scene, &s->ws, &s->newton, s->t, s->y, &s->integrator, err);
         if (status) return status;
     }
-    const double end = fmax(t, s->scene.def.duration); /* steps may end beyond t, but not beyond the case */
     hawser_status status = HAWSER_OK;
-    while (s->t_step < t && !status) {
-        status = integrator_step(s->integrator, next_stop(s, end), &s->t_step, err);
+    while (s->t < t && !status) {
+        status = integrator_step(s->integrator, next_stop(s, t), &s->t, err);
         if (one_step) break;
     }
-    if (t > s->t) s->t = fmin(t, s->t_step); /* time never goes back */
     return status;
-}
-
-/* The state at the time looked at. */
-static const double *state_now(Sim *s)
-{
-    if (!s->integrator || s->t >= s->t_step) return s->y;
-    integrator_state_at(s->integrator, s->t, s->between);
-    return s->between;
 }
 
 double sim_time(const Sim *s) { return s->t; }
@@ -139,7 +125,7 @@ const char *sim_title(const Sim *s) { return s->scene.def.title; }
 const hawser_sample *sim_sample(Sim *s)
 {
     const double start = clock_now();
-    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, state_now(s));
+    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, s->y);
     if (s->integrator) {
         IntegratorStats stats;
         integrator_stats(s->integrator, &stats);
@@ -181,6 +167,7 @@ static void integration_fill(const Sim *s, hawser_summary *out)
                                   .solve = i.solve,
                                   .vector = i.total - other};
     out->wall_time_s = i.total;
+    out->steps_per_second = i.total > 0 ? (double)i.steps / i.total : 0;
 }
 
 void sim_summary(const Sim *s, hawser_summary *out)
@@ -206,7 +193,6 @@ void sim_summary(const Sim *s, hawser_summary *out)
     out->phases.output = s->output_s + s->record_s;
     out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
     out->real_time_factor = out->wall_time_s > 0 ? s->t / out->wall_time_s : 0;
-    out->steps_per_second = out->wall_time_s > 0 ? (double)out->steps / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
 }
 

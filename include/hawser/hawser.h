@@ -104,8 +104,9 @@ typedef struct hawser_sample {
     const double *roller_load; /* [rollers], N, size of the contact force on the roller */
 } hawser_sample;
 
-/* Advances to t (s), or to one step beyond it when `one_step` is not 0 and the step ends sooner than t. Returns
- * HAWSER_ERR_RUN with when, where and what to try if the integration fails; the state of the last good step is kept. */
+/* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
+ * t. Returns HAWSER_ERR_RUN with when, where and what to try if the integration fails; the state of the last good step
+ * is kept. */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err);
 double hawser_sim_time(const hawser_sim *s);
 double hawser_sim_end_time(const hawser_sim *s);
@@ -131,7 +132,7 @@ typedef struct hawser_summary {
     int contact_active_max;
     double sim_time_s, wall_time_s, real_time_factor;
     long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_test_fails, newton_fails, contact_refreshes;
-    double steps_per_second;
+    double steps_per_second;       /* of integration: building, relaxation and output left out */
     const char *linear_solver;     /* "klu" ... */
     const char *linear_solver_why; /* why it was chosen */
     const char *ordering;

@@ -40,10 +40,8 @@ static inline void scene_new(TestScene *s, ContactGeometry geometry, int n, doub
         s->chain.radius[i] = 0.04365;
         s->kin.p[0][i] = (i + 0.5) * h;
     }
-    s->model = (ContactModel){.geometry = geometry,
-                              .impact = {.k = 2e7, .e = 1.5, .c = 2e4, .d = 1e-3},
-                              .reach = 10,
-                              .roller = s->roller};
+    s->model = (ContactModel){
+        .geometry = geometry, .impact = {.k = 2e7, .e = 1.5, .c = 2e4, .d = 1e-3}, .reach = 10, .roller = s->roller};
 }
 
 static inline void scene_free(TestScene *s)
@@ -55,8 +53,7 @@ static inline void scene_free(TestScene *s)
 }
 
 /* One more roller; returns it. */
-static inline ContactRoller *scene_roller(TestScene *s, Vec3 centre, Vec3 axis, double radius,
-                                          double half_width)
+static inline ContactRoller *scene_roller(TestScene *s, Vec3 centre, Vec3 axis, double radius, double half_width)
 {
     ContactRoller *roller = &s->roller[s->model.n_rollers++];
     *roller = (ContactRoller){{SHAPE_CYLINDER, centre, axis, radius, half_width}, {0.2, 0.15, 5e-3, 2e-2}};

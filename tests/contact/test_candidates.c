@@ -23,9 +23,8 @@ static void scene_wind(TestScene *s, ContactGeometry geometry, double reach)
         const double away = r % 8 ? 0.14 : 3;
         const Vec3 centre = v3_axpy(vector_of(s->kin.p, i), away, v3_unit(random_vector(&seed)));
         const double radius = 0.1 + 0.05 * random_next(&seed), half_width = 0.5 + 0.4 * random_next(&seed);
-        rollers[r] =
-            (ContactRoller){{SHAPE_CYLINDER, centre, v3_unit(random_vector(&seed)), radius, half_width},
-                            {0.2, 0.1, 5e-3, 2e-2}};
+        rollers[r] = (ContactRoller){{SHAPE_CYLINDER, centre, v3_unit(random_vector(&seed)), radius, half_width},
+                                     {0.2, 0.1, 5e-3, 2e-2}};
     }
     s->model.roller = rollers;
     s->model.n_rollers = ROLLERS;
@@ -52,14 +51,12 @@ static void brute_check(ContactGeometry geometry)
         for (int e = 0; e < element_count(geometry, N); ++e) {
             const Element element = element_at(geometry, N, e);
             const Sphere sphere = element_sphere(&element, &s.chain, &s.kin);
-            const int near =
-                shape_distance(&rollers[r].shape, sphere.centre) - sphere.radius <= s.model.reach;
+            const int near = shape_distance(&rollers[r].shape, sphere.centre) - sphere.radius <= s.model.reach;
             assert_int_equal(is_candidate(&s.pairs, r, e), near);
             count += near;
             for (int i = 0; i <= 8 && !near; ++i) {
                 const Vec3 p = element_point(&element, &s.chain, &s.kin, i / 8.0);
-                assert_true(shape_distance(&rollers[r].shape, p) -
-                                element_radius(&element, &s.chain, i / 8.0) >
+                assert_true(shape_distance(&rollers[r].shape, p) - element_radius(&element, &s.chain, i / 8.0) >
                             s.model.reach);
             }
         }

@@ -79,8 +79,7 @@ static double step_error(TestScene *s, double step)
         block_chain_zero(&m[i]);
     }
     contact_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &m[0], &m[1]);
-    const double stray =
-        contact_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, step, 1e-7, &m[2], &m[3]);
+    const double stray = contact_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, step, 1e-7, &m[2], &m[3]);
     assert_true(stray == 0);
     double error = 0;
     for (int quarter = 0; quarter < 4; ++quarter) {

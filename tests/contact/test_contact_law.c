@@ -116,9 +116,9 @@ static void test_friction_derivative(void **state)
         const double v = speeds[i], step = 1e-5 * v;
         double slope, unused;
         friction_over_speed(&friction, v, &slope);
-        const double difference = (friction_over_speed(&friction, v + step, &unused) -
-                                   friction_over_speed(&friction, v - step, &unused)) /
-                                  (2 * step);
+        const double difference =
+            (friction_over_speed(&friction, v + step, &unused) - friction_over_speed(&friction, v - step, &unused)) /
+            (2 * step);
         assert_true(fabs(difference / v - slope) < 1e-7 * fabs(slope));
     }
     /* at rest: viscous, finite slope over speed */

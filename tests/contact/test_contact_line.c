@@ -46,8 +46,8 @@ static Pushed line_push(TestScene *s, Vec3 step, int steps)
         for (int k = 0; k < n; ++k) vector_to(s->kin.p, k, v3_add(vector_of(s->kin.p, k), step));
     }
     free(past);
-    print_message("contacts %d..%d, force up to %.1f N, largest jump %.2e N\n", seen.hits_least,
-                  seen.hits_most, seen.force_most, seen.jump);
+    print_message("contacts %d..%d, force up to %.1f N, largest jump %.2e N\n", seen.hits_least, seen.hits_most,
+                  seen.force_most, seen.jump);
     return seen;
 }
 
@@ -88,8 +88,7 @@ static void line_bend(TestScene *s, double angle, double open)
     scene_join(s, v3(0, 0, 0));
     const double low = s->kin.p[2][n / 2] - s->chain.half[n / 2] * s->kin.a[2][n / 2];
     for (int i = 0; i < n; ++i) {
-        vector_to(s->kin.p, i,
-                  v3_axpy(v3_sub(vector_of(s->kin.p, i), v3(0, 0, low)), open, random_vector(&seed)));
+        vector_to(s->kin.p, i, v3_axpy(v3_sub(vector_of(s->kin.p, i), v3(0, 0, low)), open, random_vector(&seed)));
     }
 }
 
@@ -236,8 +235,7 @@ static double least_gap(const TestScene *s)
         for (int i = 0; i <= 2000; ++i) {
             const double u = i / 2000.0;
             const Vec3 p = element_point(&element, &s->chain, &s->kin, u);
-            least =
-                fmin(least, shape_distance(&s->roller[0].shape, p) - element_radius(&element, &s->chain, u));
+            least = fmin(least, shape_distance(&s->roller[0].shape, p) - element_radius(&element, &s->chain, u));
         }
     }
     return least;
@@ -255,8 +253,7 @@ static void nearest_check(ContactGeometry geometry)
             vector_to(s.kin.a, k, v3_unit(v3_axpy(v3(1, 0, 0), 0.2, random_vector(&seed))));
         }
         scene_join(&s, v3(0, 0, 0));
-        const Vec3 centre =
-            v3(2 + 2.2 * random_next(&seed), 0.1 * random_next(&seed), 0.3 * random_next(&seed));
+        const Vec3 centre = v3(2 + 2.2 * random_next(&seed), 0.1 * random_next(&seed), 0.3 * random_next(&seed));
         const Vec3 axis = v3_unit(v3_axpy(v3(0, 1, 0), 0.5, random_vector(&seed)));
         scene_roller(&s, centre, axis, 0.05, 0.2);
         scene_refresh(&s);

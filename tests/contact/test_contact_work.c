@@ -23,8 +23,7 @@ static void scene_random(TestScene *s, ContactGeometry geometry, uint64_t *seed)
 }
 
 /* Surface point and surface velocity of a hit, rebuilt from the line's definition. */
-static void surface_at(const TestScene *s, const ContactDetail *hit, Vec3 *point, Vec3 *velocity,
-                       Vec3 *normal)
+static void surface_at(const TestScene *s, const ContactDetail *hit, Vec3 *point, Vec3 *velocity, Vec3 *normal)
 {
     const Element element = element_at(s->model.geometry, N, hit->element);
     const double radius = element_radius(&element, &s->chain, hit->u);
@@ -111,8 +110,8 @@ static void test_force_follows_laws(void **state)
             double slope;
             surface_at(&s, &hit[h], &point, &velocity, &normal);
             const Vec3 slide = v3_reject(velocity, normal);
-            const double mu = 0.5 * v3_norm(slide) *
-                              friction_over_speed(&s.roller[hit[h].roller].friction, v3_norm(slide), &slope);
+            const double mu =
+                0.5 * v3_norm(slide) * friction_over_speed(&s.roller[hit[h].roller].friction, v3_norm(slide), &slope);
             const Vec3 expected = v3_axpy(normal, -mu / v3_norm(slide), slide);
             assert_true(v3_norm(v3_axpy(hit[h].force, -hit[h].normal, expected)) < 1e-6 * hit[h].normal);
             ++touching;

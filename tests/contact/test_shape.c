@@ -48,8 +48,7 @@ static void test_derivatives(void **state)
             assert_near((plus.distance - minus.distance) / (2 * step), v3_dot(probe.normal, e), 1e-8);
             const Vec3 column = v3_scale(1 / (2 * step), v3_sub(plus.normal, minus.normal));
             /* third derivatives grow as 1/distance^2 near the rim */
-            assert_true(v3_norm(v3_sub(column, m3_mul(&probe.hessian, e))) <
-                        1e-6 / fmin(1, fabs(probe.distance)));
+            assert_true(v3_norm(v3_sub(column, m3_mul(&probe.hessian, e))) < 1e-6 / fmin(1, fabs(probe.distance)));
         }
     }
 }

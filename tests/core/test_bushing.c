@@ -68,7 +68,8 @@ static double block_entry(const BlockChain *a, int i, int k, int row, int col)
     return block[36 * i + 6 * col + row];
 }
 
-/* Largest difference between block column (segment k, component c) and the central difference, over the largest entry. */
+/* Largest difference between block column (segment k, component c) and the central difference, over the largest entry.
+ */
 static double column_error(Rig *r, const BlockChain *a, int k, int c, int velocity)
 {
     const double e = 1e-5;
@@ -138,7 +139,8 @@ static void test_momentum(void **state)
         for (int j = 1; j < N; ++j) {
             const Vec3 f = vec_load(r.loads.force, j);
             const Vec3 arm = v3_sub(vec_load(r.kin.p, j - 1), vec_load(r.kin.p, j));
-            const Vec3 moment = v3_add(v3_add(vec_load(r.loads.torque_a, j), vec_load(r.loads.torque_b, j)), v3_cross(arm, f));
+            const Vec3 moment =
+                v3_add(v3_add(vec_load(r.loads.torque_a, j), vec_load(r.loads.torque_b, j)), v3_cross(arm, f));
             assert_true(v3_norm(moment) < 1e-13 * (1 + v3_norm(f)));
         }
         rig_free(&r);
@@ -250,9 +252,12 @@ static void test_by_hand(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_derivatives_symmetric), cmocka_unit_test(test_derivatives_adams),
-        cmocka_unit_test(test_momentum),              cmocka_unit_test(test_potential),
-        cmocka_unit_test(test_objectivity),           cmocka_unit_test(test_by_hand),
+        cmocka_unit_test(test_derivatives_symmetric),
+        cmocka_unit_test(test_derivatives_adams),
+        cmocka_unit_test(test_momentum),
+        cmocka_unit_test(test_potential),
+        cmocka_unit_test(test_objectivity),
+        cmocka_unit_test(test_by_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,8 +38,7 @@ static double quadrature(const Profile *p, double a, double b)
     static const double w[] = {0.56888888888888888889, 0.47862867049936646804, 0.23692688505618908751};
     const double m = (a + b) / 2, h = (b - a) / 2;
     double sum = w[0] * profile_value(p, m);
-    for (int i = 1; i < 3; i++)
-        sum += w[i] * (profile_value(p, m - h * x[i]) + profile_value(p, m + h * x[i]));
+    for (int i = 1; i < 3; i++) sum += w[i] * (profile_value(p, m - h * x[i]) + profile_value(p, m + h * x[i]));
     return sum * h;
 }
 

@@ -21,15 +21,12 @@ static void near(double found, double expected, double tolerance)
 static void near3(Vec3 found, Vec3 expected, double tolerance)
 {
     if (!(v3_norm(v3_sub(found, expected)) <= tolerance)) {
-        fail_msg("found (%.15g, %.15g, %.15g), expected (%.15g, %.15g, %.15g)", found.x, found.y, found.z,
-                 expected.x, expected.y, expected.z);
+        fail_msg("found (%.15g, %.15g, %.15g), expected (%.15g, %.15g, %.15g)", found.x, found.y, found.z, expected.x,
+                 expected.y, expected.z);
     }
 }
 
-static RoutePieceDef straight(double length)
-{
-    return (RoutePieceDef){.kind = ROUTE_STRAIGHT, .length = length};
-}
+static RoutePieceDef straight(double length) { return (RoutePieceDef){.kind = ROUTE_STRAIGHT, .length = length}; }
 
 static RoutePieceDef bend(double radius, double angle, double plane)
 {
@@ -54,8 +51,7 @@ static Route winding_route(void)
         bend(3, 2, 1.3),
     };
     Route route;
-    assert_int_equal(route_build(&route, sizeof def / sizeof *def, def, v3(1, -2, 3), 0.3, 0.2, NULL),
-                     HAWSER_OK);
+    assert_int_equal(route_build(&route, sizeof def / sizeof *def, def, v3(1, -2, 3), 0.3, 0.2, NULL), HAWSER_OK);
     return route;
 }
 
@@ -173,8 +169,7 @@ static void s_bend_restores_the_tangent(void **state)
 static void left_survives_the_vertical(void **state)
 {
     (void)state;
-    const RoutePieceDef def[] = {straight(2), bend(3, PI / 2, PI / 2), straight(5), bend(3, PI / 2, 0),
-                                 straight(1)};
+    const RoutePieceDef def[] = {straight(2), bend(3, PI / 2, PI / 2), straight(5), bend(3, PI / 2, 0), straight(1)};
     Route r;
     assert_int_equal(route_build(&r, 5, def, v3(0, 0, 0), 0.5, 0, NULL), HAWSER_OK);
     const Vec3 left = v3(-sin(0.5), cos(0.5), 0);

@@ -16,8 +16,7 @@
 
 enum { N = 5, R = 2 };
 
-static const hawser_roller fixture_rollers[R] = {{"entry, left", 0.5, 160e3, 100, 200, 320},
-                                                 {"P2", NAN, 0, 0, 0, 10}};
+static const hawser_roller fixture_rollers[R] = {{"entry, left", 0.5, 160e3, 100, 200, 320}, {"P2", NAN, 0, 0, 0, 10}};
 static const hawser_station fixture_stations[3] = {
     {"A", 0, 1000, 1010, 1020, 1500}, {"say \"B\"", 2, 2000, 2020, 1980, 2500}, {"C", 4, 0, 0, NAN, NAN}};
 static const int fixture_watched[2] = {0, 4};
@@ -26,8 +25,7 @@ static const ResultsDef fixture_def = {"A title", N, R, fixture_rollers, 2, fixt
 
 typedef struct Fixture {
     char dir[64];
-    double position[3 * N], quaternion[4 * N], velocity[3 * N], omega[3 * N], tension[N + 1], axial_speed[N],
-        load[R];
+    double position[3 * N], quaternion[4 * N], velocity[3 * N], omega[3 * N], tension[N + 1], axial_speed[N], load[R];
     hawser_sample sample;
 } Fixture;
 

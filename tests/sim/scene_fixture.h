@@ -23,6 +23,7 @@ typedef struct FixtureChoice {
     int soft; /* stiffness and friction speeds for which finite differences see every term */
     Vec3 start;
     double heading;
+    double accuracy; /* 0: the default */
 } FixtureChoice;
 
 /* An array of count zeroed items that scene_def_clear will free. */
@@ -129,6 +130,7 @@ static inline void fixture_pull(SceneDef *def, const FixtureChoice *choice)
     if (choice->soft) fixture_soften(def);
     fixture_route(def, choice);
     fixture_rollers(def);
+    if (choice->accuracy > 0) def->solver.accuracy = choice->accuracy;
     def->duration = 3;
     def->output.steady_from = 2;
 }

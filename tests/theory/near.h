@@ -11,12 +11,12 @@
 #include <cmocka.h>
 
 /* |found - expected| <= tolerance; NaN fails. */
-#define near(found, expected, tolerance)                                                                     \
-    do {                                                                                                     \
-        const double found_ = (found), expected_ = (expected);                                               \
-        if (!(fabs(found_ - expected_) <= (tolerance))) {                                                    \
-            fail_msg("found %.17g, expected %.17g, off by %.3g", found_, expected_, found_ - expected_);     \
-        }                                                                                                    \
+#define near(found, expected, tolerance)                                                                               \
+    do {                                                                                                               \
+        const double found_ = (found), expected_ = (expected);                                                         \
+        if (!(fabs(found_ - expected_) <= (tolerance))) {                                                              \
+            fail_msg("found %.17g, expected %.17g, off by %.3g", found_, expected_, found_ - expected_);               \
+        }                                                                                                              \
     } while (0)
 
 #endif

@@ -35,8 +35,7 @@ static void reference_numbers(void **state)
     const double slope[] = {0, 40, 0, -40}, plane[] = {1, 3, 3, 1};
     double T2 = 0;
     for (int k = 0; k < 4; k++) {
-        assert_int_equal(bend_vertical_tension((VerticalBend)k, 5000, 200, 0.2, 5, 40 * DEG, &T2, NULL),
-                         HAWSER_OK);
+        assert_int_equal(bend_vertical_tension((VerticalBend)k, 5000, 200, 0.2, 5, 40 * DEG, &T2, NULL), HAWSER_OK);
         near(T2, expected[k], 5e-5);
         near(integrated(slope[k] * DEG, 5, 40 * DEG, plane[k] * PI / 2, 0.2, 200, 5000), T2, 1e-10 * T2);
     }
@@ -92,10 +91,8 @@ static void straights_and_slopes(void **state)
 {
     (void)state;
     near(slope_tension(1000, 200, 0.2, 30, 0), 1000 + 0.2 * 200 * 30, 1e-12);
-    near(slope_tension(1000, 200, 0.2, 30, 10 * DEG), 1000 + 6000 * (0.2 * cos(10 * DEG) + sin(10 * DEG)),
-         1e-12);
-    near(slope_tension(1000, 200, 0.2, 30, -10 * DEG), 1000 + 6000 * (0.2 * cos(10 * DEG) - sin(10 * DEG)),
-         1e-12);
+    near(slope_tension(1000, 200, 0.2, 30, 10 * DEG), 1000 + 6000 * (0.2 * cos(10 * DEG) + sin(10 * DEG)), 1e-12);
+    near(slope_tension(1000, 200, 0.2, 30, -10 * DEG), 1000 + 6000 * (0.2 * cos(10 * DEG) - sin(10 * DEG)), 1e-12);
 }
 
 static void rollers(void **state)
@@ -127,14 +124,11 @@ static void refusals_have_reasons(void **state)
     double T2 = -77;
     assert_int_equal(bend_vertical_tension(SAG_LEVEL_UP, 900, 200, 0.2, 5, 0.5, &T2, &err), HAWSER_ERR_INPUT);
     assert_non_null(strstr(err.message, "lies on the bottom"));
-    assert_int_equal(bend_vertical_tension(SAG_DOWN_LEVEL, 800, 200, 0.2, 5, 0.5, &T2, &err),
-                     HAWSER_ERR_INPUT);
+    assert_int_equal(bend_vertical_tension(SAG_DOWN_LEVEL, 800, 200, 0.2, 5, 0.5, &T2, &err), HAWSER_ERR_INPUT);
     assert_non_null(strstr(err.message, "lies on the bottom"));
-    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 5000, 200, 0.2, 5, 1.6, &T2, &err),
-                     HAWSER_ERR_INPUT);
+    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 5000, 200, 0.2, 5, 1.6, &T2, &err), HAWSER_ERR_INPUT);
     assert_non_null(strstr(err.message, "past the vertical"));
-    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 10, 200, 0.01, 5, 1.5, &T2, &err),
-                     HAWSER_ERR_INPUT);
+    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 10, 200, 0.01, 5, 1.5, &T2, &err), HAWSER_ERR_INPUT);
     assert_non_null(strstr(err.message, "does not push"));
     assert_int_equal(bend_level_tension(-1, 200, 0.2, 5, 1, &T2, &err), HAWSER_ERR_INPUT);
     assert_non_null(strstr(err.message, "before the bend"));

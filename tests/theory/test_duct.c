@@ -7,8 +7,7 @@
 
 static DuctLoad load(double ratio, int cables, DuctLayout layout)
 {
-    const DuctDef def = {
-        .duct_diameter = ratio * 0.05, .cable_diameter = 0.05, .cables = cables, .layout = layout};
+    const DuctDef def = {.duct_diameter = ratio * 0.05, .cable_diameter = 0.05, .cables = cables, .layout = layout};
     DuctLoad out;
     hawser_error err;
     if (duct_load(&def, &out, &err)) fail_msg("%s", err.message);
@@ -18,8 +17,7 @@ static DuctLoad load(double ratio, int cables, DuctLayout layout)
 static void factors(void **state)
 {
     (void)state;
-    const DuctLoad one = load(1.5, 1, DUCT_AUTO), two = load(3, 2, DUCT_AUTO),
-                   three = load(2.4, 3, DUCT_AUTO);
+    const DuctLoad one = load(1.5, 1, DUCT_AUTO), two = load(3, 2, DUCT_AUTO), three = load(2.4, 3, DUCT_AUTO);
     const DuctLoad cradle = load(3, 3, DUCT_AUTO), four = load(3, 4, DUCT_AUTO);
     near(one.weight_factor, 1, 0);
     near(one.sidewall_factor, 1, 0);
@@ -71,8 +69,7 @@ static void clearances(void **state)
     near(load(1 + sqrt(2) + 1e-9, 4, DUCT_AUTO).clearance, 0, 1e-7);
     /* D = 4 d, triangle: D/2 - 1.366 d + (D - d)/2 sqrt(1 - x^2), the usual form. */
     const double d = 0.05;
-    near(load(4, 3, DUCT_TRIANGLE).clearance, 2 * d - (0.5 + sqrt(3) / 2) * d + 1.5 * d * sqrt(8.0 / 9),
-         1e-15);
+    near(load(4, 3, DUCT_TRIANGLE).clearance, 2 * d - (0.5 + sqrt(3) / 2) * d + 1.5 * d * sqrt(8.0 / 9), 1e-15);
     near(load(4, 3, DUCT_AUTO).fill, 3.0 / 16, 1e-15);
 }
 
@@ -110,20 +107,15 @@ static void refusals(void **state)
     refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0, .cables = 1}, "positive");
     refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.05, .cables = 2, .layout = DUCT_CRADLE},
            "is of 3 cables");
-    refuse((DuctDef){.duct_diameter = 0.35, .cable_diameter = 0.05, .cables = 3, .layout = DUCT_TRIANGLE},
-           "spreads");
+    refuse((DuctDef){.duct_diameter = 0.35, .cable_diameter = 0.05, .cables = 3, .layout = DUCT_TRIANGLE}, "spreads");
     refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.05, .cables = 4}, "spreads");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(factors),
-        cmocka_unit_test(cradle_balances),
-        cmocka_unit_test(layouts_follow_the_ratio),
-        cmocka_unit_test(clearances),
-        cmocka_unit_test(jamming),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(factors),    cmocka_unit_test(cradle_balances), cmocka_unit_test(layouts_follow_the_ratio),
+        cmocka_unit_test(clearances), cmocka_unit_test(jamming),         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,8 +54,7 @@ static void arcs_are_integrals(void **state)
     (void)state;
     const double ends[][2] = {{-0.3, 0}, {0, 0.5}, {0.4, -0.2}, {0.1, 0.6}, {-0.2, -0.7}};
     for (int k = 0; k < 5; k++) {
-        const PaperTermDef arc = {
-            .kind = PAPER_ARC, .radius = 7, .slope = ends[k][0], .slope_end = ends[k][1]};
+        const PaperTermDef arc = {.kind = PAPER_ARC, .radius = 7, .slope = ends[k][0], .slope_end = ends[k][1]};
         const int n = 2000;
         const double turn = ends[k][1] - ends[k][0], ds = 7 * fabs(turn) / n;
         double sum = 0;
@@ -80,8 +79,8 @@ static void tension_on_the_way(void **state)
     near(paper_tension(N_TERMS, TERMS, W, MU, G, 80), 12903.21 - 2286.88, 0.01);
     /* Continuous from term to term. */
     for (double s = 4; s < 60; s += 4.5) {
-        const double step = paper_tension(N_TERMS, TERMS, W, MU, G, s + 1e-9) -
-                            paper_tension(N_TERMS, TERMS, W, MU, G, s - 1e-9);
+        const double step =
+            paper_tension(N_TERMS, TERMS, W, MU, G, s + 1e-9) - paper_tension(N_TERMS, TERMS, W, MU, G, s - 1e-9);
         near(step, 0, 1e-5);
     }
 }

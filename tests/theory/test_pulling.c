@@ -58,8 +58,7 @@ static double plain_integral(const Route *route, int direction, double w, double
 
 static PullDef simple_def(const Route *route, const PullStretch *stretch, double start)
 {
-    return (PullDef){
-        .route = route, .to = route->length, .start_tension = start, .n_stretches = 1, .stretch = stretch};
+    return (PullDef){.route = route, .to = route->length, .start_tension = start, .n_stretches = 1, .stretch = stretch};
 }
 
 static void independent_integration_agrees(void **state)
@@ -98,8 +97,7 @@ static void mirrored_routes_agree(void **state)
     const double heading = atan2(-end.tangent.y, -end.tangent.x), slope = -route_slope(&a, a.length);
     /* The way back starts with a bend whose plane is the first one's, turned to the mirrored frame. */
     RoutePieceDef first = back[0];
-    const Vec3 left = v3(-sin(heading), cos(heading), 0), t = v3_scale(-1, end.tangent),
-               n = v3_unit(end.curvature);
+    const Vec3 left = v3(-sin(heading), cos(heading), 0), t = v3_scale(-1, end.tangent), n = v3_unit(end.curvature);
     first.plane = atan2(v3_dot(n, v3_cross(t, left)), v3_dot(n, left));
     const RoutePieceDef mirrored[] = {first, back[1], back[2], back[3]};
     assert_int_equal(route_build(&b, 4, mirrored, end.position, heading, slope, NULL), HAWSER_OK);
@@ -161,10 +159,8 @@ static void stretches_and_steps(void **state)
     const PullStretch stretch[] = {{.weight = 200, .mu = 0},
                                    {.from = 10, .weight = 200, .mu = 0.2, .mu_static = 0.3},
                                    {.from = 70, .weight = 8, .mu = 0.5, .mu_static = 0.1}};
-    const PullStep step[] = {{.at = 40, .force = -900},
-                             {.at = 0, .force = 50},
-                             {.at = 100, .force = 25},
-                             {.at = 200, .force = 1e6}};
+    const PullStep step[] = {
+        {.at = 40, .force = -900}, {.at = 0, .force = 50}, {.at = 100, .force = 25}, {.at = 200, .force = 1e6}};
     PullDef def = {.route = &route,
                    .from = -20,
                    .to = 110,
