@@ -204,8 +204,9 @@ int main(int argc, char **argv)
         return 2;
     }
     static Bench bench;
-    bench_new(&bench);
     printf("target %s-%s\n", BENCH_COMPILER, isa_name(isa_best()));
+    fflush(stdout); /* so that it is known even if the rest cannot run */
+    bench_new(&bench);
     for (int k = 0; k < PHASES; ++k) {
         if (all || k == which) phase_count(&phase_list[k], &bench, count);
     }

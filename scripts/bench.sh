@@ -2,7 +2,7 @@
 # Runs the benchmarks of docs/performance.md: the linear solvers alone, then whole runs. Wants a machine that does nothing
 # else; takes two to three minutes.
 # Usage: sh scripts/bench.sh [--quick]     (--quick: does everything work? Seconds, changes no document)
-# Writes bench/results/MACHINE/runs.csv and linsolve.md and the tables of docs/performance.d/20-runs.md, then docs/performance.md.
+# Writes bench/results/MACHINE/runs.csv and linsolve.md, the tables of docs/performance.d/20-runs.md, docs/performance.md.
 set -eu
 
 quick=no

@@ -36,18 +36,18 @@ static Vec3 lead_in_hold(const Weight *w, const Kinematics *kin, int i)
     return v3_axpy(v3_scale(-w->hold, off), -w->hold_damping, v3_reject(body_velocity(kin, i), w->direction));
 }
 
-static void weight_loads(const Scene *scene, const Kinematics *kin, Loads *loads)
+void applied_weight(const Scene *scene, const Kinematics *kin, int from, int to, Loads *loads)
 {
     const Weight *const w = &scene->weight;
     const double g[3] = {w->gravity.x, w->gravity.y, w->gravity.z};
     for (int c = 0; c < 3; ++c) {
-        for (int i = 0; i < scene->chain.n; ++i) {
+        for (int i = from; i < to; ++i) {
             loads->f[c][i] = scene->chain.mass[i] * g[c];
             loads->m[c][i] = 0;
         }
     }
     if (!w->lead_in) return;
-    for (int i = 0; i < scene->chain.n; ++i) {
+    for (int i = from; i < to; ++i) {
         const double share = weight_share(w, body_position(kin, i), NULL);
         if (share >= 1) break; /* all segments ahead are past the start */
         const Vec3 behind = v3_add(v3_sub(w->behind, w->gravity), lead_in_hold(w, kin, i));
@@ -128,9 +128,8 @@ static void drag_blocks(const Scene *scene, const Kinematics *kin, double fricti
     }
 }
 
-void applied_loads(const Scene *scene, const Kinematics *kin, double t, double friction, Loads *loads)
+void applied_ends(const Scene *scene, const Kinematics *kin, double t, double friction, Loads *loads)
 {
-    weight_loads(scene, kin, loads);
     tail_loads(scene, kin, t, loads);
     drag_loads(scene, kin, friction, loads);
 }

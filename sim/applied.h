@@ -5,8 +5,10 @@
 
 #include "sim/scene.h"
 
-/* Writes (does not add) the applied loads of time t into loads. */
-void applied_loads(const Scene *scene, const Kinematics *kin, double t, double friction, Loads *loads);
+/* Writes (does not add) the weight of segments from..to-1, with what the lead-in does to them, into loads. */
+void applied_weight(const Scene *scene, const Kinematics *kin, int from, int to, Loads *loads);
+/* Adds the tail's tension of time t and the rope's drag, times friction. */
+void applied_ends(const Scene *scene, const Kinematics *kin, double t, double friction, Loads *loads);
 /* Adds their derivatives to the diagonal blocks of k and d. */
 void applied_blocks(const Scene *scene, const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d);
 

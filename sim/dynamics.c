@@ -71,16 +71,12 @@ typedef struct Evaluation {
     BlockChain *k, *d;
 } Evaluation;
 
-/* Applied loads and the contacts of one half of the rollers. */
+/* The contacts of one half of the rollers; the first half brings the loads at the ends too. */
 static void part_loads(const Evaluation *e, int part)
 {
     Workspace *const ws = e->ws;
     ContactPart *const mine = &ws->contact[part];
-    if (part == 0) {
-        applied_loads(e->scene, &ws->kin, e->t, e->friction, &ws->loads[0]);
-    } else {
-        loads_zero(&ws->loads[part], e->scene->chain.n);
-    }
+    if (part == 0) applied_ends(e->scene, &ws->kin, e->t, e->friction, &ws->loads[0]);
     if (mine->model.n_rollers == 0) return;
     const double start = clock_now();
     contact_forces(&mine->model, &e->scene->chain, &ws->kin, e->friction, &mine->pairs, &ws->loads[part], NULL);
@@ -88,11 +84,18 @@ static void part_loads(const Evaluation *e, int part)
 }
 
 /* The corridor of one step in three strides; each half needs what both halves did in the stride before. */
+/* Kinematics of one half, with its weight, and nothing yet in the second set of loads. */
 static void kinematics_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
-    const int n = e->scene->chain.n, middle = e->ws->middle;
-    body_kinematics(n, e->y, rank == 0 ? 0 : middle, rank == 0 ? middle : n, &e->ws->kin);
+    Workspace *const ws = e->ws;
+    const int n = e->scene->chain.n, from = rank == 0 ? 0 : ws->middle, to = rank == 0 ? ws->middle : n;
+    body_kinematics(n, e->y, from, to, &ws->kin);
+    applied_weight(e->scene, &ws->kin, from, to, &ws->loads[0]);
+    for (int c = 0; c < 3; ++c) {
+        memset(ws->loads[1].f[c] + from, 0, (size_t)(to - from) * sizeof(double));
+        memset(ws->loads[1].m[c] + from, 0, (size_t)(to - from) * sizeof(double));
+    }
 }
 
 static void loads_job(void *arg, int rank)

@@ -110,16 +110,14 @@ static void form_job(void *arg, int rank)
     kernels()->form(nw, split_from(nw, rank), split_to(nw, rank));
 }
 
-static void eliminate_job(void *arg, int rank)
+/* Eliminates in one half and couples its rows, but for the one at the middle, which needs the other half's z too. */
+static void reduce_job(void *arg, int rank)
 {
     const Split *const s = arg;
-    kernels()->eliminate(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
-}
-
-static void couple_job(void *arg, int rank)
-{
-    const Split *const s = arg;
-    kernels()->couple(s->nw, split_from(s->nw, rank), split_to(s->nw, rank));
+    Newton *const nw = s->nw;
+    const int from = split_from(nw, rank), to = split_to(nw, rank);
+    kernels()->eliminate(nw, s->b, from, to);
+    kernels()->couple(nw, rank == 0 ? from : from + 1, rank == 0 ? to - 1 : to);
 }
 
 static void expand_job(void *arg, int rank)
@@ -163,8 +161,8 @@ int newton_solve(Newton *nw, double *b)
 {
     if (nw->full) return newton_full_solve(nw->full, nw, b);
     Split split = {.nw = nw, .b = b};
-    both(eliminate_job, &split);
-    both(couple_job, &split);
+    both(reduce_job, &split);
+    kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
     const int status = linsolver_solve(nw->solver, nw->x);
     if (!status) both(expand_job, &split);
     return status;
