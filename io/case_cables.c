@@ -56,6 +56,9 @@ static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, co
     const double factor[6] = {c->factor.axial,   c->factor.shear,   c->factor.shear,
                               c->factor.torsion, c->factor.bending, c->factor.bending};
     memcpy(cable->damping_factor, factor, sizeof factor);
+    const double preload[6] = {c->preload.axial,   c->preload.shear_y,   c->preload.shear_z,
+                               c->preload.torsion, c->preload.bending_y, c->preload.bending_z};
+    memcpy(cable->preload, preload, sizeof preload);
     return s;
 }
 

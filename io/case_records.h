@@ -11,11 +11,16 @@ typedef struct FactorRecord {
     double axial, shear, torsion, bending;
 } FactorRecord;
 
+typedef struct PreloadRecord {
+    double axial, shear_y, shear_z, torsion, bending_y, bending_z;
+} PreloadRecord;
+
 typedef struct CableRecord {
     double E, G, d, A, density;              /* the paper's shorthand, eq. 2 */
     double EA, GA, GJ, EI, EI_y, EI_z, mass; /* given directly */
     double damping;
     FactorRecord factor;
+    PreloadRecord preload;
 } CableRecord;
 
 typedef struct PieceRecord {

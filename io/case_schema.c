@@ -55,6 +55,16 @@ static const CaseKey damping_factor_keys[] = {
 };
 SECTION(case_damping_factor, "cables.NAME.damping_factor", damping_factor_keys);
 
+static const CaseKey preload_keys[] = {
+    {"axial", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(PreloadRecord, axial)},
+    {"shear_y", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(PreloadRecord, shear_y)},
+    {"shear_z", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(PreloadRecord, shear_z)},
+    {"torsion", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(-STIFF, STIFF), AT(PreloadRecord, torsion)},
+    {"bending_y", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(-STIFF, STIFF), AT(PreloadRecord, bending_y)},
+    {"bending_z", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(-STIFF, STIFF), AT(PreloadRecord, bending_z)},
+};
+SECTION(case_preload, "cables.NAME.preload", preload_keys);
+
 /* A rigidity has no default of its own: case_cables.c takes it from the shorthand, eq. 2 of the paper. */
 static const CaseKey cable_keys[] = {
     {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 100), AT(CableRecord, d)},
@@ -72,6 +82,7 @@ static const CaseKey cable_keys[] = {
     {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(CableRecord, damping)},
     {"damping_factor", KEY_SECTION, .otherwise = "its defaults", .section = &case_damping_factor,
      AT(CableRecord, factor)},
+    {"preload", KEY_SECTION, .otherwise = "its defaults", .section = &case_preload, AT(CableRecord, preload)},
 };
 SECTION(case_cable, "cables.NAME", cable_keys);
 
@@ -297,11 +308,31 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 /* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
-    static const CaseSection *const all[] = {
-        &case_top,         &case_cable,    &case_damping_factor, &case_chain_piece, &case_route,
-        &case_route_piece, &case_lead_in,  &case_rollers,        &case_roller_row,  &case_roller,
-        &case_contact,     &case_friction, &case_drive,          &case_winch,       &case_tail,
-        &case_rope_drag,   &case_run,      &case_solver,         &case_tolerances,  &case_output,
-        &case_stations,    &case_station,  &case_paper,          &case_paper_term,  NULL};
+    static const CaseSection *const all[] = {&case_top,
+                                             &case_cable,
+                                             &case_damping_factor,
+                                             &case_preload,
+                                             &case_chain_piece,
+                                             &case_route,
+                                             &case_route_piece,
+                                             &case_lead_in,
+                                             &case_rollers,
+                                             &case_roller_row,
+                                             &case_roller,
+                                             &case_contact,
+                                             &case_friction,
+                                             &case_drive,
+                                             &case_winch,
+                                             &case_tail,
+                                             &case_rope_drag,
+                                             &case_run,
+                                             &case_solver,
+                                             &case_tolerances,
+                                             &case_output,
+                                             &case_stations,
+                                             &case_station,
+                                             &case_paper,
+                                             &case_paper_term,
+                                             NULL};
     return all;
 }

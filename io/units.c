@@ -27,6 +27,7 @@ static const DimensionRow dimensions[DIM_COUNT] = {
     [DIM_FORCE] = {"a force", "N", "6.9 kN"},
     [DIM_PRESSURE] = {"a modulus or pressure", "Pa", "115 GPa"},
     [DIM_RIGIDITY] = {"a rigidity", "N m2", "12 kN m2"},
+    [DIM_MOMENT] = {"a moment", "N m", "50 N m"},
     [DIM_DENSITY] = {"a density", "kg/m3", "7801 kg/m3"},
     [DIM_LINE_MASS] = {"a mass per length", "kg/m", "22 kg/m"},
     [DIM_DASHPOT] = {"a force per speed", "N s/m", "10 kN s/m"},

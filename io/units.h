@@ -15,6 +15,7 @@ typedef enum Dimension {
     DIM_FORCE,
     DIM_PRESSURE,
     DIM_RIGIDITY, /* torsion and bending: force times area */
+    DIM_MOMENT,
     DIM_DENSITY,
     DIM_LINE_MASS,
     DIM_DASHPOT,   /* force per speed */

@@ -43,16 +43,34 @@ static void half_stiffness(const CableDef *cable, double half, double k[6])
     for (int c = 0; c < 6; ++c) k[c] = rigidity[c] / half;
 }
 
+/* What a bushing is made of, six components. */
+typedef struct Bushing {
+    double stiffness[6], damping[6], preload[6];
+} Bushing;
+
 /* Two half-springs in series, with the damping that dissipates as much in a slow motion (B15). */
-static void series(const CableDef *a, double half_a, const CableDef *b, double half_b, double k[6], double d[6])
+static Bushing series(const CableDef *a, double half_a, const CableDef *b, double half_b)
 {
     double ka[6], kb[6];
+    Bushing out;
     half_stiffness(a, half_a, ka);
     half_stiffness(b, half_b, kb);
     for (int c = 0; c < 6; ++c) {
-        k[c] = ka[c] * kb[c] / (ka[c] + kb[c]);
+        const double k = ka[c] * kb[c] / (ka[c] + kb[c]);
         const double beta_a = a->damping * a->damping_factor[c], beta_b = b->damping * b->damping_factor[c];
-        d[c] = k[c] * k[c] * (beta_a / ka[c] + beta_b / kb[c]);
+        out.stiffness[c] = k;
+        out.damping[c] = k * k * (beta_a / ka[c] + beta_b / kb[c]);
+        out.preload[c] = k * (a->preload[c] / ka[c] + b->preload[c] / kb[c]);
+    }
+    return out;
+}
+
+static void joint_set(Chain *chain, int j, const Bushing *b, int components)
+{
+    for (int c = 0; c < components; ++c) {
+        chain->stiffness[c][j] = b->stiffness[c];
+        chain->damping[c][j] = b->damping[c];
+        chain->preload[c][j] = b->preload[c];
     }
 }
 
@@ -61,23 +79,21 @@ static void joints_fill(Scene *scene)
 {
     Chain *const c = &scene->chain;
     const SceneDef *const def = &scene->def;
-    double k[6], d[6];
     for (int j = 1; j < c->n; ++j) {
         const int pa = scene->piece[j - 1], pb = scene->piece[j];
-        series(cable_of(def, pa), c->half[j - 1], cable_of(def, pb), c->half[j], k, d);
-        if (pa != pb && def->pieces[pb].swivel) k[3] = d[3] = 0;
-        for (int m = 0; m < 6; ++m) {
-            c->stiffness[m][j] = k[m];
-            c->damping[m][j] = d[m];
-        }
+        Bushing b = series(cable_of(def, pa), c->half[j - 1], cable_of(def, pb), c->half[j]);
+        if (pa != pb && def->pieces[pb].swivel) b.stiffness[3] = b.damping[3] = b.preload[3] = 0;
+        joint_set(c, j, &b, 6);
     }
     if (!scene->winch.present) return;
     const CableDef *const last = cable_of(def, def->n_pieces - 1);
-    half_stiffness(last, c->half[c->n - 1], k);
-    for (int m = 0; m < (def->winch.axial_only ? 1 : 6); ++m) {
-        c->stiffness[m][c->n] = k[m];
-        c->damping[m][c->n] = k[m] * last->damping * last->damping_factor[m];
+    Bushing b;
+    half_stiffness(last, c->half[c->n - 1], b.stiffness);
+    for (int m = 0; m < 6; ++m) {
+        b.damping[m] = b.stiffness[m] * last->damping * last->damping_factor[m];
+        b.preload[m] = last->preload[m];
     }
+    joint_set(c, c->n, &b, def->winch.axial_only ? 1 : 6);
 }
 
 /* The route coordinate at distance `chord` from the point at s, ahead or behind (sign), by Newton's method. */

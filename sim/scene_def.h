@@ -23,6 +23,7 @@ typedef struct CableDef {
     double diameter;          /* m, outside: contact and rotary inertia */
     double damping;           /* s: C = damping * factor * K */
     double damping_factor[6]; /* axial, shear y, shear z, torsion, bending y, bending z */
+    double preload[6];        /* N, N m: the wrench of an undeformed bushing, the same components (eq. 1) */
 } CableDef;
 
 /* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */

@@ -92,6 +92,8 @@ static void cable_shorthand(void **state)
     expect_near(c->damping, 1e-3, 1e-15);
     const double factor[6] = {1, 2, 2, 10, 3, 3};
     assert_memory_equal(c->damping_factor, factor, sizeof factor);
+    const double preload[6] = {5, 0.5, -0.5, 1, 2, -3};
+    assert_memory_equal(c->preload, preload, sizeof preload);
     const CableDef *rope = &def.cables[1];
     const double direct[6] = {15.7e6, 6.05e6, 263, 300, 301, 0.676};
     const double read[6] = {rope->ea, rope->ga, rope->gj, rope->ei_y, rope->ei_z, rope->mass};

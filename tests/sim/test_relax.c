@@ -181,12 +181,31 @@ static void test_scale(void **state)
     }
 }
 
+/* A preload draws a free chain together by f0/k a joint, where the two cables' half-springs in series say so. */
+static void test_preload(void **state)
+{
+    (void)state;
+    enum { SEGMENTS = 10 };
+    const double f0 = 3; /* N */
+    SceneDef def;
+    fixture_free_chain(&def, SEGMENTS);
+    def.cables[0].preload[0] = f0;
+    Rig *const r = rig_new(&def);
+    const double stiffness = r->scene.chain.stiffness[0][1], first = r->y[0], last = r->y[SEGMENTS - 1];
+    assert_true(fabs(r->scene.chain.preload[0][1] - f0) < 1e-12);
+    assert_true(rig_relax(r).reached);
+    const double shorter = fabs(last - first) - fabs(r->y[SEGMENTS - 1] - r->y[0]);
+    assert_true(fabs(shorter - (SEGMENTS - 1) * f0 / stiffness) < 1e-6 * shorter);
+    rig_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_reached),        cmocka_unit_test(test_total_balance),
         cmocka_unit_test(test_start_is_still), cmocka_unit_test(test_too_few_iterations),
         cmocka_unit_test(test_free_fall),      cmocka_unit_test(test_scale),
+        cmocka_unit_test(test_preload),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
