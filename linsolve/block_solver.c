@@ -7,7 +7,7 @@
 #include "linsolve/backend.h"
 
 /* From how many blocks on the second thread pays: measured, docs/performance.md. */
-enum { TEAM_FACTOR_MIN = 300, TEAM_SOLVE_MIN = 600, ALIGNMENT = 64 };
+enum { TEAM_FACTOR_MIN = 600, TEAM_SOLVE_MIN = 600, ALIGNMENT = 64 };
 
 static const BlockKernels *kernels_for(int b, Isa isa)
 {
