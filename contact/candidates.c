@@ -83,6 +83,7 @@ static int range_add(ContactPairs *pairs, ContactRange range)
         pairs->range = grown;
         pairs->ranges_allocated = more;
     }
+    assert(pairs->range);
     pairs->range[pairs->n_ranges++] = range;
     return 1;
 }
@@ -116,6 +117,7 @@ static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller
 static int hits_reserve(ContactPairs *pairs)
 {
     if (pairs->candidates <= pairs->hits_allocated) return 1;
+    assert(pairs->candidates > 0);
     ContactHit *grown = realloc(pairs->hit, (size_t)pairs->candidates * sizeof *grown);
     if (!grown) return 0;
     pairs->hit = grown;

@@ -25,8 +25,7 @@ double *chain_array_free(double *array)
     return NULL;
 }
 
-/* Fills `count` pointers with new arrays; 0 if one of them could not be had (the others are kept for the free). */
-static int arrays_new(double **array, int count, int n, double fill)
+int chain_arrays_new(double **array, int count, int n, double fill)
 {
     int ok = 1;
     for (int c = 0; c < count; ++c) {
@@ -36,7 +35,7 @@ static int arrays_new(double **array, int count, int n, double fill)
     return ok;
 }
 
-static void arrays_free(double **array, int count)
+void chain_arrays_free(double **array, int count)
 {
     for (int c = 0; c < count; ++c) array[c] = chain_array_free(array[c]);
 }
@@ -46,64 +45,64 @@ int chain_alloc(Chain *chain, int n)
     memset(chain, 0, sizeof *chain);
     chain->n = n;
     chain->stride = chain_stride(n);
-    int ok = arrays_new(&chain->half, 1, n, 0);
-    ok &= arrays_new(&chain->mass, 1, n, 1);
-    ok &= arrays_new(chain->inertia, 3, n, 1);
-    ok &= arrays_new(&chain->radius, 1, n, 0);
-    ok &= arrays_new(chain->stiffness, 6, n, 0);
-    ok &= arrays_new(chain->damping, 6, n, 0);
-    ok &= arrays_new(chain->preload, 6, n, 0);
+    int ok = chain_arrays_new(&chain->half, 1, n, 0);
+    ok &= chain_arrays_new(&chain->mass, 1, n, 1);
+    ok &= chain_arrays_new(chain->inertia, 3, n, 1);
+    ok &= chain_arrays_new(&chain->radius, 1, n, 0);
+    ok &= chain_arrays_new(chain->stiffness, 6, n, 0);
+    ok &= chain_arrays_new(chain->damping, 6, n, 0);
+    ok &= chain_arrays_new(chain->preload, 6, n, 0);
     if (!ok) chain_free(chain);
     return ok;
 }
 
 void chain_free(Chain *chain)
 {
-    arrays_free(&chain->half, 1);
-    arrays_free(&chain->mass, 1);
-    arrays_free(chain->inertia, 3);
-    arrays_free(&chain->radius, 1);
-    arrays_free(chain->stiffness, 6);
-    arrays_free(chain->damping, 6);
-    arrays_free(chain->preload, 6);
+    chain_arrays_free(&chain->half, 1);
+    chain_arrays_free(&chain->mass, 1);
+    chain_arrays_free(chain->inertia, 3);
+    chain_arrays_free(&chain->radius, 1);
+    chain_arrays_free(chain->stiffness, 6);
+    chain_arrays_free(chain->damping, 6);
+    chain_arrays_free(chain->preload, 6);
 }
 
 int kinematics_alloc(Kinematics *kin, int n)
 {
     memset(kin, 0, sizeof *kin);
-    int ok = arrays_new(kin->p, 3, n, 0);
-    ok &= arrays_new(kin->q, 1, n, 1);
-    ok &= arrays_new(kin->q + 1, 3, n, 0);
-    ok &= arrays_new(kin->v, 3, n, 0);
-    ok &= arrays_new(kin->w, 3, n, 0);
-    ok &= arrays_new(kin->a, 1, n, 1);
-    ok &= arrays_new(kin->a + 1, 2, n, 0);
+    int ok = chain_arrays_new(kin->p, 3, n, 0);
+    ok &= chain_arrays_new(kin->q, 1, n, 1);
+    ok &= chain_arrays_new(kin->q + 1, 3, n, 0);
+    ok &= chain_arrays_new(kin->v, 3, n, 0);
+    ok &= chain_arrays_new(kin->w, 3, n, 0);
+    ok &= chain_arrays_new(kin->a, 1, n, 1);
+    ok &= chain_arrays_new(kin->a + 1, 2, n, 0);
     if (!ok) kinematics_free(kin);
     return ok;
 }
 
 void kinematics_free(Kinematics *kin)
 {
-    arrays_free(kin->p, 3);
-    arrays_free(kin->q, 4);
-    arrays_free(kin->v, 3);
-    arrays_free(kin->w, 3);
-    arrays_free(kin->a, 3);
+    chain_arrays_free(kin->p, 3);
+    chain_arrays_free(kin->q, 4);
+    chain_arrays_free(kin->v, 3);
+    chain_arrays_free(kin->w, 3);
+    chain_arrays_free(kin->a, 3);
 }
 
 int loads_alloc(Loads *loads, int n)
 {
     memset(loads, 0, sizeof *loads);
-    int ok = arrays_new(loads->f, 3, n, 0);
-    ok &= arrays_new(loads->m, 3, n, 0);
+    int ok = chain_arrays_new(loads->f, 3, n, 0);
+    ok &= chain_arrays_new(loads->m, 3, n, 0);
     if (!ok) loads_free(loads);
     return ok;
 }
 
 void loads_free(Loads *loads)
 {
-    arrays_free(loads->f, 3);
-    arrays_free(loads->m, 3);
+    chain_arrays_free(loads->f, 3);
+    chain_arrays_free(loads->m, 3);
 }
 
 void loads_zero(Loads *loads, int n)

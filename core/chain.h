@@ -55,6 +55,9 @@ typedef struct JointLoads {
  * NULL if there is no memory. */
 double *chain_array_new(int n, double fill);
 double *chain_array_free(double *array);
+/* `count` of them into array[]; 0 if one could not be had (the others stay for the free). */
+int chain_arrays_new(double **array, int count, int n, double fill);
+void chain_arrays_free(double **array, int count);
 /* The length of such an array's allocation. */
 int chain_stride(int n);
 

@@ -1,6 +1,5 @@
-/* The geometry and the wrench of LANES bushings at once: what the force and the derivative kernels share.
- * Derivation and equation numbers: docs/model.md, "Bushing". Letters as there: A the segment before the joint, B the
- * one after; vectors are components in the bushing's frame F unless they end in _w (world). */
+/* Geometry and wrench of LANES bushings at once, for the force and the derivative kernels; docs/model.md, "Bushing".
+ * Letters as there: A the segment before the joint, B the one after; vectors are components in the frame F, or world (_w). */
 #ifndef HAWSER_CORE_JOINT_LANES_H
 #define HAWSER_CORE_JOINT_LANES_H
 

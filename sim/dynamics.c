@@ -130,7 +130,8 @@ static void both(Workspace *ws, TeamJob job, int light, Evaluation *e)
 
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot)
 {
-    Evaluation e = {.scene = scene, .ws = ws, .t = t, .friction = friction, .y = y, .ydot = ydot};
+    Evaluation e = {.scene = scene, .ws = ws, .t = t, .friction = friction, .y = y};
+    e.ydot = ydot;
     both(ws, kinematics_job, 1, &e);
     scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
     both(ws, loads_job, 0, &e);

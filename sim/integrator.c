@@ -188,7 +188,8 @@ hawser_status integrator_new(const Scene *scene, Workspace *ws, Newton *newton, 
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.scene = scene, .ws = ws, .newton = newton, .y = y, .stop = -1};
+    *in = (Integrator){.scene = scene, .ws = ws, .newton = newton, .stop = -1};
+    in->y = y;
     if (integrator_start(in, t)) return HAWSER_OK;
     *out = integrator_free(in);
     return error_memory(err);

@@ -14,27 +14,12 @@ static const NewtonKernels *kernels(void)
     return table[isa_best()];
 }
 
-/* `count` chain arrays; 0 if one could not be had. */
-static int arrays_new(double **array, int count, int n, double fill)
-{
-    int ok = 1;
-    for (int c = 0; c < count; ++c) {
-        array[c] = chain_array_new(n, fill);
-        ok = ok && array[c];
-    }
-    return ok;
-}
-
-static void arrays_free(double **array, int count)
-{
-    for (int c = 0; c < count; ++c) array[c] = chain_array_free(array[c]);
-}
-
 static int parts_new(Newton *nw)
 {
     const int n = nw->n;
-    int ok = arrays_new(&nw->mass, 1, n, 1) & arrays_new(nw->inertia, 9, n, 0) & arrays_new(nw->w, 3, n, 0);
-    ok &= arrays_new(nw->q, 1, n, 1) & arrays_new(nw->q + 1, 3, n, 0);
+    int ok = chain_arrays_new(&nw->mass, 1, n, 1) & chain_arrays_new(nw->inertia, 9, n, 0) &
+             chain_arrays_new(nw->w, 3, n, 0);
+    ok &= chain_arrays_new(nw->q, 1, n, 1) & chain_arrays_new(nw->q + 1, 3, n, 0);
     ok &= block_chain_alloc(&nw->k, n, 6) & block_chain_alloc(&nw->d, n, 6) & block_chain_alloc(&nw->a, n, 6);
     nw->z = calloc((size_t)(6 * n) + LANES, sizeof(double));
     nw->x = calloc((size_t)(6 * n) + LANES, sizeof(double));
@@ -68,10 +53,10 @@ void newton_free(Newton *nw)
     block_chain_free(&nw->k);
     block_chain_free(&nw->d);
     block_chain_free(&nw->a);
-    arrays_free(&nw->mass, 1);
-    arrays_free(nw->inertia, 9);
-    arrays_free(nw->q, 4);
-    arrays_free(nw->w, 3);
+    chain_arrays_free(&nw->mass, 1);
+    chain_arrays_free(nw->inertia, 9);
+    chain_arrays_free(nw->q, 4);
+    chain_arrays_free(nw->w, 3);
     free(nw->z);
     free(nw->x);
     nw->solver = linsolver_free(nw->solver);

@@ -1,5 +1,6 @@
 #include "sim/newton_full.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,6 +48,7 @@ static int pattern_fill(int n, int *p, int *rows)
 hawser_status newton_full_new(const Newton *nw, const LinOptions *options, NewtonFull **out, hawser_error *err)
 {
     const int n = nw->n, count = pattern_fill(n, NULL, NULL);
+    assert(count > 0);
     NewtonFull *f = calloc(1, sizeof *f);
     *out = f;
     if (!f) return error_memory(err);

@@ -1,5 +1,6 @@
 #include "sim/scene.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -255,6 +256,7 @@ static hawser_status contact_fill(Scene *scene, hawser_error *err)
 static hawser_status scene_fill(Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
+    assert(scene->piece && scene->joint_s);
     segments_fill(scene);
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     scene->winch.present = def->winch.present;

@@ -102,6 +102,7 @@ static void fill_pieces(const PlanDef *def, double sidewall_factor, PlanWay *way
     for (int i = 0; i < way->pull.n; i++) {
         const PullSpan *span = &way->pull.span[i];
         PlanPiece *piece = &way->piece[span->piece];
+        assert(span->piece < def->route->n);
         if (isnan(piece->t_in)) {
             piece->t_in = span->t0;
             piece_closed(def->route, span, piece);
@@ -141,7 +142,7 @@ static hawser_status solve_way(const PlanDef *def, const Inputs *in, const DuctL
     way->min_at = way->pull.min_at;
     way->max_sidewall = way->pull.max_sidewall * duct->sidewall_factor;
     way->sidewall_at = way->pull.sidewall_at;
-    way->piece = malloc((size_t)def->route->n * sizeof *way->piece);
+    way->piece = calloc((size_t)def->route->n, sizeof *way->piece);
     if (!way->piece) return error_memory(err);
     fill_pieces(def, duct->sidewall_factor, way);
     return HAWSER_OK;
