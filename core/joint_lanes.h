@@ -1,5 +1,5 @@
 /* Geometry and wrench of LANES bushings at once, for the force and the derivative kernels; docs/model.md, "Bushing".
- * Letters as there: A the segment before the joint, B the one after; vectors are components in the frame F, or world (_w). */
+ * Letters as there: A the segment before the joint, B the one after; vectors are in the frame F, or world (_w). */
 #ifndef HAWSER_CORE_JOINT_LANES_H
 #define HAWSER_CORE_JOINT_LANES_H
 
