@@ -21,7 +21,7 @@ find_path(METIS_INCLUDE metis.h REQUIRED)
 add_library(hawser_klu INTERFACE)
 target_include_directories(hawser_klu SYSTEM INTERFACE ${SUITESPARSE_INCLUDE} ${METIS_INCLUDE})
 target_link_libraries(hawser_klu INTERFACE ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
-                                           ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY} ${LAPACKE_LIBRARY})
+                                           ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY} ${CMAKE_DL_LIBS})
 add_library(hawser_udunits INTERFACE)
 target_include_directories(hawser_udunits SYSTEM INTERFACE ${UDUNITS_INCLUDE})
 target_link_libraries(hawser_udunits INTERFACE ${UDUNITS_LIBRARY})

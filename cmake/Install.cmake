@@ -11,9 +11,9 @@ endforeach()
 # static library from nothing but this list.
 set(HAWSER_PRIVATE_PACKAGES yaml-0.1 jansson hdf5-serial) # known to pkg-config
 set(HAWSER_PRIVATE_LIBRARIES ${UDUNITS_LIBRARY} ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
-                             ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY} ${LAPACKE_LIBRARY})
+                             ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY})
 list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
-list(APPEND HAWSER_PRIVATE_LIBRARIES -lsundials_cvode -lsundials_nvecserial -lm -lpthread)
+list(APPEND HAWSER_PRIVATE_LIBRARIES -lsundials_cvode -lsundials_nvecserial -lm -lpthread -ldl)
 
 # Only hawser_* leaves the shared library: cmake/hawser.map.
 add_library(hawser_shared SHARED ${objects})

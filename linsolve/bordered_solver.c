@@ -1,7 +1,6 @@
 /* The block LU with leaf bodies condensed into the chain and a dense border around it: the back end `bordered`.
  * docs/model.md, "Linear solvers", (L9)-(L11). */
 #include <assert.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +12,7 @@
 /* Letters of (L11): inner matrix A (chain and leaves), border columns B, rows C, corner E; P = A^-1 B, S = E - C P. */
 typedef struct BorderedSolver {
     BlockSolver block;
+    Lapack lapack;
     Leaves leaves;
     BlockChain condensed; /* the chain less the leaves; empty without leaves */
     int nb, w;            /* unknowns of the chain, of the border */
@@ -29,6 +29,7 @@ static void bordered_drop(void *self)
     BorderedSolver *const s = self;
     block_solver_release(&s->block);
     leaves_release(&s->leaves);
+    lapack_unload(&s->lapack);
     block_chain_free(&s->condensed);
     free(s->p_chain);
     free(s->p_leaf);
@@ -44,7 +45,7 @@ static int bordered_alloc(BorderedSolver *s, const NewtonMatrix *a, const LinOpt
     Team *const team = options->threads > 1 ? options->team : NULL;
     const size_t w = (size_t)s->w, m = (size_t)newton_inner(a);
     if (!block_solver_init(&s->block, c->n, c->b, isa_best(), s->growth_limit, team)) return 0;
-    if (!leaves_init(&s->leaves, a)) return 0;
+    if (!lapack_load(&s->lapack) || !leaves_init(&s->leaves, a, &s->lapack)) return 0;
     if (a->leaves && !block_chain_alloc(&s->condensed, c->n, c->b)) return 0;
     s->p_chain = malloc((w * (size_t)s->nb + 1) * sizeof(double));
     s->p_leaf = malloc((w * (size_t)s->leaves.unknowns + 1) * sizeof(double));
@@ -116,7 +117,7 @@ static int border_factor(BorderedSolver *s, const NewtonMatrix *a)
     inner_solve(s, w, s->p_chain, s->p_leaf);
     for (int c = 0; c < w; ++c) bottom_subtract(s, s->p_chain + c * nb, s->p_leaf + c * nl, s->s + c * w);
     for (int k = 0; k < w * w; ++k) scale = fmax(scale, fabs(s->s[k]));
-    if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, w, w, s->s, w, s->pivot)) return LIN_UNSTABLE;
+    if (s->lapack.dgetrf_work(LAPACK_COL_MAJOR, w, w, s->s, w, s->pivot)) return LIN_UNSTABLE;
     for (int k = 0; k < w; ++k) {
         if (!(fabs(s->s[k * w + k]) > 1e-14 * scale)) return LIN_UNSTABLE;
     }
@@ -139,7 +140,7 @@ static void solve_one(BorderedSolver *s, double *x)
     inner_solve(s, 1, x, leaf);
     if (!w) return;
     bottom_subtract(s, x, leaf, z);
-    LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', w, 1, s->s, w, s->pivot, z, w);
+    s->lapack.dgetrs_work(LAPACK_COL_MAJOR, 'N', w, 1, s->s, w, s->pivot, z, w);
     for (int c = 0; c < w; ++c) {
         for (int k = 0; k < nb; ++k) x[k] -= z[c] * s->p_chain[c * nb + k];
         for (int k = 0; k < nl; ++k) leaf[k] -= z[c] * s->p_leaf[c * nl + k];

@@ -127,7 +127,14 @@ static LinSolver *solver_new(LinMatrix a, const LinOptions *options, hawser_erro
     s->chain_b = a.newton ? a.newton->chain.b : 0;
     if (!kind_settle(s, &a, err)) return linsolver_free(s);
     if (solver_analyse(s, &a)) return s;
-    error_memory(err);
+    const LinKind kind = s->options.kind;
+    if (kind == LIN_BAND || kind == LIN_DENSE || kind == LIN_BORDERED) {
+        error_set(err, HAWSER_ERR_MEMORY,
+                  "no memory for the solver '%s', or its library liblapacke.so.3 is not installed",
+                  linsolver_kind_name(kind));
+    } else {
+        error_memory(err);
+    }
     return linsolver_free(s);
 }
 

@@ -1,14 +1,15 @@
 /* LAPACK's banded and dense LU behind the contract: the yardsticks of tests and benchmarks. */
 #include <float.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "linsolve/backend.h"
+#include "linsolve/lapack.h"
 
 /* Column-major factors. Band storage after LAPACK: entry (i, j) at lu[2*below + above... row below + above + i - j]. */
 typedef struct LapackSolver {
+    Lapack lapack;
     int n, banded;
     int below, above; /* diagonals under and over the main one */
     int rows;         /* leading dimension of lu */
@@ -29,6 +30,7 @@ static void lapack_drop(void *self)
     if (!s) return;
     free(s->lu);
     free(s->pivot);
+    lapack_unload(&s->lapack);
     free(s);
 }
 
@@ -54,7 +56,7 @@ static void *lapack_make(const SparseMatrix *m, int banded)
     s->rows = banded ? 2 * s->below + s->above + 1 : m->n;
     s->lu = malloc((size_t)s->rows * (size_t)m->n * sizeof *s->lu);
     s->pivot = malloc((size_t)m->n * sizeof *s->pivot);
-    if (s->lu && s->pivot) return s;
+    if (s->lu && s->pivot && lapack_load(&s->lapack)) return s;
     lapack_drop(s);
     return NULL;
 }
@@ -108,14 +110,14 @@ static int lapack_factor(void *self, const LinMatrix *a)
     const double norm = load(s, a->sparse, &largest);
     if (isnan(norm)) return 1;
     const int info = s->banded
-                         ? LAPACKE_dgbtrf(LAPACK_COL_MAJOR, s->n, s->n, s->below, s->above, s->lu, s->rows, s->pivot)
-                         : LAPACKE_dgetrf(LAPACK_COL_MAJOR, s->n, s->n, s->lu, s->rows, s->pivot);
+                         ? s->lapack.dgbtrf(LAPACK_COL_MAJOR, s->n, s->n, s->below, s->above, s->lu, s->rows, s->pivot)
+                         : s->lapack.dgetrf_work(LAPACK_COL_MAJOR, s->n, s->n, s->lu, s->rows, s->pivot);
     if (info) return info;
     s->growth = largest / upper_max(s);
     if (s->banded) {
-        LAPACKE_dgbcon(LAPACK_COL_MAJOR, '1', s->n, s->below, s->above, s->lu, s->rows, s->pivot, norm, &rcond);
+        s->lapack.dgbcon(LAPACK_COL_MAJOR, '1', s->n, s->below, s->above, s->lu, s->rows, s->pivot, norm, &rcond);
     } else {
-        LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', s->n, s->lu, s->rows, norm, &rcond);
+        s->lapack.dgecon(LAPACK_COL_MAJOR, '1', s->n, s->lu, s->rows, norm, &rcond);
     }
     return rcond > DBL_EPSILON / 64 ? 0 : 1; /* rows in mixed units cost digits that are no sign of singularity */
 }
@@ -123,9 +125,9 @@ static int lapack_factor(void *self, const LinMatrix *a)
 static int lapack_solve(void *self, int count, double *x)
 {
     LapackSolver *const s = self;
-    return s->banded ? LAPACKE_dgbtrs(LAPACK_COL_MAJOR, 'N', s->n, s->below, s->above, count, s->lu, s->rows, s->pivot,
-                                      x, s->n)
-                     : LAPACKE_dgetrs(LAPACK_COL_MAJOR, 'N', s->n, count, s->lu, s->rows, s->pivot, x, s->n);
+    return s->banded ? s->lapack.dgbtrs(LAPACK_COL_MAJOR, 'N', s->n, s->below, s->above, count, s->lu, s->rows,
+                                        s->pivot, x, s->n)
+                     : s->lapack.dgetrs_work(LAPACK_COL_MAJOR, 'N', s->n, count, s->lu, s->rows, s->pivot, x, s->n);
 }
 
 static void lapack_stats(const void *self, LinStats *stats)

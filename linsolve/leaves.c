@@ -1,16 +1,15 @@
 #include "linsolve/leaves.h"
 
 #include <assert.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "linsolve/backend.h"
 
-int leaves_init(Leaves *s, const NewtonMatrix *a)
+int leaves_init(Leaves *s, const NewtonMatrix *a, const Lapack *lapack)
 {
-    *s = (Leaves){.b = a->chain.b, .leaves = a->leaves};
+    *s = (Leaves){.b = a->chain.b, .leaves = a->leaves, .lapack = lapack};
     s->factor = calloc((size_t)a->leaves + 1, sizeof *s->factor);
     if (!s->factor) return 0;
     for (int l = 0; l < a->leaves; ++l) {
@@ -48,18 +47,18 @@ static double largest(int count, const double *a)
 }
 
 /* E^-1 by LAPACK; LIN_UNSTABLE if a pivot is rounding against the entries of E. */
-static int leaf_invert(LeafFactor *f, const double *diag)
+static int leaf_invert(const Lapack *lapack, LeafFactor *f, const double *diag)
 {
     lapack_int pivot[LEAF_MAX];
     double work[LEAF_MAX * LEAF_MAX];
     const int d = f->size;
     const double scale = largest(d * d, diag);
     memcpy(f->inverse, diag, (size_t)(d * d) * sizeof(double));
-    if (!isfinite(scale) || LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, d, d, f->inverse, d, pivot)) return LIN_UNSTABLE;
+    if (!isfinite(scale) || lapack->dgetrf_work(LAPACK_COL_MAJOR, d, d, f->inverse, d, pivot)) return LIN_UNSTABLE;
     for (int k = 0; k < d; ++k) {
         if (!(fabs(f->inverse[k * d + k]) > 1e-14 * scale)) return LIN_UNSTABLE;
     }
-    return LAPACKE_dgetri_work(LAPACK_COL_MAJOR, d, f->inverse, d, pivot, work, LEAF_MAX * LEAF_MAX) ? LIN_UNSTABLE : 0;
+    return lapack->dgetri_work(LAPACK_COL_MAJOR, d, f->inverse, d, pivot, work, LEAF_MAX * LEAF_MAX) ? LIN_UNSTABLE : 0;
 }
 
 static double *chain_block(const BlockChain *chain, int i, int j)
@@ -68,10 +67,11 @@ static double *chain_block(const BlockChain *chain, int i, int j)
     return blocks + (size_t)i * (size_t)(chain->b * chain->b);
 }
 
-static int leaf_condense(LeafFactor *f, const Leaf *leaf, BlockChain *chain, double growth_limit, double *growth)
+static int leaf_condense(const Lapack *lapack, LeafFactor *f, const Leaf *leaf, BlockChain *chain, double growth_limit,
+                         double *growth)
 {
     const int b = chain->b, d = f->size, bb = b * b;
-    if (leaf_invert(f, leaf->diag)) return LIN_UNSTABLE;
+    if (leaf_invert(lapack, f, leaf->diag)) return LIN_UNSTABLE;
     for (int k = 0; k < f->touches; ++k) {
         memcpy(f->into[k], leaf->into[k], (size_t)(b * d) * sizeof(double));
         memset(f->back[k], 0, sizeof f->back[k]);
@@ -93,7 +93,7 @@ static int leaf_condense(LeafFactor *f, const Leaf *leaf, BlockChain *chain, dou
 int leaves_condense(Leaves *s, const NewtonMatrix *a, BlockChain *chain, double growth_limit, double *growth)
 {
     for (int l = 0; l < s->leaves; ++l) {
-        const int status = leaf_condense(s->factor + l, a->leaf + l, chain, growth_limit, growth);
+        const int status = leaf_condense(s->lapack, s->factor + l, a->leaf + l, chain, growth_limit, growth);
         if (status) return status;
     }
     return 0;

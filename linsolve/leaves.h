@@ -3,6 +3,7 @@
 #ifndef HAWSER_LINSOLVE_LEAVES_H
 #define HAWSER_LINSOLVE_LEAVES_H
 
+#include "linsolve/lapack.h"
 #include "linsolve/newton_matrix.h"
 
 /* One leaf, eliminated. */
@@ -16,11 +17,12 @@ typedef struct LeafFactor {
 
 typedef struct Leaves {
     int b, leaves, unknowns;
-    LeafFactor *factor; /* [leaves] */
+    LeafFactor *factor;   /* [leaves] */
+    const Lapack *lapack; /* borrowed */
 } Leaves;
 
-/* Sizes from the pattern of a; 0 if there is no memory. */
-int leaves_init(Leaves *s, const NewtonMatrix *a);
+/* Sizes from the pattern of a; 0 if there is no memory. lapack is borrowed. */
+int leaves_init(Leaves *s, const NewtonMatrix *a, const Lapack *lapack);
 void leaves_release(Leaves *s);
 /* Inverts the leaves and takes them off `chain`, which holds the values of a->chain. 0, or LIN_UNSTABLE if a leaf is
  * singular to working precision or its elimination makes a chain block grow beyond growth_limit; *growth rises to the
