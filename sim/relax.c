@@ -117,6 +117,7 @@ static hawser_status iterate(Relaxation *r, hawser_relaxation *out, hawser_error
             dt /= DT_GROWTH;
         } else {
             move(r, dt);
+            dynamics_kinematics(r->scene, r->ws, r->t, r->y); /* candidates are judged by where things are now */
         }
         const hawser_status status = dynamics_refresh(r->scene, r->ws, r->t, r->y, 0, err);
         if (status) return status;
