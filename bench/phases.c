@@ -15,6 +15,7 @@
 #include "sim/newton.h"
 #include "sim/relax.h"
 #include "sim/sample.h"
+#include "sim/scales.h"
 #include "sim/vector.h"
 
 static const double GAMMA = 0.01; /* s, of a BDF step of order 2 in the steady pull */
@@ -85,7 +86,7 @@ static void phase_vector(Bench *b)
     N_VLinearSum(1, y, GAMMA, rate, work);
     N_VLinearCombination(3, factor, terms, work);
     check(isfinite(N_VWrmsNorm(work, weight)), "the norm is not finite");
-    vector_project(y, work, NULL);
+    scales_project(b->scene.chain.n, b->y, N_VGetArrayPointer(work), NULL);
 }
 
 static void phase_sample(Bench *b) { sample_take(&b->look, &b->scene, &b->ws, b->t, b->y); }
@@ -121,17 +122,24 @@ static void state_move(Bench *b)
     }
 }
 
+static double norm_of(const void *owner, const double *x, const double *w)
+{
+    const Bench *const b = owner;
+    return scales_norm(b->scene.chain.n, x, w);
+}
+
 static void vectors_new(Bench *b)
 {
     const int size = STATE_SIZE * b->scene.chain.n;
     check(SUNContext_Create(NULL, &b->context) == 0, "no memory");
+    b->y = malloc((size_t)size * sizeof *b->y);
+    check(b->y != NULL, "no memory");
+    b->vector[0] = vector_wrap(size, b->y, norm_of, b, b->context);
     for (int k = 0; k < 4; ++k) {
-        b->vector[k] = N_VNew_Serial(size, b->context);
+        if (k > 0) b->vector[k] = N_VClone(b->vector[0]);
         check(b->vector[k] != NULL, "no memory");
-        vector_use_kernels(b->vector[k]);
         N_VConst(1, b->vector[k]);
     }
-    b->y = N_VGetArrayPointer(b->vector[0]);
     b->ydot = N_VGetArrayPointer(b->vector[1]);
     b->rhs = malloc((size_t)size * sizeof *b->rhs);
     check(b->rhs != NULL, "no memory");
@@ -163,6 +171,7 @@ static void bench_new(Bench *b)
 static void bench_free(Bench *b)
 {
     for (int k = 0; k < 4; ++k) N_VDestroy(b->vector[k]);
+    free(b->y);
     free(b->rhs);
     SUNContext_Free(&b->context);
     sample_free(&b->look);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes docs/model.md (and docs/performance.md, when there are fragments of it) from the fragments in docs/*.d.
+# Makes docs/model.md, docs/performance.md and docs/equipment.md from the fragments in docs/*.d.
 # Usage: sh scripts/model.sh [--check]     (--check: changes nothing, fails if a document is not up to date)
 set -eu
 export LC_ALL=C
@@ -34,4 +34,5 @@ make_document() {
 
 make_document model
 make_document performance
+make_document equipment
 exit $status

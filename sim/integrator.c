@@ -10,7 +10,6 @@
 
 #include "core/clock.h"
 #include "core/error.h"
-#include "sim/scales.h"
 #include "sim/vector.h"
 
 enum { STALLED_MOST = 20 };
@@ -19,12 +18,10 @@ enum { STALLED_MOST = 20 };
 static const double NEWTON_SHARE = 1e-3;
 
 struct Integrator {
-    const Scene *scene;
-    Workspace *ws;
-    Newton *newton;
+    Motion *motion;
     double *y;
-    double *y_good; /* [13 n] state of the last good step */
-    double *weight; /* [13 n] 1 / absolute tolerance */
+    double *y_good; /* [size] state of the last good step */
+    double *weight; /* [size] 1 / absolute tolerance */
     double stop;    /* s, the stop time that CVODE knows */
     int stalled;    /* steps in a row that were too small to change t */
     void *cvode;
@@ -42,9 +39,7 @@ static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
 {
     Integrator *const in = user;
     const double start = clock_now();
-    double *const rate = N_VGetArrayPointer(ydot);
-    dynamics_rates(in->scene, in->ws, t, N_VGetArrayPointer(y), 1.0, rate);
-    const int bad = !scales_all_finite(rate, STATE_SIZE * in->scene->chain.n);
+    const int bad = in->motion->ops->rates(in->motion, t, N_VGetArrayPointer(y), N_VGetArrayPointer(ydot));
     in->stats.rhs += clock_now() - start;
     return bad; /* > 0: a smaller step may do */
 }
@@ -53,7 +48,7 @@ static int call_weights(N_Vector y, N_Vector weight, void *user)
 {
     (void)y;
     const Integrator *const in = user;
-    memcpy(N_VGetArrayPointer(weight), in->weight, (size_t)(STATE_SIZE * in->scene->chain.n) * sizeof(double));
+    memcpy(N_VGetArrayPointer(weight), in->weight, (size_t)in->motion->size * sizeof(double));
     return 0;
 }
 
@@ -65,23 +60,28 @@ static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, boolean
     Integrator *const in = user;
     const double start = clock_now();
     if (!jok) {
-        const double *const state = N_VGetArrayPointer(y);
-        dynamics_blocks(in->scene, in->ws, t, state, N_VGetArrayPointer(fy), 1.0, &in->newton->k, &in->newton->d);
-        newton_point(in->newton, in->scene, &in->ws->kin, state);
+        in->motion->ops->linearise(in->motion, t, N_VGetArrayPointer(y), N_VGetArrayPointer(fy));
         ++in->stats.jac_evals;
     }
     *jcur = !jok;
-    newton_form(in->newton, gamma);
+    in->motion->ops->form(in->motion, gamma);
     in->stats.jacobian += clock_now() - start;
     return 0;
 }
 
-/* Keeps the quaternions of unit length (N9): correction of the state and projection of the error. */
 static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype tolerance, N_Vector error, void *user)
 {
-    (void)t, (void)tolerance, (void)user;
-    vector_project(y, correction, error);
+    (void)t, (void)tolerance;
+    const Integrator *const in = user;
+    in->motion->ops->project(in->motion, N_VGetArrayPointer(y), N_VGetArrayPointer(correction),
+                             error ? N_VGetArrayPointer(error) : NULL);
     return 0;
+}
+
+static double call_norm(const void *owner, const double *x, const double *w)
+{
+    const Motion *const motion = owner;
+    return motion->ops->norm(motion, x, w);
 }
 
 static void call_complaint(int code, const char *module, const char *function, char *message, void *user)
@@ -117,7 +117,7 @@ static int solver_setup(SUNLinearSolver s, SUNMatrix a)
     (void)a;
     Integrator *const in = s->content;
     const double start = clock_now();
-    const int status = newton_factor(in->newton);
+    const int status = in->motion->ops->factor(in->motion);
     in->stats.factor += clock_now() - start;
     return status;
 }
@@ -128,7 +128,7 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
     Integrator *const in = s->content;
     const double start = clock_now();
     if (x != b) N_VScale(1.0, b, x);
-    const int status = newton_solve(in->newton, N_VGetArrayPointer(x));
+    const int status = in->motion->ops->solve(in->motion, N_VGetArrayPointer(x));
     in->stats.solve += clock_now() - start;
     return status;
 }
@@ -152,7 +152,7 @@ static int linear_attach(Integrator *in)
 
 static int cvode_set(Integrator *in)
 {
-    const SolverDef *const def = &in->scene->def.solver;
+    const SolverDef *const def = &in->motion->scene->def.solver;
     void *const c = in->cvode;
     int bad = CVodeSetErrHandlerFn(c, call_complaint, in);
     bad |= CVodeSetUserData(c, in);
@@ -160,8 +160,8 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
     bad |= CVodeSetNonlinConvCoef(c, NEWTON_SHARE);
-    bad |= CVodeSetProjFn(c, call_projection);
-    const double longest = def->max_step > 0 ? def->max_step : in->scene->def.output.interval;
+    if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
+    const double longest = def->max_step > 0 ? def->max_step : in->motion->scene->def.output.interval;
     if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
     if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
     return !bad && linear_attach(in);
@@ -169,27 +169,24 @@ static int cvode_set(Integrator *in)
 
 static int integrator_start(Integrator *in, double t)
 {
-    const int length = STATE_SIZE * in->scene->chain.n;
+    const int length = in->motion->size;
     in->y_good = malloc((size_t)length * sizeof(double));
     in->weight = malloc((size_t)length * sizeof(double));
     if (!in->y_good || !in->weight || SUNContext_Create(NULL, &in->context)) return 0;
     memcpy(in->y_good, in->y, (size_t)length * sizeof(double));
-    scales_weights(in->scene, in->weight);
-    in->state = N_VMake_Serial(length, in->y, in->context);
+    in->motion->ops->weights(in->motion, in->weight);
+    in->state = vector_wrap(length, in->y, call_norm, in->motion, in->context);
     if (!in->state) return 0;
-    vector_use_kernels(in->state);
     in->cvode = CVodeCreate(CV_BDF, in->context);
     return in->cvode && CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS && cvode_set(in);
 }
 
-hawser_status integrator_new(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y, Integrator **out,
-                             hawser_error *err)
+hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err)
 {
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.scene = scene, .ws = ws, .newton = newton, .stop = -1};
-    in->y = y;
+    *in = (Integrator){.motion = motion, .y = y, .stop = -1};
     if (integrator_start(in, t)) return HAWSER_OK;
     *out = integrator_free(in);
     return error_memory(err);
@@ -214,11 +211,10 @@ Integrator *integrator_free(Integrator *in)
 /* The segment whose weighted local error is largest: where to look when a step fails. */
 static int worst_segment(Integrator *in)
 {
-    const int n = in->scene->chain.n;
     N_Vector error = N_VClone(in->state);
     int worst = 0;
     if (error && CVodeGetEstLocalErrors(in->cvode, error) == CV_SUCCESS) {
-        worst = scales_worst_segment(n, N_VGetArrayPointer(error), in->weight);
+        worst = in->motion->ops->worst(in->motion, N_VGetArrayPointer(error), in->weight);
     }
     if (error) N_VDestroy(error);
     return worst;
@@ -249,22 +245,22 @@ static const char *advice_for(int flag)
 
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
-    const int i = worst_segment(in), n = in->scene->chain.n;
-    const Vec3 p = v3(in->y_good[i], in->y_good[n + i], in->y_good[2 * n + i]);
+    const int i = worst_segment(in);
+    const Vec3 p = in->motion->ops->place(in->motion, in->y_good, i);
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
-    memcpy(in->y, in->y_good, (size_t)(STATE_SIZE * n) * sizeof(double));
+    memcpy(in->y, in->y_good, (size_t)in->motion->size * sizeof(double));
     return error_set(
         err, HAWSER_ERR_RUN,
         "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
         "%s (CVODE flag %d: %s)",
-        t, step, i, n, p.x, p.y, p.z, advice_for(flag), flag, in->complaint);
+        t, step, i, in->motion->scene->chain.n, p.x, p.y, p.z, advice_for(flag), flag, in->complaint);
 }
 
 /* solver.max_steps, if given, is used up. */
 static int steps_spent(const Integrator *in)
 {
-    const long limit = in->scene->def.solver.max_steps;
+    const long limit = in->motion->scene->def.solver.max_steps;
     long steps = 0;
     CVodeGetNumSteps(in->cvode, &steps);
     return limit > 0 && steps >= limit;
@@ -278,7 +274,7 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
         err, HAWSER_ERR_RUN,
         "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
         "raise it or solver.accuracy, or soften what is stiff there",
-        in->scene->def.solver.max_steps, t, step, worst_segment(in), in->scene->chain.n);
+        in->motion->scene->def.solver.max_steps, t, step, worst_segment(in), in->motion->scene->chain.n);
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
@@ -295,8 +291,8 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     in->stalled = reached > *t ? 0 : in->stalled + 1;
     if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
-    memcpy(in->y_good, in->y, (size_t)(STATE_SIZE * in->scene->chain.n) * sizeof(double));
-    const hawser_status status = dynamics_refresh(in->scene, in->ws, reached, in->y, 0, err);
+    memcpy(in->y_good, in->y, (size_t)in->motion->size * sizeof(double));
+    const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
 }
@@ -313,5 +309,4 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
     CVodeGetNumNonlinSolvConvFails(in->cvode, &stats->newton_fails);
     CVodeGetLastStep(in->cvode, &stats->last_step);
     stats->newton_iters = iterations;
-    stats->contacts = dynamics_contact_seconds(in->ws);
 }

@@ -33,6 +33,11 @@ double scales_norm(int n, const double *x, const double *weight)
     return sqrt(kernels()->window_square(n, x, weight));
 }
 
+void scales_project(int n, const double *y, double *correction, double *error)
+{
+    kernels()->project(n, y, correction, error);
+}
+
 int scales_all_finite(const double *x, int count) { return kernels()->all_finite(count, x); }
 
 int scales_worst_segment(int n, const double *x, const double *weight)

@@ -16,6 +16,10 @@ double scales_norm(int n, const double *x, const double *weight);
 /* The segment with the largest sum of squares of x w; the first with a NaN, if any. */
 int scales_worst_segment(int n, const double *x, const double *weight);
 
+/* Correction of the quaternions of y [13 n] to unit length, zero elsewhere; error (NULL: none) loses its part along
+ * them (N9). */
+void scales_project(int n, const double *y, double *correction, double *error);
+
 /* 1 if all of x[count] is finite. */
 int scales_all_finite(const double *x, int count);
 

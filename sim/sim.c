@@ -9,12 +9,14 @@
 #include "sim/integrator.h"
 #include "sim/relax.h"
 #include "sim/sample.h"
+#include "sim/spatial.h"
 #include "sim/stats.h"
 
 struct Sim {
     Scene scene;
     Workspace ws;
     Newton newton;
+    Spatial spatial;
     Integrator *integrator; /* made at the first advance */
     SampleBuffers look;
     Stats stats;
@@ -106,7 +108,8 @@ static double next_stop(const Sim *s, double stop)
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     if (!s->integrator) {
-        const hawser_status status = integrator_new(&s->scene, &s->ws, &s->newton, s->t, s->y, &s->integrator, err);
+        Motion *const motion = spatial_init(&s->spatial, &s->scene, &s->ws, &s->newton);
+        const hawser_status status = integrator_new(motion, s->t, s->y, &s->integrator, err);
         if (status) return status;
     }
     hawser_status status = HAWSER_OK;
@@ -160,8 +163,9 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->error_test_fails = i.error_fails;
     out->newton_fails = i.newton_fails;
     const double other = i.rhs + i.jacobian + i.factor + i.solve;
-    out->phases = (hawser_phases){.rhs = i.rhs - i.contacts,
-                                  .contacts = i.contacts,
+    const double contacts = dynamics_contact_seconds(&s->ws);
+    out->phases = (hawser_phases){.rhs = i.rhs - contacts,
+                                  .contacts = contacts,
                                   .jacobian = i.jacobian,
                                   .factor = i.factor,
                                   .solve = i.solve,

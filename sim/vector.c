@@ -1,12 +1,18 @@
 #include "sim/vector.h"
 
-#include <math.h>
 #include <nvector/nvector_serial.h>
+#include <stdlib.h>
 
-#include "core/state.h"
 #include "sim/vector_kernels.h"
 
 enum { TERMS_MAX = 16 }; /* more than CVODE ever combines: its order is at most 12, plus 2 */
+
+/* What SUNDIALS' serial vector keeps, so that its own operations go on working, and the norm with whom to ask. */
+typedef struct VectorContent {
+    struct _N_VectorContent_Serial serial; /* first */
+    VectorNorm norm;
+    const void *owner;
+} VectorContent;
 
 static const VectorKernels *kernels(void)
 {
@@ -28,7 +34,8 @@ static void op_scale(realtype a, N_Vector x, N_Vector z)
 
 static realtype op_norm(N_Vector x, N_Vector w)
 {
-    return sqrt(kernels()->window_square(length_of(x) / STATE_SIZE, NV_DATA_S(x), NV_DATA_S(w)));
+    const VectorContent *const content = x->content;
+    return content->norm(content->owner, NV_DATA_S(x), NV_DATA_S(w));
 }
 
 static int op_combination(int terms, realtype *a, N_Vector *x, N_Vector z)
@@ -54,17 +61,63 @@ static void op_const(realtype a, N_Vector z)
     for (int i = 0; i < count; ++i) data[i] = a;
 }
 
-void vector_project(N_Vector y, N_Vector correction, N_Vector error)
+static void op_destroy(N_Vector v)
 {
-    kernels()->project(length_of(y) / STATE_SIZE, NV_DATA_S(y), NV_DATA_S(correction), error ? NV_DATA_S(error) : NULL);
+    if (!v) return;
+    VectorContent *const content = v->content;
+    if (content && content->serial.own_data) free(content->serial.data);
+    free(content);
+    N_VFreeEmpty(v);
 }
 
-void vector_use_kernels(N_Vector v)
+/* The content and operations of a vector around `data`. */
+static N_Vector vector_fill(N_Vector v, double *data, int own, const VectorContent *like)
 {
+    VectorContent *const content = malloc(sizeof *content);
+    if (!v || !content || !data) {
+        free(content);
+        if (own) free(data);
+        N_VFreeEmpty(v);
+        return NULL;
+    }
+    *content = *like;
+    content->serial.data = data;
+    content->serial.own_data = own;
+    v->content = content;
+    return v;
+}
+
+static N_Vector op_clone(N_Vector like)
+{
+    const VectorContent *const content = like->content;
+    N_Vector v = N_VNewEmpty(like->sunctx);
+    if (v && N_VCopyOps(like, v)) {
+        N_VFreeEmpty(v);
+        return NULL;
+    }
+    return vector_fill(v, calloc((size_t)content->serial.length + 1, sizeof(double)), 1, content);
+}
+
+static void use_kernels(N_Vector v)
+{
+    v->ops->nvclone = op_clone;
+    v->ops->nvdestroy = op_destroy;
     v->ops->nvlinearsum = op_linear_sum;
     v->ops->nvscale = op_scale;
     v->ops->nvconst = op_const;
     v->ops->nvwrmsnorm = op_norm;
     v->ops->nvlinearcombination = op_combination;
     v->ops->nvscaleaddmulti = op_scale_add_multi;
+}
+
+N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, SUNContext context)
+{
+    /* the serial vector lends its other operations; its content makes room for ours, which begins like it */
+    N_Vector v = N_VNewEmpty_Serial(length, context);
+    if (!v) return NULL;
+    free(v->content);
+    v->content = NULL;
+    use_kernels(v);
+    const VectorContent content = {.serial = {.length = length}, .norm = norm, .owner = owner};
+    return vector_fill(v, data, 0, &content);
 }

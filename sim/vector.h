@@ -1,14 +1,16 @@
-/* CVODE's serial vector with the operations that a run spends its time in replaced by the project's kernels. */
+/* CVODE's vector: a serial one whose operations that a run spends its time in are the project's kernels, and whose norm
+ * is its owner's. */
 #ifndef HAWSER_SIM_VECTOR_H
 #define HAWSER_SIM_VECTOR_H
 
+#include <sundials/sundials_context.h>
 #include <sundials/sundials_nvector.h>
 
-/* Replaces the operations of a serial vector of 13 n entries; its clones inherit them. The norm becomes that of (N11).
- */
-void vector_use_kernels(N_Vector v);
+/* The norm of x weighted by w, for the owner of the vector. */
+typedef double (*VectorNorm)(const void *owner, const double *x, const double *w);
 
-/* Correction of a state's quaternions to unit length and projection of its error (NULL: none), (N9). */
-void vector_project(N_Vector y, N_Vector correction, N_Vector error);
+/* A vector around data [length], borrowed as is the owner; its clones have data of their own and the same norm. NULL
+ * if there is no memory. N_VDestroy frees it. */
+N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, SUNContext context);
 
 #endif

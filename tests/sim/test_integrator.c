@@ -1,5 +1,6 @@
 /* CVODE on the chain: what a free chain must conserve, free flight, unit quaternions, and failures that are told. */
 #include "sim/integrator.h"
+#include "sim/spatial.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { N = 12, SIZE = STATE_SIZE * N };
@@ -8,6 +9,7 @@ typedef struct Rig {
     Scene scene;
     Workspace ws;
     Newton newton;
+    Spatial spatial;
     Integrator *integrator;
     double t, y[SIZE];
 } Rig;
@@ -39,7 +41,8 @@ static hawser_status rig_run(Rig *r, double to, hawser_error *err)
 {
     hawser_status status = dynamics_refresh(&r->scene, &r->ws, r->t, r->y, 1, err);
     if (!status && !r->integrator) {
-        status = integrator_new(&r->scene, &r->ws, &r->newton, r->t, r->y, &r->integrator, err);
+        status =
+            integrator_new(spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton), r->t, r->y, &r->integrator, err);
     }
     while (!status && r->t < to) status = integrator_step(r->integrator, to, &r->t, err);
     return status;
@@ -169,7 +172,9 @@ static void test_unit_quaternions(void **state)
     double worst = 0;
     hawser_error err = {0};
     state_shake(r->y, N, 0.01, 0.2, 0.5, 3, &seed);
-    assert_int_equal(integrator_new(&r->scene, &r->ws, &r->newton, 0, r->y, &r->integrator, &err), HAWSER_OK);
+    assert_int_equal(
+        integrator_new(spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton), 0, r->y, &r->integrator, &err),
+        HAWSER_OK);
     int steps = 0;
     for (; r->t < 1; ++steps) {
         assert_int_equal(integrator_step(r->integrator, 1, &r->t, &err), HAWSER_OK);

@@ -2,12 +2,14 @@
  */
 #include "sim/integrator.h"
 #include "sim/relax.h"
+#include "sim/spatial.h"
 #include "tests/sim/scene_fixture.h"
 
 typedef struct Rig {
     Scene scene;
     Workspace ws;
     Newton newton;
+    Spatial spatial;
     double *y, *rate; /* [13 n] */
 } Rig;
 
@@ -117,7 +119,8 @@ static void test_start_is_still(void **state)
     Integrator *in;
     double t = 0, largest = 0;
     hawser_error err = {0};
-    assert_int_equal(integrator_new(&r->scene, &r->ws, &r->newton, 0, r->y, &in, &err), HAWSER_OK);
+    assert_int_equal(integrator_new(spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton), 0, r->y, &in, &err),
+                     HAWSER_OK);
     while (t < 1) {
         if (integrator_step(in, 1, &t, &err)) fail_msg("%s", err.message);
         largest = fmax(largest, fastest(r, r->y));

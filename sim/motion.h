@@ -1,0 +1,44 @@
+/* The equations of motion as the integrator sees them: a state vector, its rates, and the Newton matrix of the rates.
+ * The integrator knows nothing else of the scene, so that the same chain can be moved in several ways: sim/spatial.h is
+ * the chain in three dimensions. */
+#ifndef HAWSER_SIM_MOTION_H
+#define HAWSER_SIM_MOTION_H
+
+#include "core/vec3.h"
+#include "sim/scene.h"
+
+typedef struct Motion Motion;
+
+/* y, ydot, b, error and weight have `size` entries; t in s. */
+typedef struct MotionOps {
+    /* ydot from (t, y). 0: done; > 0: not finite, a smaller step may do. */
+    int (*rates)(Motion *m, double t, const double *y, double *ydot);
+    /* Takes (t, y) with its rates as the point at which Newton's matrix is taken. */
+    void (*linearise)(Motion *m, double t, const double *y, const double *ydot);
+    /* Forms 1 - gamma J at that point, in whatever reduced shape it is solved; gamma in s. */
+    void (*form)(Motion *m, double gamma);
+    /* Factors it; b becomes the solution of (1 - gamma J) x = b. Both return as linsolver_factor and linsolver_solve.
+     */
+    int (*factor)(Motion *m);
+    int (*solve)(Motion *m, double *b);
+    /* weight = 1 / absolute tolerance of every entry. */
+    void (*weights)(const Motion *m, double *weight);
+    /* The norm of x weighted by w in which errors are judged (N11). */
+    double (*norm)(const Motion *m, const double *x, const double *w);
+    /* Correction of y to what its constraints ask for (unit quaternions) and projection of its error (NULL: none).
+     * NULL where y has no such constraint. */
+    void (*project)(const Motion *m, const double *y, double *correction, double *error);
+    /* A step to (t, y) was accepted: what is renewed between steps (contact candidates). Errors: MEMORY. */
+    hawser_status (*accept)(Motion *m, double t, const double *y, hawser_error *err);
+    /* The segment whose weighted error is largest, and where it is, m. */
+    int (*worst)(const Motion *m, const double *error, const double *weight);
+    Vec3 (*place)(const Motion *m, const double *y, int segment);
+} MotionOps;
+
+struct Motion {
+    const MotionOps *ops;
+    const Scene *scene; /* borrowed */
+    int size;           /* of y */
+};
+
+#endif
