@@ -98,6 +98,16 @@ static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l
     batch->friction[l] = &roller->friction;
 }
 
+/* Its motion, where rollers move. */
+static void batch_motion(ContactBatch *batch, const RollerMotion *motion, int l)
+{
+    const double v[3] = {motion->v.x, motion->v.y, motion->v.z}, w[3] = {motion->w.x, motion->w.y, motion->w.z};
+    for (int c = 0; c < 3; ++c) {
+        batch->roller_v[c][l] = v[c];
+        batch->roller_w[c][l] = w[c];
+    }
+}
+
 /* One hit into lane l: the weights of its element, its segments, its roller. */
 static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chain *chain, const Kinematics *kin,
                       ContactHit hit, int l)
@@ -113,6 +123,7 @@ static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chai
         batch_body(batch, chain, kin, b, l, element.body[b]);
     }
     batch_roller(batch, &model->roller[hit.roller], l);
+    if (model->motion) batch_motion(batch, &model->motion[hit.roller], l);
 }
 
 /* Gathers hits from `first` on; returns the first that does not fit. Lanes are independent of each other, so
@@ -144,10 +155,17 @@ static void push_add(const ContactBatch *batch, const ContactPush *push, int l, 
     }
 }
 
+/* The kernel of forces that the model needs. */
+typedef void (*PushKernel)(const ContactBatch *batch, ContactPush *out);
+static PushKernel push_kernel(const ContactModel *model)
+{
+    return model->motion ? kernels()->push_moving : kernels()->push;
+}
+
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
 {
-    const ContactKernels *const kernel = kernels();
+    const PushKernel push_of = push_kernel(model);
     ContactBatch batch;
     ContactPush push;
     hits_find(model, chain, kin, pairs);
@@ -155,7 +173,7 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
     if (on_roller) memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        kernel->push(&batch, &push);
+        push_of(&batch, &push);
         for (int l = 0; l < batch.count; ++l) {
             if (!(push.normal[l] > 0)) continue;
             /* only what carries force is added: the others' lanes are zeros */
@@ -164,6 +182,30 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
             if (!on_roller) continue;
             Vec3 *const sum = &on_roller[batch.roller[l]];
             *sum = v3_sub(*sum, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
+        }
+    }
+}
+
+void contact_forces_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, Loads *loads, RollerLoad *on_roller)
+{
+    assert(model->motion);
+    ContactBatch batch;
+    ContactPush push;
+    hits_find(model, chain, kin, pairs);
+    pairs->active = 0;
+    memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        kernels()->push_moving(&batch, &push);
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(push.normal[l] > 0)) continue;
+            ++pairs->active;
+            push_add(&batch, &push, l, loads);
+            RollerLoad *const sum = &on_roller[batch.roller[l]];
+            const double(*const moment)[LANES] = push.roller_moment;
+            sum->force = v3_sub(sum->force, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
+            sum->moment = v3_add(sum->moment, v3(moment[0][l], moment[1][l], moment[2][l]));
         }
     }
 }
@@ -207,6 +249,71 @@ void contact_blocks(const ContactModel *model, const Chain *chain, const Kinemat
     }
 }
 
+/* out = rows of body a by columns of body b of one lane; 2: the roller. */
+static void moving_part(const ContactMovingMatrix *m, int l, int a, int b, double out[36])
+{
+    for (int col = 0; col < 6; ++col) {
+        for (int row = 0; row < 6; ++row) out[6 * col + row] = m->entry[6 * b + col][6 * a + row][l];
+    }
+}
+
+/* to += from, 6x6 */
+static void block_add(double *to, const double from[36])
+{
+    for (int k = 0; k < 36; ++k) to[k] += from[k];
+}
+
+/* Adds one lane's derivatives by segments to the up to four blocks of its segments. */
+static void moving_add(const ContactBatch *batch, const ContactMovingMatrix *m, int l, BlockChain *out)
+{
+    double part[36];
+    for (int a = 0; a < 2; ++a) {
+        for (int b = 0; b < 2; ++b) {
+            const int i = batch->body[a][l], j = batch->body[b][l];
+            if (i < 0 || j < 0) continue;
+            moving_part(m, l, a, b, part);
+            block_add((j < i ? out->lower : j > i ? out->upper : out->diag) + 36 * i, part);
+        }
+    }
+}
+
+/* What involves the roller of lane l. */
+static RollerCoupling coupling_of(const ContactBatch *batch, const ContactMovingMatrix *const m[2], int l)
+{
+    RollerCoupling c = {.roller = batch->roller[l], .body = {batch->body[0][l], batch->body[1][l]}};
+    for (int kind = 0; kind < 2; ++kind) {
+        for (int b = 0; b < 2; ++b) {
+            moving_part(m[kind], l, b, 2, c.into[kind][b]);
+            moving_part(m[kind], l, 2, b, c.from[kind][b]);
+        }
+        moving_part(m[kind], l, 2, 2, c.own[kind]);
+    }
+    return c;
+}
+
+void contact_blocks_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, BlockChain *k, BlockChain *d,
+                           void (*take)(void *user, const RollerCoupling *coupling), void *user)
+{
+    assert(model->motion && k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
+    ContactBatch batch;
+    ContactMovingMatrix by_shift, by_speed;
+    const ContactMovingMatrix *const both[2] = {&by_shift, &by_speed};
+    double normal[LANES];
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        if (!kernels()->columns_moving(&batch, &by_shift, &by_speed, normal)) continue;
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(normal[l] > 0)) continue;
+            moving_add(&batch, &by_shift, l, k);
+            moving_add(&batch, &by_speed, l, d);
+            const RollerCoupling coupling = coupling_of(&batch, both, l);
+            take(user, &coupling);
+        }
+    }
+}
+
 /* One lane for the outside. */
 static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *push, int l)
 {
@@ -222,13 +329,12 @@ static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *pus
 int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, int room, ContactDetail *out)
 {
-    const ContactKernels *const kernel = kernels();
     ContactBatch batch;
     ContactPush push;
     hits_find(model, chain, kin, pairs);
     for (int next = 0, at = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        kernel->push(&batch, &push);
+        push_kernel(model)(&batch, &push);
         for (int l = 0; l < batch.count; ++l, ++at) {
             if (at < room) out[at] = detail_of(&batch, &push, l);
         }

@@ -1,4 +1,4 @@
-/* Contact between the cable's line and fixed rollers: which pairs can touch, their forces, and the
+/* Contact between the cable's line and rollers, fixed or moving: which pairs can touch, their forces, and the
  * derivatives of these. docs/model.md, "Contact".
  *
  * Life: contact_pairs_alloc -> contact_refresh -> forces and blocks, any number of times -> refresh again as
@@ -20,13 +20,24 @@ typedef struct ContactRoller {
     FrictionLaw friction;
 } ContactRoller;
 
-/* What never changes during a run. */
+/* How a roller moves: velocity of its centre, m/s, and angular velocity, rad/s, world. */
+typedef struct RollerMotion {
+    Vec3 v, w;
+} RollerMotion;
+
+/* What the cable does to a roller: force, N, and moment about its centre, N m. */
+typedef struct RollerLoad {
+    Vec3 force, moment;
+} RollerLoad;
+
+/* What never changes during a run, but for the poses and motions of rollers that move. */
 typedef struct ContactModel {
     ContactGeometry geometry;
     ImpactLaw impact;
     double reach; /* m: pairs closer than this at a refresh are candidates */
     int n_rollers;
     const ContactRoller *roller; /* [n_rollers], borrowed */
+    const RollerMotion *motion;  /* [n_rollers], borrowed; NULL: none of them moves, and nothing is paid for it */
 } ContactModel;
 
 /* Candidates of one roller: elements first .. first + count - 1. */
@@ -75,11 +86,29 @@ int contact_moved_too_far(const ContactModel *model, const Chain *chain, const K
  * each roller, N. */
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, Loads *loads, Vec3 *on_roller);
+/* The same with force and moment on every roller: model->motion is not NULL. */
+void contact_forces_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, Loads *loads, RollerLoad *on_roller);
 
 /* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv;
  * dw] to d (6x6 blocks, world) (C15)-(C17). */
 void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, BlockChain *k, BlockChain *d);
+
+/* What one contact couples a roller by: derivatives with respect to configuration (first index 0) and velocities (1),
+ * column-major 6x6, rows [force; moment], columns [x; phi] or [v; w], about the roller's centre (SP4)-(SP6). */
+typedef struct RollerCoupling {
+    int roller, body[2];   /* segments; -1: none */
+    double into[2][2][36]; /* [kind][body]: rows of the body, columns of the roller */
+    double from[2][2][36]; /* [kind][body]: rows of the roller, columns of the body */
+    double own[2][36];     /* [kind]: rows and columns of the roller */
+} RollerCoupling;
+
+/* The derivatives as contact_blocks adds them, for rollers that move; what involves a roller is handed to `take`, one
+ * contact after the other in the order of summation. */
+void contact_blocks_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, BlockChain *k, BlockChain *d,
+                           void (*take)(void *user, const RollerCoupling *coupling), void *user);
 
 /* One contact in detail, for tests, tools and reports. */
 typedef struct ContactDetail {

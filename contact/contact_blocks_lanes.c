@@ -2,13 +2,17 @@
  * evaluated over the 12 columns of configuration and the 12 of velocity. */
 #include "contact/contact_lanes.h"
 
+enum { ROLLER = 2 }; /* the third body, where rollers move */
+
 /* A variation of one body's configuration, and what it does at fixed u. */
 typedef struct Shift {
     int body;
-    Lane3 p;    /* of P, m */
-    Lane3 p1;   /* of P' */
-    Lane3 r;    /* of the body's arm */
-    Lane3 pdot; /* of the velocity at P */
+    Lane3 p;      /* of P, m */
+    Lane3 p1;     /* of P' */
+    Lane3 r;      /* of the body's arm */
+    Lane3 pdot;   /* of the velocity at P */
+    Lane3 centre; /* of the roller's centre, m */
+    Lane3 turn;   /* of the roller, rad */
 } Shift;
 
 /* What any variation does to the contact: of u, of the normal, of the velocities, of the gap and its rate. */
@@ -16,6 +20,7 @@ typedef struct Variation {
     Lane u;
     Lane3 normal, pdot, omega;
     Lane gap, rate;
+    Lane3 p; /* of P and all that moves it, less the roller's centre (SP5): where rollers move, of its lever */
 } Variation;
 
 /* dF (C16) for a variation of normal, velocities and gap: F = N (n - phi v_t), so both factors vary. */
@@ -38,38 +43,53 @@ LANE_INLINE Lane3 vary_force(const Contact *c, const Variation *by)
 }
 
 /* The variation that follows from a shift: the nearest point moves along the line by du (C16). */
-LANE_INLINE Variation vary_shift(const Contact *c, const Line *line, const Shift *s)
+LANE_INLINE Variation vary_shift(const Contact *c, const Line *line, const Shift *s, int moving)
 {
     const Lane zero = lane_set(0);
     const LinePoint *at = &c->at;
     const Lane3 n = at->probe.normal;
+    /* the point as the roller sees it: a roller that moves and turns carries its distance field along (SP4) */
+    const Lane3 seen = moving ? l3_sub(s->p, l3_add(s->centre, l3_cross(s->turn, c->lever))) : s->p;
     /* g' = 0 goes on holding: dg'|u + g'' du = 0 */
-    const Lane push = l3_dot(probe_hessian_times(&at->probe, s->p), at->p1) + l3_dot(n, s->p1);
+    Lane push = l3_dot(probe_hessian_times(&at->probe, seen), at->p1) + l3_dot(n, s->p1);
+    if (moving) push += l3_dot(l3_cross(s->turn, n), at->p1);
     Variation by;
     by.u = lane_select(c->interior & (at->curvature > zero), -push / at->curvature, zero);
     /* the normal follows the point, both by the shift and along the line */
-    by.normal = probe_hessian_times(&at->probe, l3_axpy(s->p, by.u, at->p1));
+    by.normal = probe_hessian_times(&at->probe, l3_axpy(seen, by.u, at->p1));
+    if (moving) by.normal = l3_add(by.normal, l3_cross(s->turn, n));
     const LaneBody *j = &line->body[0], *k = &line->body[1];
     const Lane3 pdot1 = weighted(&at->weight1, j->v, l3_cross(j->w, j->r), k->v, l3_cross(k->w, k->r));
     by.pdot = l3_axpy(s->pdot, by.u, pdot1);
+    if (moving) {
+        by.p = l3_sub(l3_axpy(s->p, by.u, at->p1), s->centre);
+        by.pdot = l3_sub(by.pdot, l3_cross(c->roller_w, by.p));
+    }
     by.omega = l3_scale(by.u * at->weight1.alpha[1], l3_sub(k->w, j->w));
     /* moving along the line changes no gap: g' = 0 inside, du = 0 at a clamped end */
-    by.gap = l3_dot(n, s->p);
+    by.gap = l3_dot(n, seen);
     by.rate = l3_dot(by.normal, c->pdot) + l3_dot(n, by.pdot);
     return by;
 }
 
 /* Force and moment rows of one body into a column. */
-LANE_INLINE void rows_store(double rows[12][LANES], int body, Lane3 force, Lane3 moment)
+LANE_INLINE void rows_store(double rows[][LANES], int body, Lane3 force, Lane3 moment)
 {
     batch_vector_store(rows + 6 * body, force);
     batch_vector_store(rows + 6 * body + 3, moment);
 }
 
-/* A configuration column: both bodies' force and moment (C17). */
-LANE_INLINE void column_shift(const Contact *c, const Line *line, const Shift *s, double rows[12][LANES])
+/* The roller's rows: the force turned round, and its moment about the roller's centre (SP6). */
+LANE_INLINE void roller_rows(const Contact *c, Lane3 arm_by, Lane3 force, double rows[][LANES])
 {
-    const Variation by = vary_shift(c, line, s);
+    const Lane3 moment = l3_add(l3_cross(arm_by, c->force), l3_cross(contact_roller_arm(c), force));
+    rows_store(rows, ROLLER, l3_neg(force), l3_neg(moment));
+}
+
+/* A configuration column: both bodies' force and moment (C17), and the roller's where it moves. */
+LANE_INLINE void column_shift(const Contact *c, const Line *line, const Shift *s, double rows[][LANES], int moving)
+{
+    const Variation by = vary_shift(c, line, s, moving);
     const Lane3 force = vary_force(c, &by);
     const Lane3 n = c->at.probe.normal;
     for (int b = 0; b < 2; ++b) {
@@ -82,37 +102,65 @@ LANE_INLINE void column_shift(const Contact *c, const Line *line, const Shift *s
         rows_store(rows, b, l3_axpy(l3_scale(alpha, force), alpha_by, c->force),
                    l3_add(l3_cross(arm, c->force), l3_cross(c->arm[b], force)));
     }
+    if (!moving) return;
+    const Lane3 off = l3_axpy(l3_scale(c->at.radius1 * by.u, n), c->at.radius, by.normal); /* d(rc n) */
+    roller_rows(c, l3_sub(by.p, off), force, rows);
 }
 
 /* A velocity column: nothing moves, only velocities change. */
-LANE_INLINE void column_speed(const Contact *c, Lane3 pdot, Lane3 omega, double rows[12][LANES])
+LANE_INLINE void column_speed(const Contact *c, Lane3 pdot, Lane3 omega, double rows[][LANES], int moving)
 {
     const Variation by = {.pdot = pdot, .omega = omega, .rate = l3_dot(c->at.probe.normal, pdot)};
     const Lane3 force = vary_force(c, &by);
     for (int b = 0; b < 2; ++b) {
         rows_store(rows, b, l3_scale(c->at.weight.alpha[b], force), l3_cross(c->arm[b], force));
     }
+    if (moving) roller_rows(c, l3_zero(), force, rows);
 }
 
 /* World axis 0, 1 or 2. */
 LANE_INLINE Lane3 axis_unit(int axis) { return (Lane3){lane_set(axis == 0), lane_set(axis == 1), lane_set(axis == 2)}; }
 
 /* The twelve columns of body b: three shifts, three turns, three velocities, three angular velocities. */
-LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, ContactMatrix *k, ContactMatrix *d)
+LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, int rows, double (*k)[LANES],
+                              double (*d)[LANES])
 {
+    const int moving = rows > 12;
     const LaneBody *body = &line->body[b];
     const Lane alpha = c->at.weight.alpha[b], beta = c->at.weight.beta[b];
     const Lane alpha1 = c->at.weight1.alpha[b], beta1 = c->at.weight1.beta[b];
     for (int axis = 0; axis < 3; ++axis) {
         const Lane3 e = axis_unit(axis);
         const Lane3 turned = l3_cross(e, body->r);
-        const Shift shift = {b, l3_scale(alpha, e), l3_scale(alpha1, e), l3_zero(), l3_zero()};
-        const Shift turn = {b, l3_scale(beta, turned), l3_scale(beta1, turned), turned,
-                            l3_scale(beta, l3_cross(body->w, turned))};
-        column_shift(c, line, &shift, k->entry[6 * b + axis]);
-        column_shift(c, line, &turn, k->entry[6 * b + 3 + axis]);
-        column_speed(c, l3_scale(alpha, e), l3_zero(), d->entry[6 * b + axis]);
-        column_speed(c, l3_scale(beta, turned), l3_scale(alpha, e), d->entry[6 * b + 3 + axis]);
+        const Lane3 none = l3_zero();
+        const Shift shift = {b, l3_scale(alpha, e), l3_scale(alpha1, e), none, none, none, none};
+        const Shift turn = {b,
+                            l3_scale(beta, turned),
+                            l3_scale(beta1, turned),
+                            turned,
+                            l3_scale(beta, l3_cross(body->w, turned)),
+                            none,
+                            none};
+        const int first = rows * (6 * b + axis), second = first + rows * 3;
+        column_shift(c, line, &shift, k + first, moving);
+        column_shift(c, line, &turn, k + second, moving);
+        column_speed(c, l3_scale(alpha, e), none, d + first, moving);
+        column_speed(c, l3_scale(beta, turned), l3_scale(alpha, e), d + second, moving);
+    }
+}
+
+/* The twelve columns of the roller (SP4), (SP5): it moves, turns, and its surface runs. */
+LANE_INLINE void roller_columns(const Contact *c, const Line *line, ContactMovingMatrix *k, ContactMovingMatrix *d)
+{
+    const Lane3 none = l3_zero();
+    for (int axis = 0; axis < 3; ++axis) {
+        const Lane3 e = axis_unit(axis), back = l3_neg(e);
+        const Shift shift = {ROLLER, none, none, none, none, e, none};
+        const Shift turn = {ROLLER, none, none, none, none, none, e};
+        column_shift(c, line, &shift, k->entry[6 * ROLLER + axis], 1);
+        column_shift(c, line, &turn, k->entry[6 * ROLLER + 3 + axis], 1);
+        column_speed(c, back, none, d->entry[6 * ROLLER + axis], 1);
+        column_speed(c, l3_cross(back, c->lever), back, d->entry[6 * ROLLER + 3 + axis], 1);
     }
 }
 
@@ -120,9 +168,21 @@ int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, Conta
 {
     /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
     const Line line = line_load(batch);
-    const Contact c = contact_at(batch, &line);
+    const Contact c = contact_at(batch, &line, 0);
     lane_store(normal, c.normal);
     if (!mask_any(c.normal > lane_set(0))) return 0;
-    for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, k, d);
+    for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, 12, &k->entry[0][0], &d->entry[0][0]);
+    return 1;
+}
+
+int ISA_NAME(contact_columns_moving)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
+                                     double normal[LANES])
+{
+    const Line line = line_load(batch);
+    const Contact c = contact_at(batch, &line, 1);
+    lane_store(normal, c.normal);
+    if (!mask_any(c.normal > lane_set(0))) return 0;
+    for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, 18, &k->entry[0][0], &d->entry[0][0]);
+    roller_columns(&c, &line, k, d);
     return 1;
 }

@@ -20,6 +20,7 @@ typedef struct ContactBatch {
     double radius[2][LANES];                 /* contact radius, m */
     double centre[3][LANES], axis[3][LANES]; /* of the shape, m and unit */
     double shape_radius[LANES], shape_half_width[LANES];
+    double roller_v[3][LANES], roller_w[3][LANES]; /* of the roller, m/s and rad/s; set where rollers move */
     const FrictionLaw *friction[LANES];
     const ImpactLaw *impact;
     double friction_scale;
@@ -35,7 +36,8 @@ typedef struct ContactPush {
     double total[3][LANES];                 /* N, on the cable */
     double normal[LANES];                   /* N */
     double u[LANES], gap[LANES];
-    double point[3][LANES]; /* m, on the line */
+    double point[3][LANES];         /* m, on the line */
+    double roller_moment[3][LANES]; /* N m, on the roller about its centre; set where rollers move */
 } ContactPush;
 
 /* Derivatives of [force_0 moment_0 force_1 moment_1] with respect to [x_0 phi_0 x_1 phi_1] or [v_0 w_0 v_1
@@ -43,6 +45,11 @@ typedef struct ContactPush {
 typedef struct ContactMatrix {
     _Alignas(64) double entry[12][12][LANES]; /* [column][row][lane] */
 } ContactMatrix;
+
+/* The same with the roller as a third body, in rows and in columns. */
+typedef struct ContactMovingMatrix {
+    _Alignas(64) double entry[18][18][LANES]; /* [column][row][lane] */
+} ContactMovingMatrix;
 
 typedef struct ContactKernels {
     /* node[i] = a positive factor times (normal at the centre of segment i . axis of segment i), for i =
@@ -54,6 +61,10 @@ typedef struct ContactKernels {
     /* returns 0, and writes nothing, if no hit of the batch carries force; normal[lane] is each hit's force,
      * N */
     int (*columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
+    /* the same where rollers move: fixed ones pay nothing for it */
+    void (*push_moving)(const ContactBatch *batch, ContactPush *out);
+    int (*columns_moving)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
+                          double normal[LANES]);
 } ContactKernels;
 
 extern const ContactKernels contact_kernels_generic, contact_kernels_avx2, contact_kernels_avx512;

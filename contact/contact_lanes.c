@@ -28,10 +28,10 @@ static void kernel_distances(const Shape *shape, const Kinematics *kin, int from
 }
 
 /* Generalized forces by virtual work (C15). */
-static void kernel_push(const ContactBatch *batch, ContactPush *out)
+LANE_INLINE void push_of(const ContactBatch *batch, ContactPush *out, int moving)
 {
     const Line line = line_load(batch);
-    const Contact c = contact_at(batch, &line);
+    const Contact c = contact_at(batch, &line, moving);
     for (int b = 0; b < 2; ++b) {
         batch_vector_store(out->force[b], l3_scale(c.at.weight.alpha[b], c.force));
         batch_vector_store(out->moment[b], l3_cross(c.arm[b], c.force));
@@ -41,7 +41,12 @@ static void kernel_push(const ContactBatch *batch, ContactPush *out)
     lane_store(out->normal, c.normal);
     lane_store(out->u, c.u);
     lane_store(out->gap, c.gap);
+    if (moving) batch_vector_store(out->roller_moment, l3_cross(c.force, contact_roller_arm(&c)));
 }
 
-const ContactKernels ISA_NAME(contact_kernels) = {kernel_slopes, kernel_distances, kernel_push,
-                                                  ISA_NAME(contact_columns)};
+static void kernel_push(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, 0); }
+static void kernel_push_moving(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, 1); }
+
+const ContactKernels ISA_NAME(contact_kernels) = {kernel_slopes,      kernel_distances,
+                                                  kernel_push,        ISA_NAME(contact_columns),
+                                                  kernel_push_moving, ISA_NAME(contact_columns_moving)};

@@ -10,8 +10,9 @@ typedef struct Contact {
     Lane u;
     LaneMask interior; /* the minimum is inside the element: it moves along it */
     LinePoint at;
-    Lane3 pdot;                           /* velocity of the line's material at P, m/s */
-    Lane3 omega;                          /* angular velocity there, rad/s */
+    Lane3 pdot;                           /* velocity of the line's material at P, m/s, against the roller's (SP2) */
+    Lane3 omega;                          /* angular velocity there, rad/s, likewise */
+    Lane3 lever, roller_w;                /* where the roller moves: P - C, m, and its angular velocity, rad/s */
     Lane3 slip;                           /* surface velocity v_s, m/s */
     Lane slip_normal;                     /* its part along the normal */
     Lane3 slide;                          /* its tangential part v_t */
@@ -44,29 +45,38 @@ LANE_INLINE void contact_laws(Contact *c, const ContactBatch *batch)
     c->phi_over = scale * lane_load(value[4]);
 }
 
-/* Velocities at the contact (C12), (C13). */
-LANE_INLINE void contact_motion(Contact *c, const Line *line)
+/* What the roller's own motion takes off the line's (SP2): from here on both are seen from the roller. */
+LANE_INLINE void contact_motion_seen(Contact *c, const ContactBatch *batch)
+{
+    c->lever = l3_sub(c->at.p, batch_vector(batch->centre));
+    c->roller_w = batch_vector(batch->roller_w);
+    c->pdot = l3_sub(c->pdot, l3_add(batch_vector(batch->roller_v), l3_cross(c->roller_w, c->lever)));
+    c->omega = l3_sub(c->omega, c->roller_w);
+}
+
+/* Velocities at the contact (C12), (C13). `moving` is a constant: fixed rollers compile to what they were. */
+LANE_INLINE void contact_motion(Contact *c, const Line *line, const ContactBatch *batch, int moving)
 {
     const LaneBody *j = &line->body[0], *k = &line->body[1];
     const LaneWeights *w = &c->at.weight;
     const Lane3 n = c->at.probe.normal;
     c->pdot = weighted(w, j->v, l3_cross(j->w, j->r), k->v, l3_cross(k->w, k->r));
     c->omega = l3_axpy(l3_scale(w->alpha[0], j->w), w->alpha[1], k->w);
+    if (moving) contact_motion_seen(c, batch);
     c->slip = l3_axpy(c->pdot, -c->at.radius, l3_cross(c->omega, n));
     c->slip_normal = l3_dot(n, c->slip);
     c->slide = l3_axpy(c->slip, -c->slip_normal, n);
-    /* the rollers are fixed: the gap's rate is the line's own */
     c->gap = c->at.probe.distance - c->at.radius;
     c->rate = l3_dot(n, c->pdot);
 }
 
 /* A contact from its batch: nearest point, velocities, laws, force (C9)-(C15). */
-LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line)
+LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line, int moving)
 {
     Contact c;
     c.u = line_nearest(line, &c.interior);
     c.at = line_at(line, c.u);
-    contact_motion(&c, line);
+    contact_motion(&c, line, batch, moving);
     contact_laws(&c, batch);
     const Lane3 n = c.at.probe.normal;
     c.force = l3_scale(c.normal, l3_axpy(n, -c.phi, c.slide));
@@ -76,7 +86,12 @@ LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line)
     return c;
 }
 
+/* Lever of the force about the roller's centre, from the surface point P - rc n (SP3), m. */
+LANE_INLINE Lane3 contact_roller_arm(const Contact *c) { return l3_axpy(c->lever, -c->at.radius, c->at.probe.normal); }
+
 /* In contact_blocks_lanes.c; see ContactKernels. */
 int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
+int ISA_NAME(contact_columns_moving)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
+                                     double normal[LANES]);
 
 #endif

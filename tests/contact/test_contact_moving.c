@@ -1,0 +1,279 @@
+/* Contact with rollers that move, turn and spin: derivatives by everything against differences, action and reaction,
+ * what a motion of everything together does (nothing), and that a roller at rest feels like a fixed one. */
+#include "tests/contact/contact_scene.h"
+
+#include <math.h>
+
+enum { N = 4, COLUMNS = 12 * (N + 1), ROWS = 6 * (N + 1) }; /* the last body is the roller */
+
+/* A crooked chain on one roller, all of it moving; rows and columns by body: [force moment], [x phi v w]. */
+typedef struct Moving {
+    TestScene s;
+    RollerMotion motion[SCENE_ROLLERS_MAX];
+    RollerLoad load[SCENE_ROLLERS_MAX];
+    double matrix[COLUMNS][ROWS];
+} Moving;
+
+static void moving_new(Moving *m, ContactGeometry geometry, double speed, int rim, uint64_t *seed)
+{
+    TestScene *const s = &m->s;
+    scene_new(s, geometry, N, 0.5);
+    for (int i = 0; i < N; ++i) {
+        s->chain.half[i] = 0.25 + 0.05 * random_next(seed);
+        s->chain.radius[i] = 0.04 + 0.01 * random_next(seed);
+        vector_to(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.12, random_vector(seed))));
+        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
+        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+    }
+    scene_join(s, v3(0, 0, 0));
+    /* the roller touches element 1 from below, with its side or with its rim */
+    const Element element = element_at(geometry, N, 1);
+    const double u = 0.5 + 0.3 * random_next(seed);
+    const Vec3 p = element_point(&element, &s->chain, &s->kin, u);
+    const double clear = element_radius(&element, &s->chain, u) - 2e-3, lean = rim ? 0.6 : 0.1 * random_next(seed);
+    const Vec3 axis = v3(0.1 * random_next(seed), cos(lean), sin(lean)), rho = v3(0, -sin(lean), cos(lean));
+    Vec3 centre = v3_axpy(v3_axpy(p, -clear, v3(0, 0, 1)), -0.1, rho);
+    if (rim) centre = v3_axpy(centre, -0.2, axis);
+    scene_roller(s, centre, v3_unit(axis), 0.1, 0.2);
+    m->motion[0] = (RollerMotion){v3_scale(speed, random_vector(seed)), v3_scale(10 * speed, random_vector(seed))};
+    s->model.motion = m->motion;
+    scene_refresh(s);
+}
+
+/* Forces and moments on all bodies. */
+static void moving_rows(Moving *m, double row[ROWS])
+{
+    TestScene *const s = &m->s;
+    loads_zero(&s->loads, N);
+    contact_forces_moving(&s->model, &s->chain, &s->kin, 1, &s->pairs, &s->loads, m->load);
+    for (int i = 0; i < N; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            row[6 * i + c] = s->loads.f[c][i];
+            row[6 * i + 3 + c] = s->loads.m[c][i];
+        }
+    }
+    const RollerLoad *const l = &m->load[0];
+    const double last[6] = {l->force.x, l->force.y, l->force.z, l->moment.x, l->moment.y, l->moment.z};
+    memcpy(row + 6 * N, last, sizeof last);
+}
+
+/* Moves coordinate `axis` of kind 0..3 (x, phi, v, w) of a body by e; returns what was there. */
+static Vec3 nudge(Moving *m, int body, int kind, int axis, double e)
+{
+    const Vec3 unit = v3(axis == 0, axis == 1, axis == 2);
+    TestScene *const s = &m->s;
+    double **const chain[4] = {s->kin.p, s->kin.a, s->kin.v, s->kin.w};
+    Vec3 *const roller[4] = {&s->roller[0].shape.centre, &s->roller[0].shape.axis, &m->motion[0].v, &m->motion[0].w};
+    const Vec3 old = body < N ? vector_of(chain[kind], body) : *roller[kind];
+    const Vec3 now = kind == 1 ? quat_rotate(quat_exp(v3_scale(e, unit)), old) : v3_axpy(old, e, unit);
+    if (body < N) {
+        vector_to(chain[kind], body, now);
+    } else {
+        *roller[kind] = now;
+    }
+    return old;
+}
+
+static void restore(Moving *m, int body, int kind, Vec3 old)
+{
+    double **const chain[4] = {m->s.kin.p, m->s.kin.a, m->s.kin.v, m->s.kin.w};
+    Shape *const shape = &m->s.roller[0].shape;
+    Vec3 *const roller[4] = {&shape->centre, &shape->axis, &m->motion[0].v, &m->motion[0].w};
+    if (body < N) {
+        vector_to(chain[kind], body, old);
+    } else {
+        *roller[kind] = old;
+    }
+}
+
+static void differences(Moving *m, double out[COLUMNS][ROWS])
+{
+    double plus[ROWS], minus[ROWS];
+    for (int c = 0; c < COLUMNS; ++c) {
+        const int body = c / 12, kind = c % 12 / 3, axis = c % 3;
+        const double e = kind < 2 ? 5e-8 : 1e-7;
+        const Vec3 old = nudge(m, body, kind, axis, e);
+        moving_rows(m, plus);
+        restore(m, body, kind, old);
+        nudge(m, body, kind, axis, -e);
+        moving_rows(m, minus);
+        restore(m, body, kind, old);
+        for (int r = 0; r < ROWS; ++r) out[c][r] = (plus[r] - minus[r]) / (2 * e);
+    }
+}
+
+/* matrix[12 body + 6 kind ..][6 row body ..] += block */
+static void matrix_put(Moving *m, int kind, int row, int col, const double block[36])
+{
+    for (int k = 0; k < 36; ++k) m->matrix[12 * col + 6 * kind + k / 6][6 * row + k % 6] += block[k];
+}
+
+static void coupling_take(void *user, const RollerCoupling *c)
+{
+    Moving *const m = user;
+    assert_int_equal(c->roller, 0);
+    for (int kind = 0; kind < 2; ++kind) {
+        for (int b = 0; b < 2; ++b) {
+            if (c->body[b] < 0) continue;
+            matrix_put(m, kind, c->body[b], N, c->into[kind][b]);
+            matrix_put(m, kind, N, c->body[b], c->from[kind][b]);
+        }
+        matrix_put(m, kind, N, N, c->own[kind]);
+    }
+}
+
+static void analytic(Moving *m)
+{
+    BlockChain kd[2];
+    memset(m->matrix, 0, sizeof m->matrix);
+    for (int kind = 0; kind < 2; ++kind) assert_true(block_chain_alloc(&kd[kind], N, 6));
+    TestScene *const s = &m->s;
+    contact_blocks_moving(&s->model, &s->chain, &s->kin, 1, &s->pairs, &kd[0], &kd[1], coupling_take, m);
+    for (int kind = 0; kind < 2; ++kind) {
+        for (int i = 0; i < N; ++i) {
+            matrix_put(m, kind, i, i, kd[kind].diag + 36 * i);
+            if (i > 0) matrix_put(m, kind, i, i - 1, kd[kind].lower + 36 * i);
+            if (i + 1 < N) matrix_put(m, kind, i, i + 1, kd[kind].upper + 36 * i);
+        }
+        block_chain_free(&kd[kind]);
+    }
+}
+
+/* Largest difference over the largest entry, by kinds of row (force, moment) and column (x, phi, v, w), for rows and
+ * columns of the roller and of the segments. */
+static double matrix_error(const Moving *m, double fd[COLUMNS][ROWS])
+{
+    double most[2][2][8] = {{{0}}}, apart[2][2][8] = {{{0}}}, worst = 0;
+    for (int c = 0; c < COLUMNS; ++c) {
+        for (int r = 0; r < ROWS; ++r) {
+            const int kind = 2 * (c % 12 / 3) + r % 6 / 3, rc = c >= 12 * N, rr = r >= 6 * N;
+            most[rc][rr][kind] = fmax(most[rc][rr][kind], fabs(fd[c][r]));
+            apart[rc][rr][kind] = fmax(apart[rc][rr][kind], fabs(fd[c][r] - m->matrix[c][r]));
+        }
+    }
+    for (int k = 0; k < 32; ++k) {
+        const double size = most[k / 16][k / 8 % 2][k % 8];
+        if (size > 0) worst = fmax(worst, apart[k / 16][k / 8 % 2][k % 8] / size);
+    }
+    return worst;
+}
+
+static void derivatives_check(ContactGeometry geometry, int rim)
+{
+    const double speeds[] = {5e-4, 8e-3, 0.05, 1};
+    uint64_t seed = 17 + (uint64_t)geometry + 2 * (uint64_t)rim;
+    double worst = 0;
+    int active = 0;
+    for (int i = 0; i < 60; ++i) {
+        static double fd[COLUMNS][ROWS];
+        Moving m;
+        moving_new(&m, geometry, speeds[i % 4], rim, &seed);
+        analytic(&m);
+        differences(&m, fd);
+        active += m.s.pairs.active > 0;
+        worst = fmax(worst, matrix_error(&m, fd));
+        scene_free(&m.s);
+    }
+    print_message("geometry %d rim %d: %d touch, worst %.2g\n", geometry, rim, active, worst);
+    assert_true(active > 30);
+    assert_true(worst < 2e-6);
+}
+
+static void test_derivatives(void **state)
+{
+    (void)state;
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        for (int rim = 0; rim < 2; ++rim) derivatives_check(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, rim);
+    }
+}
+
+/* Forces and moments about the origin of chain and roller add up to nothing; a shift of everything changes nothing. */
+static void test_balance_and_shift(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    int touching = 0;
+    for (int i = 0; i < 20; ++i) {
+        Moving m;
+        double row[ROWS];
+        moving_new(&m, i % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, 0.1, i % 3 == 0, &seed);
+        moving_rows(&m, row);
+        Vec3 force = m.load[0].force, moment = v3_add(m.load[0].moment, v3_cross(m.s.roller[0].shape.centre, force));
+        const double size = v3_norm(force);
+        for (int b = 0; b < N; ++b) {
+            const Vec3 f = vector_of(m.s.loads.f, b);
+            force = v3_add(force, f);
+            moment = v3_add(moment, v3_add(vector_of(m.s.loads.m, b), v3_cross(vector_of(m.s.kin.p, b), f)));
+        }
+        touching += size > 0;
+        assert_true(v3_norm(force) <= 1e-13 * size && v3_norm(moment) <= 1e-13 * size);
+        analytic(&m);
+        double largest = 0;
+        for (int k = 0; k < COLUMNS * ROWS; ++k) largest = fmax(largest, fabs(m.matrix[k / ROWS][k % ROWS]));
+        for (int c = 0; c < 6; ++c) { /* x and v, three axes each */
+            for (int r = 0; r < ROWS; ++r) {
+                double sum = 0;
+                for (int b = 0; b <= N; ++b) sum += m.matrix[12 * b + (c < 3 ? c : c + 3)][r];
+                assert_true(fabs(sum) <= 1e-12 * largest);
+            }
+        }
+        scene_free(&m.s);
+    }
+    assert_true(touching > 10);
+}
+
+/* Seen from a frame that turns and flies along, chain and roller do the same to each other; and a spin about the
+ * roller's own axis alone drags the cable as a cable that runs over a fixed roller is held back. */
+static void test_rigid_motion_and_spin(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    for (int i = 0; i < 20; ++i) {
+        Moving m;
+        double row[ROWS], with[ROWS];
+        moving_new(&m, GEOMETRY_SMOOTH, 0.05, 0, &seed);
+        moving_rows(&m, row);
+        const Vec3 v = random_vector(&seed), w = random_vector(&seed);
+        for (int b = 0; b < N; ++b) {
+            const Vec3 here = v3_add(v, v3_cross(w, vector_of(m.s.kin.p, b)));
+            vector_to(m.s.kin.v, b, v3_add(vector_of(m.s.kin.v, b), here));
+            vector_to(m.s.kin.w, b, v3_add(vector_of(m.s.kin.w, b), w));
+        }
+        const Vec3 there = v3_add(v, v3_cross(w, m.s.roller[0].shape.centre));
+        m.motion[0] = (RollerMotion){v3_add(m.motion[0].v, there), v3_add(m.motion[0].w, w)};
+        moving_rows(&m, with);
+        for (int r = 0; r < ROWS; ++r) assert_true(fabs(row[r] - with[r]) <= 1e-9 * v3_norm(m.load[0].force));
+        scene_free(&m.s);
+    }
+}
+
+/* A roller that could move, at rest, acts as a fixed one. */
+static void test_at_rest(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    Moving m;
+    double row[ROWS];
+    moving_new(&m, GEOMETRY_SMOOTH, 0.05, 0, &seed);
+    m.motion[0] = (RollerMotion){v3(0, 0, 0), v3(0, 0, 0)};
+    moving_rows(&m, row);
+    m.s.model.motion = NULL;
+    scene_forces(&m.s, 1);
+    for (int i = 0; i < N; ++i) {
+        const Vec3 f = v3(row[6 * i], row[6 * i + 1], row[6 * i + 2]);
+        assert_true(v3_norm(v3_sub(f, vector_of(m.s.loads.f, i))) < 1e-12 * v3_norm(m.s.on_roller[0]));
+    }
+    assert_true(v3_norm(v3_sub(m.s.on_roller[0], m.load[0].force)) < 1e-12 * v3_norm(m.load[0].force));
+    scene_free(&m.s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_derivatives),
+        cmocka_unit_test(test_balance_and_shift),
+        cmocka_unit_test(test_rigid_motion_and_spin),
+        cmocka_unit_test(test_at_rest),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
