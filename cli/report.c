@@ -52,6 +52,15 @@ static void report_pull(const hawser_summary *s)
     printf("  speed %.5g m/s, settled at %.4g s\n", s->steady_speed_m_per_s, s->settle_time_s);
 }
 
+/* Trips and what followed. */
+static void report_events(const hawser_summary *s)
+{
+    for (int i = 0; i < s->n_events; i++) {
+        const hawser_event *e = &s->events[i];
+        printf("  t = %8.3f s: %s, pull %.2f N\n", e->t, e->what, e->pull_N);
+    }
+}
+
 /* The most heavily loaded roller. */
 static void report_rollers(hawser_sim *s)
 {
@@ -108,6 +117,7 @@ void report_run(hawser_sim *s, const char *dir)
     hawser_sim_summary(s, &sum);
     report_relaxation(&sum.relaxation);
     report_pull(&sum);
+    report_events(&sum);
     report_rollers(s);
     report_work(&sum);
     report_phases(&sum);

@@ -70,6 +70,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
     const SceneDef *def = d->def;
     const hawser_summary *s = &d->summary;
     const double end = def->duration;
+    const int turns = def->winch.present && def->winch.mode == WINCH_SPEED;
+    const int pulls = def->winch.present && def->winch.mode == WINCH_TENSION;
     double mass, length;
     sum_chain(def, &mass, &length);
     const Vec3 last = route_at(&d->route, d->route.length).position;
@@ -85,9 +87,10 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"route_length_m", "length of the route", "m", cell_number(d->route.length)},
         {"route_rise_m", "rise of the route", "m", cell_number(last.z - def->route_start.z)},
         {"winch_speed_m_per_s", "winch speed at the end", "m/s",
-         cell_number(def->winch.present ? profile_value(&def->winch.speed, end) : NAN)},
-        {"winch_travel_m", "winch travel", "m",
-         cell_number(def->winch.present ? profile_integral(&def->winch.speed, end) : NAN)},
+         cell_number(turns ? profile_value(&def->winch.speed, end) : NAN)},
+        {"winch_travel_m", "winch travel", "m", cell_number(turns ? profile_integral(&def->winch.speed, end) : NAN)},
+        {"winch_tension_N", "winch tension at the end", "N",
+         cell_number(pulls ? profile_value(&def->winch.tension, end) : NAN)},
         {"tail_tension_N", "tail tension at the end", "N", cell_number(profile_value(&def->tail.tension, end))},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
         {"paper_total_N", "winch force, paper's formulas", "N", cell_number(s->paper_total_N)},

@@ -98,12 +98,11 @@ static hawser_status run_relaxation(Run *run, hawser_error *err)
 static hawser_status run_steps(Run *run, hawser_error *err)
 {
     Sim *sim = run->s->sim;
-    const double end = sim_end_time(sim);
     hawser_status status = run_relaxation(run, err);
     if (!status) status = write_due(run, err);
     if (!status) status = tell_progress(run, 1, err);
-    while (!status && sim_time(sim) < end) {
-        status = sim_advance(sim, end, 1, err);
+    while (!status && sim_time(sim) < sim_end_time(sim)) { /* a trip may bring the end nearer */
+        status = sim_advance(sim, sim_end_time(sim), 1, err);
         if (!status) status = write_due(run, err);
         if (!status) status = tell_progress(run, 0, err);
     }

@@ -93,6 +93,8 @@ void hawser_sim_summary(const hawser_sim *s, hawser_summary *out) { sim_summary(
 
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out) { return sim_stations(s->sim, out); }
 
+int hawser_sim_events(const hawser_sim *s, const hawser_event **out) { return sim_events(s->sim, out); }
+
 /* The public table names things a little differently from the one inside. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
 {
@@ -114,7 +116,8 @@ static const char *outcome_name(const hawser_sim *s)
     if (s->running) return "running";
     if (s->outcome == HAWSER_STOPPED) return "stopped";
     if (s->outcome) return "failed";
-    return sim_time(s->sim) < sim_end_time(s->sim) ? "unfinished" : "finished";
+    if (sim_time(s->sim) < sim_end_time(s->sim)) return "unfinished";
+    return sim_tripped(s->sim) ? "tripped" : "finished";
 }
 
 /* The same text that summary.json has. */

@@ -11,7 +11,8 @@ typedef struct Drive {
     const char *value; /* "speed", "tension" */
 } Drive;
 
-static const Drive winch_drive = {&case_winch, "speed"}, tail_drive = {&case_tail, "tension"};
+static const Drive winch_drive = {&case_winch, "speed"}, pull_drive = {&case_winch_tension, "force"},
+                   tail_drive = {&case_tail, "tension"};
 
 /* A table's points: [time, value], times rising strictly. */
 static hawser_status points_read(const CaseReader *r, const CaseNode *list, const Drive *drive, double *time,
@@ -65,15 +66,60 @@ static hawser_status profile_make(const CaseReader *r, const CaseNode *map, cons
     return HAWSER_OK;
 }
 
+/* When the winch trips, and what it does then. */
+static hawser_status trip_read(const CaseReader *r, const CaseNode *node)
+{
+    TripRecord t = {0};
+    const hawser_status status = case_section_read(r, node, &case_trip, &t);
+    if (status) return status;
+    const int by_force = !isnan(t.force), by_factor = !isnan(t.factor);
+    if (by_force == by_factor) {
+        return case_key_error(r->err, node, by_force ? "factor" : "force", "%s: give either 'force' or 'factor'",
+                              by_force ? "given beside force" : "missing");
+    }
+    r->def->winch.trip = (TripDef){.force = by_force ? t.force : 0,
+                                   .factor = by_factor ? t.factor : 0,
+                                   .hold = t.hold,
+                                   .brake = t.brake,
+                                   .pause = t.pause,
+                                   .ramp = t.ramp,
+                                   .restarts = t.restarts,
+                                   .ends_run = t.then};
+    return HAWSER_OK;
+}
+
+/* A set tension in place of a speed: what belongs to a speed is not allowed beside it. */
+static hawser_status pull_read(const CaseReader *r, const CaseNode *winch_node, const CaseNode *node)
+{
+    WinchDef *winch = &r->def->winch;
+    WinchTensionRecord record = {0};
+    const char *const others[] = {"speed", "ramp", "from", "to", "table", "trip"};
+    for (int k = 0; k < 6; k++) {
+        const CaseNode *other = case_node_key(winch_node, others[k]);
+        if (other) return case_key_error(r->err, other, NULL, "not allowed beside 'tension'");
+    }
+    const hawser_status status = case_section_read(r, node, pull_drive.section, &record);
+    if (status) return status;
+    winch->mode = WINCH_TENSION;
+    winch->speed_limit = isnan(record.speed_limit) ? 0 : record.speed_limit;
+    winch->band = record.band;
+    winch->drum_mass = record.drum_mass;
+    return profile_make(r, node, &pull_drive, &record.drive, &winch->tension, &winch->tension_time,
+                        &winch->tension_value);
+}
+
 /* Its table becomes the definition's even if there is an error: scene_def_clear frees it. */
 static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
 {
     WinchDef *winch = &r->def->winch;
     WinchRecord record = {0};
-    const hawser_status status = case_section_read(r, node, winch_drive.section, &record);
+    hawser_status status = case_section_read(r, node, winch_drive.section, &record);
     if (status) return status;
     winch->present = 1;
     winch->axial_only = record.grip;
+    if (record.tension) return pull_read(r, node, record.tension);
+    if (record.trip) status = trip_read(r, record.trip);
+    if (status) return status;
     return profile_make(r, node, &winch_drive, &record.drive, &winch->speed, &winch->table_time, &winch->table_value);
 }
 

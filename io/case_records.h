@@ -85,7 +85,18 @@ typedef struct DriveRecord {
 typedef struct WinchRecord {
     DriveRecord drive;
     int grip; /* 0 clamp, 1 axial */
+    const CaseNode *tension, *trip;
 } WinchRecord;
+
+typedef struct WinchTensionRecord {
+    DriveRecord drive;
+    double speed_limit, band, drum_mass;
+} WinchTensionRecord;
+
+typedef struct TripRecord {
+    double force, factor, hold, brake, pause, ramp;
+    int restarts, then; /* then: 0 stay, 1 end */
+} TripRecord;
 
 typedef struct DragRecord {
     double force, v_s, v_d, ratio;

@@ -20,6 +20,7 @@ static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const weights[] = {"full", "carried", NULL};
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
 static const char *const grips[] = {"clamp", "axial", NULL};
+static const char *const afters[] = {"stay", "end", NULL};
 static const char *const ramps[] = {"none", "step", "step5", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
@@ -205,8 +206,34 @@ static const CaseKey winch_keys[] = {
     RAMP_KEYS,
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising", AT(DriveRecord, table)},
     {"grip", KEY_CHOICE, .fallback = "clamp", .choices = grips, AT(WinchRecord, grip)},
+    {"tension", KEY_MAP, .otherwise = "none", .form = "section `drive.winch.tension`", AT(WinchRecord, tension)},
+    {"trip", KEY_MAP, .otherwise = "none", .form = "section `drive.winch.trip`", AT(WinchRecord, trip)},
 };
 SECTION(case_winch, "drive.winch", winch_keys);
+
+/* In place of a speed. */
+static const CaseKey winch_tension_keys[] = {
+    {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(DriveRecord, value)},
+    RAMP_KEYS,
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, force], times rising", AT(DriveRecord, table)},
+    {"speed_limit", KEY_NUMBER, DIM_SPEED, .otherwise = "none", ABOVE(0, 1e4), AT(WinchTensionRecord, speed_limit)},
+    {"band", KEY_NUMBER, .fallback = "0.05", ABOVE(0, 1), AT(WinchTensionRecord, band)},
+    {"drum_mass", KEY_NUMBER, DIM_MASS, .fallback = "0 kg", FROM(0, STRONG), AT(WinchTensionRecord, drum_mass)},
+};
+SECTION(case_winch_tension, "drive.winch.tension", winch_tension_keys);
+
+/* Either a force or a factor. */
+static const CaseKey trip_keys[] = {
+    {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "from `factor`", ABOVE(0, STRONG), AT(TripRecord, force)},
+    {"factor", KEY_NUMBER, .otherwise = "none", ABOVE(0, 1e3), AT(TripRecord, factor)},
+    {"hold", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(TripRecord, hold)},
+    {"brake", KEY_NUMBER, DIM_TIME, .fallback = "500 ms", ABOVE(0, LATE), AT(TripRecord, brake)},
+    {"restarts", KEY_INTEGER, .fallback = "0", FROM(0, 1000), AT(TripRecord, restarts)},
+    {"pause", KEY_NUMBER, DIM_TIME, .fallback = "5 s", FROM(0, LATE), AT(TripRecord, pause)},
+    {"ramp", KEY_NUMBER, DIM_TIME, .fallback = "2 s", ABOVE(0, LATE), AT(TripRecord, ramp)},
+    {"then", KEY_CHOICE, .fallback = "stay", .choices = afters, AT(TripRecord, then)},
+};
+SECTION(case_trip, "drive.winch.trip", trip_keys);
 
 static const CaseKey tail_keys[] = {
     {"tension", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(DriveRecord, value)},
@@ -308,31 +335,13 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 /* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
-    static const CaseSection *const all[] = {&case_top,
-                                             &case_cable,
-                                             &case_damping_factor,
-                                             &case_preload,
-                                             &case_chain_piece,
-                                             &case_route,
-                                             &case_route_piece,
-                                             &case_lead_in,
-                                             &case_rollers,
-                                             &case_roller_row,
-                                             &case_roller,
-                                             &case_contact,
-                                             &case_friction,
-                                             &case_drive,
-                                             &case_winch,
-                                             &case_tail,
-                                             &case_rope_drag,
-                                             &case_run,
-                                             &case_solver,
-                                             &case_tolerances,
-                                             &case_output,
-                                             &case_stations,
-                                             &case_station,
-                                             &case_paper,
-                                             &case_paper_term,
-                                             NULL};
+    static const CaseSection *const all[] = {
+        &case_top,         &case_cable,      &case_damping_factor, &case_preload,
+        &case_chain_piece, &case_route,      &case_route_piece,    &case_lead_in,
+        &case_rollers,     &case_roller_row, &case_roller,         &case_contact,
+        &case_friction,    &case_drive,      &case_winch,          &case_winch_tension,
+        &case_trip,        &case_tail,       &case_rope_drag,      &case_run,
+        &case_solver,      &case_tolerances, &case_output,         &case_stations,
+        &case_station,     &case_paper,      &case_paper_term,     NULL};
     return all;
 }

@@ -97,6 +97,20 @@ static int put_relaxation(json_t *o, const hawser_relaxation *r)
     return json_object_set_new(o, "relaxation", inner) | bad;
 }
 
+/* What happened, by time. */
+static int put_events(json_t *o, const hawser_summary *s)
+{
+    json_t *list = json_array();
+    int bad = 0;
+    for (int i = 0; i < s->n_events; i++) {
+        const hawser_event *e = &s->events[i];
+        json_t *row = json_object();
+        bad |= put_real(row, "time_s", e->t) | put_text(row, "what", e->what) | put_real(row, "pull_N", e->pull_N) |
+               json_array_append_new(list, row);
+    }
+    return json_object_set_new(o, "events", list) | bad;
+}
+
 /* Where the wall time went. */
 static int put_phases(json_t *o, const hawser_phases *p)
 {
@@ -112,7 +126,7 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     json_t *o = json_object();
     int bad = !o;
     if (o) {
-        bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) |
+        bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_events(o, s) |
               put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));

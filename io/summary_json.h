@@ -7,7 +7,7 @@
 /* What the summary says beside the figures. */
 typedef struct SummaryLabels {
     const char *title, *case_name;
-    const char *outcome; /* "running", "finished", "stopped", "failed" */
+    const char *outcome; /* "running", "finished", "tripped", "stopped", "failed" */
     const char *message; /* why it did not finish; "" otherwise */
 } SummaryLabels;
 

@@ -30,6 +30,7 @@ static const DimensionRow dimensions[DIM_COUNT] = {
     [DIM_MOMENT] = {"a moment", "N m", "50 N m"},
     [DIM_DENSITY] = {"a density", "kg/m3", "7801 kg/m3"},
     [DIM_LINE_MASS] = {"a mass per length", "kg/m", "22 kg/m"},
+    [DIM_MASS] = {"a mass", "kg", "300 kg"},
     [DIM_DASHPOT] = {"a force per speed", "N s/m", "10 kN s/m"},
     [DIM_STIFFNESS] = {"a force per power of a length", "N/m^e", "3.4e8 N/m^1.5"},
 };

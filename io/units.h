@@ -18,6 +18,7 @@ typedef enum Dimension {
     DIM_MOMENT,
     DIM_DENSITY,
     DIM_LINE_MASS,
+    DIM_MASS,
     DIM_DASHPOT,   /* force per speed */
     DIM_STIFFNESS, /* force per length to a power: units_read_stiffness alone */
     DIM_COUNT

@@ -46,6 +46,9 @@ void applied_weight(const Scene *scene, const Kinematics *kin, int from, int to,
             loads->m[c][i] = 0;
         }
     }
+    if (scene->winch.drum_mass > 0 && to == scene->chain.n) { /* it moves with the last segment, but hangs elsewhere */
+        load_add(loads, to - 1, v3_scale(-scene->winch.drum_mass, w->gravity), v3(0, 0, 0));
+    }
     if (!w->lead_in) return;
     for (int i = from; i < to; ++i) {
         const double share = weight_share(w, body_position(kin, i), NULL);
@@ -132,6 +135,7 @@ void applied_ends(const Scene *scene, const Kinematics *kin, double t, double fr
 {
     tail_loads(scene, kin, t, loads);
     drag_loads(scene, kin, friction, loads);
+    winch_loads(&scene->winch, &scene->chain, kin, t, loads);
 }
 
 void applied_blocks(const Scene *scene, const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d)
@@ -139,4 +143,5 @@ void applied_blocks(const Scene *scene, const Kinematics *kin, double t, double 
     weight_blocks(scene, kin, k, d);
     tail_blocks(scene, kin, t, k);
     drag_blocks(scene, kin, friction, k, d);
+    winch_blocks(&scene->winch, &scene->chain, kin, t, k, d);
 }

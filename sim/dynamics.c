@@ -194,6 +194,25 @@ int dynamics_roller_forces(const Scene *scene, Workspace *ws)
     return active;
 }
 
+double dynamics_winch_pull(const Scene *scene, Workspace *ws, double t)
+{
+    const Winch *const w = &scene->winch;
+    const int n = scene->chain.n;
+    if (!w->present) return 0;
+    if (w->mode == WINCH_TENSION) return winch_pull(w, &scene->chain, &ws->kin, t);
+    bushing_loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints); /* the last lane holds the head's */
+    const Vec3 pull = v3(ws->joints.force[0][n], ws->joints.force[1][n], ws->joints.force[2][n]);
+    return v3_dot(pull, w->direction);
+}
+
+double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y)
+{
+    const int n = scene->chain.n;
+    body_kinematics(n, y, (n - 1) / LANES * LANES, n, &ws->kin);
+    scene_ghosts(scene, t, &ws->kin);
+    return dynamics_winch_pull(scene, ws, t);
+}
+
 double dynamics_contact_seconds(const Workspace *ws)
 {
     const double first = ws->contact[0].seconds, second = ws->contact[1].seconds;

@@ -44,6 +44,11 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
 /* Force of the cable on every roller, into ws->on_roller, for the kinematics in the workspace; returns how many
  * contacts carry force. Overwrites ws->loads. */
 int dynamics_roller_forces(const Scene *scene, Workspace *ws);
+/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without one.
+ */
+double dynamics_winch_pull(const Scene *scene, Workspace *ws, double t);
+/* The same from (t, y); brings the kinematics of the head's last segments up to date, no others. */
+double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */

@@ -3,13 +3,14 @@
 #include "theory/paper.h"
 #include "theory/pulling.h"
 
-/* The winch's travel in the middle of the steady window, m. */
+/* The winch's travel in the middle of the steady window, m; with a set tension, if it moves at its limit. */
 static double travel_in_window(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
+    const double from = def->output.steady_from, to = def->duration;
     if (!scene->winch.present) return 0;
-    return 0.5 * (profile_integral(&scene->winch.speed, def->output.steady_from) +
-                  profile_integral(&scene->winch.speed, def->duration));
+    if (scene->winch.mode == WINCH_TENSION) return 0.5 * (from + to) * winch_largest_speed(&scene->winch);
+    return 0.5 * (winch_travel(&scene->winch, from) + winch_travel(&scene->winch, to));
 }
 
 /* The counted stretch: from the route's start (behind it the lead-in is frictionless) or the tail to where the cable's

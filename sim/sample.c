@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/lanes.h"
-
 int sample_alloc(SampleBuffers *b, const Scene *scene)
 {
     const size_t n = (size_t)scene->chain.n;
@@ -67,6 +65,7 @@ static void tension_take(SampleBuffers *b, const Scene *scene, Workspace *ws)
     bushing_law(&scene->chain, &ws->kin, 0, n + 1, ws->law);
     memcpy(b->tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
     b->tension[0] = s->tail_tension;
+    if (scene->winch.mode == WINCH_TENSION) b->tension[n] = s->winch_force; /* no bushing carries it */
     s->max_tension_joint = 0;
     for (int j = 1; j <= n; ++j) {
         if (b->tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = j;
@@ -77,13 +76,11 @@ static void tension_take(SampleBuffers *b, const Scene *scene, Workspace *ws)
 static void winch_take(hawser_sample *s, const Scene *scene, Workspace *ws, double t)
 {
     const Winch *const w = &scene->winch;
-    const int n = scene->chain.n;
     if (!w->present) return;
-    bushing_loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints); /* the last lane holds the head's */
-    const Vec3 pull = v3(ws->joints.force[0][n], ws->joints.force[1][n], ws->joints.force[2][n]);
-    s->winch_force = v3_dot(pull, w->direction);
-    s->winch_speed = profile_value(&w->speed, t);
-    s->winch_travel = profile_integral(&w->speed, t);
+    const WinchMotion motion = winch_motion(w, &scene->chain, &ws->kin, t);
+    s->winch_force = dynamics_winch_pull(scene, ws, t);
+    s->winch_speed = motion.speed;
+    s->winch_travel = motion.travel;
 }
 
 const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace *ws, double t, const double *y)
@@ -93,8 +90,8 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace
     s->tail_tension = profile_value(&scene->tail, t);
     dynamics_kinematics(scene, ws, t, y);
     motion_take(b, &ws->kin, scene->chain.n);
-    tension_take(b, scene, ws);
     winch_take(s, scene, ws, t);
+    tension_take(b, scene, ws);
     s->active_contacts = dynamics_roller_forces(scene, ws);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
     return s;

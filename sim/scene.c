@@ -66,13 +66,28 @@ static Bushing series(const CableDef *a, double half_a, const CableDef *b, doubl
     return out;
 }
 
-static void joint_set(Chain *chain, int j, const Bushing *b, int components)
+/* Components from..to-1 of joint j. */
+static void joint_set(Chain *chain, int j, const Bushing *b, int from, int to)
 {
-    for (int c = 0; c < components; ++c) {
+    for (int c = from; c < to; ++c) {
         chain->stiffness[c][j] = b->stiffness[c];
         chain->damping[c][j] = b->damping[c];
         chain->preload[c][j] = b->preload[c];
     }
+}
+
+/* The head of a winch with a set tension: its end slides along the pull, guided and braked by the last segment's
+ * half-spring; a clamp holds its attitude too. The drum moves with the last segment (WI3)-(WI5). */
+static void head_guide(Scene *scene, const Bushing *b)
+{
+    Winch *const w = &scene->winch;
+    const int n = scene->chain.n, clamp = !scene->def.winch.axial_only;
+    if (clamp) joint_set(&scene->chain, n, b, 3, 6);
+    w->guide[0] = clamp ? b->stiffness[1] : 0;
+    w->guide[1] = clamp ? b->damping[1] : 0;
+    w->brake[0] = b->stiffness[0];
+    w->brake[1] = b->damping[0];
+    scene->chain.mass[n - 1] += w->drum_mass;
 }
 
 /* Joint j between segments; the head's joint to the winch is the half-spring of the last segment alone. */
@@ -84,7 +99,7 @@ static void joints_fill(Scene *scene)
         const int pa = scene->piece[j - 1], pb = scene->piece[j];
         Bushing b = series(cable_of(def, pa), c->half[j - 1], cable_of(def, pb), c->half[j]);
         if (pa != pb && def->pieces[pb].swivel) b.stiffness[3] = b.damping[3] = b.preload[3] = 0;
-        joint_set(c, j, &b, 6);
+        joint_set(c, j, &b, 0, 6);
     }
     if (!scene->winch.present) return;
     const CableDef *const last = cable_of(def, def->n_pieces - 1);
@@ -94,7 +109,11 @@ static void joints_fill(Scene *scene)
         b.damping[m] = b.stiffness[m] * last->damping * last->damping_factor[m];
         b.preload[m] = last->preload[m];
     }
-    joint_set(c, c->n, &b, def->winch.axial_only ? 1 : 6);
+    if (def->winch.mode == WINCH_TENSION) {
+        head_guide(scene, &b);
+    } else {
+        joint_set(c, c->n, &b, 0, def->winch.axial_only ? 1 : 6);
+    }
 }
 
 /* The route coordinate at distance `chord` from the point at s, ahead or behind (sign), by Newton's method. */
@@ -176,20 +195,7 @@ static void winch_place(Scene *scene)
 
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin)
 {
-    const Winch *const w = &scene->winch;
-    if (!w->present) return;
-    const int n = scene->chain.n;
-    const double speed = profile_value(&w->speed, t);
-    const Vec3 p = v3_axpy(w->origin, profile_integral(&w->speed, t), w->direction);
-    const double position[3] = {p.x, p.y, p.z}, along[3] = {w->direction.x, w->direction.y, w->direction.z};
-    for (int c = 0; c < 3; ++c) {
-        kin->p[c][n] = position[c];
-        kin->v[c][n] = speed * along[c];
-        kin->w[c][n] = 0;
-        kin->a[c][n] = along[c];
-    }
-    const double q[4] = {w->attitude.w, w->attitude.x, w->attitude.y, w->attitude.z};
-    for (int c = 0; c < 4; ++c) kin->q[c][n] = q[c];
+    if (scene->winch.present) winch_ghost(&scene->winch, t, scene->chain.n, kin);
 }
 
 static void weight_fill(Scene *scene)
@@ -217,17 +223,6 @@ static void drag_fill(Scene *scene)
     scene->drag.segment = d->force > 0 ? (scene->eye < n ? scene->eye : n - 1) : -1;
     scene->drag.force = d->force;
     scene->drag.law = (FrictionLaw){.mu_s = 1, .mu_d = d->ratio, .v_s = d->v_s, .v_d = d->v_d};
-}
-
-/* The largest speed that the winch's profile asks for. */
-static double largest_speed(const Winch *w)
-{
-    double v = fmax(fabs(w->speed.v0), fabs(w->speed.v1));
-    if (w->speed.kind == PROFILE_TABLE) {
-        v = 0;
-        for (int i = 0; i < w->speed.n; ++i) v = fmax(v, fabs(w->speed.value[i]));
-    }
-    return w->present && v > 0 ? v : 0.1;
 }
 
 static hawser_status contact_fill(Scene *scene, hawser_error *err)
@@ -259,8 +254,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     assert(scene->piece && scene->joint_s);
     segments_fill(scene);
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
-    scene->winch.present = def->winch.present;
-    scene->winch.speed = def->winch.speed;
+    winch_init(&scene->winch, &def->winch);
     scene->tail = def->tail.tension;
     joints_fill(scene);
     joints_place(scene);
@@ -268,7 +262,8 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     weight_fill(scene);
     drag_fill(scene);
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
-    scene->largest_speed = largest_speed(&scene->winch);
+    const double speed = winch_largest_speed(&scene->winch);
+    scene->largest_speed = scene->winch.present && speed > 0 ? speed : 0.1;
     return contact_fill(scene, err);
 }
 

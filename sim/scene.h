@@ -1,19 +1,11 @@
-/* The scene: what is simulated, built once from a SceneDef and immutable while a run lasts. */
+/* The scene: what is simulated, built once from a SceneDef and immutable while a run lasts, but for the winch's phase,
+ * which changes between steps (sim/winch.h). */
 #ifndef HAWSER_SIM_SCENE_H
 #define HAWSER_SIM_SCENE_H
 
 #include "contact/contact.h"
 #include "core/body.h"
-#include "sim/scene_def.h"
-
-/* The moving ground body at the chain's head: translation along `direction` by the integral of the speed. */
-typedef struct Winch {
-    int present;
-    Profile speed;  /* m/s */
-    Vec3 origin;    /* where the head's end is at t = 0, m */
-    Vec3 direction; /* unit */
-    Quat attitude;
-} Winch;
+#include "sim/winch.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
  * lead-in's hold on the cable across its line (F1). */
@@ -40,7 +32,7 @@ typedef struct Scene {
     double *joint_s;      /* [n+1] route coordinate of each joint at t = 0, m */
     int eye;              /* joint of the pulling eye: first joint of the last piece, n if there is one piece */
     double cable_weight;  /* N/m, of the piece before the eye */
-    double largest_speed; /* m/s, of the winch; 0.1 if it never moves */
+    double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
     Route route;
     Weight weight;
     Winch winch;

@@ -38,6 +38,7 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
     out->paper = copy_of(def->paper, def->n_paper, sizeof *def->paper, &ok);
     out->output.speed_segments = copy_of(def->output.speed_segments, def->output.n_speed_segments, sizeof(int), &ok);
     table_copy(&out->winch.speed, &out->winch.table_time, &out->winch.table_value, &ok);
+    table_copy(&out->winch.tension, &out->winch.tension_time, &out->winch.tension_value, &ok);
     table_copy(&out->tail.tension, &out->tail.table_time, &out->tail.table_value, &ok);
     if (ok) return HAWSER_OK;
     scene_def_clear(out);

@@ -17,7 +17,9 @@ static void contact_defaults(SceneDef *def)
 
 static void drive_defaults(SceneDef *def)
 {
-    def->winch.speed = (Profile){.kind = PROFILE_STEP, .t1 = 1};
+    def->winch.speed = def->winch.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
+    def->winch.band = 0.05;
+    def->winch.trip = (TripDef){.brake = 0.5, .pause = 5, .ramp = 2};
     def->tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
     def->drag = (RopeDragDef){.v_s = 1e-3, .v_d = 2e-3, .ratio = 1};
 }
@@ -53,6 +55,8 @@ void scene_def_clear(SceneDef *def)
     free(def->rollers);
     free(def->winch.table_time);
     free(def->winch.table_value);
+    free(def->winch.tension_time);
+    free(def->winch.tension_value);
     free(def->tail.table_time);
     free(def->tail.table_value);
     free(def->stations);

@@ -50,11 +50,32 @@ typedef struct LeadInDef {
     double blend;       /* m over which the weight comes in at the route's start */
 } LeadInDef;
 
+/* What a winch does when the force is too large: brakes, and perhaps starts again. */
+typedef struct TripDef {
+    double force;  /* N; 0: by the factor */
+    double factor; /* times the reference theory's winch force; both 0: it never trips */
+    double hold;   /* s for which the force must stay above before it counts */
+    double brake;  /* s from full speed to rest */
+    double pause;  /* s at rest before a restart */
+    double ramp;   /* s from rest back to the speed before */
+    int restarts;  /* how many; after the next trip it stays */
+    int ends_run;  /* a winch that stays ends the run */
+} TripDef;
+
+typedef enum WinchMode { WINCH_SPEED, WINCH_TENSION } WinchMode;
+
 typedef struct WinchDef {
     int present;
     int axial_only; /* holds the head along the pull only; otherwise it clamps it (a rope that runs on in the air) */
-    Profile speed;  /* m/s along the route's end direction */
+    WinchMode mode;
+    Profile speed;                    /* m/s along the route's end direction */
     double *table_time, *table_value; /* owned, for PROFILE_TABLE */
+    Profile tension;                  /* N, WINCH_TENSION */
+    double *tension_time, *tension_value;
+    double speed_limit; /* m/s, WINCH_TENSION; 0: none */
+    double band;        /* share of the limit over which the force falls off */
+    double drum_mass;   /* kg, WINCH_TENSION: inertia of the drum over its radius squared */
+    TripDef trip;       /* WINCH_SPEED */
 } WinchDef;
 
 typedef struct TailDef {

@@ -5,6 +5,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "sim/events.h"
 #include "sim/expected.h"
 #include "sim/integrator.h"
 #include "sim/relax.h"
@@ -21,6 +22,7 @@ struct Sim {
     SampleBuffers look;
     Stats stats;
     Expected expected;
+    EventLog events;
     double t, *y; /* s; [13 n] */
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
@@ -29,6 +31,19 @@ struct Sim {
     Team *team;     /* of two, or NULL */
     int active_max; /* contacts */
 };
+
+/* A trip at a factor of what theory expects needs an expectation. */
+static hawser_status trip_set(Sim *s, hawser_error *err)
+{
+    Winch *const w = &s->scene.winch;
+    if (!(w->trip.factor > 0) || w->trip_force > 0) return HAWSER_OK;
+    w->trip_force = w->trip.factor * s->expected.reference_total;
+    if (w->trip_force > 0) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "key 'drive.winch.trip.factor': the reference theory expects a winch force of %g N, which is no "
+                     "measure for a trip: give 'force'",
+                     s->expected.reference_total);
+}
 
 static hawser_status parts_new(Sim *s, hawser_error *err)
 {
@@ -46,6 +61,7 @@ static hawser_status parts_new(Sim *s, hawser_error *err)
     if (!status) newton_stats(&s->newton, &s->lin);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
+    if (!status) status = trip_set(s, err);
     if (!status) status = dynamics_refresh(scene, &s->ws, 0, s->y, 1, err);
     return status;
 }
@@ -76,6 +92,7 @@ Sim *sim_free(Sim *s)
     integrator_free(s->integrator);
     newton_free(&s->newton);
     stats_free(&s->stats);
+    events_free(&s->events);
     sample_free(&s->look);
     workspace_free(&s->ws);
     free(s->y);
@@ -94,34 +111,50 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     return status;
 }
 
-/* Where the integrator must stop next: a corner of a profile, or `stop`. */
+/* Where the integrator must stop next: a corner of a profile, a change of the winch's phase, or `stop`. */
 static double next_stop(const Sim *s, double stop)
 {
-    const Profile *const profile[] = {&s->scene.winch.speed, &s->scene.tail};
-    for (int p = 0; p < 2; ++p) {
-        double corner;
-        if (profile_next_corner(profile[p], s->t + 1e-9, &corner) && corner < stop) stop = corner;
+    const double after = s->t + 1e-9, next = winch_next_stop(&s->scene.winch, after);
+    double corner;
+    if (next < stop) stop = next;
+    return profile_next_corner(&s->scene.tail, after, &corner) && corner < stop ? corner : stop;
+}
+
+/* What a step may have brought about at the winch. */
+static hawser_status winch_watch(Sim *s, hawser_error *err)
+{
+    Winch *const w = &s->scene.winch;
+    if (!(w->trip_force > 0)) return HAWSER_OK;
+    const double pull = dynamics_winch_pull_at(&s->scene, &s->ws, s->t, s->y);
+    hawser_status status = HAWSER_OK;
+    for (WinchEvent event; !status && (event = winch_accept(w, s->t, pull)) != WINCH_NOTHING;) {
+        status = events_add(&s->events, s->t, winch_event_name(event), pull, err);
     }
-    return stop;
+    return status;
+}
+
+/* The integrator of a run that begins; the brake that held a winch of set tension is let off. */
+static hawser_status run_begin(Sim *s, hawser_error *err)
+{
+    s->scene.winch.phase.held = 0;
+    Motion *const motion = spatial_init(&s->spatial, &s->scene, &s->ws, &s->newton);
+    return integrator_new(motion, s->t, s->y, &s->integrator, err);
 }
 
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
-    if (!s->integrator) {
-        Motion *const motion = spatial_init(&s->spatial, &s->scene, &s->ws, &s->newton);
-        const hawser_status status = integrator_new(motion, s->t, s->y, &s->integrator, err);
-        if (status) return status;
-    }
-    hawser_status status = HAWSER_OK;
+    hawser_status status = s->integrator ? HAWSER_OK : run_begin(s, err);
     while (s->t < t && !status) {
         status = integrator_step(s->integrator, next_stop(s, t), &s->t, err);
+        if (!status) status = winch_watch(s, err);
         if (one_step) break;
     }
     return status;
 }
 
 double sim_time(const Sim *s) { return s->t; }
-double sim_end_time(const Sim *s) { return s->scene.def.duration; }
+double sim_end_time(const Sim *s) { return fmin(s->scene.def.duration, s->scene.winch.phase.ended); }
+int sim_tripped(const Sim *s) { return s->scene.winch.phase.ended < s->scene.def.duration; }
 const OutputDef *sim_output(const Sim *s) { return &s->scene.def.output; }
 const char *sim_title(const Sim *s) { return s->scene.def.title; }
 
@@ -190,7 +223,9 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .threads = s->threads,
                             .paper_total_N = s->expected.paper_total,
                             .reference_total_N = s->expected.reference_total,
-                            .relaxation = s->relaxation};
+                            .relaxation = s->relaxation,
+                            .n_events = s->events.n,
+                            .events = s->events.event};
     integration_fill(s, out);
     out->phases.other = s->build_s;
     out->phases.relax = s->relax_s;
@@ -210,4 +245,10 @@ int sim_rollers(const Sim *s, const SimRoller **out)
 {
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
+}
+
+int sim_events(const Sim *s, const hawser_event **out)
+{
+    *out = s->events.event;
+    return s->events.n;
 }

@@ -17,7 +17,10 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err);
 /* See hawser_sim_advance. */
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err);
 double sim_time(const Sim *s);
+/* The case's duration, or when a trip ended the run. */
 double sim_end_time(const Sim *s);
+/* Whether a trip has ended the run before its duration. */
+int sim_tripped(const Sim *s);
 
 /* The state of now, looked at: see hawser_sample. */
 const hawser_sample *sim_sample(Sim *s);
@@ -32,6 +35,9 @@ int sim_stations(const Sim *s, const hawser_station **out);
 
 /* The rollers' table; the array is the simulation's. Returns how many. */
 int sim_rollers(const Sim *s, const SimRoller **out);
+
+/* What happened so far; the array is the simulation's. Returns how many. */
+int sim_events(const Sim *s, const hawser_event **out);
 
 /* What the output needs to know. */
 const OutputDef *sim_output(const Sim *s);

@@ -89,7 +89,7 @@ typedef struct hawser_sample {
     int rollers;
     double winch_force;  /* N, pull on the rope's end along the winch's direction */
     double tail_tension; /* N, back tension applied at the tail */
-    double winch_speed;  /* m/s, prescribed now */
+    double winch_speed;  /* m/s, prescribed now; with a set tension, the head's */
     double winch_travel; /* m, hauled in so far */
     double max_tension;  /* N, over all joints */
     int max_tension_joint;
@@ -109,6 +109,7 @@ typedef struct hawser_sample {
  * is kept. */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err);
 double hawser_sim_time(const hawser_sim *s);
+/* The case's duration; earlier once a winch that tripped has ended the run. */
 double hawser_sim_end_time(const hawser_sim *s);
 const hawser_sample *hawser_sim_sample(hawser_sim *s);
 /* Takes the state of now into the statistics of the summary: means of the steady window, peaks. hawser_sim_run does so
@@ -120,6 +121,16 @@ void hawser_sim_record(hawser_sim *s);
  * (HAWSER_STOPPED, with what was computed written). */
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+
+/* Something that happened: the winch trips, stops, starts again. */
+typedef struct hawser_event {
+    double t;         /* s */
+    const char *what; /* in words; lives for ever */
+    double pull_N;    /* the winch's force then */
+} hawser_event;
+
+/* The events so far, by time; *out stays the simulation's and is good until it advances again. Returns how many. */
+int hawser_sim_events(const hawser_sim *s, const hawser_event **out);
 
 /* Where the time went, s; the phases add up to wall_time_s. `other` is the building of the scene. */
 typedef struct hawser_phases {
@@ -145,6 +156,8 @@ typedef struct hawser_summary {
     double steady_from_s, steady_to_s;
     hawser_relaxation relaxation;
     hawser_phases phases;
+    int n_events;
+    const hawser_event *events; /* [n_events], as hawser_sim_events gives them */
 } hawser_summary;
 
 void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);

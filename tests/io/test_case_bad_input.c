@@ -271,9 +271,9 @@ static void spoil_all(const char *text, const CaseNode *node, Coverage *coverage
 static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
-    static const char *const texts[] = {FULL_RAMPS, FULL_TABLES};
+    static const char *const texts[] = {FULL_RAMPS, FULL_TABLES, FULL_TENSION, FULL_TENSION_TABLE};
     Coverage coverage = {.n = 0};
-    for (int k = 0; k < 2; k++) {
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
         CaseTree *tree;
         hawser_error err;
         SceneDef def;

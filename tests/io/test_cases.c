@@ -112,6 +112,25 @@ static void test_straight(void **state)
     hawser_sim_free(rough.sim);
 }
 
+/* The winch of set tension ends below its limit, where its force is the friction; the one that trips starts again and
+ * ends at its speed, its trip being 1.5 times the theory's force. */
+static void test_winches(void **state)
+{
+    (void)state;
+    Outcome o = run("winch-tension", NULL);
+    assert_true(o.summary.steady_speed_m_per_s > 0.095 && o.summary.steady_speed_m_per_s < 0.1);
+    assert_share(o.summary.pull_mean_N, 0.15 * 9.81 * (14 * 40 + 0.68 * 15), 0.01);
+    assert_true(o.summary.pull_peak_N < 1000.01);
+    hawser_sim_free(o.sim);
+    o = run("winch-trip", NULL);
+    const hawser_event *event;
+    assert_int_equal(hawser_sim_events(o.sim, &event), 4);
+    assert_true(event[0].pull_N > 1.5 * o.summary.reference_total_N && event[0].t > 8.1 && event[0].t < 8.5);
+    assert_share(event[2].t - event[0].t, 5.5, 1e-6);
+    assert_share(o.summary.steady_speed_m_per_s, 0.1, 0.005);
+    hawser_sim_free(o.sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -119,6 +138,7 @@ int main(void)
         cmocka_unit_test(test_huangjiahu_converged),
         cmocka_unit_test(test_huangjiahu_real_stiffness),
         cmocka_unit_test(test_straight),
+        cmocka_unit_test(test_winches),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
