@@ -213,6 +213,11 @@ double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const
     return dynamics_winch_pull(scene, ws, t);
 }
 
+void dynamics_soften(const Scene *scene, Workspace *ws, double share)
+{
+    for (int p = 0; p < PARTS; ++p) ws->contact[p].model.impact.k = share * scene->contact.impact.k;
+}
+
 double dynamics_contact_seconds(const Workspace *ws)
 {
     const double first = ws->contact[0].seconds, second = ws->contact[1].seconds;

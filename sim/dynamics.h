@@ -49,6 +49,8 @@ int dynamics_roller_forces(const Scene *scene, Workspace *ws);
 double dynamics_winch_pull(const Scene *scene, Workspace *ws, double t);
 /* The same from (t, y); brings the kinematics of the head's last segments up to date, no others. */
 double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y);
+/* Gives the rollers' contacts `share` of their stiffness, for the relaxation; 1: the scene's again. */
+void dynamics_soften(const Scene *scene, Workspace *ws, double share);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */

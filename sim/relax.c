@@ -9,6 +9,12 @@
 /* The largest change that one iteration may make. */
 static const double MOVE_MAX = 0.05, TURN_MAX = 0.1;                   /* m, rad */
 static const double DT_FIRST = 1e-2, DT_LARGEST = 1e8, DT_GROWTH = 10; /* s, s, 1 */
+/* The careful variant (E4): the shortest step, and how much a residual may grow in one. */
+static const double DT_SMALLEST = 1e-4, JUMP = 4;
+/* Contacts made soft (E5): the first share of their stiffness, its growth from stage to stage; a stage ends at this
+ * share of the loads, or after so many iterations. */
+static const double SOFTEST = 1e-3, SOFT_GROWTH = 10, SOFT_AIM = 1e-2;
+enum { SOFT_ITERATIONS = 60 };
 
 typedef struct Relaxation {
     const Scene *scene;
@@ -17,7 +23,8 @@ typedef struct Relaxation {
     double t;
     double *y;
     double *rate;  /* [13 n] */
-    double *start; /* [3 n] positions before */
+    double *start; /* [13 n] state before */
+    double *back;  /* [13 n] state before the last move */
 } Relaxation;
 
 /* Largest unbalanced force; moments count over half a segment. *where gets the segment. */
@@ -56,8 +63,8 @@ static int implicit_step(Relaxation *r, double dt)
     return newton_solve(r->newton, r->rate);
 }
 
-/* Moves the state by dt times the velocities found, shortened so that nothing moves too far in one go (E2). */
-static void move(Relaxation *r, double dt)
+/* What a move of dt times the velocities found is shortened by, so that nothing moves too far in one go (E2). */
+static double move_scale(const Relaxation *r, double dt)
 {
     const int n = r->scene->chain.n;
     double scale = 1;
@@ -66,6 +73,14 @@ static void move(Relaxation *r, double dt)
         const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
         scale = fmin(scale, fmin(MOVE_MAX / (dt * v3_norm(u) + 1e-300), TURN_MAX / (dt * v3_norm(w) + 1e-300)));
     }
+    return scale;
+}
+
+/* Moves the state by as much. */
+static void move(Relaxation *r, double dt)
+{
+    const int n = r->scene->chain.n;
+    const double scale = move_scale(r, dt);
     for (int i = 0; i < n; ++i) {
         double *const y = r->y + i;
         for (int c = 0; c < 3; ++c) y[c * n] += scale * dt * r->rate[(STATE_V + c) * n + i];
@@ -105,21 +120,27 @@ static double farthest_move(const Relaxation *r)
     return farthest;
 }
 
-/* The continuation: the step grows as the residual falls, until it is Newton's method (E3). */
-static hawser_status iterate(Relaxation *r, hawser_relaxation *out, hawser_error *err)
+/* Candidates are judged by where things are now. */
+static hawser_status refresh_here(Relaxation *r, hawser_error *err)
 {
-    const int limit = r->scene->def.solver.relax_iterations;
+    dynamics_kinematics(r->scene, r->ws, r->t, r->y);
+    return dynamics_refresh(r->scene, r->ws, r->t, r->y, 0, err);
+}
+
+/* The continuation in time: the step grows as the residual falls, until it is Newton's method (E3). Goes on until the
+ * residual is below `aim` or `limit` iterations are spent. */
+static hawser_status iterate(Relaxation *r, double aim, int limit, hawser_relaxation *out, hawser_error *err)
+{
     double dt = DT_FIRST;
     out->residual_N = residual(r, &out->segment);
-    while (out->iterations < limit && !(out->residual_N <= out->tolerance_N)) {
+    for (int spent = 0; spent < limit && !(out->residual_N <= aim); ++spent) {
         ++out->iterations;
         if (implicit_step(r, dt)) {
             dt /= DT_GROWTH;
         } else {
             move(r, dt);
-            dynamics_kinematics(r->scene, r->ws, r->t, r->y); /* candidates are judged by where things are now */
         }
-        const hawser_status status = dynamics_refresh(r->scene, r->ws, r->t, r->y, 0, err);
+        const hawser_status status = refresh_here(r, err);
         if (status) return status;
         const double before = out->residual_N;
         out->residual_N = residual(r, &out->segment);
@@ -130,25 +151,92 @@ static hawser_status iterate(Relaxation *r, hawser_relaxation *out, hawser_error
     return HAWSER_OK;
 }
 
+/* One careful step of *dt: taken if nothing would move too far and the residual does not jump up, else taken back; *dt
+ * becomes what to try next (E4). */
+static hawser_status careful_step(Relaxation *r, double *dt, hawser_relaxation *out, hawser_error *err)
+{
+    const size_t bytes = (size_t)(STATE_SIZE * r->scene->chain.n) * sizeof(double);
+    const double before = out->residual_N, scale = implicit_step(r, *dt) ? 0 : move_scale(r, *dt);
+    if (scale < 0.3 && *dt > DT_SMALLEST) {
+        *dt = fmax(DT_SMALLEST, *dt * fmax(0.03, sqrt(scale))); /* what has no stiffness moves as dt^2 */
+        residual(r, &out->segment);                             /* the step has overwritten the rates */
+        return HAWSER_OK;
+    }
+    memcpy(r->back, r->y, bytes);
+    if (scale > 0) move(r, *dt);
+    const hawser_status status = refresh_here(r, err);
+    out->residual_N = residual(r, &out->segment);
+    if (out->residual_N < JUMP * before || *dt <= DT_SMALLEST) {
+        *dt = fmin(DT_LARGEST, *dt * (out->residual_N < before / 2 ? DT_GROWTH : 2));
+    } else {
+        memcpy(r->y, r->back, bytes);
+        *dt = fmax(DT_SMALLEST, *dt / 4);
+        out->residual_N = residual(r, &out->segment);
+    }
+    return status;
+}
+
+static hawser_status iterate_carefully(Relaxation *r, double aim, int limit, hawser_relaxation *out, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    double dt = DT_FIRST;
+    out->residual_N = residual(r, &out->segment);
+    for (int spent = 0; !status && spent < limit && !(out->residual_N <= aim); ++spent) {
+        ++out->iterations;
+        status = careful_step(r, &dt, out, err);
+    }
+    out->reached = out->residual_N <= out->tolerance_N;
+    return status;
+}
+
+/* The continuation in the contacts' stiffness (E5): a light rope that falls onto stiff rollers overshoots by more than
+ * Newton's method mends, so it lands on soft ones, which are then made stiffer and stiffer. */
+static hawser_status iterate_from_soft(Relaxation *r, hawser_relaxation *out, hawser_error *err)
+{
+    const double load = out->tolerance_N / r->scene->def.solver.relax_tolerance;
+    const int last = out->iterations + r->scene->def.solver.relax_iterations;
+    hawser_status status = HAWSER_OK;
+    for (double share = SOFTEST; !status && share < 0.5; share *= SOFT_GROWTH) {
+        const int left = last - out->iterations;
+        dynamics_soften(r->scene, r->ws, share);
+        status = iterate_carefully(r, SOFT_AIM * load, left < SOFT_ITERATIONS ? left : SOFT_ITERATIONS, out, err);
+    }
+    dynamics_soften(r->scene, r->ws, 1);
+    return status ? status : iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
+}
+
+/* Straight away; where that does not reach equilibrium, once more from the start and from soft contacts. */
+static hawser_status attempts(Relaxation *r, hawser_relaxation *out, hawser_error *err)
+{
+    hawser_status status = iterate(r, out->tolerance_N, r->scene->def.solver.relax_iterations, out, err);
+    if (status || out->reached || r->scene->contact.n_rollers == 0) return status;
+    const size_t length = (size_t)(STATE_SIZE * r->scene->chain.n);
+    memcpy(r->y, r->start, length * sizeof(double));
+    status = dynamics_refresh(r->scene, r->ws, r->t, r->y, 1, err);
+    return status ? status : iterate_from_soft(r, out, err);
+}
+
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
                                    hawser_relaxation *out, hawser_error *err)
 {
     const size_t n = (size_t)scene->chain.n;
     Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
     r.rate = malloc(STATE_SIZE * n * sizeof(double));
-    r.start = malloc(3 * n * sizeof(double));
+    r.start = malloc(STATE_SIZE * n * sizeof(double));
+    r.back = malloc(STATE_SIZE * n * sizeof(double));
     *out = (hawser_relaxation){0};
     hawser_status status = HAWSER_OK;
-    if (r.rate && r.start) {
-        memcpy(r.start, y, 3 * n * sizeof(double));
+    if (r.rate && r.start && r.back) {
         memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
+        memcpy(r.start, y, STATE_SIZE * n * sizeof(double));
         out->tolerance_N = tolerance_of(&r);
-        status = iterate(&r, out, err);
+        status = attempts(&r, out, err);
         out->moved_m = farthest_move(&r);
     } else {
         status = error_memory(err);
     }
     free(r.rate);
     free(r.start);
+    free(r.back);
     return status;
 }

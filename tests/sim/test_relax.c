@@ -105,6 +105,54 @@ static void test_total_balance(void **state)
     rig_free(r);
 }
 
+/* A light rope on the line of a thick cable: it falls 36 mm onto stiff rollers, which Newton's method alone does not
+ * survive (E5). */
+static void rope_over_rollers(SceneDef *def, int rollers)
+{
+    scene_def_defaults(def);
+    def->n_cables = def->n_pieces = def->n_route = 1;
+    def->cables = fixture_array(1, sizeof *def->cables);
+    def->pieces = fixture_array(1, sizeof *def->pieces);
+    def->route = fixture_array(1, sizeof *def->route);
+    def->cables[0] = fixture_cable(0.01, 0.7, 0.014);
+    def->pieces[0] = (ChainPieceDef){.cable = 0, .length = 2.5 * rollers, .segments = 5 * rollers / 2};
+    def->route[0] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .length = 2.5 * rollers};
+    def->head_at = 2.5 * rollers;
+    def->winch = (WinchDef){.present = 1, .speed = {.kind = PROFILE_CONSTANT}};
+    def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = 2900};
+    def->impact = (ImpactLaw){.k = 3.4e8, .e = 1.5, .c = 1e4, .d = 1e-4};
+    def->rollers = fixture_array(rollers, sizeof *def->rollers);
+    for (int r = 0; r < rollers; ++r) {
+        RollerDef *const roller = &def->rollers[def->n_rollers++];
+        *roller = fixture_roller(def, v3(2.5 * (r + 0.5), 0, -0.036), v3(0, 0, -1), v3(0, 1, 0));
+    }
+}
+
+static void test_light_rope(void **state)
+{
+    (void)state;
+    SceneDef def;
+    rope_over_rollers(&def, 60);
+    Rig *const r = rig_new(&def);
+    const hawser_relaxation out = rig_relax(r);
+    print_message("%d iterations, residual %.2g of %.2g N, moved %.4f m\n", out.iterations, out.residual_N,
+                  out.tolerance_N, out.moved_m);
+    assert_true(out.reached);
+    assert_true(out.iterations > r->scene.def.solver.relax_iterations); /* the first attempt did not do it */
+    const int n = r->scene.chain.n;
+    assert_true(fabs(r->y[2 * n + n / 2] + 0.036) < 0.003); /* it lies on its rollers, sagging by millimetres */
+    /* the contacts have their stiffness back: with the winch they carry the weight */
+    dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
+    bushing_loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
+    double load = r->ws.joints.force[2][n];
+    dynamics_roller_forces(&r->scene, &r->ws);
+    for (int k = 0; k < r->scene.contact.n_rollers; ++k) load -= r->ws.on_roller[k].z;
+    print_message("carried %.2f N of %.2f N\n", load, 0.7 * 9.81 * 150);
+    assert_true(fabs(load / (0.7 * 9.81 * 150) - 1) < 1e-6);
+    assert_true(r->ws.contact[0].model.impact.k >= r->scene.contact.impact.k);
+    rig_free(r);
+}
+
 /* With winch and tail at rest nothing moves for a second, friction on. */
 static void test_start_is_still(void **state)
 {
@@ -131,7 +179,7 @@ static void test_start_is_still(void **state)
     rig_free(r);
 }
 
-/* One iteration is not enough, and it says so. */
+/* One iteration in each of the two attempts is not enough, and it says so. */
 static void test_too_few_iterations(void **state)
 {
     (void)state;
@@ -141,7 +189,7 @@ static void test_too_few_iterations(void **state)
     Rig *const r = rig_new(&def);
     const hawser_relaxation out = rig_relax(r);
     assert_false(out.reached);
-    assert_int_equal(out.iterations, 1);
+    assert_int_equal(out.iterations, 2);
     assert_true(out.residual_N > out.tolerance_N && isfinite(out.residual_N));
     assert_true(out.segment >= 0 && out.segment < r->scene.chain.n);
     rig_free(r);
@@ -205,9 +253,13 @@ static void test_preload(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reached),        cmocka_unit_test(test_total_balance),
-        cmocka_unit_test(test_start_is_still), cmocka_unit_test(test_too_few_iterations),
-        cmocka_unit_test(test_free_fall),      cmocka_unit_test(test_scale),
+        cmocka_unit_test(test_reached),
+        cmocka_unit_test(test_total_balance),
+        cmocka_unit_test(test_light_rope),
+        cmocka_unit_test(test_start_is_still),
+        cmocka_unit_test(test_too_few_iterations),
+        cmocka_unit_test(test_free_fall),
+        cmocka_unit_test(test_scale),
         cmocka_unit_test(test_preload),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
