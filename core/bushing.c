@@ -21,6 +21,11 @@ void bushing_law(const Chain *chain, const Kinematics *kin, int from, int to, do
     kernels()->law(chain, kin, from, to, law);
 }
 
+void bushing_slip(const Chain *chain, Kinematics *kin, int from, int to)
+{
+    if (chain->sliders.count > 0) kernels()->slip(chain, kin, from, to);
+}
+
 /* block += sign * the 3x3 part of m at (row part r, column part c), placed at (3 * into_r, 3 * into_c). */
 static void part_add(double *block, const JointMatrix *m, int lane, int r, int c, int into_r, int into_c, double sign)
 {

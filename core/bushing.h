@@ -14,6 +14,11 @@ void bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, 
  * law[0] is the axial force, positive in tension. */
 void bushing_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6]);
 
+/* A step has been accepted: the sliders of joints from..to-1 follow the rotations of kin, as far as they are beyond
+ * their limits (HY8), into kin->slip. Wrenches at the same kinematics stay as they are (HY9); their derivatives do not.
+ */
+void bushing_slip(const Chain *chain, Kinematics *kin, int from, int to);
+
 /* Adds the derivatives of the bushings' forces and moments to k (with respect to position and rotation, 6x6 blocks
  * [force; moment] by [dx; dphi], world) and d (with respect to velocity and angular velocity) (B10)-(B14).
  * Joints from..to-1; a block row is touched by its own two joints. Ghosts have no rows: their parts are dropped. */

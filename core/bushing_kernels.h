@@ -16,6 +16,7 @@ typedef struct BushingKernels {
     void (*loads)(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
     void (*law)(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6]);
     void (*columns)(const Chain *chain, const Kinematics *kin, int joint, JointMatrix *k, JointMatrix *d);
+    void (*slip)(const Chain *chain, Kinematics *kin, int from, int to);
 } BushingKernels;
 
 extern const BushingKernels bushing_kernels_generic, bushing_kernels_avx2, bushing_kernels_avx512;

@@ -2,10 +2,16 @@
 #include "core/bushing_kernels.h"
 #include "core/joint_lanes.h"
 
-LANE_INLINE void loads_of(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out, int symmetric)
+/* What the chain's joints have, bits of JOINT_*. */
+static int traits_of(const Chain *chain)
+{
+    return (chain->frame == FRAME_SYMMETRIC ? JOINT_SYMMETRIC : 0) | (chain->sliders.count > 0 ? JOINT_SLIDING : 0);
+}
+
+LANE_INLINE void loads_of(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out, int traits)
 {
     for (int jj = from; jj < to; jj += LANES) {
-        const Joint j = joint_at(chain, kin, jj, symmetric);
+        const Joint j = joint_at(chain, kin, jj, traits);
         l3_store(out->force, jj, frame_out(&j.frame, j.force));
         l3_store(out->torque_a, jj, frame_out(&j.frame, j.torque_a));
         l3_store(out->torque_b, jj, frame_out(&j.frame, j.torque_b));
@@ -14,9 +20,17 @@ LANE_INLINE void loads_of(const Chain *chain, const Kinematics *kin, int from, i
 
 static void kernel_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out)
 {
-    if (chain->frame == FRAME_SYMMETRIC) {
-        loads_of(chain, kin, from, to, out, 1);
-    } else {
+    switch (traits_of(chain)) { /* each case compiled apart */
+    case JOINT_SYMMETRIC:
+        loads_of(chain, kin, from, to, out, JOINT_SYMMETRIC);
+        break;
+    case JOINT_SYMMETRIC | JOINT_SLIDING:
+        loads_of(chain, kin, from, to, out, JOINT_SYMMETRIC | JOINT_SLIDING);
+        break;
+    case JOINT_SLIDING:
+        loads_of(chain, kin, from, to, out, JOINT_SLIDING);
+        break;
+    default:
         loads_of(chain, kin, from, to, out, 0);
     }
 }
@@ -24,9 +38,19 @@ static void kernel_loads(const Chain *chain, const Kinematics *kin, int from, in
 static void kernel_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6])
 {
     for (int jj = from; jj < to; jj += LANES) {
-        const Joint j = joint_at(chain, kin, jj, chain->frame == FRAME_SYMMETRIC);
+        const Joint j = joint_at(chain, kin, jj, traits_of(chain));
         l3_store(law, jj, j.force);
         l3_store(law + 3, jj, j.mu);
+    }
+}
+
+/* Rotations alone are needed, of every joint's two segments. */
+static void kernel_slip(const Chain *chain, Kinematics *kin, int from, int to)
+{
+    for (int jj = from; jj < to; jj += LANES) {
+        Joint j;
+        joint_rotation(&j, kin, jj - 1, jj, chain->frame == FRAME_SYMMETRIC);
+        sliders_slip(chain, kin, jj, j.theta);
     }
 }
 
@@ -34,9 +58,10 @@ static void kernel_law(const Chain *chain, const Kinematics *kin, int from, int 
 typedef struct JointSlopes {
     Lane t0, t1, h;       /* (d./dtheta)/theta of t0, t1, h (B10) */
     Lane3 kt, kr, ct, cr; /* stiffness and damping of the law */
+    SliderTangent slider; /* where it has sliders (HY7) */
 } JointSlopes;
 
-LANE_INLINE JointSlopes joint_slopes(const Joint *j, const Chain *chain, int jj)
+LANE_INLINE JointSlopes joint_slopes(const Joint *j, const Chain *chain, const Kinematics *kin, int jj, int traits)
 {
     JointSlopes g;
     g.t0 = joint_t0_slope(j->t0, j->cos_half, j->theta2);
@@ -46,6 +71,7 @@ LANE_INLINE JointSlopes joint_slopes(const Joint *j, const Chain *chain, int jj)
     g.kr = l3_load(chain->stiffness + 3, jj);
     g.ct = l3_load(chain->damping, jj);
     g.cr = l3_load(chain->damping + 3, jj);
+    if (traits & JOINT_SLIDING) g.slider = sliders_tangent(chain, kin, jj, j->theta);
     return g;
 }
 
@@ -124,8 +150,9 @@ LANE_INLINE Lane3 vary_omega(const Joint *j, const JointSlopes *g, const Turn *t
 }
 
 /* A small rotation a of A and b of B: the full variation (B12), (B13). */
-LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3 a, Lane3 b, int symmetric)
+LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3 a, Lane3 b, int traits)
 {
+    const int symmetric = traits & JOINT_SYMMETRIC;
     const Turn t = turn_of(j, a, b, symmetric);
     const Lane3 moved_a = l3_cross(a, j->la), moved_b = l3_cross(b, j->lb);
     const Lane3 dd = l3_neg(l3_add(l3_add(moved_a, moved_b), l3_cross(t.frame, j->d)));
@@ -140,7 +167,8 @@ LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3
     if (symmetric) {
         dtheta_rate = l3_add(vary_t_times(j, g, t.theta, t.along, j->rho), joint_t_times(j, drho));
     }
-    const Lane3 dmu = l3_add(l3_times(g->kr, t.theta), l3_times(g->cr, dtheta_rate));
+    Lane3 dmu = l3_add(l3_times(g->kr, t.theta), l3_times(g->cr, dtheta_rate));
+    if (traits & JOINT_SLIDING) dmu = l3_add(dmu, slider_tangent_times(&g->slider, t.theta));
     Lane3 twist = l3_zero();
     if (symmetric) {
         moment = l3_add(vary_t_times(j, g, t.theta, t.along, j->mu), joint_t_times(j, dmu));
@@ -185,17 +213,18 @@ LANE_INLINE void column_store(const Joint *j, JointVariation v, double (*out)[LA
 }
 
 LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, JointMatrix *k, JointMatrix *d,
-                            int symmetric)
+                            int traits)
 {
-    const Joint j = joint_at(chain, kin, jj, symmetric);
-    const JointSlopes g = joint_slopes(&j, chain, jj);
+    const int symmetric = traits & JOINT_SYMMETRIC;
+    const Joint j = joint_at(chain, kin, jj, traits);
+    const JointSlopes g = joint_slopes(&j, chain, kin, jj, traits);
     const Lane3 none = l3_zero();
     const LaneFrame *f = &j.frame; /* the world's unit vectors, seen from F */
     const Lane3 unit[3] = {{f->x.x, f->y.x, f->z.x}, {f->x.y, f->y.y, f->z.y}, {f->x.z, f->y.z, f->z.z}};
     for (int c = 0; c < 3; ++c) {
         column_store(&j, vary_shift(&j, &g, unit[c], symmetric), k->entry[c]);
-        column_store(&j, vary_turn(&j, &g, unit[c], none, symmetric), k->entry[3 + c]);
-        column_store(&j, vary_turn(&j, &g, none, unit[c], symmetric), k->entry[6 + c]);
+        column_store(&j, vary_turn(&j, &g, unit[c], none, traits), k->entry[3 + c]);
+        column_store(&j, vary_turn(&j, &g, none, unit[c], traits), k->entry[6 + c]);
         column_store(&j, vary_rates(&j, &g, unit[c], none, none, symmetric), d->entry[c]);
         column_store(&j, vary_rates(&j, &g, none, unit[c], none, symmetric), d->entry[3 + c]);
         column_store(&j, vary_rates(&j, &g, none, none, unit[c], symmetric), d->entry[6 + c]);
@@ -204,11 +233,19 @@ LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, J
 
 static void kernel_columns(const Chain *chain, const Kinematics *kin, int jj, JointMatrix *k, JointMatrix *d)
 {
-    if (chain->frame == FRAME_SYMMETRIC) {
-        columns_of(chain, kin, jj, k, d, 1);
-    } else {
+    switch (traits_of(chain)) {
+    case JOINT_SYMMETRIC:
+        columns_of(chain, kin, jj, k, d, JOINT_SYMMETRIC);
+        break;
+    case JOINT_SYMMETRIC | JOINT_SLIDING:
+        columns_of(chain, kin, jj, k, d, JOINT_SYMMETRIC | JOINT_SLIDING);
+        break;
+    case JOINT_SLIDING:
+        columns_of(chain, kin, jj, k, d, JOINT_SLIDING);
+        break;
+    default:
         columns_of(chain, kin, jj, k, d, 0);
     }
 }
 
-const BushingKernels ISA_NAME(bushing_kernels) = {kernel_loads, kernel_law, kernel_columns};
+const BushingKernels ISA_NAME(bushing_kernels) = {kernel_loads, kernel_law, kernel_columns, kernel_slip};

@@ -1,5 +1,6 @@
 #include "core/chain.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,6 +66,17 @@ void chain_free(Chain *chain)
     chain_arrays_free(chain->stiffness, 6);
     chain_arrays_free(chain->damping, 6);
     chain_arrays_free(chain->preload, 6);
+    chain_arrays_free(chain->sliders.stiffness, SLIDERS_MAX);
+    chain_arrays_free(chain->sliders.limit, SLIDERS_MAX);
+    chain->sliders.count = 0;
+}
+
+int chain_alloc_sliders(Chain *chain, int count)
+{
+    Sliders *const s = &chain->sliders;
+    assert(s->count == 0 && count >= 0 && count <= SLIDERS_MAX);
+    s->count = count;
+    return chain_arrays_new(s->stiffness, count, chain->n, 0) & chain_arrays_new(s->limit, count, chain->n, 1);
 }
 
 int kinematics_alloc(Kinematics *kin, int n)
@@ -81,6 +93,11 @@ int kinematics_alloc(Kinematics *kin, int n)
     return ok;
 }
 
+int kinematics_alloc_slips(Kinematics *kin, const Chain *chain)
+{
+    return chain_arrays_new(kin->slip, 2 * chain->sliders.count, chain->n, 0);
+}
+
 void kinematics_free(Kinematics *kin)
 {
     chain_arrays_free(kin->p, 3);
@@ -88,6 +105,7 @@ void kinematics_free(Kinematics *kin)
     chain_arrays_free(kin->v, 3);
     chain_arrays_free(kin->w, 3);
     chain_arrays_free(kin->a, 3);
+    chain_arrays_free(kin->slip, 2 * SLIDERS_MAX);
 }
 
 int loads_alloc(Loads *loads, int n)

@@ -13,6 +13,15 @@ typedef enum BushingFrame {
     FRAME_ADAMS      /* the second marker's frame (marker J), as in the paper */
 } BushingFrame;
 
+/* What makes the bending law of a joint bend back along another line than it came: springs with a slider each, beside
+ * the elastic bending springs, the same in both directions (HY4). docs/model.md, "Bending with hysteresis". */
+enum { SLIDERS_MAX = 14 };
+typedef struct Sliders {
+    int count;                      /* a joint, 0: none; joints that need fewer have springs of no stiffness */
+    double *stiffness[SLIDERS_MAX]; /* [joint] N m/rad */
+    double *limit[SLIDERS_MAX];     /* [joint] rad > 0: rotation of the spring at which its slider gives way */
+} Sliders;
+
 typedef struct Chain {
     int n;              /* segments */
     int stride;         /* allocated length of every array below, counted from index -1 */
@@ -26,6 +35,7 @@ typedef struct Chain {
     double *stiffness[6]; /* N/m, N m/rad */
     double *damping[6];   /* N s/m, N m s/rad */
     double *preload[6];   /* N, N m: wrench at rest, positive in tension */
+    Sliders sliders;      /* what the bending law has besides stiffness[4..5] */
 } Chain;
 
 /* What the state says about every body, ghosts included, unpacked for the kernels; SI, world components.
@@ -36,6 +46,9 @@ typedef struct Kinematics {
     double *v[3]; /* velocity of the centre, m/s */
     double *w[3]; /* angular velocity, rad/s */
     double *a[3]; /* axis: R(q) e_x, unit */
+    /* [joint] how far slider k has slipped in bending y (2 k) and z (2 k + 1), rad: no part of y, but what the steps
+     * accepted so far have left (bushing_slip); NULL where the chain has no sliders */
+    double *slip[2 * SLIDERS_MAX];
 } Kinematics;
 
 /* Forces (N) at and moments (N m) about every segment's centre, world components, summed over what acts. */
@@ -65,7 +78,11 @@ int chain_stride(int n);
  * e_x. Return 0 if there is no memory (and leave nothing allocated). The frees may be called on zeroed structs. */
 int chain_alloc(Chain *chain, int n);
 void chain_free(Chain *chain);
+/* Adds `count` <= SLIDERS_MAX sliders of no stiffness to every joint. Returns 0 if there is no memory. */
+int chain_alloc_sliders(Chain *chain, int count);
 int kinematics_alloc(Kinematics *kin, int n);
+/* Adds the slips of a chain's sliders, all zero: nothing has slipped yet. Returns 0 if there is no memory. */
+int kinematics_alloc_slips(Kinematics *kin, const Chain *chain);
 void kinematics_free(Kinematics *kin);
 int loads_alloc(Loads *loads, int n);
 void loads_free(Loads *loads);

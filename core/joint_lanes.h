@@ -5,8 +5,7 @@
 
 #include <math.h>
 
-#include "core/chain.h"
-#include "core/lanes.h"
+#include "core/slider_lanes.h"
 
 /* Columns of a rotation: R e_x, R e_y, R e_z. */
 typedef struct LaneFrame {
@@ -31,6 +30,12 @@ typedef struct Joint {
     Lane3 c;                  /* d x force */
     Lane3 torque_a, torque_b; /* moments about the centres of A and B (B9) */
 } Joint;
+
+/* What a kernel is compiled for, bits of `traits`: what is not there costs nothing. */
+enum {
+    JOINT_SYMMETRIC = 1, /* the mid-frame (B3); otherwise marker J's */
+    JOINT_SLIDING = 2,   /* sliders beside the bending springs (HY4) */
+};
 
 /* World to frame and back. */
 LANE_INLINE Lane3 frame_in(const LaneFrame *f, Lane3 v)
@@ -63,13 +68,6 @@ LANE_INLINE int lane_any(LaneMask m)
     int64_t any = 0;
     for (int k = 0; k < LANES; ++k) any |= m[k];
     return any != 0;
-}
-
-LANE_INLINE Lane lane_sqrt(Lane x)
-{
-    Lane r;
-    for (int k = 0; k < LANES; ++k) r[k] = sqrt(x[k]);
-    return r;
 }
 
 /* asin(sqrt(x)) / sqrt(x) for 0 <= x < 1: the series where it converges to rounding (x < 0.062, a joint bent by less
@@ -214,13 +212,15 @@ LANE_INLINE void joint_rates(Joint *j, const Chain *chain, const Kinematics *kin
 }
 
 /* The law (B8) and the wrench on both segments (B9). */
-LANE_INLINE void joint_wrench(Joint *j, const Chain *chain, int jj, int symmetric)
+LANE_INLINE void joint_wrench(Joint *j, const Chain *chain, const Kinematics *kin, int jj, int traits)
 {
+    const int symmetric = traits & JOINT_SYMMETRIC;
     const Lane3 kt = l3_load(chain->stiffness, jj), kr = l3_load(chain->stiffness + 3, jj);
     const Lane3 ct = l3_load(chain->damping, jj), cr = l3_load(chain->damping + 3, jj);
     const Lane3 f0 = l3_load(chain->preload, jj), m0 = l3_load(chain->preload + 3, jj);
     j->force = l3_add(l3_add(l3_times(kt, j->d), l3_times(ct, j->d_rate)), f0);
     j->mu = l3_add(l3_add(l3_times(kr, j->theta), l3_times(cr, j->theta_rate)), m0);
+    if (traits & JOINT_SLIDING) sliders_moment(chain, kin, jj, j->theta, &j->mu);
     j->moment = symmetric ? joint_t_times(j, j->mu) : j->mu;
     j->c = l3_cross(j->d, j->force);
     const Lane3 pull_a = l3_add(l3_cross(j->la, j->force), j->moment);
@@ -237,12 +237,13 @@ LANE_INLINE void joint_wrench(Joint *j, const Chain *chain, int jj, int symmetri
 }
 
 /* Everything about joints jj .. jj + LANES - 1. */
-LANE_INLINE Joint joint_at(const Chain *chain, const Kinematics *kin, int jj, int symmetric)
+LANE_INLINE Joint joint_at(const Chain *chain, const Kinematics *kin, int jj, int traits)
 {
+    const int symmetric = traits & JOINT_SYMMETRIC;
     Joint j;
     joint_rotation(&j, kin, jj - 1, jj, symmetric);
     joint_rates(&j, chain, kin, jj - 1, jj, symmetric);
-    joint_wrench(&j, chain, jj, symmetric);
+    joint_wrench(&j, chain, kin, jj, traits);
     return j;
 }
 

@@ -41,6 +41,19 @@ static hawser_status property(const CaseReader *r, const CaseNode *node, const c
     return case_key_error(r->err, node, key, "missing: give it, or %s", shorthand);
 }
 
+/* Ratios that are given take the place of time and factor; a ratio of zero is a factor of zero. */
+static void ratios_take(const RatioRecord *record, CableDef *cable)
+{
+    const double ratio[6] = {record->axial,   record->shear,   record->shear,
+                             record->torsion, record->bending, record->bending};
+    for (int c = 0; c < 6; c++) {
+        if (isnan(ratio[c])) continue;
+        cable->damping_ratio[c] = ratio[c];
+        if (ratio[c] <= 0) cable->damping_factor[c] = 0;
+    }
+    cable->damping_ratio_at = isnan(record->at) ? 0 : record->at;
+}
+
 /* The paper's eq. 2: EA = E A, GA = G A, GJ = G pi d^4/32, EI = E pi d^4/64, each unless given directly. */
 static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, const CableRecord *c, CableDef *cable)
 {
@@ -48,14 +61,19 @@ static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, co
     hawser_status s = property(r, node, "EA", "E and A", c->EA, c->E * c->A, &cable->ea);
     if (!s) s = property(r, node, "GA", "G and A", c->GA, c->G * c->A, &cable->ga);
     if (!s) s = property(r, node, "GJ", "G", c->GJ, c->G * J, &cable->gj);
-    if (!s) s = property(r, node, "EI_y", "EI, or E", c->EI_y, EI, &cable->ei_y);
-    if (!s) s = property(r, node, "EI_z", "EI, or E", c->EI_z, EI, &cable->ei_z);
+    if (case_node_key(node, "bending")) {
+        if (!s) s = case_bending_read(r, node, &c->bending, cable);
+    } else {
+        if (!s) s = property(r, node, "EI_y", "EI, or E", c->EI_y, EI, &cable->ei_y);
+        if (!s) s = property(r, node, "EI_z", "EI, or E", c->EI_z, EI, &cable->ei_z);
+    }
     if (!s) s = property(r, node, "mass", "density and A", c->mass, c->density * c->A, &cable->mass);
     cable->diameter = c->d;
     cable->damping = c->damping;
     const double factor[6] = {c->factor.axial,   c->factor.shear,   c->factor.shear,
                               c->factor.torsion, c->factor.bending, c->factor.bending};
     memcpy(cable->damping_factor, factor, sizeof factor);
+    ratios_take(&c->ratio, cable);
     const double preload[6] = {c->preload.axial,   c->preload.shear_y,   c->preload.shear_z,
                                c->preload.torsion, c->preload.bending_y, c->preload.bending_z};
     memcpy(cable->preload, preload, sizeof preload);

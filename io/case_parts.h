@@ -11,6 +11,9 @@ enum { CASE_SEGMENTS_MAX = 200000, CASE_ROLLERS_MAX = 100000, CASE_STATIONS_MAX 
 
 hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_cables_read(const CaseReader *r, const CaseNode *node);
+/* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
+hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, const BendingRecord *record,
+                                CableDef *cable);
 hawser_status case_chain_read(const CaseReader *r, const CaseNode *node);
 /* Leaves the route built in r->route. */
 hawser_status case_route_read(CaseReader *r, const CaseNode *node);

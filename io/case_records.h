@@ -15,12 +15,23 @@ typedef struct PreloadRecord {
     double axial, shear_y, shear_z, torsion, bending_y, bending_z;
 } PreloadRecord;
 
+/* NAN: by the damping time. */
+typedef struct RatioRecord {
+    double axial, shear, torsion, bending, at;
+} RatioRecord;
+
+typedef struct BendingRecord {
+    const CaseNode *table;
+} BendingRecord;
+
 typedef struct CableRecord {
     double E, G, d, A, density;              /* the paper's shorthand, eq. 2 */
     double EA, GA, GJ, EI, EI_y, EI_z, mass; /* given directly */
     double damping;
     FactorRecord factor;
+    RatioRecord ratio;
     PreloadRecord preload;
+    BendingRecord bending;
 } CableRecord;
 
 typedef struct PieceRecord {

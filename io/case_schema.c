@@ -56,6 +56,16 @@ static const CaseKey damping_factor_keys[] = {
 };
 SECTION(case_damping_factor, "cables.NAME.damping_factor", damping_factor_keys);
 
+/* In place of time and factor, component by component. */
+static const CaseKey damping_ratio_keys[] = {
+    {"axial", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(RatioRecord, axial)},
+    {"shear", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(RatioRecord, shear)},
+    {"torsion", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(RatioRecord, torsion)},
+    {"bending", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(RatioRecord, bending)},
+    {"at", KEY_NUMBER, DIM_FREQUENCY, .otherwise = "each joint's own mode", ABOVE(0, 1e6), AT(RatioRecord, at)},
+};
+SECTION(case_damping_ratio, "cables.NAME.damping_ratio", damping_ratio_keys);
+
 static const CaseKey preload_keys[] = {
     {"axial", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(PreloadRecord, axial)},
     {"shear_y", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(PreloadRecord, shear_y)},
@@ -65,6 +75,13 @@ static const CaseKey preload_keys[] = {
     {"bending_z", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(-STIFF, STIFF), AT(PreloadRecord, bending_z)},
 };
 SECTION(case_preload, "cables.NAME.preload", preload_keys);
+
+/* Rows and their order are checked in case_bending.c. */
+static const CaseKey bending_keys[] = {
+    {"table", KEY_LIST, .otherwise = "none: it is needed",
+     .form = "2 to 8 rows [curvature, moment], bent for the first time", AT(BendingRecord, table)},
+};
+SECTION(case_bending, "cables.NAME.bending", bending_keys);
 
 /* A rigidity has no default of its own: case_cables.c takes it from the shorthand, eq. 2 of the paper. */
 static const CaseKey cable_keys[] = {
@@ -83,7 +100,9 @@ static const CaseKey cable_keys[] = {
     {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(CableRecord, damping)},
     {"damping_factor", KEY_SECTION, .otherwise = "its defaults", .section = &case_damping_factor,
      AT(CableRecord, factor)},
+    {"damping_ratio", KEY_SECTION, .otherwise = "none", .section = &case_damping_ratio, AT(CableRecord, ratio)},
     {"preload", KEY_SECTION, .otherwise = "its defaults", .section = &case_preload, AT(CableRecord, preload)},
+    {"bending", KEY_SECTION, .otherwise = "elastic, by EI", .section = &case_bending, AT(CableRecord, bending)},
 };
 SECTION(case_cable, "cables.NAME", cable_keys);
 
@@ -336,7 +355,7 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 const CaseSection *const *case_sections(void)
 {
     static const CaseSection *const all[] = {
-        &case_top,         &case_cable,      &case_damping_factor, &case_preload,
+        &case_top,         &case_cable,      &case_damping_factor, &case_damping_ratio, &case_preload, &case_bending,
         &case_chain_piece, &case_route,      &case_route_piece,    &case_lead_in,
         &case_rollers,     &case_roller_row, &case_roller,         &case_contact,
         &case_friction,    &case_drive,      &case_winch,          &case_winch_tension,

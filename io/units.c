@@ -32,6 +32,8 @@ static const DimensionRow dimensions[DIM_COUNT] = {
     [DIM_LINE_MASS] = {"a mass per length", "kg/m", "22 kg/m"},
     [DIM_MASS] = {"a mass", "kg", "300 kg"},
     [DIM_DASHPOT] = {"a force per speed", "N s/m", "10 kN s/m"},
+    [DIM_CURVATURE] = {"a curvature", "m-1", "0.02 m-1"},
+    [DIM_FREQUENCY] = {"a frequency", "Hz", "5 Hz"},
     [DIM_STIFFNESS] = {"a force per power of a length", "N/m^e", "3.4e8 N/m^1.5"},
 };
 

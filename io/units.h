@@ -20,6 +20,8 @@ typedef enum Dimension {
     DIM_LINE_MASS,
     DIM_MASS,
     DIM_DASHPOT,   /* force per speed */
+    DIM_CURVATURE,
+    DIM_FREQUENCY,
     DIM_STIFFNESS, /* force per length to a power: units_read_stiffness alone */
     DIM_COUNT
 } Dimension;

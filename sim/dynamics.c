@@ -31,7 +31,8 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
     memset(ws, 0, sizeof *ws);
     ws->team = team;
     ws->middle = n / 2 / LANES * LANES;
-    int ok = kinematics_alloc(&ws->kin, n) & joint_loads_alloc(&ws->joints, n) & parts_alloc(ws, scene);
+    int ok = kinematics_alloc(&ws->kin, n) && kinematics_alloc_slips(&ws->kin, &scene->chain);
+    ok &= joint_loads_alloc(&ws->joints, n) & parts_alloc(ws, scene);
     for (int c = 0; c < 6; ++c) {
         ws->law[c] = chain_array_new(n, 0);
         ok = ok && ws->law[c];
@@ -253,4 +254,11 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
     ++ws->refreshes;
     if (dynamics_candidates(ws) > ws->candidates_max) ws->candidates_max = dynamics_candidates(ws);
     return status;
+}
+
+void dynamics_accept(const Scene *scene, Workspace *ws, double t, const double *y)
+{
+    if (scene->chain.sliders.count == 0) return;
+    dynamics_kinematics(scene, ws, t, y);
+    bushing_slip(&scene->chain, &ws->kin, 0, scene->chain.n + 1);
 }

@@ -15,7 +15,7 @@ typedef struct ContactPart {
     double seconds;     /* s spent in forces, summed */
 } ContactPart;
 
-/* Scratch of one evaluation, grouped by what computes it; discardable. */
+/* Scratch of one evaluation, grouped by what computes it; discardable but for kin.slip. */
 typedef struct Workspace {
     Team *team;         /* borrowed; NULL: one thread */
     int middle;         /* segments before it are the first part's; a multiple of LANES */
@@ -55,6 +55,9 @@ void dynamics_soften(const Scene *scene, Workspace *ws, double share);
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */
 int dynamics_candidates(const Workspace *ws);
+/* A step to (t, y) has been accepted: the sliders of bending follow (bushing_slip). What they keep, ws->kin.slip, is
+ * not scratch but part of the state, beside y. Leaves the kinematics of y in the workspace if the chain has sliders. */
+void dynamics_accept(const Scene *scene, Workspace *ws, double t, const double *y);
 /* New candidate pairs for the position y if `always`, or if something has moved too far since the last ones by the
  * kinematics in the workspace, which must be of y or of an iterate close to it.
  * Errors: MEMORY. */

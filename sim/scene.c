@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/error.h"
+#include "sim/joints.h"
 
 /* Segments of the whole chain. */
 static int segments_of(const SceneDef *def)
@@ -34,85 +35,6 @@ static void segments_fill(Scene *scene)
             c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + r * r / 4);
             c->radius[i] = r;
         }
-    }
-}
-
-/* Stiffness of half a segment of a cable, six components (B15). */
-static void half_stiffness(const CableDef *cable, double half, double k[6])
-{
-    const double rigidity[6] = {cable->ea, cable->ga, cable->ga, cable->gj, cable->ei_y, cable->ei_z};
-    for (int c = 0; c < 6; ++c) k[c] = rigidity[c] / half;
-}
-
-/* What a bushing is made of, six components. */
-typedef struct Bushing {
-    double stiffness[6], damping[6], preload[6];
-} Bushing;
-
-/* Two half-springs in series, with the damping that dissipates as much in a slow motion (B15). */
-static Bushing series(const CableDef *a, double half_a, const CableDef *b, double half_b)
-{
-    double ka[6], kb[6];
-    Bushing out;
-    half_stiffness(a, half_a, ka);
-    half_stiffness(b, half_b, kb);
-    for (int c = 0; c < 6; ++c) {
-        const double k = ka[c] * kb[c] / (ka[c] + kb[c]);
-        const double beta_a = a->damping * a->damping_factor[c], beta_b = b->damping * b->damping_factor[c];
-        out.stiffness[c] = k;
-        out.damping[c] = k * k * (beta_a / ka[c] + beta_b / kb[c]);
-        out.preload[c] = k * (a->preload[c] / ka[c] + b->preload[c] / kb[c]);
-    }
-    return out;
-}
-
-/* Components from..to-1 of joint j. */
-static void joint_set(Chain *chain, int j, const Bushing *b, int from, int to)
-{
-    for (int c = from; c < to; ++c) {
-        chain->stiffness[c][j] = b->stiffness[c];
-        chain->damping[c][j] = b->damping[c];
-        chain->preload[c][j] = b->preload[c];
-    }
-}
-
-/* The head of a winch with a set tension: its end slides along the pull, guided and braked by the last segment's
- * half-spring; a clamp holds its attitude too. The drum moves with the last segment (WI3)-(WI5). */
-static void head_guide(Scene *scene, const Bushing *b)
-{
-    Winch *const w = &scene->winch;
-    const int n = scene->chain.n, clamp = !scene->def.winch.axial_only;
-    if (clamp) joint_set(&scene->chain, n, b, 3, 6);
-    w->guide[0] = clamp ? b->stiffness[1] : 0;
-    w->guide[1] = clamp ? b->damping[1] : 0;
-    w->brake[0] = b->stiffness[0];
-    w->brake[1] = b->damping[0];
-    scene->chain.mass[n - 1] += w->drum_mass;
-}
-
-/* Joint j between segments; the head's joint to the winch is the half-spring of the last segment alone. */
-static void joints_fill(Scene *scene)
-{
-    Chain *const c = &scene->chain;
-    const SceneDef *const def = &scene->def;
-    for (int j = 1; j < c->n; ++j) {
-        const int pa = scene->piece[j - 1], pb = scene->piece[j];
-        Bushing b = series(cable_of(def, pa), c->half[j - 1], cable_of(def, pb), c->half[j]);
-        if (pa != pb && def->pieces[pb].swivel) b.stiffness[3] = b.damping[3] = b.preload[3] = 0;
-        joint_set(c, j, &b, 0, 6);
-    }
-    if (!scene->winch.present) return;
-    const CableDef *const last = cable_of(def, def->n_pieces - 1);
-    Bushing b;
-    half_stiffness(last, c->half[c->n - 1], b.stiffness);
-    for (int m = 0; m < 6; ++m) {
-        b.damping[m] = b.stiffness[m] * last->damping * last->damping_factor[m];
-        b.preload[m] = last->preload[m];
-    }
-    if (def->winch.mode == WINCH_TENSION) {
-        head_guide(scene, &b);
-    } else {
-        joint_set(c, c->n, &b, 0, def->winch.axial_only ? 1 : 6);
     }
 }
 
@@ -256,7 +178,8 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     winch_init(&scene->winch, &def->winch);
     scene->tail = def->tail.tension;
-    joints_fill(scene);
+    const hawser_status status = joints_fill(scene, err);
+    if (status) return status;
     joints_place(scene);
     winch_place(scene);
     weight_fill(scene);

@@ -137,6 +137,7 @@ static hawser_status winch_watch(Sim *s, hawser_error *err)
 static hawser_status run_begin(Sim *s, hawser_error *err)
 {
     s->scene.winch.phase.held = 0;
+    dynamics_accept(&s->scene, &s->ws, s->t, s->y); /* the relaxation bends the cable for the first time */
     Motion *const motion = spatial_init(&s->spatial, &s->scene, &s->ws, &s->newton);
     return integrator_new(motion, s->t, s->y, &s->integrator, err);
 }

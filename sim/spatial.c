@@ -38,6 +38,7 @@ static void spatial_project(const Motion *m, const double *y, double *correction
 
 static hawser_status spatial_accept(Motion *m, double t, const double *y, hawser_error *err)
 {
+    dynamics_accept(m->scene, spatial_of(m)->ws, t, y);
     return dynamics_refresh(m->scene, spatial_of(m)->ws, t, y, 0, err);
 }
 
