@@ -110,7 +110,7 @@ static void test_own_mode(void **state)
         for (int k = 0; k < 2; ++k) {
             Rig *const r = rig_new(c, ratio[k], 0);
             const double seen = ratio_seen(r, c);
-        if (fabs(seen - ratio[k]) > 5e-4 * ratio[k]) fail_msg("component %d: %g, not %g", c, seen, ratio[k]);
+            if (fabs(seen - ratio[k]) > 5e-4 * ratio[k]) fail_msg("component %d: %g, not %g", c, seen, ratio[k]);
             rig_free(r);
         }
     }
