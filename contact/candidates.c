@@ -13,12 +13,8 @@ int contact_pairs_alloc(ContactPairs *pairs, int n)
 {
     memset(pairs, 0, sizeof *pairs);
     pairs->n = n;
-    /* one leaf an element, filled up to a power of two: children of node i are 2i and 2i + 1 */
-    pairs->leaves = 1;
-    while (pairs->leaves < n + 1) pairs->leaves *= 2;
-    pairs->tree = malloc(2 * (size_t)pairs->leaves * sizeof *pairs->tree);
     pairs->node = chain_array_new(n, 0);
-    int ok = pairs->tree && pairs->node;
+    int ok = sphere_tree_alloc(&pairs->tree, n) && pairs->node;
     for (int c = 0; c < 3; ++c) {
         pairs->at_p[c] = chain_array_new(n, 0);
         pairs->at_a[c] = chain_array_new(n, 0);
@@ -30,7 +26,7 @@ int contact_pairs_alloc(ContactPairs *pairs, int n)
 
 void contact_pairs_free(ContactPairs *pairs)
 {
-    free(pairs->tree);
+    sphere_tree_free(&pairs->tree);
     free(pairs->range);
     free(pairs->hit);
     chain_array_free(pairs->node);
@@ -39,38 +35,6 @@ void contact_pairs_free(ContactPairs *pairs)
         chain_array_free(pairs->at_a[c]);
     }
     memset(pairs, 0, sizeof *pairs);
-}
-
-/* The smallest sphere around two spheres; a negative radius marks an empty one. */
-static Sphere sphere_around(Sphere a, Sphere b)
-{
-    if (a.radius < 0) return b;
-    if (b.radius < 0) return a;
-    const Vec3 between = v3_sub(b.centre, a.centre);
-    const double distance = v3_norm(between);
-    /* one inside the other */
-    if (distance + b.radius <= a.radius) return a;
-    if (distance + a.radius <= b.radius) return b;
-    /* else it spans from the far side of one to the far side of the other */
-    const double radius = (distance + a.radius + b.radius) / 2;
-    return (Sphere){v3_axpy(a.centre, (radius - a.radius) / distance, between), radius};
-}
-
-/* Leaves are the elements' spheres; a node holds its two children (C19). */
-static void tree_build(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs)
-{
-    const int elements = element_count(model->geometry, pairs->n);
-    for (int e = 0; e < pairs->leaves; ++e) {
-        Sphere sphere = {.radius = -1};
-        if (e < elements) {
-            const Element element = element_at(model->geometry, pairs->n, e);
-            sphere = element_sphere(&element, chain, kin);
-        }
-        pairs->tree[pairs->leaves + e] = sphere;
-    }
-    for (int i = pairs->leaves - 1; i > 0; --i) {
-        pairs->tree[i] = sphere_around(pairs->tree[2 * i], pairs->tree[2 * i + 1]);
-    }
 }
 
 /* One more range; 0 if there is no memory. */
@@ -105,11 +69,11 @@ static int candidate_add(ContactPairs *pairs, int roller, int e)
  */
 static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller, int node)
 {
-    const Sphere *sphere = &pairs->tree[node];
+    const Sphere *sphere = &pairs->tree.node[node];
     if (sphere->radius < 0) return 1;
     const double distance = shape_distance(&model->roller[roller].shape, sphere->centre);
     if (distance - sphere->radius > model->reach) return 1;
-    if (node >= pairs->leaves) return candidate_add(pairs, roller, node - pairs->leaves);
+    if (node >= pairs->tree.leaves) return candidate_add(pairs, roller, node - pairs->tree.leaves);
     return tree_visit(model, pairs, roller, 2 * node) && tree_visit(model, pairs, roller, 2 * node + 1);
 }
 
@@ -131,7 +95,7 @@ hawser_status contact_refresh(const ContactModel *model, const Chain *chain, con
     assert(chain->n == pairs->n);
     /* candidates, roller by roller */
     pairs->n_ranges = pairs->candidates = 0;
-    tree_build(model, chain, kin, pairs);
+    sphere_tree_build(&pairs->tree, model->geometry, chain, kin);
     for (int r = 0; r < model->n_rollers; ++r) {
         if (!tree_visit(model, pairs, r, 1)) return error_memory(err);
     }

@@ -11,6 +11,7 @@
 #include "contact/contact_law.h"
 #include "contact/element.h"
 #include "contact/shape.h"
+#include "contact/sphere_tree.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
 #include "hawser/hawser.h"
@@ -58,8 +59,7 @@ typedef struct ContactPairs {
     int candidates;      /* pairs in all ranges */
     double *at_p[3];     /* chain arrays: centres, m, and axes at the refresh */
     double *at_a[3];
-    Sphere *tree; /* [2 leaves] spheres around runs of elements; tree[leaves + e] is element e's (C19) */
-    int leaves;   /* power of two >= elements */
+    SphereTree tree; /* spheres around runs of elements (C19) */
     /* by contact_forces and contact_blocks */
     int hits_allocated;
     int n_hits;
