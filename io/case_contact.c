@@ -27,7 +27,18 @@ hawser_status case_contact_read(const CaseReader *r, const CaseNode *node)
     def->geometry = record.geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
     def->impact = (ImpactLaw){.k = k, .e = record.e, .c = record.c, .d = record.d};
     def->contact_reach = record.reach;
+    def->cable_on_cable = record.cable_on_cable;
+    if (record.cable_friction && !record.cable_on_cable) {
+        return case_key_error(r->err, record.cable_friction, NULL, "not allowed without 'cable_on_cable: true'");
+    }
     return HAWSER_OK;
+}
+
+hawser_status case_cable_friction_read(const CaseReader *r, const CaseNode *contact)
+{
+    const CaseNode *const node = contact ? case_node_key(contact, "cable_friction") : NULL;
+    r->def->cable_friction = r->def->friction;
+    return node ? case_friction_read(r, node, &r->def->friction, &r->def->cable_friction) : HAWSER_OK;
 }
 
 /* Where v_d was not given the message points at the section, since there is no line of its own. */

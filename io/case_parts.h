@@ -19,6 +19,8 @@ hawser_status case_chain_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_route_read(CaseReader *r, const CaseNode *node);
 hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_contact_read(const CaseReader *r, const CaseNode *node);
+/* Its friction of cable on cable, once the case's own is known. */
+hawser_status case_cable_friction_read(const CaseReader *r, const CaseNode *contact);
 /* A friction law; what is not given is the base's. */
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law);
 /* Of a velocity function: v_d, or 2 v_s where it was not given, which must be above v_s. */

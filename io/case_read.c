@@ -48,6 +48,7 @@ static hawser_status parts_read(CaseReader *r, const TopRecord *top)
     if (!status) status = case_lead_in_read(r, top->lead_in);
     if (!status) status = case_contact_read(r, top->contact);
     if (!status) status = case_friction_read(r, top->friction, &usual, &def->friction);
+    if (!status) status = case_cable_friction_read(r, top->contact);
     if (!status) status = case_rollers_read(r, top->rollers);
     if (!status) status = case_drive_read(r, top->drive);
     if (!status) status = case_run_read(r, top->run);

@@ -84,6 +84,8 @@ typedef struct ContactRecord {
     int geometry;
     const CaseNode *k;
     double e, c, d, reach;
+    int cable_on_cable;
+    const CaseNode *cable_friction;
 } ContactRecord;
 
 /* A winch's speed or a tail's tension over time. */

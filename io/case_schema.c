@@ -191,6 +191,9 @@ static const CaseKey contact_keys[] = {
     {"c", KEY_NUMBER, DIM_DASHPOT, .fallback = "10 kN s/m", FROM(0, 1e12), AT(ContactRecord, c)},
     {"d", KEY_NUMBER, DIM_LENGTH, .fallback = "0.1 mm", ABOVE(0, 1), AT(ContactRecord, d)},
     {"reach", KEY_NUMBER, DIM_LENGTH, .fallback = "1 m", ABOVE(0, 1e4), AT(ContactRecord, reach)},
+    {"cable_on_cable", KEY_FLAG, .fallback = "false", AT(ContactRecord, cable_on_cable)},
+    {"cable_friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`",
+     AT(ContactRecord, cable_friction)},
 };
 SECTION(case_contact, "contact", contact_keys);
 

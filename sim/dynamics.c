@@ -37,6 +37,7 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
         ws->law[c] = chain_array_new(n, 0);
         ok = ok && ws->law[c];
     }
+    if (scene->self.present) ok &= self_pairs_alloc(&ws->self, n);
     ws->on_roller = calloc((size_t)scene->contact.n_rollers + 1, sizeof *ws->on_roller);
     ok = ok && ws->on_roller;
     if (!ok) workspace_free(ws);
@@ -52,6 +53,7 @@ void workspace_free(Workspace *ws)
         contact_pairs_free(&ws->contact[p].pairs);
         loads_free(&ws->loads[p]);
     }
+    self_pairs_free(&ws->self);
     free(ws->on_roller);
     ws->on_roller = NULL;
 }
@@ -78,9 +80,14 @@ static void part_loads(const Evaluation *e, int part)
     Workspace *const ws = e->ws;
     ContactPart *const mine = &ws->contact[part];
     if (part == 0) applied_ends(e->scene, &ws->kin, e->t, e->friction, &ws->loads[0]);
-    if (mine->model.n_rollers == 0) return;
+    const SelfModel *const self = &e->scene->self;
+    const Chain *const chain = &e->scene->chain;
+    if (mine->model.n_rollers == 0 && !self->present) return;
     const double start = clock_now();
-    contact_forces(&mine->model, &e->scene->chain, &ws->kin, e->friction, &mine->pairs, &ws->loads[part], NULL);
+    if (mine->model.n_rollers > 0) {
+        contact_forces(&mine->model, chain, &ws->kin, e->friction, &mine->pairs, &ws->loads[part], NULL);
+    }
+    if (self->present) self_forces(self, chain, &ws->kin, e->friction, part, &ws->self, &ws->loads[part]);
     mine->seconds += clock_now() - start;
 }
 
@@ -179,6 +186,9 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
         ContactPart *const part = &ws->contact[p];
         if (part->model.n_rollers > 0) contact_blocks(&part->model, chain, &ws->kin, friction, &part->pairs, k, d);
     }
+    if (!scene->self.present) return;
+    block_extras_zero(&ws->self.extras);
+    self_blocks(&scene->self, chain, &ws->kin, friction, &ws->self, k, d);
 }
 
 int dynamics_roller_forces(const Scene *scene, Workspace *ws)
@@ -192,6 +202,7 @@ int dynamics_roller_forces(const Scene *scene, Workspace *ws)
         active += part->pairs.active;
         first += part->model.n_rollers;
     }
+    for (int p = 0; p < PARTS; ++p) active += ws->self.active[p]; /* of the last evaluation */
     return active;
 }
 
@@ -227,7 +238,7 @@ double dynamics_contact_seconds(const Workspace *ws)
 
 int dynamics_candidates(const Workspace *ws)
 {
-    int count = 0;
+    int count = ws->self.candidates;
     for (int p = 0; p < PARTS; ++p) count += ws->contact[p].pairs.candidates;
     return count;
 }
@@ -236,13 +247,14 @@ int dynamics_candidates(const Workspace *ws)
 static int stale(const Scene *scene, const Workspace *ws)
 {
     const ContactPart *const part = &ws->contact[PARTS - 1]; /* both were refreshed at the same positions */
-    return contact_moved_too_far(&part->model, &scene->chain, &ws->kin, &part->pairs);
+    if (scene->self.present && self_moved_too_far(&scene->self, &scene->chain, &ws->kin, &ws->self)) return 1;
+    return scene->contact.n_rollers > 0 && contact_moved_too_far(&part->model, &scene->chain, &ws->kin, &part->pairs);
 }
 
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
                                hawser_error *err)
 {
-    if (scene->contact.n_rollers == 0) return HAWSER_OK;
+    if (scene->contact.n_rollers == 0 && !scene->self.present) return HAWSER_OK;
     /* the last evaluation is nearer to y than the reach's reserve: it will do for the question */
     if (!always && !stale(scene, ws)) return HAWSER_OK;
     dynamics_kinematics(scene, ws, t, y);
@@ -251,6 +263,7 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
         ContactPart *const part = &ws->contact[p];
         status = contact_refresh(&part->model, &scene->chain, &ws->kin, &part->pairs, err);
     }
+    if (!status && scene->self.present) status = self_refresh(&scene->self, &scene->chain, &ws->kin, &ws->self, err);
     ++ws->refreshes;
     if (dynamics_candidates(ws) > ws->candidates_max) ws->candidates_max = dynamics_candidates(ws);
     return status;

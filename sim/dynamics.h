@@ -23,6 +23,7 @@ typedef struct Workspace {
     JointLoads joints;  /* bushing_loads */
     Loads loads[PARTS]; /* on segments: weight, tail, drag and the first half's contacts; the second half's contacts */
     ContactPart contact[PARTS];
+    SelfPairs self;  /* cable on cable: self_refresh, self_forces, self_blocks; nothing allocated without it */
     Vec3 *on_roller; /* [rollers] contact_forces, where asked for, N */
     double *law[6];  /* bushing_law: [n+1] */
     long rhs_evals, refreshes;
@@ -37,7 +38,8 @@ void workspace_free(Workspace *ws);
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
 /* ydot [13 n] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot);
-/* k and d (6x6 blocks) at (t, y): the derivatives of force and moment minus inertia times ydot, see body_blocks. Leaves
+/* k and d (6x6 blocks, and those off their diagonals in ws->self.extras) at (t, y): the derivatives of force and moment
+ * minus inertia times ydot, see body_blocks. Leaves
  * the kinematics of y in the workspace. */
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
                      BlockChain *k, BlockChain *d);

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/lanes.h"
+#include "sim/newton_extra.h"
 #include "sim/newton_full.h"
 #include "sim/newton_kernels.h"
 
@@ -61,6 +62,7 @@ void newton_free(Newton *nw)
     free(nw->x);
     nw->solver = linsolver_free(nw->solver);
     nw->full = newton_full_free(nw->full);
+    nw->extra = newton_extra_free(nw->extra);
     memset(nw, 0, sizeof *nw);
 }
 
@@ -133,13 +135,19 @@ void newton_form(Newton *nw, double gamma)
     } else {
         both(form_job, &split);
     }
+    if (nw->extra) newton_extra_form(nw);
 }
 
-int newton_factor(Newton *nw) { return nw->full ? newton_full_factor(nw->full) : linsolver_factor(nw->solver, &nw->a); }
+int newton_factor(Newton *nw)
+{
+    if (nw->extra) return newton_extra_factor(nw);
+    return nw->full ? newton_full_factor(nw->full) : linsolver_factor(nw->solver, &nw->a);
+}
 
 void newton_stats(const Newton *nw, LinStats *stats)
 {
     linsolver_stats(nw->full ? newton_full_solver(nw->full) : nw->solver, stats);
+    if (nw->extra) newton_extra_stats(nw->extra, stats);
 }
 
 int newton_solve(Newton *nw, double *b)
@@ -148,6 +156,7 @@ int newton_solve(Newton *nw, double *b)
     Split split = {.nw = nw, .b = b};
     both(reduce_job, &split);
     kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
+    if (nw->extra) newton_extra_couple(nw);
     const int status = linsolver_solve(nw->solver, nw->x);
     if (!status) both(expand_job, &split);
     return status;

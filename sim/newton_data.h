@@ -16,12 +16,13 @@ typedef struct Newton {
     double *q[4];       /* as in y (not normalised) */
     double *w[3];       /* rad/s */
     /* of one solution */
-    double *z;               /* [6n] gamma times position residual and eliminated rotation */
-    double *x;               /* [6n] reduced right-hand side and solution */
-    double gamma;            /* s, of a */
-    LinSolver *solver;       /* of a; NULL if the full system is solved */
-    struct NewtonFull *full; /* klu-full: the unreduced system; NULL otherwise */
-    Team *team;              /* borrowed; NULL: one thread */
+    double *z;                 /* [6n] gamma times position residual and eliminated rotation */
+    double *x;                 /* [6n] reduced right-hand side and solution */
+    double gamma;              /* s, of a */
+    LinSolver *solver;         /* of a; NULL if the full system is solved */
+    struct NewtonFull *full;   /* klu-full: the unreduced system; NULL otherwise */
+    struct NewtonExtra *extra; /* sim/newton_extra.h: blocks off the diagonals; NULL: none */
+    Team *team;                /* borrowed; NULL: one thread */
 } Newton;
 
 #endif

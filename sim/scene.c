@@ -170,6 +170,19 @@ static hawser_status contact_fill(Scene *scene, hawser_error *err)
     return HAWSER_OK;
 }
 
+/* Cable on cable: candidates hold for a motion of the order of the cable's own size, so that a wound cable has its
+ * neighbours as candidates and not the whole drum. */
+static void self_fill(Scene *scene)
+{
+    const Chain *const c = &scene->chain;
+    const SceneDef *const def = &scene->def;
+    double size = 0;
+    for (int i = 0; i < c->n; ++i) size = fmax(size, fmax(4 * c->radius[i], c->half[i]));
+    scene->self = (SelfModel){.present = def->cable_on_cable,
+                              .law = self_law(&def->impact, &def->cable_friction),
+                              .reach = fmin(size, def->contact_reach)};
+}
+
 static hawser_status scene_fill(Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -187,6 +200,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
     const double speed = winch_largest_speed(&scene->winch);
     scene->largest_speed = scene->winch.present && speed > 0 ? speed : 0.1;
+    self_fill(scene);
     return contact_fill(scene, err);
 }
 

@@ -4,6 +4,7 @@
 #define HAWSER_SIM_SCENE_H
 
 #include "contact/contact.h"
+#include "contact/self_contact.h"
 #include "core/body.h"
 #include "sim/winch.h"
 
@@ -40,7 +41,8 @@ typedef struct Scene {
     Drag drag;
     ContactRoller *rollers; /* owned; the contact model borrows them */
     ContactModel contact;
-    SceneDef def; /* a deep copy of what this was built from */
+    SelfModel self; /* cable on cable */
+    SceneDef def;   /* a deep copy of what this was built from */
 } Scene;
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */

@@ -12,6 +12,7 @@ static void contact_defaults(SceneDef *def)
     def->geometry = GEOMETRY_SMOOTH;
     def->impact = (ImpactLaw){.k = 3.4e8, .e = 1.5, .c = 1e4, .d = 1e-4};
     def->friction = (FrictionLaw){.mu_s = 0.2, .mu_d = 0.2, .v_s = 1e-3, .v_d = 2e-3};
+    def->cable_friction = def->friction;
     def->contact_reach = 1;
 }
 

@@ -148,8 +148,10 @@ typedef struct SceneDef {
 
     ContactGeometry geometry;
     ImpactLaw impact;
-    FrictionLaw friction; /* default of every roller, and the theory's mu (mu_d) */
-    double contact_reach; /* m: candidates are refreshed after this much motion */
+    FrictionLaw friction;       /* default of every roller, and the theory's mu (mu_d) */
+    double contact_reach;       /* m: candidates are refreshed after this much motion */
+    int cable_on_cable;         /* the cable touches itself */
+    FrictionLaw cable_friction; /* there */
     int n_rollers;
     RollerDef *rollers;
 

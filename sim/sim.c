@@ -8,6 +8,7 @@
 #include "sim/events.h"
 #include "sim/expected.h"
 #include "sim/integrator.h"
+#include "sim/newton_extra.h"
 #include "sim/relax.h"
 #include "sim/sample.h"
 #include "sim/spatial.h"
@@ -45,6 +46,21 @@ static hawser_status trip_set(Sim *s, hawser_error *err)
                      s->expected.reference_total);
 }
 
+/* Whether the cable begins outside itself. Where lines meet no contact can tell on which side of each other they are.
+ */
+static hawser_status start_check(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->scene;
+    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->ws.kin, &s->ws.self);
+    const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
+    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "contact.cable_on_cable: the cable begins %.1f mm inside itself near (%.3f, %.3f, %.3f) m, at "
+                     "segments %d and %d: lead the route past itself with a cable's diameter between",
+                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
+                     deepest.foot);
+}
+
 static hawser_status parts_new(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->scene;
@@ -58,11 +74,13 @@ static hawser_status parts_new(Sim *s, hawser_error *err)
     options.threads = team_size(s->team);
     options.team = s->team;
     hawser_status status = newton_new(&s->newton, scene, &options, err);
+    if (!status && scene->self.present) status = newton_extra_attach(&s->newton, &s->ws.self.extras, &options, err);
     if (!status) newton_stats(&s->newton, &s->lin);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     if (!status) status = trip_set(s, err);
     if (!status) status = dynamics_refresh(scene, &s->ws, 0, s->y, 1, err);
+    if (!status && scene->self.present) status = start_check(s, err);
     return status;
 }
 
