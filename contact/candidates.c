@@ -52,29 +52,40 @@ static int range_add(ContactPairs *pairs, ContactRange range)
     return 1;
 }
 
-/* Element e is a candidate of this roller: it lengthens the last range or begins a new one. */
-static int candidate_add(ContactPairs *pairs, int roller, int e)
+/* Element e is a candidate of this face of a roller: it lengthens the last range or begins a new one. */
+static int candidate_add(ContactPairs *pairs, int roller, int face, int e)
 {
     ContactRange *last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
     ++pairs->candidates;
-    if (last && last->roller == roller && last->first + last->count == e) {
+    if (last && last->roller == roller && last->face == face && last->first + last->count == e) {
         ++last->count;
         return 1;
     }
-    return range_add(pairs, (ContactRange){roller, e, 1});
+    return range_add(pairs, (ContactRange){roller, face, e, 1});
 }
 
 /* Visits the tree below `node` from left to right, so that candidates come in order; 0 if there is no memory.
  * Distances change at most as fast as points move, so a sphere that is too far rules out all that it holds.
  */
-static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller, int node)
+static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller, int face, int node)
 {
     const Sphere *sphere = &pairs->tree.node[node];
     if (sphere->radius < 0) return 1;
-    const double distance = shape_distance(&model->roller[roller].shape, sphere->centre);
+    const double distance = shape_face_distance(&model->roller[roller].shape, face, sphere->centre);
     if (distance - sphere->radius > model->reach) return 1;
-    if (node >= pairs->tree.leaves) return candidate_add(pairs, roller, node - pairs->tree.leaves);
-    return tree_visit(model, pairs, roller, 2 * node) && tree_visit(model, pairs, roller, 2 * node + 1);
+    if (node >= pairs->tree.leaves) return candidate_add(pairs, roller, face, node - pairs->tree.leaves);
+    return tree_visit(model, pairs, roller, face, 2 * node) && tree_visit(model, pairs, roller, face, 2 * node + 1);
+}
+
+/* The candidates of all rollers of one kind, so that each batch of the kernels finds one kind only. */
+static int kind_visit(const ContactModel *model, ContactPairs *pairs, ShapeKind kind)
+{
+    int ok = 1;
+    for (int r = 0; r < model->n_rollers && ok; ++r) {
+        if (model->roller[r].shape.kind != kind) continue;
+        for (int face = 0; face < shape_faces(kind) && ok; ++face) ok = tree_visit(model, pairs, r, face, 1);
+    }
+    return ok;
 }
 
 /* Room for the largest number of hits that the candidates can give. */
@@ -93,11 +104,11 @@ hawser_status contact_refresh(const ContactModel *model, const Chain *chain, con
                               hawser_error *err)
 {
     assert(chain->n == pairs->n);
-    /* candidates, roller by roller */
+    /* candidates, kind by kind and roller by roller */
     pairs->n_ranges = pairs->candidates = 0;
     sphere_tree_build(&pairs->tree, model->geometry, chain, kin);
-    for (int r = 0; r < model->n_rollers; ++r) {
-        if (!tree_visit(model, pairs, r, 1)) return error_memory(err);
+    for (int kind = 0; kind < SHAPE_KINDS; ++kind) {
+        if (!kind_visit(model, pairs, (ShapeKind)kind)) return error_memory(err);
     }
     if (!hits_reserve(pairs)) return error_memory(err);
     /* where everything was, for contact_moved_too_far */

@@ -16,10 +16,10 @@ static const ContactKernels *kernels(void)
 }
 
 /* Room was made by the refresh: a candidate is a hit at most once. */
-static void hit_add(ContactPairs *pairs, int roller, int element)
+static void hit_add(ContactPairs *pairs, ContactRange range, int element)
 {
     assert(pairs->n_hits < pairs->hits_allocated);
-    pairs->hit[pairs->n_hits++] = (ContactHit){roller, element};
+    pairs->hit[pairs->n_hits++] = (ContactHit){range.roller, range.face, element};
 }
 
 /* Smooth line (C11): element e owns a minimum if the slope of the gap is negative at its first node and not
@@ -32,12 +32,12 @@ static void hits_smooth(const ContactKernels *kernel, const Shape *shape, const 
     const int n = pairs->n, end = range.first + range.count;
     const int from = range.first > 0 ? range.first - 1 : 0;
     /* nodes first - 1 .. first + count - 1, as far as they exist */
-    kernel->slopes(shape, kin, from, end < n ? end : n, slope);
+    kernel->slopes(shape, range.face, kin, from, end < n ? end : n, slope);
     /* after the kernel, which may write past the last node */
     slope[-1] = -1;
     slope[n] = 1;
     for (int e = range.first; e < end; ++e) {
-        if (slope[e - 1] < 0 && slope[e] >= 0) hit_add(pairs, range.roller, e);
+        if (slope[e - 1] < 0 && slope[e] >= 0) hit_add(pairs, range, e);
     }
 }
 
@@ -47,13 +47,13 @@ static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, cons
 {
     const int end = range.first + range.count;
     /* a capsule reaches no farther from its centre than half its length and its radius */
-    kernel->distances(shape, kin, range.first, end, pairs->node);
+    kernel->distances(shape, range.face, kin, range.first, end, pairs->node);
     for (int e = range.first; e < end; ++e) {
-        if (pairs->node[e] < chain->half[e] + chain->radius[e]) hit_add(pairs, range.roller, e);
+        if (pairs->node[e] < chain->half[e] + chain->radius[e]) hit_add(pairs, range, e);
     }
 }
 
-/* All places worth a closer look, by roller, then by element. */
+/* All places worth a closer look, in the order of the candidates. */
 static void hits_find(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs)
 {
     const ContactKernels *const kernel = kernels();
@@ -83,6 +83,13 @@ static void batch_body(ContactBatch *batch, const Chain *chain, const Kinematics
     }
 }
 
+/* The groove of lane l. */
+static void batch_groove(ContactBatch *batch, const Groove *g, int l)
+{
+    const double value[6] = {g->depth, g->lip, g->cosine, g->sine, g->radius, batch->face[l] == 0 ? 1 : -1};
+    for (int i = 0; i < 6; ++i) batch->groove[i][l] = value[i];
+}
+
 /* The roller of lane l: shape and friction law. */
 static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l)
 {
@@ -96,6 +103,7 @@ static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l
     batch->shape_radius[l] = shape->radius;
     batch->shape_half_width[l] = shape->half_width;
     batch->friction[l] = &roller->friction;
+    if (shape->kind != SHAPE_CYLINDER) batch_groove(batch, &shape->groove, l);
 }
 
 /* Its motion, where rollers move. */
@@ -114,6 +122,7 @@ static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chai
 {
     const Element element = element_at(model->geometry, chain->n, hit.element);
     batch->roller[l] = hit.roller;
+    batch->face[l] = hit.face;
     batch->element[l] = hit.element;
     batch->arc[l] = element.arc;
     batch->alpha[l] = element.alpha;
@@ -126,20 +135,48 @@ static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chai
     if (model->motion) batch_motion(batch, &model->motion[hit.roller], l);
 }
 
-/* Gathers hits from `first` on; returns the first that does not fit. Lanes are independent of each other, so
- * how hits fall into batches changes nothing. */
+static ShapeKind hit_kind(const ContactModel *model, const ContactPairs *pairs, int h)
+{
+    return model->roller[pairs->hit[h].roller].shape.kind;
+}
+
+/* Gathers hits from `first` on, of one kind of shape; returns the first that does not fit. Lanes are independent of
+ * each other, so how hits fall into batches changes nothing. */
 static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chain *chain, const Kinematics *kin,
                       double friction_scale, const ContactPairs *pairs, int first)
 {
     batch->impact = &model->impact;
     batch->friction_scale = friction_scale;
-    batch->count = pairs->n_hits - first < LANES ? pairs->n_hits - first : LANES;
+    batch->kind = hit_kind(model, pairs, first);
+    batch->count = 1;
+    while (batch->count < LANES && first + batch->count < pairs->n_hits &&
+           hit_kind(model, pairs, first + batch->count) == batch->kind)
+        ++batch->count;
     /* unused lanes repeat the last hit, so that the kernels see valid numbers; they are not scattered */
     for (int l = 0; l < LANES; ++l) {
         const int h = l < batch->count ? first + l : first + batch->count - 1;
         batch_hit(batch, model, chain, kin, pairs->hit[h], l);
     }
     return first + batch->count;
+}
+
+/* The kernels for the batch's kind of shape and the model's kind of rollers. */
+static void batch_push(const ContactModel *model, const ContactBatch *batch, ContactPush *push)
+{
+    const ContactKernels *const kernel = kernels();
+    if (model->motion) {
+        kernel->push_moving(batch, push);
+    } else if (batch->kind == SHAPE_CYLINDER) {
+        kernel->push(batch, push);
+    } else {
+        kernel->push_grooved(batch, push);
+    }
+}
+static int batch_columns(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
+{
+    const ContactKernels *const kernel = kernels();
+    if (batch->kind == SHAPE_CYLINDER) return kernel->columns(batch, k, d, normal);
+    return kernel->columns_grooved(batch, k, d, normal);
 }
 
 /* Adds one lane's wrench to its segments. */
@@ -155,17 +192,9 @@ static void push_add(const ContactBatch *batch, const ContactPush *push, int l, 
     }
 }
 
-/* The kernel of forces that the model needs. */
-typedef void (*PushKernel)(const ContactBatch *batch, ContactPush *out);
-static PushKernel push_kernel(const ContactModel *model)
-{
-    return model->motion ? kernels()->push_moving : kernels()->push;
-}
-
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
 {
-    const PushKernel push_of = push_kernel(model);
     ContactBatch batch;
     ContactPush push;
     hits_find(model, chain, kin, pairs);
@@ -173,7 +202,7 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
     if (on_roller) memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        push_of(&batch, &push);
+        batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
             if (!(push.normal[l] > 0)) continue;
             /* only what carries force is added: the others' lanes are zeros */
@@ -197,7 +226,7 @@ void contact_forces_moving(const ContactModel *model, const Chain *chain, const 
     memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        kernels()->push_moving(&batch, &push);
+        batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
             if (!(push.normal[l] > 0)) continue;
             ++pairs->active;
@@ -233,14 +262,13 @@ void contact_blocks(const ContactModel *model, const Chain *chain, const Kinemat
                     ContactPairs *pairs, BlockChain *k, BlockChain *d)
 {
     assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
-    const ContactKernels *const kernel = kernels();
     ContactBatch batch;
     ContactMatrix by_shift, by_speed;
     double normal[LANES];
     hits_find(model, chain, kin, pairs);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        if (!kernel->columns(&batch, &by_shift, &by_speed, normal)) continue;
+        if (!batch_columns(&batch, &by_shift, &by_speed, normal)) continue;
         for (int l = 0; l < batch.count; ++l) {
             if (!(normal[l] > 0)) continue;
             matrix_add(&batch, &by_shift, l, k);
@@ -318,6 +346,7 @@ void contact_blocks_moving(const ContactModel *model, const Chain *chain, const 
 static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *push, int l)
 {
     return (ContactDetail){.roller = batch->roller[l],
+                           .face = batch->face[l],
                            .element = batch->element[l],
                            .u = push->u[l],
                            .gap = push->gap[l],
@@ -334,7 +363,7 @@ int contact_details(const ContactModel *model, const Chain *chain, const Kinemat
     hits_find(model, chain, kin, pairs);
     for (int next = 0, at = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        push_kernel(model)(&batch, &push);
+        batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l, ++at) {
             if (at < room) out[at] = detail_of(&batch, &push, l);
         }

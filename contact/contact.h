@@ -41,21 +41,21 @@ typedef struct ContactModel {
     const RollerMotion *motion;  /* [n_rollers], borrowed; NULL: none of them moves, and nothing is paid for it */
 } ContactModel;
 
-/* Candidates of one roller: elements first .. first + count - 1. */
+/* Candidates of one face of a roller: elements first .. first + count - 1. */
 typedef struct ContactRange {
-    int roller, first, count;
+    int roller, face, first, count;
 } ContactRange;
 
 /* One place where the line is nearest to a roller: looked at in detail. */
 typedef struct ContactHit {
-    int roller, element;
+    int roller, face, element;
 } ContactHit;
 
 typedef struct ContactPairs {
     int n; /* segments */
     /* by contact_refresh */
     int n_ranges, ranges_allocated;
-    ContactRange *range; /* [n_ranges], by roller, then by element */
+    ContactRange *range; /* [n_ranges], by kind of shape, roller, face, element */
     int candidates;      /* pairs in all ranges */
     double *at_p[3];     /* chain arrays: centres, m, and axes at the refresh */
     double *at_a[3];
@@ -112,7 +112,7 @@ void contact_blocks_moving(const ContactModel *model, const Chain *chain, const 
 
 /* One contact in detail, for tests, tools and reports. */
 typedef struct ContactDetail {
-    int roller, element;
+    int roller, face, element;
     double u;      /* parameter of the element */
     double gap;    /* m */
     double normal; /* N */

@@ -164,22 +164,34 @@ LANE_INLINE void roller_columns(const Contact *c, const Line *line, ContactMovin
     }
 }
 
-int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
+LANE_INLINE int columns_of(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES],
+                           Variant is)
 {
     /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
-    const Line line = line_load(batch);
-    const Contact c = contact_at(batch, &line, 0);
+    const Line line = line_load(batch, is.grooved);
+    const Contact c = contact_at(batch, &line, is);
     lane_store(normal, c.normal);
     if (!mask_any(c.normal > lane_set(0))) return 0;
     for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, 12, &k->entry[0][0], &d->entry[0][0]);
     return 1;
 }
 
+int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
+{
+    return columns_of(batch, k, d, normal, PLAIN);
+}
+
+int ISA_NAME(contact_columns_grooved)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d,
+                                      double normal[LANES])
+{
+    return columns_of(batch, k, d, normal, GROOVED);
+}
+
 int ISA_NAME(contact_columns_moving)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
                                      double normal[LANES])
 {
-    const Line line = line_load(batch);
-    const Contact c = contact_at(batch, &line, 1);
+    const Line line = line_load(batch, MOVING.grooved);
+    const Contact c = contact_at(batch, &line, MOVING);
     lane_store(normal, c.normal);
     if (!mask_any(c.normal > lane_set(0))) return 0;
     for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, 18, &k->entry[0][0], &d->entry[0][0]);

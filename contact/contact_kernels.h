@@ -21,12 +21,14 @@ typedef struct ContactBatch {
     double centre[3][LANES], axis[3][LANES]; /* of the shape, m and unit */
     double shape_radius[LANES], shape_half_width[LANES];
     double roller_v[3][LANES], roller_w[3][LANES]; /* of the roller, m/s and rad/s; set where rollers move */
+    double groove[6][LANES]; /* of grooved kinds: depth, lip, cosine, sine, radius, side (LaneGroove) */
+    ShapeKind kind;          /* of all lanes */
     const FrictionLaw *friction[LANES];
     const ImpactLaw *impact;
     double friction_scale;
     int count;
     int body[2][LANES];
-    int roller[LANES], element[LANES];
+    int roller[LANES], face[LANES], element[LANES];
 } ContactBatch;
 
 /* What a batch does to its segments. */
@@ -54,17 +56,20 @@ typedef struct ContactMovingMatrix {
 typedef struct ContactKernels {
     /* node[i] = a positive factor times (normal at the centre of segment i . axis of segment i), for i =
      * from..to-1 (and up to LANES - 1 more): only the sign counts */
-    void (*slopes)(const Shape *shape, const Kinematics *kin, int from, int to, double *node);
-    /* node[i] = distance of the centre of segment i from the shape, m; same range */
-    void (*distances)(const Shape *shape, const Kinematics *kin, int from, int to, double *node);
+    void (*slopes)(const Shape *shape, int face, const Kinematics *kin, int from, int to, double *node);
+    /* node[i] = distance of the centre of segment i from the face, m; same range */
+    void (*distances)(const Shape *shape, int face, const Kinematics *kin, int from, int to, double *node);
     void (*push)(const ContactBatch *batch, ContactPush *out);
     /* returns 0, and writes nothing, if no hit of the batch carries force; normal[lane] is each hit's force,
      * N */
     int (*columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
-    /* the same where rollers move: fixed ones pay nothing for it */
+    /* the same where rollers move, of any kind: fixed ones pay nothing for it */
     void (*push_moving)(const ContactBatch *batch, ContactPush *out);
     int (*columns_moving)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
                           double normal[LANES]);
+    /* the same for batches of grooved kinds */
+    void (*push_grooved)(const ContactBatch *batch, ContactPush *out);
+    int (*columns_grooved)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
 } ContactKernels;
 
 extern const ContactKernels contact_kernels_generic, contact_kernels_avx2, contact_kernels_avx512;

@@ -10,17 +10,45 @@ static LaneShape shape_spread(const Shape *shape)
                        lane_set(shape->half_width)};
 }
 
-/* One shape against many nodes: unit stride, no branches. */
-static void kernel_slopes(const Shape *shape, const Kinematics *kin, int from, int to, double *node)
+static LaneGroove groove_spread(const Groove *g, int face)
 {
+    return (LaneGroove){lane_set(g->depth), lane_set(g->lip),    lane_set(g->cosine),
+                        lane_set(g->sine),  lane_set(g->radius), lane_set(face == 0 ? 1 : -1)};
+}
+
+/* The same as below for the grooved kinds: slopes, or distances. */
+static void nodes_grooved(const Shape *shape, int face, const Kinematics *kin, int from, int to, int slopes,
+                          double *node)
+{
+    const LaneShape s = shape_spread(shape);
+    const LaneGroove g = groove_spread(&shape->groove, face);
+    for (int i = from; i < to; i += LANES) {
+        const Lane3 p = l3_load(kin->p, i);
+        LaneProbe probe;
+        shape_grooved(shape->kind, &s, &g, &p, &probe);
+        lane_store(node + i, slopes ? l3_dot(probe.normal, l3_load(kin->a, i)) : probe.distance);
+    }
+}
+
+/* One shape against many nodes: unit stride, no branches. */
+static void kernel_slopes(const Shape *shape, int face, const Kinematics *kin, int from, int to, double *node)
+{
+    if (shape->kind != SHAPE_CYLINDER) {
+        nodes_grooved(shape, face, kin, from, to, 1, node);
+        return;
+    }
     const LaneShape s = shape_spread(shape);
     for (int i = from; i < to; i += LANES) {
         lane_store(node + i, shape_cylinder_slope(&s, l3_load(kin->p, i), l3_load(kin->a, i)));
     }
 }
 
-static void kernel_distances(const Shape *shape, const Kinematics *kin, int from, int to, double *node)
+static void kernel_distances(const Shape *shape, int face, const Kinematics *kin, int from, int to, double *node)
 {
+    if (shape->kind != SHAPE_CYLINDER) {
+        nodes_grooved(shape, face, kin, from, to, 0, node);
+        return;
+    }
     const LaneShape s = shape_spread(shape);
     for (int i = from; i < to; i += LANES) {
         lane_store(node + i, shape_cylinder(&s, l3_load(kin->p, i)).distance);
@@ -28,10 +56,10 @@ static void kernel_distances(const Shape *shape, const Kinematics *kin, int from
 }
 
 /* Generalized forces by virtual work (C15). */
-LANE_INLINE void push_of(const ContactBatch *batch, ContactPush *out, int moving)
+LANE_INLINE void push_of(const ContactBatch *batch, ContactPush *out, Variant is)
 {
-    const Line line = line_load(batch);
-    const Contact c = contact_at(batch, &line, moving);
+    const Line line = line_load(batch, is.grooved);
+    const Contact c = contact_at(batch, &line, is);
     for (int b = 0; b < 2; ++b) {
         batch_vector_store(out->force[b], l3_scale(c.at.weight.alpha[b], c.force));
         batch_vector_store(out->moment[b], l3_cross(c.arm[b], c.force));
@@ -41,12 +69,14 @@ LANE_INLINE void push_of(const ContactBatch *batch, ContactPush *out, int moving
     lane_store(out->normal, c.normal);
     lane_store(out->u, c.u);
     lane_store(out->gap, c.gap);
-    if (moving) batch_vector_store(out->roller_moment, l3_cross(c.force, contact_roller_arm(&c)));
+    if (is.moving) batch_vector_store(out->roller_moment, l3_cross(c.force, contact_roller_arm(&c)));
 }
 
-static void kernel_push(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, 0); }
-static void kernel_push_moving(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, 1); }
+static void kernel_push(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, PLAIN); }
+static void kernel_push_moving(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, MOVING); }
+static void kernel_push_grooved(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, GROOVED); }
 
-const ContactKernels ISA_NAME(contact_kernels) = {kernel_slopes,      kernel_distances,
-                                                  kernel_push,        ISA_NAME(contact_columns),
-                                                  kernel_push_moving, ISA_NAME(contact_columns_moving)};
+const ContactKernels ISA_NAME(contact_kernels) = {kernel_slopes,       kernel_distances,
+                                                  kernel_push,         ISA_NAME(contact_columns),
+                                                  kernel_push_moving,  ISA_NAME(contact_columns_moving),
+                                                  kernel_push_grooved, ISA_NAME(contact_columns_grooved)};

@@ -5,6 +5,19 @@
 
 #include "contact/line_lanes.h"
 
+/* What a kernel is compiled for; all members are constants, so that what a batch does not need is not even asked for.
+ */
+typedef struct Variant {
+    int grooved; /* shapes of any kind; 0: cylinders */
+    int moving;  /* rollers move */
+} Variant;
+#define PLAIN                                                                                                          \
+    (Variant) { 0, 0 }
+#define GROOVED                                                                                                        \
+    (Variant) { 1, 0 }
+#define MOVING                                                                                                         \
+    (Variant) { 1, 1 }
+
 /* A contact with its force. */
 typedef struct Contact {
     Lane u;
@@ -71,12 +84,12 @@ LANE_INLINE void contact_motion(Contact *c, const Line *line, const ContactBatch
 }
 
 /* A contact from its batch: nearest point, velocities, laws, force (C9)-(C15). */
-LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line, int moving)
+LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line, Variant is)
 {
     Contact c;
-    c.u = line_nearest(line, &c.interior);
-    c.at = line_at(line, c.u);
-    contact_motion(&c, line, batch, moving);
+    c.u = line_nearest(line, is.grooved, &c.interior);
+    c.at = line_at(line, is.grooved, c.u);
+    contact_motion(&c, line, batch, is.moving);
     contact_laws(&c, batch);
     const Lane3 n = c.at.probe.normal;
     c.force = l3_scale(c.normal, l3_axpy(n, -c.phi, c.slide));
@@ -93,5 +106,7 @@ LANE_INLINE Lane3 contact_roller_arm(const Contact *c) { return l3_axpy(c->lever
 int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
 int ISA_NAME(contact_columns_moving)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
                                      double normal[LANES]);
+int ISA_NAME(contact_columns_grooved)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d,
+                                      double normal[LANES]);
 
 #endif

@@ -4,7 +4,7 @@
 #define HAWSER_CONTACT_LINE_LANES_H
 
 #include "contact/contact_kernels.h"
-#include "contact/shape_lanes.h"
+#include "contact/groove_lanes.h"
 
 /* One of an element's two segments: centre, arm to the front end, velocities, contact radius. */
 typedef struct LaneBody {
@@ -22,6 +22,8 @@ typedef struct Line {
     LaneBody body[2];
     Lane arc, alpha, beta[2][2];
     LaneShape shape;
+    LaneGroove groove; /* of grooved kinds */
+    ShapeKind kind;
 } Line;
 
 /* A point of the line against its shape. */
@@ -46,8 +48,14 @@ LANE_INLINE void batch_vector_store(double a[3][LANES], Lane3 v)
     lane_store(a[2], v.z);
 }
 
-/* The batch's numbers as lanes; they stay in memory until used. */
-LANE_INLINE Line line_load(const ContactBatch *batch)
+LANE_INLINE LaneGroove groove_load(const ContactBatch *batch)
+{
+    return (LaneGroove){lane_load(batch->groove[0]), lane_load(batch->groove[1]), lane_load(batch->groove[2]),
+                        lane_load(batch->groove[3]), lane_load(batch->groove[4]), lane_load(batch->groove[5])};
+}
+
+/* The batch's numbers as lanes; they stay in memory until used. grooved is a constant. */
+LANE_INLINE Line line_load(const ContactBatch *batch, int grooved)
 {
     Line line;
     for (int b = 0; b < 2; ++b) {
@@ -60,6 +68,8 @@ LANE_INLINE Line line_load(const ContactBatch *batch)
     line.alpha = lane_load(batch->alpha);
     line.shape = (LaneShape){batch_vector(batch->centre), batch_vector(batch->axis), lane_load(batch->shape_radius),
                              lane_load(batch->shape_half_width)};
+    if (grooved) line.groove = groove_load(batch);
+    line.kind = batch->kind;
     return line;
 }
 
@@ -95,8 +105,8 @@ LANE_INLINE LaneWeights line_weights2(const Line *line, Lane u)
     return w2;
 }
 
-/* Everything at parameter u: (C1), (C4), (C9), (C10). */
-LANE_INLINE LinePoint line_at(const Line *line, Lane u)
+/* Everything at parameter u: (C1), (C4), (C9), (C10). grooved is a constant. */
+LANE_INLINE LinePoint line_at(const Line *line, int grooved, Lane u)
 {
     const LaneBody *j = &line->body[0], *k = &line->body[1];
     LinePoint at;
@@ -108,7 +118,11 @@ LANE_INLINE LinePoint line_at(const Line *line, Lane u)
     at.radius = at.weight.alpha[0] * j->radius + at.weight.alpha[1] * k->radius;
     at.radius1 = at.weight1.alpha[1] * (k->radius - j->radius);
     const Lane radius2 = weight2.alpha[1] * (k->radius - j->radius);
-    at.probe = shape_cylinder(&line->shape, at.p);
+    if (grooved && line->kind != SHAPE_CYLINDER) {
+        shape_grooved(line->kind, &line->shape, &line->groove, &at.p, &at.probe);
+    } else {
+        at.probe = shape_cylinder(&line->shape, at.p);
+    }
     at.slope = l3_dot(at.probe.normal, at.p1) - at.radius1;
     at.curvature = l3_dot(at.p1, probe_hessian_times(&at.probe, at.p1)) + l3_dot(at.probe.normal, p2) - radius2;
     return at;
@@ -127,11 +141,11 @@ LANE_INLINE int mask_any(LaneMask m)
  * `high`, always; Newton's step where it stays between them, bisection where not. The start is exact for a
  * straight line on a cylinder's lateral surface. A lane that has converged is left alone, so that it does not
  * depend on its neighbours. */
-LANE_INLINE Lane line_nearest(const Line *line, LaneMask *interior)
+LANE_INLINE Lane line_nearest(const Line *line, int grooved, LaneMask *interior)
 {
     enum { NEWTON = 20, MOST = 80 };
     const Lane zero = lane_set(0), one = lane_set(1), close = lane_set(1e-10);
-    const LinePoint start = line_at(line, zero), end = line_at(line, one);
+    const LinePoint start = line_at(line, grooved, zero), end = line_at(line, grooved, one);
     /* what does not change its sign is clamped: to the end where the gap is least */
     *interior = (start.slope < zero) & (end.slope >= zero);
     const Lane s0 = start.probe.scale * start.slope, s1 = end.probe.scale * end.slope;
@@ -141,11 +155,13 @@ LANE_INLINE Lane line_nearest(const Line *line, LaneMask *interior)
     Lane low = zero, high = one;
     LaneMask running = *interior;
     for (int i = 0; i < MOST && mask_any(running); ++i) {
-        const LinePoint at = line_at(line, u);
+        const LinePoint at = line_at(line, grooved, u);
         low = lane_select(at.slope < zero, u, low);
         high = lane_select(at.slope < zero, high, u);
         const Lane newton = u - at.slope / at.curvature;
-        const LaneMask inside = (newton >= low) & (newton <= high);
+        LaneMask inside = (newton >= low) & (newton <= high);
+        /* before a hollow wall the gap may have a maximum between two minima: not what is looked for (GR7) */
+        if (grooved) inside &= at.curvature > zero;
         const Lane middle = (low + high) / 2;
         const Lane next = i < NEWTON ? lane_select(inside, newton, middle) : middle;
         const LaneMask moving = running & (lane_abs(next - u) > close);

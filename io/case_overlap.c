@@ -1,6 +1,5 @@
 #include <math.h>
 
-#include "contact/shape.h"
 #include "io/case_error.h"
 #include "io/case_parts.h"
 
@@ -35,11 +34,7 @@ static double line_meets(const Route *route, const Shape *shape, double from, do
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller)
 {
     const SceneDef *def = r->def;
-    const Shape shape = {.kind = SHAPE_CYLINDER,
-                         .centre = roller->centre,
-                         .axis = roller->axis,
-                         .radius = roller->radius,
-                         .half_width = roller->width / 2};
+    const Shape shape = roller_def_shape(roller);
     for (int p = 0; p < def->n_pieces; p++) {
         const double radius = def->cables[def->pieces[p].cable].diameter / 2;
         double from, to, distance = 0;

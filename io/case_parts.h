@@ -28,6 +28,16 @@ hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, doubl
 hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node);
 /* Whether roller i stays out of the cable along the route; node: where the roller was written. */
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller);
+/* The groove of a roller of this profile and width (m), checked against the thickest cable; node: the row or roller. */
+hawser_status case_groove_make(const CaseReader *r, const CaseNode *node, int profile, const GrooveRecord *record,
+                               double width, Groove *groove);
+/* [from, to] with to >= from, both of the key. */
+hawser_status case_stretch_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double ends[2]);
+/* Where along the route the rollers of a row stand: s[n], malloc'ed, rising within each stretch. */
+hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RollerRowRecord *row, double **s,
+                               int *n);
+/* Curvature of the route to the left at s, 1/m: the part that is a bend to the side. */
+double case_sideways(const CaseReader *r, double s);
 hawser_status case_drive_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_run_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node);

@@ -61,18 +61,31 @@ typedef struct FrictionRecord {
     double mu, mu_s, mu_d, v_s, v_d;
 } FrictionRecord;
 
+/* NAN: by the profile and the cable. */
+typedef struct GrooveRecord {
+    double angle, radius, depth;
+} GrooveRecord;
+
+enum { GUIDE_NONE, GUIDE_INSIDE, GUIDE_BOTH };
+
 typedef struct RollerRowRecord {
     char name[NAME_MAX_LENGTH / 2];
     double from, to, spacing;
     int count; /* 0: by spacing */
     double radius, width, rating;
-    const CaseNode *hold_down, *friction;
+    int profile; /* a ShapeKind */
+    GrooveRecord groove;
+    int guide;
+    double gap; /* m, of guides */
+    const CaseNode *where, *hold_down, *friction;
 } RollerRowRecord;
 
 typedef struct RollerRecord {
     char name[NAME_MAX_LENGTH];
     Vec3 centre, axis;
     double radius, width, rating;
+    int profile; /* a ShapeKind */
+    GrooveRecord groove;
     const CaseNode *friction;
 } RollerRecord;
 

@@ -7,8 +7,8 @@
 #include "io/case_error.h"
 #include "io/case_parts.h"
 
-/* The cable's centre line at rest lies on the route, so a roller's centre is the sum of the two radii away
- * from it. */
+/* The cable's centre line at rest lies on the route, so a roller's centre is as far away from it as the thickest cable
+ * sits on the roller. */
 enum { HOLD_NONE, HOLD_SAG, HOLD_RANGES };
 
 /* A row of rollers being laid. */
@@ -16,9 +16,8 @@ typedef struct Row {
     const CaseNode *node;
     RollerRowRecord record;
     FrictionLaw friction;
+    Groove groove;
     int hold;
-    int n;
-    double step; /* m */
 } Row;
 
 /* Room for `more` rollers. */
@@ -34,14 +33,9 @@ static hawser_status rollers_reserve(const CaseReader *r, const CaseNode *node, 
     return HAWSER_OK;
 }
 
-/* One range of 'hold_down'. */
 static hawser_status range_read(const CaseReader *r, const CaseNode *node, double range[2])
 {
-    const CaseKey *key = case_key_of(&case_roller_row, "hold_down");
-    const CaseKey *const keys[2] = {key, key};
-    const hawser_status status = case_numbers_read(r, node, 2, keys, range);
-    if (!status && range[1] < range[0]) return case_value_error(r->err, node, ": expected [from, to] with to >= from");
-    return status;
+    return case_stretch_read(r, node, case_key_of(&case_roller_row, "hold_down"), range);
 }
 
 /* The ranges are read here for their mistakes, and again where they are used. */
@@ -76,64 +70,87 @@ static int held_down(const CaseReader *r, const Row *row, double s, Vec3 up)
     return 0;
 }
 
-/* One roller of a row at s, below the line or above it; there is room for it. */
-static hawser_status roller_lay(const CaseReader *r, const Row *row, int number, double s, int above)
+/* Which side of the line a roller stands on. */
+typedef enum Side { SIDE_BELOW, SIDE_ABOVE, SIDE_LEFT, SIDE_RIGHT } Side;
+
+/* One roller of a row at s, beside the line; there is room for it. Carriers and hold-downs have level axes, guides
+ * stand square to that and to the line. */
+static hawser_status roller_lay(const CaseReader *r, const Row *row, int number, double s, Side side)
 {
+    static const char *const suffix[] = {"", " above", " left", " right"};
     SceneDef *def = r->def;
     RollerDef *roller = &def->rollers[def->n_rollers];
     const RoutePoint at = route_at(&r->route, s);
     const Vec3 left = route_left(&r->route, s), up = v3_cross(at.tangent, left);
-    const double away = row->record.radius + case_largest_diameter(def) / 2;
-    *roller = (RollerDef){.centre = v3_axpy(at.position, above ? away : -away, up),
-                          .axis = left,
+    const int guide = side == SIDE_LEFT || side == SIDE_RIGHT;
+    *roller = (RollerDef){.axis = guide ? up : left,
                           .s = s,
                           .radius = row->record.radius,
                           .width = row->record.width,
+                          .profile = (ShapeKind)row->record.profile,
+                          .groove = row->groove,
                           .rating = row->record.rating,
-                          .hold_down = above,
+                          .hold_down = side == SIDE_ABOVE,
                           .friction = row->friction};
-    snprintf(roller->name, sizeof roller->name, "%s%d%s", row->record.name, number, above ? " above" : "");
+    const Shape shape = roller_def_shape(roller);
+    const double away = shape_seat(&shape, case_largest_diameter(def) / 2) + (guide ? row->record.gap : 0);
+    const int forward = side == SIDE_ABOVE || side == SIDE_LEFT;
+    roller->centre = v3_axpy(at.position, forward ? away : -away, guide ? left : up);
+    snprintf(roller->name, sizeof roller->name, "%s%d%s", row->record.name, number, suffix[side]);
     def->n_rollers++;
     return case_overlap_check(r, row->node, roller);
 }
 
-/* How many rollers the row has and how far apart they are. */
-static hawser_status row_divide(const CaseReader *r, Row *row)
+/* What stands at s: guides on one side or both, or a carrier and perhaps a hold-down. */
+static hawser_status place_fill(const CaseReader *r, const Row *row, int *laid, double s)
+{
+    hawser_status status = HAWSER_OK;
+    if (row->record.guide == GUIDE_NONE) {
+        const Vec3 left = route_left(&r->route, s), up = v3_cross(route_at(&r->route, s).tangent, left);
+        status = roller_lay(r, row, ++*laid, s, SIDE_BELOW);
+        if (!status && held_down(r, row, s, up)) status = roller_lay(r, row, *laid, s, SIDE_ABOVE);
+        return status;
+    }
+    const double sideways = case_sideways(r, s);
+    const int both = row->record.guide == GUIDE_BOTH;
+    const int to_left = both || sideways > 1e-9, to_right = both || sideways < -1e-9;
+    if (to_left || to_right) ++*laid;
+    if (to_left) status = roller_lay(r, row, *laid, s, SIDE_LEFT);
+    if (to_right && !status) status = roller_lay(r, row, *laid, s, SIDE_RIGHT);
+    return status;
+}
+
+/* What a row of guides cannot have. */
+static hawser_status guide_check(const CaseReader *r, const Row *row)
 {
     const RollerRowRecord *d = &row->record;
-    const int spaced = !isnan(d->spacing);
-    const double length = d->to - d->from;
-    if (length < 0)
-        return case_key_error(r->err, row->node, "to", "out of range: must be at least 'from', %g m", d->from);
-    if (spaced == (d->count > 0)) {
-        return case_key_error(r->err, row->node, spaced ? "spacing" : "count", "%s: give either 'count' or 'spacing'",
-                              spaced ? "given beside count" : "missing");
+    if (d->guide != GUIDE_NONE && row->hold != HOLD_NONE) {
+        return case_key_error(r->err, row->node, "hold_down", "not for guides: give it to a row without 'guide'");
     }
-    const double n = spaced ? floor(length / d->spacing + 1e-9) + 1 : d->count;
-    if (n > CASE_ROLLERS_MAX) {
-        return case_key_error(r->err, row->node, "spacing", "too many rollers: at most %d", CASE_ROLLERS_MAX);
+    if (d->guide == GUIDE_NONE && d->gap > 0) {
+        return case_key_error(r->err, case_node_key(row->node, "gap"), NULL, "only for a row with 'guide'");
     }
-    row->n = (int)n;
-    row->step = spaced ? d->spacing : length / fmax(1, n - 1);
     return HAWSER_OK;
 }
 
-/* Lays one row. `laid` counts the row's rollers below the line over all rows, for their names. */
+/* Lays one row. `laid` counts the places over all rows, for the rollers' names. */
 static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *laid)
 {
     Row row = {.node = node};
+    double *place = NULL;
+    int n = 0;
     hawser_status status = case_section_read(r, node, &case_roller_row, &row.record);
     if (isnan(row.record.to)) row.record.to = r->route.length;
     if (!status) status = case_friction_read(r, row.record.friction, &r->def->friction, &row.friction);
     if (!status) status = hold_read(r, &row);
-    if (!status) status = row_divide(r, &row);
-    if (!status) status = rollers_reserve(r, node, 2 * row.n);
-    for (int i = 0; !status && i < row.n; i++) {
-        const double s = row.record.from + i * row.step;
-        const Vec3 left = route_left(&r->route, s), up = v3_cross(route_at(&r->route, s).tangent, left);
-        status = roller_lay(r, &row, ++*laid, s, 0);
-        if (!status && held_down(r, &row, s, up)) status = roller_lay(r, &row, *laid, s, 1);
+    if (!status) status = guide_check(r, &row);
+    if (!status) {
+        status = case_groove_make(r, node, row.record.profile, &row.record.groove, row.record.width, &row.groove);
     }
+    if (!status) status = case_places_find(r, node, &row.record, &place, &n);
+    if (!status) status = rollers_reserve(r, node, 2 * n);
+    for (int i = 0; !status && i < n; i++) status = place_fill(r, &row, laid, place[i]);
+    free(place);
     return status;
 }
 
@@ -153,8 +170,10 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
     SceneDef *def = r->def;
     RollerRecord record = {0};
     FrictionLaw friction;
+    Groove groove;
     hawser_status status = case_section_read(r, node, &case_roller, &record);
     if (!status) status = case_friction_read(r, record.friction, &def->friction, &friction);
+    if (!status) status = case_groove_make(r, node, record.profile, &record.groove, record.width, &groove);
     if (!status && v3_norm(record.axis) < 1e-9) {
         status = case_value_error(r->err, case_node_key(node, "axis"), ": expected a direction that is not zero");
     }
@@ -164,6 +183,8 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
                           .axis = v3_unit(record.axis),
                           .radius = record.radius,
                           .width = record.width,
+                          .profile = (ShapeKind)record.profile,
+                          .groove = groove,
                           .rating = record.rating,
                           .s = NAN,
                           .friction = friction};

@@ -23,6 +23,8 @@ static const char *const grips[] = {"clamp", "axial", NULL};
 static const char *const afters[] = {"stay", "end", NULL};
 static const char *const ramps[] = {"none", "step", "step5", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
+static const char *const profiles[] = {"flat", "v", "u", NULL};
+static const char *const guides[] = {"none", "inside", "both", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
 /* The whole case: its title, and the sections below. */
@@ -154,6 +156,16 @@ static const CaseKey rollers_keys[] = {
 };
 SECTION(case_rollers, "rollers", rollers_keys);
 
+/* Which belongs to which profile, and how they go with the cable, is checked in case_groove.c. */
+static const CaseKey groove_keys[] = {
+    {"angle", KEY_NUMBER, DIM_ANGLE, .otherwise = "90 deg", FROM(DEGREES(20), DEGREES(170)), AT(GrooveRecord, angle)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "1.25 times the thickest cable's", ABOVE(0, 1e3),
+     AT(GrooveRecord, radius)},
+    {"depth", KEY_NUMBER, DIM_LENGTH, .otherwise = "`v`: the thickest cable's diameter, `u`: the groove's radius",
+     ABOVE(0, 1e3), AT(GrooveRecord, depth)},
+};
+SECTION(case_groove, "rollers.along.groove", groove_keys);
+
 /* A count of 0 means that the spacing decides. */
 static const CaseKey roller_row_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RollerRowRecord, from)},
@@ -162,6 +174,12 @@ static const CaseKey roller_row_keys[] = {
     {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "from `count`", ABOVE(0, LONG), AT(RollerRowRecord, spacing)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(RollerRowRecord, radius)},
     {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(RollerRowRecord, width)},
+    {"where", KEY_ANY, DIM_LENGTH, .otherwise = "`all`", .form = "`all`, `bends`, `straights` or a list of [from, to]",
+     FROM(-LONG, LONG), AT(RollerRowRecord, where)},
+    {"profile", KEY_CHOICE, .fallback = "flat", .choices = profiles, AT(RollerRowRecord, profile)},
+    {"groove", KEY_SECTION, .otherwise = "its defaults", .section = &case_groove, AT(RollerRowRecord, groove)},
+    {"guide", KEY_CHOICE, .fallback = "none", .choices = guides, AT(RollerRowRecord, guide)},
+    {"gap", KEY_NUMBER, DIM_LENGTH, .fallback = "0 mm", FROM(0, 1e3), AT(RollerRowRecord, gap)},
     {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(RollerRowRecord, rating)},
     {"hold_down", KEY_ANY, DIM_LENGTH, .otherwise = "`none`", .form = "`none`, `sag` or a list of [from, to]",
      FROM(-LONG, LONG), AT(RollerRowRecord, hold_down)},
@@ -176,6 +194,8 @@ static const CaseKey roller_keys[] = {
     {"axis", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(RollerRecord, axis)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(RollerRecord, radius)},
     {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(RollerRecord, width)},
+    {"profile", KEY_CHOICE, .fallback = "flat", .choices = profiles, AT(RollerRecord, profile)},
+    {"groove", KEY_SECTION, .otherwise = "its defaults", .section = &case_groove, AT(RollerRecord, groove)},
     {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(RollerRecord, rating)},
     {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(RollerRecord, friction)},
     {"name", KEY_TEXT, .fallback = "", AT(RollerRecord, name)},
@@ -357,12 +377,36 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 /* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
-    static const CaseSection *const all[] = {
-        &case_top,       &case_cable,       &case_damping_factor, &case_damping_ratio, &case_preload,
-        &case_bending,   &case_chain_piece, &case_route,          &case_route_piece,   &case_lead_in,
-        &case_rollers,   &case_roller_row,  &case_roller,         &case_contact,       &case_friction,
-        &case_drive,     &case_winch,       &case_winch_tension,  &case_trip,          &case_tail,
-        &case_rope_drag, &case_run,         &case_solver,         &case_tolerances,    &case_output,
-        &case_stations,  &case_station,     &case_paper,          &case_paper_term,    NULL};
+    static const CaseSection *const all[] = {&case_top,
+                                             &case_cable,
+                                             &case_damping_factor,
+                                             &case_damping_ratio,
+                                             &case_preload,
+                                             &case_bending,
+                                             &case_chain_piece,
+                                             &case_route,
+                                             &case_route_piece,
+                                             &case_lead_in,
+                                             &case_rollers,
+                                             &case_roller_row,
+                                             &case_groove,
+                                             &case_roller,
+                                             &case_contact,
+                                             &case_friction,
+                                             &case_drive,
+                                             &case_winch,
+                                             &case_winch_tension,
+                                             &case_trip,
+                                             &case_tail,
+                                             &case_rope_drag,
+                                             &case_run,
+                                             &case_solver,
+                                             &case_tolerances,
+                                             &case_output,
+                                             &case_stations,
+                                             &case_station,
+                                             &case_paper,
+                                             &case_paper_term,
+                                             NULL};
     return all;
 }

@@ -154,12 +154,7 @@ static hawser_status contact_fill(Scene *scene, hawser_error *err)
     if (!roller) return error_memory(err);
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const d = &def->rollers[r];
-        roller[r] = (ContactRoller){.shape = {.kind = SHAPE_CYLINDER,
-                                              .centre = d->centre,
-                                              .axis = v3_unit(d->axis),
-                                              .radius = d->radius,
-                                              .half_width = d->width / 2},
-                                    .friction = d->friction};
+        roller[r] = (ContactRoller){.shape = roller_def_shape(d), .friction = d->friction};
     }
     scene->rollers = roller;
     scene->contact = (ContactModel){.geometry = def->geometry,

@@ -48,6 +48,16 @@ void scene_def_defaults(SceneDef *def)
     def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
 }
 
+Shape roller_def_shape(const RollerDef *roller)
+{
+    return (Shape){.kind = roller->profile,
+                   .centre = roller->centre,
+                   .axis = v3_unit(roller->axis),
+                   .radius = roller->radius,
+                   .half_width = roller->width / 2,
+                   .groove = roller->groove};
+}
+
 void scene_def_clear(SceneDef *def)
 {
     free(def->cables);

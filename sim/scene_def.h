@@ -5,6 +5,7 @@
 
 #include "contact/contact_law.h"
 #include "contact/element.h"
+#include "contact/shape.h"
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
@@ -49,9 +50,11 @@ typedef struct ChainPieceDef {
 typedef struct RollerDef {
     char name[NAME_MAX_LENGTH];
     Vec3 centre, axis;    /* m, unit */
-    double radius, width; /* m; width is the whole length of the cylinder */
-    double rating;        /* N; 0: none given */
-    double s;             /* m along the route, for tables; NAN if listed by coordinates */
+    double radius, width; /* m; at the groove's bottom, if it has one; width is its whole length */
+    ShapeKind profile;
+    Groove groove; /* unless the profile is a cylinder's */
+    double rating; /* N; 0: none given */
+    double s;      /* m along the route, for tables; NAN if listed by coordinates */
     int hold_down;
     FrictionLaw friction;
 } RollerDef;
@@ -172,6 +175,8 @@ typedef struct SceneDef {
 /* Every default there is; docs/case-format.md lists them. */
 void scene_def_defaults(SceneDef *def);
 void scene_def_clear(SceneDef *def);
+/* What the cable touches of a roller. */
+Shape roller_def_shape(const RollerDef *roller);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
 

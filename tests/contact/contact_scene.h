@@ -56,7 +56,9 @@ static inline void scene_free(TestScene *s)
 static inline ContactRoller *scene_roller(TestScene *s, Vec3 centre, Vec3 axis, double radius, double half_width)
 {
     ContactRoller *roller = &s->roller[s->model.n_rollers++];
-    *roller = (ContactRoller){{SHAPE_CYLINDER, centre, axis, radius, half_width}, {0.2, 0.15, 5e-3, 2e-2}};
+    *roller = (ContactRoller){
+        .shape = {.kind = SHAPE_CYLINDER, .centre = centre, .axis = axis, .radius = radius, .half_width = half_width},
+        .friction = {0.2, 0.15, 5e-3, 2e-2}};
     return roller;
 }
 

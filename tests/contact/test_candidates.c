@@ -23,8 +23,12 @@ static void scene_wind(TestScene *s, ContactGeometry geometry, double reach)
         const double away = r % 8 ? 0.14 : 3;
         const Vec3 centre = v3_axpy(vector_of(s->kin.p, i), away, v3_unit(random_vector(&seed)));
         const double radius = 0.1 + 0.05 * random_next(&seed), half_width = 0.5 + 0.4 * random_next(&seed);
-        rollers[r] = (ContactRoller){{SHAPE_CYLINDER, centre, v3_unit(random_vector(&seed)), radius, half_width},
-                                     {0.2, 0.1, 5e-3, 2e-2}};
+        rollers[r] = (ContactRoller){.shape = {.kind = SHAPE_CYLINDER,
+                                               .centre = centre,
+                                               .axis = v3_unit(random_vector(&seed)),
+                                               .radius = radius,
+                                               .half_width = half_width},
+                                     .friction = {0.2, 0.1, 5e-3, 2e-2}};
     }
     s->model.roller = rollers;
     s->model.n_rollers = ROLLERS;

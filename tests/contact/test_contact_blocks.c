@@ -10,7 +10,8 @@
 
 enum { N = 6 };
 
-typedef enum Place { PLACE_LATERAL, PLACE_RIM, PLACE_END } Place;
+typedef enum Place { PLACE_LATERAL, PLACE_RIM, PLACE_END, PLACE_FLANK, PLACE_HOLLOW, PLACE_LIP } Place;
+static const char *const place_name[] = {"lateral", "rim", "end", "flank", "hollow", "lip"};
 
 /* A crooked, moving chain. */
 static void chain_disturb(TestScene *s, double speed, uint64_t *seed)
@@ -28,6 +29,31 @@ static void chain_disturb(TestScene *s, double speed, uint64_t *seed)
     }
 }
 
+/* A grooved roller whose groove touches the line at p with normal `out`: on a flank of a V, in the hollow of a U or on
+ * a lip. In the half plane of the contact the normal is cos(turn) e_rho - sin(turn) b, and `across` is in it too. */
+static void groove_place(TestScene *s, Vec3 p, Vec3 out, Vec3 across, double clear, Place place, uint64_t *seed)
+{
+    const double bottom = 0.08, half_width = 0.25, half_angle = 0.8, arc = 0.09;
+    const Groove groove = place == PLACE_HOLLOW ? groove_u(arc, 0.07) : groove_v(half_angle, 0.12);
+    const double lean = place == PLACE_FLANK ? 1.5707963267948966 - half_angle : 0.3 + 0.2 * random_next(seed);
+    const Vec3 e_rho = v3_axpy(v3_scale(cos(lean), out), sin(lean), across);
+    const Vec3 axis = v3_axpy(v3_scale(-sin(lean), out), cos(lean), across);
+    /* where in the half plane the line is */
+    double rho = bottom + groove.depth + clear * cos(lean), zeta = groove.lip - clear * sin(lean);
+    if (place == PLACE_FLANK) {
+        const double along = 0.09 + 0.02 * random_next(seed);
+        rho = bottom + along * groove.cosine + clear * groove.sine;
+        zeta = along * groove.sine - clear * groove.cosine;
+    } else if (place == PLACE_HOLLOW) {
+        rho = bottom + arc - (arc - clear) * cos(lean);
+        zeta = (arc - clear) * sin(lean);
+    }
+    ContactRoller *const roller =
+        scene_roller(s, v3_axpy(v3_axpy(p, -rho, e_rho), -zeta, axis), axis, bottom, half_width);
+    roller->shape.kind = place == PLACE_HOLLOW ? SHAPE_U_GROOVE : SHAPE_V_GROOVE;
+    roller->shape.groove = groove;
+}
+
 /* A roller that touches element e at u (or beyond the line's tail, for PLACE_END) with a penetration of
  * `depth`. */
 static void roller_place(TestScene *s, int e, double u, double depth, Place place, uint64_t *seed)
@@ -41,6 +67,10 @@ static void roller_place(TestScene *s, int e, double u, double depth, Place plac
     const Vec3 across = v3_unit(v3_cross(out, tangent));
     const Vec3 axis = v3_unit(v3_axpy(across, 0.4 * random_next(seed), v3_reject(tangent, out)));
     const double clear = element_radius(&element, &s->chain, u) - depth;
+    if (place >= PLACE_FLANK) {
+        groove_place(s, p, out, v3_unit(v3_axpy(across, 0.1 * random_next(seed), tangent)), clear, place, seed);
+        return;
+    }
     const double radius = 0.1, half_width = 0.2;
     Vec3 centre = v3_axpy(v3_axpy(p, -(radius + clear), out), 0.1 * random_next(seed), axis);
     Vec3 turned = axis;
@@ -137,7 +167,7 @@ static void states_check(ContactGeometry geometry, Place place)
         const double error = random_state_error(geometry, speeds[i % 4], place, &seed);
         worst = fmax(worst, error);
     }
-    print_message("geometry %d place %d: %d active (%d clamped), worst %.2e\n", geometry, place, active_count,
+    print_message("geometry %d, %s: %d active (%d clamped), worst %.2e\n", geometry, place_name[place], active_count,
                   clamped_count, worst);
     assert_true(active_count > 80);
     assert_true(worst < 1e-6);
@@ -176,12 +206,28 @@ static void test_cylinder_end(void **state)
     assert_true(clamped_count > 40);
 }
 
+static void test_smooth_grooves(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_SMOOTH, PLACE_FLANK);
+    states_check(GEOMETRY_SMOOTH, PLACE_HOLLOW);
+    states_check(GEOMETRY_SMOOTH, PLACE_LIP);
+}
+static void test_cylinder_grooves(void **state)
+{
+    (void)state;
+    states_check(GEOMETRY_CYLINDER, PLACE_FLANK);
+    states_check(GEOMETRY_CYLINDER, PLACE_HOLLOW);
+    states_check(GEOMETRY_CYLINDER, PLACE_LIP);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_smooth_lateral), cmocka_unit_test(test_smooth_rim),
         cmocka_unit_test(test_smooth_end),     cmocka_unit_test(test_cylinder_lateral),
         cmocka_unit_test(test_cylinder_rim),   cmocka_unit_test(test_cylinder_end),
+        cmocka_unit_test(test_smooth_grooves), cmocka_unit_test(test_cylinder_grooves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

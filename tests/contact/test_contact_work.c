@@ -27,7 +27,7 @@ static void surface_at(const TestScene *s, const ContactDetail *hit, Vec3 *point
 {
     const Element element = element_at(s->model.geometry, N, hit->element);
     const double radius = element_radius(&element, &s->chain, hit->u);
-    *normal = shape_probe(&s->roller[hit->roller].shape, hit->point).normal;
+    *normal = shape_probe(&s->roller[hit->roller].shape, hit->face, hit->point).normal;
     *point = v3_axpy(hit->point, -radius, *normal);
     /* the material moves with the segments: difference quotient of a copy moved by v and w for a short time
      */

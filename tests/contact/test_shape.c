@@ -3,7 +3,11 @@
 
 #include <math.h>
 
-static const Shape roller = {SHAPE_CYLINDER, {0.3, -0.2, 0.1}, {2.0 / 3, -1.0 / 3, 2.0 / 3}, 0.1, 0.25};
+static const Shape roller = {.kind = SHAPE_CYLINDER,
+                             .centre = {0.3, -0.2, 0.1},
+                             .axis = {2.0 / 3, -1.0 / 3, 2.0 / 3},
+                             .radius = 0.1,
+                             .half_width = 0.25};
 
 /* A point by its cylindrical coordinates about the roller. */
 static Vec3 point_at(double rho, double angle, double z)
@@ -38,13 +42,13 @@ static void test_derivatives(void **state)
         const Vec3 p = point_at(rho, 3 * random_next(&seed), z);
         const double q_rho = rho - roller.radius, q_z = fabs(z) - roller.half_width;
         if (fabs(q_rho) < 1e-3 || fabs(q_z) < 1e-3 || (q_rho < 0 && q_z < 0)) continue; /* region borders */
-        const ShapeProbe probe = shape_probe(&roller, p);
+        const ShapeProbe probe = shape_probe(&roller, 0, p);
         assert_near(probe.distance, shape_distance(&roller, p), 1e-15);
         assert_near(v3_norm(probe.normal), 1, 1e-14);
         for (int c = 0; c < 3; ++c) {
             const Vec3 e = v3(c == 0, c == 1, c == 2);
-            const ShapeProbe plus = shape_probe(&roller, v3_axpy(p, step, e));
-            const ShapeProbe minus = shape_probe(&roller, v3_axpy(p, -step, e));
+            const ShapeProbe plus = shape_probe(&roller, 0, v3_axpy(p, step, e));
+            const ShapeProbe minus = shape_probe(&roller, 0, v3_axpy(p, -step, e));
             assert_near((plus.distance - minus.distance) / (2 * step), v3_dot(probe.normal, e), 1e-8);
             const Vec3 column = v3_scale(1 / (2 * step), v3_sub(plus.normal, minus.normal));
             /* third derivatives grow as 1/distance^2 near the rim */
@@ -60,12 +64,12 @@ static void test_smooth_across_regions(void **state)
     const double tiny = 1e-9;
     for (double angle = 0; angle < 6; angle += 0.7) {
         for (double out = 0.01; out < 0.2; out += 0.05) {
-            const ShapeProbe a = shape_probe(&roller, point_at(0.1 + out, angle, 0.25 - tiny));
-            const ShapeProbe b = shape_probe(&roller, point_at(0.1 + out, angle, 0.25 + tiny));
+            const ShapeProbe a = shape_probe(&roller, 0, point_at(0.1 + out, angle, 0.25 - tiny));
+            const ShapeProbe b = shape_probe(&roller, 0, point_at(0.1 + out, angle, 0.25 + tiny));
             assert_near(a.distance, b.distance, 1e-15);
             assert_true(v3_norm(v3_sub(a.normal, b.normal)) < 3 * tiny / out);
-            const ShapeProbe c = shape_probe(&roller, point_at(0.1 - tiny, angle, 0.25 + out));
-            const ShapeProbe d = shape_probe(&roller, point_at(0.1 + tiny, angle, 0.25 + out));
+            const ShapeProbe c = shape_probe(&roller, 0, point_at(0.1 - tiny, angle, 0.25 + out));
+            const ShapeProbe d = shape_probe(&roller, 0, point_at(0.1 + tiny, angle, 0.25 + out));
             assert_near(c.distance, d.distance, 1e-15);
             assert_true(v3_norm(v3_sub(c.normal, d.normal)) < 3 * tiny / out);
         }
@@ -76,7 +80,7 @@ static void test_smooth_across_regions(void **state)
 static void test_axis_is_finite(void **state)
 {
     (void)state;
-    const ShapeProbe probe = shape_probe(&roller, roller.centre);
+    const ShapeProbe probe = shape_probe(&roller, 0, roller.centre);
     assert_near(probe.distance, -0.1, 1e-15);
     assert_true(isfinite(v3_norm(probe.normal)));
 }

@@ -163,6 +163,7 @@ static void wrong_any(const Site *site, Coverage *coverage)
         {"plane", {"upp", "5 kg", "nan", "inf", "[1]", "{a: 1}", "", "30x", "1000 deg", "-7"}},
         {"along",
          {"7", "[7]", "[[1]]", "{a: 1}", "[{from: 1}, {}]", "''", "{spacing: 1, count: 2}", "{}", "[~]", "nan"}},
+        {"where", {"bend", "true", "7", "[7]", "[[1, 2, 3]]", "[[2, 1]]", "[[1, nan]]", "{a: 1}", "", "[[1, 5 kg]]"}},
         {"hold_down",
          {"sagg", "true", "7", "[7]", "[[1, 2, 3]]", "[[2, 1]]", "[[1, nan]]", "{a: 1}", "", "[[1, 5 kg]]"}},
         {"k", {"5 kg", "nan", "inf", "-1", "0", "1e8 N/m^9", "1e8 N/m", "[1]", "1e8x", ""}},
@@ -234,6 +235,7 @@ static const CaseSection *section_of(const CaseNode *map)
                               number ? "N" : word);
     }
     if (strstr(general, "friction")) return &case_friction;
+    if (strstr(general, "groove")) return &case_groove;
     if (strcmp(general, "rollers.along.N") == 0) return &case_roller_row;
     if (strcmp(general, "output.stations.N") == 0) return &case_station;
     for (const CaseSection *const *s = case_sections(); *s; s++) {

@@ -1,0 +1,193 @@
+/* A cable in grooves: both flanks of a V bear it and count as one roller; forces and moments balance and turn with the
+ * scene; pushed over every edge the force never jumps; in a U a cable that lies askew finds its nearest point. */
+#include "tests/contact/contact_scene.h"
+
+#include <math.h>
+
+enum { N = 6 };
+
+static ContactRoller *grooved_roller(TestScene *s, Vec3 centre, Vec3 axis, Groove groove, ShapeKind kind)
+{
+    ContactRoller *const roller = scene_roller(s, centre, axis, 0.08, 0.25);
+    roller->shape.kind = kind;
+    roller->shape.groove = groove;
+    return roller;
+}
+
+/* Pressed into the middle of a V by `depth`: each flank pushes with k depth^e, together along the bisector. */
+static void test_both_flanks(void **state)
+{
+    (void)state;
+    TestScene s;
+    scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
+    const double half_angle = 0.7, depth = 1e-3, radius = s.chain.radius[0];
+    const double seat = 0.08 + (radius - depth) / sin(half_angle);
+    grooved_roller(&s, v3(1.6, 0, -seat), v3(0, 1, 0), groove_v(half_angle, 0.1), SHAPE_V_GROOVE);
+    scene_refresh(&s);
+    scene_forces(&s, 1);
+    ContactDetail hit[SCENE_HITS_MAX];
+    assert_int_equal(contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit), 2);
+    assert_int_equal(s.pairs.active, 2);
+    assert_true(hit[0].face == 0 && hit[1].face == 1 && hit[0].roller == 0 && hit[1].roller == 0);
+    const double N_flank = s.model.impact.k * pow(depth, s.model.impact.e);
+    for (int h = 0; h < 2; ++h) {
+        assert_true(fabs(hit[h].normal / N_flank - 1) < 1e-9);
+        assert_true(fabs(hit[h].point.x - 1.6) < 1e-9);
+    }
+    /* one roller, one force: 2 N sin(half angle) down on it */
+    assert_true(fabs(s.on_roller[0].z / (-2 * N_flank * sin(half_angle)) - 1) < 1e-9);
+    assert_true(fabs(s.on_roller[0].x) + fabs(s.on_roller[0].y) < 1e-9 * N_flank);
+    scene_free(&s);
+}
+
+/* Sliding along it each flank rubs: mu/sin(half angle) of the load. */
+static void test_wedge_friction(void **state)
+{
+    (void)state;
+    TestScene s;
+    scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
+    const double half_angle = 0.5;
+    const double seat = 0.08 + (s.chain.radius[0] - 5e-4) / sin(half_angle);
+    ContactRoller *const roller =
+        grooved_roller(&s, v3(1.6, 0, -seat), v3(0, 1, 0), groove_v(half_angle, 0.12), SHAPE_V_GROOVE);
+    for (int i = 0; i < N; ++i) s.kin.v[0][i] = 0.1;
+    scene_refresh(&s);
+    scene_forces(&s, 1);
+    const double effective = roller->friction.mu_d / sin(half_angle);
+    assert_true(fabs(s.on_roller[0].x / -s.on_roller[0].z / effective - 1) < 1e-9);
+    scene_free(&s);
+}
+
+/* A crooked, moving chain in a groove, all of it turned and shifted. */
+static void groove_scene(TestScene *s, ShapeKind kind, Quat turn, Vec3 shift)
+{
+    uint64_t seed = 3;
+    scene_new(s, GEOMETRY_SMOOTH, N, 0.5);
+    for (int i = 0; i < N; ++i) {
+        const Vec3 a = v3_unit(v3_axpy(v3(1, 0, 0), 0.02, random_vector(&seed)));
+        vector_to(s->kin.a, i, a);
+        vector_to(s->kin.v, i, quat_rotate(turn, v3_scale(0.05, random_vector(&seed))));
+        vector_to(s->kin.w, i, quat_rotate(turn, v3_scale(0.1, random_vector(&seed))));
+    }
+    scene_join(s, v3(0, 0, 0));
+    const Groove groove = kind == SHAPE_V_GROOVE ? groove_v(0.8, 0.12) : groove_u(0.06, 0.05);
+    const Shape shape = {.kind = kind, .radius = 0.08, .groove = groove};
+    for (int r = 0; r < 3; ++r) {
+        const Element element = element_at(GEOMETRY_SMOOTH, N, r + 2);
+        const Vec3 p = element_point(&element, &s->chain, &s->kin, 0.4);
+        const Vec3 centre = v3_axpy(p, -(shape_seat(&shape, s->chain.radius[0]) - 1e-3), v3(0, 0, 1));
+        grooved_roller(s, v3_add(shift, quat_rotate(turn, centre)), quat_rotate(turn, v3(0, 1, 0)), groove, kind);
+    }
+    for (int i = 0; i < N; ++i) {
+        vector_to(s->kin.p, i, v3_add(shift, quat_rotate(turn, vector_of(s->kin.p, i))));
+        vector_to(s->kin.a, i, quat_rotate(turn, vector_of(s->kin.a, i)));
+    }
+    scene_refresh(s);
+    scene_forces(s, 1);
+}
+
+static void test_balance_and_objectivity(void **state)
+{
+    (void)state;
+    const Quat turn = quat_unit((Quat){0.4, -0.3, 0.7, 0.2});
+    for (ShapeKind kind = SHAPE_V_GROOVE; kind <= SHAPE_U_GROOVE; ++kind) {
+        TestScene s, t;
+        groove_scene(&s, kind, (Quat){1, 0, 0, 0}, v3(0, 0, 0));
+        groove_scene(&t, kind, turn, v3(2, -1, 3));
+        assert_true(s.pairs.active >= 3 && t.pairs.active == s.pairs.active);
+        Vec3 sum = v3(0, 0, 0);
+        double size = 0;
+        for (int r = 0; r < 3; ++r) {
+            sum = v3_add(sum, s.on_roller[r]);
+            size += v3_norm(s.on_roller[r]);
+            const Vec3 turned = quat_rotate(turn, s.on_roller[r]);
+            assert_true(v3_norm(v3_sub(turned, t.on_roller[r])) < 1e-9 * v3_norm(turned));
+        }
+        for (int i = 0; i < N; ++i) {
+            sum = v3_add(sum, vector_of(s.loads.f, i));
+            const Vec3 f = quat_rotate(turn, vector_of(s.loads.f, i)), m = quat_rotate(turn, vector_of(s.loads.m, i));
+            assert_true(v3_norm(v3_sub(f, vector_of(t.loads.f, i))) < 1e-9 * size);
+            assert_true(v3_norm(v3_sub(m, vector_of(t.loads.m, i))) < 1e-9 * size);
+        }
+        assert_true(v3_norm(sum) < 1e-12 * size);
+        scene_free(&s);
+        scene_free(&t);
+    }
+}
+
+/* The force of a straight cable that is moved sideways over the roller, 1 mm into its lips, in steps of `step`. */
+static double largest_jump(ShapeKind kind, Groove groove, double step)
+{
+    TestScene s;
+    scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
+    grooved_roller(&s, v3(1.6, 0, 0), v3(0, 1, 0), groove, kind);
+    s.model.impact.c = 0;
+    for (int i = 0; i < N; ++i) s.kin.p[2][i] = 0.08 + groove.depth + s.chain.radius[0] - 1e-3;
+    scene_refresh(&s);
+    double jump = 0;
+    Vec3 before = v3(0, 0, 0);
+    int touching = 0;
+    for (double y = -0.35; y < 0.35; y += step) {
+        for (int i = 0; i < N; ++i) s.kin.p[1][i] = y;
+        scene_forces(&s, 0);
+        touching += s.pairs.active > 0;
+        if (y > -0.349) jump = fmax(jump, v3_norm(v3_sub(s.on_roller[0], before)));
+        before = s.on_roller[0];
+    }
+    assert_true(touching > 1000);
+    scene_free(&s);
+    return jump;
+}
+
+/* A force that has no jump changes by half as much in half a step. */
+static void test_pushed_over_edges(void **state)
+{
+    (void)state;
+    const Groove groove[2] = {groove_v(0.8, 0.12), groove_u(0.06, 0.05)};
+    for (int k = 0; k < 2; ++k) {
+        const ShapeKind kind = k == 0 ? SHAPE_V_GROOVE : SHAPE_U_GROOVE;
+        const double coarse = largest_jump(kind, groove[k], 4e-5), fine = largest_jump(kind, groove[k], 1e-5);
+        assert_true(coarse > 0 && fine < 0.3 * coarse);
+    }
+}
+
+/* Askew by up to 25 deg in a U, far beyond (GR7): what is found is a minimum of the gap along the line, never the
+ * maximum between two. */
+static void test_askew_in_u(void **state)
+{
+    (void)state;
+    for (double skew = 0; skew < 0.45; skew += 0.01) {
+        TestScene s;
+        scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
+        for (int i = 0; i < N; ++i) {
+            vector_to(s.kin.a, i, v3(cos(skew), sin(skew), 0));
+            vector_to(s.kin.p, i, v3_scale((i - 2) * 0.5, v3(cos(skew), sin(skew), 0)));
+        }
+        /* the middle of an arc is over the middle of the roller: the maximum, if there is one */
+        grooved_roller(&s, v3(0.25 * cos(skew), 0.25 * sin(skew), -0.08 - s.chain.radius[0] + 1e-3), v3(0, 1, 0),
+                       groove_u(0.05, 0.045), SHAPE_U_GROOVE);
+        scene_refresh(&s);
+        ContactDetail hit[SCENE_HITS_MAX];
+        const int hits = contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit);
+        assert_int_equal(hits, 1);
+        assert_true(hit[0].normal > 0);
+        const Element element = element_at(GEOMETRY_SMOOTH, N, hit[0].element);
+        for (int side = -1; side <= 1; side += 2) {
+            const Vec3 p = element_point(&element, &s.chain, &s.kin, hit[0].u + side * 1e-3);
+            assert_true(shape_distance(&s.roller[0].shape, p) - s.chain.radius[0] >= hit[0].gap - 1e-12);
+        }
+        scene_free(&s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_both_flanks),
+        cmocka_unit_test(test_wedge_friction),
+        cmocka_unit_test(test_balance_and_objectivity),
+        cmocka_unit_test(test_pushed_over_edges),
+        cmocka_unit_test(test_askew_in_u),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
