@@ -164,8 +164,8 @@ static void test_sliding(void **state)
 /* The work of the forces on the upper strand, moved as a rigid body round a closed path in position and angle. */
 static double work_round(SelfScene *s, int steps)
 {
-    Vec3 force[2], moment[2];
-    double work = 0, angle[2], at[2], apart[2];
+    Vec3 force[2] = {{0, 0, 0}}, moment[2] = {{0, 0, 0}};
+    double work = 0, angle[2] = {0}, at[2] = {0}, apart[2] = {0};
     for (int k = 0; k <= steps; ++k) {
         const double phase = 2 * M_PI * k / steps;
         angle[1] = 0.8 + 0.5 * sin(phase);
