@@ -8,11 +8,11 @@
 #include "linsolve/backend.h"
 #include "linsolve/block_solver.h"
 #include "linsolve/leaves.h"
+#include "linsolve/small_lu.h"
 
 /* Letters of (L11): inner matrix A (chain and leaves), border columns B, rows C, corner E; P = A^-1 B, S = E - C P. */
 typedef struct BorderedSolver {
     BlockSolver block;
-    Lapack lapack;
     Leaves leaves;
     BlockChain condensed; /* the chain less the leaves; empty without leaves */
     int nb, w;            /* unknowns of the chain, of the border */
@@ -20,7 +20,7 @@ typedef struct BorderedSolver {
     double *p_leaf;       /* [w][leaves.unknowns]: P's rows of the leaves */
     double *bottom;       /* [(nb + leaves.unknowns)*w]: C, as in NewtonMatrix */
     double *s;            /* [w*w]: LU of S */
-    lapack_int *pivot;    /* [w] */
+    int *pivot;           /* [w] */
     double growth, growth_limit;
 } BorderedSolver;
 
@@ -29,7 +29,6 @@ static void bordered_drop(void *self)
     BorderedSolver *const s = self;
     block_solver_release(&s->block);
     leaves_release(&s->leaves);
-    lapack_unload(&s->lapack);
     block_chain_free(&s->condensed);
     free(s->p_chain);
     free(s->p_leaf);
@@ -45,7 +44,7 @@ static int bordered_alloc(BorderedSolver *s, const NewtonMatrix *a, const LinOpt
     Team *const team = options->threads > 1 ? options->team : NULL;
     const size_t w = (size_t)s->w, m = (size_t)newton_inner(a);
     if (!block_solver_init(&s->block, c->n, c->b, isa_best(), s->growth_limit, team)) return 0;
-    if (!lapack_load(&s->lapack) || !leaves_init(&s->leaves, a, &s->lapack)) return 0;
+    if (!leaves_init(&s->leaves, a)) return 0;
     if (a->leaves && !block_chain_alloc(&s->condensed, c->n, c->b)) return 0;
     s->p_chain = malloc((w * (size_t)s->nb + 1) * sizeof(double));
     s->p_leaf = malloc((w * (size_t)s->leaves.unknowns + 1) * sizeof(double));
@@ -108,7 +107,6 @@ static int border_factor(BorderedSolver *s, const NewtonMatrix *a)
     const int w = s->w, nb = s->nb, nl = s->leaves.unknowns;
     memcpy(s->bottom, a->bottom, (size_t)w * (size_t)(nb + nl) * sizeof(double));
     memcpy(s->s, a->corner, (size_t)w * (size_t)w * sizeof(double));
-    double scale = 0;
     for (int c = 0; c < w; ++c) {
         const double *const right = a->right + (size_t)c * (size_t)(nb + nl);
         memcpy(s->p_chain + c * nb, right, (size_t)nb * sizeof(double));
@@ -116,12 +114,7 @@ static int border_factor(BorderedSolver *s, const NewtonMatrix *a)
     }
     inner_solve(s, w, s->p_chain, s->p_leaf);
     for (int c = 0; c < w; ++c) bottom_subtract(s, s->p_chain + c * nb, s->p_leaf + c * nl, s->s + c * w);
-    for (int k = 0; k < w * w; ++k) scale = fmax(scale, fabs(s->s[k]));
-    if (s->lapack.dgetrf_work(LAPACK_COL_MAJOR, w, w, s->s, w, s->pivot)) return LIN_UNSTABLE;
-    for (int k = 0; k < w; ++k) {
-        if (!(fabs(s->s[k * w + k]) > 1e-14 * scale)) return LIN_UNSTABLE;
-    }
-    return 0;
+    return small_lu_factor(w, s->s, s->pivot) ? LIN_UNSTABLE : 0;
 }
 
 static int bordered_factor(void *self, const LinMatrix *a)
@@ -140,7 +133,7 @@ static void solve_one(BorderedSolver *s, double *x)
     inner_solve(s, 1, x, leaf);
     if (!w) return;
     bottom_subtract(s, x, leaf, z);
-    s->lapack.dgetrs_work(LAPACK_COL_MAJOR, 'N', w, 1, s->s, w, s->pivot, z, w);
+    small_lu_solve(w, s->s, s->pivot, z);
     for (int c = 0; c < w; ++c) {
         for (int k = 0; k < nb; ++k) x[k] -= z[c] * s->p_chain[c * nb + k];
         for (int k = 0; k < nl; ++k) leaf[k] -= z[c] * s->p_leaf[c * nl + k];

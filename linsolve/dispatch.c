@@ -17,6 +17,7 @@ struct LinSolver {
     int chain_n, chain_b;    /* of the NewtonMatrix, to catch misuse */
     int groups, *group_at;   /* as in LinMatrix */
     SparseAssembly assembly; /* where the back end wants compressed columns */
+    int *leaf_at;            /* there: [2 leaves] at and touches of every leaf when the pattern was analysed */
     Team *team;              /* own team, if the caller lent none */
     LinSolver *backup;       /* KLU, made when the back end first gives up on a matrix */
     int use_backup;          /* the present factors are the backup's */
@@ -88,6 +89,26 @@ static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
     return 0;
 }
 
+/* Whether leaves have moved since the pattern was analysed, and where they are now; 0 if there is no memory. */
+static int places_changed(const LinSolver *s, const NewtonMatrix *a)
+{
+    int changed = 0;
+    for (int l = 0; l < a->leaves; ++l) {
+        const Leaf *const leaf = a->leaf + l;
+        changed |= s->leaf_at[2 * l + 1] != leaf->touches || (leaf->touches && s->leaf_at[2 * l] != leaf->at);
+    }
+    return changed;
+}
+static int places_keep(LinSolver *s, const NewtonMatrix *a)
+{
+    if (!s->leaf_at) s->leaf_at = malloc((2 * (size_t)a->leaves + 1) * sizeof *s->leaf_at);
+    for (int l = 0; s->leaf_at && l < a->leaves; ++l) {
+        s->leaf_at[2 * l] = a->leaf[l].at;
+        s->leaf_at[2 * l + 1] = a->leaf[l].touches;
+    }
+    return s->leaf_at != NULL;
+}
+
 /* Everything that depends on the pattern; 0 if there is no memory. */
 static int solver_analyse(LinSolver *s, LinMatrix *a)
 {
@@ -108,9 +129,22 @@ static int solver_analyse(LinSolver *s, LinMatrix *a)
         a->sparse = &s->assembly.a;
         a->groups = s->groups;
         a->group_at = s->group_at;
+        if (!places_keep(s, a->newton)) return 0;
     }
     s->self = s->backend->make(a, &s->options);
     return s->self != NULL;
+}
+
+/* A sparse back end starts again with the pattern that the leaves make where they are now; 0 if there is no memory. */
+static int solver_analyse_again(LinSolver *s, const NewtonMatrix *a)
+{
+    LinMatrix m = {.newton = a};
+    s->backend->drop(s->self);
+    s->self = NULL;
+    sparse_assembly_free(&s->assembly);
+    free(s->group_at);
+    s->group_at = NULL;
+    return solver_analyse(s, &m);
 }
 
 static LinSolver *solver_new(LinMatrix a, const LinOptions *options, hawser_error *err)
@@ -128,7 +162,7 @@ static LinSolver *solver_new(LinMatrix a, const LinOptions *options, hawser_erro
     if (!kind_settle(s, &a, err)) return linsolver_free(s);
     if (solver_analyse(s, &a)) return s;
     const LinKind kind = s->options.kind;
-    if (kind == LIN_BAND || kind == LIN_DENSE || kind == LIN_BORDERED) {
+    if (kind == LIN_BAND || kind == LIN_DENSE) {
         error_set(err, HAWSER_ERR_MEMORY,
                   "no memory for the solver '%s', or its library liblapacke.so.3 is not installed",
                   linsolver_kind_name(kind));
@@ -162,6 +196,7 @@ LinSolver *linsolver_free(LinSolver *s)
     s->team = team_free(s->team);
     sparse_assembly_free(&s->assembly);
     free(s->group_at);
+    free(s->leaf_at);
     free(s);
     return NULL;
 }
@@ -189,6 +224,12 @@ int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a)
     assert(!s->general && a->chain.n == s->chain_n && a->chain.b == s->chain_b && newton_size(a) == s->size);
     LinMatrix m = {.newton = a, .groups = s->groups, .group_at = s->group_at};
     if (s->backend->sparse) {
+        if (!s->self || places_changed(s, a)) {
+            s->ready = 0;
+            if (!solver_analyse_again(s, a)) return -1;
+            m.groups = s->groups;
+            m.group_at = s->group_at;
+        }
         sparse_assembly_refresh(&s->assembly, a);
         m.sparse = &s->assembly.a;
     }

@@ -6,17 +6,17 @@
 #include <string.h>
 
 #include "linsolve/backend.h"
+#include "linsolve/small_lu.h"
 
-int leaves_init(Leaves *s, const NewtonMatrix *a, const Lapack *lapack)
+int leaves_init(Leaves *s, const NewtonMatrix *a)
 {
-    *s = (Leaves){.b = a->chain.b, .leaves = a->leaves, .lapack = lapack};
+    *s = (Leaves){.b = a->chain.b, .leaves = a->leaves};
     s->factor = calloc((size_t)a->leaves + 1, sizeof *s->factor);
     if (!s->factor) return 0;
     for (int l = 0; l < a->leaves; ++l) {
         const Leaf *const leaf = a->leaf + l;
-        assert(leaf->size >= 1 && leaf->size <= LEAF_MAX && leaf->touches >= 0 && leaf->touches <= 2);
-        assert(leaf->touches == 0 || (leaf->at >= 0 && leaf->at + leaf->touches <= a->chain.n));
-        s->factor[l] = (LeafFactor){.size = leaf->size, .at = leaf->at, .touches = leaf->touches, .first = s->unknowns};
+        assert(leaf->size >= 1 && leaf->size <= LEAF_MAX);
+        s->factor[l] = (LeafFactor){.size = leaf->size, .first = s->unknowns};
         s->unknowns += leaf->size;
     }
     return 1;
@@ -46,19 +46,20 @@ static double largest(int count, const double *a)
     return most;
 }
 
-/* E^-1 by LAPACK; LIN_UNSTABLE if a pivot is rounding against the entries of E. */
-static int leaf_invert(const Lapack *lapack, LeafFactor *f, const double *diag)
+/* E^-1, column by column; LIN_UNSTABLE if a pivot is rounding against the entries of E. */
+static int leaf_invert(LeafFactor *f, const double *diag)
 {
-    lapack_int pivot[LEAF_MAX];
-    double work[LEAF_MAX * LEAF_MAX];
+    int pivot[LEAF_MAX];
+    double lu[LEAF_MAX * LEAF_MAX];
     const int d = f->size;
-    const double scale = largest(d * d, diag);
-    memcpy(f->inverse, diag, (size_t)(d * d) * sizeof(double));
-    if (!isfinite(scale) || lapack->dgetrf_work(LAPACK_COL_MAJOR, d, d, f->inverse, d, pivot)) return LIN_UNSTABLE;
+    memcpy(lu, diag, (size_t)(d * d) * sizeof(double));
+    if (small_lu_factor(d, lu, pivot)) return LIN_UNSTABLE;
+    memset(f->inverse, 0, sizeof f->inverse);
     for (int k = 0; k < d; ++k) {
-        if (!(fabs(f->inverse[k * d + k]) > 1e-14 * scale)) return LIN_UNSTABLE;
+        f->inverse[k * d + k] = 1;
+        small_lu_solve(d, lu, pivot, f->inverse + k * d);
     }
-    return lapack->dgetri_work(LAPACK_COL_MAJOR, d, f->inverse, d, pivot, work, LEAF_MAX * LEAF_MAX) ? LIN_UNSTABLE : 0;
+    return 0;
 }
 
 static double *chain_block(const BlockChain *chain, int i, int j)
@@ -67,11 +68,14 @@ static double *chain_block(const BlockChain *chain, int i, int j)
     return blocks + (size_t)i * (size_t)(chain->b * chain->b);
 }
 
-static int leaf_condense(const Lapack *lapack, LeafFactor *f, const Leaf *leaf, BlockChain *chain, double growth_limit,
-                         double *growth)
+static int leaf_condense(LeafFactor *f, const Leaf *leaf, BlockChain *chain, double growth_limit, double *growth)
 {
     const int b = chain->b, d = f->size, bb = b * b;
-    if (leaf_invert(lapack, f, leaf->diag)) return LIN_UNSTABLE;
+    assert(leaf->size == d && leaf->touches >= 0 && leaf->touches <= 2);
+    assert(leaf->touches == 0 || (leaf->at >= 0 && leaf->at + leaf->touches <= chain->n));
+    f->at = leaf->at;
+    f->touches = leaf->touches;
+    if (leaf_invert(f, leaf->diag)) return LIN_UNSTABLE;
     for (int k = 0; k < f->touches; ++k) {
         memcpy(f->into[k], leaf->into[k], (size_t)(b * d) * sizeof(double));
         memset(f->back[k], 0, sizeof f->back[k]);
@@ -93,7 +97,7 @@ static int leaf_condense(const Lapack *lapack, LeafFactor *f, const Leaf *leaf, 
 int leaves_condense(Leaves *s, const NewtonMatrix *a, BlockChain *chain, double growth_limit, double *growth)
 {
     for (int l = 0; l < s->leaves; ++l) {
-        const int status = leaf_condense(s->lapack, s->factor + l, a->leaf + l, chain, growth_limit, growth);
+        const int status = leaf_condense(s->factor + l, a->leaf + l, chain, growth_limit, growth);
         if (status) return status;
     }
     return 0;

@@ -3,12 +3,11 @@
 #ifndef HAWSER_LINSOLVE_LEAVES_H
 #define HAWSER_LINSOLVE_LEAVES_H
 
-#include "linsolve/lapack.h"
 #include "linsolve/newton_matrix.h"
 
 /* One leaf, eliminated. */
 typedef struct LeafFactor {
-    int size, at, touches;
+    int size, at, touches;               /* as at the last factorisation */
     int first;                           /* its first unknown, counted from the first leaf's */
     double inverse[LEAF_MAX * LEAF_MAX]; /* E^-1 */
     double into[2][LEAF_MAX * LEAF_MAX]; /* [b*size]: copy of Leaf.into */
@@ -17,12 +16,11 @@ typedef struct LeafFactor {
 
 typedef struct Leaves {
     int b, leaves, unknowns;
-    LeafFactor *factor;   /* [leaves] */
-    const Lapack *lapack; /* borrowed */
+    LeafFactor *factor; /* [leaves] */
 } Leaves;
 
-/* Sizes from the pattern of a; 0 if there is no memory. lapack is borrowed. */
-int leaves_init(Leaves *s, const NewtonMatrix *a, const Lapack *lapack);
+/* Sizes from the pattern of a; 0 if there is no memory. */
+int leaves_init(Leaves *s, const NewtonMatrix *a);
 void leaves_release(Leaves *s);
 /* Inverts the leaves and takes them off `chain`, which holds the values of a->chain. 0, or LIN_UNSTABLE if a leaf is
  * singular to working precision or its elimination makes a chain block grow beyond growth_limit; *growth rises to the

@@ -11,9 +11,10 @@ typedef struct ExtraBlock {
     const double *block; /* [b*b], column-major */
 } ExtraBlock;
 
-enum { LEAF_MAX = 6 };
+enum { LEAF_MAX = 7 };
 
-/* A small body that touches at most two neighbouring blocks of the chain: a spinning roller, a roller's mount. */
+/* A small body that touches at most two neighbouring blocks of the chain: a spinning roller, a roller's mount. Where it
+ * is (at, touches) may change from one factorisation to the next; its size may not. */
 typedef struct Leaf {
     int size;              /* unknowns, 1..LEAF_MAX */
     int at;                /* the first chain block it touches */

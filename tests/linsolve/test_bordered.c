@@ -9,7 +9,7 @@
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
 
-enum { LEAVES = 5, EXTRAS = 3 };
+enum { LEAVES = LEAF_MAX, EXTRAS = 3 };
 
 /* A NewtonMatrix that owns its values. */
 typedef struct Scene {
@@ -25,7 +25,7 @@ static double *scene_values(Scene *s, int count, uint64_t *seed)
     return s->value[s->values++] = fixture_vector(count, seed);
 }
 
-/* Leaves of 1..5 unknowns with 1 on the diagonal, touching none, one or two blocks. */
+/* Leaves of 1..LEAF_MAX unknowns with 1 on the diagonal, touching none, one or two blocks. */
 static void add_leaves(Scene *s, int count, uint64_t *seed)
 {
     const int b = s->m.chain.b;
@@ -174,6 +174,37 @@ static void choice(void **state)
     }
 }
 
+/* Leaves slide along the chain and let go of it between factorisations of one solver. */
+static void leaves_move(void **state)
+{
+    (void)state;
+    const LinKind kind[] = {LIN_BORDERED, LIN_KLU, LIN_DENSE};
+    for (int k = 0; k < 3; ++k) {
+        uint64_t seed = 7;
+        Scene s;
+        hawser_error err = {0};
+        scene_init(&s, 9, 6, LEAVES, 2, 0, &seed);
+        LinSolver *const solver = linsolver_new_newton(&s.m, &(LinOptions){.kind = kind[k], .threads = 1}, &err);
+        assert_non_null(solver);
+        const int size = newton_size(&s.m);
+        double *const r = fixture_vector(size, &seed), *const x = malloc((size_t)size * sizeof *x);
+        for (int step = 0; step < 6; ++step) {
+            for (int l = 0; l < LEAVES; ++l) {
+                s.leaf[l].at = (step + l) % 8;
+                if (step == 3 && s.leaf[l].touches) --s.leaf[l].touches;
+            }
+            memcpy(x, r, (size_t)size * sizeof *x);
+            assert_int_equal(linsolver_factor_newton(solver, &s.m), 0);
+            assert_int_equal(linsolver_solve(solver, x), 0);
+            assert_true(fixture_backward_error(&s.m, x, r) < 1e-14);
+        }
+        linsolver_free(solver);
+        free(r);
+        free(x);
+        scene_free(&s);
+    }
+}
+
 /* A body without inertia of its own, held by the chain only: its block cannot be inverted, the whole can. */
 static void fallback_leaf(void **state)
 {
@@ -235,6 +266,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_shapes),    cmocka_unit_test(overlapping_blocks), cmocka_unit_test(choice),
         cmocka_unit_test(fallback_leaf), cmocka_unit_test(fallback_inner),     cmocka_unit_test(singular_border),
+        cmocka_unit_test(leaves_move),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,56 @@
+/* Small dense systems: residuals of random ones that need pivoting, and what cannot be solved. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "linsolve/small_lu.h"
+#include "tests/linsolve/matrix_fixture.h"
+
+enum { MOST = 40 };
+
+static void residuals(void **state)
+{
+    (void)state;
+    uint64_t seed = 2;
+    for (int n = 1; n <= MOST; ++n) {
+        double *const a = fixture_vector(n * n, &seed), *const b = fixture_vector(n, &seed);
+        double lu[MOST * MOST], x[MOST], worst = 0;
+        int pivot[MOST];
+        if (n > 1) a[0] = 0; /* no step without an exchange */
+        memcpy(lu, a, (size_t)(n * n) * sizeof *lu);
+        memcpy(x, b, (size_t)n * sizeof *x);
+        assert_int_equal(small_lu_factor(n, lu, pivot), 0);
+        small_lu_solve(n, lu, pivot, x);
+        for (int i = 0; i < n; ++i) {
+            double rest = b[i], size = fabs(b[i]);
+            for (int c = 0; c < n; ++c) {
+                rest -= a[c * n + i] * x[c];
+                size += fabs(a[c * n + i] * x[c]);
+            }
+            worst = fmax(worst, fabs(rest) / size);
+        }
+        assert_true(worst < 1e-13);
+        free(a);
+        free(b);
+    }
+}
+
+static void refused(void **state)
+{
+    (void)state;
+    int pivot[3];
+    double zero[1] = {0}, twice[9] = {1, 2, 3, 2, 4, 6, 1, 0, 1}, wrong[4] = {1, 0, NAN, 1};
+    assert_int_equal(small_lu_factor(1, zero, pivot), 1);
+    assert_int_equal(small_lu_factor(3, twice, pivot), 1);
+    assert_int_equal(small_lu_factor(2, wrong, pivot), 1);
+    assert_int_equal(small_lu_factor(0, zero, pivot), 0); /* no border */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(residuals), cmocka_unit_test(refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
