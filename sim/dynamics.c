@@ -20,6 +20,11 @@ static int parts_alloc(Workspace *ws, const Scene *scene)
         part->model = scene->contact;
         part->model.roller = scene->contact.roller + (p == 0 ? 0 : half);
         part->model.n_rollers = p == 0 ? half : rollers - half;
+        part->first = p == 0 ? 0 : half;
+        if (scene->equipment.n > 0) {
+            part->model.roller = ws->equipment.roller + part->first;
+            part->model.motion = ws->equipment.motion + part->first;
+        }
         ok &= contact_pairs_alloc(&part->pairs, scene->chain.n) & loads_alloc(&ws->loads[p], scene->chain.n);
     }
     return ok;
@@ -31,8 +36,9 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
     memset(ws, 0, sizeof *ws);
     ws->team = team;
     ws->middle = n / 2 / LANES * LANES;
-    int ok = kinematics_alloc(&ws->kin, n) && kinematics_alloc_slips(&ws->kin, &scene->chain);
-    ok &= joint_loads_alloc(&ws->joints, n) & parts_alloc(ws, scene);
+    int ok = equipment_work_alloc(&ws->equipment, &scene->equipment, scene->contact.n_rollers, scene->rollers);
+    ok = ok && kinematics_alloc(&ws->kin, n) && kinematics_alloc_slips(&ws->kin, &scene->chain);
+    ok = ok && joint_loads_alloc(&ws->joints, n) & parts_alloc(ws, scene);
     for (int c = 0; c < 6; ++c) {
         ws->law[c] = chain_array_new(n, 0);
         ok = ok && ws->law[c];
@@ -54,14 +60,19 @@ void workspace_free(Workspace *ws)
         loads_free(&ws->loads[p]);
     }
     self_pairs_free(&ws->self);
+    equipment_work_free(&ws->equipment);
     free(ws->on_roller);
     ws->on_roller = NULL;
 }
+
+/* The equipment's part of a state. */
+static const double *equipment_of(const Scene *scene, const double *y) { return y + STATE_SIZE * scene->chain.n; }
 
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y)
 {
     body_kinematics(scene->chain.n, y, 0, scene->chain.n, &ws->kin);
     scene_ghosts(scene, t, &ws->kin);
+    if (scene->equipment.n > 0) equipment_pose(&ws->equipment, equipment_of(scene, y));
 }
 
 /* One evaluation, as both threads see it. */
@@ -74,6 +85,19 @@ typedef struct Evaluation {
     BlockChain *k, *d;
 } Evaluation;
 
+/* Contact forces of one half of the rollers, onto ws->loads; on_roller (NULL: not wanted) gets those on the rollers. */
+static void part_forces(const Scene *scene, Workspace *ws, int part, double friction, Vec3 *on_roller)
+{
+    ContactPart *const p = &ws->contact[part];
+    if (!p->model.motion) {
+        contact_forces(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, &ws->loads[part], on_roller);
+        return;
+    }
+    RollerLoad *const load = ws->equipment.load + p->first;
+    contact_forces_moving(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, &ws->loads[part], load);
+    for (int r = 0; on_roller && r < p->model.n_rollers; ++r) on_roller[r] = load[r].force;
+}
+
 /* The contacts of one half of the rollers; the first half brings the loads at the ends too. */
 static void part_loads(const Evaluation *e, int part)
 {
@@ -84,9 +108,7 @@ static void part_loads(const Evaluation *e, int part)
     const Chain *const chain = &e->scene->chain;
     if (mine->model.n_rollers == 0 && !self->present) return;
     const double start = clock_now();
-    if (mine->model.n_rollers > 0) {
-        contact_forces(&mine->model, chain, &ws->kin, e->friction, &mine->pairs, &ws->loads[part], NULL);
-    }
+    if (mine->model.n_rollers > 0) part_forces(e->scene, ws, part, e->friction, NULL);
     if (self->present) self_forces(self, chain, &ws->kin, e->friction, part, &ws->self, &ws->loads[part]);
     mine->seconds += clock_now() - start;
 }
@@ -142,8 +164,12 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
     e.ydot = ydot;
     both(ws, kinematics_job, 1, &e);
     scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
+    if (scene->equipment.n > 0) equipment_pose(&ws->equipment, equipment_of(scene, y));
     both(ws, loads_job, 0, &e);
     both(ws, motion_job, 1, &e);
+    if (scene->equipment.n > 0) {
+        equipment_rates(&ws->equipment, equipment_of(scene, y), friction, ydot + STATE_SIZE * scene->chain.n);
+    }
     ++ws->rhs_evals;
 }
 
@@ -172,20 +198,44 @@ static void blocks_of_chain(Evaluation *e)
     body_blocks(chain, &ws->kin, e->ydot, 0, chain->n, e->k, e->d);
 }
 
+/* What a part's contacts couple its rollers by. */
+typedef struct Taker {
+    EquipmentWork *work;
+    int first;
+} Taker;
+static void coupling_take(void *user, const RollerCoupling *coupling)
+{
+    const Taker *const to = user;
+    equipment_blocks_take(to->work, to->first, coupling);
+}
+
+/* The contacts' derivatives of one half; where rollers move, their loads and couplings too. */
+static void part_blocks(const Scene *scene, Workspace *ws, int part, double friction, BlockChain *k, BlockChain *d)
+{
+    ContactPart *const p = &ws->contact[part];
+    if (!p->model.motion) {
+        contact_blocks(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, k, d);
+        return;
+    }
+    Taker taker = {&ws->equipment, p->first};
+    part_forces(scene, ws, part, friction, NULL);
+    contact_blocks_moving(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, k, d, coupling_take, &taker);
+}
+
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
                      BlockChain *k, BlockChain *d)
 {
-    const Chain *const chain = &scene->chain;
     Evaluation e = {.scene = scene, .ws = ws, .ydot = (double *)ydot, .k = k, .d = d};
     dynamics_kinematics(scene, ws, t, y);
     block_chain_zero(k);
     block_chain_zero(d);
     blocks_of_chain(&e);
     applied_blocks(scene, &ws->kin, t, friction, k, d);
+    if (scene->equipment.n > 0) equipment_blocks_begin(&ws->equipment);
     for (int p = 0; p < PARTS; ++p) {
-        ContactPart *const part = &ws->contact[p];
-        if (part->model.n_rollers > 0) contact_blocks(&part->model, chain, &ws->kin, friction, &part->pairs, k, d);
+        if (ws->contact[p].model.n_rollers > 0) part_blocks(scene, ws, p, friction, k, d);
     }
+    if (scene->equipment.n > 0) equipment_bushing_blocks(&ws->equipment);
     if (!scene->self.present) return;
     block_extras_zero(&ws->self.extras);
     self_blocks(&scene->self, chain, &ws->kin, friction, &ws->self, k, d);
@@ -193,14 +243,13 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
 
 int dynamics_roller_forces(const Scene *scene, Workspace *ws)
 {
-    int active = 0, first = 0;
+    int active = 0;
     for (int p = 0; p < PARTS; ++p) {
         ContactPart *const part = &ws->contact[p];
         if (part->model.n_rollers == 0) continue;
         loads_zero(&ws->loads[p], scene->chain.n);
-        contact_forces(&part->model, &scene->chain, &ws->kin, 1.0, &part->pairs, &ws->loads[p], ws->on_roller + first);
+        part_forces(scene, ws, p, 1.0, ws->on_roller + part->first);
         active += part->pairs.active;
-        first += part->model.n_rollers;
     }
     for (int p = 0; p < PARTS; ++p) active += ws->self.active[p]; /* of the last evaluation */
     return active;
@@ -248,7 +297,11 @@ static int stale(const Scene *scene, const Workspace *ws)
 {
     const ContactPart *const part = &ws->contact[PARTS - 1]; /* both were refreshed at the same positions */
     if (scene->self.present && self_moved_too_far(&scene->self, &scene->chain, &ws->kin, &ws->self)) return 1;
-    return scene->contact.n_rollers > 0 && contact_moved_too_far(&part->model, &scene->chain, &ws->kin, &part->pairs);
+    if (scene->contact.n_rollers == 0) return 0;
+    ContactModel model = part->model;
+    /* what rollers have moved is spent of the three quarters of the reach (C20) */
+    if (scene->equipment.mounts > 0) model.reach -= equipment_moved(&ws->equipment) / 0.75;
+    return contact_moved_too_far(&model, &scene->chain, &ws->kin, &part->pairs);
 }
 
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
@@ -264,6 +317,7 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
         status = contact_refresh(&part->model, &scene->chain, &ws->kin, &part->pairs, err);
     }
     if (!status && scene->self.present) status = self_refresh(&scene->self, &scene->chain, &ws->kin, &ws->self, err);
+    if (scene->equipment.n > 0) equipment_stand(&ws->equipment);
     ++ws->refreshes;
     if (dynamics_candidates(ws) > ws->candidates_max) ws->candidates_max = dynamics_candidates(ws);
     return status;

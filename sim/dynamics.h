@@ -4,12 +4,14 @@
 #define HAWSER_SIM_DYNAMICS_H
 
 #include "core/team.h"
+#include "sim/equipment_work.h"
 #include "sim/scene.h"
 
 enum { PARTS = 2 }; /* into which the work is split, whatever the number of threads: results never depend on it */
 
 /* Contacts of one half of the rollers. */
 typedef struct ContactPart {
+    int first; /* its first roller of the scene's */
     ContactModel model;
     ContactPairs pairs; /* contact_refresh */
     double seconds;     /* s spent in forces, summed */
@@ -23,9 +25,10 @@ typedef struct Workspace {
     JointLoads joints;  /* bushing_loads */
     Loads loads[PARTS]; /* on segments: weight, tail, drag and the first half's contacts; the second half's contacts */
     ContactPart contact[PARTS];
-    SelfPairs self;  /* cable on cable: self_refresh, self_forces, self_blocks; nothing allocated without it */
-    Vec3 *on_roller; /* [rollers] contact_forces, where asked for, N */
-    double *law[6];  /* bushing_law: [n+1] */
+    SelfPairs self;          /* cable on cable: self_refresh, self_forces, self_blocks; nothing allocated without it */
+    Vec3 *on_roller;         /* [rollers] contact_forces, where asked for, N */
+    EquipmentWork equipment; /* rollers that move */
+    double *law[6];          /* bushing_law: [n+1] */
     long rhs_evals, refreshes;
     int candidates_max;
 } Workspace;
@@ -36,7 +39,7 @@ void workspace_free(Workspace *ws);
 
 /* kin from (t, y). */
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
-/* ydot [13 n] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
+/* ydot [scene_state_size] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot);
 /* k and d (6x6 blocks, and those off their diagonals in ws->self.extras) at (t, y): the derivatives of force and moment
  * minus inertia times ydot, see body_blocks. Leaves

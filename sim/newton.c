@@ -1,6 +1,5 @@
 #include "sim/newton.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/error.h"
@@ -8,6 +7,7 @@
 #include "sim/newton_extra.h"
 #include "sim/newton_full.h"
 #include "sim/newton_kernels.h"
+#include "sim/newton_leaves.h"
 
 static const NewtonKernels *kernels(void)
 {
@@ -15,16 +15,26 @@ static const NewtonKernels *kernels(void)
     return table[isa_best()];
 }
 
-static int parts_new(Newton *nw)
+/* The solver that the options ask for, for the present pattern. */
+static hawser_status solver_new(Newton *nw, hawser_error *err)
 {
-    const int n = nw->n;
-    int ok = chain_arrays_new(&nw->mass, 1, n, 1) & chain_arrays_new(nw->inertia, 9, n, 0) &
-             chain_arrays_new(nw->w, 3, n, 0);
-    ok &= chain_arrays_new(nw->q, 1, n, 1) & chain_arrays_new(nw->q + 1, 3, n, 0);
-    ok &= block_chain_alloc(&nw->k, n, 6) & block_chain_alloc(&nw->d, n, 6) & block_chain_alloc(&nw->a, n, 6);
-    nw->z = calloc((size_t)(6 * n) + LANES, sizeof(double));
-    nw->x = calloc((size_t)(6 * n) + LANES, sizeof(double));
-    return ok && nw->z && nw->x;
+    hawser_error mine = {0};
+    if (nw->options.kind == LIN_KLU_FULL) {
+        newton_full_new(nw, &nw->options, &nw->full, &mine);
+    } else {
+        nw->solver = linsolver_new_newton(&nw->matrix, &nw->options, &mine);
+    }
+    if (nw->solver || nw->full) return HAWSER_OK;
+    return error_set(err, mine.status ? mine.status : HAWSER_ERR_MEMORY, "%s", mine.message);
+}
+
+static hawser_status equipment_new(Newton *nw, const Scene *scene, hawser_error *err)
+{
+    if (nw->options.kind != LIN_KLU_FULL) return newton_leaves_new(nw, &scene->equipment, err);
+    return error_set(
+        err, HAWSER_ERR_INPUT,
+        "key 'solver.linear_solver': 'klu-full' cannot hold rollers that spin or stand on mounts: expected "
+        "auto, bordered or klu");
 }
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err)
@@ -33,33 +43,24 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     nw->n = scene->chain.n;
     nw->team = options->team;
     nw->middle = nw->n / 2 / LANES * LANES;
-    if (!parts_new(nw)) {
+    if (!newton_parts_new(nw, scene->equipment.spins + 6 * scene->equipment.mounts)) {
         newton_free(nw);
         return error_memory(err);
     }
     for (int i = 0; i < nw->n; ++i) nw->mass[i] = scene->chain.mass[i];
-    hawser_error mine = {0};
-    if (options->kind == LIN_KLU_FULL) {
-        newton_full_new(nw, options, &nw->full, &mine);
-    } else {
-        nw->solver = linsolver_new(&nw->a, options, &mine);
-    }
-    if (nw->solver || nw->full) return HAWSER_OK;
-    newton_free(nw);
-    return error_set(err, mine.status ? mine.status : HAWSER_ERR_MEMORY, "%s", mine.message);
+    nw->matrix.chain = nw->a;
+    nw->options = *options;
+    hawser_status status = HAWSER_OK;
+    if (scene->equipment.n > 0) status = equipment_new(nw, scene, err);
+    if (!status) status = solver_new(nw, err);
+    if (status) newton_free(nw);
+    return status;
 }
 
 void newton_free(Newton *nw)
 {
-    block_chain_free(&nw->k);
-    block_chain_free(&nw->d);
-    block_chain_free(&nw->a);
-    chain_arrays_free(&nw->mass, 1);
-    chain_arrays_free(nw->inertia, 9);
-    chain_arrays_free(nw->q, 4);
-    chain_arrays_free(nw->w, 3);
-    free(nw->z);
-    free(nw->x);
+    newton_parts_free(nw);
+    nw->leaves = newton_leaves_free(nw->leaves);
     nw->solver = linsolver_free(nw->solver);
     nw->full = newton_full_free(nw->full);
     nw->extra = newton_extra_free(nw->extra);
@@ -134,6 +135,7 @@ void newton_form(Newton *nw, double gamma)
         newton_full_form(nw->full, nw);
     } else {
         both(form_job, &split);
+        if (nw->leaves) newton_leaves_form(nw);
     }
     if (nw->extra) newton_extra_form(nw);
 }
@@ -141,7 +143,7 @@ void newton_form(Newton *nw, double gamma)
 int newton_factor(Newton *nw)
 {
     if (nw->extra) return newton_extra_factor(nw);
-    return nw->full ? newton_full_factor(nw->full) : linsolver_factor(nw->solver, &nw->a);
+    return nw->full ? newton_full_factor(nw->full) : linsolver_factor_newton(nw->solver, &nw->matrix);
 }
 
 void newton_stats(const Newton *nw, LinStats *stats)
@@ -157,7 +159,25 @@ int newton_solve(Newton *nw, double *b)
     both(reduce_job, &split);
     kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
     if (nw->extra) newton_extra_couple(nw);
+    double *const equipment = b + STATE_SIZE * nw->n;
+    if (nw->leaves) newton_leaves_reduce(nw, equipment);
     const int status = linsolver_solve(nw->solver, nw->x);
     if (!status) both(expand_job, &split);
+    if (!status && nw->leaves) newton_leaves_expand(nw, equipment);
     return status;
+}
+
+void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction)
+{
+    if (nw->leaves) newton_leaves_point(nw->leaves, w, y + STATE_SIZE * nw->n, friction);
+}
+
+hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err)
+{
+    const int changed = nw->leaves ? newton_leaves_widen(nw, w) : 0;
+    if (changed < 0) return error_memory(err);
+    if (changed == 0) return HAWSER_OK;
+    if (nw->extra) return newton_extra_renew(nw) ? HAWSER_OK : error_memory(err);
+    nw->solver = linsolver_free(nw->solver);
+    return solver_new(nw, err);
 }

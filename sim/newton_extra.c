@@ -120,11 +120,26 @@ static int solver_renew(Newton *nw, const NewtonMatrix *m)
     return 1;
 }
 
+/* The chain with what the equipment and the extra blocks add. */
+static NewtonMatrix matrix_of(const Newton *nw)
+{
+    NewtonMatrix m = nw->matrix;
+    m.extras = nw->extra->count;
+    m.extra = nw->extra->block;
+    return m;
+}
+
+int newton_extra_renew(Newton *nw)
+{
+    const NewtonMatrix m = matrix_of(nw);
+    return nw->extra->failed ? 0 : solver_renew(nw, &m);
+}
+
 int newton_extra_factor(Newton *nw)
 {
     NewtonExtra *const extra = nw->extra;
     if (extra->failed) return -1;
-    const NewtonMatrix m = {.chain = nw->a, .extras = extra->count, .extra = extra->block};
+    const NewtonMatrix m = matrix_of(nw);
     if (extra->stale && !solver_renew(nw, &m)) return -1;
     return linsolver_factor_newton(nw->solver, &m);
 }

@@ -28,6 +28,8 @@ NewtonExtra *newton_extra_free(NewtonExtra *extra);
 void newton_extra_form(Newton *nw);
 /* Factors A with the blocks, with a new solver if their pattern has changed; as linsolver_factor. */
 int newton_extra_factor(Newton *nw);
+/* A new solver because the rest of the matrix has another pattern; 0 if there is no memory. */
+int newton_extra_renew(Newton *nw);
 /* x += K z for the blocks. */
 void newton_extra_couple(Newton *nw);
 /* Adds the counts of solvers given up. */

@@ -22,9 +22,10 @@ typedef struct Relaxation {
     Newton *newton;
     double t;
     double *y;
-    double *rate;  /* [13 n] */
-    double *start; /* [13 n] state before */
-    double *back;  /* [13 n] state before the last move */
+    int size;      /* of y */
+    double *rate;  /* [size] */
+    double *start; /* [size] state before */
+    double *back;  /* [size] state before the last move */
 } Relaxation;
 
 /* Largest unbalanced force; moments count over half a segment. *where gets the segment. */
@@ -45,7 +46,8 @@ static double residual(Relaxation *r, int *where)
             *where = i;
         }
     }
-    return largest;
+    const double mounts = equipment_residual(&r->scene->equipment, r->scene->rollers, r->rate + STATE_SIZE * n);
+    return mounts > largest || isnan(mounts) ? mounts : largest;
 }
 
 /* One linearly implicit Euler step of length dt from rest: (M - dt D - dt^2 K) u = dt F (E1). The velocities land in
@@ -55,11 +57,15 @@ static int implicit_step(Relaxation *r, double dt)
     const int n = r->scene->chain.n;
     dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, 0.0, &r->newton->k, &r->newton->d);
     newton_point(r->newton, r->scene, &r->ws->kin, r->y);
+    newton_point_equipment(r->newton, &r->ws->equipment, r->y, 0.0);
     newton_form(r->newton, dt);
     const int status = newton_factor(r->newton);
     if (status) return status;
     memset(r->rate, 0, (size_t)(STATE_V * n) * sizeof(double));
-    for (int k = STATE_V * n; k < STATE_SIZE * n; ++k) r->rate[k] *= dt;
+    for (int k = STATE_V * n; k < r->size; ++k) r->rate[k] *= dt;
+    /* the mounts' positions and quaternions have no residual either */
+    const int mounts = STATE_SIZE * n + r->scene->equipment.spins;
+    memset(r->rate + mounts, 0, (size_t)(STATE_V * r->scene->equipment.mounts) * sizeof(double));
     return newton_solve(r->newton, r->rate);
 }
 
@@ -73,7 +79,8 @@ static double move_scale(const Relaxation *r, double dt)
         const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
         scale = fmin(scale, fmin(MOVE_MAX / (dt * v3_norm(u) + 1e-300), TURN_MAX / (dt * v3_norm(w) + 1e-300)));
     }
-    return scale;
+    const double *const beside = r->rate + STATE_SIZE * n;
+    return fmin(scale, equipment_move_share(&r->scene->equipment, beside, dt, MOVE_MAX, TURN_MAX));
 }
 
 /* Moves the state by as much. */
@@ -81,6 +88,7 @@ static void move(Relaxation *r, double dt)
 {
     const int n = r->scene->chain.n;
     const double scale = move_scale(r, dt);
+    equipment_move(&r->scene->equipment, r->y + STATE_SIZE * n, r->rate + STATE_SIZE * n, scale * dt);
     for (int i = 0; i < n; ++i) {
         double *const y = r->y + i;
         for (int c = 0; c < 3; ++c) y[c * n] += scale * dt * r->rate[(STATE_V + c) * n + i];
@@ -124,7 +132,8 @@ static double farthest_move(const Relaxation *r)
 static hawser_status refresh_here(Relaxation *r, hawser_error *err)
 {
     dynamics_kinematics(r->scene, r->ws, r->t, r->y);
-    return dynamics_refresh(r->scene, r->ws, r->t, r->y, 0, err);
+    const hawser_status status = newton_renew(r->newton, &r->ws->equipment, err);
+    return status ? status : dynamics_refresh(r->scene, r->ws, r->t, r->y, 0, err);
 }
 
 /* The continuation in time: the step grows as the residual falls, until it is Newton's method (E3). Goes on until the
@@ -155,7 +164,7 @@ static hawser_status iterate(Relaxation *r, double aim, int limit, hawser_relaxa
  * becomes what to try next (E4). */
 static hawser_status careful_step(Relaxation *r, double *dt, hawser_relaxation *out, hawser_error *err)
 {
-    const size_t bytes = (size_t)(STATE_SIZE * r->scene->chain.n) * sizeof(double);
+    const size_t bytes = (size_t)r->size * sizeof(double);
     const double before = out->residual_N, scale = implicit_step(r, *dt) ? 0 : move_scale(r, *dt);
     if (scale < 0.3 && *dt > DT_SMALLEST) {
         *dt = fmax(DT_SMALLEST, *dt * fmax(0.03, sqrt(scale))); /* what has no stiffness moves as dt^2 */
@@ -210,8 +219,7 @@ static hawser_status attempts(Relaxation *r, hawser_relaxation *out, hawser_erro
 {
     hawser_status status = iterate(r, out->tolerance_N, r->scene->def.solver.relax_iterations, out, err);
     if (status || out->reached || r->scene->contact.n_rollers == 0) return status;
-    const size_t length = (size_t)(STATE_SIZE * r->scene->chain.n);
-    memcpy(r->y, r->start, length * sizeof(double));
+    memcpy(r->y, r->start, (size_t)r->size * sizeof(double));
     status = dynamics_refresh(r->scene, r->ws, r->t, r->y, 1, err);
     return status ? status : iterate_from_soft(r, out, err);
 }
@@ -220,15 +228,17 @@ hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *ne
                                    hawser_relaxation *out, hawser_error *err)
 {
     const size_t n = (size_t)scene->chain.n;
-    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
-    r.rate = malloc(STATE_SIZE * n * sizeof(double));
-    r.start = malloc(STATE_SIZE * n * sizeof(double));
-    r.back = malloc(STATE_SIZE * n * sizeof(double));
+    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y, .size = scene_state_size(scene)};
+    const size_t bytes = (size_t)r.size * sizeof(double);
+    r.rate = malloc(bytes);
+    r.start = malloc(bytes);
+    r.back = malloc(bytes);
     *out = (hawser_relaxation){0};
     hawser_status status = HAWSER_OK;
     if (r.rate && r.start && r.back) {
         memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
-        memcpy(r.start, y, STATE_SIZE * n * sizeof(double));
+        equipment_halt(&scene->equipment, y + STATE_SIZE * n);
+        memcpy(r.start, y, bytes);
         out->tolerance_N = tolerance_of(&r);
         status = attempts(&r, out, err);
         out->moved_m = farthest_move(&r);

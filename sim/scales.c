@@ -1,5 +1,7 @@
 #include "sim/scales.h"
 
+#include <string.h>
+
 #include "sim/vector_kernels.h"
 
 static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */
@@ -20,6 +22,8 @@ void scales_weights(const Scene *scene, double *weight)
         const double atol = c < STATE_Q ? position : c < STATE_V ? rotation / 2 : c < STATE_W ? velocity : omega;
         for (int i = 0; i < n; ++i) weight[c * n + i] = 1 / atol;
     }
+    const EquipmentTolerances equipment = {position, rotation, velocity, omega};
+    equipment_weights(&scene->equipment, scene->rollers, &equipment, weight + STATE_SIZE * n);
 }
 
 static const VectorKernels *kernels(void)
@@ -36,6 +40,25 @@ double scales_norm(int n, const double *x, const double *weight)
 void scales_project(int n, const double *y, double *correction, double *error)
 {
     kernels()->project(n, y, correction, error);
+}
+
+double scales_equipment_norm(const Equipment *q, const double *x, const double *weight)
+{
+    double largest = q->mounts > 0 ? scales_norm(q->mounts, x + q->spins, weight + q->spins) : 0;
+    for (int from = 0; from < q->spins; from += SCALES_WINDOW) {
+        const int to = from + SCALES_WINDOW < q->spins ? from + SCALES_WINDOW : q->spins;
+        double sum = 0;
+        for (int i = from; i < to; ++i) sum += x[i] * weight[i] * x[i] * weight[i];
+        const double mean = sqrt(sum / (to - from));
+        if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays */
+    }
+    return largest;
+}
+
+void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error)
+{
+    memset(correction, 0, (size_t)q->spins * sizeof *correction);
+    scales_project(q->mounts, e + q->spins, correction + q->spins, error ? error + q->spins : NULL);
 }
 
 int scales_all_finite(const double *x, int count) { return kernels()->all_finite(count, x); }

@@ -5,7 +5,7 @@
 
 #include "sim/scene.h"
 
-/* weight [13 n] = 1 / absolute tolerance of every component of the state. */
+/* weight [scene_state_size] = 1 / absolute tolerance of every component of the state. */
 void scales_weights(const Scene *scene, double *weight);
 
 /* Largest over windows of SCALES_WINDOW neighbouring segments of the RMS of x w over the window's 13 components each.
@@ -19,6 +19,10 @@ int scales_worst_segment(int n, const double *x, const double *weight);
 /* Correction of the quaternions of y [13 n] to unit length, zero elsewhere; error (NULL: none) loses its part along
  * them (N9). */
 void scales_project(int n, const double *y, double *correction, double *error);
+
+/* The same for the part of the state that belongs to rollers that move (SP14). */
+double scales_equipment_norm(const Equipment *q, const double *x, const double *weight);
+void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error);
 
 /* 1 if all of x[count] is finite. */
 int scales_all_finite(const double *x, int count);

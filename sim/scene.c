@@ -81,6 +81,8 @@ static Quat first_attitude(const Scene *scene, Vec3 axis)
     return quat_from_axes(axis, left, v3_cross(axis, left));
 }
 
+int scene_state_size(const Scene *scene) { return STATE_SIZE * scene->chain.n + equipment_size(&scene->equipment); }
+
 void scene_initial_state(const Scene *scene, double *y)
 {
     const int n = scene->chain.n;
@@ -96,6 +98,7 @@ void scene_initial_state(const Scene *scene, double *y)
         const double value[7] = {centre.x, centre.y, centre.z, q.w, q.x, q.y, q.z};
         for (int c = 0; c < 7; ++c) y[c * n + i] = value[c];
     }
+    equipment_initial(&scene->equipment, y + STATE_SIZE * n);
 }
 
 /* The winch stands where the head's end is and pulls along the route's end direction. */
@@ -196,7 +199,8 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     const double speed = winch_largest_speed(&scene->winch);
     scene->largest_speed = scene->winch.present && speed > 0 ? speed : 0.1;
     self_fill(scene);
-    return contact_fill(scene, err);
+    const hawser_status status = contact_fill(scene, err);
+    return status ? status : equipment_build(def, scene->rollers, &scene->equipment, err);
 }
 
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
@@ -225,6 +229,7 @@ void scene_clear(Scene *scene)
     free(scene->piece);
     free(scene->joint_s);
     free(scene->rollers);
+    equipment_clear(&scene->equipment);
     route_clear(&scene->route);
     scene_def_clear(&scene->def);
     memset(scene, 0, sizeof *scene);

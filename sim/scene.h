@@ -6,6 +6,7 @@
 #include "contact/contact.h"
 #include "contact/self_contact.h"
 #include "core/body.h"
+#include "sim/equipment.h"
 #include "sim/winch.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
@@ -41,15 +42,19 @@ typedef struct Scene {
     Drag drag;
     ContactRoller *rollers; /* owned; the contact model borrows them */
     ContactModel contact;
-    SelfModel self; /* cable on cable */
-    SceneDef def;   /* a deep copy of what this was built from */
+    SelfModel self;      /* cable on cable */
+    Equipment equipment; /* rollers that move */
+    SceneDef def;        /* a deep copy of what this was built from */
 } Scene;
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err);
 void scene_clear(Scene *scene);
 
-/* Writes the initial state [13 n] (core/state.h): the chain lies on the route at rest, its joints closed. */
+/* Entries of the state: 13 a segment, then the equipment's. */
+int scene_state_size(const Scene *scene);
+/* Writes the initial state [scene_state_size] (core/state.h, sim/equipment.h): the chain lies on the route at rest, its
+ * joints closed. */
 void scene_initial_state(const Scene *scene, double *y);
 
 /* Sets the ghosts of kin (segments -1 and n) to what the ground does at time t. */

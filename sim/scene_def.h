@@ -47,6 +47,20 @@ typedef struct ChainPieceDef {
     int swivel;   /* the joint to the piece before is an eye with a swivel: it transmits no torsion */
 } ChainPieceDef;
 
+/* A roller that spins: inertia about its axis, bearing (sim/bearing.h). */
+typedef struct SpinDef {
+    double inertia;                          /* kg m2; 0: it does not spin */
+    double friction, journal, torque, speed; /* 1, m, N m, rad/s */
+} SpinDef;
+
+/* A roller on a bushing mount; components along the roller's axis, along the route, up, then rotations about these. */
+typedef struct MountDef {
+    int present;
+    double stiffness[6];  /* N/m, N m/rad */
+    double damping;       /* s: C = damping * K */
+    double mass, inertia; /* kg; kg m2 about every axis (a spinning roller's own axis: without its spin.inertia) */
+} MountDef;
+
 typedef struct RollerDef {
     char name[NAME_MAX_LENGTH];
     Vec3 centre, axis;    /* m, unit */
@@ -57,6 +71,8 @@ typedef struct RollerDef {
     double s;      /* m along the route, for tables; NAN if listed by coordinates */
     int hold_down;
     FrictionLaw friction;
+    SpinDef spin;
+    MountDef mount;
 } RollerDef;
 
 typedef struct LeadInDef {

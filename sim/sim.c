@@ -24,7 +24,7 @@ struct Sim {
     Stats stats;
     Expected expected;
     EventLog events;
-    double t, *y; /* s; [13 n] */
+    double t, *y; /* s; [scene_state_size] */
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
     double build_s, relax_s, output_s, record_s; /* s */
@@ -64,7 +64,7 @@ static hawser_status start_check(Sim *s, hawser_error *err)
 static hawser_status parts_new(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->scene;
-    s->y = malloc((size_t)(STATE_SIZE * scene->chain.n) * sizeof(double));
+    s->y = malloc((size_t)scene_state_size(scene) * sizeof(double));
     if (s->threads > 1) s->team = team_new(s->threads);
     if ((s->threads > 1 && !s->team) || !s->y || !workspace_alloc(&s->ws, scene, s->team) ||
         !sample_alloc(&s->look, scene))

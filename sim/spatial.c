@@ -15,6 +15,7 @@ static void spatial_linearise(Motion *m, double t, const double *y, const double
     Spatial *const s = spatial_of(m);
     dynamics_blocks(m->scene, s->ws, t, y, ydot, 1.0, &s->newton->k, &s->newton->d);
     newton_point(s->newton, m->scene, &s->ws->kin, y);
+    newton_point_equipment(s->newton, &s->ws->equipment, y, 1.0);
 }
 
 static void spatial_form(Motion *m, double gamma) { newton_form(spatial_of(m)->newton, gamma); }
@@ -27,24 +28,53 @@ static void spatial_weights(const Motion *m, double *weight) { scales_weights(m-
 
 static double spatial_norm(const Motion *m, const double *x, const double *w)
 {
-    return scales_norm(m->scene->chain.n, x, w);
+    const int n = m->scene->chain.n;
+    const double chain = scales_norm(n, x, w);
+    if (m->scene->equipment.n == 0) return chain;
+    const double beside = scales_equipment_norm(&m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
+    return beside > chain || isnan(beside) ? beside : chain;
 }
 
 /* Keeps the quaternions of unit length (N9). */
 static void spatial_project(const Motion *m, const double *y, double *correction, double *error)
 {
-    scales_project(m->scene->chain.n, y, correction, error);
+    const int n = m->scene->chain.n, chain = STATE_SIZE * n;
+    scales_project(n, y, correction, error);
+    if (m->scene->equipment.n == 0) return;
+    scales_equipment_project(&m->scene->equipment, y + chain, correction + chain, error ? error + chain : NULL);
 }
 
 static hawser_status spatial_accept(Motion *m, double t, const double *y, hawser_error *err)
 {
-    dynamics_accept(m->scene, spatial_of(m)->ws, t, y);
-    return dynamics_refresh(m->scene, spatial_of(m)->ws, t, y, 0, err);
+    Spatial *const s = spatial_of(m);
+    dynamics_accept(m->scene, s->ws, t, y);
+    const hawser_status status = newton_renew(s->newton, &s->ws->equipment, err);
+    return status ? status : dynamics_refresh(m->scene, s->ws, t, y, 0, err);
+}
+
+/* The segment that is nearest to a moving roller: where to look for what ails it. */
+static int nearest_segment(const Workspace *ws, int n, int moving)
+{
+    const Vec3 at = ws->equipment.roller[ws->equipment.q->item[moving].roller].shape.centre;
+    int nearest = 0;
+    double least = INFINITY;
+    for (int i = 0; i < n; ++i) {
+        const double away = v3_norm(v3_sub(v3(ws->kin.p[0][i], ws->kin.p[1][i], ws->kin.p[2][i]), at));
+        if (away < least) {
+            least = away;
+            nearest = i;
+        }
+    }
+    return nearest;
 }
 
 static int spatial_worst(const Motion *m, const double *error, const double *weight)
 {
-    return scales_worst_segment(m->scene->chain.n, error, weight);
+    const int n = m->scene->chain.n, worst = scales_worst_segment(n, error, weight);
+    double sum = 0, beside;
+    for (int c = 0; c < STATE_SIZE; ++c) sum += pow(error[c * n + worst] * weight[c * n + worst], 2);
+    const int roller = equipment_worst(&m->scene->equipment, error + STATE_SIZE * n, weight + STATE_SIZE * n, &beside);
+    return roller < 0 || !(beside > sum) ? worst : nearest_segment(spatial_of((Motion *)m)->ws, n, roller);
 }
 
 static Vec3 spatial_place(const Motion *m, const double *y, int segment)
@@ -66,6 +96,6 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .accept = spatial_accept,
                                   .worst = spatial_worst,
                                   .place = spatial_place};
-    *s = (Spatial){.motion = {&ops, scene, STATE_SIZE * scene->chain.n}, .ws = ws, .newton = newton};
+    *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene)}, .ws = ws, .newton = newton};
     return &s->motion;
 }
