@@ -1,0 +1,237 @@
+/* Newton's matrix with rollers that spin and stand on mounts, as test_newton.c has it for the chain: newton_solve must
+ * solve (1 - gamma J) x = b with J x by differences of the rates, whatever is leaf and whatever is border. */
+#include "sim/dynamics.h"
+#include "sim/newton.h"
+#include "sim/newton_leaves.h"
+#include "tests/sim/roller_fixture.h"
+
+static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */
+
+typedef struct Rig {
+    Scene scene;
+    Workspace ws;
+    Newton newton;
+    int size;
+    double *y, *rate, *scratch[6];
+    uint64_t seed;
+} Rig;
+
+typedef struct RigChoice {
+    int spins, mounts, sheave, cylinder;
+    LinKind kind;
+} RigChoice;
+
+static void rig_linearise(Rig *r)
+{
+    dynamics_rates(&r->scene, &r->ws, T, r->y, 1, r->rate);
+    dynamics_blocks(&r->scene, &r->ws, T, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
+    newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
+    newton_point_equipment(&r->newton, &r->ws.equipment, r->y, 1);
+}
+
+static Rig *rig_new(const RigChoice *choice, uint64_t seed)
+{
+    Rig *const r = fixture_array(1, sizeof *r);
+    SceneDef def;
+    hawser_error err = {0};
+    const int geometry = choice->cylinder ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
+    fixture_pull(&def, &(FixtureChoice){.soft = 1, .geometry = geometry, .heading = 1.1});
+    if (choice->sheave) fixture_sheave(&def, 0.02);
+    fixture_moving_rollers(&def, choice->spins, choice->mounts);
+    if (choice->sheave) roller_spin(&def.rollers[def.n_rollers - 1]);
+    if (choice->sheave) roller_mount(&def.rollers[def.n_rollers - 1]);
+    fixture_build(&def, &r->scene);
+    r->seed = seed;
+    r->size = scene_state_size(&r->scene);
+    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
+    const LinOptions options = {.kind = choice->kind, .threads = 1};
+    if (newton_new(&r->newton, &r->scene, &options, &err)) fail_msg("%s", err.message);
+    r->y = fixture_array(r->size, sizeof(double));
+    r->rate = fixture_array(r->size, sizeof(double));
+    for (int k = 0; k < 6; ++k) r->scratch[k] = fixture_array(r->size, sizeof(double));
+    scene_initial_state(&r->scene, r->y);
+    state_shake(r->y, r->scene.chain.n, 3e-3, 0.02, 0.05, 5, &r->seed);
+    equipment_shake(&r->scene, r->y, 2e-3, 0.02, 0.05, 2, &r->seed);
+    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, T, r->y, 1, NULL), HAWSER_OK);
+    rig_linearise(r);
+    return r;
+}
+
+static void rig_free(Rig *r)
+{
+    newton_free(&r->newton);
+    workspace_free(&r->ws);
+    scene_clear(&r->scene);
+    for (int k = 0; k < 6; ++k) free(r->scratch[k]);
+    free(r->y);
+    free(r->rate);
+    free(r);
+}
+
+/* Position, quaternion, velocity, angular velocity of segments 0..3 and mounts 4..7; 8: a spin. */
+static int kind_of(const Rig *r, int k)
+{
+    const int chain = STATE_SIZE * r->scene.chain.n, spins = r->scene.equipment.spins;
+    if (k >= chain && k < chain + spins) return 8;
+    const int c = k < chain ? k / r->scene.chain.n : (k - chain - spins) / r->scene.equipment.mounts;
+    return (k < chain ? 0 : 4) + (c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3);
+}
+
+/* The rates at y + e x, times `share`, onto sum. */
+static void rates_add(Rig *r, const double *x, double e, double share, double *sum)
+{
+    double *const y = r->scratch[4], *const rate = r->scratch[5];
+    for (int k = 0; k < r->size; ++k) y[k] = r->y[k] + e * x[k];
+    dynamics_rates(&r->scene, &r->ws, T, y, 1, rate);
+    for (int k = 0; k < r->size; ++k) sum[k] += share * rate[k];
+}
+
+/* J x by the central difference of fourth order along x, with steps that move no coordinate by more than 2 step. */
+static void jacobian_times(Rig *r, const double *x, double step, double *jx)
+{
+    double size = 0;
+    for (int k = 0; k < r->size; ++k) size = fmax(size, fabs(x[k]));
+    const double e = step / size;
+    memset(jx, 0, (size_t)r->size * sizeof *jx);
+    rates_add(r, x, 2 * e, -1 / (12 * e), jx);
+    rates_add(r, x, e, 8 / (12 * e), jx);
+    rates_add(r, x, -e, -8 / (12 * e), jx);
+    rates_add(r, x, -2 * e, 1 / (12 * e), jx);
+}
+
+/* Largest |x - gamma J x - b| of each kind over the size of the terms that cancel in it, as in test_newton.c. */
+static double step_error(Rig *r, double gamma, double step)
+{
+    double error[9] = {0}, term[9] = {0}, worst = 0;
+    double *const b = r->scratch[0], *const x = r->scratch[1], *const jx = r->scratch[2], *const jz = r->scratch[3];
+    for (int k = 0; k < r->size; ++k) x[k] = b[k] = fixture_random(&r->seed);
+    assert_int_equal(newton_solve(&r->newton, x), 0);
+    jacobian_times(r, x, step, jx);
+    double *const z = r->rate; /* not needed any more */
+    for (int k = 0; k < r->size; ++k) z[k] = fixture_random(&r->seed) > 0 ? x[k] : -x[k];
+    jacobian_times(r, z, step, jz);
+    for (int k = 0; k < r->size; ++k) {
+        const int kind = kind_of(r, k);
+        error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
+        term[kind] = fmax(term[kind], fmax(fabs(x[k]), fmax(fabs(gamma * jz[k]), fabs(b[k]))));
+    }
+    for (int kind = 0; kind < 9; ++kind) worst = fmax(worst, term[kind] > 0 ? error[kind] / term[kind] : 0);
+    return worst;
+}
+
+/* The better of two steps and right-hand sides: a larger step crosses a contact's kink now and then, a smaller one has
+ * more rounding. */
+static double solve_error(Rig *r, double gamma)
+{
+    return fmin(step_error(r, gamma, 1.5e-5), step_error(r, gamma, 4e-6));
+}
+
+static double gammas_error(Rig *r)
+{
+    double worst = 0;
+    for (int k = -6; k <= 0; ++k) {
+        newton_form(&r->newton, pow(10, k));
+        assert_int_equal(newton_factor(&r->newton), 0);
+        worst = fmax(worst, solve_error(r, pow(10, k)));
+    }
+    return worst;
+}
+
+/* Leaves: each kind of roller, both geometries, three solvers. */
+static void test_leaves(void **state)
+{
+    (void)state;
+    const LinKind kind[] = {LIN_AUTO, LIN_KLU, LIN_DENSE};
+    double worst = 0;
+    for (int k = 0; k < 12; ++k) {
+        const int which = k % 3; /* spins, mounts, both */
+        const RigChoice choice = {
+            .spins = which != 1, .mounts = which != 0, .cylinder = k / 3 % 2, .kind = kind[(k + k / 3) % 3]};
+        Rig *const r = rig_new(&choice, 90 + (uint64_t)k);
+        const double error = gammas_error(r);
+        print_message("spins %d mounts %d cylinder %d: %.2g\n", choice.spins, choice.mounts, choice.cylinder, error);
+        worst = fmax(worst, error);
+        rig_free(r);
+    }
+    assert_true(worst < 1e-6);
+}
+
+/* A sheave that capsules touch side by side: as a leaf it is not exact, and it says so; in the border it is. */
+static void test_border(void **state)
+{
+    (void)state;
+    const LinKind kind[] = {LIN_AUTO, LIN_KLU, LIN_DENSE};
+    for (int k = 0; k < 3; ++k) {
+        const RigChoice choice = {.spins = k > 0, .mounts = k > 1, .sheave = 1, .cylinder = 1, .kind = kind[k]};
+        Rig *const r = rig_new(&choice, 70 + (uint64_t)k);
+        hawser_error err = {0};
+        LinStats stats;
+        const double before = gammas_error(r);
+        for (int i = 0; i < 2; ++i) { /* and once when the rig was made */
+            assert_int_equal(r->newton.matrix.border, 0);
+            rig_linearise(r);
+            assert_int_equal(newton_renew(&r->newton, &r->ws.equipment, &err), HAWSER_OK);
+        }
+        assert_int_equal(r->newton.matrix.border, 7);
+        rig_linearise(r);
+        const double after = gammas_error(r);
+        newton_stats(&r->newton, &stats);
+        print_message("%s: %.2g as a leaf, %.2g in the border (touches %d)\n", stats.why, before, after,
+                      r->newton.leaves->item[r->scene.equipment.n - 1].touched);
+        assert_true(r->newton.leaves->item[r->scene.equipment.n - 1].touched > 2);
+        assert_true(before > 1e-5 && after < 1e-6);
+        rig_free(r);
+    }
+}
+
+/* Solvers agree on the solution. */
+static void test_solvers_agree(void **state)
+{
+    (void)state;
+    const LinKind kind[] = {LIN_BORDERED, LIN_KLU, LIN_DENSE};
+    double *x[3], size = 0, apart = 0;
+    int length = 0;
+    for (int k = 0; k < 3; ++k) {
+        Rig *const r = rig_new(&(RigChoice){.spins = 1, .mounts = 1, .kind = kind[k]}, 6);
+        length = r->size;
+        newton_form(&r->newton, 5e-3);
+        assert_int_equal(newton_factor(&r->newton), 0);
+        x[k] = fixture_array(length, sizeof(double));
+        for (int c = 0; c < length; ++c) x[k][c] = fixture_random(&r->seed);
+        assert_int_equal(newton_solve(&r->newton, x[k]), 0);
+        rig_free(r);
+    }
+    for (int c = 0; c < length; ++c) {
+        size = fmax(size, fabs(x[0][c]));
+        apart = fmax(apart, fmax(fabs(x[0][c] - x[1][c]), fabs(x[0][c] - x[2][c])));
+    }
+    assert_true(apart < 1e-10 * size);
+    for (int k = 0; k < 3; ++k) free(x[k]);
+}
+
+/* What cannot hold such a scene says so. */
+static void test_refused(void **state)
+{
+    (void)state;
+    const LinKind kind[] = {LIN_KLU_FULL, LIN_BLOCK};
+    for (int k = 0; k < 2; ++k) {
+        SceneDef def;
+        Scene scene;
+        Newton newton;
+        hawser_error err = {0};
+        fixture_pull(&def, &(FixtureChoice){.soft = 1});
+        fixture_moving_rollers(&def, 1, 0);
+        fixture_build(&def, &scene);
+        const LinOptions options = {.kind = kind[k], .threads = 1};
+        assert_int_equal(newton_new(&newton, &scene, &options, &err), HAWSER_ERR_INPUT);
+        assert_non_null(strstr(err.message, k ? "'block'" : "'klu-full'"));
+        scene_clear(&scene);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_leaves), cmocka_unit_test(test_border),
+                                       cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
