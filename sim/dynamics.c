@@ -225,6 +225,7 @@ static void part_blocks(const Scene *scene, Workspace *ws, int part, double fric
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
                      BlockChain *k, BlockChain *d)
 {
+    const Chain *const chain = &scene->chain;
     Evaluation e = {.scene = scene, .ws = ws, .ydot = (double *)ydot, .k = k, .d = d};
     dynamics_kinematics(scene, ws, t, y);
     block_chain_zero(k);

@@ -189,7 +189,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     winch_init(&scene->winch, &def->winch);
     scene->tail = def->tail.tension;
-    const hawser_status status = joints_fill(scene, err);
+    hawser_status status = joints_fill(scene, err);
     if (status) return status;
     joints_place(scene);
     winch_place(scene);
@@ -199,7 +199,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     const double speed = winch_largest_speed(&scene->winch);
     scene->largest_speed = scene->winch.present && speed > 0 ? speed : 0.1;
     self_fill(scene);
-    const hawser_status status = contact_fill(scene, err);
+    status = contact_fill(scene, err);
     return status ? status : equipment_build(def, scene->rollers, &scene->equipment, err);
 }
 
