@@ -1,0 +1,73 @@
+/* The force kernels of surface_kernels.h for one instruction set. */
+#include "contact/surface_lanes.h"
+
+/* Adds to LANES entries of three arrays. */
+LANE_INLINE void loads_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
+
+/* One point of every element of the strip; returns whether any touches. */
+LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int q, Loads *loads, SurfacePush *out)
+{
+    SurfaceContact c;
+    contact_point(strip, s, q, &c);
+    const LaneMask near = contact_gap(strip, s, &c);
+    if (!mask_any(near)) return 0;
+    contact_force(strip, s, near, &c);
+    /* by virtual work (C15); the two bodies' entries overlap, so one after the other */
+    for (int b = 0; b < 2; ++b) {
+        const int i = strip->first - 1 + b;
+        loads_add(loads->f, i, lanes_keep(c.touches, l3_scale(c.weight.alpha[b], c.force)));
+        loads_add(loads->m, i, lanes_keep(c.touches, l3_cross(contact_arm(s, &c, b), c.force)));
+    }
+    if (!out) return 1;
+    batch_vector_store(out->force[q], lanes_keep(c.touches, c.force));
+    lane_store(out->normal[q], lane_select(c.touches, c.load, lane_set(0)));
+    lane_store(out->along[q], surface_along(strip->patch, c.p, &c.place));
+    return 1;
+}
+
+static int kernel_push(const SurfaceStrip *strip, Loads *loads, SurfacePush *out)
+{
+    const StripBodies s = strip_load(strip);
+    if (out) memset(out, 0, sizeof *out);
+    int any = 0;
+    for (int q = 0; q < SURFACE_POINTS; ++q) any |= push_point(strip, &s, q, loads, out);
+    return any;
+}
+
+/* (DU13): within reach of the patch's part of the way, and neither far above nor far behind its surface. */
+static void kernel_near(const SurfaceStrip *strip, double reach, int near[LANES])
+{
+    const SurfacePatch *const patch = strip->patch;
+    const StripBodies s = strip_load(strip);
+    LaneMask any = s.live & ~s.live;
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        SurfaceContact c;
+        contact_point(strip, &s, q, &c);
+        const SurfacePlace at = surface_place(patch, c.p);
+        const Lane g = surface_section(patch, &at).g;
+        LaneMask here = (g < c.radius + reach) & (g > lane_set(-SURFACE_DEPTH_MAX - reach));
+        if (patch->length > 0) {
+            here &=
+                l3_dot(l3_sub(c.p, surface_spread(patch->start)), surface_spread(patch->tangent)) >= lane_set(-reach);
+            here &=
+                l3_dot(l3_sub(c.p, surface_spread(patch->end)), surface_spread(patch->end_tangent)) < lane_set(reach);
+        }
+        any |= here & s.live;
+    }
+    for (int l = 0; l < LANES; ++l) near[l] = any[l] != 0;
+}
+
+static void kernel_probe(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out)
+{
+    const SurfacePlace at = surface_place(patch, surface_spread(p));
+    const SurfaceSection section = surface_section(patch, &at);
+    Lane gradient[3];
+    surface_gradient(&at, &section, gradient);
+    const Lane3 n = surface_vector(&at, gradient);
+    *out = (SurfaceProbe){.distance = section.g[0],
+                          .normal = v3_unit(v3(n.x[0], n.y[0], n.z[0])),
+                          .share = surface_share(patch, &at).value[0],
+                          .owned = at.owned[0] != 0};
+}
+
+const SurfaceKernels ISA_NAME(surface_kernels) = {kernel_push, ISA_NAME(surface_columns), kernel_near, kernel_probe};

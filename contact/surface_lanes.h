@@ -1,0 +1,345 @@
+/* LANES points of the cable's line against one patch: what the force and the derivative kernels share. Derivation and
+ * equation numbers: docs/model.md, "Surfaces"; letters as there. */
+#ifndef HAWSER_CONTACT_SURFACE_LANES_H
+#define HAWSER_CONTACT_SURFACE_LANES_H
+
+#include "contact/line_lanes.h"
+#include "contact/surface_kernels.h"
+
+/* A point in a patch's own coordinates (DU3): s along the way, a to the side, b up, and the axes there. */
+typedef struct SurfacePlace {
+    LaneMask owned;
+    Lane3 axis[3];     /* T, A, B at s */
+    Lane s, a, b;      /* m; s is only set where something depends on it */
+    Lane m, curvature; /* m = 1 - a/R; 1/(R - a), 0 on a straight */
+    Lane cos, sin;     /* of the roll theta */
+    Lane roll1, roll2; /* theta', theta'', 1/m and 1/m2 */
+    Lane y, z;         /* m, of the section (DU5) */
+} SurfacePlace;
+
+/* The section's distance G and its derivatives (DU4): G'' = k t t^T with t = (-G_z, G_y). */
+typedef struct SurfaceSection {
+    Lane g, gy, gz, k;
+} SurfaceSection;
+
+/* A smooth weight and its slope along its coordinate. */
+typedef struct SurfaceShare {
+    Lane value;
+    Lane3 slope; /* gradient, 1/m */
+} SurfaceShare;
+
+LANE_INLINE Lane3 surface_spread(Vec3 a) { return (Lane3){lane_set(a.x), lane_set(a.y), lane_set(a.z)}; }
+
+/* Angle of each lane about a bend's axis; the library's function, and only where something depends on it. */
+LANE_INLINE Lane surface_angle(Lane sine, Lane cosine)
+{
+    double s[LANES], c[LANES];
+    lane_store(s, sine);
+    lane_store(c, cosine);
+    for (int l = 0; l < LANES; ++l) s[l] = atan2(s[l], c[l]);
+    return lane_load(s);
+}
+
+/* D = (x - x0)/(x1 - x0), clamped to 0..1. */
+LANE_INLINE Lane surface_ramp(Lane x, double x0, double x1)
+{
+    const Lane d = (x - x0) * (1 / (x1 - x0)), zero = lane_set(0), one = lane_set(1);
+    return lane_select(d > zero, lane_select(d < one, d, one), zero);
+}
+
+/* Straight: coordinates along three fixed axes. */
+LANE_INLINE void place_straight(const SurfacePatch *patch, Lane3 p, SurfacePlace *at)
+{
+    const Lane3 off = l3_sub(p, surface_spread(patch->start));
+    at->axis[0] = surface_spread(patch->tangent);
+    at->axis[1] = surface_spread(patch->side);
+    at->axis[2] = surface_spread(patch->up);
+    at->s = l3_dot(off, at->axis[0]);
+    at->a = l3_dot(off, at->axis[1]);
+    at->b = l3_dot(off, at->axis[2]);
+    at->m = lane_set(1);
+    at->curvature = lane_set(0);
+}
+
+/* Bend: cylindrical coordinates about its axis. */
+LANE_INLINE void place_bend(const SurfacePatch *patch, Lane3 p, SurfacePlace *at)
+{
+    const Lane3 off = l3_sub(p, surface_spread(patch->centre));
+    const Lane3 tangent = surface_spread(patch->tangent), side = surface_spread(patch->side);
+    const Lane x = -l3_dot(off, side), y = l3_dot(off, tangent);
+    const Lane rho = shape_root(shape_at_least(x * x + y * y, 1e-60)), inverse = 1 / rho;
+    const Lane c = x * inverse, s = y * inverse;
+    at->axis[0] = l3_axpy(l3_scale(c, tangent), s, side);
+    at->axis[1] = l3_axpy(l3_scale(c, side), -s, tangent);
+    at->axis[2] = surface_spread(patch->up);
+    at->a = patch->bend - rho;
+    at->b = l3_dot(off, at->axis[2]);
+    at->m = rho * (1 / patch->bend);
+    at->curvature = inverse;
+    at->s = patch->twisted || patch->along.used ? patch->bend * surface_angle(y, x) : lane_set(0);
+}
+
+/* s wherever the point is, for output. */
+LANE_INLINE Lane surface_along(const SurfacePatch *patch, Lane3 p, const SurfacePlace *at)
+{
+    if (!(patch->bend > 0)) return at->s;
+    const Lane3 off = l3_sub(p, surface_spread(patch->centre));
+    return patch->bend *
+           surface_angle(l3_dot(off, surface_spread(patch->tangent)), -l3_dot(off, surface_spread(patch->side)));
+}
+
+/* The roll of the section at s (DU6). */
+LANE_INLINE void place_roll(const SurfacePatch *patch, SurfacePlace *at)
+{
+    at->cos = lane_set(patch->roll_cos);
+    at->sin = lane_set(patch->roll_sin);
+    at->roll1 = at->roll2 = lane_set(0);
+    if (!patch->twisted) return;
+    const double by = patch->roll[1] - patch->roll[0], per = 1 / patch->length;
+    const Lane d = surface_ramp(at->s, 0, patch->length);
+    const Lane roll = patch->roll[0] + by * d * d * (3 - 2 * d);
+    for (int l = 0; l < LANES; ++l) {
+        at->cos[l] = cos(roll[l]);
+        at->sin[l] = sin(roll[l]);
+    }
+    at->roll1 = by * per * 6 * d * (1 - d);
+    /* beyond the ends the roll stays */
+    const LaneMask inside = (d > lane_set(0)) & (d < lane_set(1));
+    at->roll2 = lane_select(inside, by * per * per * (6 - 12 * d), lane_set(0));
+}
+
+/* (DU3), (DU5). */
+LANE_INLINE SurfacePlace surface_place(const SurfacePatch *patch, Lane3 p)
+{
+    SurfacePlace at;
+    if (patch->bend > 0) {
+        place_bend(patch, p, &at);
+    } else {
+        place_straight(patch, p, &at);
+    }
+    place_roll(patch, &at);
+    at.y = at.a * at.cos + at.b * at.sin;
+    at.z = at.b * at.cos - at.a * at.sin;
+    /* half open, by the same numbers as the neighbouring part: every point belongs to exactly one */
+    const Lane zero = lane_set(0);
+    at.owned = zero == zero;
+    if (patch->length > 0) {
+        const Lane after = l3_dot(l3_sub(p, surface_spread(patch->start)), surface_spread(patch->tangent));
+        const Lane before = l3_dot(l3_sub(p, surface_spread(patch->end)), surface_spread(patch->end_tangent));
+        at.owned = (after >= zero) & (before < zero);
+    }
+    return at;
+}
+
+/* (DU4). */
+LANE_INLINE SurfaceSection surface_section(const SurfacePatch *patch, const SurfacePlace *at)
+{
+    const Lane zero = lane_set(0), one = lane_set(1);
+    if (patch->section == SECTION_FLAT) {
+        return (SurfaceSection){patch->ny * at->y + patch->nz * at->z + patch->offset, lane_set(patch->ny),
+                                lane_set(patch->nz), zero};
+    }
+    const Lane z = at->z - patch->lift;
+    const Lane r = shape_root(shape_at_least(at->y * at->y + z * z, 1e-60)), inverse = 1 / r;
+    const SurfaceSection tube = {patch->inner - r, -at->y * inverse, -z * inverse, -inverse};
+    if (patch->section == SECTION_TUBE) return tube;
+    /* above its centre a trough goes on upright */
+    const LaneMask above = z > zero, left = at->y > zero;
+    return (SurfaceSection){lane_select(above, patch->inner - lane_select(left, at->y, -at->y), tube.g),
+                            lane_select(above, lane_select(left, -one, one), tube.gy),
+                            lane_select(above, zero, tube.gz), lane_select(above, zero, tube.k)};
+}
+
+/* Gradient of the distance (DU7): along T, A, B. */
+LANE_INLINE void surface_gradient(const SurfacePlace *at, const SurfaceSection *g, Lane out[3])
+{
+    out[0] = at->roll1 * (g->gy * at->z - g->gz * at->y) / at->m;
+    out[1] = g->gy * at->cos - g->gz * at->sin;
+    out[2] = g->gy * at->sin + g->gz * at->cos;
+}
+
+LANE_INLINE Lane3 surface_vector(const SurfacePlace *at, const Lane c[3])
+{
+    return l3_axpy(l3_axpy(l3_scale(c[0], at->axis[0]), c[1], at->axis[1]), c[2], at->axis[2]);
+}
+
+/* One fade and its slope. */
+LANE_INLINE Lane surface_fade(const SurfaceFade *fade, Lane x, Lane *slope)
+{
+    const Lane d = surface_ramp(x, fade->in0, fade->in1), e = surface_ramp(x, fade->out0, fade->out1);
+    const Lane in = d * d * (3 - 2 * d), out = 1 - e * e * (3 - 2 * e);
+    const Lane in1 = 6 * d * (1 - d) * (1 / (fade->in1 - fade->in0));
+    const Lane out1 = -6 * e * (1 - e) * (1 / (fade->out1 - fade->out0));
+    *slope = in1 * out + in * out1;
+    return in * out;
+}
+
+/* The weight of (DU8) with its gradient. */
+LANE_INLINE SurfaceShare surface_share(const SurfacePatch *patch, const SurfacePlace *at)
+{
+    Lane along = lane_set(1), across = lane_set(1), along1 = lane_set(0), across1 = lane_set(0);
+    if (patch->along.used) along = surface_fade(&patch->along, at->s, &along1);
+    const double vy = patch->vy, vz = patch->vz;
+    if (patch->across.used) across = surface_fade(&patch->across, vy * at->y + vz * at->z, &across1);
+    const Lane by_v = along * across1;
+    const Lane slope[3] = {(along1 * across + by_v * at->roll1 * (vy * at->z - vz * at->y)) / at->m,
+                           by_v * (vy * at->cos - vz * at->sin), by_v * (vy * at->sin + vz * at->cos)};
+    return (SurfaceShare){along * across, surface_vector(at, slope)};
+}
+
+/* A strip's bodies, and the lanes that hold elements. */
+typedef struct StripBodies {
+    LaneBody body[2];
+    LaneMask live;
+} StripBodies;
+
+/* A body that is missing at an end of the chain: its ghost may hold anything. */
+LANE_INLINE void body_keep(LaneMask mask, LaneBody *b)
+{
+    Lane3 *const vector[4] = {&b->x, &b->r, &b->v, &b->w};
+    const Lane zero = lane_set(0);
+    for (int k = 0; k < 4; ++k) {
+        *vector[k] = (Lane3){lane_select(mask, vector[k]->x, zero), lane_select(mask, vector[k]->y, zero),
+                             lane_select(mask, vector[k]->z, zero)};
+    }
+}
+
+/* Consecutive elements: unit stride, nothing is gathered. */
+LANE_INLINE StripBodies strip_load(const SurfaceStrip *strip)
+{
+    const Kinematics *const kin = strip->kin;
+    const Lane lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    StripBodies s = {.live = lane < lane_set(strip->count)};
+    for (int b = 0; b < 2; ++b) {
+        const int i = strip->first - 1 + b;
+        s.body[b] = (LaneBody){l3_load(kin->p, i), l3_scale(lane_load(strip->chain->half + i), l3_load(kin->a, i)),
+                               l3_load(kin->v, i), l3_load(kin->w, i), lane_set(0)};
+    }
+    const int n = strip->chain->n;
+    if (strip->first == 0) body_keep(lane >= lane_set(1), &s.body[0]);
+    if (strip->first + LANES > n) {
+        body_keep(lane < lane_set(n - strip->first + 1), &s.body[0]);
+        body_keep(lane < lane_set(n - strip->first), &s.body[1]);
+    }
+    return s;
+}
+
+/* A point of the line with its force. */
+typedef struct SurfaceContact {
+    LaneWeights weight;
+    Lane radius, length;
+    Lane3 p, pdot, omega;
+    SurfacePlace place;
+    SurfaceSection section;
+    Lane3 normal; /* n */
+    Lane steep;   /* |grad g| */
+    SurfaceShare share;
+    LaneMask touches;
+    Lane3 slip, slide; /* v_s, v_t (C13) */
+    Lane slip_normal;
+    Lane law, law_gap, law_rate; /* N/m times length: N before the weight of (DU8), and its derivatives */
+    Lane load;                   /* N */
+    Lane phi, phi_over;          /* as in Contact */
+    Lane3 force;                 /* F, N; zero where nothing touches */
+} SurfaceContact;
+
+/* p^(e-1), as in contact_law.c. */
+LANE_INLINE Lane surface_power(Lane p, double e)
+{
+    if (e == 1) return lane_set(1);
+    if (e == 2) return p;
+    if (e == 1.5) return shape_root(p);
+    for (int l = 0; l < LANES; ++l) p[l] = pow(p[l], e - 1);
+    return p;
+}
+
+/* (C12) in lanes, times the length that the point stands for. Lanes without force get zeros. */
+LANE_INLINE void contact_normal(const ImpactLaw *law, Lane gap, Lane rate, LaneMask may, SurfaceContact *c)
+{
+    const Lane zero = lane_set(0), p = lane_select(may & (gap < zero), -gap, zero);
+    const Lane d = surface_ramp(p, 0, law->d > 0 ? law->d : 1e-300);
+    const Lane damping = law->c * d * d * (3 - 2 * d);
+    const Lane damping1 = law->d > 0 ? law->c * 6 * d * (1 - d) * (1 / law->d) : zero;
+    const Lane spring = law->k * surface_power(p, law->e);
+    const Lane force = spring * p - damping * rate;
+    c->touches = (p > zero) & (force > zero);
+    c->law = lane_select(c->touches, c->length * force, zero);
+    c->law_gap = lane_select(c->touches, c->length * (damping1 * rate - law->e * spring), zero);
+    c->law_rate = lane_select(c->touches, -c->length * damping, zero);
+}
+
+/* (C14) in lanes. */
+LANE_INLINE void contact_friction(const FrictionLaw *law, double scale, SurfaceContact *c)
+{
+    const double vs = law->v_s, fall = law->mu_d - law->mu_s;
+    const Lane v = shape_root(l3_dot(c->slide, c->slide)), fast = shape_at_least(v, vs), x = v * (1 / vs);
+    const Lane d = surface_ramp(v, vs, law->v_d), mu = law->mu_s + fall * d * d * (3 - 2 * d);
+    const Lane slope = fall * 6 * d * (1 - d) * (1 / (law->v_d - vs));
+    const LaneMask slow = v < lane_set(vs);
+    c->phi = scale * lane_select(slow, law->mu_s * (3 - x * x) * (1 / (2 * vs)), mu / fast);
+    c->phi_over = scale * lane_select(slow, lane_set(-law->mu_s / (vs * vs * vs)), (slope - mu / fast) / (fast * fast));
+}
+
+/* Where point q of every element is, and how it moves (DU2). */
+LANE_INLINE void contact_point(const SurfaceStrip *strip, const StripBodies *s, int q, SurfaceContact *c)
+{
+    const SurfacePoints *const points = strip->points;
+    const LaneBody *j = &s->body[0], *k = &s->body[1];
+    c->weight.alpha[1] = lane_load(points->alpha[q] + strip->first);
+    c->weight.alpha[0] = 1 - c->weight.alpha[1];
+    c->weight.beta[0] = lane_load(points->beta[q][0] + strip->first);
+    c->weight.beta[1] = lane_load(points->beta[q][1] + strip->first);
+    c->length = lane_load(points->length[q] + strip->first);
+    c->radius = lane_load(points->radius[q] + strip->first);
+    c->p = weighted(&c->weight, j->x, j->r, k->x, k->r);
+}
+
+/* Whether any lane is near enough to touch: everything further is only done if so. */
+LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s, SurfaceContact *c)
+{
+    c->place = surface_place(strip->patch, c->p);
+    c->section = surface_section(strip->patch, &c->place);
+    const LaneMask here = s->live & c->place.owned & (c->section.g > lane_set(-SURFACE_DEPTH_MAX));
+    return here & (c->section.g < c->radius);
+}
+
+/* Velocities, laws, force (DU7)-(DU9); near: what contact_gap said. */
+LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, LaneMask near, SurfaceContact *c)
+{
+    const LaneBody *j = &s->body[0], *k = &s->body[1];
+    c->pdot = weighted(&c->weight, j->v, l3_cross(j->w, j->r), k->v, l3_cross(k->w, k->r));
+    c->omega = l3_axpy(l3_scale(c->weight.alpha[0], j->w), c->weight.alpha[1], k->w);
+    Lane gradient[3];
+    surface_gradient(&c->place, &c->section, gradient);
+    c->steep = lane_set(1);
+    if (strip->patch->twisted) c->steep = shape_root(1 + gradient[0] * gradient[0]);
+    c->normal = l3_scale(1 / c->steep, surface_vector(&c->place, gradient));
+    c->share = surface_share(strip->patch, &c->place);
+
+    const Lane3 n = c->normal;
+    contact_normal(strip->impact, c->section.g - c->radius, c->steep * l3_dot(n, c->pdot), near, c);
+    c->load = c->share.value * c->law;
+    c->slip = l3_axpy(c->pdot, -c->radius, l3_cross(c->omega, n));
+    c->slip_normal = l3_dot(n, c->slip);
+    c->slide = l3_axpy(c->slip, -c->slip_normal, n);
+    contact_friction(strip->friction, strip->friction_scale, c);
+    c->force = l3_scale(c->load, l3_axpy(n, -c->phi, c->slide));
+}
+
+/* l_i of (C15). */
+LANE_INLINE Lane3 contact_arm(const StripBodies *s, const SurfaceContact *c, int b)
+{
+    return l3_axpy(l3_scale(c->weight.beta[b], s->body[b].r), -c->weight.alpha[b] * c->radius, c->normal);
+}
+
+/* Zero where nothing touches, whatever the numbers are there. */
+LANE_INLINE Lane3 lanes_keep(LaneMask mask, Lane3 v)
+{
+    const Lane zero = lane_set(0);
+    return (Lane3){lane_select(mask, v.x, zero), lane_select(mask, v.y, zero), lane_select(mask, v.z, zero)};
+}
+
+/* In surface_blocks_lanes.c; see SurfaceKernels. */
+int ISA_NAME(surface_columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d);
+
+#endif
