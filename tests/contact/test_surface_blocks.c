@@ -88,7 +88,9 @@ static void check_kind(SurfaceKind kind, double left, double up, double height)
         if (kind == SURFACE_FLAT) shape.width = 0.16;
         surfaces_add(&s, &shape);
         chain_disturb(&s, trial % 5 == 4 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, left, up, speed, &seed);
-        touched += compare(&s, trial % 4 ? 1 : 0, 2e-6);
+        /* the weights' second derivatives jump where a fade begins or ends (DU8): differences across a jump are off by
+         * half the step times the jump */
+        touched += compare(&s, trial % 4 ? 1 : 0, 5e-6);
         surfaces_free(&s);
     }
     print_message("%d points touched\n", touched);
