@@ -22,6 +22,7 @@ struct hawser_sim {
     int running;                      /* inside hawser_sim_run */
     hawser_status outcome;            /* of the last call that computed */
     hawser_roller *roller;            /* [rollers] work of hawser_sim_rollers */
+    hawser_surface *surface;          /* [surfaces] work of hawser_sim_surfaces */
     char message[HAWSER_MESSAGE_MAX]; /* why the run did not finish */
 };
 

@@ -3,6 +3,7 @@
 #include "io/api_handles.h"
 #include "io/summary_json.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +18,9 @@ static hawser_status fill_handle(hawser_sim *s, const hawser_case *c, int thread
     if (status) return case_name_error(c, status, err);
     const SimRoller *table;
     s->roller = calloc((size_t)sim_rollers(s->sim, &table) + 1, sizeof *s->roller);
-    return s->roller ? HAWSER_OK : error_memory(err);
+    const SimSurface *surface;
+    s->surface = calloc((size_t)sim_surfaces(s->sim, &surface) + 1, sizeof *s->surface);
+    return s->roller && s->surface ? HAWSER_OK : error_memory(err);
 }
 
 /* Options come from a program or a command line, so they are checked like a case. */
@@ -49,6 +52,7 @@ void hawser_sim_free(hawser_sim *s)
     free(s->case_name);
     free(s->title);
     free(s->roller);
+    free(s->surface);
     free(s);
 }
 
@@ -108,6 +112,32 @@ int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
     return n;
 }
 
+static hawser_surface surface_row(const SimSurface *surface)
+{
+    static const char *const kinds[] = {"duct", "flat", "v", "u", "plane"};
+    const SurfaceDef *const def = surface->def;
+    const int along = surface_along_route(def);
+    return (hawser_surface){.name = surface->name,
+                            .kind = kinds[def->shape.kind],
+                            .from_m = along ? def->shape.from : NAN,
+                            .to_m = along ? def->shape.to : NAN,
+                            .clearance_m = surface->clearance,
+                            .jam_ratio = surface->jam_ratio,
+                            .normal_N = surface->normal,
+                            .friction_N = surface->friction,
+                            .line_load_N_per_m = surface->line_load,
+                            .line_load_at_m = surface->at};
+}
+
+int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out)
+{
+    const SimSurface *table;
+    const int n = sim_surfaces(s->sim, &table);
+    for (int i = 0; i < n; i++) s->surface[i] = surface_row(&table[i]);
+    *out = s->surface;
+    return n;
+}
+
 const char *hawser_sim_title(const hawser_sim *s) { return s->title; }
 
 /* One word for the summary. */
@@ -124,7 +154,15 @@ static const char *outcome_name(const hawser_sim *s)
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
     hawser_summary summary;
-    const SummaryLabels labels = {s->title, s->case_name, outcome_name(s), s->outcome ? s->message : ""};
+    SummaryLabels labels = {s->title, s->case_name, outcome_name(s), s->outcome ? s->message : "", 0, NULL};
+    const SimSurface *table;
+    labels.n_surfaces = sim_surfaces(s->sim, &table);
+    hawser_surface *const surface = calloc((size_t)labels.n_surfaces + 1, sizeof *surface);
+    if (!surface) return error_memory(err);
+    for (int i = 0; i < labels.n_surfaces; i++) surface[i] = surface_row(&table[i]);
+    labels.surface = surface;
     sim_summary(s->sim, &summary);
-    return summary_json(&summary, &labels, text, err);
+    const hawser_status status = summary_json(&summary, &labels, text, err);
+    free(surface);
+    return status;
 }

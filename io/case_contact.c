@@ -4,7 +4,7 @@
 #include "io/case_parts.h"
 
 /* The law's stiffness: its unit goes with the exponent. */
-static hawser_status stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k)
+hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k)
 {
     char why[UNITS_WHY_MAX];
     const CaseKey *key = case_key_of(&case_contact, "k");
@@ -22,7 +22,7 @@ hawser_status case_contact_read(const CaseReader *r, const CaseNode *node)
     ContactRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_contact, &record);
     double k = def->impact.k;
-    if (!status && record.k) status = stiffness_read(r, record.k, record.e, &k);
+    if (!status && record.k) status = case_stiffness_read(r, record.k, record.e, &k);
     if (status) return status;
     def->geometry = record.geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
     def->impact = (ImpactLaw){.k = k, .e = record.e, .c = record.c, .d = record.d};

@@ -9,7 +9,7 @@ static const double PRESS_MAX = 1e-3, STEP_MIN = 1e-5;
 
 /* Where piece p lies along the route at the start: the last of several is ahead of the eye, the others behind
  * it. */
-static void piece_place(const SceneDef *def, int p, double *from, double *to)
+void case_piece_place(const SceneDef *def, int p, double *from, double *to)
 {
     const int behind = def->n_pieces > 1 ? def->n_pieces - 1 : 1;
     *from = def->head_at;
@@ -38,7 +38,7 @@ hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, cons
     for (int p = 0; p < def->n_pieces; p++) {
         const double radius = def->cables[def->pieces[p].cable].diameter / 2;
         double from, to, distance = 0;
-        piece_place(def, p, &from, &to);
+        case_piece_place(def, p, &from, &to);
         const double s = line_meets(&r->route, &shape, from, to, radius - PRESS_MAX, &distance);
         if (s >= to) continue;
         return case_key_error(r->err, node, NULL,

@@ -7,7 +7,13 @@
 #include "io/case_fields.h"
 #include "io/case_records.h"
 
-enum { CASE_SEGMENTS_MAX = 200000, CASE_ROLLERS_MAX = 100000, CASE_STATIONS_MAX = 100000, CASE_OUTPUTS_MAX = 10000000 };
+enum {
+    CASE_SEGMENTS_MAX = 200000,
+    CASE_ROLLERS_MAX = 100000,
+    CASE_STATIONS_MAX = 100000,
+    CASE_SURFACES_MAX = 1000,
+    CASE_OUTPUTS_MAX = 10000000
+};
 
 hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_cables_read(const CaseReader *r, const CaseNode *node);
@@ -25,7 +31,12 @@ hawser_status case_cable_friction_read(const CaseReader *r, const CaseNode *cont
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law);
 /* Of a velocity function: v_d, or 2 v_s where it was not given, which must be above v_s. */
 hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d);
+/* A contact law's stiffness, whose unit goes with the exponent e. */
+hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k);
+hawser_status case_surfaces_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node);
+/* Where piece p of the chain lies along the route at the start, m. */
+void case_piece_place(const SceneDef *def, int p, double *from, double *to);
 /* Whether roller i stays out of the cable along the route; node: where the roller was written. */
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller);
 /* The groove of a roller of this profile and width (m), checked against the thickest cable; node: the row or roller. */

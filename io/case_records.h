@@ -93,6 +93,41 @@ typedef struct RollersRecord {
     const CaseNode *along, *list;
 } RollersRecord;
 
+typedef struct SurfacesRecord {
+    const CaseNode *contact, *ducts, *trays, *planes;
+} SurfacesRecord;
+
+typedef struct LineContactRecord {
+    const CaseNode *k;
+    double e, c, d;
+} LineContactRecord;
+
+/* A stretch of the route that a duct or tray takes up. */
+typedef struct StretchRecord {
+    char name[NAME_MAX_LENGTH];
+    double from, to, fade;
+    const CaseNode *friction;
+} StretchRecord;
+
+typedef struct DuctRecord {
+    StretchRecord at;
+    double radius;
+    int place; /* 0 centred, 1 resting */
+} DuctRecord;
+
+typedef struct TrayRecord {
+    StretchRecord at;
+    int section; /* 0 flat, 1 v, 2 u */
+    double width, height, angle, radius, depth;
+} TrayRecord;
+
+typedef struct PlaneRecord {
+    char name[NAME_MAX_LENGTH];
+    Vec3 point, normal, along;
+    double length, width, fade;
+    const CaseNode *friction;
+} PlaneRecord;
+
 typedef struct ContactRecord {
     int geometry;
     const CaseNode *k;
@@ -163,8 +198,8 @@ typedef struct RunRecord {
 
 typedef struct TopRecord {
     char title[256];
-    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *contact, *friction, *drive, *run, *solver,
-        *output, *paper;
+    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *surfaces, *contact, *friction, *drive, *run,
+        *solver, *output, *paper;
     int frame;
 } TopRecord;
 

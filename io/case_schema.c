@@ -19,6 +19,8 @@
 static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const weights[] = {"full", "carried", NULL};
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
+static const char *const places[] = {"centred", "resting", NULL};
+static const char *const tray_sections[] = {"flat", "v", "u", NULL};
 static const char *const grips[] = {"clamp", "axial", NULL};
 static const char *const afters[] = {"stay", "end", NULL};
 static const char *const ramps[] = {"none", "step", "step5", NULL};
@@ -39,6 +41,7 @@ static const CaseKey top_keys[] = {
     {"route", KEY_MAP, .required = 1, .form = "section `route`", AT(TopRecord, route)},
     {"lead_in", KEY_MAP, .otherwise = "none", .form = "section `lead_in`", AT(TopRecord, lead_in)},
     {"rollers", KEY_MAP, .otherwise = "none", .form = "section `rollers`", AT(TopRecord, rollers)},
+    {"surfaces", KEY_MAP, .otherwise = "none", .form = "section `surfaces`", AT(TopRecord, surfaces)},
     {"contact", KEY_MAP, .otherwise = "its defaults", .form = "section `contact`", AT(TopRecord, contact)},
     {"friction", KEY_MAP, .otherwise = "its defaults", .form = "section `friction`", AT(TopRecord, friction)},
     {"drive", KEY_MAP, .otherwise = "none", .form = "section `drive`", AT(TopRecord, drive)},
@@ -201,6 +204,68 @@ static const CaseKey roller_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(RollerRecord, name)},
 };
 SECTION(case_roller, "rollers.list.N", roller_keys);
+
+/* What the cable lies on along a length. */
+static const CaseKey surfaces_keys[] = {
+    {"ducts", KEY_LIST, .otherwise = "none", .form = "ducts one by one", AT(SurfacesRecord, ducts)},
+    {"trays", KEY_LIST, .otherwise = "none", .form = "trays, troughs and floors one by one", AT(SurfacesRecord, trays)},
+    {"planes", KEY_LIST, .otherwise = "none", .form = "floors and walls one by one", AT(SurfacesRecord, planes)},
+    {"contact", KEY_MAP, .otherwise = "as section `contact`", .form = "section `surfaces.contact`",
+     AT(SurfacesRecord, contact)},
+};
+SECTION(case_surfaces, "surfaces", surfaces_keys);
+
+/* No fallbacks: what is absent is the rollers' number. */
+static const CaseKey line_contact_keys[] = {
+    {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "the rollers'", .form = "a force per length to the power e",
+     ABOVE(0, 1e18), AT(LineContactRecord, k)},
+    {"e", KEY_NUMBER, .otherwise = "the rollers'", FROM(1, 5), AT(LineContactRecord, e)},
+    {"c", KEY_NUMBER, DIM_DASHPOT, .otherwise = "the rollers'", FROM(0, 1e12), AT(LineContactRecord, c)},
+    {"d", KEY_NUMBER, DIM_LENGTH, .otherwise = "the rollers'", ABOVE(0, 1), AT(LineContactRecord, d)},
+};
+SECTION(case_line_contact, "surfaces.contact", line_contact_keys);
+
+/* Stretches: off the route is an error, which case_surfaces.c finds. */
+static const CaseKey duct_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(DuctRecord, at.name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(DuctRecord, at.from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(DuctRecord, at.to)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 1e3), AT(DuctRecord, radius)},
+    {"place", KEY_CHOICE, .fallback = "centred", .choices = places, AT(DuctRecord, place)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(DuctRecord, at.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(DuctRecord, at.friction)},
+};
+SECTION(case_duct, "surfaces.ducts.N", duct_keys);
+
+/* Which keys belong to which section is checked in case_surfaces.c. */
+static const CaseKey tray_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(TrayRecord, at.name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TrayRecord, at.from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(TrayRecord, at.to)},
+    {"section", KEY_CHOICE, .fallback = "flat", .choices = tray_sections, AT(TrayRecord, section)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "400 mm", ABOVE(0, 1e3), AT(TrayRecord, width)},
+    {"height", KEY_NUMBER, DIM_LENGTH, .otherwise = "`flat` 0 m, `v` two cable diameters, `u` the radius", FROM(0, 1e3),
+     AT(TrayRecord, height)},
+    {"angle", KEY_NUMBER, DIM_ANGLE, .otherwise = "90 deg", FROM(DEGREES(10), DEGREES(160)), AT(TrayRecord, angle)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `u` needs it", ABOVE(0, 1e3), AT(TrayRecord, radius)},
+    {"depth", KEY_NUMBER, DIM_LENGTH, .otherwise = "the largest cable's radius", ABOVE(0, 1e3), AT(TrayRecord, depth)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(TrayRecord, at.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(TrayRecord, at.friction)},
+};
+SECTION(case_tray, "surfaces.trays.N", tray_keys);
+
+/* By coordinates. A length or width of 0 has no end. */
+static const CaseKey plane_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(PlaneRecord, name)},
+    {"point", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(PlaneRecord, point)},
+    {"normal", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(PlaneRecord, normal)},
+    {"along", KEY_POINT, .fallback = "[0, 0, 0]", FROM(-1e6, 1e6), AT(PlaneRecord, along)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PlaneRecord, length)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PlaneRecord, width)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, LONG), AT(PlaneRecord, fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(PlaneRecord, friction)},
+};
+SECTION(case_plane, "surfaces.planes.N", plane_keys);
 
 /* ADAMS' IMPACT; the defaults' reasons are in sim/scene_def.c. */
 static const CaseKey contact_keys[] = {
@@ -377,36 +442,15 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 /* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
-    static const CaseSection *const all[] = {&case_top,
-                                             &case_cable,
-                                             &case_damping_factor,
-                                             &case_damping_ratio,
-                                             &case_preload,
-                                             &case_bending,
-                                             &case_chain_piece,
-                                             &case_route,
-                                             &case_route_piece,
-                                             &case_lead_in,
-                                             &case_rollers,
-                                             &case_roller_row,
-                                             &case_groove,
-                                             &case_roller,
-                                             &case_contact,
-                                             &case_friction,
-                                             &case_drive,
-                                             &case_winch,
-                                             &case_winch_tension,
-                                             &case_trip,
-                                             &case_tail,
-                                             &case_rope_drag,
-                                             &case_run,
-                                             &case_solver,
-                                             &case_tolerances,
-                                             &case_output,
-                                             &case_stations,
-                                             &case_station,
-                                             &case_paper,
-                                             &case_paper_term,
-                                             NULL};
+    static const CaseSection *const all[] = {
+        &case_top,         &case_cable,      &case_damping_factor, &case_damping_ratio,
+        &case_preload,     &case_bending,    &case_chain_piece,    &case_route,
+        &case_route_piece, &case_lead_in,    &case_rollers,        &case_roller_row,
+        &case_groove,      &case_roller,     &case_surfaces,       &case_duct,
+        &case_tray,        &case_plane,      &case_line_contact,   &case_contact,
+        &case_friction,    &case_drive,      &case_winch,          &case_winch_tension,
+        &case_trip,        &case_tail,       &case_rope_drag,      &case_run,
+        &case_solver,      &case_tolerances, &case_output,         &case_stations,
+        &case_station,     &case_paper,      &case_paper_term,     NULL};
     return all;
 }

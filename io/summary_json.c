@@ -56,6 +56,24 @@ static int put_scene(json_t *o, const hawser_summary *s)
            put_int(o, "contact_active_max", s->contact_active_max);
 }
 
+/* One object a duct, tray, floor or wall. */
+static int put_surfaces(json_t *o, const SummaryLabels *l)
+{
+    json_t *list = json_array();
+    int bad = !list;
+    for (int i = 0; i < l->n_surfaces && !bad; i++) {
+        const hawser_surface *const s = &l->surface[i];
+        json_t *row = json_object();
+        bad = put_text(row, "name", s->name) | put_text(row, "kind", s->kind) | put_real(row, "from_m", s->from_m) |
+              put_real(row, "to_m", s->to_m) | put_real(row, "clearance_m", s->clearance_m) |
+              put_real(row, "jam_ratio", s->jam_ratio) | put_real(row, "steady_normal_N", s->normal_N) |
+              put_real(row, "steady_friction_N", s->friction_N) |
+              put_real(row, "peak_line_load_N_per_m", s->line_load_N_per_m) |
+              put_real(row, "peak_at_m", s->line_load_at_m) | json_array_append_new(list, row);
+    }
+    return json_object_set_new(o, "surfaces", list) | bad;
+}
+
 /* What the integrator and the linear solver did. */
 static int put_work(json_t *o, const hawser_summary *s)
 {
@@ -127,7 +145,7 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     int bad = !o;
     if (o) {
         bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_events(o, s) |
-              put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
+              put_surfaces(o, labels) | put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(o);

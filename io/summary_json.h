@@ -9,6 +9,8 @@ typedef struct SummaryLabels {
     const char *title, *case_name;
     const char *outcome; /* "running", "finished", "tripped", "stopped", "failed" */
     const char *message; /* why it did not finish; "" otherwise */
+    int n_surfaces;
+    const hawser_surface *surface; /* [n_surfaces] */
 } SummaryLabels;
 
 /* The text of summary.json, malloc'ed; what is not known (NAN) becomes null. Errors: MEMORY. */

@@ -27,6 +27,10 @@ static int parts_alloc(Workspace *ws, const Scene *scene)
         }
         ok &= contact_pairs_alloc(&part->pairs, scene->chain.n) & loads_alloc(&ws->loads[p], scene->chain.n);
     }
+    /* the element before segment `middle` is the second half's */
+    const int elements = scene->surfaces.points.elements, middle = elements > 0 ? ws->middle : 0;
+    surface_pairs_init(&ws->contact[0].surface, 0, middle);
+    surface_pairs_init(&ws->contact[1].surface, middle, elements);
     return ok;
 }
 
@@ -36,6 +40,7 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
     memset(ws, 0, sizeof *ws);
     ws->team = team;
     ws->middle = n / 2 / LANES * LANES;
+    ws->surfaces = scene->surfaces.model;
     int ok = equipment_work_alloc(&ws->equipment, &scene->equipment, scene->contact.n_rollers, scene->rollers);
     ok = ok && kinematics_alloc(&ws->kin, n) && kinematics_alloc_slips(&ws->kin, &scene->chain);
     ok = ok && joint_loads_alloc(&ws->joints, n) & parts_alloc(ws, scene);
@@ -45,7 +50,8 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
     }
     if (scene->self.present) ok &= self_pairs_alloc(&ws->self, n);
     ws->on_roller = calloc((size_t)scene->contact.n_rollers + 1, sizeof *ws->on_roller);
-    ok = ok && ws->on_roller;
+    ws->on_surface = calloc((size_t)scene->surfaces.model.n_surfaces + 1, sizeof *ws->on_surface);
+    ok = ok && ws->on_roller && ws->on_surface;
     if (!ok) workspace_free(ws);
     return ok;
 }
@@ -57,10 +63,13 @@ void workspace_free(Workspace *ws)
     for (int c = 0; c < 6; ++c) ws->law[c] = chain_array_free(ws->law[c]);
     for (int p = 0; p < PARTS; ++p) {
         contact_pairs_free(&ws->contact[p].pairs);
+        surface_pairs_free(&ws->contact[p].surface);
         loads_free(&ws->loads[p]);
     }
     self_pairs_free(&ws->self);
     equipment_work_free(&ws->equipment);
+    free(ws->on_surface);
+    ws->on_surface = NULL;
     free(ws->on_roller);
     ws->on_roller = NULL;
 }
@@ -105,11 +114,15 @@ static void part_loads(const Evaluation *e, int part)
     ContactPart *const mine = &ws->contact[part];
     if (part == 0) applied_ends(e->scene, &ws->kin, e->t, e->friction, &ws->loads[0]);
     const SelfModel *const self = &e->scene->self;
+    const SurfaceModel *const surfaces = &ws->surfaces;
     const Chain *const chain = &e->scene->chain;
-    if (mine->model.n_rollers == 0 && !self->present) return;
+    if (mine->model.n_rollers == 0 && !self->present && surfaces->n_patches == 0) return;
     const double start = clock_now();
     if (mine->model.n_rollers > 0) part_forces(e->scene, ws, part, e->friction, NULL);
     if (self->present) self_forces(self, chain, &ws->kin, e->friction, part, &ws->self, &ws->loads[part]);
+    if (surfaces->n_patches > 0) {
+        surface_forces(surfaces, chain, &ws->kin, e->friction, &mine->surface, &ws->loads[part], NULL);
+    }
     mine->seconds += clock_now() - start;
 }
 
@@ -187,6 +200,24 @@ static void blocks_job(void *arg, int rank)
     }
 }
 
+/* Surfaces under one half, without the element at the middle, which hangs on segments of both. */
+static void surface_blocks_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Workspace *const ws = e->ws;
+    const int from = rank == 0 ? 0 : ws->middle + 1, to = rank == 0 ? ws->middle : e->scene->chain.n + 1;
+    surface_blocks(&ws->surfaces, &e->scene->chain, &ws->kin, e->friction, &ws->contact[rank].surface, from, to, e->k,
+                   e->d);
+}
+
+static void blocks_of_surfaces(Evaluation *e)
+{
+    Workspace *const ws = e->ws;
+    both(ws, surface_blocks_job, 0, e);
+    surface_blocks(&ws->surfaces, &e->scene->chain, &ws->kin, e->friction, &ws->contact[1].surface, ws->middle,
+                   ws->middle + 1, e->k, e->d);
+}
+
 /* Adds up in the order that does not depend on the number of threads: two terms of a sum commute. */
 static void blocks_of_chain(Evaluation *e)
 {
@@ -226,7 +257,7 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
                      BlockChain *k, BlockChain *d)
 {
     const Chain *const chain = &scene->chain;
-    Evaluation e = {.scene = scene, .ws = ws, .ydot = (double *)ydot, .k = k, .d = d};
+    Evaluation e = {.scene = scene, .ws = ws, .friction = friction, .ydot = (double *)ydot, .k = k, .d = d};
     dynamics_kinematics(scene, ws, t, y);
     block_chain_zero(k);
     block_chain_zero(d);
@@ -236,6 +267,7 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
     for (int p = 0; p < PARTS; ++p) {
         if (ws->contact[p].model.n_rollers > 0) part_blocks(scene, ws, p, friction, k, d);
     }
+    if (ws->surfaces.n_patches > 0) blocks_of_surfaces(&e);
     if (scene->equipment.n > 0) equipment_bushing_blocks(&ws->equipment);
     if (!scene->self.present) return;
     block_extras_zero(&ws->self.extras);
@@ -278,6 +310,21 @@ double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const
 void dynamics_soften(const Scene *scene, Workspace *ws, double share)
 {
     for (int p = 0; p < PARTS; ++p) ws->contact[p].model.impact.k = share * scene->contact.impact.k;
+    ws->surfaces.impact.k = share * scene->surfaces.model.impact.k;
+}
+
+int dynamics_surface_forces(const Scene *scene, Workspace *ws)
+{
+    const SurfaceModel *const model = &ws->surfaces;
+    int active = 0;
+    for (int i = 0; i < model->n_surfaces; ++i) ws->on_surface[i] = surface_tally_new();
+    for (int p = 0; p < PARTS && model->n_patches > 0; ++p) {
+        SurfacePairs *const pairs = &ws->contact[p].surface;
+        loads_zero(&ws->loads[p], scene->chain.n);
+        surface_forces(model, &scene->chain, &ws->kin, 1.0, pairs, &ws->loads[p], ws->on_surface);
+        active += pairs->active;
+    }
+    return active;
 }
 
 double dynamics_contact_seconds(const Workspace *ws)
@@ -289,7 +336,7 @@ double dynamics_contact_seconds(const Workspace *ws)
 int dynamics_candidates(const Workspace *ws)
 {
     int count = ws->self.candidates;
-    for (int p = 0; p < PARTS; ++p) count += ws->contact[p].pairs.candidates;
+    for (int p = 0; p < PARTS; ++p) count += ws->contact[p].pairs.candidates + ws->contact[p].surface.candidates;
     return count;
 }
 
@@ -308,7 +355,8 @@ static int stale(const Scene *scene, const Workspace *ws)
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
                                hawser_error *err)
 {
-    if (scene->contact.n_rollers == 0 && !scene->self.present) return HAWSER_OK;
+    const SurfaceModel *const surfaces = &ws->surfaces;
+    if (scene->contact.n_rollers == 0 && !scene->self.present && surfaces->n_patches == 0) return HAWSER_OK;
     /* the last evaluation is nearer to y than the reach's reserve: it will do for the question */
     if (!always && !stale(scene, ws)) return HAWSER_OK;
     dynamics_kinematics(scene, ws, t, y);
@@ -316,6 +364,7 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
     for (int p = 0; p < PARTS && !status; ++p) {
         ContactPart *const part = &ws->contact[p];
         status = contact_refresh(&part->model, &scene->chain, &ws->kin, &part->pairs, err);
+        if (!status) status = surface_refresh(surfaces, &scene->chain, &ws->kin, &part->surface, err);
     }
     if (!status && scene->self.present) status = self_refresh(&scene->self, &scene->chain, &ws->kin, &ws->self, err);
     if (scene->equipment.n > 0) equipment_stand(&ws->equipment);

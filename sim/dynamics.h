@@ -9,12 +9,13 @@
 
 enum { PARTS = 2 }; /* into which the work is split, whatever the number of threads: results never depend on it */
 
-/* Contacts of one half of the rollers. */
+/* Contacts of one half of the rollers, and of one half of the chain with surfaces. */
 typedef struct ContactPart {
     int first; /* its first roller of the scene's */
     ContactModel model;
-    ContactPairs pairs; /* contact_refresh */
-    double seconds;     /* s spent in forces, summed */
+    ContactPairs pairs;   /* contact_refresh */
+    SurfacePairs surface; /* of one half of the elements; surface_refresh */
+    double seconds;       /* s spent in forces, summed */
 } ContactPart;
 
 /* Scratch of one evaluation, grouped by what computes it; discardable but for kin.slip. */
@@ -25,10 +26,12 @@ typedef struct Workspace {
     JointLoads joints;  /* bushing_loads */
     Loads loads[PARTS]; /* on segments: weight, tail, drag and the first half's contacts; the second half's contacts */
     ContactPart contact[PARTS];
-    SelfPairs self;          /* cable on cable: self_refresh, self_forces, self_blocks; nothing allocated without it */
-    Vec3 *on_roller;         /* [rollers] contact_forces, where asked for, N */
-    EquipmentWork equipment; /* rollers that move */
-    double *law[6];          /* bushing_law: [n+1] */
+    SelfPairs self;           /* cable on cable: self_refresh, self_forces, self_blocks; nothing allocated without it */
+    Vec3 *on_roller;          /* [rollers] contact_forces, where asked for, N */
+    EquipmentWork equipment;  /* rollers that move */
+    SurfaceModel surfaces;    /* the scene's; the relaxation softens it */
+    SurfaceTally *on_surface; /* [surfaces] dynamics_surface_forces */
+    double *law[6];           /* bushing_law: [n+1] */
     long rhs_evals, refreshes;
     int candidates_max;
 } Workspace;
@@ -56,6 +59,8 @@ double dynamics_winch_pull(const Scene *scene, Workspace *ws, double t);
 double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y);
 /* Gives the rollers' contacts `share` of their stiffness, for the relaxation; 1: the scene's again. */
 void dynamics_soften(const Scene *scene, Workspace *ws, double share);
+/* What the cable does to every surface, into ws->on_surface, likewise. */
+int dynamics_surface_forces(const Scene *scene, Workspace *ws);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */

@@ -14,6 +14,12 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
     b->tension = calloc(n + 1, sizeof(double));
     b->axial_speed = calloc(n, sizeof(double));
     b->roller_load = calloc((size_t)scene->contact.n_rollers + 1, sizeof(double));
+    const int surfaces = scene->surfaces.model.n_surfaces;
+    int ok = 1;
+    for (int k = 0; k < 4; ++k) {
+        b->surface[k] = calloc((size_t)surfaces + 1, sizeof(double));
+        ok = ok && b->surface[k];
+    }
     b->sample = (hawser_sample){.segments = scene->chain.n,
                                 .joints = scene->chain.n + 1,
                                 .rollers = scene->contact.n_rollers,
@@ -23,8 +29,14 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .omega = b->omega,
                                 .tension = b->tension,
                                 .axial_speed = b->axial_speed,
-                                .roller_load = b->roller_load};
-    return b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed && b->roller_load;
+                                .roller_load = b->roller_load,
+                                .surfaces = surfaces,
+                                .surface_normal = b->surface[0],
+                                .surface_friction = b->surface[1],
+                                .surface_line_load = b->surface[2],
+                                .surface_at = b->surface[3]};
+    return ok && b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed &&
+           b->roller_load;
 }
 
 void sample_free(SampleBuffers *b)
@@ -36,6 +48,7 @@ void sample_free(SampleBuffers *b)
     free(b->tension);
     free(b->axial_speed);
     free(b->roller_load);
+    for (int k = 0; k < 4; ++k) free(b->surface[k]);
     memset(b, 0, sizeof *b);
 }
 
@@ -83,6 +96,21 @@ static void winch_take(hawser_sample *s, const Scene *scene, Workspace *ws, doub
     s->winch_travel = motion.travel;
 }
 
+/* Nothing is computed where there is no surface. */
+static void surfaces_take(SampleBuffers *b, const Scene *scene, Workspace *ws)
+{
+    hawser_sample *const s = &b->sample;
+    if (s->surfaces == 0) return;
+    s->active_contacts += dynamics_surface_forces(scene, ws);
+    for (int i = 0; i < s->surfaces; ++i) {
+        const SurfaceTally *const tally = &ws->on_surface[i];
+        b->surface[0][i] = tally->normal;
+        b->surface[1][i] = tally->friction;
+        b->surface[2][i] = tally->line_load;
+        b->surface[3][i] = tally->at;
+    }
+}
+
 const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace *ws, double t, const double *y)
 {
     hawser_sample *const s = &b->sample;
@@ -94,5 +122,6 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace
     tension_take(b, scene, ws);
     s->active_contacts = dynamics_roller_forces(scene, ws);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
+    surfaces_take(b, scene, ws);
     return s;
 }

@@ -200,6 +200,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->largest_speed = scene->winch.present && speed > 0 ? speed : 0.1;
     self_fill(scene);
     status = contact_fill(scene, err);
+    if (!status) status = surfaces_fill(&scene->surfaces, def, &scene->route, &scene->chain, err);
     return status ? status : equipment_build(def, scene->rollers, &scene->equipment, err);
 }
 
@@ -230,6 +231,7 @@ void scene_clear(Scene *scene)
     free(scene->joint_s);
     free(scene->rollers);
     equipment_clear(&scene->equipment);
+    surfaces_clear(&scene->surfaces);
     route_clear(&scene->route);
     scene_def_clear(&scene->def);
     memset(scene, 0, sizeof *scene);

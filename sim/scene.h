@@ -7,6 +7,7 @@
 #include "contact/self_contact.h"
 #include "core/body.h"
 #include "sim/equipment.h"
+#include "sim/surfaces.h"
 #include "sim/winch.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
@@ -42,6 +43,7 @@ typedef struct Scene {
     Drag drag;
     ContactRoller *rollers; /* owned; the contact model borrows them */
     ContactModel contact;
+    Surfaces surfaces;
     SelfModel self;      /* cable on cable */
     Equipment equipment; /* rollers that move */
     SceneDef def;        /* a deep copy of what this was built from */

@@ -34,6 +34,7 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
     out->pieces = copy_of(def->pieces, def->n_pieces, sizeof *def->pieces, &ok);
     out->route = copy_of(def->route, def->n_route, sizeof *def->route, &ok);
     out->rollers = copy_of(def->rollers, def->n_rollers, sizeof *def->rollers, &ok);
+    out->surfaces = copy_of(def->surfaces, def->n_surfaces, sizeof *def->surfaces, &ok);
     out->stations = copy_of(def->stations, def->n_stations, sizeof *def->stations, &ok);
     out->paper = copy_of(def->paper, def->n_paper, sizeof *def->paper, &ok);
     out->output.speed_segments = copy_of(def->output.speed_segments, def->output.n_speed_segments, sizeof(int), &ok);

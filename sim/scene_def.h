@@ -6,6 +6,7 @@
 #include "contact/contact_law.h"
 #include "contact/element.h"
 #include "contact/shape.h"
+#include "contact/surface_patch.h"
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
@@ -74,6 +75,13 @@ typedef struct RollerDef {
     SpinDef spin;
     MountDef mount;
 } RollerDef;
+
+/* A duct, tray, floor or wall. Those along the route share no stretch of it. */
+typedef struct SurfaceDef {
+    char name[NAME_MAX_LENGTH];
+    SurfaceShape shape;
+    FrictionLaw friction;
+} SurfaceDef;
 
 typedef struct LeadInDef {
     int present;
@@ -173,6 +181,9 @@ typedef struct SceneDef {
     FrictionLaw cable_friction; /* there */
     int n_rollers;
     RollerDef *rollers;
+    ImpactLaw line_impact; /* for each metre of cable on a surface */
+    int n_surfaces;
+    SurfaceDef *surfaces;
 
     WinchDef winch;
     TailDef tail;

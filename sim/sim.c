@@ -232,6 +232,7 @@ void sim_summary(const Sim *s, hawser_summary *out)
     *out = (hawser_summary){.segments = scene->chain.n,
                             .bushings = scene->chain.n - 1 + (scene->winch.present ? 1 : 0),
                             .rollers = scene->contact.n_rollers,
+                            .surfaces = scene->surfaces.model.n_surfaces,
                             .contact_candidates = s->ws.candidates_max,
                             .contact_active_max = s->active_max,
                             .contact_refreshes = s->ws.refreshes,
@@ -270,4 +271,10 @@ int sim_events(const Sim *s, const hawser_event **out)
 {
     *out = s->events.event;
     return s->events.n;
+}
+
+int sim_surfaces(const Sim *s, const SimSurface **out)
+{
+    *out = s->stats.surface_out;
+    return s->stats.n_surfaces;
 }

@@ -35,6 +35,8 @@ int sim_stations(const Sim *s, const hawser_station **out);
 
 /* The rollers' table; the array is the simulation's. Returns how many. */
 int sim_rollers(const Sim *s, const SimRoller **out);
+/* The same of the surfaces. */
+int sim_surfaces(const Sim *s, const SimSurface **out);
 
 /* What happened so far; the array is the simulation's. Returns how many. */
 int sim_events(const Sim *s, const hawser_event **out);

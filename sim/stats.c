@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/error.h"
+#include "theory/duct.h"
 
 /* A sample of `value`, dt after the last one; it counts for the mean if `steady`. */
 static void mean_add(TimeMean *m, double value, double dt, int steady)
@@ -29,6 +30,37 @@ static double ripple_of(const TimeMean *m)
     return m->time > 0 ? sqrt(fmax(0, m->square / m->time - mean * mean)) : 0;
 }
 
+/* Clearance and jam ratio of a duct with one cable in it; the sizes were checked when the case was read. */
+static void duct_fill(const SurfaceDef *def, SimSurface *out)
+{
+    const DuctDef duct = {
+        .duct_diameter = 2 * def->shape.radius, .cable_diameter = 2 * def->shape.cable_radius, .cables = 1};
+    DuctLoad load;
+    out->clearance = out->jam_ratio = NAN;
+    if (def->shape.kind != SURFACE_DUCT || duct_load(&duct, &load, NULL)) return;
+    out->clearance = load.clearance;
+    out->jam_ratio = load.jam_ratio;
+}
+
+/* The tables of the surfaces; 0 if there is no memory. */
+static int surfaces_new(Stats *stats, const SceneDef *def)
+{
+    const size_t n = (size_t)def->n_surfaces + 1;
+    stats->n_surfaces = def->n_surfaces;
+    stats->surface[0] = calloc(n, sizeof(TimeMean));
+    stats->surface[1] = calloc(n, sizeof(TimeMean));
+    stats->surface_out = calloc(n, sizeof *stats->surface_out);
+    if (!stats->surface[0] || !stats->surface[1] || !stats->surface_out) return 0;
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        SimSurface *const out = &stats->surface_out[i];
+        memcpy(out->name, def->surfaces[i].name, sizeof out->name);
+        out->def = &def->surfaces[i];
+        out->at = NAN;
+        duct_fill(out->def, out);
+    }
+    return 1;
+}
+
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -42,7 +74,7 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
     stats->roller = calloc(nr, sizeof *stats->roller);
     stats->station_out = calloc(ns, sizeof *stats->station_out);
     stats->roller_out = calloc(nr, sizeof *stats->roller_out);
-    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out) {
+    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !surfaces_new(stats, def)) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -65,6 +97,9 @@ void stats_free(Stats *stats)
     free(stats->roller);
     free(stats->station_out);
     free(stats->roller_out);
+    free(stats->surface[0]);
+    free(stats->surface[1]);
+    free(stats->surface_out);
     memset(stats, 0, sizeof *stats);
 }
 
@@ -134,6 +169,20 @@ static void stations_record(Stats *stats, const Scene *scene, const hawser_sampl
     }
 }
 
+static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
+{
+    for (int i = 0; i < stats->n_surfaces; ++i) {
+        SimSurface *const out = &stats->surface_out[i];
+        mean_add(&stats->surface[0][i], sample->surface_normal[i], dt, steady);
+        mean_add(&stats->surface[1][i], sample->surface_friction[i], dt, steady);
+        out->normal = mean_of(&stats->surface[0][i]);
+        out->friction = mean_of(&stats->surface[1][i]);
+        if (!(sample->surface_line_load[i] > out->line_load)) continue;
+        out->line_load = sample->surface_line_load[i];
+        out->at = sample->surface_at[i];
+    }
+}
+
 static void tables_update(Stats *stats)
 {
     for (int i = 0; i < stats->n_stations; ++i) {
@@ -161,6 +210,7 @@ void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample)
         mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
         if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];
     }
+    surfaces_record(stats, sample, dt, steady);
     stats->last_t = sample->t;
     tables_update(stats);
 }

@@ -20,22 +20,32 @@ typedef struct SimRoller {
     double initial; /* N, at equilibrium before t = 0 */
 } SimRoller;
 
+typedef struct SimSurface {
+    char name[NAME_MAX_LENGTH];
+    const SurfaceDef *def;       /* the scene's */
+    double normal, friction;     /* N, means of the steady window */
+    double line_load, at;        /* N/m, the largest of the run; m along the route, where that was */
+    double clearance, jam_ratio; /* ducts: m; 1; NAN for others */
+} SimSurface;
+
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
     double steady_from; /* s */
     TimeMean pull;      /* N, winch force */
     TimeMean speed;     /* m/s, axial speed of the cable's first segment */
     double settled_at;  /* s, last time the speed was more than 2 % off the winch's final speed */
-    int n_stations, n_rollers;
-    TimeMean *station; /* [n_stations], N */
-    TimeMean *roller;  /* [n_rollers], N */
+    int n_stations, n_rollers, n_surfaces;
+    TimeMean *station;    /* [n_stations], N */
+    TimeMean *roller;     /* [n_rollers], N */
+    TimeMean *surface[2]; /* [n_surfaces], N: normal force, friction */
     hawser_station *station_out;
     SimRoller *roller_out;
+    SimSurface *surface_out;
 } Stats;
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
 void stats_free(Stats *stats);
-/* Takes a sample in; the tables station_out and roller_out are up to date afterwards. */
+/* Takes a sample in; the tables station_out, roller_out and surface_out are up to date afterwards. */
 void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample);
 /* Fills what the statistics know into the summary; paper_N and reference_N must be in station_out. */
 void stats_summary(const Stats *stats, hawser_summary *out);

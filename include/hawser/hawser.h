@@ -102,6 +102,11 @@ typedef struct hawser_sample {
     const double *tension;     /* [joints], axial force, N, positive in tension */
     const double *axial_speed; /* [segments], m/s, along the segment's own axis */
     const double *roller_load; /* [rollers], N, size of the contact force on the roller */
+    int surfaces;
+    const double *surface_normal;    /* [surfaces], N, sum of the normal forces on the surface */
+    const double *surface_friction;  /* [surfaces], N, sum of the friction forces on it */
+    const double *surface_line_load; /* [surfaces], N/m, the largest normal force per length of cable */
+    const double *surface_at;        /* [surfaces], m along the route, where that is; NAN: nowhere, or not along it */
 } hawser_sample;
 
 /* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
@@ -138,7 +143,7 @@ typedef struct hawser_phases {
 } hawser_phases;
 
 typedef struct hawser_summary {
-    int segments, bushings, rollers;
+    int segments, bushings, rollers, surfaces;
     int contact_candidates; /* pairs of line element and roller that are looked at, largest over the run */
     int contact_active_max;
     double sim_time_s, wall_time_s, real_time_factor;
@@ -189,6 +194,22 @@ typedef struct hawser_roller {
 /* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how
  * many. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
+
+/* One duct, tray, floor or wall. */
+typedef struct hawser_surface {
+    const char *name;
+    const char *kind;         /* "duct", "flat", "v", "u" (trays) or "plane" */
+    double from_m, to_m;      /* along the route; NAN for planes */
+    double clearance_m;       /* ducts: from the cable lying in it straight up to the duct; NAN for others */
+    double jam_ratio;         /* ducts: 1.05 times duct over cable diameter; it tells something for three cables */
+    double normal_N;          /* sum of the normal forces, mean of the steady window */
+    double friction_N;        /* sum of the friction forces, likewise */
+    double line_load_N_per_m; /* the largest normal force per length of cable (sidewall pressure) of the run */
+    double line_load_at_m;    /* m along the route, where that was; NAN: nowhere, or not along the route */
+} hawser_surface;
+
+/* The surfaces in the case's order: ducts, trays, planes; as above. */
+int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out);
 
 /* The case's title, or its file's name if it has none. */
 const char *hawser_sim_title(const hawser_sim *s);

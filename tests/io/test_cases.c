@@ -131,6 +131,55 @@ static void test_winches(void **state)
     hawser_sim_free(o.sim);
 }
 
+/* The surface of this name. */
+static const hawser_surface *surface(hawser_sim *sim, const char *name)
+{
+    const hawser_surface *s;
+    const int n = hawser_sim_surfaces(sim, &s);
+    for (int i = 0; i < n; ++i) {
+        if (strcmp(s[i].name, name) == 0) return s + i;
+    }
+    fail_msg("no surface %s", name);
+    return NULL;
+}
+
+/* A level and an upward bend in a duct: the theory's tensions within 1 %, and the duct's friction as the pull's. */
+static void test_duct_bends(void **state)
+{
+    (void)state;
+    Outcome o = run("duct-bends", NULL);
+    assert_true(o.summary.relaxation.reached);
+    assert_int_equal(o.summary.surfaces, 1);
+    assert_true(o.summary.error_max_pct < 1);
+    const hawser_surface *const duct = surface(o.sim, "duct");
+    assert_string_equal(duct->kind, "duct");
+    assert_true(fabs(duct->clearance_m - 0.002) < 1e-12);
+    assert_share(duct->friction_N, 0.25 * duct->normal_N, 1e-6);
+    /* what the weight's 3 m or so of rise does not account for of the pull is the duct's friction */
+    assert_true(duct->friction_N > 1500 && duct->friction_N < o.summary.pull_mean_N - 2000);
+    /* sidewall pressure: tension over radius in the second bend, with its beginning's peak */
+    assert_true(duct->line_load_N_per_m > 3300 / 5.0 && duct->line_load_N_per_m < 2 * 4000 / 5.0);
+    assert_true(duct->line_load_at_m > 10 && duct->line_load_at_m < 25);
+    hawser_sim_free(o.sim);
+}
+
+/* One of each kind of tray: on the straights before the bend the theory with each tray's friction, the V's included. */
+static void test_tray(void **state)
+{
+    (void)state;
+    Outcome o = run("tray", NULL);
+    assert_true(o.summary.relaxation.reached);
+    assert_int_equal(o.summary.surfaces, 4);
+    const char *const name[] = {"2 m", "4 m", "6 m", "8 m"};
+    for (int i = 0; i < 4; ++i)
+        assert_share(station(o.sim, name[i])->mean_N, station(o.sim, name[i])->reference_N, 2e-3);
+    /* in the bend floor and wall have friction each: more than the theory's, less than that with T at the wall alone */
+    const hawser_station *const out = station(o.sim, "14 m");
+    assert_true(out->mean_N > 1.05 * out->reference_N && out->mean_N < 1.2 * out->reference_N);
+    assert_share(surface(o.sim, "v")->friction_N, 0.2 * surface(o.sim, "v")->normal_N, 1e-6);
+    hawser_sim_free(o.sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -139,6 +188,8 @@ int main(void)
         cmocka_unit_test(test_huangjiahu_real_stiffness),
         cmocka_unit_test(test_straight),
         cmocka_unit_test(test_winches),
+        cmocka_unit_test(test_duct_bends),
+        cmocka_unit_test(test_tray),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,7 +49,7 @@ static const hawser_summary full = {.segments = 370,
                                     .relaxation = {1, 12, 1e-3, 1e-2, 77, 0.002},
                                     .phases = {1, 2, 3, 4, 5, 6, 7, 8, 9}};
 
-static const SummaryLabels labels = {"A \"title\"", "cases/x.yaml", "finished", ""};
+static const SummaryLabels labels = {"A \"title\"", "cases/x.yaml", "finished", "", 0, NULL};
 
 /* The summary as JSON read back; the caller decrefs it. */
 static json_t *write_and_read(const hawser_summary *s, const SummaryLabels *l)

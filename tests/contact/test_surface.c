@@ -1,0 +1,290 @@
+/* Shapes and forces of surfaces: distance and normal against differences, continuity along the way, every point to one
+ * part; action and reaction, objectivity, a stiffness that does not depend on the segments. */
+#include "tests/contact/surface_scene.h"
+
+#include <math.h>
+
+static const RoutePieceDef way[] = {{.kind = ROUTE_STRAIGHT, .length = 2},
+                                    {.kind = ROUTE_BEND, .radius = 2, .angle = 2.5, .plane = 0},
+                                    {.kind = ROUTE_BEND, .radius = 1.5, .angle = 1, .plane = 0.7},
+                                    {.kind = ROUTE_STRAIGHT, .length = 3}};
+enum { WAY = 4 };
+
+static const SurfaceKind along[] = {SURFACE_DUCT, SURFACE_FLAT, SURFACE_V, SURFACE_U};
+
+static Vec3 beside(const Route *route, double s, double left, double up)
+{
+    const RoutePoint at = route_at(route, s);
+    const Vec3 l = route_left(route, s), u = v3_cross(at.tangent, l);
+    return v3_axpy(v3_axpy(at.position, left, l), up, u);
+}
+
+/* The normal is the direction in which the distance grows, at the rate 1 (but for the turning of twisted sections). */
+static void test_normal(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    for (int k = 0; k < 4; ++k) {
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, WAY, way, 0.1);
+        SurfaceShape shape = surfaces_shape(along[k], 0.5, 9);
+        shape.lift = 0.02;
+        surfaces_add(&s, &shape);
+        for (int trial = 0; trial < 400; ++trial) {
+            const double at = 5 + 4.9 * random_next(&seed);
+            const Vec3 p = beside(&s.route, at, 0.07 * random_next(&seed), -0.01 + 0.05 * random_next(&seed));
+            for (int f = 0; f < s.model.n_patches; ++f) {
+                const SurfaceProbe here = surface_probe(&s.patch[f], p);
+                if (!here.owned) continue;
+                const double e = 1e-6;
+                const Vec3 step[3] = {{e, 0, 0}, {0, e, 0}, {0, 0, e}};
+                double slope[3];
+                for (int c = 0; c < 3; ++c) {
+                    slope[c] = (surface_probe(&s.patch[f], v3_add(p, step[c])).distance -
+                                surface_probe(&s.patch[f], v3_sub(p, step[c])).distance) /
+                               (2 * e);
+                }
+                const Vec3 gradient = v3(slope[0], slope[1], slope[2]);
+                assert_true(fabs(v3_norm(here.normal) - 1) < 1e-14);
+                assert_true(v3_norm(v3_sub(v3_unit(gradient), here.normal)) < 1e-7);
+                assert_true(fabs(v3_norm(gradient) - 1) < 2e-3);
+            }
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* Distance of the nearest face, its normal, and how many parts of the way own the point. */
+static int faces_at(const SurfaceScene *s, Vec3 p, double *nearest, Vec3 *normal)
+{
+    int owners = 0;
+    *nearest = INFINITY;
+    for (int f = 0; f < s->model.n_patches; ++f) {
+        const SurfaceProbe here = surface_probe(&s->patch[f], p);
+        /* another part of the way may be beside this one: it does not touch (DU13) */
+        if (!here.owned || here.distance < -SURFACE_DEPTH_MAX || here.share <= 0) continue;
+        ++owners;
+        if (here.distance >= *nearest) continue;
+        *nearest = here.distance;
+        *normal = here.normal;
+    }
+    return owners;
+}
+
+/* Along lines beside the route nothing jumps, and each point is one part's. */
+static void test_continuous(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; ++k) {
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, WAY, way, 0);
+        SurfaceShape shape = surfaces_shape(along[k], 0.5, 9);
+        shape.height = 0.1;
+        shape.lift = 0.03;
+        surfaces_add(&s, &shape);
+        const int faces = along[k] == SURFACE_FLAT ? 3 : along[k] == SURFACE_V ? 2 : 1;
+        double before = 0, now;
+        Vec3 normal_before = {0, 0, 0}, normal = {0, 0, 0};
+        for (int i = 0; i <= 17000; ++i) {
+            const Vec3 p = beside(&s.route, 0.4 + 5e-4 * i, 0.02, -0.005);
+            assert_int_equal(faces_at(&s, p, &now, &normal), faces);
+            if (i > 0) {
+                assert_true(fabs(now - before) < 1e-4);
+                assert_true(v3_norm(v3_sub(normal, normal_before)) < 2e-3);
+            }
+            before = now;
+            normal_before = normal;
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* Two stretches that meet share the cable: their weights add up to one. */
+static void test_fades_meet(void **state)
+{
+    (void)state;
+    SurfaceScene s;
+    surfaces_new(&s, 2, 0.5);
+    surfaces_route(&s, WAY, way, 0);
+    const SurfaceShape first = surfaces_shape(SURFACE_DUCT, 0, 3), second = surfaces_shape(SURFACE_DUCT, 3, 8);
+    surfaces_add(&s, &first);
+    surfaces_add(&s, &second);
+    for (double at = 0.3; at < 7.5; at += 0.01) {
+        double share = 0;
+        for (int f = 0; f < s.model.n_patches; ++f) {
+            const SurfaceProbe here = surface_probe(&s.patch[f], beside(&s.route, at, 0.01, 0.01));
+            if (here.owned) share += here.share;
+        }
+        assert_true(fabs(share - 1) < 1e-12);
+    }
+    surfaces_free(&s);
+}
+
+/* A moving chain in a duct through all of the way. */
+static void scene_moving(SurfaceScene *s, double heading)
+{
+    uint64_t seed = 5;
+    surfaces_new(s, 18, 0.5);
+    assert_int_equal(route_build(&s->route, WAY, way, v3(0, 0, 0), heading, 0.05, NULL), HAWSER_OK);
+    const SurfaceShape duct = surfaces_shape(SURFACE_DUCT, 0, 5), tray = surfaces_shape(SURFACE_V, 5, 9);
+    surfaces_add(s, &duct);
+    surfaces_add(s, &tray);
+    surfaces_points(s, GEOMETRY_SMOOTH);
+    surfaces_lay(s, 0.1, 0, 0);
+    const Vec3 turned = v3(cos(heading), sin(heading), 0);
+    for (int i = 0; i < 18; ++i) {
+        const Vec3 left = v3(-turned.y, turned.x, 0), up = v3(0, 0, 1), r = random_vector(&seed),
+                   v = random_vector(&seed);
+        Vec3 p = vector_of(s->kin.p, i);
+        p = v3_axpy(p, i < 10 ? -0.0605 : -0.0005, up);
+        p = v3_axpy(v3_axpy(v3_axpy(p, 2e-4 * r.x, turned), 2e-4 * r.y, left), 2e-4 * r.z, up);
+        vector_to(s->kin.p, i, p);
+        vector_to(s->kin.v, i, v3_axpy(v3_axpy(v3_scale(0.1 * v.x, turned), 0.1 * v.y, left), 0.01 * v.z, up));
+        vector_to(s->kin.w, i, v3_scale(0.1, v3_axpy(v3_axpy(v3_scale(r.y, turned), r.z, left), r.x, up)));
+    }
+    surfaces_refresh(s);
+}
+
+/* What the segments feel and what the surfaces feel add up to nothing, forces and moments. */
+static void test_action_and_reaction(void **state)
+{
+    (void)state;
+    SurfaceScene s;
+    scene_moving(&s, 0);
+    surfaces_forces(&s, 1);
+    Vec3 total = {0, 0, 0};
+    for (int i = 0; i < s.chain.n; ++i) total = v3_add(total, vector_of(s.loads.f, i));
+    const Vec3 reaction = v3_add(s.tally[0].force, s.tally[1].force);
+    print_message("%d points, on the cable %.3f %.3f %.3f N\n", s.pairs.active, total.x, total.y, total.z);
+    assert_true(s.pairs.active > 20 && v3_norm(total) > 1000);
+    assert_true(v3_norm(v3_add(total, reaction)) < 1e-12 * v3_norm(total));
+    /* friction is mu times the normal force where everything slides */
+    assert_true(s.tally[0].friction <= 0.25 * s.tally[0].normal + 1e-9);
+    assert_true(s.tally[0].friction > 0.1 * s.tally[0].normal);
+    surfaces_free(&s);
+}
+
+/* The whole scene turned about the vertical gives the turned forces. */
+static void test_objectivity(void **state)
+{
+    (void)state;
+    const double heading = 0.8;
+    SurfaceScene a, b;
+    scene_moving(&a, 0);
+    scene_moving(&b, heading);
+    surfaces_forces(&a, 1);
+    surfaces_forces(&b, 1);
+    const Quat turn = quat_exp(v3(0, 0, heading));
+    double size = 0, off = 0;
+    for (int i = 0; i < a.chain.n; ++i) {
+        const Vec3 f = quat_rotate(turn, vector_of(a.loads.f, i)), m = quat_rotate(turn, vector_of(a.loads.m, i));
+        off = fmax(off, v3_norm(v3_sub(f, vector_of(b.loads.f, i))) + v3_norm(v3_sub(m, vector_of(b.loads.m, i))));
+        size = fmax(size, v3_norm(f));
+    }
+    print_message("off by %.2e of %.2e N\n", off, size);
+    assert_true(size > 100 && off < 1e-9 * size);
+    surfaces_free(&a);
+    surfaces_free(&b);
+}
+
+/* In two halves by elements, as two threads share them: the same loads to the last bit but for the shared segment. */
+static void test_halves(void **state)
+{
+    (void)state;
+    SurfaceScene s;
+    Loads whole;
+    scene_moving(&s, 0);
+    surfaces_forces(&s, 1);
+    assert_true(loads_alloc(&whole, s.chain.n));
+    for (int c = 0; c < 3; ++c) memcpy(whole.f[c], s.loads.f[c], (size_t)s.chain.n * sizeof(double));
+    const int candidates = s.pairs.candidates, elements = s.points.elements;
+    loads_zero(&s.loads, s.chain.n);
+    int sum = 0;
+    for (int half = 0; half < 2; ++half) {
+        surface_pairs_free(&s.pairs);
+        surface_pairs_init(&s.pairs, half ? 8 : 0, half ? elements : 8);
+        surfaces_refresh(&s);
+        surface_forces(&s.model, &s.chain, &s.kin, 1, &s.pairs, &s.loads, NULL);
+        sum += s.pairs.candidates;
+    }
+    assert_int_equal(sum, candidates);
+    for (int c = 0; c < 3; ++c) {
+        for (int i = 0; i < s.chain.n; ++i) {
+            const double off = fabs(s.loads.f[c][i] - whole.f[c][i]);
+            assert_true(off <= 1e-12 * fabs(whole.f[c][i]) + 1e-12);
+        }
+    }
+    loads_free(&whole);
+    surfaces_free(&s);
+}
+
+/* A level cable pressed into a floor by a depth bears its length times k p^e, however it is cut, as arcs or capsules.
+ */
+static void test_stiffness(void **state)
+{
+    (void)state;
+    const double depth = 2e-4;
+    for (int trial = 0; trial < 8; ++trial) {
+        const int n = trial / 2 % 2 ? 40 : 3;
+        const double length = 6;
+        SurfaceScene s;
+        surfaces_new(&s, n, length / n);
+        s.model.impact.e = trial / 4 ? 1 : 1.5;
+        SurfaceShape floor = surfaces_shape(SURFACE_PLANE, 0, 0);
+        floor.point = v3(1, 2, depth - CABLE_RADIUS);
+        floor.width = 0;
+        surfaces_add(&s, &floor);
+        surfaces_points(&s, trial % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH);
+        surfaces_refresh(&s);
+        surfaces_forces(&s, 1);
+        const double each = 3e8 * pow(depth, s.model.impact.e);
+        assert_true(fabs(s.tally[0].normal / (length * each) - 1) < 1e-10);
+        assert_true(fabs(s.tally[0].force.z / (-length * each) - 1) < 1e-10);
+        assert_true(fabs(s.tally[0].line_load / each - 1) < 1e-10);
+        assert_int_equal(s.pairs.active, SURFACE_POINTS * s.points.elements);
+        /* all segments but those at the ends bear alike, and none is turned */
+        for (int i = 1; i < n - 1; ++i) {
+            assert_true(fabs(s.loads.f[2][i] / (each * length / n) - 1) < 1e-10);
+            assert_true(fabs(s.loads.m[1][i]) < 1e-9 * each);
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* What is behind a floor by more than the limit is on its other side; what is beyond its edges is not borne. */
+static void test_limits(void **state)
+{
+    (void)state;
+    SurfaceScene s;
+    surfaces_new(&s, 4, 0.5);
+    SurfaceShape floor = surfaces_shape(SURFACE_PLANE, 0, 0);
+    floor.point = v3(1, 0, 0.39);
+    floor.length = 3;
+    floor.width = 1;
+    surfaces_add(&s, &floor);
+    surfaces_points(&s, GEOMETRY_SMOOTH);
+    surfaces_refresh(&s);
+    surfaces_forces(&s, 1);
+    assert_int_equal(s.pairs.active, 0);
+    s.patch[0].start.z = s.patch[0].end.z = 0.1;
+    surfaces_forces(&s, 1);
+    assert_int_equal(s.pairs.active, 10);
+    /* beside it: the fade of 0.4 m ends 0.7 m from the middle */
+    for (int i = 0; i < 4; ++i) s.kin.p[1][i] = 0.71;
+    surfaces_forces(&s, 1);
+    assert_true(s.tally[0].normal == 0);
+    surfaces_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_normal),      cmocka_unit_test(test_continuous),
+        cmocka_unit_test(test_fades_meet),  cmocka_unit_test(test_action_and_reaction),
+        cmocka_unit_test(test_objectivity), cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_stiffness),   cmocka_unit_test(test_limits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

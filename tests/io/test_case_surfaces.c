@@ -1,0 +1,132 @@
+/* Ducts, trays and planes of a case: what they become, and every mistake that goes beyond one key. */
+#include "tests/io/case_fixture.h"
+
+/* A cable 87.3 mm thick on a route with a bend; SURFACES stands in its place. */
+#define CASE(surfaces)                                                                                                 \
+    "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"                         \
+    "chain: [{cable: c, length: 15 m}]\n"                                                                              \
+    "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 3 m, plane: left}, {straight: 5 m}]}\n"                 \
+    "contact: {k: 1e8 N/m^1.5, c: 5 kN s/m, d: 0.2 mm}\n"                                                              \
+    "friction: {mu: 0.3}\n"                                                                                            \
+    "run: {duration: 10 s}\n"                                                                                          \
+    "surfaces: " surfaces "\n"
+
+static void ducts_are_read(void **state)
+{
+    (void)state;
+    SceneDef def;
+    expect_good(CASE("{ducts: [{from: 2 m, to: 8 m, radius: 75 mm}, {name: b, from: 8 m, radius: 0.1, place: resting, "
+                     "friction: {mu: 0.1}}]}"),
+                NULL, NULL, &def);
+    assert_int_equal(def.n_surfaces, 2);
+    const SurfaceDef *const a = &def.surfaces[0], *const b = &def.surfaces[1];
+    assert_string_equal(a->name, "D1");
+    assert_string_equal(b->name, "b");
+    assert_int_equal(a->shape.kind, SURFACE_DUCT);
+    expect_near(a->shape.radius, 0.075, 1e-12);
+    expect_near(a->shape.cable_radius, 0.04365, 1e-12);
+    assert_true(a->shape.lift == 0 && a->friction.mu_d == 0.3);
+    expect_near(b->shape.lift, 0.1 - 0.04365, 1e-12);
+    expect_near(b->shape.to, 15 + 1.5 * M_PI, 1e-9);
+    assert_true(b->friction.mu_d == 0.1);
+    assert_true(def.line_impact.k == 1e8 && def.line_impact.c == 5e3 && def.line_impact.d == 2e-4);
+    scene_def_clear(&def);
+}
+
+static void trays_are_read(void **state)
+{
+    (void)state;
+    SceneDef def;
+    expect_good(CASE("{trays: [{to: 4 m}, {from: 4 m, to: 8 m, section: v}, {from: 8 m, section: u, radius: 90 mm}], "
+                     "planes: [{point: [0, 0, -5 m], normal: [0, 0, 3]}], contact: {k: 2e6 N/m, e: 1}}"),
+                NULL, NULL, &def);
+    assert_int_equal(def.n_surfaces, 4);
+    const SurfaceShape *const flat = &def.surfaces[0].shape, *const v = &def.surfaces[1].shape,
+                              *const u = &def.surfaces[2].shape, *const plane = &def.surfaces[3].shape;
+    assert_true(flat->kind == SURFACE_FLAT && v->kind == SURFACE_V && u->kind == SURFACE_U);
+    expect_near(flat->depth, 0.04365, 1e-12);
+    assert_true(flat->height == 0 && flat->width == 0.4);
+    expect_near(v->angle, M_PI / 2, 1e-12);
+    expect_near(v->height, 4 * 0.04365, 1e-12);
+    expect_near(u->height, 0.09, 1e-12);
+    assert_int_equal(plane->kind, SURFACE_PLANE);
+    expect_near(plane->normal.z, 1, 1e-15);
+    expect_near(v3_norm(plane->along), 1, 1e-15);
+    assert_true(fabs(v3_dot(plane->along, plane->normal)) < 1e-15);
+    assert_true(def.line_impact.k == 2e6 && def.line_impact.e == 1 && def.line_impact.c == 5e3);
+    scene_def_clear(&def);
+}
+
+static void stretches_are_checked(void **state)
+{
+    (void)state;
+    expect_bad(CASE("{ducts: [{from: 2 m, to: 25 m, radius: 75 mm}]}"), NULL, NULL,
+               "pull.yaml:7: key 'surfaces.ducts.0.to': 25 m is out of range: must be on the route, at most 19.712");
+    expect_bad(CASE("{ducts: [{from: 9 m, to: 8 m, radius: 75 mm}]}"), NULL, NULL,
+               "at least 'from' plus 'fade', 9.5 m");
+    expect_bad(CASE("{ducts: [{to: 8 m, radius: 75 mm}, {from: 7 m, to: 9 m, radius: 75 mm}]}"), NULL, NULL,
+               "key 'surfaces.ducts.1.from': 7 m to 9 m overlaps 'D1', which lies from 0 m to 8 m");
+    expect_bad(CASE("{ducts: [{to: 8 m, radius: 75 mm}], trays: [{from: 6 m}]}"), NULL, NULL, "overlaps 'D1'");
+    expect_bad(CASE("{ducts: [{to: 8 m, radius: 75 mm, friction: {mu: -0.1}}]}"), NULL, NULL, "out of range");
+}
+
+static void sizes_are_checked(void **state)
+{
+    (void)state;
+    expect_bad(
+        CASE("{ducts: [{radius: 40 mm}]}"), NULL, NULL,
+        "key 'surfaces.ducts.0.radius': 0.04 m is too small: must be above the largest cable's radius, 0.04365 m");
+    expect_bad(CASE("{ducts: [{radius: 3.5 m}]}"), NULL, NULL, "must be below the radius of the bend at 10 m, 3 m");
+    expect_bad(CASE("{trays: [{width: 80 mm, height: 0.1}]}"), NULL, NULL,
+               "key 'surfaces.trays.0.width': 0.08 m is too small: its sides must be farther apart than");
+    expect_bad(CASE("{trays: [{width: 7 m}]}"), NULL, NULL, "must be below the radius of the bend");
+    expect_bad(CASE("{trays: [{section: u}]}"), NULL, NULL, "key 'surfaces.trays.0.radius': missing");
+    expect_bad(CASE("{trays: [{section: u, radius: 4 cm}]}"), NULL, NULL, "is too small");
+    expect_bad(CASE("{trays: [{section: v, width: 1 m}]}"), NULL, NULL, "not allowed for a tray of this section");
+    expect_bad(CASE("{trays: [{angle: 90 deg}]}"), NULL, NULL, "not allowed for a tray of this section");
+    expect_bad(CASE("{trays: [{depth: 40 mm}]}"), NULL, NULL, "key 'surfaces.trays.0.depth': 0.04 m is too small");
+    expect_bad(CASE("{contact: {e: 1.2}}"), NULL, NULL, "key 'surfaces.contact.k': missing");
+}
+
+static void planes_are_checked(void **state)
+{
+    (void)state;
+    expect_bad(CASE("{planes: [{point: [0, 0, -30 mm], normal: [0, 0, 1]}]}"), NULL, NULL,
+               "plane 'P1' is inside the cable");
+    expect_bad(CASE("{planes: [{point: [0, 0, -1], normal: [0, 0, 0]}]}"), NULL, NULL, "a direction that is not zero");
+    expect_bad(CASE("{planes: [{point: [0, 0, -1], normal: [0, 0, 1], along: [0, 0, 2]}]}"), NULL, NULL,
+               "key 'surfaces.planes.0.along': the value is a list: expected a direction that is not the normal's");
+    SceneDef def;
+    /* a plane that ends before the cable may be as high as it likes, and so may one that the cable is behind */
+    expect_good(CASE("{planes: [{point: [-30 m, 0, 0], normal: [0, 0, 1], length: 1 m, width: 1 m}]}"), NULL, NULL,
+                &def);
+    scene_def_clear(&def);
+    expect_good(CASE("{planes: [{point: [0, 0, 2 m], normal: [0, 0, 1]}]}"), NULL, NULL, &def);
+    scene_def_clear(&def);
+}
+
+/* Level sections need a route that is not upright. */
+static void upright_routes_are_refused(void **state)
+{
+    (void)state;
+    static const char *const text =
+        "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"
+        "chain: [{cable: c, length: 5 m}]\n"
+        "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 3 m, plane: up}, {straight: 5 m}]}\n"
+        "run: {duration: 10 s}\n"
+        "surfaces: {ducts: [{radius: 75 mm}], trays: []}\n";
+    SceneDef def;
+    expect_good(text, NULL, NULL, &def);
+    scene_def_clear(&def);
+    expect_bad(text, "surfaces.ducts.0.place", "resting", "steeper than 80 deg at 14.2 m");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ducts_are_read),        cmocka_unit_test(trays_are_read),
+        cmocka_unit_test(stretches_are_checked), cmocka_unit_test(sizes_are_checked),
+        cmocka_unit_test(planes_are_checked),    cmocka_unit_test(upright_routes_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
