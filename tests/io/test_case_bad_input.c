@@ -7,7 +7,7 @@
 #include "io/case_fields.h"
 #include "io/case_schema.h"
 
-enum { TEXT_MAX = 8192, VALUE_MAX = 64, KEYS_MAX = 300 };
+enum { TEXT_MAX = 16384, VALUE_MAX = 64, KEYS_MAX = 600 };
 
 /* The keys that were met in some text, and how many mistakes were made. */
 typedef struct Coverage {
