@@ -89,7 +89,10 @@ static void phase_vector(Bench *b)
     scales_project(b->scene.chain.n, b->y, N_VGetArrayPointer(work), NULL);
 }
 
-static void phase_sample(Bench *b) { sample_take(&b->look, &b->scene, &b->ws, b->t, b->y); }
+static void phase_sample(Bench *b)
+{
+    sample_take(&b->look, &b->scene, &b->ws, b->t, dynamics_look(&b->scene, &b->ws, b->t, b->y), SAMPLE_ALL);
+}
 
 typedef struct Phase {
     const char *name;

@@ -126,12 +126,11 @@ static double vector_moved(double *const now[3], double *const then[3], int i)
     return sqrt(x * x + y * y + z * z);
 }
 
-/* (C20): no point of the line moves farther than the largest |dx_i| + |dr_i|. A quarter of the reach is kept
- * in hand for the motion within a step. */
+/* (C20): no point of the line moves farther than the largest |dx_i| + |dr_i|. */
 int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
                           const ContactPairs *pairs)
 {
-    const double limit = 0.75 * model->reach;
+    const double limit = CONTACT_USABLE * model->reach;
     int far = 0;
     for (int i = 0; i < pairs->n; ++i) {
         const double moved =

@@ -77,7 +77,9 @@ void contact_pairs_free(ContactPairs *pairs);
  * candidates) log n). Errors: HAWSER_ERR_MEMORY. The only call that may allocate. */
 hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
                               hawser_error *err);
-/* Whether a point of the line may have moved by more than 3/4 of the reach since the refresh (C20). */
+/* Share of the reach that may be used up before candidates are renewed; the rest is for the motion within a step. */
+#define CONTACT_USABLE 0.75
+/* Whether a point of the line may have moved by more than that since the refresh (C20). */
 int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
                           const ContactPairs *pairs);
 

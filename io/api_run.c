@@ -48,7 +48,8 @@ static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
     Sim *sim = run->s->sim;
     if (row) run->last_row = sim_time(sim);
     if (state) run->last_state = sim_time(sim);
-    if (row) sim_record(sim);
+    if (row && state) sim_record(sim);
+    if (row && !state) sim_record_row(sim);
     if (!run->results) return HAWSER_OK;
     const double start = clock_now();
     hawser_status status = row ? results_row(run->results, run->look, err) : HAWSER_OK;

@@ -24,6 +24,7 @@ static const char *const tray_sections[] = {"flat", "v", "u", NULL};
 static const char *const grips[] = {"clamp", "axial", NULL};
 static const char *const afters[] = {"stay", "end", NULL};
 static const char *const ramps[] = {"none", "step", "step5", NULL};
+static const char *const planar_choices[] = {"auto", "on", "off", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const profiles[] = {"flat", "v", "u", NULL};
 static const char *const guides[] = {"none", "inside", "both", NULL};
@@ -385,6 +386,7 @@ static const CaseKey solver_keys[] = {
     {"linear_solver", KEY_CHOICE, .fallback = "auto", .choices = solvers, AT(SolverDef, linear.kind)},
     {"ordering", KEY_CHOICE, .fallback = "auto", .choices = orderings, AT(SolverDef, linear.ordering)},
     {"threads", KEY_INTEGER, .fallback = "1", FROM(1, 2), AT(SolverDef, threads)},
+    {"planar", KEY_CHOICE, .fallback = "auto", .choices = planar_choices, AT(SolverDef, planar)},
     {"relax", KEY_FLAG, .fallback = "true", AT(SolverDef, relax)},
     {"relax_tolerance", KEY_NUMBER, .fallback = "1e-6", ABOVE(0, 1), AT(SolverDef, relax_tolerance)},
     {"relax_iterations", KEY_INTEGER, .fallback = "200", FROM(0, 1e6), AT(SolverDef, relax_iterations)},

@@ -84,7 +84,8 @@ static int put_work(json_t *o, const hawser_summary *s)
            put_int(o, "lin_setups", s->lin_setups) | put_int(o, "error_test_fails", s->error_test_fails) |
            put_int(o, "newton_fails", s->newton_fails) | put_int(o, "contact_refreshes", s->contact_refreshes) |
            put_text(o, "linear_solver", s->linear_solver) | put_text(o, "linear_solver_why", s->linear_solver_why) |
-           put_text(o, "ordering", s->ordering) | put_int(o, "threads", s->threads);
+           put_text(o, "ordering", s->ordering) | put_int(o, "threads", s->threads) |
+           json_object_set_new(o, "planar", json_boolean(s->planar)) | put_text(o, "planar_why", s->planar_why);
 }
 
 /* The results proper: pull, theory, errors, speed, and the window over which they were taken. */

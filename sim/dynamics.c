@@ -327,6 +327,17 @@ int dynamics_surface_forces(const Scene *scene, Workspace *ws)
     return active;
 }
 
+int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y)
+{
+    const Chain *const chain = &scene->chain;
+    const int n = chain->n;
+    dynamics_kinematics(scene, ws, t, y);
+    bushing_law(chain, &ws->kin, 0, n + 1, ws->law);
+    ws->winch_pull = dynamics_winch_pull(scene, ws, t);
+    const int active = dynamics_roller_forces(scene, ws);
+    return scene->surfaces.model.n_surfaces > 0 ? active + dynamics_surface_forces(scene, ws) : active;
+}
+
 double dynamics_contact_seconds(const Workspace *ws)
 {
     const double first = ws->contact[0].seconds, second = ws->contact[1].seconds;
@@ -345,10 +356,10 @@ static int stale(const Scene *scene, const Workspace *ws)
 {
     const ContactPart *const part = &ws->contact[PARTS - 1]; /* both were refreshed at the same positions */
     if (scene->self.present && self_moved_too_far(&scene->self, &scene->chain, &ws->kin, &ws->self)) return 1;
-    if (scene->contact.n_rollers == 0) return 0;
+    if (scene->contact.n_rollers == 0 && ws->surfaces.n_patches == 0) return 0;
     ContactModel model = part->model;
-    /* what rollers have moved is spent of the three quarters of the reach (C20) */
-    if (scene->equipment.mounts > 0) model.reach -= equipment_moved(&ws->equipment) / 0.75;
+    /* what rollers have moved is spent of the share of the reach (C20) */
+    if (scene->equipment.mounts > 0) model.reach -= equipment_moved(&ws->equipment) / CONTACT_USABLE;
     return contact_moved_too_far(&model, &scene->chain, &ws->kin, &part->pairs);
 }
 
@@ -360,11 +371,16 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
     /* the last evaluation is nearer to y than the reach's reserve: it will do for the question */
     if (!always && !stale(scene, ws)) return HAWSER_OK;
     dynamics_kinematics(scene, ws, t, y);
+    return dynamics_find_candidates(scene, ws, err);
+}
+
+hawser_status dynamics_find_candidates(const Scene *scene, Workspace *ws, hawser_error *err)
+{
     hawser_status status = HAWSER_OK;
     for (int p = 0; p < PARTS && !status; ++p) {
         ContactPart *const part = &ws->contact[p];
         status = contact_refresh(&part->model, &scene->chain, &ws->kin, &part->pairs, err);
-        if (!status) status = surface_refresh(surfaces, &scene->chain, &ws->kin, &part->surface, err);
+        if (!status) status = surface_refresh(&ws->surfaces, &scene->chain, &ws->kin, &part->surface, err);
     }
     if (!status && scene->self.present) status = self_refresh(&scene->self, &scene->chain, &ws->kin, &ws->self, err);
     if (scene->equipment.n > 0) equipment_stand(&ws->equipment);

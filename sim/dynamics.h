@@ -32,6 +32,7 @@ typedef struct Workspace {
     SurfaceModel surfaces;    /* the scene's; the relaxation softens it */
     SurfaceTally *on_surface; /* [surfaces] dynamics_surface_forces */
     double *law[6];           /* bushing_law: [n+1] */
+    double winch_pull;        /* N, of the last look */
     long rhs_evals, refreshes;
     int candidates_max;
 } Workspace;
@@ -61,6 +62,9 @@ double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const
 void dynamics_soften(const Scene *scene, Workspace *ws, double share);
 /* What the cable does to every surface, into ws->on_surface, likewise. */
 int dynamics_surface_forces(const Scene *scene, Workspace *ws);
+/* Puts what a sample of (t, y) reads into the workspace: kinematics, the joints' law, the winch's pull, the forces on
+ * rollers and surfaces. Returns how many contacts carry force. */
+int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */
@@ -73,5 +77,7 @@ void dynamics_accept(const Scene *scene, Workspace *ws, double t, const double *
  * Errors: MEMORY. */
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
                                hawser_error *err);
+/* New candidate pairs for the kinematics in the workspace. Errors: MEMORY. */
+hawser_status dynamics_find_candidates(const Scene *scene, Workspace *ws, hawser_error *err);
 
 #endif

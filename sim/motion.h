@@ -1,6 +1,6 @@
 /* The equations of motion as the integrator sees them: a state vector, its rates, and the Newton matrix of the rates.
  * The integrator knows nothing else of the scene, so that the same chain can be moved in several ways: sim/spatial.h is
- * the chain in three dimensions. */
+ * the chain in three dimensions, sim/planar.h the one in a plane. */
 #ifndef HAWSER_SIM_MOTION_H
 #define HAWSER_SIM_MOTION_H
 
@@ -30,9 +30,23 @@ typedef struct MotionOps {
     void (*project)(const Motion *m, const double *y, double *correction, double *error);
     /* A step to (t, y) was accepted: what is renewed between steps (contact candidates). Errors: MEMORY. */
     hawser_status (*accept)(Motion *m, double t, const double *y, hawser_error *err);
+    /* The same for a state that no evaluation has been near: renews in any case. Errors: MEMORY. */
+    hawser_status (*renew)(Motion *m, double t, const double *y, hawser_error *err);
     /* The segment whose weighted error is largest, and where it is, m. */
     int (*worst)(const Motion *m, const double *error, const double *weight);
     Vec3 (*place)(const Motion *m, const double *y, int segment);
+    /* Puts what a sample of (t, y) reads into the workspace: kinematics, tensions (law[0]), the winch's pull, forces on
+     * the rollers. Returns how many contacts carry force. */
+    int (*look)(Motion *m, double t, const double *y);
+    /* The winch's pull at (t, y), N: dynamics_winch_pull_at. */
+    double (*winch_pull)(Motion *m, double t, const double *y);
+    /* Moves y to equilibrium under the loads of t; see relax_to_equilibrium. */
+    hawser_status (*relax)(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err);
+    /* y from the state in space (core/state.h), and back. */
+    void (*pack)(Motion *m, const double *full, double *y);
+    void (*unpack)(const Motion *m, const double *y, double *full);
+    /* What is being solved with, and how it went. */
+    void (*lin_stats)(const Motion *m, LinStats *stats);
 } MotionOps;
 
 struct Motion {

@@ -16,6 +16,150 @@ static const double DT_SMALLEST = 1e-4, JUMP = 4;
 static const double SOFTEST = 1e-3, SOFT_GROWTH = 10, SOFT_AIM = 1e-2;
 enum { SOFT_ITERATIONS = 60 };
 
+/* --------------------------------------------------------------------------------------- any chain */
+
+/* What is relaxed. */
+typedef struct Relaxing {
+    const RelaxOps *ops;
+    void *self;
+    const SolverDef *def;
+    int no_rollers;
+    int size;             /* of the state */
+    double *y;            /* [size] */
+    double *start, *back; /* [size] state before; before the last move */
+} Relaxing;
+
+double relax_shorten(double scale, double move, double turn)
+{
+    return fmin(scale, fmin(MOVE_MAX / (move + 1e-300), TURN_MAX / (turn + 1e-300)));
+}
+
+double relax_tolerance(const Scene *scene, double t, double far)
+{
+    const Chain *const chain = &scene->chain;
+    double load = fabs(profile_value(&scene->tail, t)), stiffness = 0;
+    for (int i = 0; i < chain->n; ++i) {
+        load = fmax(load, chain->mass[i] * v3_norm(scene->weight.gravity));
+        stiffness = fmax(stiffness, chain->stiffness[0][i]);
+    }
+    return fmax(scene->def.solver.relax_tolerance * load, 16 * DBL_EPSILON * far * stiffness);
+}
+
+/* The continuation in time: the step grows as the residual falls, until it is Newton's method (E3). Goes on until the
+ * residual is below `aim` or `limit` iterations are spent. */
+static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxation *out, hawser_error *err)
+{
+    double dt = DT_FIRST;
+    out->residual_N = r->ops->residual(r->self, &out->segment);
+    for (int spent = 0; spent < limit && !(out->residual_N <= aim); ++spent) {
+        ++out->iterations;
+        if (r->ops->implicit_step(r->self, dt)) {
+            dt /= DT_GROWTH;
+        } else {
+            r->ops->move(r->self, r->ops->move_scale(r->self, dt) * dt);
+        }
+        const hawser_status status = r->ops->refresh(r->self, 0, err);
+        if (status) return status;
+        const double before = out->residual_N;
+        out->residual_N = r->ops->residual(r->self, &out->segment);
+        const double growth = before / out->residual_N;
+        dt = fmin(DT_LARGEST, dt * fmin(DT_GROWTH, fmax(1 / DT_GROWTH, growth > 1 ? 2 * growth : growth)));
+    }
+    out->reached = out->residual_N <= out->tolerance_N;
+    return HAWSER_OK;
+}
+
+/* One careful step of *dt: taken if nothing would move too far and the residual does not jump up, else taken back; *dt
+ * becomes what to try next (E4). */
+static hawser_status careful_step(Relaxing *r, double *dt, hawser_relaxation *out, hawser_error *err)
+{
+    const size_t bytes = (size_t)r->size * sizeof(double);
+    const double before = out->residual_N,
+                 scale = r->ops->implicit_step(r->self, *dt) ? 0 : r->ops->move_scale(r->self, *dt);
+    if (scale < 0.3 && *dt > DT_SMALLEST) {
+        *dt = fmax(DT_SMALLEST, *dt * fmax(0.03, sqrt(scale))); /* what has no stiffness moves as dt^2 */
+        r->ops->residual(r->self, &out->segment);               /* the step has overwritten the rates */
+        return HAWSER_OK;
+    }
+    memcpy(r->back, r->y, bytes);
+    if (scale > 0) r->ops->move(r->self, scale * *dt);
+    const hawser_status status = r->ops->refresh(r->self, 0, err);
+    out->residual_N = r->ops->residual(r->self, &out->segment);
+    if (out->residual_N < JUMP * before || *dt <= DT_SMALLEST) {
+        *dt = fmin(DT_LARGEST, *dt * (out->residual_N < before / 2 ? DT_GROWTH : 2));
+    } else {
+        memcpy(r->y, r->back, bytes);
+        *dt = fmax(DT_SMALLEST, *dt / 4);
+        out->residual_N = r->ops->residual(r->self, &out->segment);
+    }
+    return status;
+}
+
+static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawser_relaxation *out, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    double dt = DT_FIRST;
+    out->residual_N = r->ops->residual(r->self, &out->segment);
+    for (int spent = 0; !status && spent < limit && !(out->residual_N <= aim); ++spent) {
+        ++out->iterations;
+        status = careful_step(r, &dt, out, err);
+    }
+    out->reached = out->residual_N <= out->tolerance_N;
+    return status;
+}
+
+/* The continuation in the contacts' stiffness (E5): a light rope that falls onto stiff rollers overshoots by more than
+ * Newton's method mends, so it lands on soft ones, which are then made stiffer and stiffer. */
+static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, hawser_error *err)
+{
+    const double load = out->tolerance_N / r->def->relax_tolerance;
+    const int last = out->iterations + r->def->relax_iterations;
+    hawser_status status = HAWSER_OK;
+    for (double share = SOFTEST; !status && share < 0.5; share *= SOFT_GROWTH) {
+        const int left = last - out->iterations;
+        r->ops->soften(r->self, share);
+        status = iterate_carefully(r, SOFT_AIM * load, left < SOFT_ITERATIONS ? left : SOFT_ITERATIONS, out, err);
+    }
+    r->ops->soften(r->self, 1);
+    return status ? status : iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
+}
+
+/* Straight away; where that does not reach equilibrium, once more from the start and from soft contacts. */
+static hawser_status attempts(Relaxing *r, hawser_relaxation *out, hawser_error *err)
+{
+    hawser_status status = iterate(r, out->tolerance_N, r->def->relax_iterations, out, err);
+    if (status || out->reached || r->no_rollers) return status;
+    memcpy(r->y, r->start, (size_t)r->size * sizeof(double));
+    status = r->ops->refresh(r->self, 1, err);
+    return status ? status : iterate_from_soft(r, out, err);
+}
+
+hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int size, double *y,
+                        hawser_relaxation *out, hawser_error *err)
+{
+    const size_t bytes = (size_t)size * sizeof(double);
+    Relaxing r = {.ops = ops,
+                  .self = self,
+                  .def = &scene->def.solver,
+                  .no_rollers = scene->contact.n_rollers == 0,
+                  .size = size,
+                  .y = y,
+                  .start = malloc(bytes),
+                  .back = malloc(bytes)};
+    hawser_status status;
+    if (r.start && r.back) {
+        memcpy(r.start, y, bytes);
+        status = attempts(&r, out, err);
+    } else {
+        status = error_memory(err);
+    }
+    free(r.start);
+    free(r.back);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------- the chain in space */
+
 typedef struct Relaxation {
     const Scene *scene;
     Workspace *ws;
@@ -24,13 +168,13 @@ typedef struct Relaxation {
     double *y;
     int size;      /* of y */
     double *rate;  /* [size] */
-    double *start; /* [size] state before */
-    double *back;  /* [size] state before the last move */
+    double *start; /* [3 n] positions before */
 } Relaxation;
 
 /* Largest unbalanced force; moments count over half a segment. *where gets the segment. */
-static double residual(Relaxation *r, int *where)
+static double residual(void *self, int *where)
 {
+    Relaxation *const r = self;
     const Chain *const chain = &r->scene->chain;
     const int n = chain->n;
     double largest = 0;
@@ -52,8 +196,9 @@ static double residual(Relaxation *r, int *where)
 
 /* One linearly implicit Euler step of length dt from rest: (M - dt D - dt^2 K) u = dt F (E1). The velocities land in
  * the velocity part of `rate`. Returns the solver's status. */
-static int implicit_step(Relaxation *r, double dt)
+static int implicit_step(void *self, double dt)
 {
+    Relaxation *const r = self;
     const int n = r->scene->chain.n;
     dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, 0.0, &r->newton->k, &r->newton->d);
     newton_point(r->newton, r->scene, &r->ws->kin, r->y);
@@ -69,32 +214,33 @@ static int implicit_step(Relaxation *r, double dt)
     return newton_solve(r->newton, r->rate);
 }
 
-/* What a move of dt times the velocities found is shortened by, so that nothing moves too far in one go (E2). */
-static double move_scale(const Relaxation *r, double dt)
+/* What a move of dt times the velocities found is shortened by (E2). */
+static double move_scale(void *self, double dt)
 {
+    const Relaxation *const r = self;
     const int n = r->scene->chain.n;
     double scale = 1;
     for (int i = 0; i < n; ++i) {
         const Vec3 u = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
         const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        scale = fmin(scale, fmin(MOVE_MAX / (dt * v3_norm(u) + 1e-300), TURN_MAX / (dt * v3_norm(w) + 1e-300)));
+        scale = relax_shorten(scale, dt * v3_norm(u), dt * v3_norm(w));
     }
     const double *const beside = r->rate + STATE_SIZE * n;
     return fmin(scale, equipment_move_share(&r->scene->equipment, beside, dt, MOVE_MAX, TURN_MAX));
 }
 
-/* Moves the state by as much. */
-static void move(Relaxation *r, double dt)
+/* Moves the state by dt times the velocities found. */
+static void move(void *self, double dt)
 {
+    Relaxation *const r = self;
     const int n = r->scene->chain.n;
-    const double scale = move_scale(r, dt);
-    equipment_move(&r->scene->equipment, r->y + STATE_SIZE * n, r->rate + STATE_SIZE * n, scale * dt);
+    equipment_move(&r->scene->equipment, r->y + STATE_SIZE * n, r->rate + STATE_SIZE * n, dt);
     for (int i = 0; i < n; ++i) {
         double *const y = r->y + i;
-        for (int c = 0; c < 3; ++c) y[c * n] += scale * dt * r->rate[(STATE_V + c) * n + i];
+        for (int c = 0; c < 3; ++c) y[c * n] += dt * r->rate[(STATE_V + c) * n + i];
         const Vec3 turn = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
         const Quat q =
-            quat_unit(quat_mul(quat_exp(v3_scale(scale * dt, turn)), (Quat){y[3 * n], y[4 * n], y[5 * n], y[6 * n]}));
+            quat_unit(quat_mul(quat_exp(v3_scale(dt, turn)), (Quat){y[3 * n], y[4 * n], y[5 * n], y[6 * n]}));
         y[3 * n] = q.w;
         y[4 * n] = q.x;
         y[5 * n] = q.y;
@@ -102,19 +248,12 @@ static void move(Relaxation *r, double dt)
     }
 }
 
-/* What counts as balanced: the tolerance times the largest of the segments' weights and the loads of t, but never less
- * than what rounding of the coordinates does to the stiffest bushing. */
-static double tolerance_of(const Relaxation *r)
+static double farthest_place(const Relaxation *r)
 {
-    const Chain *const chain = &r->scene->chain;
-    const int n = chain->n;
-    double load = fabs(profile_value(&r->scene->tail, r->t)), stiffness = 0, far = 0;
-    for (int i = 0; i < n; ++i) {
-        load = fmax(load, chain->mass[i] * v3_norm(r->scene->weight.gravity));
-        stiffness = fmax(stiffness, chain->stiffness[0][i]);
-        far = fmax(far, v3_norm(v3(r->y[i], r->y[n + i], r->y[2 * n + i])));
-    }
-    return fmax(r->scene->def.solver.relax_tolerance * load, 16 * DBL_EPSILON * far * stiffness);
+    const int n = r->scene->chain.n;
+    double far = 0;
+    for (int i = 0; i < n; ++i) far = fmax(far, v3_norm(v3(r->y[i], r->y[n + i], r->y[2 * n + i])));
+    return far;
 }
 
 static double farthest_move(const Relaxation *r)
@@ -129,124 +268,41 @@ static double farthest_move(const Relaxation *r)
 }
 
 /* Candidates are judged by where things are now. */
-static hawser_status refresh_here(Relaxation *r, hawser_error *err)
+static hawser_status refresh(void *self, int always, hawser_error *err)
 {
-    dynamics_kinematics(r->scene, r->ws, r->t, r->y);
-    const hawser_status status = newton_renew(r->newton, &r->ws->equipment, err);
-    return status ? status : dynamics_refresh(r->scene, r->ws, r->t, r->y, 0, err);
+    Relaxation *const r = self;
+    if (!always) dynamics_kinematics(r->scene, r->ws, r->t, r->y);
+    const hawser_status status = always ? HAWSER_OK : newton_renew(r->newton, &r->ws->equipment, err);
+    return status ? status : dynamics_refresh(r->scene, r->ws, r->t, r->y, always, err);
 }
 
-/* The continuation in time: the step grows as the residual falls, until it is Newton's method (E3). Goes on until the
- * residual is below `aim` or `limit` iterations are spent. */
-static hawser_status iterate(Relaxation *r, double aim, int limit, hawser_relaxation *out, hawser_error *err)
+static void soften(void *self, double share)
 {
-    double dt = DT_FIRST;
-    out->residual_N = residual(r, &out->segment);
-    for (int spent = 0; spent < limit && !(out->residual_N <= aim); ++spent) {
-        ++out->iterations;
-        if (implicit_step(r, dt)) {
-            dt /= DT_GROWTH;
-        } else {
-            move(r, dt);
-        }
-        const hawser_status status = refresh_here(r, err);
-        if (status) return status;
-        const double before = out->residual_N;
-        out->residual_N = residual(r, &out->segment);
-        const double growth = before / out->residual_N;
-        dt = fmin(DT_LARGEST, dt * fmin(DT_GROWTH, fmax(1 / DT_GROWTH, growth > 1 ? 2 * growth : growth)));
-    }
-    out->reached = out->residual_N <= out->tolerance_N;
-    return HAWSER_OK;
-}
-
-/* One careful step of *dt: taken if nothing would move too far and the residual does not jump up, else taken back; *dt
- * becomes what to try next (E4). */
-static hawser_status careful_step(Relaxation *r, double *dt, hawser_relaxation *out, hawser_error *err)
-{
-    const size_t bytes = (size_t)r->size * sizeof(double);
-    const double before = out->residual_N, scale = implicit_step(r, *dt) ? 0 : move_scale(r, *dt);
-    if (scale < 0.3 && *dt > DT_SMALLEST) {
-        *dt = fmax(DT_SMALLEST, *dt * fmax(0.03, sqrt(scale))); /* what has no stiffness moves as dt^2 */
-        residual(r, &out->segment);                             /* the step has overwritten the rates */
-        return HAWSER_OK;
-    }
-    memcpy(r->back, r->y, bytes);
-    if (scale > 0) move(r, *dt);
-    const hawser_status status = refresh_here(r, err);
-    out->residual_N = residual(r, &out->segment);
-    if (out->residual_N < JUMP * before || *dt <= DT_SMALLEST) {
-        *dt = fmin(DT_LARGEST, *dt * (out->residual_N < before / 2 ? DT_GROWTH : 2));
-    } else {
-        memcpy(r->y, r->back, bytes);
-        *dt = fmax(DT_SMALLEST, *dt / 4);
-        out->residual_N = residual(r, &out->segment);
-    }
-    return status;
-}
-
-static hawser_status iterate_carefully(Relaxation *r, double aim, int limit, hawser_relaxation *out, hawser_error *err)
-{
-    hawser_status status = HAWSER_OK;
-    double dt = DT_FIRST;
-    out->residual_N = residual(r, &out->segment);
-    for (int spent = 0; !status && spent < limit && !(out->residual_N <= aim); ++spent) {
-        ++out->iterations;
-        status = careful_step(r, &dt, out, err);
-    }
-    out->reached = out->residual_N <= out->tolerance_N;
-    return status;
-}
-
-/* The continuation in the contacts' stiffness (E5): a light rope that falls onto stiff rollers overshoots by more than
- * Newton's method mends, so it lands on soft ones, which are then made stiffer and stiffer. */
-static hawser_status iterate_from_soft(Relaxation *r, hawser_relaxation *out, hawser_error *err)
-{
-    const double load = out->tolerance_N / r->scene->def.solver.relax_tolerance;
-    const int last = out->iterations + r->scene->def.solver.relax_iterations;
-    hawser_status status = HAWSER_OK;
-    for (double share = SOFTEST; !status && share < 0.5; share *= SOFT_GROWTH) {
-        const int left = last - out->iterations;
-        dynamics_soften(r->scene, r->ws, share);
-        status = iterate_carefully(r, SOFT_AIM * load, left < SOFT_ITERATIONS ? left : SOFT_ITERATIONS, out, err);
-    }
-    dynamics_soften(r->scene, r->ws, 1);
-    return status ? status : iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
-}
-
-/* Straight away; where that does not reach equilibrium, once more from the start and from soft contacts. */
-static hawser_status attempts(Relaxation *r, hawser_relaxation *out, hawser_error *err)
-{
-    hawser_status status = iterate(r, out->tolerance_N, r->scene->def.solver.relax_iterations, out, err);
-    if (status || out->reached || r->scene->contact.n_rollers == 0) return status;
-    memcpy(r->y, r->start, (size_t)r->size * sizeof(double));
-    status = dynamics_refresh(r->scene, r->ws, r->t, r->y, 1, err);
-    return status ? status : iterate_from_soft(r, out, err);
+    Relaxation *const r = self;
+    dynamics_soften(r->scene, r->ws, share);
 }
 
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
                                    hawser_relaxation *out, hawser_error *err)
 {
+    static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
     const size_t n = (size_t)scene->chain.n;
     Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y, .size = scene_state_size(scene)};
-    const size_t bytes = (size_t)r.size * sizeof(double);
-    r.rate = malloc(bytes);
-    r.start = malloc(bytes);
-    r.back = malloc(bytes);
+    r.rate = malloc((size_t)r.size * sizeof(double));
+    r.start = malloc(3 * n * sizeof(double));
     *out = (hawser_relaxation){0};
     hawser_status status = HAWSER_OK;
-    if (r.rate && r.start && r.back) {
+    if (r.rate && r.start) {
+        memcpy(r.start, y, 3 * n * sizeof(double));
         memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
         equipment_halt(&scene->equipment, y + STATE_SIZE * n);
-        memcpy(r.start, y, bytes);
-        out->tolerance_N = tolerance_of(&r);
-        status = attempts(&r, out, err);
+        out->tolerance_N = relax_tolerance(scene, t, farthest_place(&r));
+        status = relax_run(scene, &ops, &r, r.size, y, out, err);
         out->moved_m = farthest_move(&r);
     } else {
         status = error_memory(err);
     }
     free(r.rate);
     free(r.start);
-    free(r.back);
     return status;
 }

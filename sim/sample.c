@@ -60,22 +60,25 @@ static void rows_from(int n, int width, double *const *column, double *row)
     }
 }
 
-static void motion_take(SampleBuffers *b, const Kinematics *kin, int n)
+static void state_take(SampleBuffers *b, const Kinematics *kin, int n)
 {
     rows_from(n, 3, kin->p, b->position);
     rows_from(n, 4, kin->q, b->quaternion);
     rows_from(n, 3, kin->v, b->velocity);
     rows_from(n, 3, kin->w, b->omega);
+}
+
+static void speed_take(SampleBuffers *b, const Kinematics *kin, int n)
+{
     for (int i = 0; i < n; ++i) {
         b->axial_speed[i] = kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i] + kin->v[2][i] * kin->a[2][i];
     }
 }
 
-static void tension_take(SampleBuffers *b, const Scene *scene, Workspace *ws)
+static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *ws)
 {
     const int n = scene->chain.n;
     hawser_sample *const s = &b->sample;
-    bushing_law(&scene->chain, &ws->kin, 0, n + 1, ws->law);
     memcpy(b->tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
     b->tension[0] = s->tail_tension;
     if (scene->winch.mode == WINCH_TENSION) b->tension[n] = s->winch_force; /* no bushing carries it */
@@ -86,22 +89,19 @@ static void tension_take(SampleBuffers *b, const Scene *scene, Workspace *ws)
     s->max_tension = b->tension[s->max_tension_joint];
 }
 
-static void winch_take(hawser_sample *s, const Scene *scene, Workspace *ws, double t)
+static void winch_take(hawser_sample *s, const Scene *scene, const Workspace *ws, double t)
 {
     const Winch *const w = &scene->winch;
     if (!w->present) return;
     const WinchMotion motion = winch_motion(w, &scene->chain, &ws->kin, t);
-    s->winch_force = dynamics_winch_pull(scene, ws, t);
+    s->winch_force = ws->winch_pull;
     s->winch_speed = motion.speed;
     s->winch_travel = motion.travel;
 }
 
-/* Nothing is computed where there is no surface. */
-static void surfaces_take(SampleBuffers *b, const Scene *scene, Workspace *ws)
+static void surfaces_take(SampleBuffers *b, const Workspace *ws)
 {
     hawser_sample *const s = &b->sample;
-    if (s->surfaces == 0) return;
-    s->active_contacts += dynamics_surface_forces(scene, ws);
     for (int i = 0; i < s->surfaces; ++i) {
         const SurfaceTally *const tally = &ws->on_surface[i];
         b->surface[0][i] = tally->normal;
@@ -111,17 +111,19 @@ static void surfaces_take(SampleBuffers *b, const Scene *scene, Workspace *ws)
     }
 }
 
-const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace *ws, double t, const double *y)
+const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t, int active,
+                                 SampleParts parts)
 {
     hawser_sample *const s = &b->sample;
+    const int n = scene->chain.n;
     s->t = t;
     s->tail_tension = profile_value(&scene->tail, t);
-    dynamics_kinematics(scene, ws, t, y);
-    motion_take(b, &ws->kin, scene->chain.n);
+    s->active_contacts = active;
+    if (parts == SAMPLE_ALL) state_take(b, &ws->kin, n);
+    speed_take(b, &ws->kin, n);
     winch_take(s, scene, ws, t);
     tension_take(b, scene, ws);
-    s->active_contacts = dynamics_roller_forces(scene, ws);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
-    surfaces_take(b, scene, ws);
+    surfaces_take(b, ws);
     return s;
 }

@@ -14,7 +14,14 @@ typedef struct SampleBuffers {
 /* 0 if there is no memory. */
 int sample_alloc(SampleBuffers *b, const Scene *scene);
 void sample_free(SampleBuffers *b);
-/* Looks at (t, y). Uses the workspace. */
-const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, Workspace *ws, double t, const double *y);
+/* What of a sample is wanted. */
+typedef enum SampleParts {
+    SAMPLE_ROW, /* what a row of series.csv and the statistics read: not position, quaternion, velocity, omega */
+    SAMPLE_ALL
+} SampleParts;
+
+/* The sample of time t from a workspace that has just looked (Motion's look, which returned `active`). */
+const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t, int active,
+                                 SampleParts parts);
 
 #endif

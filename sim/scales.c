@@ -9,20 +9,28 @@ static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the
 /* Tolerances are accuracy times these (N10); a case may give its own instead. */
 static double chosen(double given, double otherwise) { return given > 0 ? given : otherwise; }
 
-void scales_weights(const Scene *scene, double *weight)
+Tolerances scales_tolerances(const Scene *scene)
 {
     const SolverDef *const s = &scene->def.solver;
-    const int n = scene->chain.n;
     const double speed = scene->largest_speed;
-    const double position = chosen(s->atol_position, s->accuracy * LENGTH);
-    const double rotation = chosen(s->atol_rotation, s->accuracy * TURN);
-    const double velocity = chosen(s->atol_velocity, s->accuracy * speed);
-    const double omega = chosen(s->atol_omega, s->accuracy * speed * TURN / LENGTH);
+    return (Tolerances){.position = chosen(s->atol_position, s->accuracy * LENGTH),
+                        .rotation = chosen(s->atol_rotation, s->accuracy * TURN),
+                        .velocity = chosen(s->atol_velocity, s->accuracy * speed),
+                        .omega = chosen(s->atol_omega, s->accuracy * speed * TURN / LENGTH)};
+}
+
+void scales_weights(const Scene *scene, double *weight)
+{
+    const Tolerances tol = scales_tolerances(scene);
+    const int n = scene->chain.n;
     for (int c = 0; c < STATE_SIZE; ++c) {
-        const double atol = c < STATE_Q ? position : c < STATE_V ? rotation / 2 : c < STATE_W ? velocity : omega;
+        const double atol = c < STATE_Q   ? tol.position
+                            : c < STATE_V ? tol.rotation / 2
+                            : c < STATE_W ? tol.velocity
+                                          : tol.omega;
         for (int i = 0; i < n; ++i) weight[c * n + i] = 1 / atol;
     }
-    const EquipmentTolerances equipment = {position, rotation, velocity, omega};
+    const EquipmentTolerances equipment = {tol.position, tol.rotation, tol.velocity, tol.omega};
     equipment_weights(&scene->equipment, scene->rollers, &equipment, weight + STATE_SIZE * n);
 }
 

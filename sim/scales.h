@@ -5,6 +5,12 @@
 
 #include "sim/scene.h"
 
+/* Absolute tolerances: m, rad, m/s, rad/s (N10). */
+typedef struct Tolerances {
+    double position, rotation, velocity, omega;
+} Tolerances;
+Tolerances scales_tolerances(const Scene *scene);
+
 /* weight [scene_state_size] = 1 / absolute tolerance of every component of the state. */
 void scales_weights(const Scene *scene, double *weight);
 

@@ -134,6 +134,10 @@ typedef struct StationDef {
     double s; /* m along the route */
 } StationDef;
 
+/* Whether a scene that lies in one plane is solved there (sim/plane.h): where it can be; or else it is an error; never.
+ */
+typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
+
 typedef struct SolverDef {
     double accuracy;                                                /* one number for all tolerances */
     double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
@@ -145,6 +149,7 @@ typedef struct SolverDef {
     double relax_tolerance;                                         /* fraction of the largest segment weight or load */
     int relax_iterations;
     LinOptions linear;
+    PlanarChoice planar;
     int threads;
 } SolverDef;
 

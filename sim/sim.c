@@ -1,5 +1,6 @@
 #include "sim/sim.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +10,7 @@
 #include "sim/expected.h"
 #include "sim/integrator.h"
 #include "sim/newton_extra.h"
-#include "sim/relax.h"
+#include "sim/planar.h"
 #include "sim/sample.h"
 #include "sim/spatial.h"
 #include "sim/stats.h"
@@ -17,14 +18,17 @@
 struct Sim {
     Scene scene;
     Workspace ws;
-    Newton newton;
+    Motion *motion; /* one of the two: */
     Spatial spatial;
-    Integrator *integrator; /* made at the first advance */
+    Newton newton; /* of the motion in space */
+    Planar planar;
+    char plane_why[PLANE_WHY_MAX]; /* why the motion is planar, or why not */
+    Integrator *integrator;        /* made at the first advance */
     SampleBuffers look;
     Stats stats;
     Expected expected;
     EventLog events;
-    double t, *y; /* s; [scene_state_size] */
+    double t, *y; /* s; [motion->size] */
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
     double build_s, relax_s, output_s, record_s; /* s */
@@ -61,25 +65,58 @@ static hawser_status start_check(Sim *s, hawser_error *err)
                      deepest.foot);
 }
 
-static hawser_status parts_new(Sim *s, hawser_error *err)
+/* In the plane if the scene lies in one and the case lets it; in space otherwise. */
+static hawser_status motion_new(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->scene;
-    s->y = malloc((size_t)scene_state_size(scene) * sizeof(double));
-    if (s->threads > 1) s->team = team_new(s->threads);
-    if ((s->threads > 1 && !s->team) || !s->y || !workspace_alloc(&s->ws, scene, s->team) ||
-        !sample_alloc(&s->look, scene))
-        return error_memory(err);
-    scene_initial_state(scene, s->y);
+    const PlanarChoice choice = scene->def.solver.planar;
     LinOptions options = scene->def.solver.linear;
     options.threads = team_size(s->team);
     options.team = s->team;
+    Plane plane;
+    if (choice == PLANAR_OFF) snprintf(s->plane_why, sizeof s->plane_why, "solver.planar is off");
+    if (choice != PLANAR_OFF && plane_find(scene, &plane, s->plane_why)) {
+        const hawser_status status = planar_new(&s->planar, scene, &plane, &s->ws, &options, err);
+        if (!status) s->motion = &s->planar.motion;
+        return status;
+    }
+    if (choice == PLANAR_ON)
+        return error_set(err, HAWSER_ERR_INPUT, "solver.planar: on: %s; auto or off can be used", s->plane_why);
     hawser_status status = newton_new(&s->newton, scene, &options, err);
     if (!status && scene->self.present) status = newton_extra_attach(&s->newton, &s->ws.self.extras, &options, err);
-    if (!status) newton_stats(&s->newton, &s->lin);
+    if (!status) s->motion = spatial_init(&s->spatial, scene, &s->ws, &s->newton);
+    return status;
+}
+
+/* The cable on its route, and its first candidates. */
+static hawser_status state_new(Sim *s, hawser_error *err)
+{
+    double *const full = malloc((size_t)scene_state_size(&s->scene) * sizeof *full);
+    s->y = malloc((size_t)s->motion->size * sizeof *s->y);
+    hawser_status status = HAWSER_OK;
+    if (full && s->y) {
+        scene_initial_state(&s->scene, full);
+        s->motion->ops->pack(s->motion, full, s->y);
+        status = s->motion->ops->renew(s->motion, 0, s->y, err);
+    } else {
+        status = error_memory(err);
+    }
+    free(full);
+    return status;
+}
+
+static hawser_status parts_new(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->scene;
+    if (s->threads > 1) s->team = team_new(s->threads);
+    if ((s->threads > 1 && !s->team) || !workspace_alloc(&s->ws, scene, s->team) || !sample_alloc(&s->look, scene))
+        return error_memory(err);
+    hawser_status status = motion_new(s, err);
+    if (!status) s->motion->ops->lin_stats(s->motion, &s->lin);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     if (!status) status = trip_set(s, err);
-    if (!status) status = dynamics_refresh(scene, &s->ws, 0, s->y, 1, err);
+    if (!status) status = state_new(s, err);
     if (!status && scene->self.present) status = start_check(s, err);
     return status;
 }
@@ -109,6 +146,7 @@ Sim *sim_free(Sim *s)
     if (!s) return NULL;
     integrator_free(s->integrator);
     newton_free(&s->newton);
+    planar_free(&s->planar);
     stats_free(&s->stats);
     events_free(&s->events);
     sample_free(&s->look);
@@ -123,7 +161,7 @@ Sim *sim_free(Sim *s)
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
 {
     const double start = clock_now();
-    const hawser_status status = relax_to_equilibrium(&s->scene, &s->ws, &s->newton, s->t, s->y, &s->relaxation, err);
+    const hawser_status status = s->motion->ops->relax(s->motion, s->t, s->y, &s->relaxation, err);
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
@@ -143,7 +181,7 @@ static hawser_status winch_watch(Sim *s, hawser_error *err)
 {
     Winch *const w = &s->scene.winch;
     if (!(w->trip_force > 0)) return HAWSER_OK;
-    const double pull = dynamics_winch_pull_at(&s->scene, &s->ws, s->t, s->y);
+    const double pull = s->motion->ops->winch_pull(s->motion, s->t, s->y);
     hawser_status status = HAWSER_OK;
     for (WinchEvent event; !status && (event = winch_accept(w, s->t, pull)) != WINCH_NOTHING;) {
         status = events_add(&s->events, s->t, winch_event_name(event), pull, err);
@@ -155,9 +193,9 @@ static hawser_status winch_watch(Sim *s, hawser_error *err)
 static hawser_status run_begin(Sim *s, hawser_error *err)
 {
     s->scene.winch.phase.held = 0;
-    dynamics_accept(&s->scene, &s->ws, s->t, s->y); /* the relaxation bends the cable for the first time */
-    Motion *const motion = spatial_init(&s->spatial, &s->scene, &s->ws, &s->newton);
-    return integrator_new(motion, s->t, s->y, &s->integrator, err);
+    /* the relaxation bends the cable for the first time */
+    const hawser_status status = s->motion->ops->accept(s->motion, s->t, s->y, err);
+    return status ? status : integrator_new(s->motion, s->t, s->y, &s->integrator, err);
 }
 
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
@@ -177,28 +215,34 @@ int sim_tripped(const Sim *s) { return s->scene.winch.phase.ended < s->scene.def
 const OutputDef *sim_output(const Sim *s) { return &s->scene.def.output; }
 const char *sim_title(const Sim *s) { return s->scene.def.title; }
 
-const hawser_sample *sim_sample(Sim *s)
+static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
     const double start = clock_now();
-    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, s->y);
+    const int active = s->motion->ops->look(s->motion, s->t, s->y);
+    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, active, parts);
     if (s->integrator) {
         IntegratorStats stats;
         integrator_stats(s->integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
     if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
-    newton_stats(&s->newton, &s->lin); /* the ordering is known after the first factorisation */
+    s->motion->ops->lin_stats(s->motion, &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
 
-void sim_record(Sim *s)
+const hawser_sample *sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
+
+static void record_now(Sim *s, SampleParts parts)
 {
-    const hawser_sample *const look = sim_sample(s);
+    const hawser_sample *const look = look_now(s, parts);
     const double start = clock_now();
-    stats_record(&s->stats, &s->scene, look);
+    stats_record(&s->stats, &s->scene, &s->ws.kin, look);
     s->record_s += clock_now() - start;
 }
+
+void sim_record(Sim *s) { record_now(s, SAMPLE_ALL); }
+void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
 void sim_add_output_time(Sim *s, double seconds) { s->output_s += seconds; }
 
@@ -241,6 +285,8 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .linear_solver_why = s->lin.why,
                             .ordering = s->lin.ordering,
                             .threads = s->threads,
+                            .planar = s->motion == &s->planar.motion,
+                            .planar_why = s->plane_why,
                             .paper_total_N = s->expected.paper_total,
                             .reference_total_N = s->expected.reference_total,
                             .relaxation = s->relaxation,

@@ -26,6 +26,8 @@ int sim_tripped(const Sim *s);
 const hawser_sample *sim_sample(Sim *s);
 /* Takes the sample of now into the statistics (time-weighted means of the steady window, peaks of the run). */
 void sim_record(Sim *s);
+/* The same, without bringing the sample's position, quaternion, velocity and omega up to date. */
+void sim_record_row(Sim *s);
 /* Adds to the phase `output` what the caller spent on writing, s. */
 void sim_add_output_time(Sim *s, double seconds);
 

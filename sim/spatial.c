@@ -1,5 +1,8 @@
 #include "sim/spatial.h"
 
+#include <string.h>
+
+#include "sim/relax.h"
 #include "sim/scales.h"
 
 static Spatial *spatial_of(Motion *m) { return (Spatial *)m; }
@@ -68,6 +71,11 @@ static int nearest_segment(const Workspace *ws, int n, int moving)
     return nearest;
 }
 
+static hawser_status spatial_renew(Motion *m, double t, const double *y, hawser_error *err)
+{
+    return dynamics_refresh(m->scene, spatial_of(m)->ws, t, y, 1, err);
+}
+
 static int spatial_worst(const Motion *m, const double *error, const double *weight)
 {
     const int n = m->scene->chain.n, worst = scales_worst_segment(n, error, weight);
@@ -83,6 +91,31 @@ static Vec3 spatial_place(const Motion *m, const double *y, int segment)
     return v3(y[segment], y[n + segment], y[2 * n + segment]);
 }
 
+static int spatial_look(Motion *m, double t, const double *y)
+{
+    return dynamics_look(m->scene, spatial_of(m)->ws, t, y);
+}
+
+static double spatial_winch_pull(Motion *m, double t, const double *y)
+{
+    return dynamics_winch_pull_at(m->scene, spatial_of(m)->ws, t, y);
+}
+
+static hawser_status spatial_relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
+{
+    Spatial *const s = spatial_of(m);
+    return relax_to_equilibrium(m->scene, s->ws, s->newton, t, y, out, err);
+}
+
+static void spatial_pack(Motion *m, const double *full, double *y) { memcpy(y, full, (size_t)m->size * sizeof *y); }
+
+static void spatial_unpack(const Motion *m, const double *y, double *full)
+{
+    memcpy(full, y, (size_t)m->size * sizeof *y);
+}
+
+static void spatial_lin_stats(const Motion *m, LinStats *stats) { newton_stats(((const Spatial *)m)->newton, stats); }
+
 Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newton)
 {
     static const MotionOps ops = {.rates = spatial_rates,
@@ -94,8 +127,15 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .norm = spatial_norm,
                                   .project = spatial_project,
                                   .accept = spatial_accept,
+                                  .renew = spatial_renew,
                                   .worst = spatial_worst,
-                                  .place = spatial_place};
+                                  .place = spatial_place,
+                                  .look = spatial_look,
+                                  .winch_pull = spatial_winch_pull,
+                                  .relax = spatial_relax,
+                                  .pack = spatial_pack,
+                                  .unpack = spatial_unpack,
+                                  .lin_stats = spatial_lin_stats};
     *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene)}, .ws = ws, .newton = newton};
     return &s->motion;
 }

@@ -115,25 +115,25 @@ static double route_coordinate(const Route *route, Vec3 p, double guess)
 }
 
 /* The joint's place: the mean of the two facing ends is within the gap of the end of the segment before it. */
-static Vec3 joint_position(const hawser_sample *s, const Chain *chain, int j)
+static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
 {
     const int i = j > 0 ? j - 1 : 0;
     const double side = j > 0 ? 1 : -1;
-    const double *const p = s->position + 3 * i, *const q = s->quaternion + 4 * i;
-    const Vec3 a = quat_rotate((Quat){q[0], q[1], q[2], q[3]}, v3(1, 0, 0));
-    return v3_axpy(v3(p[0], p[1], p[2]), side * chain->half[i], a);
+    const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+    const Vec3 p = v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]), a = quat_rotate(q, v3(1, 0, 0));
+    return v3_axpy(p, side * chain->half[i], a);
 }
 
 /* Route coordinate of joint j now: where it would be if nothing stretched is a good guess. */
-static double joint_now(const Scene *scene, const hawser_sample *sample, int j)
+static double joint_now(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, int j)
 {
     const double guess = scene->joint_s[j] + sample->winch_travel;
-    return route_coordinate(&scene->route, joint_position(sample, &scene->chain, j), guess);
+    return route_coordinate(&scene->route, joint_position(kin, &scene->chain, j), guess);
 }
 
 /* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
  * there. */
-static double tension_at(const Scene *scene, const hawser_sample *sample, double s)
+static double tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
 {
     const int n = scene->chain.n;
     int low = 0, high = n;
@@ -145,26 +145,27 @@ static double tension_at(const Scene *scene, const hawser_sample *sample, double
             high = mid;
         }
     }
-    double a = joint_now(scene, sample, low), b = joint_now(scene, sample, high);
+    double a = joint_now(scene, kin, sample, low), b = joint_now(scene, kin, sample, high);
     while (s < a && low > 0) {
         high = low--;
         b = a;
-        a = joint_now(scene, sample, low);
+        a = joint_now(scene, kin, sample, low);
     }
     while (s > b && high < n) {
         low = high++;
         a = b;
-        b = joint_now(scene, sample, high);
+        b = joint_now(scene, kin, sample, high);
     }
     if (s < a || s > b) return NAN;
     const double u = (s - a) / (b - a);
     return (1 - u) * sample->tension[low] + u * sample->tension[high];
 }
 
-static void stations_record(Stats *stats, const Scene *scene, const hawser_sample *sample, double dt, int steady)
+static void stations_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
+                            double dt, int steady)
 {
     for (int i = 0; i < stats->n_stations; ++i) {
-        const double tension = tension_at(scene, sample, stats->station_out[i].s);
+        const double tension = tension_at(scene, kin, sample, stats->station_out[i].s);
         if (!isnan(tension)) mean_add(&stats->station[i], tension, dt, steady);
     }
 }
@@ -196,7 +197,7 @@ static void tables_update(Stats *stats)
     }
 }
 
-void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample)
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double dt = stats->last_t >= 0 ? sample->t - stats->last_t : 0;
     const int steady = stats->last_t >= stats->steady_from - 1e-9;
@@ -205,7 +206,7 @@ void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample)
     mean_add(&stats->speed, sample->axial_speed[0], dt, steady);
     if (fabs(sample->axial_speed[0] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
-    stations_record(stats, scene, sample, dt, steady);
+    stations_record(stats, scene, kin, sample, dt, steady);
     for (int r = 0; r < stats->n_rollers; ++r) {
         mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
         if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];

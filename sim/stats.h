@@ -45,8 +45,9 @@ typedef struct Stats {
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
 void stats_free(Stats *stats);
-/* Takes a sample in; the tables station_out, roller_out and surface_out are up to date afterwards. */
-void stats_record(Stats *stats, const Scene *scene, const hawser_sample *sample);
+/* Takes a sample in, of which it reads no positions and attitudes: those are kin's. The tables station_out,
+ * roller_out and surface_out are up to date afterwards. */
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 /* Fills what the statistics know into the summary; paper_N and reference_N must be in station_out. */
 void stats_summary(const Stats *stats, hawser_summary *out);
 

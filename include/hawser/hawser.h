@@ -153,6 +153,8 @@ typedef struct hawser_summary {
     const char *linear_solver_why; /* why it was chosen */
     const char *ordering;
     int threads;
+    int planar;                                     /* 1: solved in the plane in which the scene lies */
+    const char *planar_why;                         /* why, or why not */
     double pull_mean_N, pull_peak_N, pull_ripple_N; /* winch force in the steady window: mean, RMS; peak of the run */
     double paper_total_N, reference_total_N;
     double error_max_pct, error_mean_pct;             /* stations against the reference theory */

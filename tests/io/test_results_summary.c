@@ -33,6 +33,8 @@ static const hawser_summary full = {.segments = 370,
                                     .linear_solver_why = "a plain chain",
                                     .ordering = "natural",
                                     .threads = 2,
+                                    .planar = 1,
+                                    .planar_why = "all in one plane",
                                     .pull_mean_N = 13000.5,
                                     .pull_peak_N = 14000.25,
                                     .pull_ripple_N = 7.5,
@@ -133,16 +135,17 @@ static void test_numbers(void **state)
         }
     }
     assert_true(json_is_true(value_of(o, "relaxation.reached")));
+    assert_true(json_is_true(value_of(o, "planar")));
     json_decref(o);
 }
 
 static void test_texts(void **state)
 {
     (void)state;
-    const char *const expected[][2] = {{"title", "A \"title\""},   {"case", "cases/x.yaml"},
-                                       {"outcome", "finished"},    {"message", ""},
-                                       {"linear_solver", "block"}, {"linear_solver_why", "a plain chain"},
-                                       {"ordering", "natural"},    {"version", hawser_version()}};
+    const char *const expected[][2] = {
+        {"title", "A \"title\""}, {"case", "cases/x.yaml"},      {"outcome", "finished"},
+        {"message", ""},          {"linear_solver", "block"},    {"linear_solver_why", "a plain chain"},
+        {"ordering", "natural"},  {"version", hawser_version()}, {"planar_why", "all in one plane"}};
     json_t *o = write_and_read(&full, &labels);
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         assert_string_equal(json_string_value(json_object_get(o, expected[i][0])), expected[i][1]);

@@ -1,7 +1,7 @@
 /* No step allocates: the C library's allocation functions are replaced by ones that count. Nothing to see under the
  * address sanitizer, which replaces them itself; there the counters stay at zero and the test only runs the pull. */
 #include "sim/sim.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/sim/planar_fixture.h"
 
 #if !defined(__SANITIZE_ADDRESS__)
 static volatile int counting;
@@ -38,12 +38,12 @@ static long allocations;
 #endif
 
 /* Allocations in the steps of a pull from rest through its ramp, with samples and records. */
-static long pull_allocations(LinKind kind, int threads)
+static long pull_allocations(LinKind kind, int threads, int planar)
 {
     SceneDef def;
     Sim *s = NULL;
     hawser_error err = {0};
-    fixture_pull(&def, &(FixtureChoice){0});
+    (planar ? fixture_planar : fixture_pull)(&def, &(FixtureChoice){0});
     def.solver.linear.kind = kind;
     def.contact_reach = 0.05; /* so that candidates are renewed while we count */
     if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
@@ -61,6 +61,7 @@ static long pull_allocations(LinKind kind, int threads)
     hawser_summary summary;
     sim_summary(s, &summary);
     if (status) fail_msg("%s", err.message);
+    assert_int_equal(summary.planar, planar);
     assert_true(summary.steps > 100 && summary.jac_evals > 5 && summary.contact_refreshes > 5);
     sim_free(s);
     return allocations;
@@ -69,19 +70,26 @@ static long pull_allocations(LinKind kind, int threads)
 static void test_block(void **state)
 {
     (void)state;
-    assert_int_equal(pull_allocations(LIN_BLOCK, 1), 0);
+    assert_int_equal(pull_allocations(LIN_BLOCK, 1, 0), 0);
 }
 
 static void test_block_two_threads(void **state)
 {
     (void)state;
-    assert_int_equal(pull_allocations(LIN_BLOCK, 2), 0);
+    assert_int_equal(pull_allocations(LIN_BLOCK, 2, 0), 0);
+}
+
+static void test_planar(void **state)
+{
+    (void)state;
+    assert_int_equal(pull_allocations(LIN_BLOCK, 1, 1), 0);
+    assert_int_equal(pull_allocations(LIN_BLOCK, 2, 1), 0);
 }
 
 static void test_klu(void **state)
 {
     (void)state;
-    assert_int_equal(pull_allocations(LIN_KLU, 1), 0);
+    assert_int_equal(pull_allocations(LIN_KLU, 1, 0), 0);
 }
 
 /* The counters do count. */
@@ -101,10 +109,8 @@ static void test_counting(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_counting),
-        cmocka_unit_test(test_block),
-        cmocka_unit_test(test_block_two_threads),
-        cmocka_unit_test(test_klu),
+        cmocka_unit_test(test_counting), cmocka_unit_test(test_block), cmocka_unit_test(test_block_two_threads),
+        cmocka_unit_test(test_planar),   cmocka_unit_test(test_klu),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static Rig *rig_new(void)
     assert_int_equal(stats_new(&r->stats, &r->scene, NULL), HAWSER_OK);
     scene_initial_state(&r->scene, r->y);
     assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0, r->y, 1, NULL), HAWSER_OK);
-    sample_take(&r->look, &r->scene, &r->ws, 0, r->y);
+    sample_take(&r->look, &r->scene, &r->ws, 0, dynamics_look(&r->scene, &r->ws, 0, r->y), SAMPLE_ALL);
     return r;
 }
 
@@ -54,7 +54,7 @@ static void record(Rig *r, double t, double force, double speed)
     for (int i = 0; i < N; ++i) r->look.axial_speed[i] = speed;
     for (int k = 0; k < s->rollers; ++k) r->look.roller_load[k] = (k + 1) * force;
     for (int j = 0; j <= N; ++j) r->look.tension[j] = force * r->scene.joint_s[j];
-    stats_record(&r->stats, &r->scene, s);
+    stats_record(&r->stats, &r->scene, &r->ws.kin, s);
 }
 
 /* A force that rises evenly, 5 + 2 t, sampled at uneven times: mean 19 and ripple 12 / sqrt(12) from 4 s to 10 s. */

@@ -63,7 +63,7 @@ static inline void pull_record(SceneDef *def, double duration, hawser_summary *o
         sim_record(s);
     }
     sim_summary(s, out);
-    out->linear_solver = out->linear_solver_why = out->ordering = NULL; /* the simulation's */
+    out->linear_solver = out->linear_solver_why = out->ordering = out->planar_why = NULL; /* the simulation's */
     sim_free(s);
 }
 

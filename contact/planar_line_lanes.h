@@ -1,0 +1,206 @@
+/* Contact of LANES elements of a planar line with a circle each: nearest point, motion, force. Letters and numbers as
+ * in docs/model.md, "Contact line" and "Planar chain". */
+#ifndef HAWSER_CONTACT_PLANAR_LINE_LANES_H
+#define HAWSER_CONTACT_PLANAR_LINE_LANES_H
+
+#include <math.h>
+
+#include "contact/planar_contact_kernels.h"
+#include "core/plane_lanes.h"
+
+/* One of an element's two segments: centre, arm to the front end, velocities, contact radius. */
+typedef struct PlanarBody {
+    Lane2 x, r, v;
+    Lane w, radius;
+} PlanarBody;
+
+/* Weights of the two bodies (C2), or their derivatives by u. */
+typedef struct PlanarWeights {
+    Lane alpha[2], beta[2];
+} PlanarWeights;
+
+typedef struct PlanarLine {
+    PlanarBody body[2];
+    Lane arc, alpha, beta[2][2];
+    Lane2 centre;
+    Lane circle;
+} PlanarLine;
+
+/* A point of the line against its circle. */
+typedef struct PlanarPoint {
+    PlanarWeights weight, weight1; /* at u, and their first derivatives */
+    Lane2 p, p1;                   /* from the circle's centre to P, and P', m */
+    Lane radius, radius1;          /* rc and rc', m */
+    Lane rho;                      /* distance from the circle's centre, m */
+    Lane2 normal;
+    Lane slope, curvature; /* g' and g'' (C9), (C10), m */
+} PlanarPoint;
+
+LANE_INLINE Lane2 pair_load(const double a[2][LANES]) { return (Lane2){lane_load(a[0]), lane_load(a[1])}; }
+LANE_INLINE void pair_store(double a[2][LANES], Lane2 v)
+{
+    lane_store(a[0], v.x);
+    lane_store(a[1], v.z);
+}
+
+LANE_INLINE PlanarLine planar_line_load(const PlanarBatch *batch)
+{
+    PlanarLine line;
+    for (int b = 0; b < 2; ++b) {
+        line.body[b] = (PlanarBody){pair_load(batch->x[b]), pair_load(batch->r[b]), pair_load(batch->v[b]),
+                                    lane_load(batch->w[b]), lane_load(batch->radius[b])};
+        line.beta[b][0] = lane_load(batch->beta[b][0]);
+        line.beta[b][1] = lane_load(batch->beta[b][1]);
+    }
+    line.arc = lane_load(batch->arc);
+    line.alpha = lane_load(batch->alpha);
+    line.centre = pair_load(batch->centre);
+    line.circle = lane_load(batch->circle);
+    return line;
+}
+
+/* sum of alpha_i a_i + beta_i b_i over the two bodies */
+LANE_INLINE Lane2 planar_weighted(const PlanarWeights *w, Lane2 a0, Lane2 b0, Lane2 a1, Lane2 b1)
+{
+    return l2_axpy(l2_axpy(l2_axpy(l2_scale(w->alpha[0], a0), w->beta[0], b0), w->alpha[1], a1), w->beta[1], b1);
+}
+
+/* Weights (C2), (C3) and their first derivatives. */
+LANE_INLINE void planar_weights(const PlanarLine *line, Lane u, PlanarWeights *w, PlanarWeights *w1)
+{
+    const Lane v = 1 - u;
+    w->alpha[1] = line->arc * u * u * (3 - 2 * u) + line->alpha;
+    w->alpha[0] = 1 - w->alpha[1];
+    w->beta[0] = line->arc * (2 * u * v * v) + line->beta[0][0] + line->beta[0][1] * u;
+    w->beta[1] = line->beta[1][0] + line->beta[1][1] * u - line->arc * (2 * u * u * v);
+    w1->alpha[1] = line->arc * (6 * u * v);
+    w1->alpha[0] = -w1->alpha[1];
+    w1->beta[0] = line->arc * (2 * v * (1 - 3 * u)) + line->beta[0][1];
+    w1->beta[1] = line->arc * (2 * u * (3 * u - 2)) + line->beta[1][1];
+}
+
+LANE_INLINE Lane planar_root(Lane x)
+{
+    Lane r;
+    for (int k = 0; k < LANES; ++k) r[k] = sqrt(x[k]);
+    return r;
+}
+
+/* Everything at parameter u: (C1), (C4), (C9), (C10) with the circle's H = t t^T / rho (PL11). */
+LANE_INLINE PlanarPoint planar_point_at(const PlanarLine *line, Lane u)
+{
+    const PlanarBody *j = &line->body[0], *k = &line->body[1];
+    PlanarPoint at;
+    planar_weights(line, u, &at.weight, &at.weight1);
+    /* second derivatives of the weights: only the arc has them */
+    const Lane bent = line->arc * (6 - 12 * u);
+    const PlanarWeights weight2 = {{-bent, bent}, {line->arc * (12 * u - 8), line->arc * (12 * u - 4)}};
+    at.p = l2_sub(planar_weighted(&at.weight, j->x, j->r, k->x, k->r), line->centre);
+    at.p1 = planar_weighted(&at.weight1, j->x, j->r, k->x, k->r);
+    const Lane2 p2 = planar_weighted(&weight2, j->x, j->r, k->x, k->r);
+    const Lane thinner = k->radius - j->radius;
+    at.radius = at.weight.alpha[0] * j->radius + at.weight.alpha[1] * k->radius;
+    at.radius1 = at.weight1.alpha[1] * thinner;
+    const Lane square = l2_dot(at.p, at.p), tiny = lane_set(1e-60); /* the centre itself: the normal vanishes there */
+    at.rho = planar_root(lane_select(square > tiny, square, tiny));
+    const Lane inverse = 1 / at.rho;
+    at.normal = l2_scale(inverse, at.p);
+    const Lane across = l2_cross(at.normal, at.p1);
+    at.slope = l2_dot(at.normal, at.p1) - at.radius1;
+    at.curvature = inverse * across * across + l2_dot(at.normal, p2) - bent * thinner;
+    return at;
+}
+
+LANE_INLINE int planar_any(LaneMask m)
+{
+    int64_t any = 0;
+    for (int k = 0; k < LANES; ++k) any |= m[k];
+    return any != 0;
+}
+
+/* Parameter of the nearest point (C11): the same search as in space, Newton between bounds that close in, bisection
+ * where it leaves them; the start is exact for a straight line. A lane that has converged is left alone. */
+LANE_INLINE Lane planar_nearest(const PlanarLine *line, LaneMask *interior)
+{
+    enum { NEWTON = 20, MOST = 80 };
+    const Lane zero = lane_set(0), one = lane_set(1), close = lane_set(1e-10);
+    const PlanarPoint start = planar_point_at(line, zero), end = planar_point_at(line, one);
+    *interior = (start.slope < zero) & (end.slope >= zero);
+    const Lane s0 = start.rho * start.slope, s1 = end.rho * end.slope;
+    Lane u = lane_select(*interior, s0 / (s0 - s1), lane_select(start.slope < zero, one, zero));
+    Lane low = zero, high = one;
+    LaneMask running = *interior;
+    for (int i = 0; i < MOST && planar_any(running); ++i) {
+        const PlanarPoint at = planar_point_at(line, u);
+        low = lane_select(at.slope < zero, u, low);
+        high = lane_select(at.slope < zero, high, u);
+        const Lane newton = u - at.slope / at.curvature;
+        const LaneMask inside = (newton >= low) & (newton <= high);
+        const Lane middle = (low + high) / 2;
+        const Lane next = i < NEWTON ? lane_select(inside, newton, middle) : middle;
+        const Lane step = next - u;
+        const LaneMask moving = running & ((step > close) | (step < -close));
+        u = lane_select(running, next, u);
+        running = moving;
+    }
+    return u;
+}
+
+/* A contact with its force. */
+typedef struct PlanarContact {
+    LaneMask interior; /* the minimum is inside the element: it moves along it */
+    PlanarPoint at;
+    Lane2 tangent;                        /* J n */
+    Lane2 pdot;                           /* velocity of the line's material at P, m/s */
+    Lane omega;                           /* angular velocity there, rad/s */
+    Lane gap, rate;                       /* m, m/s */
+    Lane slide;                           /* sliding speed along the tangent, m/s (PL11) */
+    Lane normal, normal_gap, normal_rate; /* N and its derivatives (C12) */
+    Lane phi, phi_over;                   /* mu/v and its derivative over v, friction scale included (C14) */
+    Lane drag;                            /* T = N phi s, N (PL12) */
+    Lane2 force;                          /* N */
+    Lane2 arm[2];                         /* lever of the force about the centres (C15), m */
+} PlanarContact;
+
+/* Normal force and friction coefficient of every lane (C12), (C14). */
+LANE_INLINE void planar_laws(PlanarContact *c, const PlanarBatch *batch)
+{
+    double value[5][LANES]; /* N, dN/dgap, dN/drate, phi, (dphi/dv)/v */
+    for (int l = 0; l < LANES; ++l) {
+        value[0][l] = value[1][l] = value[2][l] = value[3][l] = value[4][l] = 0;
+        if (!(c->gap[l] < 0))
+            continue; /* a gap that is not a number touches nothing: the caller sees it in the state */
+        value[0][l] = impact_force(batch->impact, c->gap[l], c->rate[l], &value[1][l], &value[2][l]);
+        value[3][l] = friction_over_speed(batch->friction[l], fabs(c->slide[l]), &value[4][l]);
+    }
+    const Lane scale = lane_set(batch->friction_scale);
+    c->normal = lane_load(value[0]);
+    c->normal_gap = lane_load(value[1]);
+    c->normal_rate = lane_load(value[2]);
+    c->phi = scale * lane_load(value[3]);
+    c->phi_over = scale * lane_load(value[4]);
+}
+
+/* Nearest point, velocities, laws, force (PL11), (PL12). */
+LANE_INLINE PlanarContact planar_contact_at(const PlanarBatch *batch, const PlanarLine *line)
+{
+    const PlanarBody *j = &line->body[0], *k = &line->body[1];
+    PlanarContact c;
+    c.at = planar_point_at(line, planar_nearest(line, &c.interior));
+    const PlanarWeights *w = &c.at.weight;
+    c.tangent = l2_turn(c.at.normal);
+    c.pdot = planar_weighted(w, j->v, l2_scale(j->w, l2_turn(j->r)), k->v, l2_scale(k->w, l2_turn(k->r)));
+    c.omega = w->alpha[0] * j->w + w->alpha[1] * k->w;
+    c.gap = c.at.rho - line->circle - c.at.radius;
+    c.rate = l2_dot(c.at.normal, c.pdot);
+    c.slide = l2_dot(c.tangent, c.pdot) - c.at.radius * c.omega;
+    planar_laws(&c, batch);
+    c.drag = c.normal * c.phi * c.slide;
+    c.force = l2_axpy(l2_scale(c.normal, c.at.normal), -c.drag, c.tangent);
+    for (int b = 0; b < 2; ++b) {
+        c.arm[b] = l2_axpy(l2_scale(w->beta[b], line->body[b].r), -w->alpha[b] * c.at.radius, c.at.normal);
+    }
+    return c;
+}
+
+#endif

@@ -1,0 +1,333 @@
+#include "sim/planar.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/clock.h"
+#include "core/error.h"
+#include "sim/halves.h"
+#include "sim/planar_kernels.h"
+#include "sim/planar_relax.h"
+#include "sim/scales.h"
+
+static Planar *planar_of(Motion *m) { return (Planar *)m; }
+static const Planar *planar_in(const Motion *m) { return (const Planar *)m; }
+
+static const PlanarSimKernels *kernels(void)
+{
+    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
+    return table[isa_best()];
+}
+
+static int segments(const Planar *p) { return p->ps.chain.n; }
+
+/* --------------------------------------------------------------------------------------------- the corridor */
+
+/* One evaluation, as both threads see it. */
+typedef struct Evaluation {
+    Planar *p;
+    double t, friction;
+    const double *y;
+    double *ydot;
+    int finite[PARTS];
+} Evaluation;
+
+static int share_from(const Planar *p, int rank) { return rank == 0 ? 0 : p->middle; }
+static int share_to(const Planar *p, int rank, int end) { return rank == 0 ? p->middle : end; }
+
+/* Kinematics of one half, with its weight, and nothing yet in the second set of loads. */
+static void kinematics_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Planar *const p = e->p;
+    const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
+    planar_kinematics(&p->ps.chain, e->y, from, to, &p->kin);
+    planar_weight(&p->ps, &p->kin, from, to, &p->loads[0]);
+    double *const second[3] = {p->loads[1].f[0], p->loads[1].f[1], p->loads[1].m};
+    for (int c = 0; c < 3; ++c) memset(second[c] + from, 0, (size_t)(to - from) * sizeof(double));
+}
+
+/* Wrenches of half of the joints, contacts of half of the rollers; the first half brings the loads at the ends. */
+static void loads_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Planar *const p = e->p;
+    planar_joint_loads(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->joints);
+    if (rank == 0) planar_ends(&p->ps, &p->kin, e->t, e->friction, &p->loads[0]);
+    if (p->model[rank].n_rollers == 0) return;
+    ContactPart *const part = &p->ws->contact[rank];
+    const double start = clock_now();
+    planar_contact_forces(&p->model[rank], &p->ps.chain, &p->kin, e->friction, &part->pairs, &p->loads[rank], NULL);
+    part->seconds += clock_now() - start;
+}
+
+static void motion_job(void *arg, int rank)
+{
+    Evaluation *const e = arg;
+    Planar *const p = e->p;
+    e->finite[rank] = planar_rates(&p->ps.chain, &p->kin, &p->joints, p->loads, share_from(p, rank),
+                                   share_to(p, rank, segments(p)), e->ydot);
+}
+
+static void both(Planar *p, TeamJob job, int light, Evaluation *e)
+{
+    halves_run(p->ws->team, !light || segments(p) >= HALVES_LONG, job, e);
+}
+
+void planar_place(Planar *p, double t, const double *y)
+{
+    planar_kinematics(&p->ps.chain, y, 0, segments(p), &p->kin);
+    planar_scene_ghosts(&p->ps, t, &p->kin);
+}
+
+int planar_evaluate(Planar *p, double t, const double *y, double friction, double *ydot)
+{
+    Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};
+    both(p, kinematics_job, 1, &e);
+    planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
+    both(p, loads_job, 0, &e);
+    both(p, motion_job, 1, &e);
+    ++p->ws->rhs_evals;
+    return !(e.finite[0] && e.finite[1]);
+}
+
+/* Joints of one half, without the lane of joints at the middle, which touches segments of both. */
+static void blocks_job(void *arg, int rank)
+{
+    Planar *const p = ((Evaluation *)arg)->p;
+    const int from = rank == 0 ? 0 : p->middle + LANES, to = share_to(p, rank, segments(p) + 1);
+    planar_joint_blocks(&p->ps.chain, &p->kin, from, to, &p->newton.k, &p->newton.d);
+}
+
+void planar_blocks(Planar *p, double t, const double *y, double friction)
+{
+    const PlanarChain *const chain = &p->ps.chain;
+    PlanarBlocks *const k = &p->newton.k, *const d = &p->newton.d;
+    const int n = chain->n, after = p->middle + LANES < n + 1 ? p->middle + LANES : n + 1;
+    Evaluation e = {.p = p};
+    planar_place(p, t, y);
+    planar_blocks_zero(k, n);
+    planar_blocks_zero(d, n);
+    both(p, blocks_job, 1, &e);
+    planar_joint_blocks(chain, &p->kin, p->middle, after, k, d);
+    planar_blocks_trim(k, n);
+    planar_blocks_trim(d, n);
+    planar_applied_blocks(&p->ps, &p->kin, t, friction, k, d);
+    for (int half = 0; half < PARTS; ++half) {
+        if (p->model[half].n_rollers == 0) continue;
+        planar_contact_blocks(&p->model[half], chain, &p->kin, friction, &p->ws->contact[half].pairs, k, d);
+    }
+}
+
+/* --------------------------------------------------------------------------------------- what steps renew, and looks
+ */
+
+hawser_status planar_refresh(Planar *p, double t, const double *y, int always, hawser_error *err)
+{
+    const Scene *const scene = p->motion.scene;
+    if (scene->contact.n_rollers == 0) return HAWSER_OK;
+    /* (C20), with the last evaluation for y, which is nearer to it than the reach's reserve */
+    const double moved = always ? 0 : planar_contact_moved(&p->ps.chain, &p->kin, p->at_p, p->at_a);
+    if (!always && moved <= CONTACT_USABLE * scene->contact.reach) return HAWSER_OK;
+    planar_place(p, t, y);
+    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    for (int c = 0; c < 2; ++c) {
+        memcpy(p->at_p[c], p->kin.p[c], (size_t)segments(p) * sizeof(double));
+        memcpy(p->at_a[c], p->kin.a[c], (size_t)segments(p) * sizeof(double));
+    }
+    return dynamics_find_candidates(scene, p->ws, err);
+}
+
+/* The forces on the rollers, back in space. */
+static int roller_forces(Planar *p)
+{
+    int active = 0, first = 0;
+    for (int half = 0; half < PARTS; ++half) {
+        ContactPairs *const pairs = &p->ws->contact[half].pairs;
+        if (p->model[half].n_rollers == 0) continue;
+        planar_contact_forces(&p->model[half], &p->ps.chain, &p->kin, 1, pairs, &p->loads[half], p->on_roller + first);
+        active += pairs->active;
+        first += p->model[half].n_rollers;
+    }
+    for (int r = 0; r < first; ++r)
+        p->ws->on_roller[r] = plane_vector(&p->ps.plane, p->on_roller[r][0], p->on_roller[r][1]);
+    return active;
+}
+
+/* The winch's pull for the kinematics of now: the last lane of joints holds the head's. */
+static double head_pull(Planar *p)
+{
+    const int n = segments(p);
+    if (!p->motion.scene->winch.present) return 0;
+    planar_joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
+    return p->joints.force[0][n] * p->ps.winch_direction[0] + p->joints.force[1][n] * p->ps.winch_direction[1];
+}
+
+static double motion_winch_pull(Motion *m, double t, const double *y)
+{
+    Planar *const p = planar_of(m);
+    const int n = segments(p);
+    planar_kinematics(&p->ps.chain, y, (n - 1) / LANES * LANES, n, &p->kin);
+    planar_scene_ghosts(&p->ps, t, &p->kin);
+    return head_pull(p);
+}
+
+/* Everything that a sample reads from the workspace, and no more. */
+static int planar_look(Motion *m, double t, const double *y)
+{
+    Planar *const p = planar_of(m);
+    const int n = segments(p);
+    planar_place(p, t, y);
+    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    planar_tension(&p->ps.chain, &p->kin, 0, n + 1, p->ws->law[0]);
+    p->ws->winch_pull = head_pull(p);
+    return roller_forces(p);
+}
+
+/* -------------------------------------------------------------------------------------- as the integrator sees it */
+
+static int motion_rates(Motion *m, double t, const double *y, double *ydot)
+{
+    return planar_evaluate(planar_of(m), t, y, 1, ydot);
+}
+
+static void motion_linearise(Motion *m, double t, const double *y, const double *ydot)
+{
+    (void)ydot; /* inertia about one axis does not turn */
+    planar_blocks(planar_of(m), t, y, 1);
+}
+
+static void motion_form(Motion *m, double gamma) { planar_newton_form(&planar_of(m)->newton, gamma); }
+static int motion_factor(Motion *m) { return planar_newton_factor(&planar_of(m)->newton); }
+static int motion_solve(Motion *m, double *b) { return planar_newton_solve(&planar_of(m)->newton, b); }
+
+/* The same tolerances as in space: an angle's for half of it in the quaternion (PL18). */
+static void motion_weights(const Motion *m, double *weight)
+{
+    const Tolerances tol = scales_tolerances(m->scene);
+    const double atol[PLANAR_SIZE] = {tol.position, tol.position, tol.rotation, tol.velocity, tol.velocity, tol.omega};
+    const int stride = planar_in(m)->ps.chain.stride;
+    for (int c = 0; c < PLANAR_SIZE; ++c) {
+        for (int i = 0; i < stride; ++i) weight[c * stride + i] = 1 / atol[c];
+    }
+}
+
+static double motion_norm(const Motion *m, const double *x, const double *w)
+{
+    return sqrt(kernels()->window_square(&planar_in(m)->ps.chain, x, w));
+}
+
+static hawser_status motion_accept(Motion *m, double t, const double *y, hawser_error *err)
+{
+    return planar_refresh(planar_of(m), t, y, 0, err);
+}
+
+static hawser_status motion_renew(Motion *m, double t, const double *y, hawser_error *err)
+{
+    return planar_refresh(planar_of(m), t, y, 1, err);
+}
+
+static int motion_worst(const Motion *m, const double *error, const double *weight)
+{
+    const PlanarChain *const chain = &planar_in(m)->ps.chain;
+    int worst = 0;
+    double largest = -1;
+    for (int i = 0; i < chain->n; ++i) {
+        double sum = 0;
+        for (int k = i; k < m->size; k += chain->stride) sum += error[k] * weight[k] * error[k] * weight[k];
+        if (isnan(sum)) return i;
+        if (sum > largest) {
+            largest = sum;
+            worst = i;
+        }
+    }
+    return worst;
+}
+
+static Vec3 motion_place(const Motion *m, const double *y, int segment)
+{
+    const Planar *const p = planar_in(m);
+    return v3_add(p->ps.plane.origin, plane_vector(&p->ps.plane, y[segment], y[p->ps.chain.stride + segment]));
+}
+
+static void motion_unpack(const Motion *m, const double *y, double *full)
+{
+    plane_lift(&planar_in(m)->ps.plane, m->scene->chain.n, y, full);
+}
+
+static void motion_pack(Motion *m, const double *full, double *y)
+{
+    Planar *const p = planar_of(m);
+    const int n = segments(p);
+    plane_press(&p->ps.plane, n, full, y);
+    planar_scene_unwind(&p->ps, y[PLANAR_ANGLE * p->ps.chain.stride + n - 1]);
+}
+
+static void motion_lin_stats(const Motion *m, LinStats *stats) { linsolver_stats(planar_in(m)->newton.solver, stats); }
+
+static hawser_status motion_relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
+{
+    return planar_relax(planar_of(m), t, y, out, err);
+}
+
+/* ------------------------------------------------------------------------------------------------------- life */
+
+static int parts_new(Planar *p)
+{
+    const int n = segments(p);
+    int ok = planar_kinematics_alloc(&p->kin, n) & planar_joint_loads_alloc(&p->joints, n);
+    ok &= chain_arrays_new(p->at_p, 2, n, 0) & chain_arrays_new(p->at_a, 2, n, 0);
+    for (int half = 0, first = 0; half < PARTS; first += p->model[half++].n_rollers) {
+        const ContactModel *const model = &p->ws->contact[half].model;
+        ok &= planar_loads_alloc(&p->loads[half], n);
+        p->model[half] = (PlanarContactModel){.geometry = model->geometry,
+                                              .impact = model->impact,
+                                              .n_rollers = model->n_rollers,
+                                              .roller = p->ps.roller + first};
+    }
+    p->on_roller = calloc((size_t)p->motion.scene->contact.n_rollers + 1, sizeof *p->on_roller);
+    return ok && p->on_roller;
+}
+
+hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Workspace *ws, const LinOptions *options,
+                         hawser_error *err)
+{
+    static const MotionOps ops = {.rates = motion_rates,
+                                  .linearise = motion_linearise,
+                                  .form = motion_form,
+                                  .factor = motion_factor,
+                                  .solve = motion_solve,
+                                  .weights = motion_weights,
+                                  .norm = motion_norm,
+                                  .accept = motion_accept,
+                                  .renew = motion_renew,
+                                  .worst = motion_worst,
+                                  .place = motion_place,
+                                  .look = planar_look,
+                                  .winch_pull = motion_winch_pull,
+                                  .relax = motion_relax,
+                                  .pack = motion_pack,
+                                  .unpack = motion_unpack,
+                                  .lin_stats = motion_lin_stats};
+    const int n = scene->chain.n;
+    *p = (Planar){.motion = {&ops, scene, PLANAR_SIZE * planar_stride(n)}, .ws = ws, .middle = halves_middle(n)};
+    hawser_status status = HAWSER_OK;
+    if (!planar_scene_new(&p->ps, scene, plane) || !parts_new(p)) status = error_memory(err);
+    if (!status) status = planar_newton_new(&p->newton, &p->ps.chain, options, err);
+    if (status) planar_free(p);
+    return status;
+}
+
+void planar_free(Planar *p)
+{
+    if (!p->motion.ops) return;
+    planar_newton_free(&p->newton);
+    planar_kinematics_free(&p->kin);
+    planar_joint_loads_free(&p->joints);
+    chain_arrays_free(p->at_p, 2);
+    chain_arrays_free(p->at_a, 2);
+    for (int half = 0; half < PARTS; ++half) planar_loads_free(&p->loads[half]);
+    free(p->on_roller);
+    planar_scene_free(&p->ps);
+    memset(p, 0, sizeof *p);
+}

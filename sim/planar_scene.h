@@ -1,0 +1,44 @@
+/* A planar scene: what sim/scene.h holds, in the plane's coordinates; and the loads that it applies by itself.
+ * docs/model.md, "Planar chain" (PL14); the laws are those of sim/applied.h. */
+#ifndef HAWSER_SIM_PLANAR_SCENE_H
+#define HAWSER_SIM_PLANAR_SCENE_H
+
+#include "contact/planar_contact.h"
+#include "sim/plane.h"
+
+/* Gravity along the chain (F1), as Weight. */
+typedef struct PlanarWeight {
+    double gravity[2]; /* m/s2 */
+    int lead_in;
+    double lost[2];      /* what of gravity is missing behind the start, m/s2 */
+    double origin[2];    /* m */
+    double direction[2]; /* unit */
+    double blend, hold, hold_damping;
+} PlanarWeight;
+
+typedef struct PlanarScene {
+    const Scene *scene; /* borrowed */
+    Plane plane;
+    PlanarChain chain;
+    PlanarWeight weight;
+    double winch_origin[2], winch_direction[2], winch_angle; /* m, unit, rad */
+    PlanarRoller *roller;                                    /* [rollers] */
+} PlanarScene;
+
+/* 0 if there is no memory (then nothing is allocated). */
+int planar_scene_new(PlanarScene *ps, const Scene *scene, const Plane *plane);
+void planar_scene_free(PlanarScene *ps);
+
+/* Turns the winch's angle by whole turns to the one nearest to the last segment's, rad. */
+void planar_scene_unwind(PlanarScene *ps, double last_angle);
+/* Sets the head's ghost to what the winch does at time t. */
+void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin);
+
+/* As applied_weight, applied_ends and applied_blocks. Weight is written, not added; `from` is a multiple of LANES, and
+ * entries up to the next one after `to` are overwritten. */
+void planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads);
+void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, PlanarLoads *loads);
+void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction,
+                           PlanarBlocks *k, PlanarBlocks *d);
+
+#endif

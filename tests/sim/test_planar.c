@@ -1,0 +1,329 @@
+/* The planar equations: the same rates, derivative blocks and samples as those in space for every state in the plane;
+ * derivatives against finite differences; the Newton solution against the definition. */
+#include "sim/newton.h"
+#include "sim/planar.h"
+#include "sim/spatial.h"
+#include "tests/sim/planar_fixture.h"
+
+enum { N = FIXTURE_SEGMENTS, STRIDE = (N + 7) / 8 * 8, SIZE = PLANAR_SIZE * STRIDE };
+
+static const double T = 0.7; /* s */
+
+typedef struct Rig {
+    Scene scene;
+    Workspace ws, planar_ws;
+    Plane plane;
+    Planar planar;
+    double y[SIZE], rate[SIZE];                             /* in the plane */
+    double full[STATE_SIZE * N], full_rate[STATE_SIZE * N]; /* in space */
+    uint64_t seed;
+} Rig;
+
+/* The scene at a heading of 37 deg, bent and stretched in its plane, moving at up to `speed` (m/s). */
+static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, int soft, double speed, uint64_t seed)
+{
+    Rig *const r = fixture_array(1, sizeof *r);
+    SceneDef def;
+    char why[PLANE_WHY_MAX];
+    hawser_error err = {0};
+    fixture_planar(
+        &def, &(FixtureChoice){
+                  .geometry = geometry, .frame = frame, .soft = soft, .heading = 37 * M_PI / 180, .start = {3, -2, 1}});
+    def.solver.linear.kind = LIN_BLOCK;
+    fixture_build(&def, &r->scene);
+    r->seed = seed;
+    assert_true(workspace_alloc(&r->ws, &r->scene, NULL) && workspace_alloc(&r->planar_ws, &r->scene, NULL));
+    if (!plane_find(&r->scene, &r->plane, why)) fail_msg("%s", why);
+    if (planar_new(&r->planar, &r->scene, &r->plane, &r->planar_ws, &r->scene.def.solver.linear, &err))
+        fail_msg("%s", err.message);
+    assert_int_equal(r->planar.motion.size, SIZE);
+    scene_initial_state(&r->scene, r->full);
+    r->planar.motion.ops->pack(&r->planar.motion, r->full, r->y);
+    planar_shake(r->y, N, 3e-3, 0.02, speed, speed, &r->seed);
+    plane_lift(&r->plane, N, r->y, r->full);
+    assert_int_equal(planar_refresh(&r->planar, T, r->y, 1, NULL), HAWSER_OK);
+    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, T, r->full, 1, NULL), HAWSER_OK);
+    assert_int_equal(planar_evaluate(&r->planar, T, r->y, 1, r->rate), 0);
+    dynamics_rates(&r->scene, &r->ws, T, r->full, 1, r->full_rate);
+    return r;
+}
+
+static void rig_free(Rig *r)
+{
+    planar_free(&r->planar);
+    workspace_free(&r->ws);
+    workspace_free(&r->planar_ws);
+    scene_clear(&r->scene);
+    free(r);
+}
+
+/* Pieces of a vector in space along the plane's two axes and its normal. */
+static Vec3 in_plane(const Plane *p, Vec3 v) { return v3(v3_dot(v, p->e1), v3_dot(v, p->e2), v3_dot(v, p->normal)); }
+
+/* Force and moment on the segments must be those in space, and nothing may point out of the plane. */
+static double rates_error(const Rig *r)
+{
+    double error[2] = {0}, size[2] = {0};
+    for (int i = 0; i < N; ++i) {
+        const double m = r->scene.chain.mass[i], j = r->planar.ps.chain.inertia[i];
+        const Vec3 a = in_plane(&r->plane, state_vec(r->full_rate, N, STATE_V, i));
+        const Vec3 b = in_plane(&r->plane, state_vec(r->full_rate, N, STATE_W, i));
+        const double *const mine = r->rate + PLANAR_V * STRIDE + i;
+        const double off[2] = {m * (fabs(a.x - mine[0]) + fabs(a.y - mine[STRIDE]) + fabs(a.z)),
+                               j * (fabs(b.z - mine[2 * STRIDE]) + fabs(b.x) + fabs(b.y))};
+        const double most[2] = {m * (fabs(a.x) + fabs(a.y)), j * fabs(b.z)};
+        for (int k = 0; k < 2; ++k) {
+            error[k] = fmax(error[k], off[k]);
+            size[k] = fmax(size[k], most[k]);
+        }
+    }
+    return fmax(error[0] / size[0], error[1] / size[1]);
+}
+
+static void test_rates(void **state)
+{
+    (void)state;
+    double worst = 0;
+    int active = 0;
+    for (uint64_t k = 0; k < 24; ++k) {
+        const double speed[] = {5e-4, 8e-3, 0.2};
+        Rig *const r = rig_new(k % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, k % 4 / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
+                               1, speed[k % 3], 7 + k);
+        worst = fmax(worst, rates_error(r));
+        active += r->planar_ws.contact[0].pairs.active + r->planar_ws.contact[1].pairs.active;
+        assert_int_equal(r->planar_ws.contact[0].pairs.n_hits, r->ws.contact[0].pairs.n_hits);
+        for (int i = 0; i < SIZE; ++i) {
+            if (i % STRIDE >= N) assert_true(r->rate[i] == 0);
+        }
+        rig_free(r);
+    }
+    print_message("rates against those in space: %.2g relative, %d contacts\n", worst, active);
+    assert_true(active > 60);
+    assert_true(worst < 1e-12);
+}
+
+/* Entry (row, column) of a 6x6 block seen from the plane: coordinate 0, 1: its axes; 2: its normal. */
+static double entry_in_plane(const Plane *p, const double *block, int row, int column)
+{
+    const Vec3 axis[3] = {p->e1, p->e2, p->normal};
+    const double *const r = &axis[row].x, *const c = &axis[column].x;
+    double sum = 0;
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) sum += r[i] * c[j] * block[6 * (3 * (column == 2) + j) + 3 * (row == 2) + i];
+    }
+    return sum;
+}
+
+/* Largest difference over the largest entry, each kind of entry by itself. */
+static double blocks_error(const Plane *p, double *const mine[9], const double *full, int from, int to)
+{
+    double error[2][2] = {{0}}, size[2][2] = {{0}}, worst = 0;
+    for (int i = from; i < to; ++i) {
+        for (int e = 0; e < 9; ++e) {
+            const int row = e % 3, column = e / 3, a = row == 2, b = column == 2;
+            const double other = entry_in_plane(p, full + 36 * i, row, column);
+            error[a][b] = fmax(error[a][b], fabs(other - mine[e][i]));
+            size[a][b] = fmax(size[a][b], fabs(other));
+        }
+    }
+    for (int k = 0; k < 4; ++k) worst = fmax(worst, error[k / 2][k % 2] / size[k / 2][k % 2]);
+    return worst;
+}
+
+static double all_blocks_error(const Rig *r, const PlanarBlocks *mine, const BlockChain *full)
+{
+    const double lower = blocks_error(&r->plane, mine->lower, full->lower, 1, N);
+    const double diag = blocks_error(&r->plane, mine->diag, full->diag, 0, N);
+    return fmax(fmax(lower, diag), blocks_error(&r->plane, mine->upper, full->upper, 0, N - 1));
+}
+
+static void test_blocks(void **state)
+{
+    (void)state;
+    double worst = 0;
+    BlockChain k, d;
+    assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
+    for (uint64_t c = 0; c < 12; ++c) {
+        const double speed[] = {5e-4, 8e-3, 0.2};
+        Rig *const r = rig_new(c % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, c % 4 / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
+                               1, speed[c % 3], 40 + c);
+        dynamics_blocks(&r->scene, &r->ws, T, r->full, r->full_rate, 1, &k, &d);
+        planar_blocks(&r->planar, T, r->y, 1);
+        worst = fmax(worst, all_blocks_error(r, &r->planar.newton.k, &k));
+        worst = fmax(worst, all_blocks_error(r, &r->planar.newton.d, &d));
+        for (int e = 0; e < 9; ++e) { /* nothing couples the chain with its ghosts */
+            assert_true(r->planar.newton.k.lower[e][0] == 0 && r->planar.newton.k.upper[e][N - 1] == 0);
+            assert_true(r->planar.newton.k.lower[e][N] == 0 && r->planar.newton.d.lower[e][N] == 0);
+        }
+        rig_free(r);
+    }
+    block_chain_free(&k);
+    block_chain_free(&d);
+    print_message("blocks against those in space: %.2g relative\n", worst);
+    assert_true(worst < 1e-11);
+}
+
+/* Largest error of K and D against central differences of the balance, by kind. */
+static double differences_error(Rig *r)
+{
+    const double e = 5e-7;
+    double error[2][2] = {{0}}, size[2][2] = {{0}}, worst = 0;
+    planar_blocks(&r->planar, T, r->y, 1);
+    const PlanarBlocks *const block[2] = {&r->planar.newton.k, &r->planar.newton.d};
+    for (int column = 0; column < 6 * N; ++column) {
+        const int segment = column / 6, c = column % 6;
+        double y[SIZE], plus[SIZE], minus[SIZE];
+        memcpy(y, r->y, sizeof y);
+        y[c * STRIDE + segment] += e;
+        planar_evaluate(&r->planar, T, y, 1, plus);
+        y[c * STRIDE + segment] = r->y[c * STRIDE + segment] - e;
+        planar_evaluate(&r->planar, T, y, 1, minus);
+        for (int i = 0; i < N; ++i) {
+            for (int row = 0; row < 3; ++row) {
+                const int at = (PLANAR_V + row) * STRIDE + i;
+                const double inertia = row == 2 ? r->planar.ps.chain.inertia[i] : r->planar.ps.chain.mass[i];
+                const double fd = inertia * (plus[at] - minus[at]) / (2 * e);
+                const PlanarBlocks *const b = block[c / 3];
+                double *const *const part = i == segment       ? b->diag
+                                            : i + 1 == segment ? b->upper
+                                            : i - 1 == segment ? b->lower
+                                                               : NULL;
+                const double mine = part ? part[3 * (c % 3) + row][i] : 0;
+                error[c / 3][row == 2] = fmax(error[c / 3][row == 2], fabs(fd - mine));
+                size[c / 3][row == 2] = fmax(size[c / 3][row == 2], fabs(fd));
+            }
+        }
+    }
+    for (int k = 0; k < 4; ++k) worst = fmax(worst, error[k / 2][k % 2] / size[k / 2][k % 2]);
+    return worst;
+}
+
+static void test_differences(void **state)
+{
+    (void)state;
+    double worst = 0;
+    for (uint64_t c = 0; c < 6; ++c) {
+        const double speed[] = {5e-4, 8e-3, 0.2};
+        Rig *const r = rig_new(c % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, c % 4 / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
+                               1, speed[c % 3], 70 + c);
+        worst = fmax(worst, differences_error(r));
+        rig_free(r);
+    }
+    print_message("blocks against finite differences: %.2g relative\n", worst);
+    assert_true(worst < 3e-7);
+}
+
+/* x - gamma J x = b, with J x by central differences of the rates; speeds small enough for them to see every term. */
+static void test_newton(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 8e-3, 3);
+    Motion *const m = &r->planar.motion;
+    const double gamma = 4e-3, e = 1e-6;
+    double b[SIZE] = {0}, x[SIZE], y[SIZE], plus[SIZE], minus[SIZE], size = 0, error = 0;
+    for (int k = 0; k < SIZE; ++k) {
+        if (k % STRIDE < N) b[k] = (k < PLANAR_V * STRIDE ? 1e-3 : 1) * fixture_random(&r->seed);
+    }
+    memcpy(x, b, sizeof x);
+    m->ops->linearise(m, T, r->y, r->rate);
+    m->ops->form(m, gamma);
+    assert_int_equal(m->ops->factor(m), 0);
+    assert_int_equal(m->ops->solve(m, x), 0);
+    for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] + e * x[k];
+    m->ops->rates(m, T, y, plus);
+    for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] - e * x[k];
+    m->ops->rates(m, T, y, minus);
+    for (int k = 0; k < SIZE; ++k) {
+        size = fmax(size, fabs(b[k]));
+        error = fmax(error, fabs(x[k] - gamma * (plus[k] - minus[k]) / (2 * e) - b[k]));
+        if (k % STRIDE >= N) assert_true(x[k] == 0);
+    }
+    print_message("Newton's system: residual %.2g\n", error / size);
+    assert_true(error < 1e-6 * size);
+    rig_free(r);
+}
+
+/* Largest difference of count numbers, over the largest of them. */
+static double difference(int count, const double *a, const double *b)
+{
+    double error = 0, size = 0;
+    for (int k = 0; k < count; ++k) {
+        error = fmax(error, fabs(a[k] - b[k]));
+        size = fmax(size, fabs(b[k]));
+    }
+    return error / size;
+}
+
+/* What a sample reads is what the motion in space would have put there; and a state comes back as it went. */
+static void test_look(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 19);
+    Spatial spatial;
+    Motion *const flat = &r->planar.motion, *const full = spatial_init(&spatial, &r->scene, &r->ws, NULL);
+    double again[SIZE], lifted[STATE_SIZE * N];
+    assert_int_equal(flat->ops->look(flat, T, r->y), full->ops->look(full, T, r->full));
+    assert_true(difference(N + 1, r->planar_ws.law[0], r->ws.law[0]) < 1e-11);
+    double *const *const mine[] = {r->planar_ws.kin.p, r->planar_ws.kin.q, r->planar_ws.kin.v, r->planar_ws.kin.w};
+    double *const *const theirs[] = {r->ws.kin.p, r->ws.kin.q, r->ws.kin.v, r->ws.kin.w};
+    for (int k = 0; k < 4; ++k) {
+        for (int c = 0; c < (k == 1 ? 4 : 3); ++c) {
+            for (int i = 0; i < N; ++i) assert_true(fabs(mine[k][c][i] - theirs[k][c][i]) < 1e-13);
+        }
+    }
+    for (int roller = 0; roller < r->scene.contact.n_rollers; ++roller) {
+        const Vec3 a = r->planar_ws.on_roller[roller], b = r->ws.on_roller[roller];
+        assert_true(v3_norm(v3_sub(a, b)) <= 1e-11 * (1 + v3_norm(b)));
+    }
+    assert_true(fabs(r->planar_ws.winch_pull / r->ws.winch_pull - 1) < 1e-11);
+    assert_true(fabs(flat->ops->winch_pull(flat, T, r->y) / r->ws.winch_pull - 1) < 1e-11);
+    flat->ops->unpack(flat, r->y, lifted);
+    assert_true(plane_press(&r->plane, N, lifted, again) < 1e-13);
+    assert_true(difference(SIZE, again, r->y) < 1e-14);
+    rig_free(r);
+}
+
+/* Errors are judged alike: a planar error has the norm that the same error has in space. */
+static void test_norm(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 23);
+    Spatial spatial;
+    Motion *const flat = &r->planar.motion, *const full = spatial_init(&spatial, &r->scene, &r->ws, NULL);
+    const double e = 1e-7;
+    double w[SIZE], fw[STATE_SIZE * N], x[SIZE], y[SIZE], fx[STATE_SIZE * N];
+    flat->ops->weights(flat, w);
+    full->ops->weights(full, fw);
+    memset(x, 0, sizeof x);
+    planar_shake(x, N, e, e, e, e, &r->seed);
+    for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] + x[k];
+    plane_lift(&r->plane, N, y, fx);
+    for (int k = 0; k < STATE_SIZE * N; ++k) fx[k] -= r->full[k];
+    const double a = flat->ops->norm(flat, x, w), b = full->ops->norm(full, fx, fw);
+    assert_true(fabs(a / b - 1) < 1e-6);
+    assert_int_equal(flat->ops->worst(flat, x, w), full->ops->worst(full, fx, fw));
+    x[3 * STRIDE + 5] = NAN;
+    assert_true(isnan(flat->ops->norm(flat, x, w)));
+    assert_int_equal(flat->ops->worst(flat, x, w), 5);
+    rig_free(r);
+}
+
+/* Not finite: the integrator is told. */
+static void test_not_finite(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 29);
+    r->y[STRIDE + 3] = NAN;
+    assert_true(r->planar.motion.ops->rates(&r->planar.motion, T, r->y, r->rate) > 0);
+    rig_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rates),      cmocka_unit_test(test_blocks), cmocka_unit_test(test_differences),
+        cmocka_unit_test(test_newton),     cmocka_unit_test(test_look),   cmocka_unit_test(test_norm),
+        cmocka_unit_test(test_not_finite),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
