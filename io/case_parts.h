@@ -39,6 +39,9 @@ hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node);
 void case_piece_place(const SceneDef *def, int p, double *from, double *to);
 /* Whether roller i stays out of the cable along the route; node: where the roller was written. */
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller);
+/* How a roller of this radius (m) spins and what it stands on; NULL: it does not, it is fixed. */
+hawser_status case_spin_read(const CaseReader *r, const CaseNode *node, double radius, SpinDef *spin);
+hawser_status case_mount_read(const CaseReader *r, const CaseNode *node, MountDef *mount);
 /* The groove of a roller of this profile and width (m), checked against the thickest cable; node: the row or roller. */
 hawser_status case_groove_make(const CaseReader *r, const CaseNode *node, int profile, const GrooveRecord *record,
                                double width, Groove *groove);

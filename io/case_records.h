@@ -66,6 +66,21 @@ typedef struct GrooveRecord {
     double angle, radius, depth;
 } GrooveRecord;
 
+/* A roller's spin with its bearing, and its mount. */
+typedef struct BearingRecord {
+    double friction, journal, torque, speed;
+} BearingRecord;
+
+typedef struct SpinRecord {
+    double inertia;
+    BearingRecord bearing;
+} SpinRecord;
+
+typedef struct MountRecord {
+    const CaseNode *stiffness;
+    double damping, mass, inertia;
+} MountRecord;
+
 enum { GUIDE_NONE, GUIDE_INSIDE, GUIDE_BOTH };
 
 typedef struct RollerRowRecord {
@@ -77,7 +92,7 @@ typedef struct RollerRowRecord {
     GrooveRecord groove;
     int guide;
     double gap; /* m, of guides */
-    const CaseNode *where, *hold_down, *friction;
+    const CaseNode *where, *hold_down, *friction, *spin, *mount;
 } RollerRowRecord;
 
 typedef struct RollerRecord {
@@ -86,7 +101,7 @@ typedef struct RollerRecord {
     double radius, width, rating;
     int profile; /* a ShapeKind */
     GrooveRecord groove;
-    const CaseNode *friction;
+    const CaseNode *friction, *spin, *mount;
 } RollerRecord;
 
 typedef struct RollersRecord {

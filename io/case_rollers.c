@@ -17,6 +17,8 @@ typedef struct Row {
     RollerRowRecord record;
     FrictionLaw friction;
     Groove groove;
+    SpinDef spin;
+    MountDef mount;
     int hold;
 } Row;
 
@@ -89,6 +91,8 @@ static hawser_status roller_lay(const CaseReader *r, const Row *row, int number,
                           .width = row->record.width,
                           .profile = (ShapeKind)row->record.profile,
                           .groove = row->groove,
+                          .spin = row->spin,
+                          .mount = row->mount,
                           .rating = row->record.rating,
                           .hold_down = side == SIDE_ABOVE,
                           .friction = row->friction};
@@ -147,6 +151,8 @@ static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *la
     if (!status) {
         status = case_groove_make(r, node, row.record.profile, &row.record.groove, row.record.width, &row.groove);
     }
+    if (!status) status = case_spin_read(r, row.record.spin, row.record.radius, &row.spin);
+    if (!status) status = case_mount_read(r, row.record.mount, &row.mount);
     if (!status) status = case_places_find(r, node, &row.record, &place, &n);
     if (!status) status = rollers_reserve(r, node, 2 * n);
     for (int i = 0; !status && i < n; i++) status = place_fill(r, &row, laid, place[i]);
@@ -171,9 +177,13 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
     RollerRecord record = {0};
     FrictionLaw friction;
     Groove groove;
+    SpinDef spin;
+    MountDef mount;
     hawser_status status = case_section_read(r, node, &case_roller, &record);
     if (!status) status = case_friction_read(r, record.friction, &def->friction, &friction);
     if (!status) status = case_groove_make(r, node, record.profile, &record.groove, record.width, &groove);
+    if (!status) status = case_spin_read(r, record.spin, record.radius, &spin);
+    if (!status) status = case_mount_read(r, record.mount, &mount);
     if (!status && v3_norm(record.axis) < 1e-9) {
         status = case_value_error(r->err, case_node_key(node, "axis"), ": expected a direction that is not zero");
     }
@@ -185,6 +195,8 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
                           .width = record.width,
                           .profile = (ShapeKind)record.profile,
                           .groove = groove,
+                          .spin = spin,
+                          .mount = mount,
                           .rating = record.rating,
                           .s = NAN,
                           .friction = friction};

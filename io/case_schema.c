@@ -170,6 +170,31 @@ static const CaseKey groove_keys[] = {
 };
 SECTION(case_groove, "rollers.along.groove", groove_keys);
 
+/* A plain bush on a steel pin, greased; sim/bearing.h. */
+static const CaseKey bearing_keys[] = {
+    {"friction", KEY_NUMBER, .fallback = "0.1", FROM(0, 10), AT(BearingRecord, friction)},
+    {"journal", KEY_NUMBER, DIM_LENGTH, .fallback = "10 mm", ABOVE(0, 1e3), AT(BearingRecord, journal)},
+    {"torque", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(0, 1e9), AT(BearingRecord, torque)},
+    {"speed", KEY_NUMBER, DIM_ANGULAR_SPEED, .fallback = "0.01 rad/s", ABOVE(0, 1e6), AT(BearingRecord, speed)},
+};
+SECTION(case_bearing, "rollers.along.spin.bearing", bearing_keys);
+
+static const CaseKey spin_keys[] = {
+    {"inertia", KEY_NUMBER, DIM_INERTIA, .required = 1, ABOVE(0, 1e9), AT(SpinRecord, inertia)},
+    {"bearing", KEY_SECTION, .otherwise = "its defaults", .section = &case_bearing, AT(SpinRecord, bearing)},
+};
+SECTION(case_spin, "rollers.along.spin", spin_keys);
+
+/* The stiffnesses' dimensions and range are in case_mount.c. */
+static const CaseKey mount_keys[] = {
+    {"stiffness", KEY_LIST, .required = 1, .form = "six: along the axis, along the route, up, about each of these",
+     AT(MountRecord, stiffness)},
+    {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(MountRecord, damping)},
+    {"mass", KEY_NUMBER, DIM_MASS, .required = 1, ABOVE(0, 1e9), AT(MountRecord, mass)},
+    {"inertia", KEY_NUMBER, DIM_INERTIA, .required = 1, ABOVE(0, 1e9), AT(MountRecord, inertia)},
+};
+SECTION(case_mount, "rollers.along.mount", mount_keys);
+
 /* A count of 0 means that the spacing decides. */
 static const CaseKey roller_row_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RollerRowRecord, from)},
@@ -188,6 +213,8 @@ static const CaseKey roller_row_keys[] = {
     {"hold_down", KEY_ANY, DIM_LENGTH, .otherwise = "`none`", .form = "`none`, `sag` or a list of [from, to]",
      FROM(-LONG, LONG), AT(RollerRowRecord, hold_down)},
     {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(RollerRowRecord, friction)},
+    {"spin", KEY_MAP, .otherwise = "does not spin", .form = "section `rollers.along.spin`", AT(RollerRowRecord, spin)},
+    {"mount", KEY_MAP, .otherwise = "fixed", .form = "section `rollers.along.mount`", AT(RollerRowRecord, mount)},
     {"name", KEY_TEXT, .fallback = "R", AT(RollerRowRecord, name)},
 };
 SECTION(case_roller_row, "rollers.along", roller_row_keys);
@@ -202,6 +229,8 @@ static const CaseKey roller_keys[] = {
     {"groove", KEY_SECTION, .otherwise = "its defaults", .section = &case_groove, AT(RollerRecord, groove)},
     {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(RollerRecord, rating)},
     {"friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`", AT(RollerRecord, friction)},
+    {"spin", KEY_MAP, .otherwise = "does not spin", .form = "section `rollers.along.spin`", AT(RollerRecord, spin)},
+    {"mount", KEY_MAP, .otherwise = "fixed", .form = "section `rollers.along.mount`", AT(RollerRecord, mount)},
     {"name", KEY_TEXT, .fallback = "", AT(RollerRecord, name)},
 };
 SECTION(case_roller, "rollers.list.N", roller_keys);
@@ -444,15 +473,18 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 /* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
-    static const CaseSection *const all[] = {
-        &case_top,         &case_cable,      &case_damping_factor, &case_damping_ratio,
-        &case_preload,     &case_bending,    &case_chain_piece,    &case_route,
-        &case_route_piece, &case_lead_in,    &case_rollers,        &case_roller_row,
-        &case_groove,      &case_roller,     &case_surfaces,       &case_duct,
-        &case_tray,        &case_plane,      &case_line_contact,   &case_contact,
-        &case_friction,    &case_drive,      &case_winch,          &case_winch_tension,
-        &case_trip,        &case_tail,       &case_rope_drag,      &case_run,
-        &case_solver,      &case_tolerances, &case_output,         &case_stations,
-        &case_station,     &case_paper,      &case_paper_term,     NULL};
+    static const CaseSection *const all[] = {&case_top,           &case_cable,      &case_damping_factor,
+                                             &case_damping_ratio, &case_preload,    &case_bending,
+                                             &case_chain_piece,   &case_route,      &case_route_piece,
+                                             &case_lead_in,       &case_rollers,    &case_roller_row,
+                                             &case_groove,        &case_spin,       &case_bearing,
+                                             &case_mount,         &case_roller,     &case_surfaces,
+                                             &case_duct,          &case_tray,       &case_plane,
+                                             &case_line_contact,  &case_contact,    &case_friction,
+                                             &case_drive,         &case_winch,      &case_winch_tension,
+                                             &case_trip,          &case_tail,       &case_rope_drag,
+                                             &case_run,           &case_solver,     &case_tolerances,
+                                             &case_output,        &case_stations,   &case_station,
+                                             &case_paper,         &case_paper_term, NULL};
     return all;
 }

@@ -19,7 +19,10 @@ typedef enum Dimension {
     DIM_DENSITY,
     DIM_LINE_MASS,
     DIM_MASS,
-    DIM_DASHPOT, /* force per speed */
+    DIM_INERTIA,     /* moment of inertia */
+    DIM_SPRING,      /* force per length */
+    DIM_TURN_SPRING, /* moment per angle */
+    DIM_DASHPOT,     /* force per speed */
     DIM_CURVATURE,
     DIM_FREQUENCY,
     DIM_STIFFNESS, /* force per length to a power: units_read_stiffness alone */

@@ -236,6 +236,9 @@ static const CaseSection *section_of(const CaseNode *map)
     }
     if (strstr(general, "friction")) return &case_friction;
     if (strstr(general, "groove")) return &case_groove;
+    if (strstr(general, "spin.bearing")) return &case_bearing;
+    if (strstr(general, "spin")) return &case_spin;
+    if (strstr(general, "mount")) return &case_mount;
     if (strcmp(general, "rollers.along.N") == 0) return &case_roller_row;
     if (strcmp(general, "output.stations.N") == 0) return &case_station;
     for (const CaseSection *const *s = case_sections(); *s; s++) {
