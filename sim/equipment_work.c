@@ -191,6 +191,7 @@ void equipment_rates(EquipmentWork *w, const double *e, double friction, double 
         }
         on.force = v3_sub(on.force, vector_at(w->joints.force, i));
         on.moment = v3_add(on.moment, vector_at(w->joints.torque_b, i));
+        if (w->held) on = (RollerLoad){v3(0, 0, 0), v3(0, 0, 0)};
         mount_rates(w, item, e, on, rate);
     }
 }

@@ -17,6 +17,7 @@ typedef struct RollerSum {
 
 typedef struct EquipmentWork {
     const Equipment *q;    /* borrowed */
+    int held;              /* mounts stand still: the relaxation's first stage (SP15) */
     int *item_of;          /* [rollers] the moving roller that a roller is, -1 if fixed */
     ContactRoller *roller; /* [rollers] equipment_pose: the scene's, those on mounts where they are now */
     RollerMotion *motion;  /* [rollers] equipment_pose */

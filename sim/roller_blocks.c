@@ -129,6 +129,13 @@ static void bushing_add(const EquipmentWork *w, int mount, RollerLeaf *leaf)
 
 void roller_blocks(const EquipmentWork *w, int k, const double *e, double friction, RollerLeaf *leaf)
 {
+    if (w->held && leaf->positions) { /* couples with nothing, so that it stays where it is */
+        leaf->touched = 0;
+        leaf->turning = v3(0, 0, 0);
+        memset(leaf->k_own, 0, sizeof leaf->k_own);
+        memset(leaf->d_own, 0, sizeof leaf->d_own);
+        return;
+    }
     const RollerPoint r = point_of(w, k, e, friction);
     const RollerSum *const sum = &w->sum[k];
     const int size = leaf->size, positions = leaf->positions;
