@@ -6,14 +6,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PIECE_COLUMNS = 9, ROUTE_COLUMNS = 7 };
+enum { PIECE_COLUMNS = 9, ROUTE_COLUMNS = 7, SURFACE_COLUMNS = 6 };
 
 /* Everything that is said, gathered from the definition and from a simulation that was built and not run. */
 typedef struct Description {
     const SceneDef *def;
     hawser_summary summary;
+    const SimSurface *surfaces;
     Route route;
     Cell *piece, *leg; /* [n_pieces * PIECE_COLUMNS], [n_route * ROUTE_COLUMNS] */
+    Cell *surface;     /* [n_surfaces * SURFACE_COLUMNS] */
 } Description;
 
 /* Cable and rope piece by piece: what is cut into segments and how stiff it is. */
@@ -50,6 +52,21 @@ static void fill_route(Description *d)
         row[4] = cell_number(bend ? p->radius : NAN);
         row[5] = cell_number(bend ? p->angle * 180 / M_PI : NAN);
         row[6] = cell_number(route_at(&d->route, end).position.z - p->start.z);
+    }
+}
+
+/* Ducts, trays and planes. */
+static void fill_surfaces(Description *d)
+{
+    for (int i = 0; i < d->def->n_surfaces; i++) {
+        const hawser_surface s = api_surface(&d->surfaces[i]);
+        Cell *row = &d->surface[i * SURFACE_COLUMNS];
+        row[0] = cell_text(s.name);
+        row[1] = cell_text(s.kind);
+        row[2] = cell_number(s.from_m);
+        row[3] = cell_number(s.to_m);
+        row[4] = cell_number(d->def->surfaces[i].friction.mu_d);
+        row[5] = cell_number(1e3 * s.clearance_m);
     }
 }
 
@@ -126,8 +143,19 @@ static hawser_status write_description(Description *d, const char *title, hawser
           {"angle_deg", "angle, deg", 3},
           {"rise_m", "rise, m", 3}},
          d->leg},
+        {"surfaces",
+         "Ducts, trays, floors and walls",
+         SURFACE_COLUMNS,
+         def->n_surfaces,
+         {{"name", "name", 0},
+          {"kind", "kind", 0},
+          {"from_m", "from s, m", 3},
+          {"to_m", "to s, m", 3},
+          {"friction", "friction", -1},
+          {"clearance_mm", "clearance, mm", 1}},
+         d->surface},
     };
-    const Document doc = {title, sizeof facts / sizeof *facts, 2, facts, tables, NULL};
+    const Document doc = {title, sizeof facts / sizeof *facts, def->n_surfaces > 0 ? 3 : 2, facts, tables, NULL};
     return document_write(&doc, format, text, err);
 }
 
@@ -140,7 +168,9 @@ static hawser_status gather(Description *d, hawser_error *err)
     if (status) return status;
     d->piece = calloc((size_t)def->n_pieces * PIECE_COLUMNS, sizeof *d->piece);
     d->leg = calloc((size_t)def->n_route * ROUTE_COLUMNS, sizeof *d->leg);
-    if (!d->piece || !d->leg) return error_memory(err);
+    d->surface = calloc((size_t)def->n_surfaces * SURFACE_COLUMNS + 1, sizeof *d->surface);
+    if (!d->piece || !d->leg || !d->surface) return error_memory(err);
+    fill_surfaces(d);
     fill_pieces(d);
     fill_route(d);
     return HAWSER_OK;
@@ -154,11 +184,13 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     hawser_status status = sim_new(d.def, 0, &sim, err);
     if (status) return case_name_error(c, status, err);
     sim_summary(sim, &d.summary);
+    sim_surfaces(sim, &d.surfaces);
     status = gather(&d, err);
     if (!status) status = write_description(&d, d.def->title[0] ? d.def->title : c->name, format, text, err);
     route_clear(&d.route);
     free(d.piece);
     free(d.leg);
+    free(d.surface);
     sim_free(sim);
     return status;
 }

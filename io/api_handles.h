@@ -26,6 +26,8 @@ struct hawser_sim {
     char message[HAWSER_MESSAGE_MAX]; /* why the run did not finish */
 };
 
+/* A surface of the simulation as the interface shows it. */
+hawser_surface api_surface(const SimSurface *surface);
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT

@@ -112,7 +112,7 @@ int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
     return n;
 }
 
-static hawser_surface surface_row(const SimSurface *surface)
+hawser_surface api_surface(const SimSurface *surface)
 {
     static const char *const kinds[] = {"duct", "flat", "v", "u", "plane"};
     const SurfaceDef *const def = surface->def;
@@ -133,7 +133,7 @@ int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out)
 {
     const SimSurface *table;
     const int n = sim_surfaces(s->sim, &table);
-    for (int i = 0; i < n; i++) s->surface[i] = surface_row(&table[i]);
+    for (int i = 0; i < n; i++) s->surface[i] = api_surface(&table[i]);
     *out = s->surface;
     return n;
 }
@@ -159,7 +159,7 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     labels.n_surfaces = sim_surfaces(s->sim, &table);
     hawser_surface *const surface = calloc((size_t)labels.n_surfaces + 1, sizeof *surface);
     if (!surface) return error_memory(err);
-    for (int i = 0; i < labels.n_surfaces; i++) surface[i] = surface_row(&table[i]);
+    for (int i = 0; i < labels.n_surfaces; i++) surface[i] = api_surface(&table[i]);
     labels.surface = surface;
     sim_summary(s->sim, &summary);
     const hawser_status status = summary_json(&summary, &labels, text, err);

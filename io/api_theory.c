@@ -69,20 +69,6 @@ static hawser_status make_arrays(Theory *t, hawser_error *err)
     return t->place && t->value && t->cell && t->term ? HAWSER_OK : error_memory(err);
 }
 
-/* The pull that the reference totals come from, for the sidewall pressure. */
-static hawser_status solve_reference(Theory *t, hawser_error *err)
-{
-    const PullStretch whole = {.weight = t->scene.cable_weight, .mu = t->scene.def.friction.mu_d};
-    const PullDef def = {.route = &t->scene.route,
-                         .law = PULL_REFERENCE,
-                         .from = t->expected.from,
-                         .to = t->expected.to,
-                         .start_tension = t->expected.start_tension,
-                         .n_stretches = 1,
-                         .stretch = &whole};
-    return pull_solve(&def, &t->pull, err);
-}
-
 /* Both theories at every place. */
 static hawser_status solve(Theory *t, hawser_error *err)
 {
@@ -94,7 +80,8 @@ static hawser_status solve(Theory *t, hawser_error *err)
         t->value[i].s = t->place[i].s;
     }
     status = expected_fill(&t->scene, t->n, t->value, &t->expected, err);
-    return status ? status : solve_reference(t, err);
+    /* the pull that the reference totals come from, for the sidewall pressure */
+    return status ? status : expected_pull(&t->scene, &t->expected, PULL_REFERENCE, &t->pull, err);
 }
 
 /* Off the counted stretch there is no cable, so no force: those cells stay empty. */

@@ -4,7 +4,6 @@
 
 #include "core/error.h"
 #include "theory/paper.h"
-#include "theory/pulling.h"
 
 /* The winch's travel in the middle of the steady window, m; with a set tension, if it moves at its limit. */
 static double travel_in_window(const Scene *scene)
@@ -56,7 +55,7 @@ static int stretches_of(const Scene *scene, PullStretch *stretch)
     return n;
 }
 
-static hawser_status solve(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
+hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
 {
     PullStretch *const stretch = calloc(2 * (size_t)scene->def.n_surfaces + 1, sizeof *stretch);
     if (!stretch) return error_memory(err);
@@ -87,7 +86,7 @@ static hawser_status paper_fill(const Scene *scene, int n, hawser_station *stati
         return HAWSER_OK;
     }
     Pull pull;
-    const hawser_status status = solve(scene, out, PULL_NO_CAPSTAN, &pull, err);
+    const hawser_status status = expected_pull(scene, out, PULL_NO_CAPSTAN, &pull, err);
     if (status) return status;
     out->paper_total = pull.end_tension + def->drag.force;
     for (int i = 0; i < n; ++i) station[i].paper_N = pull_at(&pull, station[i].s).tension;
@@ -101,7 +100,7 @@ hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, 
     hawser_status status = paper_fill(scene, n, station, out, err);
     if (status) return status;
     Pull pull;
-    status = solve(scene, out, PULL_REFERENCE, &pull, err);
+    status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
     if (status) return status;
     out->reference_total = pull.end_tension + scene->def.drag.force;
     for (int i = 0; i < n; ++i) {

@@ -4,6 +4,7 @@
 #define HAWSER_SIM_EXPECTED_H
 
 #include "sim/scene.h"
+#include "theory/pulling.h"
 
 typedef struct Expected {
     double from, to;        /* m along the route: the stretch of cable that theory counts, in mid steady window */
@@ -15,5 +16,8 @@ typedef struct Expected {
 /* Fills `out`, and paper_N and reference_N of the n stations (their s must be set; those off the cable get NAN).
  * Errors: as pull_solve. */
 hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err);
+
+/* The pull behind those figures by one of the laws, each duct and tray with its own friction. Errors: as pull_solve. */
+hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
 
 #endif

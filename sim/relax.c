@@ -23,7 +23,7 @@ typedef struct Relaxing {
     const RelaxOps *ops;
     void *self;
     const SolverDef *def;
-    int no_rollers;
+    int touches;          /* there are rollers or surfaces */
     int size;             /* of the state */
     double *y;            /* [size] */
     double *start, *back; /* [size] state before; before the last move */
@@ -128,7 +128,7 @@ static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, haws
 static hawser_status attempts(Relaxing *r, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = iterate(r, out->tolerance_N, r->def->relax_iterations, out, err);
-    if (status || out->reached || r->no_rollers) return status;
+    if (status || out->reached || !r->touches) return status;
     memcpy(r->y, r->start, (size_t)r->size * sizeof(double));
     status = r->ops->refresh(r->self, 1, err);
     return status ? status : iterate_from_soft(r, out, err);
@@ -141,7 +141,7 @@ hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int
     Relaxing r = {.ops = ops,
                   .self = self,
                   .def = &scene->def.solver,
-                  .no_rollers = scene->contact.n_rollers == 0,
+                  .touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0,
                   .size = size,
                   .y = y,
                   .start = malloc(bytes),

@@ -253,6 +253,92 @@ static void test_stiffness(void **state)
     }
 }
 
+/* Energy of the surfaces' springs: every point's length times k p^(e+1)/(e+1) (DU1). */
+static double potential(const SurfaceScene *s)
+{
+    static const double u[SURFACE_POINTS] = {0.21132486540518712, 0.78867513459481288};
+    const ImpactLaw *const law = &s->model.impact;
+    double sum = 0;
+    for (int e = 0; e < s->points.elements; ++e) {
+        const Element element = element_at(GEOMETRY_SMOOTH, s->chain.n, e);
+        for (int q = 0; q < SURFACE_POINTS; ++q) {
+            const Vec3 p = element_point(&element, &s->chain, &s->kin, u[q]);
+            for (int f = 0; f < s->model.n_patches; ++f) {
+                const SurfaceProbe at = surface_probe(&s->patch[f], p);
+                const double depth = s->points.radius[q][e] - at.distance;
+                if (!at.owned || depth <= 0 || at.distance < -SURFACE_DEPTH_MAX) continue;
+                sum += at.share * s->points.length[q][e] * law->k * pow(depth, law->e + 1) / (law->e + 1);
+            }
+        }
+    }
+    return sum;
+}
+
+/* Without friction and damping the forces are minus the gradient of that energy, away from the fades. */
+static void test_potential(void **state)
+{
+    (void)state;
+    SurfaceScene s;
+    scene_moving(&s, 0);
+    s.model.impact.c = 0;
+    for (int f = 0; f < s.model.n_patches; ++f) s.patch[f].along.used = 0; /* one duct from end to end, one V */
+    surfaces_forces(&s, 0);
+    double size = 0;
+    for (int i = 0; i < s.chain.n; ++i) size = fmax(size, v3_norm(vector_of(s.loads.f, i)));
+    for (int i = 0; i < s.chain.n; ++i) {
+        const Vec3 axis = vector_of(s.kin.a, i);
+        const double e = 1e-7;
+        for (int c = 0; c < 3; ++c) {
+            const double at = s.kin.p[c][i];
+            s.kin.p[c][i] = at + e;
+            const double plus = potential(&s);
+            s.kin.p[c][i] = at - e;
+            const double minus = potential(&s);
+            s.kin.p[c][i] = at;
+            assert_true(fabs((minus - plus) / (2 * e) - s.loads.f[c][i]) < 1e-5 * size);
+            /* and the moments by turns */
+            const Vec3 about = v3(c == 0, c == 1, c == 2);
+            vector_to(s.kin.a, i, quat_rotate(quat_exp(v3_scale(e, about)), axis));
+            const double left = potential(&s);
+            vector_to(s.kin.a, i, quat_rotate(quat_exp(v3_scale(-e, about)), axis));
+            const double right = potential(&s);
+            vector_to(s.kin.a, i, axis);
+            const Vec3 m = vector_of(s.loads.m, i);
+            assert_true(fabs((right - left) / (2 * e) - v3_dot(m, about)) < 1e-5 * size);
+        }
+    }
+    surfaces_free(&s);
+}
+
+/* A straight cable drawn over the end of a floor at the same depth: what is borne falls evenly, without steps. */
+static void test_floor_end(void **state)
+{
+    (void)state;
+    const double depth = 1e-4, each = 3e8 * pow(depth, 1.5), h = 0.5;
+    SurfaceScene s;
+    surfaces_new(&s, 20, h);
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
+    surfaces_route(&s, 1, &straight, 0);
+    SurfaceShape floor = surfaces_shape(SURFACE_FLAT, 1, 5.17);
+    floor.depth = CABLE_RADIUS - depth;
+    floor.fade = h;
+    surfaces_add(&s, &floor);
+    surfaces_points(&s, GEOMETRY_SMOOTH);
+    surfaces_refresh(&s);
+    double before = 0, ripple = 0, step = 0;
+    for (int k = 0; k < 200; ++k) {
+        surfaces_forces(&s, 1);
+        const double borne = s.tally[0].normal / each; /* m of cable; the floor has 4.17 */
+        ripple = fmax(ripple, fabs(borne - 4.17));
+        if (k > 0) step = fmax(step, fabs(borne - before));
+        before = borne;
+        for (int i = 0; i < 20; ++i) s.kin.p[0][i] += 2.5e-3;
+    }
+    print_message("ripple %.4f m, largest step %.5f m in 2.5 mm\n", ripple, step);
+    assert_true(ripple < 0.032 && step < 1.3e-3);
+    surfaces_free(&s);
+}
+
 /* What is behind a floor by more than the limit is on its other side; what is beyond its edges is not borne. */
 static void test_limits(void **state)
 {
@@ -284,7 +370,8 @@ int main(void)
         cmocka_unit_test(test_normal),      cmocka_unit_test(test_continuous),
         cmocka_unit_test(test_fades_meet),  cmocka_unit_test(test_action_and_reaction),
         cmocka_unit_test(test_objectivity), cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_stiffness),   cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_stiffness),   cmocka_unit_test(test_potential),
+        cmocka_unit_test(test_floor_end),   cmocka_unit_test(test_limits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
