@@ -52,6 +52,18 @@ static void report_pull(const hawser_summary *s)
     printf("  speed %.5g m/s, settled at %.4g s\n", s->steady_speed_m_per_s, s->settle_time_s);
 }
 
+/* What the conveyors did, one line each. */
+static void report_conveyors(const hawser_summary *s)
+{
+    for (int i = 0; i < s->n_conveyors; i++) {
+        const hawser_conveyor *c = &s->conveyors[i];
+        printf(
+            "  conveyor %s: mean %.1f N (grip %.1f N, theory %.1f N), peak %.1f N; slip %.3g m/s, slipping %.0f %% of "
+            "the time\n",
+            c->name, c->mean_N, c->grip_N, c->reference_N, c->peak_N, c->slip_m_per_s, 100 * c->slipping);
+    }
+}
+
 /* Trips and what followed. */
 static void report_events(const hawser_summary *s)
 {
@@ -117,6 +129,7 @@ void report_run(hawser_sim *s, const char *dir)
     hawser_sim_summary(s, &sum);
     report_relaxation(&sum.relaxation);
     report_pull(&sum);
+    report_conveyors(&sum);
     report_events(&sum);
     report_rollers(s);
     report_work(&sum);

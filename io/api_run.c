@@ -123,6 +123,7 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
                       .watched = output->speed_segments,
                       .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};
     def.rollers = hawser_sim_rollers(s, &def.roller);
+    def.conveyors = hawser_sim_conveyors(s, &def.conveyor);
     char *summary;
     hawser_status status = hawser_sim_summary_json(s, &summary, err);
     if (status) return status;

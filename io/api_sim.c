@@ -97,6 +97,8 @@ void hawser_sim_summary(const hawser_sim *s, hawser_summary *out) { sim_summary(
 
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out) { return sim_stations(s->sim, out); }
 
+int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out) { return sim_conveyors(s->sim, out); }
+
 int hawser_sim_events(const hawser_sim *s, const hawser_event **out) { return sim_events(s->sim, out); }
 
 /* The public table names things a little differently from the one inside. */

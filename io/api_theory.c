@@ -168,6 +168,7 @@ static hawser_status build_and_solve(Theory *t, const hawser_case *c, hawser_err
 static void theory_free(Theory *t)
 {
     pull_clear(&t->pull);
+    expected_free(&t->expected);
     if (t->built) scene_clear(&t->scene);
     free(t->place);
     free(t->value);

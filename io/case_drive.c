@@ -66,6 +66,13 @@ static hawser_status profile_make(const CaseReader *r, const CaseNode *map, cons
     return HAWSER_OK;
 }
 
+hawser_status case_profile_make(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
+                                const DriveRecord *record, Profile *profile, double **time, double **values)
+{
+    const Drive drive = {section, value};
+    return profile_make(r, map, &drive, record, profile, time, values);
+}
+
 /* When the winch trips, and what it does then. */
 static hawser_status trip_read(const CaseReader *r, const CaseNode *node)
 {

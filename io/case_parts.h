@@ -12,7 +12,8 @@ enum {
     CASE_ROLLERS_MAX = 100000,
     CASE_STATIONS_MAX = 100000,
     CASE_SURFACES_MAX = 1000,
-    CASE_OUTPUTS_MAX = 10000000
+    CASE_OUTPUTS_MAX = 10000000,
+    CASE_CONVEYORS_MAX = 10000
 };
 
 hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node);
@@ -53,6 +54,12 @@ hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const 
 /* Curvature of the route to the left at s, 1/m: the part that is a bend to the side. */
 double case_sideways(const CaseReader *r, double s);
 hawser_status case_drive_read(const CaseReader *r, const CaseNode *node);
+/* A value over time, as `record` says it: a ramp from 0, or a table. value: the name of the section's key. The table's
+ * arrays become the caller's even if there is an error. */
+hawser_status case_profile_make(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
+                                const DriveRecord *record, Profile *profile, double **time, double **values);
+/* After the drive, whose winch the belts may follow. */
+hawser_status case_conveyors_read(const CaseReader *r, const CaseNode *list);
 hawser_status case_run_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_paper_read(const CaseReader *r, const CaseNode *node);

@@ -174,6 +174,13 @@ typedef struct TripRecord {
     int restarts, then; /* then: 0 stay, 1 end */
 } TripRecord;
 
+typedef struct ConveyorRecord {
+    char name[NAME_MAX_LENGTH];
+    double from, to, edge, factor, clamp, mu, limit, v_s, v_d, ratio;
+    int hold;
+    const CaseNode *belt;
+} ConveyorRecord;
+
 typedef struct DragRecord {
     double force, v_s, v_d, ratio;
 } DragRecord;
@@ -214,7 +221,7 @@ typedef struct RunRecord {
 typedef struct TopRecord {
     char title[256];
     const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *surfaces, *contact, *friction, *drive, *run,
-        *solver, *output, *paper;
+        *solver, *output, *paper, *conveyors;
     int frame;
 } TopRecord;
 

@@ -46,6 +46,7 @@ static const CaseKey top_keys[] = {
     {"contact", KEY_MAP, .otherwise = "its defaults", .form = "section `contact`", AT(TopRecord, contact)},
     {"friction", KEY_MAP, .otherwise = "its defaults", .form = "section `friction`", AT(TopRecord, friction)},
     {"drive", KEY_MAP, .otherwise = "none", .form = "section `drive`", AT(TopRecord, drive)},
+    {"conveyors", KEY_LIST, .otherwise = "none", .form = "conveyors one by one", AT(TopRecord, conveyors)},
     {"run", KEY_MAP, .required = 1, .form = "section `run`", AT(TopRecord, run)},
     {"solver", KEY_MAP, .otherwise = "its defaults", .form = "section `solver`", AT(TopRecord, solver)},
     {"output", KEY_MAP, .otherwise = "its defaults", .form = "section `output`", AT(TopRecord, output)},
@@ -388,6 +389,32 @@ static const CaseKey rope_drag_keys[] = {
 };
 SECTION(case_rope_drag, "drive.rope_drag", rope_drag_keys);
 
+/* Straight machines along the route. */
+static const CaseKey conveyor_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(ConveyorRecord, name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(ConveyorRecord, from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(ConveyorRecord, to)},
+    {"clamp", KEY_NUMBER, DIM_FORCE, .required = 1, FROM(0, STRONG), AT(ConveyorRecord, clamp)},
+    {"mu", KEY_NUMBER, .fallback = "0.3", FROM(0, 10), AT(ConveyorRecord, mu)},
+    {"limit", KEY_NUMBER, DIM_FORCE, .otherwise = "none", ABOVE(0, STRONG), AT(ConveyorRecord, limit)},
+    {"belt", KEY_MAP, .otherwise = "the winch's speed times `factor`", .form = "section `conveyors.N.belt`",
+     AT(ConveyorRecord, belt)},
+    {"factor", KEY_NUMBER, .fallback = "1", ABOVE(0, 100), AT(ConveyorRecord, factor)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "0.1 mm/s", ABOVE(0, 1e3), AT(ConveyorRecord, v_s)},
+    {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(ConveyorRecord, v_d)},
+    {"ratio", KEY_NUMBER, .fallback = "1", FROM(0, 1), AT(ConveyorRecord, ratio)},
+    {"edge", KEY_NUMBER, DIM_LENGTH, .fallback = "200 mm", ABOVE(0, 1e3), AT(ConveyorRecord, edge)},
+    {"hold", KEY_FLAG, .fallback = "true", AT(ConveyorRecord, hold)},
+};
+SECTION(case_conveyor, "conveyors.N", conveyor_keys);
+
+static const CaseKey belt_keys[] = {
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(DriveRecord, value)},
+    RAMP_KEYS,
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising", AT(DriveRecord, table)},
+};
+SECTION(case_belt, "conveyors.N.belt", belt_keys);
+
 /* Only the duration has no default. */
 static const CaseKey run_keys[] = {
     {"duration", KEY_NUMBER, DIM_TIME, .required = 1, ABOVE(0, LATE), AT(RunRecord, duration)},
@@ -473,18 +500,46 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 /* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
-    static const CaseSection *const all[] = {&case_top,           &case_cable,      &case_damping_factor,
-                                             &case_damping_ratio, &case_preload,    &case_bending,
-                                             &case_chain_piece,   &case_route,      &case_route_piece,
-                                             &case_lead_in,       &case_rollers,    &case_roller_row,
-                                             &case_groove,        &case_spin,       &case_bearing,
-                                             &case_mount,         &case_roller,     &case_surfaces,
-                                             &case_duct,          &case_tray,       &case_plane,
-                                             &case_line_contact,  &case_contact,    &case_friction,
-                                             &case_drive,         &case_winch,      &case_winch_tension,
-                                             &case_trip,          &case_tail,       &case_rope_drag,
-                                             &case_run,           &case_solver,     &case_tolerances,
-                                             &case_output,        &case_stations,   &case_station,
-                                             &case_paper,         &case_paper_term, NULL};
+    static const CaseSection *const all[] = {&case_top,
+                                             &case_cable,
+                                             &case_damping_factor,
+                                             &case_damping_ratio,
+                                             &case_preload,
+                                             &case_bending,
+                                             &case_chain_piece,
+                                             &case_route,
+                                             &case_route_piece,
+                                             &case_lead_in,
+                                             &case_rollers,
+                                             &case_roller_row,
+                                             &case_groove,
+                                             &case_spin,
+                                             &case_bearing,
+                                             &case_mount,
+                                             &case_roller,
+                                             &case_surfaces,
+                                             &case_duct,
+                                             &case_tray,
+                                             &case_plane,
+                                             &case_line_contact,
+                                             &case_contact,
+                                             &case_friction,
+                                             &case_drive,
+                                             &case_winch,
+                                             &case_winch_tension,
+                                             &case_trip,
+                                             &case_tail,
+                                             &case_rope_drag,
+                                             &case_conveyor,
+                                             &case_belt,
+                                             &case_run,
+                                             &case_solver,
+                                             &case_tolerances,
+                                             &case_output,
+                                             &case_stations,
+                                             &case_station,
+                                             &case_paper,
+                                             &case_paper_term,
+                                             NULL};
     return all;
 }

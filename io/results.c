@@ -10,6 +10,7 @@
 #include "io/results_xdmf.h"
 #include "io/summary_tables.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,7 +33,7 @@ struct Results {
 };
 
 /* Column names, with units, of series.csv. */
-static hawser_status write_series_head(Results *r, hawser_error *err)
+static hawser_status write_series_head(Results *r, const ResultsDef *def, hawser_error *err)
 {
     hawser_status status = out_print(&r->series, err,
                                      "time_s,winch_force_N,tail_tension_N,winch_speed_m_per_s,winch_travel_m,"
@@ -40,6 +41,13 @@ static hawser_status write_series_head(Results *r, hawser_error *err)
     for (int i = 0; i < r->n_watched && !status; i++) {
         const int k = r->watched[i];
         status = out_print(&r->series, err, ",speed_%d_m_per_s,tension_%d_N", k, k);
+    }
+    for (int i = 0; i < def->conveyors && !status; i++) {
+        char column[160];
+        snprintf(column, sizeof column, "%s_force_N", def->conveyor[i].name);
+        status = csv_text(&r->series, ",", column, err);
+        snprintf(column, sizeof column, "%s_slip_m_per_s", def->conveyor[i].name);
+        if (!status) status = csv_text(&r->series, ",", column, err);
     }
     if (!status) status = out_print(&r->series, err, "\n");
     return status ? status : out_flush(&r->series, err);
@@ -69,7 +77,7 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     hawser_status s = out_make_dir(r->dir, err);
     if (!s) s = write_whole(r->dir, "summary.json", summary, err);
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
-    if (!s) s = write_series_head(r, err);
+    if (!s) s = write_series_head(r, def, err);
     if (!s) s = out_open(&r->stations, r->dir, "stations.csv", err);
     if (!s) s = stations_write_head(&r->stations, err);
     if (!s) s = out_open(&r->rollers, r->dir, "rollers.csv", err);
@@ -119,6 +127,9 @@ hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
     for (int i = 0; i < r->n_watched && !status; i++) {
         const int k = r->watched[i];
         status = out_print(&r->series, err, ",%.9g,%.9g", s->axial_speed[k], s->tension[k + 1]);
+    }
+    for (int i = 0; i < s->conveyors && !status; i++) {
+        status = out_print(&r->series, err, ",%.9g,%.9g", s->conveyor_force[i], s->conveyor_slip[i]);
     }
     return status ? status : out_print(&r->series, err, "\n");
 }

@@ -10,6 +10,8 @@ typedef struct ResultsDef {
     int segments;
     int rollers;
     const hawser_roller *roller; /* [rollers]: names and places */
+    int conveyors;
+    const hawser_conveyor *conveyor; /* [conveyors]: names */
     int n_watched;
     const int *watched; /* [n_watched]: segments whose speed and tension are columns of series.csv */
     double states;      /* expected number of states; 0: no results.h5 and no results.xdmf */

@@ -116,6 +116,30 @@ static int put_relaxation(json_t *o, const hawser_relaxation *r)
     return json_object_set_new(o, "relaxation", inner) | bad;
 }
 
+/* One row a conveyor. */
+static int put_conveyors(json_t *o, const hawser_summary *s)
+{
+    json_t *list = json_array();
+    int bad = 0;
+    for (int i = 0; i < s->n_conveyors; i++) {
+        const hawser_conveyor *c = &s->conveyors[i];
+        const RealPair pair[] = {{"from_m", c->from},
+                                 {"to_m", c->to},
+                                 {"grip_N", c->grip_N},
+                                 {"reference_N", c->reference_N},
+                                 {"steady_mean_N", c->mean_N},
+                                 {"peak_N", c->peak_N},
+                                 {"belt_m_per_s", c->belt_m_per_s},
+                                 {"slip_m_per_s", c->slip_m_per_s},
+                                 {"slipping", c->slipping}};
+        json_t *row = json_object();
+        bad |= put_text(row, "name", c->name);
+        for (int k = 0; k < 9; k++) bad |= put_real(row, pair[k].key, pair[k].value);
+        bad |= json_array_append_new(list, row);
+    }
+    return json_object_set_new(o, "conveyors", list) | bad;
+}
+
 /* What happened, by time. */
 static int put_events(json_t *o, const hawser_summary *s)
 {
@@ -145,8 +169,9 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     json_t *o = json_object();
     int bad = !o;
     if (o) {
-        bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_events(o, s) |
-              put_surfaces(o, labels) | put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
+        bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
+              put_events(o, s) | put_surfaces(o, labels) | put_relaxation(o, &s->relaxation) |
+              put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(o);

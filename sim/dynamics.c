@@ -51,7 +51,8 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
     if (scene->self.present) ok &= self_pairs_alloc(&ws->self, n);
     ws->on_roller = calloc((size_t)scene->contact.n_rollers + 1, sizeof *ws->on_roller);
     ws->on_surface = calloc((size_t)scene->surfaces.model.n_surfaces + 1, sizeof *ws->on_surface);
-    ok = ok && ws->on_roller && ws->on_surface;
+    ws->in_conveyor = calloc((size_t)scene->n_conveyors + 1, sizeof *ws->in_conveyor);
+    ok = ok && ws->on_roller && ws->on_surface && ws->in_conveyor;
     if (!ok) workspace_free(ws);
     return ok;
 }
@@ -71,6 +72,8 @@ void workspace_free(Workspace *ws)
     free(ws->on_surface);
     ws->on_surface = NULL;
     free(ws->on_roller);
+    free(ws->in_conveyor);
+    ws->in_conveyor = NULL;
     ws->on_roller = NULL;
 }
 
@@ -107,12 +110,25 @@ static void part_forces(const Scene *scene, Workspace *ws, int part, double fric
     for (int r = 0; on_roller && r < p->model.n_rollers; ++r) on_roller[r] = load[r].force;
 }
 
-/* The contacts of one half of the rollers; the first half brings the loads at the ends too. */
+/* Few segments, and their loads come in the order of the machines: no work for two. */
+static void conveyors_loads(const Evaluation *e)
+{
+    const Scene *const s = e->scene;
+    for (int i = 0; i < s->n_conveyors; ++i) {
+        conveyor_loads(&s->conveyor[i], &e->ws->in_conveyor[i], &s->winch, &s->chain, &e->ws->kin, e->t, e->friction,
+                       &e->ws->loads[0]);
+    }
+}
+
+/* The contacts of one half of the rollers; the first half brings the loads at the ends and of conveyors too. */
 static void part_loads(const Evaluation *e, int part)
 {
     Workspace *const ws = e->ws;
     ContactPart *const mine = &ws->contact[part];
-    if (part == 0) applied_ends(e->scene, &ws->kin, e->t, e->friction, &ws->loads[0]);
+    if (part == 0) {
+        applied_ends(e->scene, &ws->kin, e->t, e->friction, &ws->loads[0]);
+        conveyors_loads(e);
+    }
     const SelfModel *const self = &e->scene->self;
     const SurfaceModel *const surfaces = &ws->surfaces;
     const Chain *const chain = &e->scene->chain;
@@ -263,6 +279,9 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
     block_chain_zero(d);
     blocks_of_chain(&e);
     applied_blocks(scene, &ws->kin, t, friction, k, d);
+    for (int i = 0; i < scene->n_conveyors; ++i) {
+        conveyor_blocks(&scene->conveyor[i], &ws->in_conveyor[i], &scene->winch, chain, &ws->kin, t, friction, k, d);
+    }
     if (scene->equipment.n > 0) equipment_blocks_begin(&ws->equipment);
     for (int p = 0; p < PARTS; ++p) {
         if (ws->contact[p].model.n_rollers > 0) part_blocks(scene, ws, p, friction, k, d);
@@ -338,6 +357,12 @@ int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y)
     return scene->surfaces.model.n_surfaces > 0 ? active + dynamics_surface_forces(scene, ws) : active;
 }
 
+ConveyorNow dynamics_conveyor(const Scene *scene, const Workspace *ws, int i, double t)
+{
+    return conveyor_loads(&scene->conveyor[i], &ws->in_conveyor[i], &scene->winch, &scene->chain, &ws->kin, t, 1.0,
+                          NULL);
+}
+
 double dynamics_contact_seconds(const Workspace *ws)
 {
     const double first = ws->contact[0].seconds, second = ws->contact[1].seconds;
@@ -363,9 +388,20 @@ static int stale(const Scene *scene, const Workspace *ws)
     return contact_moved_too_far(&model, &scene->chain, &ws->kin, &part->pairs);
 }
 
+/* Finds again what is in the conveyors that have moved on. */
+static void conveyors_refresh(const Scene *scene, Workspace *ws, const double *y, int always)
+{
+    for (int i = 0; i < scene->n_conveyors; ++i) {
+        ConveyorRange *const range = &ws->in_conveyor[i];
+        if (!always && !conveyor_stale(range, &scene->chain, y)) continue;
+        conveyor_find(&scene->conveyor[i], &scene->chain, y, scene->contact.reach, range);
+    }
+}
+
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
                                hawser_error *err)
 {
+    conveyors_refresh(scene, ws, y, always);
     const SurfaceModel *const surfaces = &ws->surfaces;
     if (scene->contact.n_rollers == 0 && !scene->self.present && surfaces->n_patches == 0) return HAWSER_OK;
     /* the last evaluation is nearer to y than the reach's reserve: it will do for the question */

@@ -26,6 +26,7 @@ typedef struct Workspace {
     JointLoads joints;  /* bushing_loads */
     Loads loads[PARTS]; /* on segments: weight, tail, drag and the first half's contacts; the second half's contacts */
     ContactPart contact[PARTS];
+    ConveyorRange *in_conveyor; /* [conveyors] dynamics_refresh */
     SelfPairs self;           /* cable on cable: self_refresh, self_forces, self_blocks; nothing allocated without it */
     Vec3 *on_roller;          /* [rollers] contact_forces, where asked for, N */
     EquipmentWork equipment;  /* rollers that move */
@@ -65,6 +66,8 @@ int dynamics_surface_forces(const Scene *scene, Workspace *ws);
 /* Puts what a sample of (t, y) reads into the workspace: kinematics, the joints' law, the winch's pull, the forces on
  * rollers and surfaces. Returns how many contacts carry force. */
 int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y);
+/* What conveyor i does at time t, for the kinematics in the workspace. */
+ConveyorNow dynamics_conveyor(const Scene *scene, const Workspace *ws, int i, double t);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */

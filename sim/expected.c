@@ -1,5 +1,6 @@
 #include "sim/expected.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "core/error.h"
@@ -65,10 +66,53 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
                          .to = e->to,
                          .start_tension = e->start_tension,
                          .n_stretches = stretches_of(scene, stretch),
-                         .stretch = stretch};
+                         .stretch = stretch,
+                         .n_steps = e->n_steps,
+                         .step = e->step};
     const hawser_status status = pull_solve(&def, pull, err);
     free(stretch);
     return status;
+}
+
+/* What a conveyor pushes with in steady motion where the tension before it is `arriving` (WI20): a belt that is faster
+ * than the winch slips and pushes with all it has, a slower one brakes; one that keeps the winch's speed takes over
+ * what arrives, up to its grip. */
+static double push_of(const Scene *scene, const Conveyor *c, double arriving)
+{
+    const double end = scene->def.duration;
+    const double speed = scene->winch.mode == WINCH_SPEED ? winch_speed(&scene->winch, end) : scene->largest_speed;
+    const double slip = scene->winch.present ? speed - conveyor_belt(c, &scene->winch, end) : 0;
+    if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;
+    return fmin(fmax(arriving, 0), c->grip);
+}
+
+/* Sets the steps one by one along the route: each needs the tension that the ones before it leave. */
+static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error *err)
+{
+    const int n = scene->n_conveyors;
+    if (n == 0) return HAWSER_OK;
+    out->step = calloc((size_t)n, sizeof *out->step);
+    if (!out->step) return error_memory(err);
+    for (int i = 0; i < n; ++i) {
+        const ConveyorDef *const def = &scene->def.conveyors[i];
+        const double at = (def->from + def->to) / 2;
+        Pull pull;
+        const hawser_status status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
+        if (status) return status;
+        const int there = at > out->from && at < out->to;
+        const double push = there ? push_of(scene, &scene->conveyor[i], pull_at(&pull, at).tension) : 0;
+        out->step[out->n_steps++] = (PullStep){.at = at, .force = -push};
+        pull_clear(&pull);
+    }
+    return HAWSER_OK;
+}
+
+double expected_push(const Expected *e, int i) { return -e->step[i].force; }
+
+void expected_free(Expected *e)
+{
+    free(e->step);
+    *e = (Expected){0};
 }
 
 static int on_stretch(const Expected *e, double s) { return s >= e->from - 1e-9 && s <= e->to + 1e-9; }
@@ -97,7 +141,8 @@ static hawser_status paper_fill(const Scene *scene, int n, hawser_station *stati
 hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err)
 {
     stretch_of(scene, out);
-    hawser_status status = paper_fill(scene, n, station, out, err);
+    hawser_status status = steps_fill(scene, out, err);
+    if (!status) status = paper_fill(scene, n, station, out, err);
     if (status) return status;
     Pull pull;
     status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);

@@ -9,15 +9,20 @@
 typedef struct Expected {
     double from, to;        /* m along the route: the stretch of cable that theory counts, in mid steady window */
     double start_tension;   /* N, at `from` */
+    int n_steps;            /* conveyors */
+    PullStep *step;         /* [n_steps] owned, by the route's order: their pushes, negative */
     double paper_total;     /* N, winch force: eq. 10, or without capstan terms along the route if the case has none */
     double reference_total; /* N, winch force by the bend ODE, rope drag included */
 } Expected;
 
-/* Fills `out`, and paper_N and reference_N of the n stations (their s must be set; those off the cable get NAN).
- * Errors: as pull_solve. */
+/* Fills `out` (to be given back by expected_free, also after an error), and paper_N and reference_N of the n stations
+ * (their s must be set; those off the cable get NAN). Errors: as pull_solve. */
 hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err);
 
 /* The pull behind those figures by one of the laws, each duct and tray with its own friction. Errors: as pull_solve. */
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
+/* What conveyor i (the case's order) is reckoned to push with, N. */
+double expected_push(const Expected *e, int i);
+void expected_free(Expected *e);
 
 #endif

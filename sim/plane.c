@@ -16,7 +16,7 @@ KNOWN_SIZE(LeadInDef, 16);
 KNOWN_SIZE(WinchDef, 256);
 KNOWN_SIZE(TailDef, 80);
 KNOWN_SIZE(RopeDragDef, 32);
-KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef)], 984);
+KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef)], 1000);
 
 /* How far from the plane counts as in it: unit vectors, and metres. */
 static const double CLOSE = 1e-9;
@@ -145,6 +145,7 @@ static const char *unknown_feature(const Scene *scene)
     if (scene->self.present) return "the cable may touch itself";
     if (scene->equipment.n > 0) return "rollers spin or stand on mounts";
     if (scene->winch.present && scene->winch.mode != WINCH_SPEED) return "the winch pulls with a set tension";
+    if (scene->n_conveyors > 0) return "conveyors hold the cable";
     if (scene->def.solver.linear.kind == LIN_KLU_FULL)
         return "solver.linear_solver klu-full takes the unreduced system in space";
     return NULL;

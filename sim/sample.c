@@ -20,6 +20,9 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
         b->surface[k] = calloc((size_t)surfaces + 1, sizeof(double));
         ok = ok && b->surface[k];
     }
+    b->conveyor_force = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
+    b->conveyor_slip = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
+    ok = ok && b->conveyor_force && b->conveyor_slip;
     b->sample = (hawser_sample){.segments = scene->chain.n,
                                 .joints = scene->chain.n + 1,
                                 .rollers = scene->contact.n_rollers,
@@ -34,7 +37,10 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .surface_normal = b->surface[0],
                                 .surface_friction = b->surface[1],
                                 .surface_line_load = b->surface[2],
-                                .surface_at = b->surface[3]};
+                                .surface_at = b->surface[3],
+                                .conveyors = scene->n_conveyors,
+                                .conveyor_force = b->conveyor_force,
+                                .conveyor_slip = b->conveyor_slip};
     return ok && b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed &&
            b->roller_load;
 }
@@ -49,6 +55,8 @@ void sample_free(SampleBuffers *b)
     free(b->axial_speed);
     free(b->roller_load);
     for (int k = 0; k < 4; ++k) free(b->surface[k]);
+    free(b->conveyor_force);
+    free(b->conveyor_slip);
     memset(b, 0, sizeof *b);
 }
 
@@ -125,5 +133,10 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Wor
     tension_take(b, scene, ws);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
     surfaces_take(b, ws);
+    for (int i = 0; i < s->conveyors; ++i) {
+        const ConveyorNow now = dynamics_conveyor(scene, ws, i, t);
+        b->conveyor_force[i] = now.force;
+        b->conveyor_slip[i] = now.slip;
+    }
     return s;
 }

@@ -199,7 +199,9 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     const double speed = winch_largest_speed(&scene->winch);
     scene->largest_speed = scene->winch.present && speed > 0 ? speed : 0.1;
     self_fill(scene);
-    status = contact_fill(scene, err);
+    scene->n_conveyors = def->n_conveyors;
+    scene->conveyor = conveyors_new(def, &scene->route);
+    status = scene->conveyor ? contact_fill(scene, err) : error_memory(err);
     if (!status) status = surfaces_fill(&scene->surfaces, def, &scene->route, &scene->chain, err);
     return status ? status : equipment_build(def, scene->rollers, &scene->equipment, err);
 }
@@ -232,6 +234,7 @@ void scene_clear(Scene *scene)
     free(scene->rollers);
     equipment_clear(&scene->equipment);
     surfaces_clear(&scene->surfaces);
+    free(scene->conveyor);
     route_clear(&scene->route);
     scene_def_clear(&scene->def);
     memset(scene, 0, sizeof *scene);

@@ -6,9 +6,9 @@
 #include "contact/contact.h"
 #include "contact/self_contact.h"
 #include "core/body.h"
+#include "sim/conveyor.h"
 #include "sim/equipment.h"
 #include "sim/surfaces.h"
-#include "sim/winch.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
  * lead-in's hold on the cable across its line (F1). */
@@ -41,6 +41,8 @@ typedef struct Scene {
     Winch winch;
     Profile tail; /* N */
     Drag drag;
+    int n_conveyors;
+    Conveyor *conveyor;     /* owned, [n_conveyors] */
     ContactRoller *rollers; /* owned; the contact model borrows them */
     ContactModel contact;
     Surfaces surfaces;

@@ -35,6 +35,11 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
     out->route = copy_of(def->route, def->n_route, sizeof *def->route, &ok);
     out->rollers = copy_of(def->rollers, def->n_rollers, sizeof *def->rollers, &ok);
     out->surfaces = copy_of(def->surfaces, def->n_surfaces, sizeof *def->surfaces, &ok);
+    out->conveyors = copy_of(def->conveyors, def->n_conveyors, sizeof *def->conveyors, &ok);
+    for (int i = 0; i < def->n_conveyors && out->conveyors; ++i) {
+        ConveyorDef *const c = &out->conveyors[i];
+        table_copy(&c->speed, &c->table_time, &c->table_value, &ok);
+    }
     out->stations = copy_of(def->stations, def->n_stations, sizeof *def->stations, &ok);
     out->paper = copy_of(def->paper, def->n_paper, sizeof *def->paper, &ok);
     out->output.speed_segments = copy_of(def->output.speed_segments, def->output.n_speed_segments, sizeof(int), &ok);

@@ -72,6 +72,11 @@ void scene_def_clear(SceneDef *def)
     free(def->winch.tension_value);
     free(def->tail.table_time);
     free(def->tail.table_value);
+    for (int i = 0; i < def->n_conveyors && def->conveyors; ++i) {
+        free(def->conveyors[i].table_time);
+        free(def->conveyors[i].table_value);
+    }
+    free(def->conveyors);
     free(def->stations);
     free(def->paper);
     free(def->output.speed_segments);

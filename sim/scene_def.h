@@ -129,6 +129,22 @@ typedef struct RopeDragDef {
     double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
 } RopeDragDef;
 
+/* A caterpillar conveyor: two belts that clamp the cable over a stretch of the route. */
+typedef struct ConveyorDef {
+    char name[NAME_MAX_LENGTH];
+    double from, to; /* m along the route; the machine is straight */
+    double edge;     /* m at both ends over which the grip rises from nothing */
+    int sync;        /* the belt runs with the winch, at `factor` times its speed */
+    double factor;
+    Profile speed; /* m/s, of the belt otherwise */
+    double *table_time, *table_value;
+    double clamp;           /* N, by which each belt is pressed on the cable */
+    double mu;              /* of belt on cable: the grip is 2 mu clamp */
+    double limit;           /* N, of the drive; 0: none */
+    double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
+    int hold;               /* holds the cable on the machine's line */
+} ConveyorDef;
+
 typedef struct StationDef {
     char name[NAME_MAX_LENGTH];
     double s; /* m along the route */
@@ -193,6 +209,9 @@ typedef struct SceneDef {
     WinchDef winch;
     TailDef tail;
     RopeDragDef drag;
+
+    int n_conveyors;
+    ConveyorDef *conveyors;
 
     int n_stations;
     StationDef *stations;

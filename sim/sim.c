@@ -115,6 +115,9 @@ static hawser_status parts_new(Sim *s, hawser_error *err)
     if (!status) s->motion->ops->lin_stats(s->motion, &s->lin);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
+    for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
+        s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, i);
+    }
     if (!status) status = trip_set(s, err);
     if (!status) status = state_new(s, err);
     if (!status && scene->self.present) status = start_check(s, err);
@@ -149,6 +152,7 @@ Sim *sim_free(Sim *s)
     planar_free(&s->planar);
     stats_free(&s->stats);
     events_free(&s->events);
+    expected_free(&s->expected);
     sample_free(&s->look);
     workspace_free(&s->ws);
     free(s->y);
@@ -173,6 +177,10 @@ static double next_stop(const Sim *s, double stop)
     const double after = s->t + 1e-9, next = winch_next_stop(&s->scene.winch, after);
     double corner;
     if (next < stop) stop = next;
+    for (int i = 0; i < s->scene.n_conveyors; ++i) {
+        const Conveyor *const c = &s->scene.conveyor[i];
+        if (!c->sync && profile_next_corner(&c->speed, after, &corner) && corner < stop) stop = corner;
+    }
     return profile_next_corner(&s->scene.tail, after, &corner) && corner < stop ? corner : stop;
 }
 
@@ -291,7 +299,9 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .reference_total_N = s->expected.reference_total,
                             .relaxation = s->relaxation,
                             .n_events = s->events.n,
-                            .events = s->events.event};
+                            .events = s->events.event,
+                            .n_conveyors = s->stats.n_conveyors,
+                            .conveyors = s->stats.conveyor_out};
     integration_fill(s, out);
     out->phases.other = s->build_s;
     out->phases.relax = s->relax_s;
@@ -323,4 +333,10 @@ int sim_surfaces(const Sim *s, const SimSurface **out)
 {
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
+}
+
+int sim_conveyors(const Sim *s, const hawser_conveyor **out)
+{
+    *out = s->stats.conveyor_out;
+    return s->stats.n_conveyors;
 }

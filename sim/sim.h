@@ -40,6 +40,8 @@ int sim_rollers(const Sim *s, const SimRoller **out);
 /* The same of the surfaces. */
 int sim_surfaces(const Sim *s, const SimSurface **out);
 
+/* The conveyors' table; the array is the simulation's. Returns how many. */
+int sim_conveyors(const Sim *s, const hawser_conveyor **out);
 /* What happened so far; the array is the simulation's. Returns how many. */
 int sim_events(const Sim *s, const hawser_event **out);
 

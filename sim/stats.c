@@ -61,6 +61,22 @@ static int surfaces_new(Stats *stats, const SceneDef *def)
     return 1;
 }
 
+/* Names and places; the names are the scene's. 0 if there is no memory. */
+static int conveyors_new_stats(Stats *stats, const Scene *scene)
+{
+    const int n = stats->n_conveyors = scene->n_conveyors;
+    stats->conveyor = calloc((size_t)n + 1, sizeof *stats->conveyor);
+    stats->conveyor_out = calloc((size_t)n + 1, sizeof *stats->conveyor_out);
+    if (!stats->conveyor || !stats->conveyor_out) return 0;
+    for (int i = 0; i < n; ++i) {
+        const ConveyorDef *const def = &scene->def.conveyors[i];
+        stats->conveyor[i].v_s = def->v_s;
+        stats->conveyor_out[i] =
+            (hawser_conveyor){.name = def->name, .from = def->from, .to = def->to, .grip_N = scene->conveyor[i].grip};
+    }
+    return 1;
+}
+
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -74,7 +90,8 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
     stats->roller = calloc(nr, sizeof *stats->roller);
     stats->station_out = calloc(ns, sizeof *stats->station_out);
     stats->roller_out = calloc(nr, sizeof *stats->roller_out);
-    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !surfaces_new(stats, def)) {
+    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !surfaces_new(stats, def) ||
+        !conveyors_new_stats(stats, scene)) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -100,6 +117,8 @@ void stats_free(Stats *stats)
     free(stats->surface[0]);
     free(stats->surface[1]);
     free(stats->surface_out);
+    free(stats->conveyor);
+    free(stats->conveyor_out);
     memset(stats, 0, sizeof *stats);
 }
 
@@ -197,6 +216,25 @@ static void tables_update(Stats *stats)
     }
 }
 
+/* The conveyors' means, and their table. */
+static void conveyors_record(Stats *stats, const Scene *scene, const hawser_sample *sample, double dt, int steady)
+{
+    for (int i = 0; i < stats->n_conveyors; ++i) {
+        ConveyorMeans *const m = &stats->conveyor[i];
+        hawser_conveyor *const out = &stats->conveyor_out[i];
+        const double slip = sample->conveyor_slip[i];
+        mean_add(&m->force, sample->conveyor_force[i], dt, steady);
+        mean_add(&m->slip, slip, dt, steady);
+        mean_add(&m->belt, conveyor_belt(&scene->conveyor[i], &scene->winch, sample->t), dt, steady);
+        mean_add(&m->slipping, fabs(slip) > m->v_s, dt, steady);
+        out->mean_N = mean_of(&m->force);
+        out->peak_N = m->force.peak;
+        out->slip_m_per_s = mean_of(&m->slip);
+        out->belt_m_per_s = mean_of(&m->belt);
+        out->slipping = mean_of(&m->slipping);
+    }
+}
+
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double dt = stats->last_t >= 0 ? sample->t - stats->last_t : 0;
@@ -212,6 +250,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
         if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];
     }
     surfaces_record(stats, sample, dt, steady);
+    conveyors_record(stats, scene, sample, dt, steady);
     stats->last_t = sample->t;
     tables_update(stats);
 }

@@ -27,6 +27,11 @@ typedef struct SimSurface {
     double line_load, at;        /* N/m, the largest of the run; m along the route, where that was */
     double clearance, jam_ratio; /* ducts: m; 1; NAN for others */
 } SimSurface;
+/* What is averaged of a conveyor. */
+typedef struct ConveyorMeans {
+    TimeMean force, slip, belt, slipping; /* N, m/s, m/s, 0 or 1 */
+    double v_s;                           /* m/s: more slip is slipping */
+} ConveyorMeans;
 
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
@@ -41,6 +46,9 @@ typedef struct Stats {
     hawser_station *station_out;
     SimRoller *roller_out;
     SimSurface *surface_out;
+    int n_conveyors;
+    ConveyorMeans *conveyor; /* [n_conveyors] */
+    hawser_conveyor *conveyor_out;
 } Stats;
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);

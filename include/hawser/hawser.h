@@ -107,6 +107,9 @@ typedef struct hawser_sample {
     const double *surface_friction;  /* [surfaces], N, sum of the friction forces on it */
     const double *surface_line_load; /* [surfaces], N/m, the largest normal force per length of cable */
     const double *surface_at;        /* [surfaces], m along the route, where that is; NAN: nowhere, or not along it */
+    int conveyors;
+    const double *conveyor_force; /* [conveyors], N, on the cable along the pull */
+    const double *conveyor_slip;  /* [conveyors], m/s, cable less belt; 0 where there is no cable */
 } hawser_sample;
 
 /* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
@@ -126,6 +129,21 @@ void hawser_sim_record(hawser_sim *s);
  * (HAWSER_STOPPED, with what was computed written). */
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+
+/* One caterpillar conveyor. */
+typedef struct hawser_conveyor {
+    const char *name;
+    double from, to;       /* m along the route */
+    double grip_N;         /* largest force: 2 mu clamp, or the drive's limit */
+    double reference_N;    /* what the reference theory reckons with */
+    double mean_N, peak_N; /* force on the cable along the pull: mean of the steady window, largest of the run */
+    double slip_m_per_s;   /* mean of cable less belt in the steady window */
+    double belt_m_per_s;   /* mean speed of the belt in the steady window */
+    double slipping;       /* share of the steady window with more slip than the law sticks at, 0..1 */
+} hawser_conveyor;
+
+/* The conveyors in the case's order; *out stays the simulation's. Returns how many. */
+int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out);
 
 /* Something that happened: the winch trips, stops, starts again. */
 typedef struct hawser_event {
@@ -165,6 +183,8 @@ typedef struct hawser_summary {
     hawser_phases phases;
     int n_events;
     const hawser_event *events; /* [n_events], as hawser_sim_events gives them */
+    int n_conveyors;
+    const hawser_conveyor *conveyors; /* [n_conveyors], as hawser_sim_conveyors gives them */
 } hawser_summary;
 
 void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);

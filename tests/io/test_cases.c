@@ -180,6 +180,20 @@ static void test_tray(void **state)
     hawser_sim_free(o.sim);
 }
 
+/* Both conveyors work at their limits and the winch has the rest. */
+static void test_conveyors(void **state)
+{
+    (void)state;
+    Outcome o = run("conveyors", NULL);
+    const hawser_conveyor *c;
+    assert_int_equal(hawser_sim_conveyors(o.sim, &c), 2);
+    assert_share(c[0].mean_N, 900, 1e-4);
+    assert_share(c[1].mean_N, 500, 5e-3);
+    assert_share(o.summary.reference_total_N, 0.2 * 14 * 9.81 * 80 - 1400, 1e-3);
+    assert_share(o.summary.pull_mean_N, o.summary.reference_total_N, 0.02);
+    hawser_sim_free(o.sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -190,6 +204,7 @@ int main(void)
         cmocka_unit_test(test_winches),
         cmocka_unit_test(test_duct_bends),
         cmocka_unit_test(test_tray),
+        cmocka_unit_test(test_conveyors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -114,6 +114,12 @@ static void test_refusals(void **state)
     expect_refusal(&def, "set tension");
 
     def = planar_scene(0.3);
+    def.conveyors = fixture_array(1, sizeof *def.conveyors);
+    def.n_conveyors = 1;
+    def.conveyors[0] = (ConveyorDef){.from = 1, .to = 2, .edge = 0.2, .sync = 1, .factor = 1, .v_s = 1e-4, .v_d = 2e-4};
+    expect_refusal(&def, "conveyors");
+
+    def = planar_scene(0.3);
     def.cables[0].bending = (BendingTable){.rows = 2, .curvature = {0.1, 1}, .moment = {1e3, 2e3}};
     expect_refusal(&def, "hysteresis");
 

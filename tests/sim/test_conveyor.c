@@ -1,0 +1,240 @@
+/* A conveyor by itself: how its grip is spread, which segments it finds, forces and their derivatives. */
+#include "core/state.h"
+#include "sim/conveyor.h"
+#include "tests/sim/scene_fixture.h"
+
+enum { N = 16 };
+
+/* A machine of 3 m in the middle of a chain of 16 segments of 0.5 m, on a line that is askew to all axes. */
+typedef struct Rig {
+    Chain chain;
+    Kinematics kin;
+    Winch winch;
+    Conveyor c;
+    ConveyorRange range;
+    double y[STATE_SIZE * N];
+} Rig;
+
+static void kinematics_set(Rig *r, Vec3 base, Vec3 along, double spread, double speed, uint64_t *seed)
+{
+    for (int i = 0; i < N; ++i) {
+        const Vec3 p = v3_add(v3_axpy(base, 0.5 * i, along), fixture_vector(seed, spread));
+        const Vec3 v = v3_axpy(fixture_vector(seed, 3e-3), speed, along);
+        const double place[3] = {p.x, p.y, p.z}, velocity[3] = {v.x, v.y, v.z};
+        for (int c = 0; c < 3; ++c) {
+            r->y[c * N + i] = r->kin.p[c][i] = place[c];
+            r->kin.v[c][i] = velocity[c];
+        }
+    }
+}
+
+static void rig_new(Rig *r, double spread, uint64_t seed)
+{
+    memset(r, 0, sizeof *r);
+    assert_true(chain_alloc(&r->chain, N) && kinematics_alloc(&r->kin, N));
+    for (int i = 0; i < N; ++i) {
+        r->chain.half[i] = 0.25;
+        r->chain.mass[i] = 7;
+    }
+    const WinchDef winch = {.present = 1, .speed = {.kind = PROFILE_CONSTANT, .v1 = 0.1}};
+    winch_init(&r->winch, &winch);
+    const Vec3 along = v3_unit(v3(1, 0.5, -0.3));
+    r->c = (Conveyor){.origin = v3(3, -2, 1),
+                      .direction = along,
+                      .length = 3,
+                      .edge = 0.8,
+                      .grip = 500,
+                      .law = {.mu_s = 1, .mu_d = 0.7, .v_s = 2e-3, .v_d = 6e-3},
+                      .sync = 1,
+                      .factor = 1.02,
+                      .hold = 200,
+                      .hold_damping = 14};
+    kinematics_set(r, v3_axpy(r->c.origin, -2.3, along), along, spread, 0.1, &seed);
+    conveyor_find(&r->c, &r->chain, r->y, 0.5, &r->range);
+}
+
+static void rig_free(Rig *r)
+{
+    chain_free(&r->chain);
+    kinematics_free(&r->kin);
+}
+
+/* (WI14): from 0 to 1, symmetric, its slope the curve's and continuous, even with no level part. */
+static void test_share(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; ++k) {
+        const Conveyor c = {.length = 2, .edge = k ? 1 : 0.3};
+        double slope, before = 0;
+        assert_true(fabs(conveyor_share(&c, -0.1, &slope)) < 1e-15 && fabs(slope) < 1e-15);
+        assert_true(fabs(conveyor_share(&c, 2.1, &slope) - 1) < 1e-15 && fabs(slope) < 1e-15);
+        assert_true(fabs(conveyor_share(&c, 1, &slope) - 0.5) < 1e-15);
+        for (double x = -0.05; x < 2.1; x += 0.0137) {
+            double ignored;
+            const double share = conveyor_share(&c, x, &slope), e = 1e-6;
+            const double fd = (conveyor_share(&c, x + e, &ignored) - conveyor_share(&c, x - e, &ignored)) / (2 * e);
+            assert_true(share >= before && fabs(fd - slope) < 1e-5);
+            assert_true(fabs(share + conveyor_share(&c, 2 - x, &ignored) - 1) < 1e-14);
+            before = share;
+        }
+    }
+}
+
+/* A straight cable slides through: the whole grip acts at any moment, on the segments that are inside; no segment's
+ * force jumps as it enters. */
+static void test_grip_is_whole(void **state)
+{
+    (void)state;
+    Rig r;
+    double last[N] = {0};
+    rig_new(&r, 0, 1);
+    for (int step = 0; step <= 400; ++step) {
+        uint64_t seed = 5;
+        Loads loads;
+        assert_true(loads_alloc(&loads, N));
+        kinematics_set(&r, v3_axpy(r.c.origin, -2.3 + 0.005 * step, r.c.direction), r.c.direction, 0, 0.2, &seed);
+        conveyor_find(&r.c, &r.chain, r.y, 0.1, &r.range);
+        const ConveyorNow now = conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, &loads);
+        assert_true(fabs(now.cover - 1) < 1e-14 && fabs(now.force + 0.7 * 500) < 1e-9);
+        assert_true(fabs(now.belt - 0.102) < 1e-15 && fabs(now.slip - 0.098) < 3e-3);
+        assert_in_range(r.range.count, 6, 8);
+        for (int i = 0; i < N; ++i) {
+            const double f = v3_dot(v3(loads.f[0][i], loads.f[1][i], loads.f[2][i]), r.c.direction);
+            if (step > 0) assert_true(fabs(f - last[i]) < 350 / 2.2 * 0.0051); /* the plateau's force a metre */
+            last[i] = f;
+        }
+        loads_free(&loads);
+    }
+    rig_free(&r);
+}
+
+/* Who is found: all that are within reach and none that are aside; a wider reach changes no force. */
+static void test_range(void **state)
+{
+    (void)state;
+    Rig r;
+    rig_new(&r, 0, 1);
+    for (double reach = 0.01; reach < 20; reach *= 3) {
+        conveyor_find(&r.c, &r.chain, r.y, reach, &r.range);
+        const ConveyorNow now = conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, NULL);
+        assert_true(fabs(now.cover - 1) < 1e-14);
+        assert_false(conveyor_stale(&r.range, &r.chain, r.y));
+    }
+    assert_int_equal(r.range.count, N);
+    for (int i = 0; i < N; ++i) r.y[N + i] += 4; /* past the machine, at some distance */
+    conveyor_find(&r.c, &r.chain, r.y, 0.5, &r.range);
+    assert_int_equal(r.range.count, 0);
+    assert_true(fabs(conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, NULL).force) < 1e-15);
+    rig_free(&r);
+}
+
+/* A cable that comes from far away is found before its front is inside, looked for only when asked. */
+static void test_stale(void **state)
+{
+    (void)state;
+    Rig r;
+    int found = 0;
+    rig_new(&r, 0, 1);
+    for (double x = -40; x < 6; x += 0.03) {
+        uint64_t seed = 5;
+        kinematics_set(&r, v3_axpy(r.c.origin, x, r.c.direction), r.c.direction, 0, 0.1, &seed);
+        if (x < -39.98 || conveyor_stale(&r.range, &r.chain, r.y)) {
+            conveyor_find(&r.c, &r.chain, r.y, 0.4, &r.range);
+            ++found;
+        }
+        for (int i = 0; i < N; ++i) { /* whoever is inside is known */
+            const int inside = x + 0.5 * i + 0.25 > 0 && x + 0.5 * i - 0.25 < r.c.length;
+            if (inside) assert_true(i >= r.range.first && i < r.range.first + r.range.count);
+        }
+    }
+    print_message("found %d times in 46 m\n", found);
+    assert_true(found < 200);
+    rig_free(&r);
+}
+
+/* ------------------------------------------------------------------------------------------------- derivatives */
+
+static void wrench(Rig *r, double friction, double out[3 * N])
+{
+    Loads loads;
+    assert_true(loads_alloc(&loads, N));
+    conveyor_loads(&r->c, &r->range, &r->winch, &r->chain, &r->kin, 0.5, friction, &loads);
+    for (int i = 0; i < N; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            out[3 * i + c] = loads.f[c][i];
+            assert_true(fabs(loads.m[c][i]) <= 0); /* pushes at the centres */
+        }
+    }
+    loads_free(&loads);
+}
+
+/* (WI18), (WI19) against central differences, segments in the edges and in the middle, creeping and slipping; only
+ * diagonal blocks are touched. */
+static void test_blocks(void **state)
+{
+    (void)state;
+    double worst = 0, largest = 0;
+    for (int trial = 0; trial < 8; ++trial) {
+        Rig r;
+        BlockChain k, d;
+        rig_new(&r, 0.05, 20 + (uint64_t)trial);
+        assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
+        conveyor_blocks(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0.5, 0.9, &k, &d);
+        for (int i = 0; i < N; ++i) {
+            for (int c = 0; c < 6; ++c) {
+                const double e = 1e-7;
+                double *const at = &(c < 3 ? r.kin.p[c] : r.kin.v[c - 3])[i], middle = *at;
+                double plus[3 * N], minus[3 * N];
+                *at = middle + e;
+                wrench(&r, 0.9, plus);
+                *at = middle - e;
+                wrench(&r, 0.9, minus);
+                *at = middle;
+                const double *const column = (c < 3 ? k.diag : d.diag) + 36 * i + 6 * (c % 3);
+                for (int row = 0; row < 3 * N; ++row) {
+                    const double fd = (plus[row] - minus[row]) / (2 * e), here = row / 3 == i ? column[row % 3] : 0;
+                    worst = fmax(worst, fabs(fd - here));
+                    largest = fmax(largest, fabs(fd));
+                }
+            }
+        }
+        block_chain_free(&k);
+        block_chain_free(&d);
+        rig_free(&r);
+    }
+    print_message("largest entry %.3g, error %.2g\n", largest, worst);
+    assert_true(largest > 1e4 && worst < 1e-3 + 1e-6 * largest);
+}
+
+/* Pushing and holding dissipate: the power of both on the slip and the motion across, with the line at rest, is not
+ * positive; with friction off there is no push. */
+static void test_power(void **state)
+{
+    (void)state;
+    Rig r;
+    for (int trial = 0; trial < 20; ++trial) {
+        Loads loads;
+        double power = 0;
+        rig_new(&r, 0, 50 + (uint64_t)trial);
+        assert_true(loads_alloc(&loads, N));
+        const ConveyorNow now = conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, &loads);
+        for (int i = 0; i < N; ++i) {
+            const Vec3 v = v3(r.kin.v[0][i], r.kin.v[1][i], r.kin.v[2][i]);
+            const Vec3 f = v3(loads.f[0][i], loads.f[1][i], loads.f[2][i]);
+            power += v3_dot(f, v3_axpy(v, -now.belt, r.c.direction));
+        }
+        assert_true(power < 0);
+        assert_true(fabs(conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 0, NULL).force) < 1e-15);
+        loads_free(&loads);
+        rig_free(&r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_share), cmocka_unit_test(test_grip_is_whole), cmocka_unit_test(test_range),
+        cmocka_unit_test(test_stale), cmocka_unit_test(test_blocks),        cmocka_unit_test(test_power),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,185 @@
+/* Conveyors that share a pull on a level row of rollers with the winch. */
+#include <stdio.h>
+
+#include "tests/validation/row_fixture.h"
+
+static const RowChoice ROW = {.segments = 80, .pitch = 1, .mu = 0.2};
+
+enum { CONVEYORS_MOST = 3 };
+
+/* What a run ends with. */
+typedef struct Shared {
+    hawser_summary summary;
+    hawser_conveyor conveyor[CONVEYORS_MOST];
+} Shared;
+
+/* n machines of 2 m from 10 m on, every 10 m; each grips with 2 * 0.3 * clamp. */
+static void shared_row(SceneDef *def, int n, double clamp)
+{
+    row_scene(def, &ROW);
+    def->conveyors = fixture_array(n, sizeof *def->conveyors);
+    def->n_conveyors = n;
+    for (int i = 0; i < n; ++i) {
+        def->conveyors[i] = (ConveyorDef){.from = 10 + 10 * i,
+                                          .to = 12 + 10 * i,
+                                          .edge = 0.2,
+                                          .sync = 1,
+                                          .factor = 1,
+                                          .clamp = clamp,
+                                          .mu = 0.3,
+                                          .v_s = 1e-4,
+                                          .v_d = 2e-4,
+                                          .ratio = 1};
+        snprintf(def->conveyors[i].name, sizeof def->conveyors[i].name, "C%d", i + 1);
+    }
+}
+
+static Shared shared_run(SceneDef *def, double duration, int threads)
+{
+    Shared out = {0};
+    Sim *s = NULL;
+    hawser_relaxation relaxation;
+    hawser_error err = {0};
+    def->duration = duration;
+    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(def);
+    assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
+    assert_true(relaxation.reached);
+    sim_record(s);
+    for (int k = 1; k * 0.05 <= duration + 1e-9; ++k) {
+        if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
+        sim_record(s);
+    }
+    sim_summary(s, &out.summary);
+    assert_in_range(out.summary.n_conveyors, 0, CONVEYORS_MOST);
+    for (int i = 0; i < out.summary.n_conveyors; ++i) {
+        out.conveyor[i] = out.summary.conveyors[i];
+        out.conveyor[i].name = NULL; /* the simulation's, as are those below */
+        print_message("conveyor %d: mean %.2f N of %.2f N, slip %.3g m/s, slipping %.2f\n", i, out.conveyor[i].mean_N,
+                      out.conveyor[i].grip_N, out.conveyor[i].slip_m_per_s, out.conveyor[i].slipping);
+    }
+    out.summary.linear_solver = out.summary.linear_solver_why = out.summary.ordering = NULL;
+    out.summary.conveyors = NULL;
+    out.summary.events = NULL;
+    sim_free(s);
+    return out;
+}
+
+/* Belts that run ahead slip all the time and push with their whole grip: the winch has the rest. */
+static void test_slipping_ahead(void **state)
+{
+    (void)state;
+    SceneDef def;
+    shared_row(&def, 1, 2000);
+    def.conveyors[0].sync = 0;
+    def.conveyors[0].speed = (Profile){.kind = PROFILE_STEP, .t1 = 1, .v1 = 0.12};
+    const Shared r = shared_run(&def, 8, 1);
+    const double exact = ROW.mu * row_weight(&ROW) - 1200;
+    print_message("pull %.2f N, exact %.2f N (%.3f %%), theory %.2f N\n", r.summary.pull_mean_N, exact,
+                  100 * (r.summary.pull_mean_N / exact - 1), r.summary.reference_total_N);
+    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 5e-3);
+    assert_true(fabs(r.summary.reference_total_N / exact - 1) < 1e-6);
+    assert_true(fabs(r.conveyor[0].mean_N - 1200) < 1e-3 && fabs(r.conveyor[0].slip_m_per_s + 0.02) < 2e-4);
+    assert_true(r.conveyor[0].slipping > 0.999);
+}
+
+/* A belt that is too slow brakes by as much. */
+static void test_slow_belt(void **state)
+{
+    (void)state;
+    SceneDef def;
+    shared_row(&def, 1, 1000);
+    def.conveyors[0].sync = 0;
+    def.conveyors[0].ratio = 0.5;
+    def.conveyors[0].speed = (Profile){.kind = PROFILE_STEP, .t1 = 1, .v1 = 0.08};
+    const Shared r = shared_run(&def, 6, 1);
+    const double exact = ROW.mu * row_weight(&ROW) + 300;
+    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 5e-3);
+    assert_true(fabs(r.summary.reference_total_N / exact - 1) < 1e-6);
+}
+
+/* Synchronised belts with grip to spare do not slip, and how they share is the elasticity's: both ends of the cable
+ * between belt and winch move alike from the start, so that its mean stretch stays what it was, nothing; with the
+ * friction even along it the winch has half of that stretch's friction and pushes half from behind. */
+static void test_synchronised(void **state)
+{
+    (void)state;
+    SceneDef def;
+    shared_row(&def, 1, 20000);
+    def.cables[0].ea =
+        1e8; /* N: the slip that the law needs takes (1.5 grip/v_s)/(EA/L) = 520 s to even the share out */
+    def.conveyors[0].v_s = 1e-5;
+    def.conveyors[0].v_d = 2e-5;
+    const Shared r = shared_run(&def, 4, 1);
+    const double ahead = (40 - 11) / 40.0 * ROW.mu * row_weight(&ROW), exact = ahead / 2;
+    print_message("pull %.2f N, by elasticity %.2f N (%.2f %%); friction ahead of the belt %.2f N\n",
+                  r.summary.pull_mean_N, exact, 100 * (r.summary.pull_mean_N / exact - 1), ahead);
+    assert_true(fabs(r.conveyor[0].slip_m_per_s) < 2e-6 && r.conveyor[0].slipping < 1e-9);
+    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 0.02);
+    /* nothing is lost: the two together are the friction */
+    const double whole = ROW.mu * row_weight(&ROW);
+    assert_true(fabs((r.summary.pull_mean_N + r.conveyor[0].mean_N) / whole - 1) < 5e-3);
+}
+
+/* Several machines, one limited by its drive, one without a clamp; on two threads to the last bit. */
+static void test_several(void **state)
+{
+    (void)state;
+    Shared r[2];
+    for (int threads = 1; threads <= 2; ++threads) {
+        SceneDef def;
+        shared_row(&def, 3, 2000);
+        for (int i = 0; i < 3; ++i) def.conveyors[i].factor = 1.1;
+        def.conveyors[1].limit = 700;
+        def.conveyors[2].clamp = 0;
+        def.conveyors[2].hold = 1;
+        r[threads - 1] = shared_run(&def, 4, threads);
+    }
+    const double exact = ROW.mu * row_weight(&ROW) - 1200 - 700;
+    const hawser_conveyor *const c = r[0].conveyor;
+    assert_true(fabs(c[0].mean_N - 1200) < 1e-3 && fabs(c[1].mean_N - 700) < 1e-3 && fabs(c[2].mean_N) < 1e-9);
+    assert_true(fabs(c[0].reference_N - 1200) < 1e-9 && fabs(c[1].reference_N - 700) < 1e-9);
+    /* the last one carries the weight of its 2 m of cable, which therefore does not rub */
+    const double carried = ROW.mu * ROW_MASS * ROW_G * 2;
+    print_message("pull %.2f N, exact %.2f to %.2f N\n", r[0].summary.pull_mean_N, exact - carried, exact);
+    assert_true(r[0].summary.pull_mean_N < exact && r[0].summary.pull_mean_N > exact - carried);
+    assert_true(r[0].summary.pull_mean_N - r[1].summary.pull_mean_N == 0);
+    assert_true(r[0].summary.steps == r[1].summary.steps);
+    assert_memory_equal(r[0].conveyor, r[1].conveyor, sizeof r[0].conveyor);
+}
+
+/* Synchronised belts stand still with a winch that has tripped, and start with it again. */
+static void test_trip(void **state)
+{
+    (void)state;
+    SceneDef def;
+    hawser_error err = {0};
+    Sim *s = NULL;
+    shared_row(&def, 1, 2000);
+    def.winch.trip = (TripDef){.force = 2000, .brake = 0.2, .pause = 1, .ramp = 1, .restarts = 0};
+    def.duration = 3;
+    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(&def);
+    assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    double fastest = 0, last = 1;
+    while (sim_time(s) < 3) {
+        if (sim_advance(s, 3, 1, &err)) fail_msg("%s", err.message);
+        last = sim_sample(s)->axial_speed[20];
+        fastest = fmax(fastest, last);
+    }
+    const hawser_event *event;
+    const int n = sim_events(s, &event);
+    print_message("%d events; fastest %.4f m/s, at the end %.2g m/s\n", n, fastest, last);
+    assert_int_equal(n, 2);
+    assert_true(fabs(last) < 1e-3);
+    sim_free(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_slipping_ahead), cmocka_unit_test(test_slow_belt), cmocka_unit_test(test_synchronised),
+        cmocka_unit_test(test_several),        cmocka_unit_test(test_trip),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
