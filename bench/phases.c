@@ -26,6 +26,7 @@ typedef struct Bench {
     Workspace ws;
     Newton newton;
     SampleBuffers look;
+    Sliders sliders;
     SUNContext context;
     N_Vector vector[4];     /* state, rates, weights, work; all of 13 n */
     double *y, *ydot, *rhs; /* data of the first two; a right-hand side of Newton's system, [13 n] */
@@ -94,6 +95,32 @@ static void phase_sample(Bench *b)
     sample_take(&b->look, &b->scene, &b->ws, b->t, dynamics_look(&b->scene, &b->ws, b->t, b->y), SAMPLE_ALL);
 }
 
+/* The bushings alone, by what their chain has: a preload too, what the scene has (damping), nothing but stiffness, two
+ * sliders a joint. Only the cost is looked at: what a kernel leaves out is not zero here. */
+static void bushings(Bench *b, int lacks, int sliders)
+{
+    Chain chain = b->scene.chain;
+    chain.lacks = lacks;
+    if (sliders) chain.sliders = b->sliders;
+    bushing_loads(&chain, &b->ws.kin, 0, chain.n + 1, &b->ws.joints);
+}
+static void phase_bushings_full(Bench *b) { bushings(b, 0, 0); }
+static void phase_bushings(Bench *b) { bushings(b, CHAIN_NO_PRELOAD, 0); }
+static void phase_bushings_bare(Bench *b) { bushings(b, CHAIN_NO_PRELOAD | CHAIN_NO_DAMPING, 0); }
+static void phase_bushings_sliding(Bench *b) { bushings(b, 0, 1); }
+
+/* Their derivatives, likewise. */
+static void bushing_derivatives(Bench *b, int lacks, int sliders)
+{
+    Chain chain = b->scene.chain;
+    chain.lacks = lacks;
+    if (sliders) chain.sliders = b->sliders;
+    bushing_blocks(&chain, &b->ws.kin, 0, chain.n + 1, &b->newton.k, &b->newton.d);
+}
+static void phase_bushing_blocks(Bench *b) { bushing_derivatives(b, CHAIN_NO_PRELOAD, 0); }
+static void phase_bushing_blocks_bare(Bench *b) { bushing_derivatives(b, CHAIN_NO_PRELOAD | CHAIN_NO_DAMPING, 0); }
+static void phase_bushing_blocks_sliding(Bench *b) { bushing_derivatives(b, 0, 1); }
+
 typedef struct Phase {
     const char *name;
     void (*run)(Bench *b);
@@ -101,10 +128,23 @@ typedef struct Phase {
 
 /* In an order in which each finds what it reads. */
 static const Phase phase_list[] = {
-    {"kinematics", phase_kinematics}, {"rhs", phase_rhs},       {"contacts", phase_contacts},
-    {"refresh", phase_refresh},       {"blocks", phase_blocks}, {"form", phase_form},
-    {"factor", phase_factor},         {"solve", phase_solve},   {"vector", phase_vector},
+    {"kinematics", phase_kinematics},
+    {"rhs", phase_rhs},
+    {"contacts", phase_contacts},
+    {"refresh", phase_refresh},
+    {"blocks", phase_blocks},
+    {"form", phase_form},
+    {"factor", phase_factor},
+    {"solve", phase_solve},
+    {"vector", phase_vector},
     {"sample", phase_sample},
+    {"bushings-full", phase_bushings_full},
+    {"bushings", phase_bushings},
+    {"bushings-bare", phase_bushings_bare},
+    {"bushings-sliding", phase_bushings_sliding},
+    {"bushing-blocks", phase_bushing_blocks},
+    {"bushing-blocks-bare", phase_bushing_blocks_bare},
+    {"bushing-blocks-sliding", phase_bushing_blocks_sliding},
 };
 enum { PHASES = sizeof phase_list / sizeof *phase_list };
 
@@ -149,6 +189,14 @@ static void vectors_new(Bench *b)
     for (int k = 0; k < size; ++k) b->rhs[k] = 1e-3 * cos(0.1 * k);
 }
 
+/* Two sliders a joint for the phases that want them; at rest in the middle of their springs. */
+static void sliders_new(Bench *b)
+{
+    Chain chain = {.n = b->scene.chain.n};
+    check(chain_alloc_sliders(&chain, 2) && kinematics_alloc_slips(&b->ws.kin, &chain), "no memory");
+    b->sliders = chain.sliders;
+}
+
 /* Builds the scene, relaxes it, sets it in motion; afterwards every phase can run. */
 static void bench_new(Bench *b)
 {
@@ -163,6 +211,7 @@ static void bench_new(Bench *b)
     check(workspace_alloc(&b->ws, &b->scene, NULL) && sample_alloc(&b->look, &b->scene), "no memory");
     check(newton_new(&b->newton, &b->scene, &b->scene.def.solver.linear, &err) == HAWSER_OK, err.message);
     vectors_new(b);
+    sliders_new(b);
     scene_initial_state(&b->scene, b->y);
     check(dynamics_refresh(&b->scene, &b->ws, 0, b->y, 1, &err) == HAWSER_OK, err.message);
     check(relax_to_equilibrium(&b->scene, &b->ws, &b->newton, 0, b->y, &relaxation, &err) == HAWSER_OK, err.message);
@@ -180,6 +229,8 @@ static void bench_free(Bench *b)
     sample_free(&b->look);
     newton_free(&b->newton);
     workspace_free(&b->ws);
+    chain_arrays_free(b->sliders.stiffness, SLIDERS_MAX);
+    chain_arrays_free(b->sliders.limit, SLIDERS_MAX);
     scene_clear(&b->scene);
 }
 

@@ -80,7 +80,7 @@ void bushing_blocks(const Chain *chain, const Kinematics *kin, int from, int to,
         kernel->columns(chain, kin, jj, &mk, &md);
         for (int lane = 0; lane < LANES && jj + lane < to; ++lane) {
             joint_blocks_add(k, &mk, lane, jj + lane);
-            joint_blocks_add(d, &md, lane, jj + lane);
+            if (!(chain->lacks & CHAIN_NO_DAMPING)) joint_blocks_add(d, &md, lane, jj + lane);
         }
     }
 }

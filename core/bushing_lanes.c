@@ -2,10 +2,25 @@
 #include "core/bushing_kernels.h"
 #include "core/joint_lanes.h"
 
-/* What the chain's joints have, bits of JOINT_*. */
+/* The kernels that are compiled: everything, for both frames; without sliders, and for the symmetric frame without what
+ * most chains, or none, lack. More would be a matter of the program's size alone. */
+enum {
+    FULL = JOINT_DAMPED | JOINT_PRELOADED,
+    ADAMS_SLIDING = FULL | JOINT_SLIDING,
+    SYMMETRIC = JOINT_SYMMETRIC | FULL,
+    SYMMETRIC_SLIDING = SYMMETRIC | JOINT_SLIDING,
+    SYMMETRIC_DAMPED = JOINT_SYMMETRIC | JOINT_DAMPED,
+    SYMMETRIC_BARE = JOINT_SYMMETRIC
+};
+
+/* The leanest kernel that does for the chain. */
 static int traits_of(const Chain *chain)
 {
-    return (chain->frame == FRAME_SYMMETRIC ? JOINT_SYMMETRIC : 0) | (chain->sliders.count > 0 ? JOINT_SLIDING : 0);
+    const int sliding = chain->sliders.count > 0;
+    if (chain->frame != FRAME_SYMMETRIC) return sliding ? ADAMS_SLIDING : FULL;
+    if (sliding) return SYMMETRIC_SLIDING;
+    if (!(chain->lacks & CHAIN_NO_PRELOAD)) return SYMMETRIC;
+    return chain->lacks & CHAIN_NO_DAMPING ? SYMMETRIC_BARE : SYMMETRIC_DAMPED;
 }
 
 LANE_INLINE void loads_of(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out, int traits)
@@ -21,26 +36,49 @@ LANE_INLINE void loads_of(const Chain *chain, const Kinematics *kin, int from, i
 static void kernel_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out)
 {
     switch (traits_of(chain)) { /* each case compiled apart */
-    case JOINT_SYMMETRIC:
-        loads_of(chain, kin, from, to, out, JOINT_SYMMETRIC);
+    case SYMMETRIC_DAMPED:
+        loads_of(chain, kin, from, to, out, SYMMETRIC_DAMPED);
         break;
-    case JOINT_SYMMETRIC | JOINT_SLIDING:
-        loads_of(chain, kin, from, to, out, JOINT_SYMMETRIC | JOINT_SLIDING);
+    case SYMMETRIC_BARE:
+        loads_of(chain, kin, from, to, out, SYMMETRIC_BARE);
         break;
-    case JOINT_SLIDING:
-        loads_of(chain, kin, from, to, out, JOINT_SLIDING);
+    case SYMMETRIC_SLIDING:
+        loads_of(chain, kin, from, to, out, SYMMETRIC_SLIDING);
+        break;
+    case SYMMETRIC:
+        loads_of(chain, kin, from, to, out, SYMMETRIC);
+        break;
+    case ADAMS_SLIDING:
+        loads_of(chain, kin, from, to, out, ADAMS_SLIDING);
         break;
     default:
-        loads_of(chain, kin, from, to, out, 0);
+        loads_of(chain, kin, from, to, out, FULL);
+    }
+}
+
+LANE_INLINE void law_of(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6], int traits)
+{
+    for (int jj = from; jj < to; jj += LANES) {
+        const Joint j = joint_at(chain, kin, jj, traits);
+        l3_store(law, jj, j.force);
+        l3_store(law + 3, jj, j.mu);
     }
 }
 
 static void kernel_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6])
 {
-    for (int jj = from; jj < to; jj += LANES) {
-        const Joint j = joint_at(chain, kin, jj, traits_of(chain));
-        l3_store(law, jj, j.force);
-        l3_store(law + 3, jj, j.mu);
+    switch (traits_of(chain)) {
+    case SYMMETRIC_SLIDING:
+        law_of(chain, kin, from, to, law, SYMMETRIC_SLIDING);
+        break;
+    case ADAMS_SLIDING:
+        law_of(chain, kin, from, to, law, ADAMS_SLIDING);
+        break;
+    case FULL:
+        law_of(chain, kin, from, to, law, FULL);
+        break;
+    default:
+        law_of(chain, kin, from, to, law, SYMMETRIC);
     }
 }
 
@@ -108,11 +146,16 @@ LANE_INLINE JointVariation vary_wrench(const Joint *j, Lane3 force, Lane3 moment
 }
 
 /* A relative displacement `shift` of B against A: nothing turns (B11). */
-LANE_INLINE JointVariation vary_shift(const Joint *j, const JointSlopes *g, Lane3 shift, int symmetric)
+LANE_INLINE JointVariation vary_shift(const Joint *j, const JointSlopes *g, Lane3 shift, int traits)
 {
-    const Lane3 rate = l3_neg(l3_cross(j->omega, shift));
-    const Lane3 force = l3_add(l3_times(g->kt, shift), l3_times(g->ct, rate));
-    return vary_wrench(j, force, l3_zero(), l3_zero(), shift, symmetric);
+    Lane3 force;
+    if (traits & JOINT_DAMPED) {
+        const Lane3 rate = l3_neg(l3_cross(j->omega, shift));
+        force = l3_add(l3_times(g->kt, shift), l3_times(g->ct, rate));
+    } else {
+        force = l3_times(g->kt, shift);
+    }
+    return vary_wrench(j, force, l3_zero(), l3_zero(), shift, traits & JOINT_SYMMETRIC);
 }
 
 /* Rotation vectors of A, B and the frame for a small rotation of A or of B (B6), and the change of theta. */
@@ -149,6 +192,24 @@ LANE_INLINE Lane3 vary_omega(const Joint *j, const JointSlopes *g, const Turn *t
     return l3_axpy(d, j->h, l3_cross(j->theta, l3_cross(t->frame, j->rho)));
 }
 
+/* Change of the rate of d by a small rotation (B12); moved: of the lever arms, dd: of d. */
+LANE_INLINE Lane3 vary_d_rate(const Joint *j, const JointSlopes *g, const Turn *t, Lane3 moved_a, Lane3 moved_b,
+                              Lane3 dd, int symmetric)
+{
+    const Lane3 de =
+        l3_neg(l3_add(l3_add(l3_cross(j->wa, moved_a), l3_cross(j->wb, moved_b)), l3_cross(t->frame, j->e)));
+    const Lane3 domega = vary_omega(j, g, t, symmetric);
+    return l3_sub(de, l3_add(l3_cross(domega, j->d), l3_cross(j->omega, dd)));
+}
+
+/* Change of the rate of theta. */
+LANE_INLINE Lane3 vary_theta_rate(const Joint *j, const JointSlopes *g, const Turn *t, int symmetric)
+{
+    const Lane3 drho = l3_neg(l3_cross(t->frame, j->rho));
+    if (!symmetric) return drho;
+    return l3_add(vary_t_times(j, g, t->theta, t->along, j->rho), joint_t_times(j, drho));
+}
+
 /* A small rotation a of A and b of B: the full variation (B12), (B13). */
 LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3 a, Lane3 b, int traits)
 {
@@ -156,18 +217,16 @@ LANE_INLINE JointVariation vary_turn(const Joint *j, const JointSlopes *g, Lane3
     const Turn t = turn_of(j, a, b, symmetric);
     const Lane3 moved_a = l3_cross(a, j->la), moved_b = l3_cross(b, j->lb);
     const Lane3 dd = l3_neg(l3_add(l3_add(moved_a, moved_b), l3_cross(t.frame, j->d)));
-    const Lane3 de =
-        l3_neg(l3_add(l3_add(l3_cross(j->wa, moved_a), l3_cross(j->wb, moved_b)), l3_cross(t.frame, j->e)));
-    const Lane3 domega = vary_omega(j, g, &t, symmetric);
-    const Lane3 drate = l3_sub(de, l3_add(l3_cross(domega, j->d), l3_cross(j->omega, dd)));
-    const Lane3 force = l3_add(l3_times(g->kt, dd), l3_times(g->ct, drate));
-
-    const Lane3 drho = l3_neg(l3_cross(t.frame, j->rho));
-    Lane3 dtheta_rate = drho, moment;
-    if (symmetric) {
-        dtheta_rate = l3_add(vary_t_times(j, g, t.theta, t.along, j->rho), joint_t_times(j, drho));
+    Lane3 force, dmu, moment;
+    if (traits & JOINT_DAMPED) {
+        const Lane3 drate = vary_d_rate(j, g, &t, moved_a, moved_b, dd, symmetric);
+        force = l3_add(l3_times(g->kt, dd), l3_times(g->ct, drate));
+        const Lane3 dtheta_rate = vary_theta_rate(j, g, &t, symmetric);
+        dmu = l3_add(l3_times(g->kr, t.theta), l3_times(g->cr, dtheta_rate));
+    } else {
+        force = l3_times(g->kt, dd);
+        dmu = l3_times(g->kr, t.theta);
     }
-    Lane3 dmu = l3_add(l3_times(g->kr, t.theta), l3_times(g->cr, dtheta_rate));
     if (traits & JOINT_SLIDING) dmu = l3_add(dmu, slider_tangent_times(&g->slider, t.theta));
     Lane3 twist = l3_zero();
     if (symmetric) {
@@ -222,9 +281,10 @@ LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, J
     const LaneFrame *f = &j.frame; /* the world's unit vectors, seen from F */
     const Lane3 unit[3] = {{f->x.x, f->y.x, f->z.x}, {f->x.y, f->y.y, f->z.y}, {f->x.z, f->y.z, f->z.z}};
     for (int c = 0; c < 3; ++c) {
-        column_store(&j, vary_shift(&j, &g, unit[c], symmetric), k->entry[c]);
+        column_store(&j, vary_shift(&j, &g, unit[c], traits), k->entry[c]);
         column_store(&j, vary_turn(&j, &g, unit[c], none, traits), k->entry[3 + c]);
         column_store(&j, vary_turn(&j, &g, none, unit[c], traits), k->entry[6 + c]);
+        if (!(traits & JOINT_DAMPED)) continue;
         column_store(&j, vary_rates(&j, &g, unit[c], none, none, symmetric), d->entry[c]);
         column_store(&j, vary_rates(&j, &g, none, unit[c], none, symmetric), d->entry[3 + c]);
         column_store(&j, vary_rates(&j, &g, none, none, unit[c], symmetric), d->entry[6 + c]);
@@ -233,18 +293,22 @@ LANE_INLINE void columns_of(const Chain *chain, const Kinematics *kin, int jj, J
 
 static void kernel_columns(const Chain *chain, const Kinematics *kin, int jj, JointMatrix *k, JointMatrix *d)
 {
-    switch (traits_of(chain)) {
-    case JOINT_SYMMETRIC:
-        columns_of(chain, kin, jj, k, d, JOINT_SYMMETRIC);
+    switch (traits_of(chain)) { /* a preload alone makes no difference worth a kernel */
+    case SYMMETRIC_BARE:
+        columns_of(chain, kin, jj, k, d, SYMMETRIC_BARE);
         break;
-    case JOINT_SYMMETRIC | JOINT_SLIDING:
-        columns_of(chain, kin, jj, k, d, JOINT_SYMMETRIC | JOINT_SLIDING);
+    case SYMMETRIC_SLIDING:
+        columns_of(chain, kin, jj, k, d, SYMMETRIC_SLIDING);
         break;
-    case JOINT_SLIDING:
-        columns_of(chain, kin, jj, k, d, JOINT_SLIDING);
+    case SYMMETRIC_DAMPED:
+    case SYMMETRIC:
+        columns_of(chain, kin, jj, k, d, SYMMETRIC);
+        break;
+    case ADAMS_SLIDING:
+        columns_of(chain, kin, jj, k, d, ADAMS_SLIDING);
         break;
     default:
-        columns_of(chain, kin, jj, k, d, 0);
+        columns_of(chain, kin, jj, k, d, FULL);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "core/chain.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -69,6 +70,23 @@ void chain_free(Chain *chain)
     chain_arrays_free(chain->sliders.stiffness, SLIDERS_MAX);
     chain_arrays_free(chain->sliders.limit, SLIDERS_MAX);
     chain->sliders.count = 0;
+}
+
+/* Whether six arrays over joints hold nothing but zeros. */
+static int all_zero(double *const array[6], int n)
+{
+    for (int c = 0; c < 6; ++c) {
+        for (int j = 0; j <= n; ++j) {
+            if (fabs(array[c][j]) > 0) return 0;
+        }
+    }
+    return 1;
+}
+
+void chain_find_lacks(Chain *chain)
+{
+    chain->lacks = (all_zero(chain->damping, chain->n) ? CHAIN_NO_DAMPING : 0) |
+                   (all_zero(chain->preload, chain->n) ? CHAIN_NO_PRELOAD : 0);
 }
 
 int chain_alloc_sliders(Chain *chain, int count)

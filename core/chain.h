@@ -22,6 +22,9 @@ typedef struct Sliders {
     double *limit[SLIDERS_MAX];     /* [joint] rad > 0: rotation of the spring at which its slider gives way */
 } Sliders;
 
+/* What no joint of a chain has, so that the kernels leave it out; bits. */
+enum { CHAIN_NO_DAMPING = 1, CHAIN_NO_PRELOAD = 2 };
+
 typedef struct Chain {
     int n;              /* segments */
     int stride;         /* allocated length of every array below, counted from index -1 */
@@ -36,6 +39,7 @@ typedef struct Chain {
     double *damping[6];   /* N s/m, N m s/rad */
     double *preload[6];   /* N, N m: wrench at rest, positive in tension */
     Sliders sliders;      /* what the bending law has besides stiffness[4..5] */
+    int lacks;            /* chain_find_lacks; 0: everything is computed, which is right for any chain */
 } Chain;
 
 /* What the state says about every body, ghosts included, unpacked for the kernels; SI, world components.
@@ -78,6 +82,8 @@ int chain_stride(int n);
  * e_x. Return 0 if there is no memory (and leave nothing allocated). The frees may be called on zeroed structs. */
 int chain_alloc(Chain *chain, int n);
 void chain_free(Chain *chain);
+/* Sets chain->lacks from the joints' damping and preloads; whoever changes these afterwards calls it again. */
+void chain_find_lacks(Chain *chain);
 /* Adds `count` <= SLIDERS_MAX sliders of no stiffness to every joint. Returns 0 if there is no memory. */
 int chain_alloc_sliders(Chain *chain, int count);
 int kinematics_alloc(Kinematics *kin, int n);

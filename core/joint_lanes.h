@@ -34,7 +34,9 @@ typedef struct Joint {
 /* What a kernel is compiled for, bits of `traits`: what is not there costs nothing. */
 enum {
     JOINT_SYMMETRIC = 1, /* the mid-frame (B3); otherwise marker J's */
-    JOINT_SLIDING = 2,   /* sliders beside the bending springs (HY4) */
+    JOINT_DAMPED = 2,    /* damping and the rates that it needs */
+    JOINT_PRELOADED = 4, /* a wrench at rest */
+    JOINT_SLIDING = 8,   /* sliders beside the bending springs (HY4) */
 };
 
 /* World to frame and back. */
@@ -190,20 +192,24 @@ LANE_INLINE void joint_rotation(Joint *j, const Kinematics *kin, int ja, int jb,
     }
 }
 
-/* Gap, rates and the frame's angular velocity (B1), (B6), (B7). */
-LANE_INLINE void joint_rates(Joint *j, const Chain *chain, const Kinematics *kin, int ja, int jb, int symmetric)
+/* Gap (B1); where there is damping, rates and the frame's angular velocity (B6), (B7). */
+LANE_INLINE void joint_rates(Joint *j, const Chain *chain, const Kinematics *kin, int ja, int jb, int traits)
 {
+    const int symmetric = traits & JOINT_SYMMETRIC, damped = traits & JOINT_DAMPED;
     const LaneFrame *f = &j->frame;
     const Lane3 la_w = l3_scale(lane_load(chain->half + ja), l3_load(kin->a, ja));
     const Lane3 lb_w = l3_scale(lane_load(chain->half + jb), l3_load(kin->a, jb));
     const Lane3 dx_w = l3_sub(l3_load(kin->p, jb), l3_load(kin->p, ja));
-    const Lane3 dv_w = l3_sub(l3_load(kin->v, jb), l3_load(kin->v, ja));
+    const Lane3 dv_w = damped ? l3_sub(l3_load(kin->v, jb), l3_load(kin->v, ja)) : l3_zero();
     j->la = frame_in(f, la_w);
     j->lb = frame_in(f, lb_w);
-    j->wa = frame_in(f, l3_load(kin->w, ja));
-    j->wb = frame_in(f, l3_load(kin->w, jb));
-    j->rho = l3_sub(j->wb, j->wa);
+    if (damped) {
+        j->wa = frame_in(f, l3_load(kin->w, ja));
+        j->wb = frame_in(f, l3_load(kin->w, jb));
+        j->rho = l3_sub(j->wb, j->wa);
+    }
     j->d = frame_in(f, l3_sub(dx_w, l3_add(la_w, lb_w)));
+    if (!damped) return;
     j->e = l3_sub(frame_in(f, dv_w), l3_add(l3_cross(j->wa, j->la), l3_cross(j->wb, j->lb)));
     const Lane3 mean = l3_scale(lane_set(0.5), l3_add(j->wa, j->wb));
     j->omega = symmetric ? l3_axpy(mean, -j->h, l3_cross(j->theta, j->rho)) : j->wb;
@@ -217,9 +223,12 @@ LANE_INLINE void joint_wrench(Joint *j, const Chain *chain, const Kinematics *ki
     const int symmetric = traits & JOINT_SYMMETRIC;
     const Lane3 kt = l3_load(chain->stiffness, jj), kr = l3_load(chain->stiffness + 3, jj);
     const Lane3 ct = l3_load(chain->damping, jj), cr = l3_load(chain->damping + 3, jj);
-    const Lane3 f0 = l3_load(chain->preload, jj), m0 = l3_load(chain->preload + 3, jj);
-    j->force = l3_add(l3_add(l3_times(kt, j->d), l3_times(ct, j->d_rate)), f0);
-    j->mu = l3_add(l3_add(l3_times(kr, j->theta), l3_times(cr, j->theta_rate)), m0);
+    j->force = l3_add(l3_times(kt, j->d), l3_times(ct, j->d_rate));
+    j->mu = l3_add(l3_times(kr, j->theta), l3_times(cr, j->theta_rate));
+    if (traits & JOINT_PRELOADED) {
+        j->force = l3_add(j->force, l3_load(chain->preload, jj));
+        j->mu = l3_add(j->mu, l3_load(chain->preload + 3, jj));
+    }
     if (traits & JOINT_SLIDING) sliders_moment(chain, kin, jj, j->theta, &j->mu);
     j->moment = symmetric ? joint_t_times(j, j->mu) : j->mu;
     j->c = l3_cross(j->d, j->force);
@@ -242,7 +251,7 @@ LANE_INLINE Joint joint_at(const Chain *chain, const Kinematics *kin, int jj, in
     const int symmetric = traits & JOINT_SYMMETRIC;
     Joint j;
     joint_rotation(&j, kin, jj - 1, jj, symmetric);
-    joint_rates(&j, chain, kin, jj - 1, jj, symmetric);
+    joint_rates(&j, chain, kin, jj - 1, jj, traits);
     joint_wrench(&j, chain, kin, jj, traits);
     return j;
 }

@@ -169,5 +169,6 @@ static hawser_status sliders_fill(Scene *scene, hawser_error *err)
 hawser_status joints_fill(Scene *scene, hawser_error *err)
 {
     springs_fill(scene);
+    chain_find_lacks(&scene->chain);
     return sliders_fill(scene, err);
 }

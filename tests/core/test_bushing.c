@@ -283,6 +283,49 @@ static void test_by_hand(void **state)
     rig_free(&r);
 }
 
+/* Largest difference between two answers over the largest entry. */
+static double difference(const double *a, const double *b, int n)
+{
+    double worst = 0, scale = 0;
+    for (int k = 0; k < n; ++k) {
+        worst = fmax(worst, fabs(a[k] - b[k]));
+        scale = fmax(scale, fabs(a[k]));
+    }
+    return worst / scale;
+}
+
+/* Joints without preload, and without damping: what is left out changes nothing but the last digits. */
+static void test_lacks(void **state)
+{
+    (void)state;
+    for (int lacks = CHAIN_NO_PRELOAD; lacks < 4; ++lacks) {
+        Rig r = rig_new(FRAME_SYMMETRIC, 0.7, 11);
+        BlockChain k[2], d[2];
+        double loads[2][6 * N];
+        for (int c = 0; c < 6; ++c) {
+            memset(r.chain.preload[c], 0, (N + 1) * sizeof(double));
+            if (lacks & CHAIN_NO_DAMPING) memset(r.chain.damping[c], 0, (N + 1) * sizeof(double));
+        }
+        for (int way = 0; way < 2; ++way) {
+            assert_true(block_chain_alloc(&k[way], N, 6) && block_chain_alloc(&d[way], N, 6));
+            segment_loads(&r, loads[way]);
+            bushing_blocks(&r.chain, &r.kin, 0, N + 1, &k[way], &d[way]);
+            chain_find_lacks(&r.chain);
+        }
+        assert_int_equal(r.chain.lacks, lacks);
+        assert_true(difference(loads[0], loads[1], 6 * N) < 1e-15);
+        assert_true(difference(k[0].diag, k[1].diag, 36 * N) < 1e-15);
+        assert_true(difference(k[0].lower, k[1].lower, 36 * N) < 1e-15);
+        assert_true(difference(k[0].upper, k[1].upper, 36 * N) < 1e-15);
+        for (int e = 0; e < 36 * N; ++e) assert_true(fabs(d[0].diag[e] - d[1].diag[e]) <= 0);
+        for (int way = 0; way < 2; ++way) {
+            block_chain_free(&k[way]);
+            block_chain_free(&d[way]);
+        }
+        rig_free(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -293,6 +336,7 @@ int main(void)
         cmocka_unit_test(test_potential),
         cmocka_unit_test(test_objectivity),
         cmocka_unit_test(test_by_hand),
+        cmocka_unit_test(test_lacks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
