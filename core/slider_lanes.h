@@ -3,17 +3,8 @@
 #ifndef HAWSER_CORE_SLIDER_LANES_H
 #define HAWSER_CORE_SLIDER_LANES_H
 
-#include <math.h>
-
 #include "core/chain.h"
-#include "core/lanes.h"
-
-LANE_INLINE Lane lane_sqrt(Lane x)
-{
-    Lane r;
-    for (int k = 0; k < LANES; ++k) r[k] = sqrt(x[k]);
-    return r;
-}
+#include "core/lane_math.h"
 
 /* One slider of LANES joints: the rotation of its spring as if it had not slipped since the last accepted step, and
  * what the slider lets it keep. */
