@@ -177,7 +177,7 @@ static void vectors_new(Bench *b)
     check(SUNContext_Create(NULL, &b->context) == 0, "no memory");
     b->y = malloc((size_t)size * sizeof *b->y);
     check(b->y != NULL, "no memory");
-    b->vector[0] = vector_wrap(size, b->y, norm_of, b, b->context);
+    b->vector[0] = vector_wrap(size, b->y, norm_of, b, NULL, b->context);
     for (int k = 0; k < 4; ++k) {
         if (k > 0) b->vector[k] = N_VClone(b->vector[0]);
         check(b->vector[k] != NULL, "no memory");

@@ -119,6 +119,7 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     const OutputDef *output = sim_output(s->sim);
     ResultsDef def = {.title = s->title,
                       .segments = run->look->segments,
+                      .reel = !isnan(run->look->paid_out),
                       .n_watched = output->n_speed_segments,
                       .watched = output->speed_segments,
                       .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};

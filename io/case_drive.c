@@ -73,6 +73,24 @@ hawser_status case_profile_make(const CaseReader *r, const CaseNode *map, const 
     return profile_make(r, map, &drive, record, profile, time, values);
 }
 
+/* A winch that takes the rope in stands where rope lies: between the cable's front and the head. */
+static hawser_status take_in_read(const CaseReader *r, const CaseNode *node, const WinchRecord *record)
+{
+    SceneDef *const def = r->def;
+    const CaseNode *const at = case_node_key(node, "at");
+    const double head = def->head_at + (def->n_pieces > 1 ? def->pieces[def->n_pieces - 1].length : 0);
+    def->winch.take_in = record->take_in;
+    def->winch.at = record->at;
+    if (!at) return HAWSER_OK;
+    if (!record->take_in) return case_key_error(r->err, at, NULL, "not allowed without 'take_in: true'");
+    if (record->at > def->head_at && record->at <= head + 1e-6) return HAWSER_OK;
+    return case_value_error(
+        r->err, at,
+        " is out of range: must be above 'route.head_at', %.10g m, and at most where the rope ends, "
+        "%.10g m",
+        def->head_at, head);
+}
+
 /* When the winch trips, and what it does then. */
 static hawser_status trip_read(const CaseReader *r, const CaseNode *node)
 {
@@ -124,6 +142,8 @@ static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
     if (status) return status;
     winch->present = 1;
     winch->axial_only = record.grip;
+    status = take_in_read(r, node, &record);
+    if (status) return status;
     if (record.tension) return pull_read(r, node, record.tension);
     if (record.trip) status = trip_read(r, record.trip);
     if (status) return status;

@@ -60,6 +60,7 @@ hawser_status case_profile_make(const CaseReader *r, const CaseNode *map, const 
                                 const DriveRecord *record, Profile *profile, double **time, double **values);
 /* After the drive, whose winch the belts may follow. */
 hawser_status case_conveyors_read(const CaseReader *r, const CaseNode *list);
+hawser_status case_reel_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_run_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_paper_read(const CaseReader *r, const CaseNode *node);

@@ -52,6 +52,7 @@ static hawser_status parts_read(CaseReader *r, const TopRecord *top)
     if (!status) status = case_rollers_read(r, top->rollers);
     if (!status) status = case_surfaces_read(r, top->surfaces);
     if (!status) status = case_drive_read(r, top->drive);
+    if (!status) status = case_reel_read(r, top->reel);
     if (!status) status = case_conveyors_read(r, top->conveyors);
     if (!status) status = case_run_read(r, top->run);
     if (!status) status = solver_read(r, top->solver);

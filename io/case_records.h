@@ -161,6 +161,8 @@ typedef struct DriveRecord {
 typedef struct WinchRecord {
     DriveRecord drive;
     int grip; /* 0 clamp, 1 axial */
+    int take_in;
+    double at;
     const CaseNode *tension, *trip;
 } WinchRecord;
 
@@ -180,6 +182,22 @@ typedef struct ConveyorRecord {
     int hold;
     const CaseNode *belt;
 } ConveyorRecord;
+
+/* Pieces that belong to one model only are NAN or NULL where they are not given. */
+typedef struct ReelRecord {
+    DriveRecord drive; /* model weight: how the tension comes in; its value is not used */
+    int model;         /* 0 payout, 1 weight */
+    double length;     /* model weight */
+    double distance, barrel, flange, width, inertia, bearing, v_s;
+    int end; /* 0 free, 1 fixed */
+    const CaseNode *brake, *back_tension;
+} ReelRecord;
+
+typedef struct BrakeRecord {
+    DriveRecord drive; /* the set speed */
+    int law;           /* a BrakeLaw */
+    double torque, over;
+} BrakeRecord;
 
 typedef struct DragRecord {
     double force, v_s, v_d, ratio;
@@ -220,8 +238,8 @@ typedef struct RunRecord {
 
 typedef struct TopRecord {
     char title[256];
-    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *rollers, *surfaces, *contact, *friction, *drive, *run,
-        *solver, *output, *paper, *conveyors;
+    const CaseNode *gravity, *cables, *chain, *route, *lead_in, *reel, *rollers, *surfaces, *contact, *friction, *drive,
+        *run, *solver, *output, *paper, *conveyors;
     int frame;
 } TopRecord;
 

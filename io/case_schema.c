@@ -25,6 +25,9 @@ static const char *const grips[] = {"clamp", "axial", NULL};
 static const char *const afters[] = {"stay", "end", NULL};
 static const char *const ramps[] = {"none", "step", "step5", NULL};
 static const char *const planar_choices[] = {"auto", "on", "off", NULL};
+static const char *const reels[] = {"payout", "weight", NULL};
+static const char *const ends[] = {"free", "fixed", NULL};
+static const char *const brakes[] = {"constant", "proportional", "speed", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const profiles[] = {"flat", "v", "u", NULL};
 static const char *const guides[] = {"none", "inside", "both", NULL};
@@ -41,6 +44,7 @@ static const CaseKey top_keys[] = {
     {"chain", KEY_LIST, .required = 1, .form = "the pieces, from the tail to the winch", AT(TopRecord, chain)},
     {"route", KEY_MAP, .required = 1, .form = "section `route`", AT(TopRecord, route)},
     {"lead_in", KEY_MAP, .otherwise = "none", .form = "section `lead_in`", AT(TopRecord, lead_in)},
+    {"reel", KEY_MAP, .otherwise = "none", .form = "section `reel`", AT(TopRecord, reel)},
     {"rollers", KEY_MAP, .otherwise = "none", .form = "section `rollers`", AT(TopRecord, rollers)},
     {"surfaces", KEY_MAP, .otherwise = "none", .form = "section `surfaces`", AT(TopRecord, surfaces)},
     {"contact", KEY_MAP, .otherwise = "its defaults", .form = "section `contact`", AT(TopRecord, contact)},
@@ -344,6 +348,8 @@ static const CaseKey winch_keys[] = {
     RAMP_KEYS,
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising", AT(DriveRecord, table)},
     {"grip", KEY_CHOICE, .fallback = "clamp", .choices = grips, AT(WinchRecord, grip)},
+    {"take_in", KEY_FLAG, .fallback = "false", AT(WinchRecord, take_in)},
+    {"at", KEY_NUMBER, DIM_LENGTH, .otherwise = "where the head lies at the start", FROM(0, LONG), AT(WinchRecord, at)},
     {"tension", KEY_MAP, .otherwise = "none", .form = "section `drive.winch.tension`", AT(WinchRecord, tension)},
     {"trip", KEY_MAP, .otherwise = "none", .form = "section `drive.winch.trip`", AT(WinchRecord, trip)},
 };
@@ -379,6 +385,37 @@ static const CaseKey tail_keys[] = {
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, tension], times rising", AT(DriveRecord, table)},
 };
 SECTION(case_tail, "drive.tail", tail_keys);
+
+/* Which keys belong to which model is checked in case_reel.c. */
+static const CaseKey reel_keys[] = {
+    {"model", KEY_CHOICE, .fallback = "payout", .choices = reels, AT(ReelRecord, model)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `weight` needs it", FROM(0, LONG), AT(ReelRecord, length)},
+    RAMP_KEYS,
+    {"distance", KEY_NUMBER, DIM_LENGTH, .otherwise = "5 m", ABOVE(0, LONG), AT(ReelRecord, distance)},
+    {"barrel", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `payout` needs it", ABOVE(0, 1e3), AT(ReelRecord, barrel)},
+    {"flange", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `payout` needs it", ABOVE(0, 1e3), AT(ReelRecord, flange)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `payout` needs it", ABOVE(0, 1e3), AT(ReelRecord, width)},
+    {"inertia", KEY_NUMBER, DIM_INERTIA, .otherwise = "none: `payout` needs it", ABOVE(0, STRONG),
+     AT(ReelRecord, inertia)},
+    {"bearing", KEY_NUMBER, DIM_MOMENT, .otherwise = "0 N m", FROM(0, STRONG), AT(ReelRecord, bearing)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s", ABOVE(0, 1e3), AT(ReelRecord, v_s)},
+    {"end", KEY_CHOICE, .fallback = "free", .choices = ends, AT(ReelRecord, end)},
+    {"brake", KEY_MAP, .otherwise = "none", .form = "section `reel.brake`", AT(ReelRecord, brake)},
+    {"back_tension", KEY_MAP, .otherwise = "none", .form = "section `reel.back_tension`", AT(ReelRecord, back_tension)},
+};
+SECTION(case_reel, "reel", reel_keys);
+
+/* A speed is needed by two of the three. */
+static const CaseKey brake_keys[] = {
+    {"law", KEY_CHOICE, .fallback = "constant", .choices = brakes, AT(BrakeRecord, law)},
+    {"torque", KEY_NUMBER, DIM_MOMENT, .required = 1, FROM(0, STRONG), AT(BrakeRecord, torque)},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "none: `proportional` and `speed` need it", ABOVE(0, 1e4),
+     AT(DriveRecord, value)},
+    RAMP_KEYS,
+    {"over", KEY_NUMBER, DIM_SPEED, .fallback = "10 mm/s", ABOVE(0, 1e3), AT(BrakeRecord, over)},
+};
+SECTION(case_brake, "reel.brake", brake_keys);
+SECTION(case_back_tension, "reel.back_tension", tail_keys);
 
 /* The force alone is needed; the rest is the friction law's shape. */
 static const CaseKey rope_drag_keys[] = {
@@ -500,46 +537,17 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 /* The order of docs/case-format.md. */
 const CaseSection *const *case_sections(void)
 {
-    static const CaseSection *const all[] = {&case_top,
-                                             &case_cable,
-                                             &case_damping_factor,
-                                             &case_damping_ratio,
-                                             &case_preload,
-                                             &case_bending,
-                                             &case_chain_piece,
-                                             &case_route,
-                                             &case_route_piece,
-                                             &case_lead_in,
-                                             &case_rollers,
-                                             &case_roller_row,
-                                             &case_groove,
-                                             &case_spin,
-                                             &case_bearing,
-                                             &case_mount,
-                                             &case_roller,
-                                             &case_surfaces,
-                                             &case_duct,
-                                             &case_tray,
-                                             &case_plane,
-                                             &case_line_contact,
-                                             &case_contact,
-                                             &case_friction,
-                                             &case_drive,
-                                             &case_winch,
-                                             &case_winch_tension,
-                                             &case_trip,
-                                             &case_tail,
-                                             &case_rope_drag,
-                                             &case_conveyor,
-                                             &case_belt,
-                                             &case_run,
-                                             &case_solver,
-                                             &case_tolerances,
-                                             &case_output,
-                                             &case_stations,
-                                             &case_station,
-                                             &case_paper,
-                                             &case_paper_term,
-                                             NULL};
+    static const CaseSection *const all[] = {
+        &case_top,         &case_cable,        &case_damping_factor, &case_damping_ratio,
+        &case_preload,     &case_bending,      &case_chain_piece,    &case_route,
+        &case_route_piece, &case_lead_in,      &case_rollers,        &case_roller_row,
+        &case_groove,      &case_spin,         &case_bearing,        &case_mount,
+        &case_roller,      &case_surfaces,     &case_duct,           &case_tray,
+        &case_plane,       &case_line_contact, &case_contact,        &case_friction,
+        &case_drive,       &case_winch,        &case_winch_tension,  &case_trip,
+        &case_tail,        &case_rope_drag,    &case_conveyor,       &case_belt,
+        &case_reel,        &case_brake,        &case_back_tension,   &case_run,
+        &case_solver,      &case_tolerances,   &case_output,         &case_stations,
+        &case_station,     &case_paper,        &case_paper_term,     NULL};
     return all;
 }

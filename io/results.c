@@ -24,6 +24,7 @@ struct Results {
     XdmfFile xdmf;
     H5File *h5; /* NULL: no states wanted */
     char dir[OUT_PATH_MAX];
+    int reel; /* has columns */
     int n_watched;
     int *watched;                /* [n_watched] */
     int n_pending;               /* states that results.xdmf does not know of yet */
@@ -38,6 +39,7 @@ static hawser_status write_series_head(Results *r, const ResultsDef *def, hawser
     hawser_status status = out_print(&r->series, err,
                                      "time_s,winch_force_N,tail_tension_N,winch_speed_m_per_s,winch_travel_m,"
                                      "max_tension_N,max_tension_joint,active_contacts,step_size_s");
+    if (r->reel && !status) status = out_print(&r->series, err, ",reel_speed_rad_per_s,paid_out_m,wound_m");
     for (int i = 0; i < r->n_watched && !status; i++) {
         const int k = r->watched[i];
         status = out_print(&r->series, err, ",speed_%d_m_per_s,tension_%d_N", k, k);
@@ -107,6 +109,7 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     Results *r = calloc(1, sizeof *r);
     if (!r) return error_memory(err);
     strcpy(r->dir, dir);
+    r->reel = def->reel;
     hawser_status status = copy_watched(r, def, err);
     if (!status) status = open_all(r, def, summary, err);
     if (status) {
@@ -123,6 +126,8 @@ hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
     hawser_status status = out_print(&r->series, err, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d,%d,%.5g", s->t, s->winch_force,
                                      s->tail_tension, s->winch_speed, s->winch_travel, s->max_tension,
                                      s->max_tension_joint, s->active_contacts, s->step_size);
+    if (r->reel && !status)
+        status = out_print(&r->series, err, ",%.9g,%.9g,%.9g", s->reel_speed, s->paid_out, s->wound);
     /* of a watched segment: its speed along itself, and the tension of the joint ahead of it */
     for (int i = 0; i < r->n_watched && !status; i++) {
         const int k = r->watched[i];

@@ -80,6 +80,32 @@ void workspace_free(Workspace *ws)
 /* The equipment's part of a state. */
 static const double *equipment_of(const Scene *scene, const double *y) { return y + STATE_SIZE * scene->chain.n; }
 
+/* Slips of joints that are there before and after: one number more if a segment has joined behind the tail, whose joint
+ * has not bent yet. */
+static void slips_carry(const Kinematics *old, const Kinematics *now, int joints, int joined)
+{
+    for (int k = 0; k < 2 * SLIDERS_MAX; ++k) {
+        if (!old->slip[k]) continue;
+        memcpy(now->slip[k] + joined + 1, old->slip[k] + 1, (size_t)(joints - joined - 1) * sizeof(double));
+    }
+}
+
+int workspace_renew(Workspace *ws, const Scene *scene, int joined)
+{
+    Workspace old = *ws;
+    if (!workspace_alloc(ws, scene, old.team)) {
+        *ws = old;
+        return 0;
+    }
+    slips_carry(&old.kin, &ws->kin, scene->chain.n + 1, joined);
+    ws->rhs_evals = old.rhs_evals;
+    ws->refreshes = old.refreshes;
+    ws->candidates_max = old.candidates_max;
+    for (int p = 0; p < PARTS; ++p) ws->contact[p].seconds = old.contact[p].seconds;
+    workspace_free(&old);
+    return 1;
+}
+
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y)
 {
     body_kinematics(scene->chain.n, y, 0, scene->chain.n, &ws->kin);
@@ -316,6 +342,11 @@ double dynamics_winch_pull(const Scene *scene, Workspace *ws, double t)
     bushing_loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints); /* the last lane holds the head's */
     const Vec3 pull = v3(ws->joints.force[0][n], ws->joints.force[1][n], ws->joints.force[2][n]);
     return v3_dot(pull, w->direction);
+}
+
+void dynamics_tail_pull(const Scene *scene, Workspace *ws)
+{
+    bushing_loads(&scene->chain, &ws->kin, 0, 2, &ws->joints);
 }
 
 double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y)

@@ -41,6 +41,9 @@ typedef struct Workspace {
 /* 0 if there is no memory. */
 int workspace_alloc(Workspace *ws, const Scene *scene, Team *team);
 void workspace_free(Workspace *ws);
+/* The workspace of a scene whose chain has changed its length, with `joined` segments more behind the tail: new arrays,
+ * but what is not scratch stays, and the counters. 0 if there is no memory; then nothing has changed. */
+int workspace_renew(Workspace *ws, const Scene *scene, int joined);
 
 /* kin from (t, y). */
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
@@ -59,6 +62,8 @@ int dynamics_roller_forces(const Scene *scene, Workspace *ws);
 double dynamics_winch_pull(const Scene *scene, Workspace *ws, double t);
 /* The same from (t, y); brings the kinematics of the head's last segments up to date, no others. */
 double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y);
+/* Force of the cable ahead on segment 0, into ws->joints of joint 1, for the kinematics in the workspace. */
+void dynamics_tail_pull(const Scene *scene, Workspace *ws);
 /* Gives the rollers' contacts `share` of their stiffness, for the relaxation; 1: the scene's again. */
 void dynamics_soften(const Scene *scene, Workspace *ws, double share);
 /* What the cable does to every surface, into ws->on_surface, likewise. */

@@ -1,5 +1,6 @@
 #include "sim/integrator.h"
 
+#include <assert.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <stdio.h>
@@ -23,14 +24,18 @@ struct Integrator {
     double *y_good; /* [size] state of the last good step */
     double *weight; /* [size] 1 / absolute tolerance */
     double stop;    /* s, the stop time that CVODE knows */
+    double gamma;   /* s, of the matrix that is factored */
     int stalled;    /* steps in a row that were too small to change t */
     void *cvode;
     SUNContext context;
+    VectorFamily family; /* every vector that CVODE has made */
     N_Vector state;
+    N_Vector newest; /* of CVODE's history: the state at the last step; see history_find */
     SUNMatrix matrix;
     SUNLinearSolver solver;
     IntegratorStats stats;
-    char complaint[256]; /* what CVODE said last */
+    IntegratorStats before; /* counts of CVODE's from before it was started anew */
+    char complaint[256];    /* what CVODE said last */
 };
 
 /* ---------------------------------------------------------------- CVODE's call-backs; `user` is the Integrator */
@@ -64,6 +69,7 @@ static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, boolean
         ++in->stats.jac_evals;
     }
     *jcur = !jok;
+    in->gamma = gamma;
     in->motion->ops->form(in->motion, gamma);
     in->stats.jacobian += clock_now() - start;
     return 0;
@@ -167,6 +173,21 @@ static int cvode_set(Integrator *in)
     return !bad && linear_attach(in);
 }
 
+/* CVODE keeps its history to itself, but in vectors of ours. Just after its start all of them are zero but one, which
+ * is the first of the history: a copy of the state. NULL if that is not so (another version of CVODE). */
+static N_Vector history_find(const Integrator *in)
+{
+    const size_t bytes = (size_t)in->motion->size * sizeof(double);
+    N_Vector found = NULL;
+    for (int k = 0; k < in->family.n; ++k) {
+        N_Vector v = in->family.member[k];
+        if (v == in->state || memcmp(NV_DATA_S(v), in->y, bytes) != 0) continue;
+        if (found) return NULL;
+        found = v;
+    }
+    return found;
+}
+
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
@@ -175,10 +196,12 @@ static int integrator_start(Integrator *in, double t)
     if (!in->y_good || !in->weight || SUNContext_Create(NULL, &in->context)) return 0;
     memcpy(in->y_good, in->y, (size_t)length * sizeof(double));
     in->motion->ops->weights(in->motion, in->weight);
-    in->state = vector_wrap(length, in->y, call_norm, in->motion, in->context);
+    in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
     if (!in->state) return 0;
     in->cvode = CVodeCreate(CV_BDF, in->context);
-    return in->cvode && CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS && cvode_set(in);
+    if (!in->cvode || CVodeInit(in->cvode, call_rates, t, in->state) != CV_SUCCESS) return 0;
+    in->newest = history_find(in);
+    return cvode_set(in);
 }
 
 hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err)
@@ -200,6 +223,7 @@ Integrator *integrator_free(Integrator *in)
     if (in->matrix) SUNMatFreeEmpty(in->matrix);
     if (in->state) N_VDestroy(in->state);
     if (in->context) SUNContext_Free(&in->context);
+    vector_family_clear(&in->family);
     free(in->y_good);
     free(in->weight);
     free(in);
@@ -254,7 +278,8 @@ static hawser_status step_failed(Integrator *in, int flag, double t, hawser_erro
         err, HAWSER_ERR_RUN,
         "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
         "%s (CVODE flag %d: %s)",
-        t, step, i, in->motion->scene->chain.n, p.x, p.y, p.z, advice_for(flag), flag, in->complaint);
+        t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag), flag,
+        in->complaint);
 }
 
 /* solver.max_steps, if given, is used up. */
@@ -263,7 +288,7 @@ static int steps_spent(const Integrator *in)
     const long limit = in->motion->scene->def.solver.max_steps;
     long steps = 0;
     CVodeGetNumSteps(in->cvode, &steps);
-    return limit > 0 && steps >= limit;
+    return limit > 0 && in->before.steps + steps >= limit;
 }
 
 static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
@@ -274,7 +299,8 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
         err, HAWSER_ERR_RUN,
         "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
         "raise it or solver.accuracy, or soften what is stiff there",
-        in->motion->scene->def.solver.max_steps, t, step, worst_segment(in), in->motion->scene->chain.n);
+        in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + worst_segment(in),
+        in->motion->scene->total);
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
@@ -297,8 +323,89 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     return status;
 }
 
+/* ---------------------------------------------------------------------------------------------- a new shape */
+
+typedef struct ReshapeCall {
+    const Reshape *reshape;
+    N_Vector newest;
+} ReshapeCall;
+
+static void call_map(const void *user, N_Vector which, const double *from, double *to)
+{
+    const ReshapeCall *const call = user;
+    call->reshape->map(call->reshape->user, which == call->newest, from, to);
+}
+
+/* The arrays beside CVODE's vectors; 0 if there is no memory. */
+static int arrays_renew(Integrator *in, const Reshape *reshape)
+{
+    const size_t bytes = (size_t)reshape->size * sizeof(double);
+    double *const good = malloc(bytes), *const weight = malloc(bytes);
+    if (!good || !weight) {
+        free(good);
+        free(weight);
+        return 0;
+    }
+    free(in->y_good);
+    free(in->weight);
+    in->y_good = good;
+    in->weight = weight;
+    in->y = reshape->y;
+    memcpy(good, in->y, bytes);
+    in->motion->ops->weights(in->motion, weight);
+    return 1;
+}
+
+/* Newton's matrix at (t, y) with the step that CVODE believes it to be made for: CVODE does not know that it is new. */
+static int matrix_renew(Integrator *in, double t)
+{
+    const double start = clock_now();
+    double *const rates = malloc((size_t)in->motion->size * sizeof(double));
+    if (!rates) return -1;
+    int bad = in->motion->ops->rates(in->motion, t, in->y, rates);
+    if (!bad) {
+        in->motion->ops->linearise(in->motion, t, in->y, rates);
+        in->motion->ops->form(in->motion, in->gamma);
+        bad = in->motion->ops->factor(in->motion);
+        ++in->stats.jac_evals;
+    }
+    free(rates);
+    in->stats.jacobian += clock_now() - start;
+    return bad;
+}
+
+hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err)
+{
+    const ReshapeCall call = {reshape, in->newest};
+    const double start = clock_now();
+    assert(in->motion->size == reshape->size);
+    if (!vector_family_resize(&in->family, reshape->size, reshape->y, call_map, &call) || !arrays_renew(in, reshape))
+        return error_memory(err);
+    /* without its history the method has to start again; so it must before its first step, where it has none */
+    long steps = 0;
+    CVodeGetNumSteps(in->cvode, &steps);
+    double last = 0;
+    CVodeGetLastStep(in->cvode, &last);
+    int bad = 0;
+    if (reshape->forget || !in->newest || steps == 0) {
+        IntegratorStats so_far;
+        integrator_stats(in, &so_far);
+        in->before = so_far;
+        bad = CVodeReInit(in->cvode, t, in->state) != CV_SUCCESS;
+        if (last > 0) bad |= CVodeSetInitStep(in->cvode, last / 10) != CV_SUCCESS;
+        in->stop = -1;
+    } else {
+        bad = matrix_renew(in, t);
+    }
+    in->stats.total += clock_now() - start;
+    if (bad < 0) return error_memory(err);
+    return bad ? error_set(err, HAWSER_ERR_RUN, "no equations of motion at t = %.6g s, where the chain has changed", t)
+               : HAWSER_OK;
+}
+
 void integrator_stats(const Integrator *in, IntegratorStats *stats)
 {
+    const IntegratorStats *const before = &in->before;
     *stats = in->stats;
     long iterations = 0;
     CVodeGetNumSteps(in->cvode, &stats->steps);
@@ -308,5 +415,10 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
     CVodeGetNumErrTestFails(in->cvode, &stats->error_fails);
     CVodeGetNumNonlinSolvConvFails(in->cvode, &stats->newton_fails);
     CVodeGetLastStep(in->cvode, &stats->last_step);
-    stats->newton_iters = iterations;
+    stats->steps += before->steps;
+    stats->rhs_evals += before->rhs_evals;
+    stats->newton_iters = before->newton_iters + iterations;
+    stats->lin_setups += before->lin_setups;
+    stats->error_fails += before->error_fails;
+    stats->newton_fails += before->newton_fails;
 }

@@ -3,9 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/absent.h"
+
 int sample_alloc(SampleBuffers *b, const Scene *scene)
 {
-    const size_t n = (size_t)scene->chain.n;
+    const size_t n = (size_t)scene->total;
     memset(b, 0, sizeof *b);
     b->position = calloc(3 * n, sizeof(double));
     b->quaternion = calloc(4 * n, sizeof(double));
@@ -23,8 +25,8 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
     b->conveyor_force = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
     b->conveyor_slip = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
     ok = ok && b->conveyor_force && b->conveyor_slip;
-    b->sample = (hawser_sample){.segments = scene->chain.n,
-                                .joints = scene->chain.n + 1,
+    b->sample = (hawser_sample){.segments = scene->total,
+                                .joints = scene->total + 1,
                                 .rollers = scene->contact.n_rollers,
                                 .position = b->position,
                                 .quaternion = b->quaternion,
@@ -68,31 +70,33 @@ static void rows_from(int n, int width, double *const *column, double *row)
     }
 }
 
-static void state_take(SampleBuffers *b, const Kinematics *kin, int n)
+static void state_take(SampleBuffers *b, const Kinematics *kin, int first, int n)
 {
-    rows_from(n, 3, kin->p, b->position);
-    rows_from(n, 4, kin->q, b->quaternion);
-    rows_from(n, 3, kin->v, b->velocity);
-    rows_from(n, 3, kin->w, b->omega);
+    rows_from(n, 3, kin->p, b->position + 3 * first);
+    rows_from(n, 4, kin->q, b->quaternion + 4 * first);
+    rows_from(n, 3, kin->v, b->velocity + 3 * first);
+    rows_from(n, 3, kin->w, b->omega + 3 * first);
 }
 
-static void speed_take(SampleBuffers *b, const Kinematics *kin, int n)
+static void speed_take(SampleBuffers *b, const Kinematics *kin, int first, int n)
 {
     for (int i = 0; i < n; ++i) {
-        b->axial_speed[i] = kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i] + kin->v[2][i] * kin->a[2][i];
+        b->axial_speed[first + i] =
+            kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i] + kin->v[2][i] * kin->a[2][i];
     }
 }
 
 static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *ws)
 {
-    const int n = scene->chain.n;
+    const int n = scene->chain.n, first = scene->first;
     hawser_sample *const s = &b->sample;
-    memcpy(b->tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
-    b->tension[0] = s->tail_tension;
-    if (scene->winch.mode == WINCH_TENSION) b->tension[n] = s->winch_force; /* no bushing carries it */
-    s->max_tension_joint = 0;
+    double *const tension = b->tension + first;
+    memcpy(tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
+    tension[0] = s->tail_tension;
+    if (scene->winch.mode == WINCH_TENSION) tension[n] = s->winch_force; /* no bushing carries it */
+    s->max_tension_joint = first;
     for (int j = 1; j <= n; ++j) {
-        if (b->tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = j;
+        if (tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = first + j;
     }
     s->max_tension = b->tension[s->max_tension_joint];
 }
@@ -119,18 +123,39 @@ static void surfaces_take(SampleBuffers *b, const Workspace *ws)
     }
 }
 
+/* The reel, and the back tension that it gives. */
+static void reel_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t)
+{
+    hawser_sample *const s = &b->sample;
+    s->tail_tension = profile_value(&scene->tail, t);
+    s->reel_speed = s->paid_out = s->wound = NAN;
+    if (scene->reel.winding.turns > 0) { /* empty, once its cable has left it */
+        s->reel_speed = s->wound = 0;
+        s->paid_out = scene->reel.total;
+    }
+    if (!scene->reel.present) return;
+    const ReelLook look = reel_look(&scene->reel, &scene->chain, &ws->kin, &ws->joints, t);
+    s->tail_tension = look.tension;
+    s->reel_speed = look.speed;
+    s->paid_out = look.paid_out;
+    s->wound = look.wound;
+}
+
 const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t, int active,
                                  SampleParts parts)
 {
     hawser_sample *const s = &b->sample;
     const int n = scene->chain.n;
     s->t = t;
-    s->tail_tension = profile_value(&scene->tail, t);
+    s->first = scene->first;
+    s->active = n;
     s->active_contacts = active;
-    if (parts == SAMPLE_ALL) state_take(b, &ws->kin, n);
-    speed_take(b, &ws->kin, n);
+    if (parts == SAMPLE_ALL) state_take(b, &ws->kin, scene->first, n);
+    speed_take(b, &ws->kin, scene->first, n);
     winch_take(s, scene, ws, t);
+    reel_take(b, scene, ws, t);
     tension_take(b, scene, ws);
+    if (n < scene->total) absent_take(b, scene, s, parts);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
     surfaces_take(b, ws);
     for (int i = 0; i < s->conveyors; ++i) {

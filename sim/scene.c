@@ -85,7 +85,7 @@ int scene_state_size(const Scene *scene) { return STATE_SIZE * scene->chain.n + 
 
 void scene_initial_state(const Scene *scene, double *y)
 {
-    const int n = scene->chain.n;
+    const int n = scene->total;
     memset(y, 0, (size_t)(STATE_SIZE * n) * sizeof *y);
     Quat q = {1, 0, 0, 0};
     Vec3 before = v3(0, 0, 0);
@@ -101,6 +101,12 @@ void scene_initial_state(const Scene *scene, double *y)
     equipment_initial(&scene->equipment, y + STATE_SIZE * n);
 }
 
+double scene_winch_place(const Scene *scene)
+{
+    const double at = scene->def.winch.at;
+    return isnan(at) ? fmax(scene->joint_s[scene->total], scene->route.length) : at;
+}
+
 /* The winch stands where the head's end is and pulls along the route's end direction. */
 static void winch_place(Scene *scene)
 {
@@ -109,6 +115,11 @@ static void winch_place(Scene *scene)
     Winch *const w = &scene->winch;
     w->origin = route_at(&scene->route, scene->joint_s[n]).position;
     w->direction = route_at(&scene->route, end).tangent;
+    if (scene->def.winch.take_in) {
+        const RoutePoint at = route_at(&scene->route, scene_winch_place(scene));
+        scene->take_in = (TakeIn){.present = 1, .place = at.position};
+        w->direction = at.tangent;
+    }
     double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y);
     if (!y) return;
     scene_initial_state(scene, y);
@@ -121,6 +132,7 @@ static void winch_place(Scene *scene)
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin)
 {
     if (scene->winch.present) winch_ghost(&scene->winch, t, scene->chain.n, kin);
+    if (scene->take_in.present) take_in_ghost(&scene->take_in, t, scene->chain.n, kin);
 }
 
 static void weight_fill(Scene *scene)
@@ -129,25 +141,41 @@ static void weight_fill(Scene *scene)
     const LeadInDef *const lead = &scene->def.lead_in;
     const Vec3 g = scene->def.gravity;
     scene->weight = (Weight){.gravity = g,
-                             .lead_in = lead->present,
+                             .lead_in = lead->present || scene->def.reel.model == REEL_PAYOUT,
                              .origin = start.position,
                              .direction = start.tangent,
                              .blend = lead->blend};
     /* The lead-in gives way by 1 mm under the cable's weight, half critically damped. */
     scene->weight.hold = v3_norm(g) / 1e-3;
     scene->weight.hold_damping = sqrt(scene->weight.hold);
-    if (lead->present && !lead->carries_weight) {
+    if (!lead->carries_weight) {
         scene->weight.behind = v3_scale(v3_dot(g, start.tangent), start.tangent);
     }
+}
+
+void scene_drag_place(Scene *scene)
+{
+    const int segment = (scene->eye < scene->total ? scene->eye : scene->total - 1) - scene->first;
+    scene->drag.segment = scene->drag.force > 0 && segment >= 0 && segment < scene->chain.n ? segment : -1;
+}
+
+/* The reel stands behind the route's start, on the lead-in's line. */
+static void reel_fill(Scene *scene)
+{
+    if (scene->def.reel.model != REEL_PAYOUT) return;
+    const Weight *const w = &scene->weight;
+    const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, -scene->def.reel.distance), w->direction));
+    const Quat attitude = quat_from_axes(w->direction, left, v3_cross(w->direction, left));
+    reel_init(&scene->reel, &scene->def, w->origin, w->direction, attitude);
+    scene->tail = (Profile){.kind = PROFILE_CONSTANT};
 }
 
 static void drag_fill(Scene *scene)
 {
     const RopeDragDef *const d = &scene->def.drag;
-    const int n = scene->chain.n;
-    scene->drag.segment = d->force > 0 ? (scene->eye < n ? scene->eye : n - 1) : -1;
     scene->drag.force = d->force;
     scene->drag.law = (FrictionLaw){.mu_s = 1, .mu_d = d->ratio, .v_s = d->v_s, .v_d = d->v_d};
+    scene_drag_place(scene);
 }
 
 static hawser_status contact_fill(Scene *scene, hawser_error *err)
@@ -194,6 +222,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     joints_place(scene);
     winch_place(scene);
     weight_fill(scene);
+    reel_fill(scene);
     drag_fill(scene);
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
     const double speed = winch_largest_speed(&scene->winch);
@@ -211,7 +240,7 @@ hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
     memset(scene, 0, sizeof *scene);
     hawser_status status = scene_def_copy(def, &scene->def, err);
     if (status) return status;
-    const int n = segments_of(def);
+    const int n = scene->total = segments_of(def);
     scene->piece = calloc((size_t)n + 1, sizeof *scene->piece);
     scene->joint_s = calloc((size_t)n + 1, sizeof *scene->joint_s);
     if (!chain_alloc(&scene->chain, n) || !scene->piece || !scene->joint_s) {

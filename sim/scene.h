@@ -8,7 +8,9 @@
 #include "core/body.h"
 #include "sim/conveyor.h"
 #include "sim/equipment.h"
+#include "sim/reel.h"
 #include "sim/surfaces.h"
+#include "sim/take_in.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
  * lead-in's hold on the cable across its line (F1). */
@@ -24,22 +26,27 @@ typedef struct Weight {
 } Weight;
 
 typedef struct Drag {
-    int segment;     /* -1: none */
+    int segment;     /* of those simulated; -1: none */
     double force;    /* N */
     FrictionLaw law; /* mu_s = 1 */
 } Drag;
 
+/* Numbers: segments and joints of the whole chain are 0..total from the tail. What is simulated may be a part of it
+ * (sim/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
 typedef struct Scene {
     Chain chain;
-    int *piece;           /* [n] the chain piece of each segment */
-    double *joint_s;      /* [n+1] route coordinate of each joint at t = 0, m */
-    int eye;              /* joint of the pulling eye: first joint of the last piece, n if there is one piece */
+    int first, total;     /* 0 and chain.n if nothing is on a reel or past the winch */
+    int *piece;           /* [total] the chain piece of each segment */
+    double *joint_s;      /* [total+1] route coordinate of each joint at t = 0, if all the chain lay there, m */
+    int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
     double cable_weight;  /* N/m, of the piece before the eye */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
     Route route;
     Weight weight;
     Winch winch;
-    Profile tail; /* N */
+    Profile tail; /* N; nothing where a reel brings the back tension */
+    Reel reel;
+    TakeIn take_in;
     Drag drag;
     int n_conveyors;
     Conveyor *conveyor;     /* owned, [n_conveyors] */
@@ -57,9 +64,14 @@ void scene_clear(Scene *scene);
 
 /* Entries of the state: 13 a segment, then the equipment's. */
 int scene_state_size(const Scene *scene);
-/* Writes the initial state [scene_state_size] (core/state.h, sim/equipment.h): the chain lies on the route at rest, its
- * joints closed. */
+/* Writes the initial state of the whole chain, 13 total numbers and the equipment's (core/state.h, sim/equipment.h):
+ * the chain lies on the route at rest, its joints closed. */
 void scene_initial_state(const Scene *scene, double *y);
+/* Where the winch stands that takes the rope in, m along the route: as the definition says; otherwise the route's end,
+ * or the head's place if that is farther. */
+double scene_winch_place(const Scene *scene);
+/* The drag acts on the first segment of the rope, as long as that is simulated. */
+void scene_drag_place(Scene *scene);
 
 /* Sets the ghosts of kin (segments -1 and n) to what the ground does at time t. */
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin);

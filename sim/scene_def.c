@@ -23,6 +23,8 @@ static void drive_defaults(SceneDef *def)
     def->winch.band = 0.05;
     def->winch.trip = (TripDef){.brake = 0.5, .pause = 5, .ramp = 2};
     def->tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
+    def->winch.at = NAN;
+    def->reel = (ReelDef){.distance = 5, .over = 0.01, .v_s = 1e-3, .speed = {.kind = PROFILE_STEP, .t1 = 1}};
     def->drag = (RopeDragDef){.v_s = 1e-3, .v_d = 2e-3, .ratio = 1};
 }
 

@@ -11,6 +11,7 @@
 #include "core/profile.h"
 #include "core/route.h"
 #include "linsolve/linsolve.h"
+#include "sim/reel_def.h"
 #include "theory/paper.h"
 
 enum { NAME_MAX_LENGTH = 64 };
@@ -115,6 +116,8 @@ typedef struct WinchDef {
     double band;        /* share of the limit over which the force falls off */
     double drum_mass;   /* kg, WINCH_TENSION: inertia of the drum over its radius squared */
     TripDef trip;       /* WINCH_SPEED */
+    int take_in;        /* segments past the winch leave the chain */
+    double at;          /* m along the route: where it stands, for take_in; NAN: see scene_take_in_place */
 } WinchDef;
 
 typedef struct TailDef {
@@ -208,6 +211,7 @@ typedef struct SceneDef {
 
     WinchDef winch;
     TailDef tail;
+    ReelDef reel;
     RopeDragDef drag;
 
     int n_conveyors;

@@ -8,27 +8,16 @@
 #include "core/error.h"
 #include "sim/events.h"
 #include "sim/expected.h"
-#include "sim/integrator.h"
-#include "sim/newton_extra.h"
-#include "sim/planar.h"
 #include "sim/sample.h"
-#include "sim/spatial.h"
+#include "sim/stage.h"
 #include "sim/stats.h"
 
 struct Sim {
-    Scene scene;
-    Workspace ws;
-    Motion *motion; /* one of the two: */
-    Spatial spatial;
-    Newton newton; /* of the motion in space */
-    Planar planar;
-    char plane_why[PLANE_WHY_MAX]; /* why the motion is planar, or why not */
-    Integrator *integrator;        /* made at the first advance */
+    Stage stage; /* scene, state, integrator */
     SampleBuffers look;
     Stats stats;
     Expected expected;
     EventLog events;
-    double t, *y; /* s; [motion->size] */
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
     double build_s, relax_s, output_s, record_s; /* s */
@@ -40,7 +29,7 @@ struct Sim {
 /* A trip at a factor of what theory expects needs an expectation. */
 static hawser_status trip_set(Sim *s, hawser_error *err)
 {
-    Winch *const w = &s->scene.winch;
+    Winch *const w = &s->stage.scene.winch;
     if (!(w->trip.factor > 0) || w->trip_force > 0) return HAWSER_OK;
     w->trip_force = w->trip.factor * s->expected.reference_total;
     if (w->trip_force > 0) return HAWSER_OK;
@@ -54,8 +43,8 @@ static hawser_status trip_set(Sim *s, hawser_error *err)
  */
 static hawser_status start_check(Sim *s, hawser_error *err)
 {
-    const Scene *const scene = &s->scene;
-    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->ws.kin, &s->ws.self);
+    const Scene *const scene = &s->stage.scene;
+    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->stage.ws.kin, &s->stage.ws.self);
     const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
     if (!(deepest.depth > radius / 4)) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_INPUT,
@@ -65,61 +54,21 @@ static hawser_status start_check(Sim *s, hawser_error *err)
                      deepest.foot);
 }
 
-/* In the plane if the scene lies in one and the case lets it; in space otherwise. */
-static hawser_status motion_new(Sim *s, hawser_error *err)
+static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
 {
-    const Scene *const scene = &s->scene;
-    const PlanarChoice choice = scene->def.solver.planar;
-    LinOptions options = scene->def.solver.linear;
-    options.threads = team_size(s->team);
-    options.team = s->team;
-    Plane plane;
-    if (choice == PLANAR_OFF) snprintf(s->plane_why, sizeof s->plane_why, "solver.planar is off");
-    if (choice != PLANAR_OFF && plane_find(scene, &plane, s->plane_why)) {
-        const hawser_status status = planar_new(&s->planar, scene, &plane, &s->ws, &options, err);
-        if (!status) s->motion = &s->planar.motion;
-        return status;
-    }
-    if (choice == PLANAR_ON)
-        return error_set(err, HAWSER_ERR_INPUT, "solver.planar: on: %s; auto or off can be used", s->plane_why);
-    hawser_status status = newton_new(&s->newton, scene, &options, err);
-    if (!status && scene->self.present) status = newton_extra_attach(&s->newton, &s->ws.self.extras, &options, err);
-    if (!status) s->motion = spatial_init(&s->spatial, scene, &s->ws, &s->newton);
-    return status;
-}
-
-/* The cable on its route, and its first candidates. */
-static hawser_status state_new(Sim *s, hawser_error *err)
-{
-    double *const full = malloc((size_t)scene_state_size(&s->scene) * sizeof *full);
-    s->y = malloc((size_t)s->motion->size * sizeof *s->y);
-    hawser_status status = HAWSER_OK;
-    if (full && s->y) {
-        scene_initial_state(&s->scene, full);
-        s->motion->ops->pack(s->motion, full, s->y);
-        status = s->motion->ops->renew(s->motion, 0, s->y, err);
-    } else {
-        status = error_memory(err);
-    }
-    free(full);
-    return status;
-}
-
-static hawser_status parts_new(Sim *s, hawser_error *err)
-{
-    const Scene *const scene = &s->scene;
+    const Scene *const scene = &s->stage.scene;
     if (s->threads > 1) s->team = team_new(s->threads);
-    if ((s->threads > 1 && !s->team) || !workspace_alloc(&s->ws, scene, s->team) || !sample_alloc(&s->look, scene))
-        return error_memory(err);
-    hawser_status status = motion_new(s, err);
-    if (!status) s->motion->ops->lin_stats(s->motion, &s->lin);
-    if (!status) status = stats_new(&s->stats, scene, err);
+    if (s->threads > 1 && !s->team) return error_memory(err);
+    hawser_status status = stage_new(&s->stage, def, s->team, err);
+    if (status) return status;
+    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
+    if (!sample_alloc(&s->look, scene)) return error_memory(err);
+    status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
         s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, i);
     }
     if (!status) status = trip_set(s, err);
-    if (!status) status = state_new(s, err);
     if (!status && scene->self.present) status = start_check(s, err);
     return status;
 }
@@ -133,8 +82,7 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
     SceneDef mine = *def; /* the scene makes its own deep copy */
     if (threads > 0) mine.solver.threads = mine.solver.linear.threads = threads;
     s->threads = mine.solver.threads;
-    hawser_status status = scene_build(&mine, &s->scene, err);
-    if (!status) status = parts_new(s, err);
+    const hawser_status status = parts_new(s, &mine, err);
     if (status) {
         sim_free(s);
         return status;
@@ -147,16 +95,11 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
 Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
-    integrator_free(s->integrator);
-    newton_free(&s->newton);
-    planar_free(&s->planar);
     stats_free(&s->stats);
     events_free(&s->events);
     expected_free(&s->expected);
     sample_free(&s->look);
-    workspace_free(&s->ws);
-    free(s->y);
-    scene_clear(&s->scene);
+    stage_free(&s->stage);
     team_free(s->team);
     free(s);
     return NULL;
@@ -165,7 +108,8 @@ Sim *sim_free(Sim *s)
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
 {
     const double start = clock_now();
-    const hawser_status status = s->motion->ops->relax(s->motion, s->t, s->y, &s->relaxation, err);
+    const hawser_status status =
+        s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
@@ -174,67 +118,66 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
 /* Where the integrator must stop next: a corner of a profile, a change of the winch's phase, or `stop`. */
 static double next_stop(const Sim *s, double stop)
 {
-    const double after = s->t + 1e-9, next = winch_next_stop(&s->scene.winch, after);
-    double corner;
+    const double after = s->stage.t + 1e-9, next = winch_next_stop(&s->stage.scene.winch, after);
+    const Scene *const scene = &s->stage.scene;
+    const Profile *const profile[] = {&scene->tail, &scene->reel.tension, &scene->reel.speed};
     if (next < stop) stop = next;
-    for (int i = 0; i < s->scene.n_conveyors; ++i) {
-        const Conveyor *const c = &s->scene.conveyor[i];
+    for (int i = 0; i < scene->n_conveyors; ++i) {
+        double corner;
+        const Conveyor *const c = &scene->conveyor[i];
         if (!c->sync && profile_next_corner(&c->speed, after, &corner) && corner < stop) stop = corner;
     }
-    return profile_next_corner(&s->scene.tail, after, &corner) && corner < stop ? corner : stop;
+    for (int p = 0; p < (scene->reel.present ? 3 : 1); ++p) {
+        double corner;
+        if (profile_next_corner(profile[p], after, &corner) && corner < stop) stop = corner;
+    }
+    return stop;
 }
 
 /* What a step may have brought about at the winch. */
 static hawser_status winch_watch(Sim *s, hawser_error *err)
 {
-    Winch *const w = &s->scene.winch;
+    Winch *const w = &s->stage.scene.winch;
     if (!(w->trip_force > 0)) return HAWSER_OK;
-    const double pull = s->motion->ops->winch_pull(s->motion, s->t, s->y);
+    const double pull = s->stage.motion->ops->winch_pull(s->stage.motion, s->stage.t, s->stage.y);
     hawser_status status = HAWSER_OK;
-    for (WinchEvent event; !status && (event = winch_accept(w, s->t, pull)) != WINCH_NOTHING;) {
-        status = events_add(&s->events, s->t, winch_event_name(event), pull, err);
+    for (WinchEvent event; !status && (event = winch_accept(w, s->stage.t, pull)) != WINCH_NOTHING;) {
+        status = events_add(&s->events, s->stage.t, winch_event_name(event), pull, err);
     }
     return status;
 }
 
-/* The integrator of a run that begins; the brake that held a winch of set tension is let off. */
-static hawser_status run_begin(Sim *s, hawser_error *err)
-{
-    s->scene.winch.phase.held = 0;
-    /* the relaxation bends the cable for the first time */
-    const hawser_status status = s->motion->ops->accept(s->motion, s->t, s->y, err);
-    return status ? status : integrator_new(s->motion, s->t, s->y, &s->integrator, err);
-}
-
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
-    hawser_status status = s->integrator ? HAWSER_OK : run_begin(s, err);
-    while (s->t < t && !status) {
-        status = integrator_step(s->integrator, next_stop(s, t), &s->t, err);
+    hawser_status status = HAWSER_OK;
+    s->stage.scene.winch.phase.held = 0; /* the brake that held a winch of set tension is let off */
+    while (s->stage.t < t && !status) {
+        status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = winch_watch(s, err);
         if (one_step) break;
     }
     return status;
 }
 
-double sim_time(const Sim *s) { return s->t; }
-double sim_end_time(const Sim *s) { return fmin(s->scene.def.duration, s->scene.winch.phase.ended); }
-int sim_tripped(const Sim *s) { return s->scene.winch.phase.ended < s->scene.def.duration; }
-const OutputDef *sim_output(const Sim *s) { return &s->scene.def.output; }
-const char *sim_title(const Sim *s) { return s->scene.def.title; }
+double sim_time(const Sim *s) { return s->stage.t; }
+double sim_end_time(const Sim *s) { return fmin(s->stage.scene.def.duration, s->stage.scene.winch.phase.ended); }
+int sim_tripped(const Sim *s) { return s->stage.scene.winch.phase.ended < s->stage.scene.def.duration; }
+const OutputDef *sim_output(const Sim *s) { return &s->stage.scene.def.output; }
+const char *sim_title(const Sim *s) { return s->stage.scene.def.title; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
     const double start = clock_now();
-    const int active = s->motion->ops->look(s->motion, s->t, s->y);
-    const hawser_sample *const look = sample_take(&s->look, &s->scene, &s->ws, s->t, active, parts);
-    if (s->integrator) {
+    const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    if (s->stage.scene.reel.present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
+    const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
+    if (s->stage.integrator) {
         IntegratorStats stats;
-        integrator_stats(s->integrator, &stats);
+        integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
     if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
-    s->motion->ops->lin_stats(s->motion, &s->lin); /* the ordering is known after the first factorisation */
+    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
@@ -245,7 +188,7 @@ static void record_now(Sim *s, SampleParts parts)
 {
     const hawser_sample *const look = look_now(s, parts);
     const double start = clock_now();
-    stats_record(&s->stats, &s->scene, &s->ws.kin, look);
+    stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     s->record_s += clock_now() - start;
 }
 
@@ -256,9 +199,9 @@ void sim_add_output_time(Sim *s, double seconds) { s->output_s += seconds; }
 
 static void integration_fill(const Sim *s, hawser_summary *out)
 {
-    if (!s->integrator) return;
+    if (!s->stage.integrator) return;
     IntegratorStats i;
-    integrator_stats(s->integrator, &i);
+    integrator_stats(s->stage.integrator, &i);
     out->steps = i.steps;
     out->rhs_evals = i.rhs_evals;
     out->newton_iters = i.newton_iters;
@@ -267,7 +210,7 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->error_test_fails = i.error_fails;
     out->newton_fails = i.newton_fails;
     const double other = i.rhs + i.jacobian + i.factor + i.solve;
-    const double contacts = dynamics_contact_seconds(&s->ws);
+    const double contacts = dynamics_contact_seconds(&s->stage.ws);
     out->phases = (hawser_phases){.rhs = i.rhs - contacts,
                                   .contacts = contacts,
                                   .jacobian = i.jacobian,
@@ -280,21 +223,21 @@ static void integration_fill(const Sim *s, hawser_summary *out)
 
 void sim_summary(const Sim *s, hawser_summary *out)
 {
-    const Scene *const scene = &s->scene;
-    *out = (hawser_summary){.segments = scene->chain.n,
-                            .bushings = scene->chain.n - 1 + (scene->winch.present ? 1 : 0),
+    const Scene *const scene = &s->stage.scene;
+    *out = (hawser_summary){.segments = scene->total,
+                            .bushings = scene->total - 1 + (scene->winch.present ? 1 : 0),
                             .rollers = scene->contact.n_rollers,
                             .surfaces = scene->surfaces.model.n_surfaces,
-                            .contact_candidates = s->ws.candidates_max,
+                            .contact_candidates = s->stage.ws.candidates_max,
                             .contact_active_max = s->active_max,
-                            .contact_refreshes = s->ws.refreshes,
-                            .sim_time_s = s->t,
+                            .contact_refreshes = s->stage.ws.refreshes,
+                            .sim_time_s = s->stage.t,
                             .linear_solver = s->lin.name,
                             .linear_solver_why = s->lin.why,
                             .ordering = s->lin.ordering,
                             .threads = s->threads,
-                            .planar = s->motion == &s->planar.motion,
-                            .planar_why = s->plane_why,
+                            .planar = s->stage.motion == &s->stage.planar.motion,
+                            .planar_why = s->stage.plane_why,
                             .paper_total_N = s->expected.paper_total,
                             .reference_total_N = s->expected.reference_total,
                             .relaxation = s->relaxation,
@@ -307,7 +250,7 @@ void sim_summary(const Sim *s, hawser_summary *out)
     out->phases.relax = s->relax_s;
     out->phases.output = s->output_s + s->record_s;
     out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
-    out->real_time_factor = out->wall_time_s > 0 ? s->t / out->wall_time_s : 0;
+    out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
 }
 

@@ -143,10 +143,10 @@ static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
     return v3_axpy(p, side * chain->half[i], a);
 }
 
-/* Route coordinate of joint j now: where it would be if nothing stretched is a good guess. */
+/* Route coordinate of the simulated joint j now: where it would be if nothing stretched is a good guess. */
 static double joint_now(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, int j)
 {
-    const double guess = scene->joint_s[j] + sample->winch_travel;
+    const double guess = scene->joint_s[scene->first + j] + sample->winch_travel;
     return route_coordinate(&scene->route, joint_position(kin, &scene->chain, j), guess);
 }
 
@@ -155,10 +155,11 @@ static double joint_now(const Scene *scene, const Kinematics *kin, const hawser_
 static double tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
 {
     const int n = scene->chain.n;
+    const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
     int low = 0, high = n;
     while (high - low > 1) { /* by the unstretched places */
         const int mid = (low + high) / 2;
-        if (scene->joint_s[mid] + sample->winch_travel <= s) {
+        if (joint_s[mid] + sample->winch_travel <= s) {
             low = mid;
         } else {
             high = mid;
@@ -177,7 +178,7 @@ static double tension_at(const Scene *scene, const Kinematics *kin, const hawser
     }
     if (s < a || s > b) return NAN;
     const double u = (s - a) / (b - a);
-    return (1 - u) * sample->tension[low] + u * sample->tension[high];
+    return (1 - u) * tension[low] + u * tension[high];
 }
 
 static void stations_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
@@ -241,8 +242,8 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     const int steady = stats->last_t >= stats->steady_from - 1e-9;
     if (stats->last_t >= 0 && dt <= 0) return;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
-    mean_add(&stats->speed, sample->axial_speed[0], dt, steady);
-    if (fabs(sample->axial_speed[0] - scene->largest_speed) > 0.02 * scene->largest_speed)
+    mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
+    if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
     stations_record(stats, scene, kin, sample, dt, steady);
     for (int r = 0; r < stats->n_rollers; ++r) {

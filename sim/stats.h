@@ -37,7 +37,7 @@ typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
     double steady_from; /* s */
     TimeMean pull;      /* N, winch force */
-    TimeMean speed;     /* m/s, axial speed of the cable's first segment */
+    TimeMean speed;     /* m/s, axial speed of the cable's first segment that is simulated */
     double settled_at;  /* s, last time the speed was more than 2 % off the winch's final speed */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station;    /* [n_stations], N */

@@ -12,6 +12,7 @@ typedef struct VectorContent {
     struct _N_VectorContent_Serial serial; /* first */
     VectorNorm norm;
     const void *owner;
+    VectorFamily *family;
 } VectorContent;
 
 static const VectorKernels *kernels(void)
@@ -61,10 +62,35 @@ static void op_const(realtype a, N_Vector z)
     for (int i = 0; i < count; ++i) data[i] = a;
 }
 
+/* Into the family's list; 0 if there is no memory. */
+static int family_add(VectorFamily *family, N_Vector v)
+{
+    if (!family) return 1;
+    if (family->n == family->room) {
+        const int room = 2 * family->room + 16;
+        N_Vector *const longer = realloc(family->member, (size_t)room * sizeof *longer);
+        if (!longer) return 0;
+        family->member = longer;
+        family->room = room;
+    }
+    family->member[family->n++] = v;
+    return 1;
+}
+
+static void family_remove(VectorFamily *family, N_Vector v)
+{
+    for (int k = 0; family && k < family->n; ++k) {
+        if (family->member[k] != v) continue;
+        family->member[k] = family->member[--family->n];
+        break;
+    }
+}
+
 static void op_destroy(N_Vector v)
 {
     if (!v) return;
     VectorContent *const content = v->content;
+    if (content) family_remove(content->family, v);
     if (content && content->serial.own_data) free(content->serial.data);
     free(content);
     N_VFreeEmpty(v);
@@ -74,7 +100,7 @@ static void op_destroy(N_Vector v)
 static N_Vector vector_fill(N_Vector v, double *data, int own, const VectorContent *like)
 {
     VectorContent *const content = malloc(sizeof *content);
-    if (!v || !content || !data) {
+    if (!v || !content || !data || !family_add(like->family, v)) {
         free(content);
         if (own) free(data);
         N_VFreeEmpty(v);
@@ -110,7 +136,8 @@ static void use_kernels(N_Vector v)
     v->ops->nvscaleaddmulti = op_scale_add_multi;
 }
 
-N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, SUNContext context)
+N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
+                     SUNContext context)
 {
     /* the serial vector lends its other operations; its content makes room for ours, which begins like it */
     N_Vector v = N_VNewEmpty_Serial(length, context);
@@ -118,6 +145,38 @@ N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owne
     free(v->content);
     v->content = NULL;
     use_kernels(v);
-    const VectorContent content = {.serial = {.length = length}, .norm = norm, .owner = owner};
+    const VectorContent content = {.serial = {.length = length}, .norm = norm, .owner = owner, .family = family};
     return vector_fill(v, data, 0, &content);
+}
+
+void vector_family_clear(VectorFamily *family)
+{
+    free(family->member);
+    *family = (VectorFamily){0};
+}
+
+int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user)
+{
+    const int n = family->n;
+    double **const fresh = calloc((size_t)n + 1, sizeof *fresh);
+    int ok = fresh != NULL;
+    for (int k = 0; ok && k < n; ++k) {
+        fresh[k] = NV_OWN_DATA_S(family->member[k]) ? calloc((size_t)length + 1, sizeof(double)) : data;
+        ok = fresh[k] != NULL;
+    }
+    for (int k = 0; fresh && k < n; ++k) {
+        N_Vector v = family->member[k];
+        if (ok) {
+            if (NV_OWN_DATA_S(v)) {
+                map(user, v, NV_DATA_S(v), fresh[k]);
+                free(NV_DATA_S(v));
+            }
+            NV_DATA_S(v) = fresh[k];
+            NV_LENGTH_S(v) = length;
+        } else if (NV_OWN_DATA_S(v)) {
+            free(fresh[k]);
+        }
+    }
+    free(fresh);
+    return ok;
 }

@@ -9,8 +9,23 @@
 /* The norm of x weighted by w, for the owner of the vector. */
 typedef double (*VectorNorm)(const void *owner, const double *x, const double *w);
 
-/* A vector around data [length], borrowed as is the owner; its clones have data of their own and the same norm. NULL
- * if there is no memory. N_VDestroy frees it. */
-N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, SUNContext context);
+/* All vectors that live and were cloned, directly or not, from one: they can change their length together. */
+typedef struct VectorFamily {
+    int n, room;
+    N_Vector *member; /* [n] */
+} VectorFamily;
+
+/* A vector around data [length], borrowed as are the owner and the family (NULL: none); its clones have data of their
+ * own, the same norm and the same family. NULL if there is no memory. N_VDestroy frees it. */
+N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
+                     SUNContext context);
+/* After the family's vectors are destroyed. */
+void vector_family_clear(VectorFamily *family);
+
+/* Writes a vector's entries of the new length from those of the old one. */
+typedef void (*VectorMap)(const void *user, N_Vector which, const double *from, double *to);
+/* Gives every vector of the family the length `length`, through the map. The one that wraps borrowed data gets `data`
+ * [length], already filled. Returns 0 if there is no memory; then nothing has changed. */
+int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user);
 
 #endif

@@ -83,17 +83,21 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
 
 /* One look at the simulation. Arrays belong to the simulation and are overwritten by the next sample. */
 typedef struct hawser_sample {
-    double t; /* s */
-    int segments;
-    int joints; /* segments + 1: joint j lies between segments j-1 and j; 0 is the tail, the last is the winch */
+    double t;     /* s */
+    int segments; /* of the whole chain */
+    int joints;   /* segments + 1: joint j lies between segments j-1 and j; 0 is the tail, the last is the winch */
     int rollers;
+    int first, active;   /* segments first .. first+active-1 are simulated; before them: wound on the reel, behind them:
+                          * taken in by the winch. 0 and `segments` where there is neither */
     double winch_force;  /* N, pull on the rope's end along the winch's direction */
-    double tail_tension; /* N, back tension applied at the tail */
+    double tail_tension; /* N, back tension applied at the tail, or in the cable where it leaves the reel */
     double winch_speed;  /* m/s, prescribed now; with a set tension, the head's */
     double winch_travel; /* m, hauled in so far */
     double max_tension;  /* N, over all joints */
     int max_tension_joint;
     int active_contacts;
+    double reel_speed;         /* rad/s; NAN without a reel that pays out */
+    double paid_out, wound;    /* m, cable that has left the reel and that is on it; NAN likewise */
     double step_size;          /* s, of the last step */
     const double *position;    /* [3*segments] x0 y0 z0 x1 ..., m */
     const double *quaternion;  /* [4*segments] w x y z ... */

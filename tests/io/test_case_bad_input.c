@@ -276,7 +276,8 @@ static void spoil_all(const char *text, const CaseNode *node, Coverage *coverage
 static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
-    static const char *const texts[] = {FULL_RAMPS, FULL_TABLES, FULL_TENSION, FULL_TENSION_TABLE};
+    static const char *const texts[] = {FULL_RAMPS, FULL_TABLES,     FULL_TENSION,    FULL_TENSION_TABLE,
+                                        FULL_REEL,  FULL_REEL_TABLE, FULL_REEL_WEIGHT};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
         CaseTree *tree;

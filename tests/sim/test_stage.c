@@ -1,0 +1,343 @@
+/* Segments that join behind the tail and leave at the head: what stays the same across every such event, and that it
+ * makes no difference to the pull. */
+#include <malloc.h>
+
+#include "sim/sim.h"
+#include "sim/stage.h"
+#include "tests/sim/reel_fixture.h"
+
+/* Fails with the message of a call that failed. */
+static void must(hawser_status status, const hawser_error *err)
+{
+    if (status) fail_msg("%s", err->message);
+}
+
+static void stage_begin(Stage *st, const ReelChoice *choice)
+{
+    SceneDef def;
+    hawser_error err = {0};
+    hawser_relaxation relaxation;
+    reel_pull(&def, choice);
+    must(stage_new(st, &def, NULL, &err), &err);
+    must(st->motion->ops->relax(st->motion, 0, st->y, &relaxation, &err), &err);
+    assert_true(relaxation.reached);
+    scene_def_clear(&def);
+}
+
+static const ReelChoice PULL = {
+    .payout = 1, .take_in = 1, .brake = BRAKE_CONSTANT, .torque = 300, .bearing = 50, .tension = 800};
+
+/* What a stage is like at one time: of every simulated segment, by its number in the whole chain. */
+typedef struct Look {
+    int first, n;
+    double *y, *rate, *tension; /* [13 n], [13 n], [n + 1] */
+    double kinetic, elastic;    /* J, the drum's included; of the axial springs, the ghost's included */
+} Look;
+
+static void look_take(Stage *st, Look *out)
+{
+    const Chain *const c = &st->scene.chain;
+    const size_t size = (size_t)(STATE_SIZE * c->n) * sizeof(double);
+    *out = (Look){.first = st->scene.first, .n = c->n, .y = malloc(size), .rate = malloc(size)};
+    out->tension = malloc((size_t)(c->n + 1) * sizeof(double));
+    assert_true(out->y && out->rate && out->tension);
+    memcpy(out->y, st->y, size);
+    dynamics_rates(&st->scene, &st->ws, st->t, st->y, 1, out->rate);
+    bushing_law(c, &st->ws.kin, 0, c->n + 1, st->ws.law);
+    memcpy(out->tension, st->ws.law[0], (size_t)(c->n + 1) * sizeof(double));
+    for (int i = 0; i < c->n; ++i) {
+        const Vec3 v = state_vec(st->y, c->n, STATE_V, i);
+        out->kinetic += c->mass[i] * v3_dot(v, v) / 2;
+    }
+    for (int j = 1; j <= c->n; ++j) {
+        if (c->stiffness[0][j] > 0) out->elastic += out->tension[j] * out->tension[j] / (2 * c->stiffness[0][j]);
+    }
+}
+
+static void look_free(Look *l)
+{
+    free(l->y);
+    free(l->rate);
+    free(l->tension);
+}
+
+/* Largest changes across events. */
+typedef struct Jumps {
+    int joins, leaves;
+    double state, tension, acceleration, pull, joint, energy; /* N; m/s2, of the old tail along the line; N; J */
+} Jumps;
+
+/* Segments that were there before and are there still have the same state, tensions and accelerations. */
+static void jumps_add(const Look *a, const Look *b, Jumps *out)
+{
+    const int joined = a->first - b->first, left = a->first + a->n - b->first - b->n;
+    const int kept = a->n - left;
+    out->joins += joined;
+    out->leaves += left;
+    for (int i = 0; i < kept; ++i) {
+        const int k = i + joined;
+        for (int c = 0; c < STATE_SIZE; ++c)
+            out->state = fmax(out->state, fabs(a->y[c * a->n + i] - b->y[c * b->n + k]));
+        if (i > 0) out->tension = fmax(out->tension, fabs(a->tension[i] - b->tension[k]));
+        const Vec3 d = v3_sub(state_vec(a->rate, a->n, STATE_V, i), state_vec(b->rate, b->n, STATE_V, k));
+        if (i == 0 && joined) out->pull = fmax(out->pull, fabs(d.x));
+        out->acceleration = fmax(out->acceleration, v3_norm(d));
+    }
+    /* the joint that the head of old hung on, and the one that a new tail does */
+    if (left) out->joint = fmax(out->joint, fabs(a->tension[kept] - b->tension[b->n]));
+    const double joins = joined ? a->kinetic - b->kinetic : 0;
+    out->energy = fmax(out->energy, fabs(left ? 0 : joins));
+}
+
+/* Every event of a run: nothing jumps. The new tail moves like the old one; what the drum loses it has. */
+static void test_events(void **state)
+{
+    (void)state;
+    Stage st;
+    hawser_error err = {0};
+    Jumps jumps = {0};
+    double largest = 0;
+    stage_begin(&st, &PULL);
+    while (st.t < 14) {
+        Look before, after;
+        must(stage_integrate(&st, 14, &err), &err);
+        look_take(&st, &before);
+        must(stage_settle(&st, &err), &err);
+        look_take(&st, &after);
+        largest = fmax(largest, before.tension[before.n]);
+        if (before.first != after.first || before.n != after.n) jumps_add(&before, &after, &jumps);
+        look_free(&before);
+        look_free(&after);
+    }
+    print_message("%d joins, %d leaves: tension %.2g N, ghost's joint %.2g N of %.0f N, acceleration %.2g m/s2, "
+                  "kinetic energy %.2g J\n",
+                  jumps.joins, jumps.leaves, jumps.tension, jumps.joint, largest, jumps.acceleration, jumps.energy);
+    assert_true(jumps.joins >= 4 && jumps.leaves >= 4);
+    assert_true(jumps.state <= 0); /* bit by bit */
+    assert_true(jumps.tension < 1e-9 * largest && jumps.joint < 1e-9 * largest);
+    /* along the line the new tail pulls as the drum did; across it the old tail, 6 kg, has lost the drum's weight */
+    assert_true(jumps.pull < 1e-6 && jumps.acceleration < 0.02);
+    assert_true(jumps.energy < 1e-3);
+    stage_free(&st);
+}
+
+/* The step goes on as if nothing had happened: no more steps than without events, and the same force as with an
+ * integrator that starts anew at each. */
+static void test_history(void **state)
+{
+    (void)state;
+    double pull[2];
+    long steps[2];
+    for (int forget = 0; forget < 2; ++forget) {
+        Stage st;
+        hawser_error err = {0};
+        IntegratorStats stats;
+        stage_begin(&st, &PULL);
+        st.forget = forget;
+        while (st.t < 12) must(stage_step(&st, 12, &err), &err);
+        integrator_stats(st.integrator, &stats);
+        pull[forget] = dynamics_winch_pull_at(&st.scene, &st.ws, st.t, st.y);
+        steps[forget] = stats.steps;
+        if (!forget) assert_true(st.joined >= 3 && st.left >= 3);
+        stage_free(&st);
+    }
+    print_message("%ld steps, %ld with restarts; pull %.3f N and %.3f N\n", steps[0], steps[1], pull[0], pull[1]);
+    assert_true(steps[0] < steps[1]);
+    assert_true(fabs(pull[0] / pull[1] - 1) < 5e-4);
+}
+
+/* Mean and last winch force of a run. */
+typedef struct Pulled {
+    double mean, last;
+    hawser_sample sample;
+    double y[6000];
+    int count;
+} Pulled;
+
+static Sim *sim_begin(const ReelChoice *choice, int threads, void (*change)(SceneDef *))
+{
+    SceneDef def;
+    Sim *s = NULL;
+    hawser_error err = {0};
+    reel_pull(&def, choice);
+    if (change) change(&def);
+    must(sim_new(&def, threads, &s, &err), &err);
+    must(sim_relax(s, NULL, &err), &err);
+    scene_def_clear(&def);
+    return s;
+}
+
+static void pulled_take(Sim *s, Pulled *out)
+{
+    const hawser_sample *const look = sim_sample(s);
+    out->last = look->winch_force;
+    out->count = 3 * look->segments;
+    assert_true(out->count + look->joints <= 6000);
+    memcpy(out->y, look->position, (size_t)out->count * sizeof(double));
+    memcpy(out->y + out->count, look->tension, (size_t)look->joints * sizeof(double));
+    out->count += look->joints;
+}
+
+static void sim_go(Sim *s, double to, Pulled *out)
+{
+    hawser_error err = {0};
+    memset(out, 0, sizeof *out);
+    double sum = 0, time = 0;
+    while (sim_time(s) < to) {
+        const double before = sim_time(s);
+        must(sim_advance(s, to, 1, &err), &err);
+        if (before < to / 2) continue;
+        sum += sim_sample(s)->winch_force * (sim_time(s) - before);
+        time += sim_time(s) - before;
+    }
+    out->mean = time > 0 ? sum / time : 0;
+    pulled_take(s, out);
+}
+
+/* The whole cable lies there from the start, on a lead-in as long as it needs, held back by what the drum gave. */
+static void whole_cable(SceneDef *def)
+{
+    const double barrel = 0.6, pitch = 0.08;
+    def->tail.tension.v1 = 800 + 350 / (barrel + pitch / 2);
+    def->winch.take_in = 0;
+    def->winch.axial_only = 0;
+}
+
+static void clamped(SceneDef *def) { def->winch.axial_only = 0; }
+
+/* Payout and take-in, one by one and together, do not change the pull. */
+static void test_on_off(void **state)
+{
+    (void)state;
+    static Pulled whole, payout, both;
+    ReelChoice choice = PULL;
+    Sim *s;
+    choice.payout = choice.take_in = 0;
+    sim_go(s = sim_begin(&choice, 1, whole_cable), 12, &whole);
+    sim_free(s);
+    choice.payout = 1;
+    sim_go(s = sim_begin(&choice, 1, clamped), 12, &payout);
+    sim_free(s);
+    choice.take_in = 1;
+    sim_go(s = sim_begin(&choice, 1, clamped), 12, &both);
+    sim_free(s);
+    print_message("pull %.2f N with the whole cable, %.2f N from the reel, %.2f N with take-in too\n", whole.mean,
+                  payout.mean, both.mean);
+    assert_true(fabs(payout.mean / whole.mean - 1) < 5e-4);
+    assert_true(fabs(both.mean / whole.mean - 1) < 5e-4);
+}
+
+/* One thread and two give the same bits, and so do two simulations that take turns. */
+static void test_repeated(void **state)
+{
+    (void)state;
+    static Pulled one, two, aside;
+    ReelChoice other = PULL;
+    other.speed = 0.15;
+    Sim *s = sim_begin(&PULL, 1, NULL), *const next = sim_begin(&other, 1, NULL);
+    sim_go(s, 8, &one);
+    sim_free(s);
+    sim_go(s = sim_begin(&PULL, 2, NULL), 8, &two);
+    sim_free(s);
+    assert_memory_equal(&one, &two, sizeof one);
+    s = sim_begin(&PULL, 1, NULL);
+    while (sim_time(s) < 8) {
+        assert_int_equal(sim_advance(s, 8, 1, NULL), HAWSER_OK);
+        assert_int_equal(sim_advance(next, 8, 1, NULL), HAWSER_OK);
+    }
+    memset(&aside, 0, sizeof aside);
+    pulled_take(s, &aside);
+    assert_memory_equal(one.y, aside.y, sizeof one.y);
+    sim_free(s);
+    sim_free(next);
+}
+
+/* Bytes in use. */
+static size_t memory_used(void) { return mallinfo2().uordblks; }
+
+/* As many come as go: memory does not grow. */
+static void test_memory(void **state)
+{
+    (void)state;
+    Stage st;
+    hawser_error err = {0};
+    ReelChoice choice = PULL;
+    choice.speed = 1;
+    choice.cable = 50;
+    choice.rope = 30;
+    stage_begin(&st, &choice);
+    while (st.joined < 5) must(stage_step(&st, 100, &err), &err);
+    const size_t early = memory_used();
+    const int n = st.scene.chain.n;
+    while (st.joined < 40 || st.scene.chain.n != n) must(stage_step(&st, 100, &err), &err);
+    const size_t late = memory_used();
+    print_message("%zu bytes after 5 segments, %zu after %ld\n", early, late, st.joined);
+    assert_true(late < early + 20000);
+    stage_free(&st);
+}
+
+/* The end of the cable: a free one leaves the drum and nothing holds it any more; a fixed one stops the pull. */
+static void test_end(void **state)
+{
+    (void)state;
+    static Pulled before, after;
+    ReelChoice choice = PULL;
+    choice.cable = 11.5;
+    Sim *s = sim_begin(&choice, 1, NULL);
+    sim_go(s, 6, &before);
+    sim_go(s, 16, &after);
+    print_message("pull %.1f N before the end has left the drum, %.1f N after\n", before.last, after.last);
+    const hawser_sample *look = sim_sample(s);
+    assert_int_equal(look->first, 0);
+    assert_true(fabs(look->tail_tension) < 1e-9 && fabs(look->wound) < 1e-12);
+    assert_true(fabs(look->paid_out - choice.cable) < 1e-9);
+    /* brake and back tension are gone; friction of the cable remains */
+    assert_true(after.last < before.last - 1200);
+    sim_free(s);
+    choice.fixed = 1;
+    s = sim_begin(&choice, 1, NULL);
+    sim_go(s, 11.7, &after);
+    print_message("pull %.1f N with a fixed end\n", after.last);
+    look = sim_sample(s);
+    assert_true(look->tail_tension > 3 * before.last);
+    sim_free(s);
+}
+
+/* What is not simulated has its place: wound cable within the drum, moving with it; rope taken in at the winch. */
+static void test_absent(void **state)
+{
+    (void)state;
+    static Pulled p;
+    Sim *s = sim_begin(&PULL, 1, NULL);
+    sim_go(s, 10, &p);
+    const hawser_sample *const look = sim_sample(s);
+    assert_true(look->first > 0 && look->first + look->active < look->segments);
+    for (int i = 0; i < look->first; ++i) {
+        const double *const x = look->position + 3 * i;
+        /* the drum's axis is below the place where the cable leaves, 4 m behind the start */
+        const double r = hypot(x[0] + 4, x[2] + look->axial_speed[look->first] / look->reel_speed);
+        assert_true(r > 0.6 && r < 0.85 && fabs(x[1]) < 0.5);
+        assert_true(fabs(look->axial_speed[i] - look->reel_speed * r) < 1e-3);
+        assert_true(fabs(look->tension[i]) < 1e-12);
+    }
+    /* neighbours on the drum are one segment apart, along the arc */
+    for (int i = 1; i < look->first; ++i) {
+        const double *const a = look->position + 3 * i - 3, *const b = look->position + 3 * i;
+        assert_true(fabs(v3_norm(v3(a[0] - b[0], a[1] - b[1], a[2] - b[2])) - 0.5) < 0.02);
+    }
+    for (int i = look->first + look->active; i < look->segments; ++i) {
+        assert_true(fabs(look->position[3 * i] - 16) < 1.1);
+        assert_true(fabs(look->axial_speed[i] / look->winch_speed - 1) < 1e-3); /* along its own axis */
+    }
+    sim_free(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_events),   cmocka_unit_test(test_history), cmocka_unit_test(test_on_off),
+        cmocka_unit_test(test_repeated), cmocka_unit_test(test_memory),  cmocka_unit_test(test_end),
+        cmocka_unit_test(test_absent),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
