@@ -26,13 +26,10 @@ static void hits_smooth(const PlanarContactKernels *kernel, const PlanarContactM
 {
     enum { SOME = 64 };
     int owner[SOME];
-    double *const slope = pairs->node;
-    const int n = pairs->n, end = range.first + range.count;
-    kernel->slopes(&model->roller[range.roller], kin, range.first > 0 ? range.first - 1 : 0, end < n ? end : n, slope);
-    slope[-1] = -1; /* after the kernel, which may write past the last node */
-    slope[n] = 1;
+    const int end = range.first + range.count;
     for (int first = range.first; first < end; first += SOME) {
-        const int count = kernel->owners(slope, first, first + SOME < end ? first + SOME : end, owner);
+        const int most = first + SOME < end ? first + SOME : end;
+        const int count = kernel->owners(&model->roller[range.roller], kin, pairs->n, first, most, owner);
         for (int k = 0; k < count; ++k) hit_add(pairs, range.roller, owner[k]);
     }
 }

@@ -39,12 +39,9 @@ typedef struct PlanarContactMatrix {
 } PlanarContactMatrix;
 
 typedef struct PlanarContactKernels {
-    /* node[i] = (centre of segment i less that of the roller) . axis of segment i, for i = from..to-1 and up to
-     * LANES - 1 more: its sign is that of the gap's slope */
-    void (*slopes)(const PlanarRoller *roller, const PlanarKinematics *kin, int from, int to, double *node);
-    /* Elements first..end-1 that own a contact by the slopes in node[first - 1 .. end - 1] (C11): into element[], in
-     * order; returns how many. */
-    int (*owners)(const double *node, int first, int end, int *element);
+    /* Elements first..end-1 of a chain of n that own a contact with the roller (C11): into element[], in order; returns
+     * how many. */
+    int (*owners)(const PlanarRoller *roller, const PlanarKinematics *kin, int n, int first, int end, int *element);
     void (*push)(const PlanarBatch *batch, PlanarPush *out);
     /* returns 0, and writes nothing, if no hit carries force */
     int (*columns)(const PlanarBatch *batch, PlanarContactMatrix *k, PlanarContactMatrix *d, double normal[LANES]);

@@ -1,25 +1,27 @@
 /* The kernels of planar_contact_kernels.h for one instruction set. */
 #include "contact/planar_line_lanes.h"
 
-static void kernel_slopes(const PlanarRoller *roller, const PlanarKinematics *kin, int from, int to, double *node)
+/* The sign of the gap's slope at the centres of LANES segments from i: that of (x - c) . a. */
+LANE_INLINE Lane slopes_at(const PlanarKinematics *kin, Lane2 centre, int i)
 {
-    const Lane2 centre = {lane_set(roller->centre[0]), lane_set(roller->centre[1])};
-    for (int i = from; i < to; i += LANES) {
-        lane_store(node + i, l2_dot(l2_sub(l2_load(kin->p, i), centre), l2_load(kin->a, i)));
-    }
+    return l2_dot(l2_sub(l2_load(kin->p, i), centre), l2_load(kin->a, i));
 }
 
-/* Most lanes own nothing: one look at eight elements, then at each. */
-static int kernel_owners(const double *node, int first, int end, int *element)
+/* Eight elements at a time. The slopes at their first nodes are computed again, not kept from the elements before: that
+ * is cheaper than to wait for what was just stored. */
+static int kernel_owners(const PlanarRoller *roller, const PlanarKinematics *kin, int n, int first, int end,
+                         int *element)
 {
+    const Lane2 centre = {lane_set(roller->centre[0]), lane_set(roller->centre[1])};
     const Lane zero = lane_set(0);
     int count = 0;
     for (int e = first; e < end; e += LANES) {
-        const LaneMask owns = (lane_load(node + e - 1) < zero) & (lane_load(node + e) >= zero);
-        if (!planar_any(owns)) continue;
-        for (int k = 0; k < LANES && e + k < end; ++k) {
-            if (owns[k]) element[count++] = e + k;
-        }
+        Lane before = slopes_at(kin, centre, e - 1), after = slopes_at(kin, centre, e);
+        if (e == 0) before[0] = -1; /* beyond the line's ends */
+        if (n - e < LANES) after[n - e] = 1;
+        unsigned owns = lane_bits((before < zero) & (after >= zero));
+        if (end - e < LANES) owns &= (1u << (end - e)) - 1;
+        for (; owns; owns &= owns - 1) element[count++] = e + __builtin_ctz(owns);
     }
     return count;
 }
@@ -125,7 +127,7 @@ static int kernel_columns(const PlanarBatch *batch, PlanarContactMatrix *k, Plan
     const PlanarLine line = planar_line_load(batch);
     const PlanarContact c = planar_contact_at(batch, &line);
     lane_store(normal, c.normal);
-    if (!planar_any(c.normal > lane_set(0))) return 0;
+    if (!lane_bits(c.normal > lane_set(0))) return 0;
     for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, k, d);
     return 1;
 }
@@ -143,10 +145,10 @@ static double kernel_moved(const PlanarChain *chain, const PlanarKinematics *kin
         /* what pads the arrays may be anything, the head's ghost among it */
         most = lane_select((moved > most) & (lane_load(chain->inverse_mass + i) > lane_set(0)), moved, most);
     }
-    double largest = planar_any(strange) ? INFINITY : 0;
+    double largest = lane_bits(strange) ? INFINITY : 0;
     for (int k = 0; k < LANES; ++k) largest = most[k] > largest ? most[k] : largest;
     return largest;
 }
 
-const PlanarContactKernels ISA_NAME(planar_contact_kernels) = {kernel_slopes, kernel_owners, kernel_push,
-                                                               kernel_columns, kernel_moved};
+const PlanarContactKernels ISA_NAME(planar_contact_kernels) = {kernel_owners, kernel_push, kernel_columns,
+                                                               kernel_moved};

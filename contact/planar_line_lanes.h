@@ -29,8 +29,8 @@ typedef struct PlanarLine {
 /* A point of the line against its circle. */
 typedef struct PlanarPoint {
     PlanarWeights weight, weight1; /* at u, and their first derivatives */
-    Lane2 p, p1;                   /* from the circle's centre to P, and P', m */
-    Lane radius, radius1;          /* rc and rc', m */
+    Lane2 p, p1, p2;               /* from the circle's centre to P; P' and P'', m */
+    Lane radius, radius1, radius2; /* rc, rc' and rc'', m */
     Lane rho;                      /* distance from the circle's centre, m */
     Lane2 normal;
     Lane slope, curvature; /* g' and g'' (C9), (C10), m */
@@ -86,7 +86,7 @@ LANE_INLINE Lane planar_root(Lane x)
     return r;
 }
 
-/* Everything at parameter u: (C1), (C4), (C9), (C10) with the circle's H = t t^T / rho (PL11). */
+/* P - c, P', P'' and the radius with its derivatives at u: (C1), (C4). */
 LANE_INLINE PlanarPoint planar_point_at(const PlanarLine *line, Lane u)
 {
     const PlanarBody *j = &line->body[0], *k = &line->body[1];
@@ -97,44 +97,72 @@ LANE_INLINE PlanarPoint planar_point_at(const PlanarLine *line, Lane u)
     const PlanarWeights weight2 = {{-bent, bent}, {line->arc * (12 * u - 8), line->arc * (12 * u - 4)}};
     at.p = l2_sub(planar_weighted(&at.weight, j->x, j->r, k->x, k->r), line->centre);
     at.p1 = planar_weighted(&at.weight1, j->x, j->r, k->x, k->r);
-    const Lane2 p2 = planar_weighted(&weight2, j->x, j->r, k->x, k->r);
+    at.p2 = planar_weighted(&weight2, j->x, j->r, k->x, k->r);
     const Lane thinner = k->radius - j->radius;
     at.radius = at.weight.alpha[0] * j->radius + at.weight.alpha[1] * k->radius;
     at.radius1 = at.weight1.alpha[1] * thinner;
-    const Lane square = l2_dot(at.p, at.p), tiny = lane_set(1e-60); /* the centre itself: the normal vanishes there */
-    at.rho = planar_root(lane_select(square > tiny, square, tiny));
-    const Lane inverse = 1 / at.rho;
-    at.normal = l2_scale(inverse, at.p);
-    const Lane across = l2_cross(at.normal, at.p1);
-    at.slope = l2_dot(at.normal, at.p1) - at.radius1;
-    at.curvature = inverse * across * across + l2_dot(at.normal, p2) - bent * thinner;
+    at.radius2 = bent * thinner;
     return at;
 }
 
-LANE_INLINE int planar_any(LaneMask m)
+/* Distance from the circle's centre; the centre itself has one too, so that nothing is divided by zero. */
+LANE_INLINE Lane planar_rho(Lane2 p)
 {
-    int64_t any = 0;
-    for (int k = 0; k < LANES; ++k) any |= m[k];
-    return any != 0;
+    const Lane square = l2_dot(p, p), tiny = lane_set(1e-60);
+    return planar_root(lane_select(square > tiny, square, tiny));
 }
 
-/* Parameter of the nearest point (C11): the same search as in space, Newton between bounds that close in, bisection
- * where it leaves them; the start is exact for a straight line. A lane that has converged is left alone. */
+/* Adds normal, slope and curvature of the gap: (C9), (C10) with the circle's H = t t^T / rho (PL11). */
+LANE_INLINE void planar_point_gap(PlanarPoint *at)
+{
+    at->rho = planar_rho(at->p);
+    const Lane inverse = 1 / at->rho;
+    at->normal = l2_scale(inverse, at->p);
+    const Lane across = l2_cross(at->normal, at->p1);
+    at->slope = l2_dot(at->normal, at->p1) - at->radius1;
+    at->curvature = inverse * across * across + l2_dot(at->normal, at->p2) - at->radius2;
+}
+
+/* rho g' at the start and at the end of the element; the radius does not change there (C4). */
+LANE_INLINE void planar_end_slopes(const PlanarLine *line, Lane *start, Lane *end)
+{
+    const PlanarBody *j = &line->body[0], *k = &line->body[1];
+    const Lane(*const beta)[2] = line->beta;
+    const Lane low = line->alpha, high = line->arc + line->alpha, chord = 2 * line->arc;
+    const PlanarWeights first = {{1 - low, low}, {beta[0][0], beta[1][0]}};
+    const PlanarWeights last = {{1 - high, high}, {beta[0][0] + beta[0][1], beta[1][0] + beta[1][1]}};
+    const Lane2 at_first = l2_sub(planar_weighted(&first, j->x, j->r, k->x, k->r), line->centre);
+    const Lane2 at_last = l2_sub(planar_weighted(&last, j->x, j->r, k->x, k->r), line->centre);
+    *start = l2_dot(at_first, l2_axpy(l2_scale(beta[0][1] + chord, j->r), beta[1][1], k->r));
+    *end = l2_dot(at_last, l2_axpy(l2_scale(beta[0][1], j->r), beta[1][1] + chord, k->r));
+}
+
+/* Parameter of the nearest point (C11): Newton between bounds that close in, bisection where it leaves them. Unlike in
+ * space, what is made zero is rho g' = (P - c).P' - rho rc': for a straight line it is linear in u, so that the start,
+ * which is the secant's, is exact; and only where the radius changes does it need a root. A lane that has converged is
+ * left alone. */
 LANE_INLINE Lane planar_nearest(const PlanarLine *line, LaneMask *interior)
 {
     enum { NEWTON = 20, MOST = 80 };
     const Lane zero = lane_set(0), one = lane_set(1), close = lane_set(1e-10);
-    const PlanarPoint start = planar_point_at(line, zero), end = planar_point_at(line, one);
-    *interior = (start.slope < zero) & (end.slope >= zero);
-    const Lane s0 = start.rho * start.slope, s1 = end.rho * end.slope;
-    Lane u = lane_select(*interior, s0 / (s0 - s1), lane_select(start.slope < zero, one, zero));
+    const unsigned tapers = lane_bits(line->body[0].radius != line->body[1].radius);
+    Lane start, end;
+    planar_end_slopes(line, &start, &end);
+    *interior = (start < zero) & (end >= zero);
+    Lane u = lane_select(*interior, start / (start - end), lane_select(start < zero, one, zero));
     Lane low = zero, high = one;
     LaneMask running = *interior;
-    for (int i = 0; i < MOST && planar_any(running); ++i) {
+    for (int i = 0; i < MOST && lane_bits(running); ++i) {
         const PlanarPoint at = planar_point_at(line, u);
-        low = lane_select(at.slope < zero, u, low);
-        high = lane_select(at.slope < zero, high, u);
-        const Lane newton = u - at.slope / at.curvature;
+        Lane slope = l2_dot(at.p, at.p1), rise = l2_dot(at.p1, at.p1) + l2_dot(at.p, at.p2);
+        if (tapers) {
+            const Lane rho = planar_rho(at.p);
+            rise -= slope / rho * at.radius1 + rho * at.radius2;
+            slope -= rho * at.radius1;
+        }
+        low = lane_select(slope < zero, u, low);
+        high = lane_select(slope < zero, high, u);
+        const Lane newton = u - slope / rise;
         const LaneMask inside = (newton >= low) & (newton <= high);
         const Lane middle = (low + high) / 2;
         const Lane next = i < NEWTON ? lane_select(inside, newton, middle) : middle;
@@ -187,6 +215,7 @@ LANE_INLINE PlanarContact planar_contact_at(const PlanarBatch *batch, const Plan
     const PlanarBody *j = &line->body[0], *k = &line->body[1];
     PlanarContact c;
     c.at = planar_point_at(line, planar_nearest(line, &c.interior));
+    planar_point_gap(&c.at);
     const PlanarWeights *w = &c.at.weight;
     c.tangent = l2_turn(c.at.normal);
     c.pdot = planar_weighted(w, j->v, l2_scale(j->w, l2_turn(j->r)), k->v, l2_scale(k->w, l2_turn(k->r)));

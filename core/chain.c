@@ -21,6 +21,14 @@ double *chain_array_new(int n, double fill)
     return block + FRONT;
 }
 
+double *aligned_array_new(int count)
+{
+    const size_t bytes = ((size_t)count * sizeof(double) / ALIGNMENT + 1) * ALIGNMENT;
+    double *const array = aligned_alloc(ALIGNMENT, bytes);
+    if (array) memset(array, 0, bytes);
+    return array;
+}
+
 double *chain_array_free(double *array)
 {
     if (array) free(array - FRONT);

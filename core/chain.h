@@ -75,7 +75,10 @@ double *chain_array_free(double *array);
 /* `count` of them into array[]; 0 if one could not be had (the others stay for the free). */
 int chain_arrays_new(double **array, int count, int n, double fill);
 void chain_arrays_free(double **array, int count);
-/* The length of such an array's allocation. */
+/* Plain zeros, at the start of a cache line, so that no vector of a loop over all of them crosses one; free() frees it.
+ */
+double *aligned_array_new(int count);
+/* The length of a chain array's allocation. */
 int chain_stride(int n);
 
 /* Allocate everything a chain of n segments needs: zeros, but masses and inertias 1, quaternions the identity and axes

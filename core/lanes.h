@@ -32,6 +32,15 @@ LANE_INLINE Lane lane_select(LaneMask mask, Lane a, Lane b)
     return (Lane)(((LaneMask)a & mask) | ((LaneMask)b & ~mask));
 }
 
+/* One bit a lane, lane 0 the lowest: 1 where the mask is set. */
+LANE_INLINE unsigned lane_bits(LaneMask mask)
+{
+    typedef int64_t Four __attribute__((vector_size(4 * sizeof(int64_t))));
+    const LaneMask bit = mask & (LaneMask){1, 2, 4, 8, 16, 32, 64, 128};
+    const Four four = __builtin_shufflevector(bit, bit, 0, 1, 2, 3) | __builtin_shufflevector(bit, bit, 4, 5, 6, 7);
+    return (unsigned)((four[0] | four[1]) | (four[2] | four[3]));
+}
+
 LANE_INLINE Lane3 l3_load(double *const p[3], int i)
 {
     return (Lane3){lane_load(p[0] + i), lane_load(p[1] + i), lane_load(p[2] + i)};

@@ -1,7 +1,5 @@
 #include "core/planar.h"
 
-#include <string.h>
-
 #include "core/lanes.h"
 #include "core/planar_kernels.h"
 
@@ -88,7 +86,7 @@ void planar_joint_loads_free(PlanarJointLoads *loads)
 int planar_blocks_alloc(PlanarBlocks *blocks, int n)
 {
     const int ok = chain_arrays_new(blocks->lower, 9, n, 0) & chain_arrays_new(blocks->diag, 9, n, 0) &
-                   chain_arrays_new(blocks->upper, 9, n, 0);
+                   chain_arrays_new(blocks->upper, 9, n, 0) & chain_arrays_new(blocks->front, 9, n, 0);
     if (!ok) planar_blocks_free(blocks);
     return ok;
 }
@@ -98,6 +96,7 @@ void planar_blocks_free(PlanarBlocks *blocks)
     chain_arrays_free(blocks->lower, 9);
     chain_arrays_free(blocks->diag, 9);
     chain_arrays_free(blocks->upper, 9);
+    chain_arrays_free(blocks->front, 9);
 }
 
 /* ------------------------------------------------------------------------------------------------- mechanics */
@@ -130,16 +129,7 @@ void planar_joint_blocks(const PlanarChain *chain, const PlanarKinematics *kin, 
     kernels()->joint_blocks(chain, kin, from, to, k, d);
 }
 
-/* From the ghost before the chain to the end of the lane that holds the ghost behind it. */
-void planar_blocks_zero(PlanarBlocks *blocks, int n)
-{
-    const size_t bytes = (size_t)(planar_stride(n + 1) + 1) * sizeof(double);
-    for (int e = 0; e < 9; ++e) {
-        memset(blocks->lower[e] - 1, 0, bytes);
-        memset(blocks->diag[e] - 1, 0, bytes);
-        memset(blocks->upper[e] - 1, 0, bytes);
-    }
-}
+void planar_blocks_join(PlanarBlocks *blocks, int from, int to) { kernels()->blocks_join(blocks, from, to); }
 
 void planar_blocks_trim(PlanarBlocks *blocks, int n)
 {

@@ -45,6 +45,8 @@ typedef struct PlanarJointLoads {
  * matrix, entry by entry: [3 column + row] is an array over the segments of the row. lower[e][i]: column i - 1. */
 typedef struct PlanarBlocks {
     double *lower[9], *diag[9], *upper[9];
+    double
+        *front[9]; /* [joint] what a joint gives to the diagonal of the segment before it; planar_blocks_join adds it */
 } PlanarBlocks;
 
 /* All zero but the inverse masses, which are 1; 0 if there is no memory (then nothing is allocated). */
@@ -75,12 +77,14 @@ void planar_tension(const PlanarChain *chain, const PlanarKinematics *kin, int f
  * LANES or n; then what pads the arrays gets zeros. Returns 0 if a rate is not finite. */
 int planar_rates(const PlanarChain *chain, const PlanarKinematics *kin, const PlanarJointLoads *joints,
                  const PlanarLoads loads[2], int from, int to, double *ydot);
-/* Adds the derivatives of the wrenches of joints from..to-1 to k and d (PL8)-(PL10). The rows and columns of the ghosts
- * are written too where the arrays have room for them: see planar_blocks_trim. */
+/* Writes the derivatives of the wrenches of joints from..to-1 to k and d (PL8)-(PL10): lower, upper and front, and to
+ * diag what they give to the segments after them. from is a multiple of LANES. Blocks of the ghosts are written too
+ * where the arrays have room for them. */
 void planar_joint_blocks(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, PlanarBlocks *k,
                          PlanarBlocks *d);
-/* Zeroes what couples the chain of n with its ghosts, once all joints have been added. */
+/* Once all joints are there: adds front to the diagonals of segments from..to-1; from is a multiple of LANES. */
+void planar_blocks_join(PlanarBlocks *blocks, int from, int to);
+/* Zeroes what couples the chain of n with its ghosts. */
 void planar_blocks_trim(PlanarBlocks *blocks, int n);
-void planar_blocks_zero(PlanarBlocks *blocks, int n);
 
 #endif

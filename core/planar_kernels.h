@@ -14,6 +14,7 @@ typedef struct PlanarKernels {
                  const PlanarLoads loads[2], int from, int to, double *ydot);
     void (*joint_blocks)(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, PlanarBlocks *k,
                          PlanarBlocks *d);
+    void (*blocks_join)(PlanarBlocks *blocks, int from, int to);
 } PlanarKernels;
 
 extern const PlanarKernels planar_kernels_generic, planar_kernels_avx2, planar_kernels_avx512;

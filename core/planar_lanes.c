@@ -195,38 +195,41 @@ LANE_INLINE PlanarVariation vary_spin(const PlanarJoint *j, const PlanarLaw *law
     return vary_wrench(j, law_times(j->frame, law->c, rate), none, after ? law->c_bend : -law->c_bend);
 }
 
-/* block entry [3 column + row] of LANES rows from i += sign v */
-LANE_INLINE void entry_add(double *const block[9], int column, int row, int i, Lane v)
+/* A column of LANES 3x3 blocks from row i on: force on top, moment below. */
+LANE_INLINE void column_store(double *const block[9], int column, int i, Lane2 force, Lane moment)
 {
-    double *const at = block[3 * column + row] + i;
-    lane_store(at, lane_load(at) + v);
-}
-
-/* A column of a 3x3 block: force on top, moment below. */
-LANE_INLINE void column_add(double *const block[9], int column, int i, Lane2 force, Lane moment)
-{
-    entry_add(block, column, 0, i, force.x);
-    entry_add(block, column, 1, i, force.z);
-    entry_add(block, column, 2, i, moment);
+    lane_store(block[3 * column] + i, force.x);
+    lane_store(block[3 * column + 1] + i, force.z);
+    lane_store(block[3 * column + 2] + i, moment);
 }
 
 /* A moves by -shift, B by +shift; B feels minus the force. */
-LANE_INLINE void shift_add(PlanarBlocks *out, int jj, int column, PlanarVariation v)
+LANE_INLINE void shift_store(PlanarBlocks *out, int jj, int column, PlanarVariation v)
 {
-    const int a = jj - 1, b = jj;
-    column_add(out->diag, column, a, l2_neg(v.force), -v.torque_a);
-    column_add(out->upper, column, a, v.force, v.torque_a);
-    column_add(out->lower, column, b, v.force, -v.torque_b);
-    column_add(out->diag, column, b, l2_neg(v.force), v.torque_b);
+    const Lane2 back = l2_neg(v.force);
+    column_store(out->front, column, jj, back, -v.torque_a);
+    column_store(out->upper, column, jj - 1, v.force, v.torque_a);
+    column_store(out->lower, column, jj, v.force, -v.torque_b);
+    column_store(out->diag, column, jj, back, v.torque_b);
 }
 
-LANE_INLINE void turn_add(PlanarBlocks *out, int jj, PlanarVariation of_a, PlanarVariation of_b)
+LANE_INLINE void turn_store(PlanarBlocks *out, int jj, PlanarVariation of_a, PlanarVariation of_b)
 {
-    const int a = jj - 1, b = jj;
-    column_add(out->diag, 2, a, of_a.force, of_a.torque_a);
-    column_add(out->upper, 2, a, of_b.force, of_b.torque_a);
-    column_add(out->lower, 2, b, l2_neg(of_a.force), of_a.torque_b);
-    column_add(out->diag, 2, b, l2_neg(of_b.force), of_b.torque_b);
+    column_store(out->front, 2, jj, of_a.force, of_a.torque_a);
+    column_store(out->upper, 2, jj - 1, of_b.force, of_b.torque_a);
+    column_store(out->lower, 2, jj, l2_neg(of_a.force), of_a.torque_b);
+    column_store(out->diag, 2, jj, l2_neg(of_b.force), of_b.torque_b);
+}
+
+/* Apart from the joints' loop: there the sums would have to wait for what was just stored. */
+static void kernel_blocks_join(PlanarBlocks *blocks, int from, int to)
+{
+    for (int i = from; i < to; i += LANES) {
+        for (int e = 0; e < 9; ++e) {
+            double *const diag = blocks->diag[e] + i;
+            lane_store(diag, lane_load(diag) + lane_load(blocks->front[e] + i + 1));
+        }
+    }
 }
 
 static void kernel_joint_blocks(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
@@ -238,13 +241,13 @@ static void kernel_joint_blocks(const PlanarChain *chain, const PlanarKinematics
         const PlanarLaw law = {l2_load(chain->stiffness, jj), l2_load(chain->damping, jj),
                                lane_load(chain->stiffness[2] + jj), lane_load(chain->damping[2] + jj)};
         for (int c = 0; c < 2; ++c) {
-            shift_add(k, jj, c, vary_shift(&j, &law, unit[c]));
-            shift_add(d, jj, c, vary_speed(&j, &law, unit[c]));
+            shift_store(k, jj, c, vary_shift(&j, &law, unit[c]));
+            shift_store(d, jj, c, vary_speed(&j, &law, unit[c]));
         }
-        turn_add(k, jj, vary_turn(&j, &law, 0), vary_turn(&j, &law, 1));
-        turn_add(d, jj, vary_spin(&j, &law, 0), vary_spin(&j, &law, 1));
+        turn_store(k, jj, vary_turn(&j, &law, 0), vary_turn(&j, &law, 1));
+        turn_store(d, jj, vary_spin(&j, &law, 0), vary_spin(&j, &law, 1));
     }
 }
 
-const PlanarKernels ISA_NAME(planar_kernels) = {kernel_kinematics, kernel_joint_loads, kernel_tension, kernel_rates,
-                                                kernel_joint_blocks};
+const PlanarKernels ISA_NAME(planar_kernels) = {kernel_kinematics, kernel_joint_loads,  kernel_tension,
+                                                kernel_rates,      kernel_joint_blocks, kernel_blocks_join};

@@ -91,25 +91,30 @@ int planar_evaluate(Planar *p, double t, const double *y, double friction, doubl
     return !(e.finite[0] && e.finite[1]);
 }
 
-/* Joints of one half, without the lane of joints at the middle, which touches segments of both. */
-static void blocks_job(void *arg, int rank)
+static void joint_blocks_job(void *arg, int rank)
 {
     Planar *const p = ((Evaluation *)arg)->p;
-    const int from = rank == 0 ? 0 : p->middle + LANES, to = share_to(p, rank, segments(p) + 1);
-    planar_joint_blocks(&p->ps.chain, &p->kin, from, to, &p->newton.k, &p->newton.d);
+    planar_joint_blocks(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->newton.k,
+                        &p->newton.d);
+}
+
+static void join_job(void *arg, int rank)
+{
+    Planar *const p = ((Evaluation *)arg)->p;
+    const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
+    planar_blocks_join(&p->newton.k, from, to);
+    planar_blocks_join(&p->newton.d, from, to);
 }
 
 void planar_blocks(Planar *p, double t, const double *y, double friction)
 {
     const PlanarChain *const chain = &p->ps.chain;
     PlanarBlocks *const k = &p->newton.k, *const d = &p->newton.d;
-    const int n = chain->n, after = p->middle + LANES < n + 1 ? p->middle + LANES : n + 1;
+    const int n = chain->n;
     Evaluation e = {.p = p};
     planar_place(p, t, y);
-    planar_blocks_zero(k, n);
-    planar_blocks_zero(d, n);
-    both(p, blocks_job, 1, &e);
-    planar_joint_blocks(chain, &p->kin, p->middle, after, k, d);
+    both(p, joint_blocks_job, 1, &e);
+    both(p, join_job, 1, &e);
     planar_blocks_trim(k, n);
     planar_blocks_trim(d, n);
     planar_applied_blocks(&p->ps, &p->kin, t, friction, k, d);

@@ -22,8 +22,7 @@ LANE_INLINE Lane2 lead_in_force(const PlanarWeight *w, const PlanarKinematics *k
     const Lane share = blend_share(l2_dot(off, along) / w->blend);
     const Lane hold = -w->hold * l2_dot(off, across) - w->hold_damping * l2_dot(l2_load(kin->v, i), across);
     const Lane2 lost = {lane_set(w->lost[0]), lane_set(w->lost[1])};
-    *past = 1;
-    for (int k = 0; k < LANES; ++k) *past &= share[k] >= 1;
+    *past = !lane_bits(share < lane_set(1));
     return l2_scale((1 - share) * mass, l2_axpy(lost, hold, across));
 }
 

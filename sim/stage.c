@@ -120,7 +120,7 @@ static hawser_status window_first(Stage *st, hawser_error *err)
     if (!status) status = last_segment(scene, first, &end, err);
     if (status) return status;
     const int size = scene_state_size(scene) - STATE_SIZE * (total - end + first); /* the equipment's too */
-    double *const y = malloc((size_t)size * sizeof *y);
+    double *const y = aligned_array_new(size);
     st->whole = scene->chain;
     memset(&scene->chain, 0, sizeof scene->chain);
     if (!y || !window_open(st, first, end - first)) {
@@ -170,7 +170,7 @@ static hawser_status motion_new(Stage *st, hawser_error *err)
 /* From the state in space to the motion's, and the first candidates. */
 static hawser_status state_pack(Stage *st, hawser_error *err)
 {
-    double *const y = malloc((size_t)st->motion->size * sizeof *y);
+    double *const y = aligned_array_new(st->motion->size);
     if (!y) return error_memory(err);
     st->motion->ops->pack(st->motion, st->y, y);
     free(st->y);
@@ -184,7 +184,7 @@ hawser_status stage_new(Stage *st, const SceneDef *def, Team *team, hawser_error
     Scene *const scene = &st->scene;
     hawser_status status = scene_build(def, scene, err);
     if (status) return status;
-    st->y = malloc((size_t)scene_state_size(scene) * sizeof(double));
+    st->y = aligned_array_new(scene_state_size(scene));
     if (!st->y) return error_memory(err);
     scene_initial_state(scene, st->y);
     if (scene->reel.present || scene->take_in.present) status = window_first(st, err);

@@ -125,10 +125,12 @@ void stats_free(Stats *stats)
 /* Route coordinate of point p, from a guess: the foot of the perpendicular on the route. */
 static double route_coordinate(const Route *route, Vec3 p, double guess)
 {
-    for (int it = 0; it < 3; ++it) {
+    double step = INFINITY;
+    for (int it = 0; it < 3 && fabs(step) > 1e-8; ++it) { /* m; what is left is of the order of its square */
         const RoutePoint at = route_at(route, guess);
         const Vec3 off = v3_sub(p, at.position);
-        guess += v3_dot(off, at.tangent) / (1 - v3_dot(off, at.curvature));
+        step = v3_dot(off, at.tangent) / (1 - v3_dot(off, at.curvature));
+        guess += step;
     }
     return guess;
 }

@@ -2,7 +2,9 @@
 
 #include <nvector/nvector_serial.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "core/chain.h"
 #include "sim/vector_kernels.h"
 
 enum { TERMS_MAX = 16 }; /* more than CVODE ever combines: its order is at most 12, plus 2 */
@@ -59,6 +61,10 @@ static void op_const(realtype a, N_Vector z)
 {
     double *const data = NV_DATA_S(z);
     const int count = length_of(z);
+    if (!(a < 0 || a > 0)) {
+        memset(data, 0, (size_t)count * sizeof *data); /* which is what CVODE asks for */
+        return;
+    }
     for (int i = 0; i < count; ++i) data[i] = a;
 }
 
@@ -121,7 +127,7 @@ static N_Vector op_clone(N_Vector like)
         N_VFreeEmpty(v);
         return NULL;
     }
-    return vector_fill(v, calloc((size_t)content->serial.length + 1, sizeof(double)), 1, content);
+    return vector_fill(v, aligned_array_new((int)content->serial.length), 1, content);
 }
 
 static void use_kernels(N_Vector v)

@@ -11,7 +11,8 @@ typedef struct Pulled {
     double tension[FIXTURE_SEGMENTS + 1], place[3 * FIXTURE_SEGMENTS], load[32];
 } Pulled;
 
-static void pull(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int threads, double accuracy)
+static void pull_at_reach(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int threads, double accuracy,
+                          double reach)
 {
     SceneDef def;
     Sim *s = NULL;
@@ -19,7 +20,7 @@ static void pull(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int
     hawser_relaxation relaxation;
     fixture_planar(&def, &(FixtureChoice){.geometry = geometry, .heading = 37 * M_PI / 180, .accuracy = accuracy});
     def.solver.planar = planar;
-    def.contact_reach = 0.1; /* candidates are renewed on the way */
+    def.contact_reach = reach;
     if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
     scene_def_clear(&def);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
@@ -38,6 +39,12 @@ static void pull(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int
     sim_summary(s, &out->summary);
     assert_int_equal(out->summary.planar, planar != PLANAR_OFF);
     sim_free(s);
+}
+
+/* With candidates that are renewed on the way. */
+static void pull(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int threads, double accuracy)
+{
+    pull_at_reach(out, planar, geometry, threads, accuracy, 0.1);
 }
 
 static double largest_difference(int count, const double *a, const double *b)
@@ -78,6 +85,45 @@ static void test_threads(void **state)
     assert_memory_equal(one.place, two.place, sizeof one.place);
     assert_memory_equal(one.load, two.load, sizeof one.load);
     assert_true(one.summary.pull_mean_N == two.summary.pull_mean_N && one.summary.steps == two.summary.steps);
+}
+
+/* Which pairs are looked at does not change a bit: few, renewed again and again, or all of them, once. */
+static void test_reach(void **state)
+{
+    (void)state;
+    Pulled few, all;
+    pull(&few, PLANAR_ON, GEOMETRY_SMOOTH, 1, 1e-3);
+    pull_at_reach(&all, PLANAR_ON, GEOMETRY_SMOOTH, 1, 1e-3, 1e6);
+    assert_true(few.summary.contact_refreshes > 1 && all.summary.contact_refreshes == 1);
+    assert_int_equal(all.summary.contact_candidates, (FIXTURE_SEGMENTS + 1) * all.summary.rollers);
+    assert_true(few.summary.contact_candidates < all.summary.contact_candidates / 4);
+    assert_memory_equal(few.tension, all.tension, sizeof few.tension);
+    assert_memory_equal(few.place, all.place, sizeof few.place);
+    assert_memory_equal(few.load, all.load, sizeof few.load);
+    assert_true(few.summary.steps == all.summary.steps);
+}
+
+/* What a row leaves out of the sample it does not leave out of the statistics. */
+static void test_rows(void **state)
+{
+    (void)state;
+    hawser_summary summary[2];
+    for (int whole = 0; whole < 2; ++whole) {
+        SceneDef def;
+        Sim *s = NULL;
+        hawser_error err = {0};
+        fixture_planar(&def, &(FixtureChoice){0});
+        if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
+        scene_def_clear(&def);
+        for (int k = 0; k <= 20; ++k) {
+            if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
+            (whole ? sim_record : sim_record_row)(s);
+        }
+        sim_summary(s, &summary[whole]);
+        sim_free(s);
+    }
+    assert_true(summary[0].pull_mean_N == summary[1].pull_mean_N && summary[0].pull_peak_N == summary[1].pull_peak_N);
+    assert_true(summary[0].steps == summary[1].steps && summary[0].error_max_pct == summary[1].error_max_pct);
 }
 
 /* A planar free chain with its own workspace and integrator. */
@@ -221,10 +267,9 @@ static void test_long_chain_threads(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_agreement),
-        cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_conservation),
-        cmocka_unit_test(test_long_chain_threads),
+        cmocka_unit_test(test_agreement),    cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_reach),        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_conservation), cmocka_unit_test(test_long_chain_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
