@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/error.h"
+#include "sim/stretches.h"
 #include "theory/paper.h"
 
 /* The winch's travel in the middle of the steady window, m; with a set tension, if it moves at its limit. */
@@ -26,51 +27,22 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
 }
 
-/* The surface along the route that begins first at or after `from`; NULL if there is none. */
-static const SurfaceDef *next_surface(const SceneDef *def, double from)
-{
-    const SurfaceDef *next = NULL;
-    for (int i = 0; i < def->n_surfaces; ++i) {
-        const SurfaceDef *const s = &def->surfaces[i];
-        if (!surface_along_route(s) || s->shape.from < from) continue;
-        if (!next || s->shape.from < next->shape.from) next = s;
-    }
-    return next;
-}
-
-/* The case's friction, and that of the ducts and trays where they are; they share no stretch. stretch: room for
- * 2 surfaces + 1. Returns how many. */
-static int stretches_of(const Scene *scene, PullStretch *stretch)
-{
-    const SceneDef *const def = &scene->def;
-    const double mu = def->friction.mu_d, w = scene->cable_weight;
-    int n = 0;
-    stretch[n++] = (PullStretch){.from = -1e9, .weight = w, .mu = mu};
-    const SurfaceDef *s = next_surface(def, -1e8);
-    while (s) {
-        if (!(s->shape.from > stretch[n - 1].from)) --n; /* it begins where the last one ends */
-        stretch[n++] = (PullStretch){.from = s->shape.from, .weight = w, .mu = surface_theory_friction(s)};
-        stretch[n++] = (PullStretch){.from = s->shape.to, .weight = w, .mu = mu};
-        s = next_surface(def, s->shape.to);
-    }
-    return n;
-}
-
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
 {
-    PullStretch *const stretch = calloc(2 * (size_t)scene->def.n_surfaces + 1, sizeof *stretch);
-    if (!stretch) return error_memory(err);
+    Stretches stretches;
+    hawser_status status = stretches_find(scene, &stretches, err);
+    if (status) return status;
     const PullDef def = {.route = &scene->route,
                          .law = law,
                          .from = e->from,
                          .to = e->to,
                          .start_tension = e->start_tension,
-                         .n_stretches = stretches_of(scene, stretch),
-                         .stretch = stretch,
+                         .n_stretches = stretches.n,
+                         .stretch = stretches.stretch,
                          .n_steps = e->n_steps,
                          .step = e->step};
-    const hawser_status status = pull_solve(&def, pull, err);
-    free(stretch);
+    status = pull_solve(&def, pull, err);
+    stretches_free(&stretches);
     return status;
 }
 

@@ -19,7 +19,8 @@ typedef struct Expected {
  * (their s must be set; those off the cable get NAN). Errors: as pull_solve. */
 hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err);
 
-/* The pull behind those figures by one of the laws, each duct and tray with its own friction. Errors: as pull_solve. */
+/* The pull behind those figures by one of the laws, each duct and tray with its own friction, separate supports where
+ * sim/stretches.h finds them. Errors: as pull_solve. */
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
 /* What conveyor i (the case's order) is reckoned to push with, N. */
 double expected_push(const Expected *e, int i);

@@ -36,6 +36,13 @@ hawser_status bend_level_tension(double T1, double w, double mu, double R, doubl
     return give_bend(T1, T1 * cosh(mu * turn) + sinh(mu * turn) * hypot(T1, w * R), T2, err);
 }
 
+hawser_status bend_separate_tension(double T1, double w, double mu, double R, double turn, double *T2,
+                                    hawser_error *err)
+{
+    assert(w >= 0 && mu >= 0 && R > 0 && turn >= 0);
+    return give_bend(T1, T1 * exp(mu * turn) + w * R * expm1(mu * turn), T2, err);
+}
+
 /* A sag's cable bears on the inner side while T > w R cos(slope). */
 static hawser_status check_lifted(double T, double w, double R, double slope, hawser_error *err)
 {
@@ -192,8 +199,8 @@ static hawser_status vertical_piece(const RoutePiece *p, int direction, double T
     return bend_any_vertical_tension(T1, w, mu, p->radius, a, b, T2, err);
 }
 
-hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, double *T2,
-                            hawser_error *err)
+hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, int separate,
+                            double *T2, hawser_error *err)
 {
     if (piece->kind == ROUTE_STRAIGHT) {
         const double slope = atan2(piece->tangent.z, hypot(piece->tangent.x, piece->tangent.y));
@@ -202,7 +209,9 @@ hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, d
     }
     const double aside = fabs(v3_cross(piece->tangent, piece->centre).z);
     if (fabs(piece->tangent.z) < PLANE_TOLERANCE && fabs(piece->centre.z) < PLANE_TOLERANCE) {
-        return bend_level_tension(T1, w, mu, piece->radius, piece->angle, T2, err);
+        const double R = piece->radius, turn = piece->angle;
+        return separate ? bend_separate_tension(T1, w, mu, R, turn, T2, err)
+                        : bend_level_tension(T1, w, mu, R, turn, T2, err);
     }
     if (aside < PLANE_TOLERANCE) return vertical_piece(piece, direction, T1, w, mu, T2, err);
     return error_set(err, HAWSER_ERR_INPUT, "the bend is neither level nor in a vertical plane: no closed form");

@@ -15,6 +15,11 @@ double capstan_tension(double T1, double mu, double turn);
 /* A level bend: T1 cosh(mu turn) + sinh(mu turn) sqrt(T1^2 + (w R)^2). Refuses T1 < 0. (T11) */
 hawser_status bend_level_tension(double T1, double w, double mu, double R, double turn, double *T2, hawser_error *err);
 
+/* A level bend whose weight and turning force rest on separate supports: (T1 + w R) exp(mu turn) - w R. Refuses T1 < 0.
+ * (LI2) */
+hawser_status bend_separate_tension(double T1, double w, double mu, double R, double turn, double *T2,
+                                    hawser_error *err);
+
 /* Bends in a vertical plane that begin or end level. */
 typedef enum VerticalBend { SAG_LEVEL_UP, CREST_UP_LEVEL, CREST_LEVEL_DOWN, SAG_DOWN_LEVEL } VerticalBend;
 
@@ -37,10 +42,10 @@ double roller_load(double T1, double T2, double turn);
  * which is T spacing / R for close rollers. (T18) */
 double roller_load_in_bend(double T, double R, double spacing);
 
-/* The closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1). Refuses
- * what has none: bends that are neither level nor in a vertical plane, and those that the functions above
- * refuse. */
-hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, double *T2,
-                            hawser_error *err);
+/* The closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1), its supports
+ * separate or not. Refuses what has none: bends that are neither level nor in a vertical plane, and those that the
+ * functions above refuse. */
+hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, int separate,
+                            double *T2, hawser_error *err);
 
 #endif

@@ -82,7 +82,8 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
         return;
     }
     double T2 = 0;
-    if (piece_tension(p, span->law.direction, span->t0, span->law.weight, span->law.mu, &T2, &why)) {
+    if (piece_tension(p, span->law.direction, span->t0, span->law.weight, span->law.mu, span->law.separate, &T2,
+                      &why)) {
         snprintf(piece->reason, sizeof piece->reason, "%.*s", PLAN_REASON_MAX - 1, why.message);
     } else {
         piece->closed = T2;

@@ -37,15 +37,43 @@ static double normal_force(const SpanLaw *p, SpanFrame f, double tension)
     return hypot(pull - p->weight * f.nz, p->weight * p->line.bz);
 }
 
+/* The two parts of the same force where separate supports bear them, (LI1): what holds the cable up or down, positive
+ * toward the ground, and what holds it sideways. The slope's cosine c is the length of (nz, bz). */
+typedef struct SpanParts {
+    double down, aside;
+} SpanParts;
+
+static SpanParts support_parts(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double c = hypot(f.nz, p->line.bz);
+    const double pull = p->law == PULL_REFERENCE ? tension * p->line.curvature : 0;
+    if (!(c > 0)) return (SpanParts){.aside = pull}; /* upright: no weight lies on anything */
+    return (SpanParts){.down = p->weight * c - pull * f.nz / c, .aside = pull * p->line.bz / c};
+}
+
+static double sum_of_supports(const SpanLaw *p, SpanFrame f, double tension)
+{
+    if (!p->separate) return normal_force(p, f, tension);
+    const SpanParts parts = support_parts(p, f, tension);
+    return fabs(parts.down) + fabs(parts.aside);
+}
+
 double span_normal(const SpanLaw *p, double s, double tension)
 {
-    return normal_force(p, span_frame(&p->line, s), tension);
+    return sum_of_supports(p, span_frame(&p->line, s), tension);
+}
+
+double span_support(const SpanLaw *p, double s, double tension)
+{
+    if (!p->separate) return span_normal(p, s, tension);
+    const SpanParts parts = support_parts(p, span_frame(&p->line, s), tension);
+    return fmax(fabs(parts.down), fabs(parts.aside));
 }
 
 double span_rate(const SpanLaw *p, double s, double tension)
 {
     const SpanFrame f = span_frame(&p->line, s);
-    return p->mu * normal_force(p, f, tension) + p->direction * p->weight * f.tz;
+    return p->mu * sum_of_supports(p, f, tension) + p->direction * p->weight * f.tz;
 }
 
 static void extremes_take(SpanExtremes *e, double s, double tension)
@@ -88,11 +116,15 @@ static double dopri_step(const SpanLaw *p, double s, double tension, double h, d
 }
 
 /* The normal force toward the centre where it can pass through zero, which is a corner of the law: bends in a
- * vertical plane under the reference law. 0 elsewhere, and within rounding of the corner. */
+ * vertical plane under the reference law, and the downward part on separate supports. 0 elsewhere, and within rounding
+ * of the corner. */
 static double signed_normal(const SpanLaw *p, double s, double tension)
 {
-    if (p->law != PULL_REFERENCE || p->line.curvature <= 0 || fabs(p->line.bz) > ZERO_FORCE) return 0;
-    const double pull = tension * p->line.curvature, g = pull - p->weight * span_frame(&p->line, s).nz;
+    if (p->law != PULL_REFERENCE || p->line.curvature <= 0) return 0;
+    if (!p->separate && fabs(p->line.bz) > ZERO_FORCE) return 0;
+    const double pull = tension * p->line.curvature;
+    const SpanFrame f = span_frame(&p->line, s);
+    const double g = p->separate ? support_parts(p, f, tension).down : pull - p->weight * f.nz;
     return fabs(g) > ZERO_FORCE * (fabs(pull) + p->weight) ? g : 0;
 }
 
@@ -143,7 +175,7 @@ static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, doub
     extremes_take(e, s, tension);
     extremes_take_inside(e, p, s, tension, h, k);
     extremes_take(e, s_end, end);
-    e->max_normal = fmax(e->max_normal, fmax(span_normal(p, s, tension), span_normal(p, s_end, end)));
+    e->max_support = fmax(e->max_support, fmax(span_support(p, s, tension), span_support(p, s_end, end)));
 }
 
 /* Step by step with error control, ending a step where the normal force changes sign. Steps below 1e-13 of

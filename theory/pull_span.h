@@ -22,12 +22,12 @@ typedef struct SpanFrame {
     double tz, nz;
 } SpanFrame;
 
-/* Extremes met on the way, N and m along the route. max_normal is the largest of those at the integrator's
+/* Extremes met on the way, N and m along the route. max_support is the largest of those at the integrator's
  * steps. */
 typedef struct SpanExtremes {
     double max_tension, max_at;
     double min_tension, min_at;
-    double max_normal; /* N/m */
+    double max_support; /* N/m, on one support: the larger part where supports are separate */
 } SpanExtremes;
 
 typedef struct SpanLaw {
@@ -35,14 +35,18 @@ typedef struct SpanLaw {
     int direction; /* +1: pulled toward growing s; -1: the other way */
     double weight; /* N/m */
     double mu;
+    int separate; /* what carries the weight does not hold the cable in level bends: (LI1) in place of (T6) */
     SpanLine line;
 } SpanLaw;
 
 /* The line of the route around s (m): of the piece there, or straight beyond the ends. */
 SpanLine span_line(const Route *route, double s);
 SpanFrame span_frame(const SpanLine *line, double s);
-/* Force between cable and support per length, N/m, at tension T (N): (T6), or (T8) without capstan effect. */
+/* Force between cable and support per length, N/m, at tension T (N): (T6), or (T8) without capstan effect; the sum over
+ * separate supports (LI1). */
 double span_normal(const SpanLaw *p, double s, double tension);
+/* The same on the support that bears most. */
+double span_support(const SpanLaw *p, double s, double tension);
 /* dT/ds along the pull's direction, N/m: (T5). */
 double span_rate(const SpanLaw *p, double s, double tension);
 /* Integrates (T5) from s0 to s1 (m; direction * (s1 - s0) >= 0) and returns the tension there, N. Local error

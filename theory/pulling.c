@@ -61,17 +61,24 @@ static int collect_cuts(const PullDef *def, double *cut)
     return kept;
 }
 
+/* The stretch around s. */
+static const PullStretch *stretch_at(const PullDef *def, double s)
+{
+    int i = 0;
+    while (i + 1 < def->n_stretches && def->stretch[i + 1].from <= s) i++;
+    return &def->stretch[i];
+}
+
 /* The law that holds between two neighbouring cuts. */
 static SpanLaw law_between(const PullDef *def, double low, double high)
 {
     const double middle = low + (high - low) / 2;
-    int i = 0;
-    while (i + 1 < def->n_stretches && def->stretch[i + 1].from <= middle) i++;
-    const PullStretch *a = &def->stretch[i];
+    const PullStretch *a = stretch_at(def, middle);
     return (SpanLaw){.law = def->law,
                      .direction = def->to > def->from ? 1 : -1,
                      .weight = a->weight,
                      .mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu,
+                     .separate = a->separate,
                      .line = span_line(def->route, middle)};
 }
 
@@ -100,7 +107,7 @@ static void take_span(Pull *pull, const PullSpan *span)
     const SpanExtremes *e = &span->extremes;
     take_tension(pull, e->max_at, e->max_tension);
     take_tension(pull, e->min_at, e->min_tension);
-    const double sidewall = e->max_tension * span->law.line.curvature;
+    const double sidewall = e->max_tension * span->law.line.curvature * span->share;
     if (sidewall > pull->max_sidewall) {
         pull->max_sidewall = sidewall;
         pull->sidewall_at = e->max_at;
@@ -119,6 +126,8 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
         *span = (PullSpan){.s0 = forward ? low : high, .s1 = forward ? high : low};
         span->piece = route_at(def->route, low + (high - low) / 2).piece;
         span->law = law_between(def, low, high);
+        const double share = stretch_at(def, low + (high - low) / 2)->share;
+        span->share = share > 0 ? share : 1;
         span->t0 = tension + steps_at(def, span->s0);
         span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY};
         tension = span->t1 = span_integrate(&span->law, span->s0, span->t0, span->s1, &span->extremes);
@@ -189,22 +198,23 @@ PullPoint pull_at(const Pull *pull, double s)
     PullPoint point = {.tension = span_tension(pull, span, at), .piece = span->piece};
     const SpanFrame frame = span_frame(&span->law.line, at);
     point.normal = span_normal(&span->law, at, point.tension);
-    point.sidewall = point.tension * span->law.line.curvature;
+    point.support = span_support(&span->law, at, point.tension);
+    point.sidewall = point.tension * span->law.line.curvature * span->share;
     point.slope = asin(fmax(-1, fmin(1, frame.tz)));
     return point;
 }
 
-void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *normal)
+void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *support)
 {
     double largest[3] = {0, 0, 0};
     for (int i = 0; i < pull->n; i++) {
         const PullSpan *span = &pull->span[i];
         if (span->piece != piece) continue;
         largest[0] = fmax(largest[0], span->extremes.max_tension);
-        largest[1] = fmax(largest[1], span->extremes.max_tension * span->law.line.curvature);
-        largest[2] = fmax(largest[2], span->extremes.max_normal);
+        largest[1] = fmax(largest[1], span->extremes.max_tension * span->law.line.curvature * span->share);
+        largest[2] = fmax(largest[2], span->extremes.max_support);
     }
     if (tension) *tension = largest[0];
     if (sidewall) *sidewall = largest[1];
-    if (normal) *normal = largest[2];
+    if (support) *support = largest[2];
 }

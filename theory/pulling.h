@@ -17,6 +17,8 @@ typedef struct PullStretch {
     double weight;    /* N/m: mass per length times g, of all cables together */
     double mu;        /* friction coefficient, weight correction of a duct included; 0: none */
     double mu_static; /* at a restart; counts as mu if it is smaller */
+    int separate;     /* weight and turning force rest on supports of their own: friction adds up (LI1) */
+    double share;     /* of T/R that presses on the worst loaded cable, of several; 0: all of it */
 } PullStretch;
 
 /* A force that acts at one point against the pull: the tension rises by it. Conveyors push: negative. */
@@ -42,6 +44,7 @@ typedef struct PullSpan {
     double s0, s1; /* m, s0 where the pull enters */
     int piece;     /* of the route */
     SpanLaw law;
+    double share;          /* of T/R */
     double t0, t1;         /* N, tension just after s0 and just before s1 (steps lie between spans) */
     SpanExtremes extremes; /* on [s0, s1] */
 } PullSpan;
@@ -54,14 +57,15 @@ typedef struct Pull {
     double end_tension;   /* N at `to`, after any step there: the pull's force */
     double max_tension, max_at;
     double min_tension, min_at;       /* below 0: the cable would have to be pushed, or goes slack */
-    double max_sidewall, sidewall_at; /* N/m, T/R in bends, and where (m) */
+    double max_sidewall, sidewall_at; /* N/m, T/R in bends times the stretch's share, and where (m) */
 } Pull;
 
 /* What the theory says at one point. */
 typedef struct PullPoint {
     double tension;  /* N */
     double normal;   /* N/m, force between cable and support, weight included: a roller's load per spacing */
-    double sidewall; /* N/m, T/R; 0 on straights */
+    double support;  /* N/m, the same on the one that bears most, where supports are separate */
+    double sidewall; /* N/m, T/R times the stretch's share; 0 on straights */
     double slope;    /* rad, of the route, up toward growing s positive */
     int piece;
 } PullPoint;
@@ -74,8 +78,8 @@ void pull_clear(Pull *pull);
 /* The pull at s (m along the route; taken at the nearer end outside the pull). At a step, the tension before
  * it; at a corner of the route, the span that the pull has just passed. */
 PullPoint pull_at(const Pull *pull, double s);
-/* The largest tension, sidewall pressure (N/m) and normal force (N/m) on a piece of the route; 0 where the
+/* The largest tension, sidewall pressure (N/m) and force on one support (N/m) on a piece of the route; 0 where the
  * pull has no span on it. Any of the three may be NULL. */
-void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *normal);
+void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *support);
 
 #endif

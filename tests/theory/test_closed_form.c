@@ -166,7 +166,7 @@ static void pieces_of_a_route(void **state)
             double T2 = 0;
             hawser_error err;
             const RoutePiece *piece = &route.piece[span->piece];
-            const hawser_status status = piece_tension(piece, direction, span->t0, 200, 0.25, &T2, &err);
+            const hawser_status status = piece_tension(piece, direction, span->t0, 200, 0.25, 0, &T2, &err);
             if (span->piece == 5) { /* the sloping bend */
                 assert_int_equal(status, HAWSER_ERR_INPUT);
                 assert_non_null(strstr(err.message, "no closed form"));

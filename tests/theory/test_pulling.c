@@ -61,6 +61,69 @@ static PullDef simple_def(const Route *route, const PullStretch *stretch, double
     return (PullDef){.route = route, .to = route->length, .start_tension = start, .n_stretches = 1, .stretch = stretch};
 }
 
+/* (LI1) written out with the route's vectors: what lies on the ground and what presses to the side. */
+static double separate_rate(const Route *route, int direction, double w, double mu, double s, double T)
+{
+    const RoutePoint at = route_at(route, s);
+    const Vec3 left = route_left(route, s), up = v3_cross(at.tangent, left);
+    const Vec3 load = v3_axpy(v3(0, 0, -w), T, at.curvature);
+    const double N = fabs(v3_dot(load, up)) + fabs(v3_dot(load, left));
+    return mu * N + direction * w * at.tangent.z;
+}
+
+/* The rates at many places of the winding route; they exceed those of one support in bends to a side, and nowhere fall
+ * below. */
+static void separate_supports(void **state)
+{
+    (void)state;
+    Route route = winding_route();
+    PullStretch cable = {.weight = 150, .mu = 0.2, .separate = 1};
+    const PullDef def = simple_def(&route, &cable, 2000);
+    Pull two, one;
+    assert_int_equal(pull_solve(&def, &two, NULL), HAWSER_OK);
+    cable.separate = 0;
+    assert_int_equal(pull_solve(&def, &one, NULL), HAWSER_OK);
+    assert_true(two.end_tension > 1.01 * one.end_tension);
+    for (int i = 0; i < two.n; i++) {
+        const PullSpan *span = &two.span[i];
+        for (int k = 1; k < 20; k++) {
+            const double s = span->s0 + k / 20.0 * (span->s1 - span->s0), T = pull_at(&two, s).tension;
+            near(span_rate(&span->law, s, T), separate_rate(&route, 1, 150, 0.2, s, T), 1e-9 * T);
+            const double resultant = span_normal(&one.span[i].law, s, T), sum = span_normal(&span->law, s, T);
+            assert_true(sum >= resultant * (1 - 1e-12) && sum <= resultant * 1.4143);
+            assert_true(span_support(&span->law, s, T) <= resultant * (1 + 1e-12));
+        }
+    }
+    pull_clear(&two);
+    pull_clear(&one);
+    route_clear(&route);
+}
+
+/* (LI2) in a level bend; a bend in a vertical plane, whose cable lifts on the way, does not know the difference. */
+static void separate_closed_forms(void **state)
+{
+    (void)state;
+    const RoutePieceDef def[] = {{.kind = ROUTE_BEND, .radius = 8, .angle = 1.1, .plane = 0},
+                                 {.kind = ROUTE_BEND, .radius = 40, .angle = 0.9, .plane = PI / 2}};
+    Route route;
+    assert_int_equal(route_build(&route, 2, def, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    PullStretch cable = {.weight = 200, .mu = 0.25, .separate = 1};
+    const PullDef pull_def = simple_def(&route, &cable, 3000);
+    Pull pull;
+    double T2, lifted;
+    hawser_error err;
+    assert_int_equal(pull_solve(&pull_def, &pull, NULL), HAWSER_OK);
+    const double exact = (3000 + 1600) * exp(0.25 * 1.1) - 1600;
+    near(pull.span[0].t1, exact, 1e-8);
+    assert_int_equal(bend_separate_tension(3000, 200, 0.25, 8, 1.1, &T2, NULL), HAWSER_OK);
+    near(T2, exact, 1e-10);
+    assert_int_equal(piece_tension(&route.piece[1], 1, exact, 200, 0.25, 1, &lifted, NULL), HAWSER_OK);
+    near(pull.end_tension, lifted, 1e-7);
+    assert_int_equal(bend_separate_tension(-1, 200, 0.25, 8, 1.1, &T2, &err), HAWSER_ERR_INPUT);
+    pull_clear(&pull);
+    route_clear(&route);
+}
+
 static void independent_integration_agrees(void **state)
 {
     (void)state;
@@ -321,6 +384,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(independent_integration_agrees),
+        cmocka_unit_test(separate_supports),
+        cmocka_unit_test(separate_closed_forms),
         cmocka_unit_test(mirrored_routes_agree),
         cmocka_unit_test(points_on_the_way),
         cmocka_unit_test(stretches_and_steps),
