@@ -173,9 +173,10 @@ static void test_tray(void **state)
     const char *const name[] = {"2 m", "4 m", "6 m", "8 m"};
     for (int i = 0; i < 4; ++i)
         assert_share(station(o.sim, name[i])->mean_N, station(o.sim, name[i])->reference_N, 2e-3);
-    /* in the bend floor and wall have friction each: more than the theory's, less than that with T at the wall alone */
+    /* in the bend floor and wall have friction each (LI1); the theory knows nothing of the room that the cable has
+     * before it comes to the wall, which costs 0.7 % */
     const hawser_station *const out = station(o.sim, "14 m");
-    assert_true(out->mean_N > 1.05 * out->reference_N && out->mean_N < 1.2 * out->reference_N);
+    assert_share(out->mean_N, out->reference_N, 0.01);
     assert_share(surface(o.sim, "v")->friction_N, 0.2 * surface(o.sim, "v")->normal_N, 1e-6);
     hawser_sim_free(o.sim);
 }
