@@ -207,8 +207,8 @@ static void guide_case(void **state)
     const double in = 10 - (1 + travel), out = 31 + travel - (10 + arc);
     const double T1 = 3000 + mu * w * in, T2 = (T1 + w * R) * exp(mu * M_PI / 3) - w * R;
     expect_near(found, T2 + mu * w * out, 0.015);
-    /* and the theory knows that supports are separate there */
-    expect_near(summary.reference_total_N, T2 + mu * w * out, 1e-6);
+    /* and the theory knows that supports are separate there; the chain's chords put the tail 0.3 mm ahead */
+    expect_near(summary.reference_total_N, T2 + mu * w * out, 1e-5);
 }
 
 int main(void)
