@@ -102,14 +102,16 @@ int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out) { ret
 int hawser_sim_events(const hawser_sim *s, const hawser_event **out) { return sim_events(s->sim, out); }
 
 /* The public table names things a little differently from the one inside. */
+static hawser_roller roller_row(const SimRoller *r)
+{
+    return (hawser_roller){r->name, r->s, r->rating, r->initial, r->steady, r->peak, r->spin, r->shift, r->peak_shift};
+}
+
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
 {
     const SimRoller *table;
     const int n = sim_rollers(s->sim, &table);
-    for (int i = 0; i < n; i++) {
-        const SimRoller *r = &table[i];
-        s->roller[i] = (hawser_roller){r->name, r->s, r->rating, r->initial, r->steady, r->peak};
-    }
+    for (int i = 0; i < n; i++) s->roller[i] = roller_row(&table[i]);
     *out = s->roller;
     return n;
 }
@@ -156,15 +158,23 @@ static const char *outcome_name(const hawser_sim *s)
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
     hawser_summary summary;
-    SummaryLabels labels = {s->title, s->case_name, outcome_name(s), s->outcome ? s->message : "", 0, NULL};
+    SummaryLabels labels = {s->title, s->case_name, outcome_name(s), s->outcome ? s->message : "", 0, NULL, 0, NULL};
     const SimSurface *table;
+    const SimRoller *rollers;
     labels.n_surfaces = sim_surfaces(s->sim, &table);
+    labels.n_rollers = sim_rollers(s->sim, &rollers);
     hawser_surface *const surface = calloc((size_t)labels.n_surfaces + 1, sizeof *surface);
-    if (!surface) return error_memory(err);
-    for (int i = 0; i < labels.n_surfaces; i++) surface[i] = api_surface(&table[i]);
-    labels.surface = surface;
-    sim_summary(s->sim, &summary);
-    const hawser_status status = summary_json(&summary, &labels, text, err);
+    hawser_roller *const roller = calloc((size_t)labels.n_rollers + 1, sizeof *roller);
+    hawser_status status = surface && roller ? HAWSER_OK : error_memory(err);
+    if (!status) {
+        for (int i = 0; i < labels.n_surfaces; i++) surface[i] = api_surface(&table[i]);
+        for (int i = 0; i < labels.n_rollers; i++) roller[i] = roller_row(&rollers[i]);
+        labels.surface = surface;
+        labels.roller = roller;
+        sim_summary(s->sim, &summary);
+        status = summary_json(&summary, &labels, text, err);
+    }
     free(surface);
+    free(roller);
     return status;
 }

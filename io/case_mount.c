@@ -18,7 +18,8 @@ hawser_status case_spin_read(const CaseReader *r, const CaseNode *node, double r
                       .torque = record.bearing.torque,
                       .speed = record.bearing.speed};
     if (record.bearing.journal < radius) return HAWSER_OK;
-    return case_key_error(r->err, case_node_key(node, "bearing"), "journal",
+    const CaseNode *const bearing = case_node_key(node, "bearing");
+    return case_key_error(r->err, bearing ? bearing : node, bearing ? "journal" : "bearing.journal",
                           "out of range: must be below the roller's radius, %g m", radius);
 }
 

@@ -74,6 +74,24 @@ static int put_surfaces(json_t *o, const SummaryLabels *l)
     return json_object_set_new(o, "surfaces", list) | bad;
 }
 
+/* Rollers that spin or stand on mounts; the key is absent where there are none. */
+static int put_moving_rollers(json_t *o, const SummaryLabels *l)
+{
+    json_t *list = json_array();
+    int bad = !list;
+    for (int i = 0; i < l->n_rollers && !bad; i++) {
+        const hawser_roller *const r = &l->roller[i];
+        if (isnan(r->spin_rad_per_s) && isnan(r->shift_m)) continue;
+        json_t *row = json_object();
+        bad = put_text(row, "name", r->name) | put_real(row, "s_m", r->s) |
+              put_real(row, "steady_spin_rad_per_s", r->spin_rad_per_s) | put_real(row, "steady_shift_m", r->shift_m) |
+              put_real(row, "peak_shift_m", r->peak_shift_m) | json_array_append_new(list, row);
+    }
+    if (json_array_size(list) > 0) return json_object_set_new(o, "moving_rollers", list) | bad;
+    json_decref(list);
+    return bad;
+}
+
 /* What the integrator and the linear solver did. */
 static int put_work(json_t *o, const hawser_summary *s)
 {
@@ -170,8 +188,8 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     int bad = !o;
     if (o) {
         bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
-              put_events(o, s) | put_surfaces(o, labels) | put_relaxation(o, &s->relaxation) |
-              put_phases(o, &s->phases);
+              put_events(o, s) | put_surfaces(o, labels) | put_moving_rollers(o, labels) |
+              put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(o);

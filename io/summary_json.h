@@ -11,6 +11,8 @@ typedef struct SummaryLabels {
     const char *message; /* why it did not finish; "" otherwise */
     int n_surfaces;
     const hawser_surface *surface; /* [n_surfaces] */
+    int n_rollers;
+    const hawser_roller *roller; /* [n_rollers] */
 } SummaryLabels;
 
 /* The text of summary.json, malloc'ed; what is not known (NAN) becomes null. Errors: MEMORY. */

@@ -143,6 +143,12 @@ void equipment_pose(EquipmentWork *w, const double *e)
     }
 }
 
+double equipment_shift(const EquipmentWork *w, const MovingRoller *item)
+{
+    const Vec3 stands = vector_at(w->q->ground.p, body_of(item->mount));
+    return v3_norm(v3_sub(w->roller[item->roller].shape.centre, stands));
+}
+
 /* Moment of contact and bearing about the axis of a roller that spins at s (SP8), N m. */
 static double axis_moment(const EquipmentWork *w, const MovingRoller *item, double s, double friction)
 {

@@ -41,6 +41,9 @@ void equipment_pose(EquipmentWork *w, const double *e);
 /* Rates of e (SP8), (SP10) from poses and loads; friction scales the bearings' torques. */
 void equipment_rates(EquipmentWork *w, const double *e, double friction, double *rate);
 
+/* How far a roller on a mount is from where the case puts it, m. */
+double equipment_shift(const EquipmentWork *w, const MovingRoller *item);
+
 /* The contacts' derivatives, contact by contact: `first` is the roller that coupling->roller counts from. */
 void equipment_blocks_begin(EquipmentWork *w);
 void equipment_blocks_take(EquipmentWork *w, int first, const RollerCoupling *coupling);

@@ -5,6 +5,16 @@
 
 #include "sim/absent.h"
 
+/* Spin and shift of every roller, not known until a look, and never for those that do not move. */
+static int moving_alloc(SampleBuffers *b, int rollers)
+{
+    for (int k = 0; k < 2; ++k) {
+        b->moving[k] = malloc((size_t)rollers * sizeof(double));
+        for (int r = 0; b->moving[k] && r < rollers; ++r) b->moving[k][r] = NAN;
+    }
+    return b->moving[0] && b->moving[1];
+}
+
 int sample_alloc(SampleBuffers *b, const Scene *scene)
 {
     const size_t n = (size_t)scene->total;
@@ -17,7 +27,7 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
     b->axial_speed = calloc(n, sizeof(double));
     b->roller_load = calloc((size_t)scene->contact.n_rollers + 1, sizeof(double));
     const int surfaces = scene->surfaces.model.n_surfaces;
-    int ok = 1;
+    int ok = scene->equipment.n == 0 || moving_alloc(b, scene->contact.n_rollers);
     for (int k = 0; k < 4; ++k) {
         b->surface[k] = calloc((size_t)surfaces + 1, sizeof(double));
         ok = ok && b->surface[k];
@@ -35,6 +45,8 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .tension = b->tension,
                                 .axial_speed = b->axial_speed,
                                 .roller_load = b->roller_load,
+                                .roller_spin = b->moving[0],
+                                .roller_shift = b->moving[1],
                                 .surfaces = surfaces,
                                 .surface_normal = b->surface[0],
                                 .surface_friction = b->surface[1],
@@ -59,6 +71,7 @@ void sample_free(SampleBuffers *b)
     for (int k = 0; k < 4; ++k) free(b->surface[k]);
     free(b->conveyor_force);
     free(b->conveyor_slip);
+    for (int k = 0; k < 2; ++k) free(b->moving[k]);
     memset(b, 0, sizeof *b);
 }
 
@@ -141,6 +154,16 @@ static void reel_take(SampleBuffers *b, const Scene *scene, const Workspace *ws,
     s->wound = look.wound;
 }
 
+static void moving_take(SampleBuffers *b, const EquipmentWork *w)
+{
+    for (int k = 0; k < w->q->n; ++k) {
+        const MovingRoller *const item = &w->q->item[k];
+        const int r = item->roller;
+        if (item->spin >= 0) b->moving[0][r] = v3_dot(w->motion[r].w, w->roller[r].shape.axis);
+        if (item->mount >= 0) b->moving[1][r] = equipment_shift(w, item);
+    }
+}
+
 const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t, int active,
                                  SampleParts parts)
 {
@@ -163,5 +186,6 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Wor
         b->conveyor_force[i] = now.force;
         b->conveyor_slip[i] = now.slip;
     }
+    moving_take(b, &ws->equipment);
     return s;
 }

@@ -8,6 +8,7 @@ typedef struct SampleBuffers {
     hawser_sample sample;
     double *position, *quaternion, *velocity, *omega; /* [3n], [4n], [3n], [3n] */
     double *tension, *axial_speed, *roller_load;      /* [n+1], [n], [rollers]; n: segments of the whole chain */
+    double *moving[2];                                /* [rollers]: spin, shift; NULL where no roller moves */
     double *surface[4];                               /* [surfaces]: normal force, friction, largest line load, where */
     double *conveyor_force, *conveyor_slip;           /* [conveyors] */
 } SampleBuffers;

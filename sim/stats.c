@@ -90,8 +90,10 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
     stats->roller = calloc(nr, sizeof *stats->roller);
     stats->station_out = calloc(ns, sizeof *stats->station_out);
     stats->roller_out = calloc(nr, sizeof *stats->roller_out);
-    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !surfaces_new(stats, def) ||
-        !conveyors_new_stats(stats, scene)) {
+    stats->moving[0] = calloc(nr, sizeof *stats->roller);
+    stats->moving[1] = calloc(nr, sizeof *stats->roller);
+    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !stats->moving[0] ||
+        !stats->moving[1] || !surfaces_new(stats, def) || !conveyors_new_stats(stats, scene)) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -104,6 +106,7 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
         snprintf(out->name, sizeof out->name, "%s", def->rollers[r].name);
         out->s = def->rollers[r].s;
         out->rating = def->rollers[r].rating;
+        out->spin = out->shift = out->peak_shift = NAN;
     }
     return HAWSER_OK;
 }
@@ -114,6 +117,8 @@ void stats_free(Stats *stats)
     free(stats->roller);
     free(stats->station_out);
     free(stats->roller_out);
+    free(stats->moving[0]);
+    free(stats->moving[1]);
     free(stats->surface[0]);
     free(stats->surface[1]);
     free(stats->surface_out);
@@ -216,6 +221,10 @@ static void tables_update(Stats *stats)
     for (int r = 0; r < stats->n_rollers; ++r) {
         stats->roller_out[r].steady = mean_of(&stats->roller[r]);
         stats->roller_out[r].peak = stats->roller[r].peak;
+        if (!stats->moving[0][r].started) continue;
+        stats->roller_out[r].spin = mean_of(&stats->moving[0][r]);
+        stats->roller_out[r].shift = mean_of(&stats->moving[1][r]);
+        stats->roller_out[r].peak_shift = stats->moving[1][r].peak;
     }
 }
 
@@ -251,6 +260,9 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     for (int r = 0; r < stats->n_rollers; ++r) {
         mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
         if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];
+        if (!sample->roller_spin) continue;
+        mean_add(&stats->moving[0][r], sample->roller_spin[r], dt, steady);
+        mean_add(&stats->moving[1][r], sample->roller_shift[r], dt, steady);
     }
     surfaces_record(stats, sample, dt, steady);
     conveyors_record(stats, scene, sample, dt, steady);

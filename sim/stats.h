@@ -13,11 +13,13 @@ typedef struct TimeMean {
 
 typedef struct SimRoller {
     char name[NAME_MAX_LENGTH];
-    double s;       /* m along the route, NAN if listed by coordinates */
-    double rating;  /* N, 0: none */
-    double steady;  /* N, mean load in the steady window */
-    double peak;    /* N, of the run */
-    double initial; /* N, at equilibrium before t = 0 */
+    double s;                 /* m along the route, NAN if listed by coordinates */
+    double rating;            /* N, 0: none */
+    double steady;            /* N, mean load in the steady window */
+    double peak;              /* N, of the run */
+    double initial;           /* N, at equilibrium before t = 0 */
+    double spin;              /* rad/s, mean of the steady window; NAN: it does not spin */
+    double shift, peak_shift; /* m, mean of the steady window and largest of the run; NAN: it is not on a mount */
 } SimRoller;
 
 typedef struct SimSurface {
@@ -42,6 +44,7 @@ typedef struct Stats {
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station;    /* [n_stations], N */
     TimeMean *roller;     /* [n_rollers], N */
+    TimeMean *moving[2];  /* [n_rollers], rad/s, m: spin, shift; filled where rollers move */
     TimeMean *surface[2]; /* [n_surfaces], N: normal force, friction */
     hawser_station *station_out;
     SimRoller *roller_out;

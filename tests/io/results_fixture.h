@@ -16,7 +16,8 @@
 
 enum { N = 5, R = 2 };
 
-static const hawser_roller fixture_rollers[R] = {{"entry, left", 0.5, 160e3, 100, 200, 320}, {"P2", NAN, 0, 0, 0, 10}};
+static const hawser_roller fixture_rollers[R] = {{"entry, left", 0.5, 160e3, 100, 200, 320, NAN, NAN, NAN},
+                                                 {"P2", NAN, 0, 0, 0, 10, 1.5, NAN, NAN}};
 static const hawser_station fixture_stations[3] = {
     {"A", 0, 1000, 1010, 1020, 1500}, {"say \"B\"", 2, 2000, 2020, 1980, 2500}, {"C", 4, 0, 0, NAN, NAN}};
 static const int fixture_watched[2] = {0, 4};

@@ -51,7 +51,7 @@ static const hawser_summary full = {.segments = 370,
                                     .relaxation = {1, 12, 1e-3, 1e-2, 77, 0.002},
                                     .phases = {1, 2, 3, 4, 5, 6, 7, 8, 9}};
 
-static const SummaryLabels labels = {"A \"title\"", "cases/x.yaml", "finished", "", 0, NULL};
+static const SummaryLabels labels = {"A \"title\"", "cases/x.yaml", "finished", "", 0, NULL, 0, NULL};
 
 /* The summary as JSON read back; the caller decrefs it. */
 static json_t *write_and_read(const hawser_summary *s, const SummaryLabels *l)
@@ -172,9 +172,31 @@ static void test_unknown_becomes_null(void **state)
     json_decref(o);
 }
 
+/* Rollers that move have a table of their own, which others stay out of; without any there is none. */
+static void test_moving_rollers(void **state)
+{
+    (void)state;
+    const hawser_roller roller[2] = {{"fixed", 0.5, 160e3, 100, 200, 320, NAN, NAN, NAN},
+                                     {"P2", NAN, 0, 0, 0, 10, 1.5, NAN, NAN}};
+    json_t *o = write_and_read(&full, &labels);
+    assert_null(json_object_get(o, "moving_rollers"));
+    json_decref(o);
+    SummaryLabels with = labels;
+    with.n_rollers = 2;
+    with.roller = roller;
+    o = write_and_read(&full, &with);
+    json_t *const list = json_object_get(o, "moving_rollers"), *const row = json_array_get(list, 0);
+    assert_int_equal(json_array_size(list), 1);
+    assert_string_equal(json_string_value(json_object_get(row, "name")), "P2");
+    assert_true(json_real_value(json_object_get(row, "steady_spin_rad_per_s")) == 1.5);
+    assert_true(json_is_null(json_object_get(row, "steady_shift_m")) && json_is_null(json_object_get(row, "s_m")));
+    json_decref(o);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_moving_rollers),
         cmocka_unit_test(test_numbers),
         cmocka_unit_test(test_texts),
         cmocka_unit_test(test_unknown_becomes_null),

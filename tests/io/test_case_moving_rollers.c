@@ -1,0 +1,164 @@
+/* Rollers that spin or stand on mounts as cases describe them: what is read and refused, and the example cases against
+ * closed forms through the public interface; with them the capstan on a drum that is fixed or turns. */
+#include "hawser/hawser.h"
+#include "tests/io/case_fixture.h"
+
+static void what_is_read(void **state)
+{
+    (void)state;
+    SceneDef def;
+    expect_good(SMALLEST, "rollers",
+                "{along: {count: 2, spin: {inertia: 50 g m2, bearing: {friction: 0.2, torque: 30 mN m}}}, "
+                "list: [{centre: [5, 0, -3], axis: [0, 1, 0], mount: {stiffness: [1 kN/m, 2 kN/m, 3, 4 N m/rad, "
+                "5, 60 N m/deg], mass: 7 kg, inertia: 0.2}}]}",
+                &def);
+    assert_int_equal(def.n_rollers, 3);
+    const SpinDef *const spin = &def.rollers[1].spin;
+    expect_near(spin->inertia, 0.05, 1e-12);
+    expect_near(spin->friction, 0.2, 0);
+    expect_near(spin->journal, 0.01, 1e-12);
+    expect_near(spin->torque, 0.03, 1e-12);
+    expect_near(spin->speed, 0.01, 1e-12);
+    assert_false(def.rollers[1].mount.present || def.rollers[2].spin.inertia > 0);
+    const MountDef *const mount = &def.rollers[2].mount;
+    const double stiffness[6] = {1e3, 2e3, 3, 4, 5, 60 * 180 / 3.14159265358979323846};
+    for (int c = 0; c < 6; ++c) expect_near(mount->stiffness[c], stiffness[c], 1e-12);
+    assert_true(mount->present);
+    expect_near(mount->damping, 1e-3, 1e-12);
+    expect_near(mount->mass, 7, 0);
+    expect_near(mount->inertia, 0.2, 0);
+    scene_def_clear(&def);
+}
+
+static void what_is_refused(void **state)
+{
+    (void)state;
+    static const char *const bad[][2] = {
+        {"{count: 3, spin: {}}", "key 'rollers.along.spin.inertia': missing"},
+        {"{count: 3, spin: {inertia: 0}}", "key 'rollers.along.spin.inertia': value '0' is out of range"},
+        {"{count: 3, spin: {inertia: 1 kg}}", "has the unit 'kg', which is not that of a moment of inertia"},
+        {"{count: 3, spin: {inertia: 1, bearing: {journal: 100 mm}}}",
+         "key 'rollers.along.spin.bearing.journal': out of range: must be below the roller's radius, 0.1 m"},
+        {"{count: 3, spin: {inertia: 1, bearing: {friction: -0.1}}}",
+         "key 'rollers.along.spin.bearing.friction': value '-0.1'"},
+        {"{count: 3, radius: 5 mm, spin: {inertia: 1}}", "key 'rollers.along.spin.bearing"},
+        {"{count: 3, mount: {mass: 1, inertia: 1}}", "key 'rollers.along.mount.stiffness': missing"},
+        {"{count: 3, mount: {stiffness: [1, 2, 3], mass: 1, inertia: 1}}", "key 'rollers.along.mount.stiffness"},
+        {"{count: 3, mount: {stiffness: [1, 2, 0, 4, 5, 6], mass: 1, inertia: 1}}",
+         "key 'rollers.along.mount.stiffness.2': value '0' is out of range"},
+        {"{count: 3, mount: {stiffness: [1, 2, 3, 4 N/m, 5, 6], mass: 1, inertia: 1}}",
+         "which is not that of a stiffness in turning"},
+        {"{count: 3, mount: {stiffness: [1, 2, 3, 4, 5, 6], mass: 0, inertia: 1}}", "key 'rollers.along.mount.mass'"},
+    };
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) expect_bad(SMALLEST, "rollers.along", bad[k][0], bad[k][1]);
+}
+
+/* Runs an example case with settings ("key", "value", ..., NULL). */
+typedef struct Outcome {
+    hawser_summary summary;
+    hawser_sim *sim;
+} Outcome;
+
+static Outcome run(const char *name, const char *const *settings)
+{
+    char path[512];
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    Outcome out = {0};
+    snprintf(path, sizeof path, "%s/cases/%s.yaml", HAWSER_SOURCE_DIR, name);
+    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
+    for (int i = 0; settings && settings[i]; i += 2) {
+        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
+    }
+    if (hawser_sim_new(c, NULL, &out.sim, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    if (hawser_sim_run(out.sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_summary(out.sim, &out.summary);
+    print_message("%s: pull %.2f N, %ld steps, %s\n", name, out.summary.pull_mean_N, out.summary.steps,
+                  out.summary.linear_solver_why);
+    assert_true(out.summary.relaxation.reached);
+    return out;
+}
+
+/* A roller that turns with the cable costs mu r_j/R, whatever the friction between it and the cable. */
+static void bearing_friction(void **state)
+{
+    (void)state;
+    const double weight = 30 * 22 * 9.81, share = 0.12 * 12 / 100;
+    const char *const grippy[] = {"friction.mu", "0.8", NULL};
+    const char *const *const settings[] = {NULL, grippy};
+    for (int k = 0; k < 2; ++k) {
+        const hawser_roller *roller;
+        Outcome o = run("rollers-spinning", settings[k]);
+        expect_near(o.summary.pull_mean_N, share * weight, 0.01);
+        const int n = hawser_sim_rollers(o.sim, &roller);
+        for (int r = 2; r < n - 3; ++r) {
+            expect_near(roller[r].spin_rad_per_s, 1, 0.005); /* 0.1 m/s over 100 mm */
+            assert_true(isnan(roller[r].shift_m));
+        }
+        hawser_sim_free(o.sim);
+    }
+}
+
+/* Mounts give way by load over stiffness; the pull is that of fixed rollers. */
+static void mounts_give_way(void **state)
+{
+    (void)state;
+    const hawser_roller *roller;
+    Outcome o = run("rollers-mounted", NULL);
+    expect_near(o.summary.pull_mean_N, 0.2 * 20 * 22 * 9.81, 0.005);
+    const int n = hawser_sim_rollers(o.sim, &roller);
+    for (int r = 0; r < n; ++r) {
+        const double up = roller[r].steady_N / sqrt(1 + 0.04) / 200e3, along = 0.2 * up * 2;
+        expect_near(roller[r].shift_m, sqrt(up * up + along * along), 0.01);
+        assert_true(isnan(roller[r].spin_rad_per_s));
+    }
+    hawser_sim_free(o.sim);
+}
+
+/* T2 = T1 exp(mu theta) on a fixed drum, in the plane and in space; half a turn and a quarter of one. */
+static void capstan(void **state)
+{
+    (void)state;
+    const char *const half[] = {"solver.planar", "off", NULL};
+    const char *const quarter[] = {"route.pieces.1.bend",
+                                   "90 deg",
+                                   "chain.0.length",
+                                   "2.85 m",
+                                   "route.head_at",
+                                   "3.35 m",
+                                   "output.stations.list.1.at",
+                                   "1.5 m",
+                                   "output.stations.list.2.at",
+                                   "2 m",
+                                   NULL};
+    const char *const *const settings[] = {NULL, half, quarter};
+    for (int k = 0; k < 3; ++k) {
+        Outcome o = run("capstan", settings[k]);
+        expect_near(o.summary.pull_mean_N, 1000 * exp(0.2 * 3.14159265358979323846 / (k < 2 ? 1 : 2)), 0.005);
+        hawser_sim_free(o.sim);
+    }
+}
+
+/* The same drum turning: its bearing alone is left, T2 - T1 = mu r_j |f|/(R + r) with |f| = T1 + T2. The rope
+ * touches more than two segments' worth of it, so that it ends in the border. */
+static void turning_drum(void **state)
+{
+    (void)state;
+    const char *const spins[] = {"rollers.list.0.spin.inertia", "5 kg m2", "rollers.list.0.spin.bearing.journal",
+                                 "50 mm", NULL};
+    const double a = 0.1 * 0.05; /* R + r = 1 m */
+    Outcome o = run("capstan", spins);
+    expect_near(o.summary.pull_mean_N, 1000 * (1 + a) / (1 - a), 2e-4);
+    assert_non_null(strstr(o.summary.linear_solver_why, "border of 1"));
+    hawser_sim_free(o.sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_read),    cmocka_unit_test(what_is_refused), cmocka_unit_test(bearing_friction),
+        cmocka_unit_test(mounts_give_way), cmocka_unit_test(capstan),         cmocka_unit_test(turning_drum),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
