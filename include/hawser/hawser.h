@@ -96,18 +96,17 @@ typedef struct hawser_sample {
     double max_tension;  /* N, over all joints */
     int max_tension_joint;
     int active_contacts;
-    double reel_speed;         /* rad/s; NAN without a reel that pays out */
-    double paid_out, wound;    /* m, cable that has left the reel and that is on it; NAN likewise */
-    double step_size;          /* s, of the last step */
-    const double *position;    /* [3*segments] x0 y0 z0 x1 ..., m */
-    const double *quaternion;  /* [4*segments] w x y z ... */
-    const double *velocity;    /* [3*segments], m/s */
-    const double *omega;       /* [3*segments], rad/s */
-    const double *tension;     /* [joints], axial force, N, positive in tension */
-    const double *axial_speed; /* [segments], m/s, along the segment's own axis */
-    const double *roller_load; /* [rollers], N, size of the contact force on the roller */
-    const double *roller_spin; /* [rollers], rad/s about the roller's axis; NAN: does not spin; NULL: no roller moves */
-    const double *roller_shift; /* [rollers], m from where the case puts it; NAN: not on a mount; NULL likewise */
+    double reel_speed;                        /* rad/s; NAN without a reel that pays out */
+    double paid_out, wound;                   /* m, cable that has left the reel and that is on it; NAN likewise */
+    double step_size;                         /* s, of the last step */
+    const double *position;                   /* [3*segments] x0 y0 z0 x1 ..., m */
+    const double *quaternion;                 /* [4*segments] w x y z ... */
+    const double *velocity;                   /* [3*segments], m/s */
+    const double *omega;                      /* [3*segments], rad/s */
+    const double *tension;                    /* [joints], axial force, N, positive in tension */
+    const double *axial_speed;                /* [segments], m/s, along the segment's own axis */
+    const double *roller_load;                /* [rollers], N, size of the contact force on the roller */
+    const double *roller_spin, *roller_shift; /* rad/s, m; NAN: does not spin, has no mount; NULL: no roller moves */
     int surfaces;
     const double *surface_normal;    /* [surfaces], N, sum of the normal forces on the surface */
     const double *surface_friction;  /* [surfaces], N, sum of the friction forces on it */
@@ -212,14 +211,13 @@ int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
 /* One roller of the load table (rollers.csv). */
 typedef struct hawser_roller {
     const char *name;
-    double s;              /* m along the route; NAN if it was placed by coordinates */
-    double rating_N;       /* what it may carry; 0: not given */
-    double initial_N;      /* load at equilibrium before t = 0 */
-    double steady_N;       /* mean of the steady window; NAN until the run reached it */
-    double peak_N;         /* largest of the run */
-    double spin_rad_per_s; /* about its axis, mean of the steady window; NAN: it does not spin */
-    double shift_m;        /* from where the case puts it, mean of the steady window; NAN: it is not on a mount */
-    double peak_shift_m;   /* the largest of the run */
+    double s;                     /* m along the route; NAN if it was placed by coordinates */
+    double rating_N;              /* what it may carry; 0: not given */
+    double initial_N;             /* load at equilibrium before t = 0 */
+    double steady_N;              /* mean of the steady window; NAN until the run reached it */
+    double peak_N;                /* largest of the run */
+    double spin_rad_per_s;        /* about its axis, mean of the steady window; NAN: it does not spin */
+    double shift_m, peak_shift_m; /* from its place, mean of that window and largest; NAN: it is not on a mount */
 } hawser_roller;
 
 /* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how
