@@ -120,6 +120,7 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     ResultsDef def = {.title = s->title,
                       .segments = run->look->segments,
                       .reel = !isnan(run->look->paid_out),
+                      .front = !isnan(run->look->head_at),
                       .n_watched = output->n_speed_segments,
                       .watched = output->speed_segments,
                       .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};

@@ -10,6 +10,7 @@
 #include "io/results_xdmf.h"
 #include "io/summary_tables.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +25,7 @@ struct Results {
     XdmfFile xdmf;
     H5File *h5; /* NULL: no states wanted */
     char dir[OUT_PATH_MAX];
-    int reel; /* has columns */
+    int reel, front; /* have columns */
     int n_watched;
     int *watched;                /* [n_watched] */
     int n_pending;               /* states that results.xdmf does not know of yet */
@@ -39,6 +40,7 @@ static hawser_status write_series_head(Results *r, const ResultsDef *def, hawser
     hawser_status status = out_print(&r->series, err,
                                      "time_s,winch_force_N,tail_tension_N,winch_speed_m_per_s,winch_travel_m,"
                                      "max_tension_N,max_tension_joint,active_contacts,step_size_s");
+    if (r->front && !status) status = out_print(&r->series, err, ",head_at_m,reference_N");
     if (r->reel && !status) status = out_print(&r->series, err, ",reel_speed_rad_per_s,paid_out_m,wound_m");
     for (int i = 0; i < r->n_watched && !status; i++) {
         const int k = r->watched[i];
@@ -110,6 +112,7 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     if (!r) return error_memory(err);
     strcpy(r->dir, dir);
     r->reel = def->reel;
+    r->front = def->front;
     hawser_status status = copy_watched(r, def, err);
     if (!status) status = open_all(r, def, summary, err);
     if (status) {
@@ -120,12 +123,21 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     return HAWSER_OK;
 }
 
+/* Place of the cable's front and what theory says there: empty where there is neither. */
+static hawser_status write_front(Results *r, const hawser_sample *s, hawser_error *err)
+{
+    if (isnan(s->head_at)) return out_print(&r->series, err, ",,");
+    if (isnan(s->reference)) return out_print(&r->series, err, ",%.9g,", s->head_at);
+    return out_print(&r->series, err, ",%.9g,%.9g", s->head_at, s->reference);
+}
+
 /* Nine digits show more than the integrator knows. The step needs fewer. */
 hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
 {
     hawser_status status = out_print(&r->series, err, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d,%d,%.5g", s->t, s->winch_force,
                                      s->tail_tension, s->winch_speed, s->winch_travel, s->max_tension,
                                      s->max_tension_joint, s->active_contacts, s->step_size);
+    if (r->front && !status) status = write_front(r, s, err);
     if (r->reel && !status)
         status = out_print(&r->series, err, ",%.9g,%.9g,%.9g", s->reel_speed, s->paid_out, s->wound);
     /* of a watched segment: its speed along itself, and the tension of the joint ahead of it */

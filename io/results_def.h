@@ -16,6 +16,7 @@ typedef struct ResultsDef {
     const int *watched; /* [n_watched]: segments whose speed and tension are columns of series.csv */
     double states;      /* expected number of states; 0: no results.h5 and no results.xdmf */
     int reel;           /* the reel pays out: series.csv has its columns */
+    int front;          /* the cable's front moves along the route: likewise */
 } ResultsDef;
 
 #endif

@@ -158,6 +158,21 @@ static int put_conveyors(json_t *o, const hawser_summary *s)
     return json_object_set_new(o, "conveyors", list) | bad;
 }
 
+/* The winch's force by the place of the cable's front. */
+static int put_positions(json_t *o, const hawser_summary *s)
+{
+    json_t *list = json_array();
+    int bad = 0;
+    for (int i = 0; i < s->n_positions; i++) {
+        const hawser_position *p = &s->positions[i];
+        json_t *row = json_object();
+        bad |= put_real(row, "head_m", p->head_m) | put_real(row, "pull_N", p->pull_N) |
+               put_real(row, "reference_N", p->reference_N) | put_real(row, "error_pct", p->error_pct) |
+               json_array_append_new(list, row);
+    }
+    return json_object_set_new(o, "pull_by_position", list) | bad;
+}
+
 /* What happened, by time. */
 static int put_events(json_t *o, const hawser_summary *s)
 {
@@ -188,7 +203,7 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     int bad = !o;
     if (o) {
         bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
-              put_events(o, s) | put_surfaces(o, labels) | put_moving_rollers(o, labels) |
+              put_events(o, s) | put_positions(o, s) | put_surfaces(o, labels) | put_moving_rollers(o, labels) |
               put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));

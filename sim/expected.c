@@ -7,35 +7,97 @@
 #include "sim/stretches.h"
 #include "theory/paper.h"
 
-/* The winch's travel in the middle of the steady window, m; with a set tension, if it moves at its limit. */
-static double travel_in_window(const Scene *scene)
+/* The winch's travel at time t, m; with a set tension, if it moves at its limit. */
+static double travel_at(const Scene *scene, double t)
 {
-    const SceneDef *const def = &scene->def;
-    const double from = def->output.steady_from, to = def->duration;
     if (!scene->winch.present) return 0;
-    if (scene->winch.mode == WINCH_TENSION) return 0.5 * (from + to) * winch_largest_speed(&scene->winch);
-    return 0.5 * (winch_travel(&scene->winch, from) + winch_travel(&scene->winch, to));
+    return scene->winch.mode == WINCH_TENSION ? t * winch_largest_speed(&scene->winch) : winch_travel(&scene->winch, t);
 }
 
-/* The counted stretch: from the route's start (behind it the lead-in is frictionless) or the tail to where the cable's
- * front was at t = 0. Without a lead-in the whole cable moves along. */
+/* Whether the cable comes from a reel or goes to a winch that the chain ends at: then theory follows its front. */
+static int follows(const Scene *scene) { return scene->reel.winding.turns > 0 || scene->take_in.present; }
+
+/* How far rope lies on the route ahead of a front that has moved by `moved`. */
+static double rope_end(const Scene *scene, double moved)
+{
+    if (scene->eye == scene->total) return -1e9; /* no rope */
+    if (scene->take_in.present) return scene_winch_place(scene);
+    return fmin(scene->route.length, scene->joint_s[scene->total] + moved);
+}
+
+/* What the reel's brake and bearing hold back with at full speed, and the back tension, with the front at s. */
+static double reel_tension(const Scene *scene, double front, double back)
+{
+    Reel r = scene->reel;
+    const double wound = r.total - front - scene->def.reel.distance;
+    if (wound <= 0 && !r.fixed) return 0;
+    r.wound = fmax(wound, 0);
+    r.last = 0;
+    r.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = back};
+    return reel_resistance(&r, r.half, scene->largest_speed, scene->def.duration, 1, NULL, NULL);
+}
+
+/* The cable from the route's start (behind it the lead-in is frictionless) or the tail to its front, and the rope. */
+static void front_set(const Scene *scene, double front, double back, Expected *out)
+{
+    const double moved = front - scene->joint_s[scene->eye];
+    out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + moved;
+    out->to = front;
+    out->rope_to = fmax(front, rope_end(scene, moved));
+    out->start_tension = scene->reel.winding.turns > 0 ? reel_tension(scene, front, back) : back;
+}
+
+/* The counted stretch: up to where the cable's front was at t = 0, unless theory follows it. Without a lead-in the
+ * whole cable moves along. */
 static void stretch_of(const Scene *scene, Expected *out)
 {
-    const double moved = scene->weight.lead_in ? 0 : travel_in_window(scene);
-    out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + moved;
-    out->to = scene->joint_s[scene->eye] + moved;
+    const double from = scene->def.output.steady_from, to = scene->def.duration;
+    const double moved = (travel_at(scene, from) + travel_at(scene, to)) / 2, front = scene->joint_s[scene->eye];
+    if (follows(scene)) {
+        const double end = scene->take_in.present ? scene_winch_place(scene) : scene->route.length;
+        front_set(scene, fmin(front + moved, end), expected_back(scene, (from + to) / 2), out);
+        out->passed = fmin(front + travel_at(scene, from), end);
+        return;
+    }
+    const double shift = scene->weight.lead_in ? 0 : moved;
+    out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
+    out->to = out->rope_to = out->passed = front + shift;
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
+}
+
+/* Rope lies on the route from the cable's front on: its weight instead. */
+static hawser_status rope_ahead(const Scene *scene, const Expected *e, Stretches *s, hawser_error *err)
+{
+    if (!(e->rope_to > e->to)) return HAWSER_OK;
+    const SceneDef *const def = &scene->def;
+    const double weight = def->cables[def->pieces[def->n_pieces - 1].cable].mass * v3_norm(def->gravity);
+    PullStretch *const longer = realloc(s->stretch, ((size_t)s->n + 1) * sizeof *longer);
+    if (!longer) return error_memory(err);
+    s->stretch = longer;
+    int at = s->n; /* the first stretch that begins at the front or ahead of it */
+    while (at > 0 && longer[at - 1].from >= e->to) --at;
+    if (at == s->n || longer[at].from > e->to) {
+        for (int i = s->n++; i > at; --i) longer[i] = longer[i - 1];
+        longer[at] = longer[at - 1];
+        longer[at].from = e->to;
+    }
+    for (int i = at; i < s->n; ++i) longer[i].weight = weight;
+    return HAWSER_OK;
 }
 
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
 {
     Stretches stretches;
     hawser_status status = stretches_find(scene, &stretches, err);
-    if (status) return status;
+    if (!status) status = rope_ahead(scene, e, &stretches, err);
+    if (status) {
+        stretches_free(&stretches);
+        return status;
+    }
     const PullDef def = {.route = &scene->route,
                          .law = law,
                          .from = e->from,
-                         .to = e->to,
+                         .to = e->rope_to,
                          .start_tension = e->start_tension,
                          .n_stretches = stretches.n,
                          .stretch = stretches.stretch,
@@ -71,7 +133,7 @@ static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error 
         Pull pull;
         const hawser_status status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
         if (status) return status;
-        const int there = at > out->from && at < out->to;
+        const int there = at > out->from && at < out->rope_to;
         const double push = there ? push_of(scene, &scene->conveyor[i], pull_at(&pull, at).tension) : 0;
         out->step[out->n_steps++] = (PullStep){.at = at, .force = -push};
         pull_clear(&pull);
@@ -81,13 +143,33 @@ static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error 
 
 double expected_push(const Expected *e, int i) { return -e->step[i].force; }
 
+double expected_back(const Scene *scene, double t)
+{
+    return profile_value(scene->reel.winding.turns > 0 ? &scene->reel.tension : &scene->tail, t);
+}
+
+hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err)
+{
+    *out = (Expected){0};
+    front_set(scene, front, back, out);
+    return steps_fill(scene, out, err);
+}
+
+int expected_range(const Scene *scene, double *from, double *to)
+{
+    const double end = scene->take_in.present ? scene_winch_place(scene) : scene->route.length;
+    *from = scene->joint_s[scene->eye];
+    *to = fmin(*from + travel_at(scene, scene->def.duration), end);
+    return *to > *from;
+}
+
 void expected_free(Expected *e)
 {
     free(e->step);
     *e = (Expected){0};
 }
 
-static int on_stretch(const Expected *e, double s) { return s >= e->from - 1e-9 && s <= e->to + 1e-9; }
+static int on_stretch(const Expected *e, double s) { return s >= e->from - 1e-9 && s <= e->passed + 1e-9; }
 
 /* The paper's formulas of the case, or the same theory without capstan terms along the route. */
 static hawser_status paper_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err)

@@ -47,6 +47,8 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .roller_load = b->roller_load,
                                 .roller_spin = b->moving[0],
                                 .roller_shift = b->moving[1],
+                                .head_at = NAN,
+                                .reference = NAN,
                                 .surfaces = surfaces,
                                 .surface_normal = b->surface[0],
                                 .surface_friction = b->surface[1],

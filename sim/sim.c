@@ -6,6 +6,8 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "sim/along.h"
+#include "sim/by_position.h"
 #include "sim/events.h"
 #include "sim/expected.h"
 #include "sim/sample.h"
@@ -17,6 +19,7 @@ struct Sim {
     SampleBuffers look;
     Stats stats;
     Expected expected;
+    ByPosition by_position;
     EventLog events;
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
@@ -65,6 +68,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!sample_alloc(&s->look, scene)) return error_memory(err);
     status = stats_new(&s->stats, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
+    if (!status) status = by_position_new(&s->by_position, scene, err);
     for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
         s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, i);
     }
@@ -98,6 +102,7 @@ Sim *sim_free(Sim *s)
     stats_free(&s->stats);
     events_free(&s->events);
     expected_free(&s->expected);
+    by_position_free(&s->by_position);
     sample_free(&s->look);
     stage_free(&s->stage);
     team_free(s->team);
@@ -171,6 +176,11 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
     if (s->stage.scene.reel.present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
+    if (s->by_position.n_grid > 0) {
+        s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
+        s->look.sample.reference =
+            by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
+    }
     if (s->stage.integrator) {
         IntegratorStats stats;
         integrator_stats(s->stage.integrator, &stats);
@@ -189,6 +199,8 @@ static void record_now(Sim *s, SampleParts parts)
     const hawser_sample *const look = look_now(s, parts);
     const double start = clock_now();
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
+    const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
+    by_position_record(&s->by_position, look->t, look->head_at, look->winch_force, look->reference, steady);
     s->record_s += clock_now() - start;
 }
 
@@ -241,6 +253,8 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .paper_total_N = s->expected.paper_total,
                             .reference_total_N = s->expected.reference_total,
                             .relaxation = s->relaxation,
+                            .n_positions = by_position_table(&s->by_position),
+                            .positions = s->by_position.out,
                             .n_events = s->events.n,
                             .events = s->events.event,
                             .n_conveyors = s->stats.n_conveyors,
@@ -264,6 +278,12 @@ int sim_rollers(const Sim *s, const SimRoller **out)
 {
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
+}
+
+int sim_positions(const Sim *s, const hawser_position **out)
+{
+    *out = s->by_position.out;
+    return by_position_table(&s->by_position);
 }
 
 int sim_events(const Sim *s, const hawser_event **out)

@@ -42,6 +42,9 @@ int sim_surfaces(const Sim *s, const SimSurface **out);
 
 /* The conveyors' table; the array is the simulation's. Returns how many. */
 int sim_conveyors(const Sim *s, const hawser_conveyor **out);
+/* The winch's force by the place of the cable's front; the array is the simulation's. Returns how many. */
+int sim_positions(const Sim *s, const hawser_position **out);
+
 /* What happened so far; the array is the simulation's. Returns how many. */
 int sim_events(const Sim *s, const hawser_event **out);
 

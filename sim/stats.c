@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/error.h"
+#include "sim/along.h"
 #include "theory/duct.h"
 
 /* A sample of `value`, dt after the last one; it counts for the mean if `steady`. */
@@ -127,36 +128,6 @@ void stats_free(Stats *stats)
     memset(stats, 0, sizeof *stats);
 }
 
-/* Route coordinate of point p, from a guess: the foot of the perpendicular on the route. */
-static double route_coordinate(const Route *route, Vec3 p, double guess)
-{
-    double step = INFINITY;
-    for (int it = 0; it < 3 && fabs(step) > 1e-8; ++it) { /* m; what is left is of the order of its square */
-        const RoutePoint at = route_at(route, guess);
-        const Vec3 off = v3_sub(p, at.position);
-        step = v3_dot(off, at.tangent) / (1 - v3_dot(off, at.curvature));
-        guess += step;
-    }
-    return guess;
-}
-
-/* The joint's place: the mean of the two facing ends is within the gap of the end of the segment before it. */
-static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
-{
-    const int i = j > 0 ? j - 1 : 0;
-    const double side = j > 0 ? 1 : -1;
-    const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
-    const Vec3 p = v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]), a = quat_rotate(q, v3(1, 0, 0));
-    return v3_axpy(p, side * chain->half[i], a);
-}
-
-/* Route coordinate of the simulated joint j now: where it would be if nothing stretched is a good guess. */
-static double joint_now(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, int j)
-{
-    const double guess = scene->joint_s[scene->first + j] + sample->winch_travel;
-    return route_coordinate(&scene->route, joint_position(kin, &scene->chain, j), guess);
-}
-
 /* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
  * there. */
 static double tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
@@ -172,16 +143,17 @@ static double tension_at(const Scene *scene, const Kinematics *kin, const hawser
             high = mid;
         }
     }
-    double a = joint_now(scene, kin, sample, low), b = joint_now(scene, kin, sample, high);
+    double a = along_joint(scene, kin, sample->winch_travel, low),
+           b = along_joint(scene, kin, sample->winch_travel, high);
     while (s < a && low > 0) {
         high = low--;
         b = a;
-        a = joint_now(scene, kin, sample, low);
+        a = along_joint(scene, kin, sample->winch_travel, low);
     }
     while (s > b && high < n) {
         low = high++;
         a = b;
-        b = joint_now(scene, kin, sample, high);
+        b = along_joint(scene, kin, sample->winch_travel, high);
     }
     if (s < a || s > b) return NAN;
     const double u = (s - a) / (b - a);

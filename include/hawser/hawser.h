@@ -11,6 +11,8 @@
 
 #include <stddef.h>
 
+#include "hawser/tables.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -96,16 +98,18 @@ typedef struct hawser_sample {
     double max_tension;  /* N, over all joints */
     int max_tension_joint;
     int active_contacts;
-    double reel_speed;                        /* rad/s; NAN without a reel that pays out */
-    double paid_out, wound;                   /* m, cable that has left the reel and that is on it; NAN likewise */
-    double step_size;                         /* s, of the last step */
-    const double *position;                   /* [3*segments] x0 y0 z0 x1 ..., m */
-    const double *quaternion;                 /* [4*segments] w x y z ... */
-    const double *velocity;                   /* [3*segments], m/s */
-    const double *omega;                      /* [3*segments], rad/s */
-    const double *tension;                    /* [joints], axial force, N, positive in tension */
-    const double *axial_speed;                /* [segments], m/s, along the segment's own axis */
-    const double *roller_load;                /* [rollers], N, size of the contact force on the roller */
+    double reel_speed;         /* rad/s; NAN without a reel that pays out */
+    double paid_out, wound;    /* m, cable that has left the reel and that is on it; NAN likewise */
+    double head_at;            /* m along the route, of the cable's front; NAN once it is past the winch */
+    double reference;          /* N, winch force by the reference theory for that place; NAN where it has none */
+    double step_size;          /* s, of the last step */
+    const double *position;    /* [3*segments] x0 y0 z0 x1 ..., m */
+    const double *quaternion;  /* [4*segments] w x y z ... */
+    const double *velocity;    /* [3*segments], m/s */
+    const double *omega;       /* [3*segments], rad/s */
+    const double *tension;     /* [joints], axial force, N, positive in tension */
+    const double *axial_speed; /* [segments], m/s, along the segment's own axis */
+    const double *roller_load; /* [rollers], N, size of the contact force on the roller */
     const double *roller_spin, *roller_shift; /* rad/s, m; NAN: does not spin, has no mount; NULL: no roller moves */
     int surfaces;
     const double *surface_normal;    /* [surfaces], N, sum of the normal forces on the surface */
@@ -135,27 +139,8 @@ void hawser_sim_record(hawser_sim *s);
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 
-/* One caterpillar conveyor. */
-typedef struct hawser_conveyor {
-    const char *name;
-    double from, to;       /* m along the route */
-    double grip_N;         /* largest force: 2 mu clamp, or the drive's limit */
-    double reference_N;    /* what the reference theory reckons with */
-    double mean_N, peak_N; /* force on the cable along the pull: mean of the steady window, largest of the run */
-    double slip_m_per_s;   /* mean of cable less belt in the steady window */
-    double belt_m_per_s;   /* mean speed of the belt in the steady window */
-    double slipping;       /* share of the steady window with more slip than the law sticks at, 0..1 */
-} hawser_conveyor;
-
 /* The conveyors in the case's order; *out stays the simulation's. Returns how many. */
 int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out);
-
-/* Something that happened: the winch trips, stops, starts again. */
-typedef struct hawser_event {
-    double t;         /* s */
-    const char *what; /* in words; lives for ever */
-    double pull_N;    /* the winch's force then */
-} hawser_event;
 
 /* The events so far, by time; *out stays the simulation's and is good until it advances again. Returns how many. */
 int hawser_sim_events(const hawser_sim *s, const hawser_event **out);
@@ -164,6 +149,10 @@ int hawser_sim_events(const hawser_sim *s, const hawser_event **out);
 typedef struct hawser_phases {
     double relax, rhs, contacts, jacobian, factor, solve, vector, output, other;
 } hawser_phases;
+
+/* The places so far, along the route; none if the front does not move along it. *out stays the simulation's and is
+ * brought up to date by every call. Returns how many. */
+int hawser_sim_positions(const hawser_sim *s, const hawser_position **out);
 
 typedef struct hawser_summary {
     int segments, bushings, rollers, surfaces;
@@ -186,6 +175,8 @@ typedef struct hawser_summary {
     double steady_from_s, steady_to_s;
     hawser_relaxation relaxation;
     hawser_phases phases;
+    int n_positions;
+    const hawser_position *positions; /* [n_positions], as hawser_sim_positions gives them */
     int n_events;
     const hawser_event *events; /* [n_events], as hawser_sim_events gives them */
     int n_conveyors;
@@ -196,46 +187,12 @@ void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);
 /* The summary as the text of summary.json; free it with hawser_text_free. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err);
 
-/* One station of the tension table (stations.csv). */
-typedef struct hawser_station {
-    const char *name;
-    double s;              /* m along the route */
-    double paper_N;        /* the paper's formulas */
-    double reference_N;    /* the bend ODE */
-    double mean_N, peak_N; /* simulated: mean of the steady window, peak of the run */
-} hawser_station;
-
 /* The stations, from the route's start on; *out stays the simulation's. Returns how many. */
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
-
-/* One roller of the load table (rollers.csv). */
-typedef struct hawser_roller {
-    const char *name;
-    double s;                     /* m along the route; NAN if it was placed by coordinates */
-    double rating_N;              /* what it may carry; 0: not given */
-    double initial_N;             /* load at equilibrium before t = 0 */
-    double steady_N;              /* mean of the steady window; NAN until the run reached it */
-    double peak_N;                /* largest of the run */
-    double spin_rad_per_s;        /* about its axis, mean of the steady window; NAN: it does not spin */
-    double shift_m, peak_shift_m; /* from its place, mean of that window and largest; NAN: it is not on a mount */
-} hawser_roller;
 
 /* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how
  * many. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
-
-/* One duct, tray, floor or wall. */
-typedef struct hawser_surface {
-    const char *name;
-    const char *kind;         /* "duct", "flat", "v", "u" (trays) or "plane" */
-    double from_m, to_m;      /* along the route; NAN for planes */
-    double clearance_m;       /* ducts: from the cable lying in it straight up to the duct; NAN for others */
-    double jam_ratio;         /* ducts: 1.05 times duct over cable diameter; it tells something for three cables */
-    double normal_N;          /* sum of the normal forces, mean of the steady window */
-    double friction_N;        /* sum of the friction forces, likewise */
-    double line_load_N_per_m; /* the largest normal force per length of cable (sidewall pressure) of the run */
-    double line_load_at_m;    /* m along the route, where that was; NAN: nowhere, or not along the route */
-} hawser_surface;
 
 /* The surfaces in the case's order: ducts, trays, planes; as above. */
 int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out);

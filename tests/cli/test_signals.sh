@@ -24,6 +24,6 @@ for signal in INT TERM; do
     grep -q '"outcome": "stopped"' "$work/$signal/summary.json" || fail "$what: not stopped in summary.json"
     tail -c 8 "$work/$signal/results.xdmf" | grep -qF '</Xdmf>' || fail "$what: results.xdmf is cut off"
     # the last row is whole
-    tail -1 "$work/$signal/series.csv" | awk -F, 'NF != 13 { exit 1 }' || fail "$what: series.csv is cut off"
+    tail -1 "$work/$signal/series.csv" | awk -F, 'NF != 15 { exit 1 }' || fail "$what: series.csv is cut off"
 done
 finish

@@ -24,7 +24,7 @@ run install.log cmake --install "$build_dir" --prefix "$work/first"
 mv "$work/first" "$prefix"
 lib=$(dirname "$(find "$prefix" -name libhawser.a)")
 version=$(sed -n 's/^project(hawser VERSION \([0-9.]*\).*/\1/p' "$source_dir/CMakeLists.txt")
-for file in "$prefix/bin/hawser" "$prefix/include/hawser/hawser.h" "$lib/libhawser.so" "$lib/pkgconfig/hawser.pc" \
+for file in "$prefix/bin/hawser" "$prefix/include/hawser/hawser.h" "$prefix/include/hawser/tables.h" "$lib/libhawser.so" "$lib/pkgconfig/hawser.pc" \
     "$lib/cmake/hawser/hawserConfig.cmake"; do
     [ -e "$file" ] || fail "not installed: $file"
 done
@@ -32,7 +32,7 @@ done
 
 # The shared library: its soname carries the major version; it exports what the header declares and nothing else.
 readelf -d "$lib/libhawser.so" | grep -qF "Library soname: [libhawser.so.${version%%.*}]" || fail "wrong soname"
-cc -E -P "$prefix/include/hawser/hawser.h" | grep -o 'hawser_[a-z0-9_]* *(' | tr -d ' (' | sort -u >"$work/declared"
+cc -E -P -I "$prefix/include" "$prefix/include/hawser/hawser.h" | grep -o 'hawser_[a-z0-9_]* *(' | tr -d ' (' | sort -u >"$work/declared"
 nm -D --defined-only "$lib/libhawser.so" | awk '{print $NF}' | sort -u >"$work/exported"
 diff "$work/declared" "$work/exported" >"$work/symbols" || { cat "$work/symbols"; fail "exports (>) differ from header (<)"; }
 

@@ -195,6 +195,23 @@ static void test_conveyors(void **state)
     hawser_sim_free(o.sim);
 }
 
+/* A reel that pays out, and a winch that takes in: the pull by theory, row by row of the table once it runs evenly. */
+static void test_reel_and_take_in(void **state)
+{
+    (void)state;
+    const char *const name[] = {"reel", "take-in"};
+    for (int k = 0; k < 2; ++k) {
+        Outcome o = run(name[k], NULL);
+        const hawser_position *row;
+        const int n = hawser_sim_positions(o.sim, &row);
+        assert_share(o.summary.pull_mean_N, o.summary.reference_total_N, 0.005);
+        assert_share(o.summary.steady_speed_m_per_s, 0.2, 0.005);
+        assert_true(n >= 2);
+        for (int i = 1; i < n; ++i) assert_share(row[i].pull_N, row[i].reference_N, 0.005);
+        hawser_sim_free(o.sim);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -206,6 +223,7 @@ int main(void)
         cmocka_unit_test(test_duct_bends),
         cmocka_unit_test(test_tray),
         cmocka_unit_test(test_conveyors),
+        cmocka_unit_test(test_reel_and_take_in),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

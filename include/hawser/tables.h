@@ -1,0 +1,75 @@
+/* Rows of the tables that a simulation hands out (hawser/hawser.h): what is known of each station, roller, surface,
+ * conveyor and event, and of the pull by position. Strings stay the library's. */
+#ifndef HAWSER_TABLES_H
+#define HAWSER_TABLES_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One caterpillar conveyor. */
+typedef struct hawser_conveyor {
+    const char *name;
+    double from, to;       /* m along the route */
+    double grip_N;         /* largest force: 2 mu clamp, or the drive's limit */
+    double reference_N;    /* what the reference theory reckons with */
+    double mean_N, peak_N; /* force on the cable along the pull: mean of the steady window, largest of the run */
+    double slip_m_per_s;   /* mean of cable less belt in the steady window */
+    double belt_m_per_s;   /* mean speed of the belt in the steady window */
+    double slipping;       /* share of the steady window with more slip than the law sticks at, 0..1 */
+} hawser_conveyor;
+
+/* Something that happened: the winch trips, stops, starts again. */
+typedef struct hawser_event {
+    double t;         /* s */
+    const char *what; /* in words; lives for ever */
+    double pull_N;    /* the winch's force then */
+} hawser_event;
+
+/* The winch's force while the cable's front passed a stretch of a few metres, the winch at its speed. */
+typedef struct hawser_position {
+    double head_m;      /* m along the route, mean place of the front */
+    double pull_N;      /* simulated, mean */
+    double reference_N; /* by the reference theory, cable behind the front and rope ahead of it */
+    double error_pct;   /* 100 (pull - reference) / reference */
+} hawser_position;
+
+/* One station of the tension table (stations.csv). */
+typedef struct hawser_station {
+    const char *name;
+    double s;              /* m along the route */
+    double paper_N;        /* the paper's formulas */
+    double reference_N;    /* the bend ODE */
+    double mean_N, peak_N; /* simulated: mean of the steady window, peak of the run */
+} hawser_station;
+
+/* One roller of the load table (rollers.csv). */
+typedef struct hawser_roller {
+    const char *name;
+    double s;                     /* m along the route; NAN if it was placed by coordinates */
+    double rating_N;              /* what it may carry; 0: not given */
+    double initial_N;             /* load at equilibrium before t = 0 */
+    double steady_N;              /* mean of the steady window; NAN until the run reached it */
+    double peak_N;                /* largest of the run */
+    double spin_rad_per_s;        /* about its axis, mean of the steady window; NAN: it does not spin */
+    double shift_m, peak_shift_m; /* from its place, mean of that window and largest; NAN: it is not on a mount */
+} hawser_roller;
+
+/* One duct, tray, floor or wall. */
+typedef struct hawser_surface {
+    const char *name;
+    const char *kind;         /* "duct", "flat", "v", "u" (trays) or "plane" */
+    double from_m, to_m;      /* along the route; NAN for planes */
+    double clearance_m;       /* ducts: from the cable lying in it straight up to the duct; NAN for others */
+    double jam_ratio;         /* ducts: 1.05 times duct over cable diameter; it tells something for three cables */
+    double normal_N;          /* sum of the normal forces, mean of the steady window */
+    double friction_N;        /* sum of the friction forces, likewise */
+    double line_load_N_per_m; /* the largest normal force per length of cable (sidewall pressure) of the run */
+    double line_load_at_m;    /* m along the route, where that was; NAN: nowhere, or not along the route */
+} hawser_surface;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
