@@ -2,6 +2,7 @@
  * address sanitizer, which replaces them itself; there the counters stay at zero and the test only runs the pull. */
 #include "sim/sim.h"
 #include "tests/sim/planar_fixture.h"
+#include "tests/sim/roller_fixture.h"
 
 #if !defined(__SANITIZE_ADDRESS__)
 static volatile int counting;
@@ -38,12 +39,13 @@ static long allocations;
 #endif
 
 /* Allocations in the steps of a pull from rest through its ramp, with samples and records. */
-static long pull_allocations(LinKind kind, int threads, int planar)
+static long pull_allocations_with(LinKind kind, int threads, int planar, int moving)
 {
     SceneDef def;
     Sim *s = NULL;
     hawser_error err = {0};
     (planar ? fixture_planar : fixture_pull)(&def, &(FixtureChoice){0});
+    if (moving) fixture_moving_rollers(&def, 1, 1);
     def.solver.linear.kind = kind;
     def.contact_reach = 0.05; /* so that candidates are renewed while we count */
     if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
@@ -65,6 +67,19 @@ static long pull_allocations(LinKind kind, int threads, int planar)
     assert_true(summary.steps > 100 && summary.jac_evals > 5 && summary.contact_refreshes > 5);
     sim_free(s);
     return allocations;
+}
+
+static long pull_allocations(LinKind kind, int threads, int planar)
+{
+    return pull_allocations_with(kind, threads, planar, 0);
+}
+
+/* Rollers that spin, stand on mounts, and both, as leaves that move along the chain. */
+static void test_moving_rollers(void **state)
+{
+    (void)state;
+    assert_int_equal(pull_allocations_with(LIN_AUTO, 1, 0, 1), 0);
+    assert_int_equal(pull_allocations_with(LIN_AUTO, 2, 0, 1), 0);
 }
 
 static void test_block(void **state)
@@ -110,7 +125,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_counting), cmocka_unit_test(test_block), cmocka_unit_test(test_block_two_threads),
-        cmocka_unit_test(test_planar),   cmocka_unit_test(test_klu),
+        cmocka_unit_test(test_planar),   cmocka_unit_test(test_klu),   cmocka_unit_test(test_moving_rollers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -179,7 +179,7 @@ static void test_border(void **state)
         print_message("%s: %.2g as a leaf, %.2g in the border (touches %d)\n", stats.why, before, after,
                       r->newton.leaves->item[r->scene.equipment.n - 1].touched);
         assert_true(r->newton.leaves->item[r->scene.equipment.n - 1].touched > 2);
-        assert_true(before > 1e-5 && after < 1e-6);
+        assert_true(before > 1e-3 && after < 3e-6); /* the 20 m of the sheave cost differences a digit */
         rig_free(r);
     }
 }
