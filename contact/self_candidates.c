@@ -80,12 +80,59 @@ static int candidate_add(SelfPairs *pairs, int e, int f)
     return 1;
 }
 
+/* The chord of an element and how far its arc bulges from it. */
+typedef struct Chord {
+    Vec3 from, along; /* m */
+    double bulge;     /* m */
+} Chord;
+
+static Chord chord_of(const Chain *chain, const Kinematics *kin, int e)
+{
+    const Vec3 a = line_spot(chain, kin, e, 0).p, b = line_spot(chain, kin, e, 1).p;
+    const Vec3 middle = line_spot(chain, kin, e, 0.5).p;
+    /* the arc is a parabola while its joint is closed; a tenth more for joints that are not */
+    return (Chord){a, v3_sub(b, a), 1.1 * v3_norm(v3_sub(middle, v3_scale(0.5, v3_add(a, b))))};
+}
+
+static double clamped(double x) { return fmin(1, fmax(0, x)); }
+
+/* Least distance of two chords: where both perpendiculars meet, or at an end of one of them. */
+static double chords_apart(const Chord *p, const Chord *q)
+{
+    const Vec3 between = v3_sub(p->from, q->from);
+    const double a = v3_dot(p->along, p->along), b = v3_dot(p->along, q->along), c = v3_dot(q->along, q->along);
+    const double d = v3_dot(p->along, between), e = v3_dot(q->along, between), area = a * c - b * b;
+    double s = area > 1e-12 * a * c ? clamped((b * e - c * d) / area) : 0;
+    const double t = clamped((b * s + e) / c);
+    s = clamped((b * t - d) / a);
+    const Vec3 apart = v3_sub(v3_axpy(between, s, p->along), v3_scale(t, q->along));
+    return v3_norm(apart);
+}
+
 /* What one walk through the tree asks for: elements from `from` on near element e. */
 typedef struct Walk {
     SelfPairs *pairs;
+    const Chain *chain;
+    const Kinematics *kin;
     int element, from;
     double reach;
+    Chord chord;   /* of the element */
+    double radius; /* m, its contact radius, the larger */
 } Walk;
+
+/* The largest contact radius of an element. */
+static double element_radius_most(const Chain *chain, int e)
+{
+    return fmax(e > 0 ? chain->radius[e - 1] : 0, e < chain->n ? chain->radius[e] : 0);
+}
+
+/* Whether the surfaces of the walk's element and of f may be nearer than the reach. */
+static int element_near(const Walk *w, int f)
+{
+    const Chord other = chord_of(w->chain, w->kin, f);
+    const double bulges = w->chord.bulge + other.bulge, radii = w->radius + element_radius_most(w->chain, f);
+    return chords_apart(&w->chord, &other) - bulges - radii <= w->reach;
+}
 
 /* Visits the tree below `node`, which holds `width` leaves from `first` on; 0 if there is no memory. */
 static int walk(const Walk *w, int node, int first, int width)
@@ -95,7 +142,7 @@ static int walk(const Walk *w, int node, int first, int width)
     if (first + width <= w->from || sphere->radius < 0) return 1;
     const double apart = v3_norm(v3_sub(sphere->centre, mine->centre)) - sphere->radius - mine->radius;
     if (apart > w->reach) return 1;
-    if (width == 1) return candidate_add(w->pairs, w->element, first);
+    if (width == 1) return !element_near(w, first) || candidate_add(w->pairs, w->element, first);
     return walk(w, 2 * node, first, width / 2) && walk(w, 2 * node + 1, first + width / 2, width / 2);
 }
 
@@ -161,7 +208,8 @@ hawser_status self_refresh(const SelfModel *model, const Chain *chain, const Kin
     pairs->n_ranges = 0;
     for (int e = 0; e + skip < elements; ++e) {
         /* the far end of a pressed piece has its foot within the piece's length of it */
-        const Walk w = {pairs, e, e + skip, model->reach + 1.25 * self_piece_length(chain, e)};
+        const double reach = model->reach + 1.25 * self_piece_length(chain, e);
+        const Walk w = {pairs, chain, kin, e, e + skip, reach, chord_of(chain, kin, e), element_radius_most(chain, e)};
         if (!walk(&w, 1, 0, pairs->tree.leaves)) return error_memory(err);
     }
     if (!hits_reserve(chain, pairs) || !pattern_set(pairs)) return error_memory(err);

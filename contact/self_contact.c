@@ -30,14 +30,18 @@ typedef struct Feet {
 
 static Vec3 centre_of(const Kinematics *kin, int i) { return v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]); }
 
-/* Whether element f is surely farther than `far` from p: no point of it is farther from either of its nodes than its
- * segments' halves together. */
+/* Whether element f is surely farther than `far` from p: its arc lies in the triangle of its two centres and the joint
+ * between them. */
 static int element_far(const Chain *chain, const Kinematics *kin, int f, Vec3 p, double far)
 {
     const int i = f > 0 ? f - 1 : 0, j = f < chain->n ? f : chain->n - 1;
-    const double extent = chain->half[i] + chain->half[j];
-    const double apart = fmax(v3_norm(v3_sub(centre_of(kin, i), p)), v3_norm(v3_sub(centre_of(kin, j), p)));
-    return apart > far + extent;
+    const Vec3 a = centre_of(kin, i), along = v3_sub(centre_of(kin, j), a), to = v3_sub(p, a);
+    const double length = v3_dot(along, along), share = length > 0 ? v3_dot(to, along) / length : 0;
+    const Vec3 off = v3_axpy(to, -fmin(1, fmax(0, share)), along);
+    const Vec3 front = v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]);
+    /* an end half sticks out of its centre by its own length */
+    const double out = i == j ? chain->half[i] : v3_norm(v3_axpy(v3_scale(-0.5, along), chain->half[i], front));
+    return v3_norm(off) > far + out;
 }
 
 /* All feet of p on a range that are not farther than `far` (CC1). Every change of the slope's sign from - to + belongs

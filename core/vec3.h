@@ -64,6 +64,13 @@ static inline Quat quat_exp(Vec3 r)
     const double s = angle > 1e-8 ? sin(angle / 2) / angle : 0.5;
     return (Quat){cos(angle / 2), s * r.x, s * r.y, s * r.z};
 }
+/* The rotation vector of the unit quaternion q, rad, of length pi at most: the inverse of quat_exp. */
+static inline Vec3 quat_log(Quat q)
+{
+    const double sign = q.w < 0 ? -1 : 1, size = sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+    const double scale = size > 1e-8 ? 2 * atan2(size, sign * q.w) / size : 2;
+    return v3(sign * scale * q.x, sign * scale * q.y, sign * scale * q.z);
+}
 /* v turned by the unit quaternion q. */
 static inline Vec3 quat_rotate(Quat q, Vec3 v)
 {

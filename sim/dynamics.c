@@ -221,6 +221,7 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
     scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
     if (scene->equipment.n > 0) equipment_pose(&ws->equipment, equipment_of(scene, y));
     both(ws, loads_job, 0, &e);
+    if (scene->drum.present) drum_hold(&scene->drum, &ws->kin, &ws->equipment, friction, &ws->loads[0]);
     both(ws, motion_job, 1, &e);
     if (scene->equipment.n > 0) {
         equipment_rates(&ws->equipment, equipment_of(scene, y), friction, ydot + STATE_SIZE * scene->chain.n);
@@ -313,6 +314,7 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
         if (ws->contact[p].model.n_rollers > 0) part_blocks(scene, ws, p, friction, k, d);
     }
     if (ws->surfaces.n_patches > 0) blocks_of_surfaces(&e);
+    if (scene->drum.present) drum_hold_blocks(&scene->drum, &ws->kin, &ws->equipment, friction, k, d);
     if (scene->equipment.n > 0) equipment_bushing_blocks(&ws->equipment);
     if (!scene->self.present) return;
     block_extras_zero(&ws->self.extras);

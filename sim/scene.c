@@ -83,6 +83,13 @@ static Quat first_attitude(const Scene *scene, Vec3 axis)
 
 int scene_state_size(const Scene *scene) { return STATE_SIZE * scene->chain.n + equipment_size(&scene->equipment); }
 
+/* Where joint j is at the start: on the drum or on the route. */
+static Vec3 joint_place(const Scene *scene, int j)
+{
+    if (j < scene->drum.joints) return scene->drum.joint[j];
+    return route_at(&scene->route, scene->joint_s[j]).position;
+}
+
 void scene_initial_state(const Scene *scene, double *y)
 {
     const int n = scene->total;
@@ -90,8 +97,7 @@ void scene_initial_state(const Scene *scene, double *y)
     Quat q = {1, 0, 0, 0};
     Vec3 before = v3(0, 0, 0);
     for (int i = 0; i < n; ++i) {
-        const Vec3 a = route_at(&scene->route, scene->joint_s[i]).position;
-        const Vec3 b = route_at(&scene->route, scene->joint_s[i + 1]).position;
+        const Vec3 a = joint_place(scene, i), b = joint_place(scene, i + 1);
         const Vec3 axis = v3_unit(v3_sub(b, a)), centre = v3_scale(0.5, v3_add(a, b));
         q = i == 0 ? first_attitude(scene, axis) : carried(q, before, axis);
         before = axis;
@@ -196,17 +202,47 @@ static hawser_status contact_fill(Scene *scene, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* Cable on cable: candidates hold for a motion of the order of the cable's own size, so that a wound cable has its
- * neighbours as candidates and not the whole drum. */
+/* Cable on cable: candidates hold for a motion of the order of the cable's own radius, so that a wound cable has its
+ * neighbours as candidates and not the whole drum: they are the blocks of the matrix. */
 static void self_fill(Scene *scene)
 {
     const Chain *const c = &scene->chain;
     const SceneDef *const def = &scene->def;
-    double size = 0;
-    for (int i = 0; i < c->n; ++i) size = fmax(size, fmax(4 * c->radius[i], c->half[i]));
+    double thickest = 0;
+    for (int i = 0; i < c->n; ++i) thickest = fmax(thickest, c->radius[i]);
     scene->self = (SelfModel){.present = def->cable_on_cable,
                               .law = self_law(&def->impact, &def->cable_friction),
-                              .reach = fmin(size, def->contact_reach)};
+                              .reach = fmin(thickest, def->contact_reach)};
+}
+
+/* The cable behind the route lies on the drum, which carries its weight: nothing holds it across the route's line. */
+static hawser_status drum_fill(Scene *scene, hawser_error *err)
+{
+    const RoutePoint start = route_at(&scene->route, 0);
+    const Vec3 left = route_left(&scene->route, 0);
+    scene->weight.lead_in = 1;
+    scene->weight.behind = v3(0, 0, 0);
+    scene->weight.hold = scene->weight.hold_damping = 0;
+    return drum_lay(&scene->def, &scene->chain, scene->joint_s, start.position, start.tangent, left, &scene->drum, err);
+}
+
+/* The wound cable has taken the drum's shape: its joints rest as they lie (CC25). */
+static hawser_status drum_set(Scene *scene, hawser_error *err)
+{
+    Chain *const c = &scene->chain;
+    const int n = c->n;
+    double *const y = malloc((size_t)scene_state_size(scene) * sizeof *y);
+    if (!y) return error_memory(err);
+    scene_initial_state(scene, y);
+    for (int j = 1; j < scene->drum.joints; ++j) {
+        const double *const a = y + STATE_Q * n + j - 1, *const b = a + 1;
+        const Quat before = {a[0], a[n], a[2 * n], a[3 * n]}, behind = {b[0], b[n], b[2 * n], b[3 * n]};
+        const Vec3 turn = quat_log(quat_mul(quat_conj(before), behind));
+        const double by[3] = {turn.x, turn.y, turn.z};
+        for (int k = 0; k < 3; ++k) c->preload[3 + k][j] -= c->stiffness[3 + k][j] * by[k];
+    }
+    free(y);
+    return HAWSER_OK;
 }
 
 static hawser_status scene_fill(Scene *scene, hawser_error *err)
@@ -230,9 +266,12 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     self_fill(scene);
     scene->n_conveyors = def->n_conveyors;
     scene->conveyor = conveyors_new(def, &scene->route);
-    status = scene->conveyor ? contact_fill(scene, err) : error_memory(err);
+    if (!scene->conveyor) return error_memory(err);
+    if (def->drum.present) status = drum_fill(scene, err);
+    if (!status) status = contact_fill(scene, err);
     if (!status) status = surfaces_fill(&scene->surfaces, def, &scene->route, &scene->chain, err);
-    return status ? status : equipment_build(def, scene->rollers, &scene->equipment, err);
+    if (!status) status = equipment_build(def, scene->rollers, &scene->equipment, err);
+    return status || !def->drum.present ? status : drum_set(scene, err);
 }
 
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
@@ -264,6 +303,7 @@ void scene_clear(Scene *scene)
     equipment_clear(&scene->equipment);
     surfaces_clear(&scene->surfaces);
     free(scene->conveyor);
+    drum_clear(&scene->drum);
     route_clear(&scene->route);
     scene_def_clear(&scene->def);
     memset(scene, 0, sizeof *scene);

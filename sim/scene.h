@@ -7,6 +7,7 @@
 #include "contact/self_contact.h"
 #include "core/body.h"
 #include "sim/conveyor.h"
+#include "sim/drum.h"
 #include "sim/equipment.h"
 #include "sim/reel.h"
 #include "sim/surfaces.h"
@@ -54,6 +55,7 @@ typedef struct Scene {
     ContactModel contact;
     Surfaces surfaces;
     SelfModel self;      /* cable on cable */
+    Drum drum;           /* with the cable wound on it */
     Equipment equipment; /* rollers that move */
     SceneDef def;        /* a deep copy of what this was built from */
 } Scene;

@@ -125,6 +125,16 @@ typedef struct TailDef {
     double *table_time, *table_value;
 } TailDef;
 
+/* A drum on which the cable behind the route is wound, touched by every turn. */
+typedef struct DrumDef {
+    int present;
+    double distance;              /* m from where the cable leaves the drum to the route's start */
+    double barrel, flange, width; /* m: diameters of the bare drum and of its flanges, length between these */
+    double lay;                   /* m from turn to turn; 0: 2.5 diameters of the cable */
+    double inertia;               /* kg m2, of the empty drum */
+    double torque;                /* N m: brake and bearing */
+} DrumDef;
+
 /* A drag on the rope just ahead of the pulling eye (the paper's rope allowance, eq. 9): force times the friction law's
  * velocity function, against the motion along the segment's axis. */
 typedef struct RopeDragDef {
@@ -212,6 +222,7 @@ typedef struct SceneDef {
     WinchDef winch;
     TailDef tail;
     ReelDef reel;
+    DrumDef drum;
     RopeDragDef drag;
 
     int n_conveyors;

@@ -1,0 +1,17 @@
+/* Two layers on a drum of two turns: once the slack between the layers is out, the pull lies between those of the two
+ * layers' radii. */
+#include "tests/sim/drum_fixture.h"
+
+static void test_two_layers(void **state)
+{
+    (void)state;
+    const double found = payout_pull(80, 2, 2.6, 4), least = pull_at(0.25 + 1.56 * D), most = pull_at(0.25 + D / 2);
+    print_message("mean pull %.2f N, between %.2f and %.2f N\n", found, least, most);
+    assert_true(found > least && found < most);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_layers)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
