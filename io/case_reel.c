@@ -1,29 +1,29 @@
 /* The reel: its keys by model, and whether its cable fits on it and reaches the route. */
 #include <math.h>
+#include <string.h>
 
 #include "io/case_error.h"
 #include "io/case_parts.h"
 #include "sim/winding.h"
 
-/* The keys that only one of the models has. */
-static const char *const payout_keys[] = {"distance", "barrel", "flange", "width",        "inertia", "bearing",
-                                          "v_s",      "end",    "brake",  "back_tension", NULL};
-static const char *const weight_keys[] = {"length", "ramp", "from", "to", NULL};
+/* In the order of ReelRecord's models: keys that a model has not, and those of its own that have no default. */
+static const char *const models[] = {"payout", "weight", "contact"};
+static const char *const wrong_keys[][12] = {
+    {"length", "ramp", "from", "to"},
+    {"distance", "barrel", "flange", "width", "inertia", "bearing", "v_s", "end", "brake", "back_tension"},
+    {"length", "ramp", "from", "to", "v_s", "end", "back_tension"}};
+static const char *const needed_keys[][5] = {
+    {"barrel", "flange", "width", "inertia"}, {"length"}, {"barrel", "flange", "width", "inertia"}};
 
-/* None of the other model's keys is given, and all of its own that have no default. */
-static hawser_status keys_check(const CaseReader *r, const CaseNode *node, int weight)
+static hawser_status keys_check(const CaseReader *r, const CaseNode *node, int model)
 {
-    static const char *const needed[] = {"barrel", "flange", "width", "inertia", NULL}, *const length[] = {"length",
-                                                                                                           NULL};
-    const char *const *const wrong = weight ? payout_keys : weight_keys, *const *const must = weight ? length : needed;
-    for (int k = 0; wrong[k]; ++k) {
-        const CaseNode *const other = case_node_key(node, wrong[k]);
-        if (other)
-            return case_key_error(r->err, other, NULL, "not allowed with 'model: %s'", weight ? "weight" : "payout");
+    for (int k = 0; wrong_keys[model][k]; ++k) {
+        const CaseNode *const other = case_node_key(node, wrong_keys[model][k]);
+        if (other) return case_key_error(r->err, other, NULL, "not allowed with 'model: %s'", models[model]);
     }
-    for (int k = 0; must[k]; ++k) {
-        if (case_node_key(node, must[k])) continue;
-        return case_key_error(r->err, node, must[k], "missing: 'model: %s' needs it", weight ? "weight" : "payout");
+    for (int k = 0; needed_keys[model][k]; ++k) {
+        if (case_node_key(node, needed_keys[model][k])) continue;
+        return case_key_error(r->err, node, needed_keys[model][k], "missing: 'model: %s' needs it", models[model]);
     }
     return HAWSER_OK;
 }
@@ -170,6 +170,55 @@ static hawser_status payout_read(const CaseReader *r, const CaseNode *node, cons
     return status ? status : reach_check(r, node);
 }
 
+/* Every turn touches the drum, and its neighbours: the capsules' geometry has a contact a segment, the smooth line one
+ * a passage only. */
+static hawser_status drum_contact_check(const CaseReader *r, const CaseNode *node)
+{
+    const SceneDef *const def = r->def;
+    const CaseNode *const contact = case_node_key(r->root, "contact");
+    if (!def->cable_on_cable) {
+        return case_key_error(r->err, contact ? contact : node, contact ? "cable_on_cable" : NULL,
+                              "a reel with 'model: contact' needs 'contact.cable_on_cable: true'");
+    }
+    if (def->geometry != GEOMETRY_CYLINDER) {
+        return case_key_error(r->err, contact, "geometry",
+                              "a reel with 'model: contact' needs 'contact.geometry: cylinder'");
+    }
+    return HAWSER_OK;
+}
+
+/* A drum that is touched; whether the cable fits is said when it is laid (sim/drum.c). */
+static hawser_status contact_read(const CaseReader *r, const CaseNode *node, const ReelRecord *record)
+{
+    SceneDef *const def = r->def;
+    hawser_status status = record->brake ? brake_read(r, record->brake) : HAWSER_OK;
+    if (!status && record->brake && def->reel.brake != BRAKE_CONSTANT) {
+        status = case_key_error(r->err, case_node_key(record->brake, "law"), NULL,
+                                "a reel with 'model: contact' has a brake with 'law: constant' only");
+    }
+    const CaseNode *const solver = case_node_key(r->root, "solver"), *const relax = case_node_key(solver, "relax");
+    if (!status && !(relax && relax->kind == NODE_TEXT && strcmp(relax->text, "false") == 0)) {
+        status = case_key_error(r->err, solver ? solver : node, solver ? "relax" : NULL,
+                                "a reel with 'model: contact' needs 'solver.relax: false': without friction the cable "
+                                "would slip off");
+    }
+    if (!status) status = tail_check(r, node);
+    if (!status) status = drum_contact_check(r, node);
+    if (!status && case_node_key(r->root, "lead_in")) {
+        status = case_key_error(r->err, case_node_key(r->root, "lead_in"), NULL,
+                                "not allowed beside a reel with 'model: contact'");
+    }
+    def->drum = (DrumDef){.present = 1,
+                          .distance = isnan(record->distance) ? def->reel.distance : record->distance,
+                          .barrel = record->barrel,
+                          .flange = record->flange,
+                          .width = record->width,
+                          .inertia = record->inertia,
+                          .torque = (isnan(record->bearing) ? 0 : record->bearing) + def->reel.torque};
+    def->reel.torque = 0;
+    return status;
+}
+
 /* A case without a reel has a bare tail. */
 hawser_status case_reel_read(const CaseReader *r, const CaseNode *node)
 {
@@ -178,5 +227,6 @@ hawser_status case_reel_read(const CaseReader *r, const CaseNode *node)
     hawser_status status = case_section_read(r, node, &case_reel, &record);
     if (!status) status = keys_check(r, node, record.model);
     if (status) return status;
+    if (record.model == 2) return contact_read(r, node, &record);
     return record.model ? weight_read(r, node, &record) : payout_read(r, node, &record);
 }

@@ -25,7 +25,7 @@ static const char *const grips[] = {"clamp", "axial", NULL};
 static const char *const afters[] = {"stay", "end", NULL};
 static const char *const ramps[] = {"none", "step", "step5", NULL};
 static const char *const planar_choices[] = {"auto", "on", "off", NULL};
-static const char *const reels[] = {"payout", "weight", NULL};
+static const char *const reels[] = {"payout", "weight", "contact", NULL};
 static const char *const ends[] = {"free", "fixed", NULL};
 static const char *const brakes[] = {"constant", "proportional", "speed", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
@@ -392,10 +392,10 @@ static const CaseKey reel_keys[] = {
     {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `weight` needs it", FROM(0, LONG), AT(ReelRecord, length)},
     RAMP_KEYS,
     {"distance", KEY_NUMBER, DIM_LENGTH, .otherwise = "5 m", ABOVE(0, LONG), AT(ReelRecord, distance)},
-    {"barrel", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `payout` needs it", ABOVE(0, 1e3), AT(ReelRecord, barrel)},
-    {"flange", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `payout` needs it", ABOVE(0, 1e3), AT(ReelRecord, flange)},
-    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `payout` needs it", ABOVE(0, 1e3), AT(ReelRecord, width)},
-    {"inertia", KEY_NUMBER, DIM_INERTIA, .otherwise = "none: `payout` needs it", ABOVE(0, STRONG),
+    {"barrel", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, barrel)},
+    {"flange", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, flange)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, width)},
+    {"inertia", KEY_NUMBER, DIM_INERTIA, .otherwise = "none: a drum needs it", ABOVE(0, STRONG),
      AT(ReelRecord, inertia)},
     {"bearing", KEY_NUMBER, DIM_MOMENT, .otherwise = "0 N m", FROM(0, STRONG), AT(ReelRecord, bearing)},
     {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s", ABOVE(0, 1e3), AT(ReelRecord, v_s)},

@@ -6,11 +6,10 @@
 
 #include "core/error.h"
 
-static const double FLANGE_THICKNESS = 0.02; /* m */
-static const double HOLD = 1e7;              /* N s/m: 1 kN drags the cable's end along by 0.1 mm/s */
-static const double HOLD_ARM = 0.1;          /* m: lever at which turning is held as moving is */
-static const double LAY =
-    1.06; /* diameters from turn to turn and from layer to layer: the cable leaves square, its last turn not */
+static const double HOLD = 1e7;     /* N s/m: 1 kN drags the cable's end along by 0.1 mm/s */
+static const double HOLD_ARM = 0.1; /* m: lever at which turning is held as moving is */
+/* Diameters from turn to turn and from layer to layer: the cable leaves square, the turn before it does not. */
+static const double LAY = 1.03;
 
 /* How the cable lies: radii and places across as functions of the angle from its inner end (CC22), (CC23). */
 typedef struct Lay {
@@ -25,7 +24,7 @@ static Lay lay_of(const DrumDef *d, double diameter)
 {
     Lay lay = {.first = (d->barrel + diameter) / 2, .diameter = diameter};
     lay.pitch = d->lay > 0 ? d->lay : LAY * diameter;
-    lay.turns = floor((d->width - 3 * diameter) / lay.pitch * (1 + 1e-9));
+    lay.turns = floor((d->width - 2 * diameter) / lay.pitch * (1 + 1e-9));
     return lay;
 }
 
@@ -90,33 +89,47 @@ static double angle_next(const Lay *lay, double angle, double h)
     return (low + high) / 2;
 }
 
-/* Barrel or flange as one more roller of the definition. */
-static void roller_add(SceneDef *def, const char *name, Vec3 centre, Vec3 axis, double radius, double width)
-{
-    RollerDef *const r = &def->rollers[def->n_rollers++];
-    *r = (RollerDef){
-        .centre = centre, .axis = axis, .radius = radius, .width = width, .s = NAN, .friction = def->friction};
-    snprintf(r->name, sizeof r->name, "%s", name);
-}
-
-/* The drum's three shapes: flanges are smooth and stand still, the barrel spins against its brake. */
-static hawser_status rollers_add(SceneDef *def, Vec3 centre, Vec3 axis, Drum *drum, hawser_error *err)
+/* A flange: a smooth square plane, since a line that lies against a disc has no one nearest point. side: 1 left, -1. */
+static void flange_add(SceneDef *def, const char *name, Vec3 centre, Vec3 axis, Vec3 direction, int side)
 {
     const DrumDef *const d = &def->drum;
-    RollerDef *const grown = realloc(def->rollers, ((size_t)def->n_rollers + 3) * sizeof *grown);
-    if (!grown) return error_memory(err);
-    def->rollers = grown;
-    drum->roller = def->n_rollers;
-    roller_add(def, "drum", centre, axis, d->barrel / 2, d->width);
-    RollerDef *const barrel = &def->rollers[drum->roller];
+    SurfaceDef *const f = &def->surfaces[def->n_surfaces++];
+    double radius = 0;
+    for (int c = 0; c < def->n_cables; ++c) radius = fmax(radius, def->cables[c].diameter / 2);
+    *f = (SurfaceDef){.shape = {.kind = SURFACE_PLANE,
+                                .fade = radius,
+                                .cable_radius = radius,
+                                .point = v3_axpy(centre, side * d->width / 2, axis),
+                                .normal = v3_scale(-side, axis),
+                                .along = direction,
+                                .width = d->flange,
+                                .length = d->flange},
+                      .friction = def->friction};
+    f->friction.mu_s = f->friction.mu_d = 0;
+    snprintf(f->name, sizeof f->name, "%s", name);
+}
+
+/* The barrel, which spins against its brake, and the flanges. */
+static hawser_status shapes_add(SceneDef *def, Vec3 centre, Vec3 axis, Vec3 direction, Drum *drum, hawser_error *err)
+{
+    const DrumDef *const d = &def->drum;
+    RollerDef *const rollers = realloc(def->rollers, ((size_t)def->n_rollers + 1) * sizeof *rollers);
+    if (rollers) def->rollers = rollers;
+    SurfaceDef *const surfaces = realloc(def->surfaces, ((size_t)def->n_surfaces + 2) * sizeof *surfaces);
+    if (surfaces) def->surfaces = surfaces;
+    if (!rollers || !surfaces) return error_memory(err);
+    drum->roller = def->n_rollers++;
+    RollerDef *const barrel = &rollers[drum->roller];
+    *barrel = (RollerDef){.name = "drum",
+                          .centre = centre,
+                          .axis = axis,
+                          .radius = d->barrel / 2,
+                          .width = d->width,
+                          .s = NAN,
+                          .friction = def->friction};
     barrel->spin = (SpinDef){.inertia = d->inertia, .torque = d->torque, .speed = 2 * def->friction.v_s / d->barrel};
-    const double out = (d->width + FLANGE_THICKNESS) / 2;
-    for (int side = -1; side <= 1; side += 2) {
-        roller_add(def, side < 0 ? "flange right" : "flange left", v3_axpy(centre, side * out, axis), axis,
-                   d->flange / 2, FLANGE_THICKNESS);
-        RollerDef *const flange = &def->rollers[def->n_rollers - 1];
-        flange->friction.mu_s = flange->friction.mu_d = 0;
-    }
+    flange_add(def, "flange left", centre, axis, direction, 1);
+    flange_add(def, "flange right", centre, axis, direction, -1);
     return HAWSER_OK;
 }
 
@@ -135,9 +148,8 @@ static hawser_status fit_check(const SceneDef *def, const Lay *lay, double turns
     if (lay->turns < 2) {
         return error_set(
             err, HAWSER_ERR_INPUT,
-            "reel.width: %.4g m is too narrow: a layer has two turns at least, with room beside for one and a "
-            "half, %.4g m",
-            d->width, 2 * lay->pitch + 3 * lay->diameter);
+            "reel.width: %.4g m is too narrow: a layer has two turns at least, with room for two beside, %.4g m",
+            d->width, 2 * lay->pitch + 2 * lay->diameter);
     }
     if (turns > lay_capacity(lay)) {
         return error_set(err, HAWSER_ERR_INPUT,
@@ -191,7 +203,9 @@ hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *joint_s,
     drum->hold = HOLD;
     drum->present = 1;
     free(angle);
-    return status ? status : rollers_add(def, centre, left, drum, err);
+    /* the lowest layer ends at the left flange, where it must climb; all room left is at its beginning */
+    const double aside = (def->drum.width - lay.diameter - lay.turns * lay.pitch) / 2;
+    return status ? status : shapes_add(def, v3_axpy(centre, -aside, left), left, direction, drum, err);
 }
 
 void drum_clear(Drum *drum)

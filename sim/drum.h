@@ -9,12 +9,12 @@
 
 typedef struct Drum {
     int present;
-    int roller;    /* of the scene's: the barrel; its two flanges follow */
-    int joints;    /* joints 0 .. joints-1 are placed below, the others along the route */
-    Vec3 *joint;   /* [joints], m */
-    Vec3 tangent;  /* where the cable leaves the drum at the start, m */
-    double hold;   /* N s/m: of the cable's end on the drum */
-    double turns;  /* wound at the start */
+    int roller;   /* of the scene's: the barrel; its two flanges follow */
+    int joints;   /* joints 0 .. joints-1 are placed below, the others along the route */
+    Vec3 *joint;  /* [joints], m */
+    Vec3 tangent; /* where the cable leaves the drum at the start, m */
+    double hold;  /* N s/m: of the cable's end on the drum */
+    double turns; /* wound at the start */
 } Drum;
 
 /* Lays the cable on the drum of def and adds barrel and flanges to def's rollers. joint_s [n+1]: the joints' places

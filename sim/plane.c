@@ -16,7 +16,7 @@ KNOWN_SIZE(LeadInDef, 16);
 KNOWN_SIZE(WinchDef, 272);
 KNOWN_SIZE(TailDef, 80);
 KNOWN_SIZE(RopeDragDef, 32);
-KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef)], 1176);
+KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef)], 1240);
 
 /* How far from the plane counts as in it: unit vectors, and metres. */
 static const double CLOSE = 1e-9;
@@ -143,6 +143,7 @@ static const char *unknown_feature(const Scene *scene)
     if (scene->chain.sliders.count > 0) return "the cable bends with hysteresis";
     if (scene->surfaces.model.n_surfaces > 0) return "the cable lies in ducts or trays or on planes";
     if (scene->self.present) return "the cable may touch itself";
+    if (scene->drum.present) return "the cable is wound on a drum";
     if (scene->reel.present || scene->take_in.present) return "segments join and leave the chain";
     if (scene->equipment.n > 0) return "rollers spin or stand on mounts";
     if (scene->winch.present && scene->winch.mode != WINCH_SPEED) return "the winch pulls with a set tension";

@@ -241,6 +241,7 @@ static hawser_status drum_set(Scene *scene, hawser_error *err)
         const double by[3] = {turn.x, turn.y, turn.z};
         for (int k = 0; k < 3; ++k) c->preload[3 + k][j] -= c->stiffness[3 + k][j] * by[k];
     }
+    chain_find_lacks(c);
     free(y);
     return HAWSER_OK;
 }

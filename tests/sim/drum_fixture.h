@@ -34,7 +34,7 @@ static inline void wound_case(SceneDef *def, int n, double turns, double pulled)
                           .distance = 1,
                           .barrel = 0.5,
                           .flange = 1.2,
-                          .width = (1.06 * turns + 3) * D + 1e-6,
+                          .width = (1.03 * turns + 2) * D + 1e-6,
                           .inertia = 5,
                           .torque = TORQUE};
     def->winch.present = 1;
@@ -46,9 +46,13 @@ static inline void wound_case(SceneDef *def, int n, double turns, double pulled)
     def->output.interval = 0.02;
 }
 
-/* The pull that the drum asks for at this radius: the brake's torque over it, and the work of straightening the cable,
- * whose joints rest as they lay (CC25). */
-static inline double pull_at(double radius) { return TORQUE / radius + RIGIDITY / (2 * radius * radius); }
+/* The pull that the drum asks for at this radius (CC25): the brake's torque per length of cable that a turn of the drum
+ * gives, and the work of straightening the joints, which rest as they lay. */
+static inline double pull_at(double radius)
+{
+    const double turn = 2 * atan(H / (2 * radius));
+    return TORQUE * turn / H + RIGIDITY * turn * turn / (2 * H * H);
+}
 
 /* The mean pull from `from` to `until` (s) of a cable of n segments that is pulled off at 0.2 m/s. */
 static inline double payout_pull(int n, int turns, double from, double until)

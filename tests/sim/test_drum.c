@@ -21,7 +21,8 @@ static void test_lay(void **state)
         const SelfDetail deepest = self_deepest(&scene.self, &scene.chain, &ws.kin, &ws.self);
         print_message("%d turns a layer, %.2f in all: deepest %.3g mm\n", turns, scene.drum.turns, 1e3 * deepest.depth);
         assert_true(scene.drum.turns > 1.5 * turns);
-        assert_true(deepest.depth < 0.02 * D);
+        /* where the cable leaves, it leaves square and the turn before it does not; a start may be so deep (sim.c) */
+        assert_true(deepest.depth < D / 8);
         for (int i = 0; i + 1 < n; ++i) { /* the joints are closed */
             const Vec3 a = state_vec(y, n, STATE_P, i), b = state_vec(y, n, STATE_P, i + 1);
             const Vec3 ra = quat_rotate(state_quat(y, n, i), v3(H / 2, 0, 0));
@@ -57,7 +58,7 @@ static void test_refused(void **state)
     assert_int_equal(build_with(0, 0, 0, message), HAWSER_OK);
     assert_int_equal(build_with(0.62, 0, 0, message), HAWSER_ERR_INPUT);
     assert_non_null(strstr(message, "more cable than fits"));
-    assert_int_equal(build_with(0, 4 * D, 0, message), HAWSER_ERR_INPUT);
+    assert_int_equal(build_with(0, 3 * D, 0, message), HAWSER_ERR_INPUT);
     assert_non_null(strstr(message, "reel.width"));
     assert_int_equal(build_with(0, 0, 0.5, message), HAWSER_ERR_INPUT);
     assert_non_null(strstr(message, "reel.distance"));
@@ -76,6 +77,7 @@ static void test_newton(void **state)
     hawser_error err = {0};
     const LinOptions options = {.kind = LIN_AUTO, .threads = 1};
     wound_case(&def, 80, 2, 0.1);
+    def.drum.lay = 0.99 * D; /* turns press on each other */
     fixture_soften(&def);
     def.cables[0].ea = def.cables[0].ga = 5e4;
     fixture_build(&def, &scene);
@@ -137,7 +139,7 @@ static void test_payout(void **state)
     (void)state;
     const double found = payout_pull(50, 5, 1.2, 2.2), expected = pull_at(0.25 + D / 2);
     print_message("mean pull %.2f N, expected %.2f N\n", found, expected);
-    assert_true(fabs(found / expected - 1) < 0.03);
+    assert_true(fabs(found / expected - 1) < 0.01);
 }
 
 int main(void)

@@ -1,0 +1,73 @@
+/* cases/drum-contact.yaml through the public interface, and what a reel with `model: contact` refuses. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "hawser/hawser.h"
+
+static hawser_status open_case(const char *key, const char *value, hawser_sim **sim, hawser_error *err)
+{
+    char path[512];
+    hawser_case *c = NULL;
+    snprintf(path, sizeof path, "%s/cases/drum-contact.yaml", HAWSER_SOURCE_DIR);
+    assert_int_equal(hawser_case_load(path, &c, err), HAWSER_OK);
+    hawser_status status = key ? hawser_case_set(c, key, value, err) : HAWSER_OK;
+    if (!status) status = hawser_sim_new(c, NULL, sim, err);
+    hawser_case_free(c);
+    return status;
+}
+
+/* Torque over radius and the work of straightening, for the polygon of segments (CC25), and the tray's friction. */
+static void test_pull(void **state)
+{
+    (void)state;
+    hawser_sim *sim = NULL;
+    hawser_error err = {0};
+    hawser_summary s;
+    if (open_case(NULL, NULL, &sim, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_summary(sim, &s);
+    const double turn = 2 * atan(0.0625 / 0.275) / 0.125, expected = 100 * turn + 5 * turn * turn / 2 + 1.2;
+    print_message("pull %.2f N, expected %.2f N\n", s.pull_mean_N, expected);
+    assert_true(fabs(s.pull_mean_N / expected - 1) < 0.01);
+    hawser_sim_free(sim);
+}
+
+static void refused(const char *key, const char *value, const char *named, const char *part)
+{
+    hawser_sim *sim = NULL;
+    hawser_error err = {0};
+    if (!open_case(key, value, &sim, &err)) fail_msg("accepted: %s = %s", key, value);
+    assert_int_equal(err.status, HAWSER_ERR_INPUT);
+    if (!strstr(err.message, named) || !strstr(err.message, part)) fail_msg("%s", err.message);
+    assert_null(sim);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    refused("contact.cable_on_cable", "false", "contact.cable_on_cable", "needs 'contact.cable_on_cable: true'");
+    refused("contact.geometry", "smooth", "contact.geometry", "needs 'contact.geometry: cylinder'");
+    refused("solver.relax", "true", "solver.relax", "needs 'solver.relax: false'");
+    refused("lead_in", "{weight: full}", "lead_in", "not allowed beside a reel");
+    refused("reel.end", "fixed", "reel.end", "not allowed with 'model: contact'");
+    refused("reel.back_tension", "{tension: 5 N}", "reel.back_tension", "not allowed with 'model: contact'");
+    refused("reel.brake", "{law: proportional, torque: 5 N m, speed: 1}", "reel.brake.law", "'law: constant' only");
+    refused("reel.flange", "520 mm", "reel.flange", "more cable than fits");
+    refused("reel.width", "150 mm", "reel.width", "too narrow");
+    refused("reel.distance", "500 mm", "reel.distance", "flange's radius");
+    refused("reel.distance", "20 m", "reel", "no cable is left for the drum");
+    refused("chain.0.length", "60 m", "reel.width", "more cable than fits");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_pull), cmocka_unit_test(test_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
