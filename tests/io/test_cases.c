@@ -212,6 +212,21 @@ static void test_reel_and_take_in(void **state)
     }
 }
 
+/* The first seconds of the whole tunnel: the rope comes to rest on its rollers, the drum turns, cable joins. The rest
+ * is tests/io/long_tunnel.c. */
+static void test_tunnel_starts(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"run.duration", "12 s", "run.steady_from", "10 s", NULL};
+    Outcome o = run("tunnel-879", settings);
+    assert_true(o.summary.relaxation.reached);
+    assert_int_equal(o.summary.segments, 2660);
+    assert_true(o.summary.sim_time_s > 12 - 1e-9);
+    assert_share(o.summary.steady_speed_m_per_s, 0.1, 0.2); /* the drum swings on the rope while the winch starts */
+    assert_true(o.summary.pull_peak_N > 3e3 && o.summary.pull_peak_N < 8e3);
+    hawser_sim_free(o.sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -224,6 +239,7 @@ int main(void)
         cmocka_unit_test(test_tray),
         cmocka_unit_test(test_conveyors),
         cmocka_unit_test(test_reel_and_take_in),
+        cmocka_unit_test(test_tunnel_starts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,53 @@
+/* The whole tunnel, end to end: the winch's force as a function of where the cable's front is, against the reference
+ * theory. Minutes. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdio.h>
+
+#include "hawser/hawser.h"
+
+static hawser_sim *tunnel_run(void)
+{
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    hawser_sim *sim = NULL;
+    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/tunnel-879.yaml", &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_OK);
+    hawser_case_free(c);
+    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    return sim;
+}
+
+/* Within 5 % from the first stretch to the last, and the front has come to the tunnel's end. */
+static void test_pull_along_the_tunnel(void **state)
+{
+    (void)state;
+    hawser_sim *const sim = tunnel_run();
+    const hawser_position *row;
+    const int n = hawser_sim_positions(sim, &row);
+    double largest = 0, sum = 0;
+    for (int i = 0; i < n; ++i) {
+        const double error = fabs(row[i].pull_N / row[i].reference_N - 1);
+        largest = fmax(largest, error);
+        sum += error;
+    }
+    hawser_summary s;
+    hawser_sim_summary(sim, &s);
+    print_message("%d stretches: error %.2f %% at most, %.2f %% in the mean; %.0f N at the end, %.1f s of wall time\n",
+                  n, 100 * largest, 100 * sum / n, row[n - 1].pull_N, s.wall_time_s);
+    assert_true(s.relaxation.reached);
+    assert_true(n > 100 && row[0].head_m < 10 && row[n - 1].head_m > 870);
+    assert_true(largest < 0.05);
+    hawser_sim_free(sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_pull_along_the_tunnel)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
