@@ -37,6 +37,15 @@ static double reel_tension(const Scene *scene, double front, double back)
     return reel_resistance(&r, r.half, scene->largest_speed, scene->def.duration, 1, NULL, NULL);
 }
 
+/* What pulls the cable off a drum on which it is wound, in steady motion: the brake, and the work of straightening
+ * (CC25). */
+static double drum_tension(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    const double radius = def->drum.barrel / 2 + scene->chain.radius[0];
+    return def->drum.torque / radius + def->cables[def->pieces[0].cable].ei_z / (2 * radius * radius);
+}
+
 /* The cable from the route's start (behind it the lead-in is frictionless) or the tail to its front, and the rope. */
 static void front_set(const Scene *scene, double front, double back, Expected *out)
 {
@@ -63,6 +72,7 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
     out->to = out->rope_to = out->passed = front + shift;
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
+    if (scene->drum.present) out->start_tension = drum_tension(scene);
 }
 
 /* Rope lies on the route from the cable's front on: its weight instead. */
