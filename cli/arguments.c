@@ -16,6 +16,8 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"linear-solver", required_argument, NULL, OPTION_LINEAR_SOLVER},
                                             {"quiet", no_argument, NULL, 'q'},
                                             {"format", required_argument, NULL, 'f'},
+                                            {"filter", required_argument, NULL, 'F'},
+                                            {"fast", no_argument, NULL, 'x'},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -114,6 +116,12 @@ static int take_option(const Command *command, int letter, Arguments *args)
         return parse_threads(optarg, args);
     case 'f':
         return parse_format(optarg, args);
+    case 'F':
+        args->filter = optarg;
+        return ARGUMENTS_GO_ON;
+    case 'x':
+        args->fast = 1;
+        return ARGUMENTS_GO_ON;
     case 'q':
         args->quiet = 1;
         return ARGUMENTS_GO_ON;
@@ -126,9 +134,14 @@ static int take_option(const Command *command, int letter, Arguments *args)
     }
 }
 
-/* What is left when the options are gone: exactly one word, the case. */
+/* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case. */
 static int take_case(const Command *command, int argc, char **argv, Arguments *args)
 {
+    if (strchr(command->options, '-')) {
+        if (optind == argc) return ARGUMENTS_GO_ON;
+        complain("%s takes no case file; what is '%s'?", command->name, argv[optind]);
+        return EXIT_USAGE;
+    }
     if (optind + 1 == argc && argv[optind][0]) {
         args->case_path = argv[optind];
         return ARGUMENTS_GO_ON;

@@ -22,12 +22,14 @@ typedef struct Arguments {
     int threads; /* 0: the case's choice */
     int quiet;
     hawser_format format;
+    const char *filter; /* NULL: none */
+    int fast;
 } Arguments;
 
 typedef struct Command {
     const char *name;
     const char *summary;               /* a line for the list of commands */
-    const char *options;               /* the short letters of the options it takes, see arguments.c */
+    const char *options;               /* the letters of the options it takes, see arguments.c; '-': it takes no case */
     const char *help;                  /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;

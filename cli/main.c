@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const Command *const commands[] = {&command_run, &command_check, &command_theory};
+static const Command *const commands[] = {&command_run, &command_check, &command_theory, &command_validate};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* What hawser says about itself: the commands with a line each. */

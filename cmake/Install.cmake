@@ -40,7 +40,7 @@ set_target_properties(hawser_static PROPERTIES OUTPUT_NAME hawser LINKER_LANGUAG
 
 install(TARGETS hawser_shared EXPORT hawserTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS hawser_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES include/hawser/hawser.h include/hawser/tables.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hawser)
+install(DIRECTORY include/hawser DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
 # The pkg-config file finds the prefix from its own place, so that the tree may be moved.
 file(RELATIVE_PATH HAWSER_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)

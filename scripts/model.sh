@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes docs/model.md, docs/performance.md and docs/equipment.md from the fragments in docs/*.d.
+# Makes docs/model.md, docs/performance.md, docs/equipment.md and docs/validation.md from the fragments in docs/*.d.
 # Usage: sh scripts/model.sh [--check]     (--check: changes nothing, fails if a document is not up to date)
 set -eu
 export LC_ALL=C
@@ -35,4 +35,5 @@ make_document() {
 make_document model
 make_document performance
 make_document equipment
+make_document validation
 exit $status

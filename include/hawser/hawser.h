@@ -204,4 +204,6 @@ const char *hawser_sim_title(const hawser_sim *s);
 }
 #endif
 
+#include "hawser/validate.h"
+
 #endif

@@ -8,6 +8,8 @@ for flag in --help -h help; do
     says out "Usage: hawser COMMAND CASE" "run" "check" "theory"
     silent err
 done
+run_hawser 0 help validate
+says out "Usage: hawser validate" "--filter TEXT" "--fast" "Exit status"
 for command in run check theory; do
     for order in "$command --help" "$command -h" "help $command" "$command pull.yaml --help"; do
         run_hawser 0 $order

@@ -3,7 +3,7 @@ import os
 import re
 
 # Every folder with the project's own code, and how far up it is: a file includes its own folder and lower ones only.
-# Numbers of one level tell contact and linsolve (which never meet) from the strict order theory < sim < io.
+# Numbers of one level tell contact and linsolve (which never meet) from the strict order theory < sim < validate < io.
 BELOW = {
     "include": (),
     "core": ("include",),
@@ -11,7 +11,8 @@ BELOW = {
     "linsolve": ("include", "core"),
     "theory": ("include", "core"),
     "sim": ("include", "core", "contact", "linsolve", "theory"),
-    "io": ("include", "core", "contact", "linsolve", "theory", "sim"),
+    "validate": ("include", "core", "contact", "linsolve", "theory", "sim"),
+    "io": ("include", "core", "contact", "linsolve", "theory", "sim", "validate"),
     "cli": ("include",),
 }
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)

@@ -1,0 +1,53 @@
+/* The paper's case in code and in its file are the same scene: the same pull after the start, the same theory. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+
+#include "hawser/hawser.h"
+#include "validate/paper_scene.h"
+
+static void assert_close(double a, double b)
+{
+    if (!(fabs(a - b) <= 1e-9 * fabs(b))) fail_msg("%.12g and %.12g", a, b);
+}
+
+static void test_same(void **state)
+{
+    (void)state;
+    static const double TIME = 4; /* s */
+    hawser_error err = {0};
+    hawser_case *c;
+    hawser_sim *by_file;
+    Sim *by_code;
+    SceneDef def;
+    hawser_summary a, b;
+    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml", &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &by_file, &err), HAWSER_OK);
+    hawser_case_free(c);
+    assert_int_equal(hawser_sim_relax(by_file, NULL, &err), HAWSER_OK);
+    assert_int_equal(paper_scene(&(PaperChoice){0}, &def, &err), HAWSER_OK);
+    assert_int_equal(pull_start(&def, &by_code, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_advance(by_file, TIME, 0, &err), HAWSER_OK);
+    assert_int_equal(sim_advance(by_code, TIME, 0, &err), HAWSER_OK);
+    hawser_sim_summary(by_file, &a);
+    sim_summary(by_code, &b);
+    assert_int_equal(a.segments, b.segments);
+    assert_int_equal(a.rollers, b.rollers);
+    assert_close(b.paper_total_N, a.paper_total_N);
+    assert_close(b.reference_total_N, a.reference_total_N);
+    const double pull = hawser_sim_sample(by_file)->winch_force, same = sim_sample(by_code)->winch_force;
+    print_message("%.9f N and %.9f N after %ld and %ld steps\n", pull, same, a.steps, b.steps);
+    if (!(fabs(same / pull - 1) < 1e-5)) fail_msg("%.9f and %.9f", same, pull);
+    hawser_sim_free(by_file);
+    sim_free(by_code);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_same)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,106 @@
+/* Straight rows of rollers, level and on slopes: what it takes to pull a cable over them is known exactly, and so is
+ * what the rollers bear. The cable's ends are free across. */
+#include <math.h>
+
+#include "sim/stats.h"
+#include "theory/closed_form.h"
+#include "validate/build.h"
+#include "validate/cases.h"
+
+static const double MASS = 20, DIAMETER = 0.08, G = 9.81;  /* kg/m, m, m/s2: a cable of 800 mm2 */
+static const double PITCH = 1, SEGMENT = 0.5, LENGTH = 30; /* m */
+
+typedef struct Row {
+    double slope, mu; /* rad, 1 */
+    double tail;      /* N, back tension: what keeps a cable stretched that slides down by itself */
+} Row;
+
+static const Row level = {.mu = 0.2}, uphill = {.slope = 0.2, .mu = 0.15},
+                 downhill = {.slope = -0.2, .mu = 0.15, .tail = 2000};
+
+/* Rollers from before the tail to 6 m past the head; 2 m of travel at 0.1 m/s after a start of 2 s. */
+static hawser_status row_build(const Row *row, SceneDef *def, hawser_error *err)
+{
+    Route route;
+    hawser_status status = build_start(def, (SceneRoom){.route = 1, .rollers = (int)((LENGTH + 8) / PITCH) + 2}, err);
+    if (status) return status;
+    build_chain(def, build_cable(MASS, DIAMETER, 5e7, 12e3), LENGTH, (int)(LENGTH / SEGMENT));
+    build_straight(def, LENGTH);
+    def->route_slope = row->slope;
+    def->head_at = LENGTH;
+    def->friction = (FrictionLaw){.mu_s = row->mu, .mu_d = row->mu, .v_s = 1e-3, .v_d = 2e-3};
+    def->winch = build_winch(0.1, 1);
+    def->winch.axial_only = 1;
+    def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = row->tail};
+    def->solver.accuracy = 3e-4; /* the ripple of the smooth line is finer than what 1e-3 resolves */
+    def->output.steady_from = 2;
+    def->duration = 22;
+    status = build_route(def, &route, err);
+    if (status) {
+        scene_def_clear(def);
+        return status;
+    }
+    for (double s = -PITCH / 2; s < LENGTH + 6; s += PITCH) build_roller(def, &route, 0.1, DIAMETER, s);
+    route_clear(&route);
+    return HAWSER_OK;
+}
+
+/* T = w L (mu cos + sin), at rest and while it moves. */
+static hawser_status row_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    const Row *const row = setup;
+    SceneDef def;
+    Sim *sim;
+    hawser_summary sum;
+    hawser_status status = row_build(row, &def, err);
+    if (!status) status = pull_run(&def, &sim, err);
+    if (status) return status;
+    sim_summary(sim, &sum);
+    log_share(log, "pull", "N", slope_tension(row->tail, MASS * G, row->mu, LENGTH, row->slope), sum.pull_mean_N, 0.5);
+    log_share(log, "speed", "m/s", 0.1, sum.steady_speed_m_per_s, 0.5);
+    sim_free(sim);
+    return HAWSER_OK;
+}
+
+/* On smooth rollers the head carries the weight's part along the slope. */
+static hawser_status rest_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    const Row row = {.slope = 0.2};
+    SceneDef def;
+    Sim *sim;
+    hawser_status status = row_build(&row, &def, err);
+    if (!status) status = pull_start(&def, &sim, err);
+    if (status) return status;
+    log_share(log, "hold", "N", MASS * G * LENGTH * sin(row.slope), sim_sample(sim)->winch_force, 0.01);
+    sim_free(sim);
+    return HAWSER_OK;
+}
+
+/* Every roller under the middle of a long cable bears the weight of one pitch, at rest and, in the mean, while the
+ * cable's segments pass over it; then its friction, square to that, counts too: w p sqrt(1 + mu^2). */
+static hawser_status load_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    const Row *const row = setup;
+    SceneDef def;
+    Sim *sim;
+    const SimRoller *roller;
+    hawser_status status = row_build(row, &def, err);
+    if (!status) status = pull_run(&def, &sim, err);
+    if (status) return status;
+    const int middle = sim_rollers(sim, &roller) / 2;
+    log_share(log, "load at rest", "N", MASS * G * PITCH, roller[middle].initial, 0.5);
+    log_share(log, "load while the cable moves", "N", MASS * G * PITCH * hypot(1, row->mu), roller[middle].steady, 0.5);
+    sim_free(sim);
+    return HAWSER_OK;
+}
+
+static const ValidationCase cases[] = {
+    {"straight", "friction alone: mu w L", "CIGRE TB 194; closed form (T9)", 1, &level, row_run},
+    {"slope-up", "weight and friction add up", "closed form (T9)", 1, &uphill, row_run},
+    {"slope-down", "weight pulls, friction holds", "closed form (T9)", 1, &downhill, row_run},
+    {"slope-at-rest", "weight along a slope without friction", "statics", 1, NULL, rest_run},
+    {"moving-roller-load", "a roller bears the weight of a pitch while the cable moves over it", "statics", 1, &level,
+     load_run},
+};
+const ValidationGroup row_group = VALIDATION_GROUP(cases);
