@@ -29,6 +29,7 @@ void contact_pairs_free(ContactPairs *pairs)
     sphere_tree_free(&pairs->tree);
     free(pairs->range);
     free(pairs->hit);
+    stick_free(&pairs->stick);
     chain_array_free(pairs->node);
     for (int c = 0; c < 3; ++c) {
         chain_array_free(pairs->at_p[c]);
@@ -53,7 +54,7 @@ static int range_add(ContactPairs *pairs, ContactRange range)
 }
 
 /* Element e is a candidate of this face of a roller: it lengthens the last range or begins a new one. */
-static int candidate_add(ContactPairs *pairs, int roller, int face, int e)
+static int candidate_add(ContactPairs *pairs, int kind, int roller, int face, int e)
 {
     ContactRange *last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
     ++pairs->candidates;
@@ -61,7 +62,7 @@ static int candidate_add(ContactPairs *pairs, int roller, int face, int e)
         ++last->count;
         return 1;
     }
-    return range_add(pairs, (ContactRange){roller, face, e, 1});
+    return range_add(pairs, (ContactRange){kind, roller, face, e, 1});
 }
 
 /* Visits the tree below `node` from left to right, so that candidates come in order; 0 if there is no memory.
@@ -71,21 +72,35 @@ static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller
 {
     const Sphere *sphere = &pairs->tree.node[node];
     if (sphere->radius < 0) return 1;
-    const double distance = shape_face_distance(&model->roller[roller].shape, face, sphere->centre);
+    const ContactRoller *const r = &model->roller[roller];
+    const double distance = shape_face_distance(&r->shape, face, sphere->centre);
     if (distance - sphere->radius > model->reach) return 1;
-    if (node >= pairs->tree.leaves) return candidate_add(pairs, roller, face, node - pairs->tree.leaves);
+    if (node >= pairs->tree.leaves) {
+        const int kind = contact_kind(r->shape.kind, friction_kind(&r->friction));
+        return candidate_add(pairs, kind, roller, face, node - pairs->tree.leaves);
+    }
     return tree_visit(model, pairs, roller, face, 2 * node) && tree_visit(model, pairs, roller, face, 2 * node + 1);
 }
 
-/* The candidates of all rollers of one kind, so that each batch of the kernels finds one kind only. */
-static int kind_visit(const ContactModel *model, ContactPairs *pairs, ShapeKind kind)
+/* The candidates of all rollers of one kind of shape and of friction, so that each batch of the kernels finds one kind
+ * only. */
+static int kind_visit(const ContactModel *model, ContactPairs *pairs, ShapeKind kind, FrictionKind friction)
 {
     int ok = 1;
     for (int r = 0; r < model->n_rollers && ok; ++r) {
-        if (model->roller[r].shape.kind != kind) continue;
+        const ContactRoller *const roller = &model->roller[r];
+        if (roller->shape.kind != kind || friction_kind(&roller->friction) != friction) continue;
         for (int face = 0; face < shape_faces(kind) && ok; ++face) ok = tree_visit(model, pairs, r, face, 1);
     }
     return ok;
+}
+
+int contact_sticks(const ContactModel *model)
+{
+    for (int r = 0; r < model->n_rollers; ++r) {
+        if (friction_kind(&model->roller[r].friction) == FRICTION_STICK) return 1;
+    }
+    return 0;
 }
 
 /* Room for the largest number of hits that the candidates can give. */
@@ -107,10 +122,14 @@ hawser_status contact_refresh(const ContactModel *model, const Chain *chain, con
     /* candidates, kind by kind and roller by roller */
     pairs->n_ranges = pairs->candidates = 0;
     sphere_tree_build(&pairs->tree, model->geometry, chain, kin);
-    for (int kind = 0; kind < SHAPE_KINDS; ++kind) {
-        if (!kind_visit(model, pairs, (ShapeKind)kind)) return error_memory(err);
+    for (int kind = 0; kind < SHAPE_KINDS * FRICTION_KINDS; ++kind) {
+        const ShapeKind shape = (ShapeKind)(kind / FRICTION_KINDS);
+        if (!kind_visit(model, pairs, shape, (FrictionKind)(kind % FRICTION_KINDS))) return error_memory(err);
     }
     if (!hits_reserve(pairs)) return error_memory(err);
+    if (contact_sticks(model) && !stick_reserve(&pairs->stick, model->n_rollers, pairs->hits_allocated)) {
+        return error_memory(err);
+    }
     /* where everything was, for contact_moved_too_far */
     for (int c = 0; c < 3; ++c) {
         memcpy(pairs->at_p[c], kin->p[c], (size_t)pairs->n * sizeof(double));

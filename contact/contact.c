@@ -19,7 +19,7 @@ static const ContactKernels *kernels(void)
 static void hit_add(ContactPairs *pairs, ContactRange range, int element)
 {
     assert(pairs->n_hits < pairs->hits_allocated);
-    pairs->hit[pairs->n_hits++] = (ContactHit){range.roller, range.face, element};
+    pairs->hit[pairs->n_hits++] = (ContactHit){range.kind, range.roller, range.face, element};
 }
 
 /* Smooth line (C11): element e owns a minimum if the slope of the gap is negative at its first node and not
@@ -135,48 +135,50 @@ static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chai
     if (model->motion) batch_motion(batch, &model->motion[hit.roller], l);
 }
 
-static ShapeKind hit_kind(const ContactModel *model, const ContactPairs *pairs, int h)
+/* What sticks remembers where it was. */
+static void batch_kept(ContactBatch *batch, const StickStore *store, ContactHit hit, int l)
 {
-    return model->roller[pairs->hit[h].roller].shape.kind;
+    const Vec3 kept = stick_kept(store, hit.roller, hit.face, hit.element);
+    const double value[3] = {kept.x, kept.y, kept.z};
+    for (int c = 0; c < 3; ++c) batch->kept[c][l] = value[c];
 }
 
-/* Gathers hits from `first` on, of one kind of shape; returns the first that does not fit. Lanes are independent of
- * each other, so how hits fall into batches changes nothing. */
+/* Gathers hits from `first` on, of one kind of shape and of friction; returns the first that does not fit. Lanes are
+ * independent of each other, so how hits fall into batches changes nothing. */
 static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chain *chain, const Kinematics *kin,
                       double friction_scale, const ContactPairs *pairs, int first)
 {
     batch->impact = &model->impact;
     batch->friction_scale = friction_scale;
-    batch->kind = hit_kind(model, pairs, first);
+    const int kind = pairs->hit[first].kind;
+    batch->kind = (ShapeKind)(kind / FRICTION_KINDS);
+    batch->rubs = friction_scale > 0 ? (FrictionKind)(kind % FRICTION_KINDS) : FRICTION_NONE;
+    batch->elapsed = pairs->stick.elapsed;
     batch->count = 1;
     while (batch->count < LANES && first + batch->count < pairs->n_hits &&
-           hit_kind(model, pairs, first + batch->count) == batch->kind)
+           pairs->hit[first + batch->count].kind == kind)
         ++batch->count;
     /* unused lanes repeat the last hit, so that the kernels see valid numbers; they are not scattered */
     for (int l = 0; l < LANES; ++l) {
         const int h = l < batch->count ? first + l : first + batch->count - 1;
         batch_hit(batch, model, chain, kin, pairs->hit[h], l);
+        if (batch->rubs == FRICTION_STICK) batch_kept(batch, &pairs->stick, pairs->hit[h], l);
     }
     return first + batch->count;
 }
 
-/* The kernels for the batch's kind of shape and the model's kind of rollers. */
+/* The kernels that do for the batch no more than it needs. */
+static ContactVariant batch_variant(const ContactModel *model, const ContactBatch *batch)
+{
+    const int sticks = batch->rubs == FRICTION_STICK;
+    if (model->motion) return sticks ? VARIANT_MOVING_STICK : VARIANT_MOVING;
+    if (sticks) return VARIANT_STICK;
+    if (batch->kind != SHAPE_CYLINDER) return VARIANT_GENERAL;
+    return batch->rubs == FRICTION_NONE ? VARIANT_SMOOTH : VARIANT_PLAIN;
+}
 static void batch_push(const ContactModel *model, const ContactBatch *batch, ContactPush *push)
 {
-    const ContactKernels *const kernel = kernels();
-    if (model->motion) {
-        kernel->push_moving(batch, push);
-    } else if (batch->kind == SHAPE_CYLINDER) {
-        kernel->push(batch, push);
-    } else {
-        kernel->push_grooved(batch, push);
-    }
-}
-static int batch_columns(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
-{
-    const ContactKernels *const kernel = kernels();
-    if (batch->kind == SHAPE_CYLINDER) return kernel->columns(batch, k, d, normal);
-    return kernel->columns_grooved(batch, k, d, normal);
+    kernels()->push[batch_variant(model, batch)](batch, push);
 }
 
 /* Adds one lane's wrench to its segments. */
@@ -268,11 +270,12 @@ void contact_blocks(const ContactModel *model, const Chain *chain, const Kinemat
     hits_find(model, chain, kin, pairs);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        if (!batch_columns(&batch, &by_shift, &by_speed, normal)) continue;
+        const int done = kernels()->columns[batch_variant(model, &batch)](&batch, &by_shift, &by_speed, normal);
+        if (!done) continue;
         for (int l = 0; l < batch.count; ++l) {
             if (!(normal[l] > 0)) continue;
             matrix_add(&batch, &by_shift, l, k);
-            matrix_add(&batch, &by_speed, l, d);
+            if (done == 1) matrix_add(&batch, &by_speed, l, d);
         }
     }
 }
@@ -331,7 +334,8 @@ void contact_blocks_moving(const ContactModel *model, const Chain *chain, const 
     hits_find(model, chain, kin, pairs);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        if (!kernels()->columns_moving(&batch, &by_shift, &by_speed, normal)) continue;
+        const int which = (int)batch_variant(model, &batch) - (int)VARIANT_MOVING;
+        if (!kernels()->moving[which](&batch, &by_shift, &by_speed, normal)) continue;
         for (int l = 0; l < batch.count; ++l) {
             if (!(normal[l] > 0)) continue;
             moving_add(&batch, &by_shift, l, k);
@@ -369,4 +373,26 @@ int contact_details(const ContactModel *model, const Chain *chain, const Kinemat
         }
     }
     return pairs->n_hits;
+}
+
+/* The contacts that carry force are looked at once more, for how far each leans. */
+void contact_accept(const ContactModel *model, const Chain *chain, const Kinematics *kin, double t, ContactPairs *pairs)
+{
+    StickStore *const store = &pairs->stick;
+    ContactBatch batch;
+    ContactPush push;
+    int n = 0;
+    stick_clock(store, t);
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, 1, pairs, next);
+        if (batch.rubs != FRICTION_STICK) continue;
+        batch_push(model, &batch, &push);
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(push.normal[l] > 0)) continue;
+            store->fresh[n++] = (StickRecord){batch.roller[l], batch.face[l], batch.element[l],
+                                              v3(push.kept[0][l], push.kept[1][l], push.kept[2][l])};
+        }
+    }
+    stick_accept(store, t, n);
 }

@@ -12,6 +12,7 @@
 #include "contact/element.h"
 #include "contact/shape.h"
 #include "contact/sphere_tree.h"
+#include "contact/stick.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
 #include "hawser/hawser.h"
@@ -41,21 +42,28 @@ typedef struct ContactModel {
     const RollerMotion *motion;  /* [n_rollers], borrowed; NULL: none of them moves, and nothing is paid for it */
 } ContactModel;
 
+/* What kernels ask about a roller: its kinds of shape and of friction. */
+static inline int contact_kind(ShapeKind shape, FrictionKind friction)
+{
+    return FRICTION_KINDS * (int)shape + (int)friction;
+}
+
 /* Candidates of one face of a roller: elements first .. first + count - 1. */
 typedef struct ContactRange {
+    int kind; /* contact_kind of the roller */
     int roller, face, first, count;
 } ContactRange;
 
 /* One place where the line is nearest to a roller: looked at in detail. */
 typedef struct ContactHit {
-    int roller, face, element;
+    int kind, roller, face, element;
 } ContactHit;
 
 typedef struct ContactPairs {
     int n; /* segments */
     /* by contact_refresh */
     int n_ranges, ranges_allocated;
-    ContactRange *range; /* [n_ranges], by kind of shape, roller, face, element */
+    ContactRange *range; /* [n_ranges], by kinds of shape and of friction, roller, face, element */
     int candidates;      /* pairs in all ranges */
     double *at_p[3];     /* chain arrays: centres, m, and axes at the refresh */
     double *at_a[3];
@@ -63,9 +71,10 @@ typedef struct ContactPairs {
     /* by contact_forces and contact_blocks */
     int hits_allocated;
     int n_hits;
-    ContactHit *hit; /* [n_hits] */
-    double *node;    /* chain array: a quantity of the segments against one roller */
-    int active;      /* hits that carried force in the last call of contact_forces */
+    ContactHit *hit;  /* [n_hits] */
+    double *node;     /* chain array: a quantity of the segments against one roller */
+    int active;       /* hits that carried force in the last call of contact_forces */
+    StickStore stick; /* by contact_accept; nothing is allocated where nothing sticks */
 } ContactPairs;
 
 /* Allocates for chains of n segments; candidates are empty until the first refresh. Returns 0 without memory
@@ -111,6 +120,12 @@ typedef struct RollerCoupling {
 void contact_blocks_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                            ContactPairs *pairs, BlockChain *k, BlockChain *d,
                            void (*take)(void *user, const RollerCoupling *coupling), void *user);
+
+/* A step to (t, kin) has been accepted: contacts that stick remember how far they lean. To be called after every step
+ * if any roller's friction sticks (contact_sticks), before the next contact_refresh. */
+int contact_sticks(const ContactModel *model);
+void contact_accept(const ContactModel *model, const Chain *chain, const Kinematics *kin, double t,
+                    ContactPairs *pairs);
 
 /* One contact in detail, for tests, tools and reports. */
 typedef struct ContactDetail {

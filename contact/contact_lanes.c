@@ -69,14 +69,26 @@ LANE_INLINE void push_of(const ContactBatch *batch, ContactPush *out, Variant is
     lane_store(out->normal, c.normal);
     lane_store(out->u, c.u);
     lane_store(out->gap, c.gap);
+    if (is.rubs == FRICTION_STICK) {
+        const LaneFriction law = friction_gather(batch);
+        batch_vector_store(out->kept, stick_keep(&c.stick, &law, c.at.probe.normal, c.slide));
+    }
     if (is.moving) batch_vector_store(out->roller_moment, l3_cross(c.force, contact_roller_arm(&c)));
 }
 
-static void kernel_push(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, PLAIN); }
-static void kernel_push_moving(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, MOVING); }
-static void kernel_push_grooved(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, GROOVED); }
+#define PUSH(name, which)                                                                                              \
+    static void name(const ContactBatch *batch, ContactPush *out) { push_of(batch, out, variant_of(which)); }
+PUSH(push_plain, VARIANT_PLAIN)
+PUSH(push_smooth, VARIANT_SMOOTH)
+PUSH(push_general, VARIANT_GENERAL)
+PUSH(push_stick, VARIANT_STICK)
+PUSH(push_moving, VARIANT_MOVING)
+PUSH(push_moving_stick, VARIANT_MOVING_STICK)
 
-const ContactKernels ISA_NAME(contact_kernels) = {kernel_slopes,       kernel_distances,
-                                                  kernel_push,         ISA_NAME(contact_columns),
-                                                  kernel_push_moving,  ISA_NAME(contact_columns_moving),
-                                                  kernel_push_grooved, ISA_NAME(contact_columns_grooved)};
+const ContactKernels ISA_NAME(contact_kernels) = {
+    .slopes = kernel_slopes,
+    .distances = kernel_distances,
+    .push = {push_plain, push_smooth, push_general, push_stick, push_moving, push_moving_stick},
+    .columns = {ISA_NAME(contact_columns_plain), ISA_NAME(contact_columns_smooth), ISA_NAME(contact_columns_general),
+                ISA_NAME(contact_columns_stick)},
+    .moving = {ISA_NAME(contact_columns_moving), ISA_NAME(contact_columns_moving_stick)}};

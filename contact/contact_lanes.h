@@ -4,19 +4,23 @@
 #define HAWSER_CONTACT_CONTACT_LANES_H
 
 #include "contact/line_lanes.h"
+#include "contact/stick_lanes.h"
 
-/* What a kernel is compiled for; all members are constants, so that what a batch does not need is not even asked for.
- */
+/* What a kernel is compiled for: all members are constants, and what is not asked for is not evaluated. */
 typedef struct Variant {
     int grooved; /* shapes of any kind; 0: cylinders */
     int moving;  /* rollers move */
+    FrictionKind rubs;
 } Variant;
-#define PLAIN                                                                                                          \
-    (Variant) { 0, 0 }
-#define GROOVED                                                                                                        \
-    (Variant) { 1, 0 }
-#define MOVING                                                                                                         \
-    (Variant) { 1, 1 }
+/* Of a ContactVariant. */
+LANE_INLINE Variant variant_of(ContactVariant which)
+{
+    const int moving = which >= VARIANT_MOVING, sticks = which == VARIANT_STICK || which == VARIANT_MOVING_STICK;
+    return (Variant){which >= VARIANT_GENERAL, moving,
+                     sticks                    ? FRICTION_STICK
+                     : which == VARIANT_SMOOTH ? FRICTION_NONE
+                                               : FRICTION_SPEED};
+}
 
 /* A contact with its force. */
 typedef struct Contact {
@@ -32,30 +36,68 @@ typedef struct Contact {
     Lane gap, rate;                       /* m, m/s */
     Lane normal, normal_gap, normal_rate; /* N and its derivatives (C12) */
     Lane phi, phi_over;                   /* mu/v and its derivative over v, friction scale included (C14) */
+    LaneStick stick;                      /* in place of phi where it sticks */
     Lane3 force;                          /* F (C13), N */
     Lane3 arm[2];                         /* beta_i r_i - alpha_i rc n: lever of F about the centres (C15), m */
 } Contact;
 
-/* Normal force and friction coefficient of every lane (C12), (C14): the scalar laws, since few lanes differ
- * in cost. */
-LANE_INLINE void contact_laws(Contact *c, const ContactBatch *batch)
+/* Normal force of every lane (C12), and the friction of speed (C14): the scalar laws, since few lanes differ in cost.
+ */
+LANE_INLINE void contact_laws(Contact *c, const ContactBatch *batch, Variant is)
 {
     /* value: N, dN/dgap, dN/drate, phi, (dphi/dv)/v */
     double speed[LANES], value[5][LANES];
-    lane_store(speed, shape_root(l3_dot(c->slide, c->slide)));
+    if (is.rubs == FRICTION_SPEED) lane_store(speed, shape_root(l3_dot(c->slide, c->slide)));
     for (int l = 0; l < LANES; ++l) {
         value[0][l] = value[1][l] = value[2][l] = value[3][l] = value[4][l] = 0;
         /* a gap that is not a number touches nothing: the caller sees it in the state */
         if (!(c->gap[l] < 0)) continue;
         value[0][l] = impact_force(batch->impact, c->gap[l], c->rate[l], &value[1][l], &value[2][l]);
-        value[3][l] = friction_over_speed(batch->friction[l], speed[l], &value[4][l]);
+        if (is.rubs == FRICTION_SPEED) value[3][l] = friction_over_speed(batch->friction[l], speed[l], &value[4][l]);
     }
     const Lane scale = lane_set(batch->friction_scale);
     c->normal = lane_load(value[0]);
     c->normal_gap = lane_load(value[1]);
     c->normal_rate = lane_load(value[2]);
+    if (is.rubs != FRICTION_SPEED) return;
     c->phi = scale * lane_load(value[3]);
     c->phi_over = scale * lane_load(value[4]);
+}
+
+/* The law of every lane. */
+LANE_INLINE LaneFriction friction_gather(const ContactBatch *batch)
+{
+    LaneFriction f;
+    for (int l = 0; l < LANES; ++l) {
+        const FrictionLaw *const law = batch->friction[l];
+        f.mu_s[l] = law->mu_s;
+        f.mu_d[l] = law->mu_d;
+        f.v_s[l] = law->v_s;
+        f.v_d[l] = law->v_d;
+    }
+    return f;
+}
+
+/* Friction that sticks (GR11)-(GR13). */
+LANE_INLINE void contact_stick(Contact *c, const ContactBatch *batch)
+{
+    const LaneFriction law = friction_gather(batch);
+    c->stick.kept = batch_vector(batch->kept);
+    c->stick.elapsed = lane_set(batch->elapsed);
+    for (int l = 0; l < LANES; ++l) {
+        const FrictionLaw *const f = batch->friction[l];
+        c->stick.ratio[l] = f->d_s > 0 ? f->v_s / f->d_s : 0;
+    }
+    stick_evaluate(&c->stick, &law, batch->friction_scale, c->at.probe.normal, c->slide);
+}
+
+/* F / N: the normal, less what friction takes (C13), (GR13). */
+LANE_INLINE Lane3 contact_direction(const Contact *c, Variant is)
+{
+    const Lane3 n = c->at.probe.normal;
+    if (is.rubs == FRICTION_NONE) return n;
+    if (is.rubs == FRICTION_STICK) return l3_axpy(n, -c->stick.phi, c->stick.lean);
+    return l3_axpy(n, -c->phi, c->slide);
 }
 
 /* What the roller's own motion takes off the line's (SP2): from here on both are seen from the roller. */
@@ -83,16 +125,28 @@ LANE_INLINE void contact_motion(Contact *c, const Line *line, const ContactBatch
     c->rate = l3_dot(n, c->pdot);
 }
 
-/* A contact from its batch: nearest point, velocities, laws, force (C9)-(C15). */
+/* The nearest point of a shape of any kind (C11): one function for all kernels that may meet one. */
+static __attribute__((noinline, unused)) void contact_place(const Line *line, Contact *c)
+{
+    c->u = line_nearest(line, 1, &c->interior);
+    c->at = line_at(line, 1, c->u);
+}
+
+/* A contact from its batch: nearest point, velocities, laws, force (C9)-(C15). The variant is a constant. */
 LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line, Variant is)
 {
     Contact c;
-    c.u = line_nearest(line, is.grooved, &c.interior);
-    c.at = line_at(line, is.grooved, c.u);
+    if (is.grooved) {
+        contact_place(line, &c);
+    } else {
+        c.u = line_nearest(line, 0, &c.interior);
+        c.at = line_at(line, 0, c.u);
+    }
     contact_motion(&c, line, batch, is.moving);
-    contact_laws(&c, batch);
+    contact_laws(&c, batch, is);
+    if (is.rubs == FRICTION_STICK) contact_stick(&c, batch);
     const Lane3 n = c.at.probe.normal;
-    c.force = l3_scale(c.normal, l3_axpy(n, -c.phi, c.slide));
+    c.force = l3_scale(c.normal, contact_direction(&c, is));
     for (int b = 0; b < 2; ++b) {
         c.arm[b] = l3_axpy(l3_scale(c.at.weight.beta[b], line->body[b].r), -c.at.weight.alpha[b] * c.at.radius, n);
     }
@@ -103,10 +157,15 @@ LANE_INLINE Contact contact_at(const ContactBatch *batch, const Line *line, Vari
 LANE_INLINE Lane3 contact_roller_arm(const Contact *c) { return l3_axpy(c->lever, -c->at.radius, c->at.probe.normal); }
 
 /* In contact_blocks_lanes.c; see ContactKernels. */
-int ISA_NAME(contact_columns)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
-int ISA_NAME(contact_columns_moving)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
-                                     double normal[LANES]);
-int ISA_NAME(contact_columns_grooved)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d,
-                                      double normal[LANES]);
+#define COLUMNS(name)                                                                                                  \
+    int ISA_NAME(name)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
+#define MOVING_COLUMNS(name)                                                                                           \
+    int ISA_NAME(name)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d, double normal[LANES])
+COLUMNS(contact_columns_plain);
+COLUMNS(contact_columns_smooth);
+COLUMNS(contact_columns_general);
+COLUMNS(contact_columns_stick);
+MOVING_COLUMNS(contact_columns_moving);
+MOVING_COLUMNS(contact_columns_moving_stick);
 
 #endif

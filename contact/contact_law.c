@@ -7,6 +7,12 @@
 
 #include "core/profile.h"
 
+FrictionKind friction_kind(const FrictionLaw *law)
+{
+    if (!(law->mu_s > 0)) return FRICTION_NONE; /* mu_d is not above it */
+    return law->d_s > 0 ? FRICTION_STICK : FRICTION_SPEED;
+}
+
 /* p^(e-1) for p > 0; the exponents that cases mostly use cost no pow(). */
 static double power_less_one(double p, double e)
 {

@@ -12,11 +12,17 @@ typedef struct ImpactLaw {
 } ImpactLaw;
 
 /* Friction coefficient over sliding speed: odd STEP from 0 to mu_s at v_s, STEP to mu_d at v_d, constant
- * beyond. */
+ * beyond. With d_s > 0 it sticks: docs/model.md, "Friction that sticks". */
 typedef struct FrictionLaw {
     double mu_s, mu_d;
     double v_s, v_d; /* m/s, 0 < v_s < v_d */
+    double d_s;      /* m, the displacement that calls up all of mu_s; 0: none, friction is of speed alone */
 } FrictionLaw;
+
+/* What a law asks of the kernels. */
+typedef enum FrictionKind { FRICTION_NONE, FRICTION_SPEED, FRICTION_STICK } FrictionKind;
+enum { FRICTION_KINDS = 3 };
+FrictionKind friction_kind(const FrictionLaw *law);
 
 /* Normal force N (>= 0) at `gap` (m, negative: penetration) and its rate (m/s). d_gap, d_rate get dN/dgap,
  * dN/drate. */

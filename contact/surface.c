@@ -93,14 +93,33 @@ void surface_pairs_init(SurfacePairs *pairs, int from, int to)
 void surface_pairs_free(SurfacePairs *pairs)
 {
     free(pairs->range);
+    surface_stick_free(&pairs->stick);
     memset(pairs, 0, sizeof *pairs);
+}
+
+int surface_sticks(const SurfaceModel *model)
+{
+    int any = 0;
+    for (int i = 0; i < model->n_surfaces; ++i) any |= friction_kind(&model->friction[i]) == FRICTION_STICK;
+    return any;
+}
+
+int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n)
+{
+    int *const sticks = calloc((size_t)model->n_surfaces + 1, sizeof *sticks);
+    if (!sticks) return 0;
+    for (int i = 0; i < model->n_surfaces; ++i) sticks[i] = friction_kind(&model->friction[i]) == FRICTION_STICK;
+    const int ok = surface_stick_alloc(&pairs->stick, n, model->n_surfaces, sticks);
+    free(sticks);
+    return ok;
 }
 
 /* Elements first .. first + count - 1 against a patch. */
 static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double scale,
-                             int patch, int first, int count)
+                             const SurfaceStick *stick, int patch, int first, int count)
 {
     const SurfacePatch *const p = &model->patch[patch];
+    const SurfaceBed *const bed = stick->n_beds > 0 ? &stick->bed[SURFACE_FACES_MAX * p->surface + p->face] : NULL;
     return (SurfaceStrip){.patch = p,
                           .impact = &model->impact,
                           .friction = &model->friction[p->surface],
@@ -108,6 +127,8 @@ static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, cons
                           .points = model->points,
                           .chain = chain,
                           .kin = kin,
+                          .bed = bed && bed->lean[0][0] ? bed : NULL,
+                          .elapsed = stick->elapsed,
                           .first = first,
                           .count = count < LANES ? count : LANES};
 }
@@ -169,7 +190,7 @@ static int run_refresh(const SurfaceModel *model, const Chain *chain, const Kine
 {
     for (int first = from; first < to; first += LANES) {
         int near[LANES];
-        const SurfaceStrip strip = strip_of(model, chain, kin, 0, patch, first, to - first);
+        const SurfaceStrip strip = strip_of(model, chain, kin, 0, &pairs->stick, patch, first, to - first);
         kernels()->near(&strip, model->reach, near);
         for (int l = 0; l < strip.count; ++l) {
             if (near[l] && !candidate_add(pairs, patch, first + l)) return 0;
@@ -229,7 +250,7 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
         const SurfaceRange r = pairs->range[i];
         for (int done = 0; done < r.count; done += LANES) {
             const SurfaceStrip strip =
-                strip_of(model, chain, kin, friction_scale, r.patch, r.first + done, r.count - done);
+                strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, r.first + done, r.count - done);
             const int any = kernel->push(&strip, loads, tally ? &push : NULL);
             if (!any || !tally) continue;
             for (int l = 0; l < strip.count; ++l) {
@@ -269,12 +290,48 @@ void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinemat
         const int first = r.first > from ? r.first : from;
         const int end = r.first + r.count < to ? r.first + r.count : to;
         for (int e = first; e < end; e += LANES) {
-            const SurfaceStrip strip = strip_of(model, chain, kin, friction_scale, r.patch, e, end - e);
+            const SurfaceStrip strip = strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, e, end - e);
             if (!kernel->columns(&strip, &by_shift, &by_speed)) continue;
             for (int l = 0; l < strip.count; ++l) {
                 element_add(&by_shift, l, e + l, k);
                 element_add(&by_speed, l, e + l, d);
             }
+        }
+    }
+}
+
+void surface_clock(SurfacePairs *pairs, double t)
+{
+    SurfaceStick *const stick = &pairs->stick;
+    stick->elapsed = t > stick->since ? t - stick->since : 0;
+}
+
+/* The points that touch are looked at once more, for how far each leans. */
+void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double t, SurfacePairs *pairs)
+{
+    surface_clock(pairs, t);
+    surface_stick_begin(&pairs->stick, pairs->from, pairs->to);
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const SurfaceRange r = pairs->range[i];
+        for (int done = 0; done < r.count; done += LANES) {
+            const SurfaceStrip strip =
+                strip_of(model, chain, kin, 1, &pairs->stick, r.patch, r.first + done, r.count - done);
+            if (strip.bed) kernels()->keep(&strip);
+        }
+    }
+    surface_stick_accept(&pairs->stick, t);
+}
+
+void surface_carry(const SurfacePairs *old, SurfacePairs *now, int joined)
+{
+    const int first = old->from + joined > now->from ? old->from + joined : now->from;
+    const int end = old->to + joined < now->to ? old->to + joined : now->to;
+    now->stick.since = old->stick.since;
+    now->stick.elapsed = old->stick.elapsed;
+    for (int b = 0; b < old->stick.n_beds && first < end; ++b) {
+        double *const *const from = &old->stick.bed[b].lean[0][0], *const *const to = &now->stick.bed[b].lean[0][0];
+        for (int k = 0; k < 3 * SURFACE_POINTS && from[0]; ++k) {
+            memcpy(to[k] + first, from[k] + first - joined, (size_t)(end - first) * sizeof(double));
         }
     }
 }

@@ -13,10 +13,9 @@
 #include "contact/contact_law.h"
 #include "contact/element.h"
 #include "contact/surface_patch.h"
+#include "contact/surface_stick.h"
 #include "core/block_chain.h"
 #include "hawser/hawser.h"
-
-enum { SURFACE_POINTS = 2 }; /* Gauss points of an element (DU1) */
 
 /* The points of a chain's line, by element e (chain arrays; bodies e-1 and e, a missing one has no weight) (DU2). */
 typedef struct SurfacePoints {
@@ -49,6 +48,7 @@ typedef struct SurfacePairs {
     SurfaceRange *range; /* [n_ranges], by patch, then by element */
     int candidates;      /* pairs of element and patch */
     int active;          /* points that carried force in the last call of surface_forces with a tally */
+    SurfaceStick stick;  /* by surface_accept; beds by surface_pairs_sticks, none without friction that sticks */
 } SurfacePairs;
 
 /* What the cable does to one surface. */
@@ -67,6 +67,10 @@ void surface_points_free(SurfacePoints *points);
 /* Elements from .. to-1, no candidates yet: allocates nothing. The free may be called on a zeroed struct. */
 void surface_pairs_init(SurfacePairs *pairs, int from, int to);
 void surface_pairs_free(SurfacePairs *pairs);
+/* Beds for the surfaces whose friction sticks, of a chain of n segments; whether there are any is surface_sticks.
+ * Returns 0 without memory. */
+int surface_sticks(const SurfaceModel *model);
+int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n);
 
 /* Finds the candidates: all elements with a point within reach of a patch (DU13), in O(n + patches n / 32 + candidates)
  * operations. Errors: HAWSER_ERR_MEMORY. The only call that may allocate. */
@@ -79,6 +83,15 @@ hawser_status surface_refresh(const SurfaceModel *model, const Chain *chain, con
 void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     SurfacePairs *pairs, Loads *loads, SurfaceTally *tally);
 SurfaceTally surface_tally_new(void);
+
+/* The chain has been renumbered: element e is now e + joined. Adds what `old` remembers of elements that are `now`'s;
+ * to be called for all pairs of old and new halves. */
+void surface_carry(const SurfacePairs *old, SurfacePairs *now, int joined);
+/* Evaluations that follow are at t; and: a step to (t, kin) has been accepted, points that stick remember their lean.
+ * Both are needed only where surface_sticks. */
+void surface_clock(SurfacePairs *pairs, double t);
+void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double t,
+                    SurfacePairs *pairs);
 
 /* Adds the derivatives of these forces to k and d, as contact_blocks does (DU11), (DU12), of elements from .. to-1
  * only. */

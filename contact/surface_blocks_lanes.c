@@ -46,20 +46,28 @@ LANE_INLINE Lane3 hessian_times(const SurfaceHessian *h, const SurfacePlace *at,
 }
 
 /* dF for a change of the normal, of the velocity of the surface's material and of the normal force (C16). */
-LANE_INLINE Lane3 vary_contact(const SurfaceContact *c, Lane3 normal_by, Lane3 slip_by, Lane load_by)
+LANE_INLINE Lane3 vary_contact(const SurfaceContact *c, int sticks, Lane3 normal_by, Lane3 slip_by, Lane load_by)
 {
     const Lane3 n = c->normal;
     const Lane along = l3_dot(normal_by, c->slip) + l3_dot(n, slip_by);
     const Lane3 slide = l3_axpy(l3_axpy(slip_by, -along, n), -c->slip_normal, normal_by);
-    const Lane phi = c->phi_over * l3_dot(c->slide, slide);
-    const Lane3 direction_by = l3_sub(normal_by, l3_axpy(l3_scale(phi, c->slide), c->phi, slide));
-    return l3_axpy(l3_scale(load_by, l3_axpy(n, -c->phi, c->slide)), c->load, direction_by);
+    Lane3 rubbing; /* d(phi v_t), or of the lean (GR14) */
+    if (sticks) {
+        const LaneStick *const t = &c->stick;
+        const Lane3 lean = stick_lean_by(t, n, normal_by, slide);
+        const Lane phi = t->by_lean * l3_dot(t->lean, lean) + t->by_slide * l3_dot(c->slide, slide);
+        rubbing = l3_axpy(l3_scale(phi, t->lean), t->phi, lean);
+    } else {
+        const Lane phi = c->phi_over * l3_dot(c->slide, slide);
+        rubbing = l3_axpy(l3_scale(phi, c->slide), c->phi, slide);
+    }
+    return l3_axpy(l3_scale(load_by, surface_direction(c, sticks)), c->load, l3_sub(normal_by, rubbing));
 }
 
 LANE_INLINE Lane3 axis_unit(int axis) { return (Lane3){lane_set(axis == 0), lane_set(axis == 1), lane_set(axis == 2)}; }
 
 /* (DU11), one world axis at a time. */
-LANE_INLINE void point_slopes(const SurfacePatch *patch, const SurfaceContact *c, PointSlopes *out)
+LANE_INLINE void point_slopes(const SurfacePatch *patch, const SurfaceContact *c, int sticks, PointSlopes *out)
 {
     const SurfaceHessian h = surface_hessian(patch, &c->place, &c->section);
     const Lane3 n = c->normal;
@@ -72,10 +80,10 @@ LANE_INLINE void point_slopes(const SurfacePatch *patch, const SurfaceContact *c
         const Lane gap = c->steep * l3_dot(n, e), rate = l3_dot(bent, c->pdot);
         const Lane load = c->share.value * (c->law_gap * gap + c->law_rate * rate) + c->law * l3_dot(c->share.slope, e);
         out->normal[axis] = turned;
-        out->force[axis] = vary_contact(c, turned, l3_scale(-c->radius, l3_cross(c->omega, turned)), load);
+        out->force[axis] = vary_contact(c, sticks, turned, l3_scale(-c->radius, l3_cross(c->omega, turned)), load);
         /* of the velocities: the normal stays */
-        out->speed[axis] = vary_contact(c, l3_zero(), e, c->share.value * c->law_rate * gap);
-        out->spin[axis] = vary_contact(c, l3_zero(), l3_scale(-c->radius, l3_cross(e, n)), lane_set(0));
+        out->speed[axis] = vary_contact(c, sticks, l3_zero(), e, c->share.value * c->law_rate * gap);
+        out->spin[axis] = vary_contact(c, sticks, l3_zero(), l3_scale(-c->radius, l3_cross(e, n)), lane_set(0));
     }
 }
 
@@ -126,7 +134,7 @@ LANE_INLINE void body_columns(const StripBodies *s, const SurfaceContact *c, con
     }
 }
 
-int ISA_NAME(surface_columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d)
+LANE_INLINE int columns_of(const SurfaceStrip *strip, int sticks, ContactMatrix *k, ContactMatrix *d)
 {
     const StripBodies s = strip_load(strip);
     int any = 0;
@@ -136,7 +144,7 @@ int ISA_NAME(surface_columns)(const SurfaceStrip *strip, ContactMatrix *k, Conta
         contact_point(strip, &s, q, &c);
         const LaneMask near = contact_gap(strip, &s, &c);
         if (!mask_any(near)) continue;
-        contact_force(strip, &s, near, &c);
+        contact_force(strip, &s, q, near, sticks, &c);
         if (!mask_any(c.touches)) continue;
         if (!any) {
             memset(k, 0, sizeof *k);
@@ -144,8 +152,13 @@ int ISA_NAME(surface_columns)(const SurfaceStrip *strip, ContactMatrix *k, Conta
         }
         any = 1;
         PointSlopes slopes;
-        point_slopes(strip->patch, &c, &slopes);
+        point_slopes(strip->patch, &c, sticks, &slopes);
         for (int b = 0; b < 2; ++b) body_columns(&s, &c, &slopes, b, k, d);
     }
     return any;
+}
+
+int ISA_NAME(surface_columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d)
+{
+    return strip->bed ? columns_of(strip, 1, k, d) : columns_of(strip, 0, k, d);
 }

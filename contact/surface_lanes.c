@@ -5,13 +5,14 @@
 LANE_INLINE void loads_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
 
 /* One point of every element of the strip; returns whether any touches. */
-LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int q, Loads *loads, SurfacePush *out)
+LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int q, int sticks, Loads *loads,
+                           SurfacePush *out)
 {
     SurfaceContact c;
     contact_point(strip, s, q, &c);
     const LaneMask near = contact_gap(strip, s, &c);
     if (!mask_any(near)) return 0;
-    contact_force(strip, s, near, &c);
+    contact_force(strip, s, q, near, sticks, &c);
     /* by virtual work (C15); the two bodies' entries overlap, so one after the other */
     for (int b = 0; b < 2; ++b) {
         const int i = strip->first - 1 + b;
@@ -30,7 +31,9 @@ static int kernel_push(const SurfaceStrip *strip, Loads *loads, SurfacePush *out
     const StripBodies s = strip_load(strip);
     if (out) memset(out, 0, sizeof *out);
     int any = 0;
-    for (int q = 0; q < SURFACE_POINTS; ++q) any |= push_point(strip, &s, q, loads, out);
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        any |= strip->bed ? push_point(strip, &s, q, 1, loads, out) : push_point(strip, &s, q, 0, loads, out);
+    }
     return any;
 }
 
@@ -57,6 +60,22 @@ static void kernel_near(const SurfaceStrip *strip, double reach, int near[LANES]
     for (int l = 0; l < LANES; ++l) near[l] = any[l] != 0;
 }
 
+/* A point that touches belongs to one patch of a face, so that the sums have one term each. */
+static void kernel_keep(const SurfaceStrip *strip)
+{
+    const StripBodies s = strip_load(strip);
+    const LaneFriction law = friction_spread(strip->friction);
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        SurfaceContact c;
+        contact_point(strip, &s, q, &c);
+        const LaneMask near = contact_gap(strip, &s, &c);
+        if (!mask_any(near)) continue;
+        contact_force(strip, &s, q, near, 1, &c);
+        loads_add(strip->bed->fresh[q], strip->first,
+                  lanes_keep(c.touches, stick_keep(&c.stick, &law, c.normal, c.slide)));
+    }
+}
+
 static void kernel_probe(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out)
 {
     const SurfacePlace at = surface_place(patch, surface_spread(p));
@@ -70,4 +89,5 @@ static void kernel_probe(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out)
                           .owned = at.owned[0] != 0};
 }
 
-const SurfaceKernels ISA_NAME(surface_kernels) = {kernel_push, ISA_NAME(surface_columns), kernel_near, kernel_probe};
+const SurfaceKernels ISA_NAME(surface_kernels) = {kernel_push, ISA_NAME(surface_columns), kernel_near, kernel_keep,
+                                                  kernel_probe};

@@ -4,6 +4,7 @@
 #define HAWSER_CONTACT_SURFACE_LANES_H
 
 #include "contact/line_lanes.h"
+#include "contact/stick_lanes.h"
 #include "contact/surface_kernels.h"
 #include "contact/surface_patch_lanes.h"
 
@@ -60,6 +61,7 @@ typedef struct SurfaceContact {
     Lane law, law_gap, law_rate; /* N/m times length: N before the weight of (DU8), and its derivatives */
     Lane load;                   /* N */
     Lane phi, phi_over;          /* as in Contact */
+    LaneStick stick;             /* in place of phi where friction sticks */
     Lane3 force;                 /* F, N; zero where nothing touches */
 } SurfaceContact;
 
@@ -123,8 +125,31 @@ LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s
     return here & (c->section.g < c->radius);
 }
 
-/* Velocities, laws, force (DU7)-(DU9); near: what contact_gap said. */
-LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, LaneMask near, SurfaceContact *c)
+LANE_INLINE LaneFriction friction_spread(const FrictionLaw *law)
+{
+    return (LaneFriction){lane_set(law->mu_s), lane_set(law->mu_d), lane_set(law->v_s), lane_set(law->v_d)};
+}
+
+/* Friction that sticks (GR11)-(GR13), from what point q of every element remembers. */
+LANE_INLINE void surface_grip(const SurfaceStrip *strip, int q, SurfaceContact *c)
+{
+    const LaneFriction law = friction_spread(strip->friction);
+    c->stick.kept = l3_load(strip->bed->lean[q], strip->first);
+    c->stick.elapsed = lane_set(strip->elapsed);
+    c->stick.ratio = lane_set(strip->friction->v_s / strip->friction->d_s);
+    stick_evaluate(&c->stick, &law, strip->friction_scale, c->normal, c->slide);
+}
+
+/* F / N. */
+LANE_INLINE Lane3 surface_direction(const SurfaceContact *c, int sticks)
+{
+    return sticks ? l3_axpy(c->normal, -c->stick.phi, c->stick.lean) : l3_axpy(c->normal, -c->phi, c->slide);
+}
+
+/* Velocities, laws, force (DU7)-(DU9); near: what contact_gap said. sticks is a constant, and what is not asked for is
+ * not evaluated. */
+LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, int q, LaneMask near, int sticks,
+                               SurfaceContact *c)
 {
     const LaneBody *j = &s->body[0], *k = &s->body[1];
     c->pdot = weighted(&c->weight, j->v, l3_cross(j->w, j->r), k->v, l3_cross(k->w, k->r));
@@ -142,8 +167,12 @@ LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, 
     c->slip = l3_axpy(c->pdot, -c->radius, l3_cross(c->omega, n));
     c->slip_normal = l3_dot(n, c->slip);
     c->slide = l3_axpy(c->slip, -c->slip_normal, n);
-    contact_friction(strip->friction, strip->friction_scale, c);
-    c->force = l3_scale(c->load, l3_axpy(n, -c->phi, c->slide));
+    if (sticks) {
+        surface_grip(strip, q, c);
+    } else {
+        contact_friction(strip->friction, strip->friction_scale, c);
+    }
+    c->force = l3_scale(c->load, surface_direction(c, sticks));
 }
 
 /* l_i of (C15). */

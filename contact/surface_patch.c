@@ -207,5 +207,8 @@ void surface_patches(const SurfaceShape *shape, const Route *route, int surface,
             out += faces(shape, &way, out);
         }
     }
-    for (SurfacePatch *p = patch; p < out; ++p) p->surface = surface;
+    for (SurfacePatch *p = patch; p < out; ++p) {
+        p->surface = surface;
+        p->face = (int)(p - patch) % faces_of(shape);
+    }
 }

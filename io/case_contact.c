@@ -1,4 +1,5 @@
 #include <math.h>
+#include <string.h>
 
 #include "io/case_error.h"
 #include "io/case_parts.h"
@@ -38,7 +39,15 @@ hawser_status case_cable_friction_read(const CaseReader *r, const CaseNode *cont
 {
     const CaseNode *const node = contact ? case_node_key(contact, "cable_friction") : NULL;
     r->def->cable_friction = r->def->friction;
-    return node ? case_friction_read(r, node, &r->def->friction, &r->def->cable_friction) : HAWSER_OK;
+    const hawser_status status =
+        node ? case_friction_read(r, node, &r->def->friction, &r->def->cable_friction) : HAWSER_OK;
+    /* neither side of such a contact stays where it is: there is no place to remember */
+    const CaseNode *const law = node ? case_node_key(node, "law") : NULL;
+    if (!status && law && r->def->cable_friction.d_s > 0) {
+        return case_value_error(r->err, law, ": expected adams, cable on cable does not stick");
+    }
+    r->def->cable_friction.d_s = 0;
+    return status;
 }
 
 /* Where v_d was not given the message points at the section, since there is no line of its own. */
@@ -49,6 +58,28 @@ hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, doubl
     const CaseNode *given = case_node_key(node, "v_d");
     return case_key_error(r->err, given ? given : node, given ? NULL : "v_d",
                           "value %g m/s is out of range: must be above v_s, %g m/s", *v_d, v_s);
+}
+
+static const double STICK_DISPLACEMENT = 1e-4; /* m, of a law that sticks, unless it says its own */
+
+/* Whether the law sticks, and by which displacement. */
+static hawser_status stick_read(const CaseReader *r, const CaseNode *node, const FrictionRecord *record,
+                                const FrictionLaw *base, FrictionLaw *law)
+{
+    const CaseNode *word = record->law;
+    int sticks = base->d_s > 0;
+    if (word) {
+        const int text = word->kind == NODE_TEXT;
+        sticks = text && strcmp(word->text, "stick") == 0;
+        if (!sticks && !(text && strcmp(word->text, "adams") == 0)) {
+            return case_value_error(r->err, word, ": expected adams or stick");
+        }
+    }
+    if (!isnan(record->d_s) && !sticks) {
+        return case_key_error(r->err, case_node_key(node, "d_s"), NULL, "only for 'law: stick'");
+    }
+    law->d_s = !sticks ? 0 : !isnan(record->d_s) ? record->d_s : base->d_s > 0 ? base->d_s : STICK_DISPLACEMENT;
+    return HAWSER_OK;
 }
 
 /* mu stands for both coefficients; each may be given by itself, and wins then. */
@@ -63,6 +94,7 @@ hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, cons
     law->v_s = isnan(record.v_s) ? base->v_s : record.v_s;
     law->v_d = isnan(record.v_d) && isnan(record.v_s) ? base->v_d : record.v_d;
     status = case_speeds_check(r, node, law->v_s, &law->v_d);
+    if (!status) status = stick_read(r, node, &record, base, law);
     if (!status && law->mu_d > law->mu_s) {
         status = case_key_error(r->err, node, isnan(record.mu_d) ? "mu_s" : "mu_d",
                                 "mu_d, %g, is out of range: must be at most mu_s, %g", law->mu_d, law->mu_s);

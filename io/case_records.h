@@ -58,7 +58,8 @@ typedef struct LeadInRecord {
 } LeadInRecord;
 
 typedef struct FrictionRecord {
-    double mu, mu_s, mu_d, v_s, v_d;
+    double mu, mu_s, mu_d, v_s, v_d, d_s;
+    const CaseNode *law;
 } FrictionRecord;
 
 /* NAN: by the profile and the cable. */

@@ -324,6 +324,8 @@ static const CaseKey friction_keys[] = {
     {"mu_d", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_d)},
     {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s", ABOVE(0, 1e3), AT(FrictionRecord, v_s)},
     {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(FrictionRecord, v_d)},
+    {"law", KEY_ANY, .otherwise = "`adams`", .form = "`adams` or `stick`", AT(FrictionRecord, law)},
+    {"d_s", KEY_NUMBER, DIM_LENGTH, .otherwise = "0.1 mm", ABOVE(0, 1), AT(FrictionRecord, d_s)},
 };
 SECTION(case_friction, "friction", friction_keys);
 

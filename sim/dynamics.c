@@ -21,6 +21,7 @@ static int parts_alloc(Workspace *ws, const Scene *scene)
         part->model.roller = scene->contact.roller + (p == 0 ? 0 : half);
         part->model.n_rollers = p == 0 ? half : rollers - half;
         part->first = p == 0 ? 0 : half;
+        part->sticks = contact_sticks(&part->model);
         if (scene->equipment.n > 0) {
             part->model.roller = ws->equipment.roller + part->first;
             part->model.motion = ws->equipment.motion + part->first;
@@ -31,6 +32,10 @@ static int parts_alloc(Workspace *ws, const Scene *scene)
     const int elements = scene->surfaces.points.elements, middle = elements > 0 ? ws->middle : 0;
     surface_pairs_init(&ws->contact[0].surface, 0, middle);
     surface_pairs_init(&ws->contact[1].surface, middle, elements);
+    if (!surface_sticks(&ws->surfaces)) return ok;
+    for (int p = 0; p < PARTS; ++p) {
+        ok &= surface_pairs_sticks(&ws->contact[p].surface, &ws->surfaces, scene->chain.n);
+    }
     return ok;
 }
 
@@ -90,6 +95,17 @@ static void slips_carry(const Kinematics *old, const Kinematics *now, int joints
     }
 }
 
+/* The leans of friction that sticks, likewise: rollers keep their half, elements may have changed it. */
+static void sticks_carry(Workspace *old, Workspace *now, int joined)
+{
+    for (int p = 0; p < PARTS; ++p) {
+        if (now->contact[p].sticks) stick_carry(&old->contact[p].pairs.stick, &now->contact[p].pairs.stick, joined);
+        for (int q = 0; q < PARTS && now->contact[p].surface.stick.n_beds > 0; ++q) {
+            surface_carry(&old->contact[q].surface, &now->contact[p].surface, joined);
+        }
+    }
+}
+
 int workspace_renew(Workspace *ws, const Scene *scene, int joined)
 {
     Workspace old = *ws;
@@ -98,6 +114,7 @@ int workspace_renew(Workspace *ws, const Scene *scene, int joined)
         return 0;
     }
     slips_carry(&old.kin, &ws->kin, scene->chain.n + 1, joined);
+    sticks_carry(&old, ws, joined);
     ws->rhs_evals = old.rhs_evals;
     ws->refreshes = old.refreshes;
     ws->candidates_max = old.candidates_max;
@@ -111,6 +128,16 @@ void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const doub
     body_kinematics(scene->chain.n, y, 0, scene->chain.n, &ws->kin);
     scene_ghosts(scene, t, &ws->kin);
     if (scene->equipment.n > 0) equipment_pose(&ws->equipment, equipment_of(scene, y));
+}
+
+/* Friction that sticks leans by what has been slid since the last accepted step (GR11). */
+static void stick_time(Workspace *ws, double t)
+{
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &ws->contact[p];
+        if (part->sticks) stick_clock(&part->pairs.stick, t);
+        if (part->surface.stick.n_beds > 0) surface_clock(&part->surface, t);
+    }
 }
 
 /* One evaluation, as both threads see it. */
@@ -217,6 +244,7 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
 {
     Evaluation e = {.scene = scene, .ws = ws, .t = t, .friction = friction, .y = y};
     e.ydot = ydot;
+    stick_time(ws, t);
     both(ws, kinematics_job, 1, &e);
     scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
     if (scene->equipment.n > 0) equipment_pose(&ws->equipment, equipment_of(scene, y));
@@ -302,6 +330,7 @@ void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *
     const Chain *const chain = &scene->chain;
     Evaluation e = {.scene = scene, .ws = ws, .friction = friction, .ydot = (double *)ydot, .k = k, .d = d};
     dynamics_kinematics(scene, ws, t, y);
+    stick_time(ws, t);
     block_chain_zero(k);
     block_chain_zero(d);
     blocks_of_chain(&e);
@@ -458,9 +487,24 @@ hawser_status dynamics_find_candidates(const Scene *scene, Workspace *ws, hawser
     return status;
 }
 
+/* Whether something remembers what was at the last accepted step. */
+static int remembers(const Scene *scene, const Workspace *ws)
+{
+    int any = scene->chain.sliders.count > 0;
+    for (int p = 0; p < PARTS; ++p) any |= ws->contact[p].sticks || ws->contact[p].surface.stick.n_beds > 0;
+    return any;
+}
+
 void dynamics_accept(const Scene *scene, Workspace *ws, double t, const double *y)
 {
-    if (scene->chain.sliders.count == 0) return;
+    const Chain *const chain = &scene->chain;
+    if (!remembers(scene, ws)) return;
     dynamics_kinematics(scene, ws, t, y);
-    bushing_slip(&scene->chain, &ws->kin, 0, scene->chain.n + 1);
+    if (chain->sliders.count > 0) bushing_slip(chain, &ws->kin, 0, chain->n + 1);
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &ws->contact[p];
+        if (part->sticks) contact_accept(&part->model, chain, &ws->kin, t, &part->pairs);
+        if (part->surface.stick.n_beds == 0) continue;
+        surface_accept(&ws->surfaces, chain, &ws->kin, t, &part->surface);
+    }
 }

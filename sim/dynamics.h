@@ -15,6 +15,7 @@ typedef struct ContactPart {
     ContactModel model;
     ContactPairs pairs;   /* contact_refresh */
     SurfacePairs surface; /* of one half of the elements; surface_refresh */
+    int sticks;           /* some friction remembers, from step to step, how far it leans */
     double seconds;       /* s spent in forces, summed */
 } ContactPart;
 
@@ -77,8 +78,9 @@ ConveyorNow dynamics_conveyor(const Scene *scene, const Workspace *ws, int i, do
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */
 int dynamics_candidates(const Workspace *ws);
-/* A step to (t, y) has been accepted: the sliders of bending follow (bushing_slip). What they keep, ws->kin.slip, is
- * not scratch but part of the state, beside y. Leaves the kinematics of y in the workspace if the chain has sliders. */
+/* A step to (t, y) has been accepted: the sliders of bending follow (bushing_slip), and so does the friction that
+ * sticks (contact_accept). What they keep, ws->kin.slip and the pairs' stick, is not scratch but part of the state,
+ * beside y. Leaves the kinematics of y in the workspace if there is any of that. */
 void dynamics_accept(const Scene *scene, Workspace *ws, double t, const double *y);
 /* New candidate pairs for the position y if `always`, or if something has moved too far since the last ones by the
  * kinematics in the workspace, which must be of y or of an iterate close to it.

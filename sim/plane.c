@@ -11,12 +11,12 @@
     _Static_assert(sizeof(void *) != 8 || sizeof(type) == (size), #type " has changed: does sim/plane.c know it?")
 KNOWN_SIZE(CableDef, 416);
 KNOWN_SIZE(ChainPieceDef, 24);
-KNOWN_SIZE(RollerDef, 352);
+KNOWN_SIZE(RollerDef, 360);
 KNOWN_SIZE(LeadInDef, 16);
 KNOWN_SIZE(WinchDef, 272);
 KNOWN_SIZE(TailDef, 80);
 KNOWN_SIZE(RopeDragDef, 32);
-KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef)], 1240);
+KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef)], 1256);
 
 /* How far from the plane counts as in it: unit vectors, and metres. */
 static const double CLOSE = 1e-9;
@@ -145,6 +145,7 @@ static const char *unknown_feature(const Scene *scene)
     if (scene->self.present) return "the cable may touch itself";
     if (scene->drum.present) return "the cable is wound on a drum";
     if (scene->reel.present || scene->take_in.present) return "segments join and leave the chain";
+    if (contact_sticks(&scene->contact)) return "friction sticks";
     if (scene->equipment.n > 0) return "rollers spin or stand on mounts";
     if (scene->winch.present && scene->winch.mode != WINCH_SPEED) return "the winch pulls with a set tension";
     if (scene->n_conveyors > 0) return "conveyors hold the cable";

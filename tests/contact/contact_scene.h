@@ -58,7 +58,7 @@ static inline ContactRoller *scene_roller(TestScene *s, Vec3 centre, Vec3 axis, 
     ContactRoller *roller = &s->roller[s->model.n_rollers++];
     *roller = (ContactRoller){
         .shape = {.kind = SHAPE_CYLINDER, .centre = centre, .axis = axis, .radius = radius, .half_width = half_width},
-        .friction = {0.2, 0.15, 5e-3, 2e-2}};
+        .friction = {.mu_s = 0.2, .mu_d = 0.15, .v_s = 5e-3, .v_d = 2e-2}};
     return roller;
 }
 

@@ -100,7 +100,7 @@ static inline void surfaces_add(SurfaceScene *s, const SurfaceShape *shape)
     const int n = surface_patch_count(shape, &s->route);
     assert_true(m->n_surfaces < SURFACES_MAX && m->n_patches + n <= PATCHES_MAX);
     surface_patches(shape, &s->route, m->n_surfaces, s->patch + m->n_patches);
-    s->friction[m->n_surfaces++] = (FrictionLaw){0.25, 0.2, 5e-3, 2e-2};
+    s->friction[m->n_surfaces++] = (FrictionLaw){.mu_s = 0.25, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2};
     m->n_patches += n;
 }
 

@@ -28,7 +28,7 @@ static void scene_wind(TestScene *s, ContactGeometry geometry, double reach)
                                                .axis = v3_unit(random_vector(&seed)),
                                                .radius = radius,
                                                .half_width = half_width},
-                                     .friction = {0.2, 0.1, 5e-3, 2e-2}};
+                                     .friction = {.mu_s = 0.2, .mu_d = 0.1, .v_s = 5e-3, .v_d = 2e-2}};
     }
     s->model.roller = rollers;
     s->model.n_rollers = ROLLERS;

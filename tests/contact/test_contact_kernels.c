@@ -5,7 +5,7 @@
 
 #include "contact/contact_kernels.h"
 
-static const FrictionLaw friction = {0.2, 0.15, 5e-3, 2e-2};
+static const FrictionLaw friction = {.mu_s = 0.2, .mu_d = 0.15, .v_s = 5e-3, .v_d = 2e-2};
 static const ImpactLaw impact = {.k = 2e7, .e = 1.5, .c = 2e4, .d = 1e-3};
 
 /* LANES arcs of two segments across rollers, all touching a little. */
@@ -53,10 +53,10 @@ static void batch_check(const ContactKernels *one, const ContactKernels *other, 
     static ContactPush push[2];
     static ContactMatrix k[2], d[2];
     double normal[LANES];
-    one->push(batch, &push[0]);
-    other->push(batch, &push[1]);
-    assert_int_equal(one->columns(batch, &k[0], &d[0], normal), 1);
-    assert_int_equal(other->columns(batch, &k[1], &d[1], normal), 1);
+    one->push[VARIANT_PLAIN](batch, &push[0]);
+    other->push[VARIANT_PLAIN](batch, &push[1]);
+    assert_int_equal(one->columns[VARIANT_PLAIN](batch, &k[0], &d[0], normal), 1);
+    assert_int_equal(other->columns[VARIANT_PLAIN](batch, &k[1], &d[1], normal), 1);
     assert_true(difference(push[0].normal, push[1].normal, LANES) < 1e-11);
     assert_true(difference(push[0].force[0][0], push[1].force[0][0], 6 * LANES) < 1e-11);
     assert_true(difference(push[0].moment[0][0], push[1].moment[0][0], 6 * LANES) < 1e-11);
@@ -85,7 +85,7 @@ static void test_lanes_are_independent(void **state)
     ContactBatch mixed, alone;
     batch_random(&mixed, &seed);
     ContactPush push[2];
-    table[isa_best()]->push(&mixed, &push[0]);
+    table[isa_best()]->push[VARIANT_PLAIN](&mixed, &push[0]);
     for (int l = 0; l < LANES; ++l) {
         alone = mixed;
         for (int to = 0; to < LANES; ++to) {
@@ -99,7 +99,7 @@ static void test_lanes_are_independent(void **state)
                 }
             }
         }
-        table[isa_best()]->push(&alone, &push[1]);
+        table[isa_best()]->push[VARIANT_PLAIN](&alone, &push[1]);
         assert_true(push[0].u[l] == push[1].u[0] && push[0].normal[l] == push[1].normal[0]);
         assert_true(push[0].force[1][2][l] == push[1].force[1][2][0]);
     }

@@ -163,6 +163,7 @@ static void wrong_any(const Site *site, Coverage *coverage)
         {"plane", {"upp", "5 kg", "nan", "inf", "[1]", "{a: 1}", "", "30x", "1000 deg", "-7"}},
         {"along",
          {"7", "[7]", "[[1]]", "{a: 1}", "[{from: 1}, {}]", "''", "{spacing: 1, count: 2}", "{}", "[~]", "nan"}},
+        {"law", {"stik", "true", "7", "[7]", "{a: 1}", "", "''", "Stick", "stick adams", "nan"}},
         {"where", {"bend", "true", "7", "[7]", "[[1, 2, 3]]", "[[2, 1]]", "[[1, nan]]", "{a: 1}", "", "[[1, 5 kg]]"}},
         {"hold_down",
          {"sagg", "true", "7", "[7]", "[[1, 2, 3]]", "[[2, 1]]", "[[1, nan]]", "{a: 1}", "", "[[1, 5 kg]]"}},

@@ -154,6 +154,30 @@ static void bad_rows(void **state)
                "roller 'it' is inside the cable");
 }
 
+/* Each roller's own law wins over the case's, and takes from it what it does not say. */
+static void friction_that_sticks(void **state)
+{
+    (void)state;
+    SceneDef def;
+    expect_good(SMALLEST, "friction", "{mu: 0.3}", &def);
+    assert_true(def.friction.d_s == 0);
+    scene_def_clear(&def);
+    expect_good(SMALLEST, "friction", "{mu: 0.3, law: stick}", &def);
+    assert_true(def.friction.d_s == 1e-4);
+    assert_true(def.cable_friction.d_s == 0);
+    scene_def_clear(&def);
+    expect_good(SMALLEST, "rollers.along",
+                "[{count: 1, friction: {law: stick, d_s: 0.3 mm}}, {from: 9 m, count: 1, friction: {law: adams}}]",
+                &def);
+    assert_true(def.rollers[0].friction.d_s == 3e-4 && def.rollers[1].friction.d_s == 0);
+    scene_def_clear(&def);
+    expect_bad(SMALLEST, "friction", "{d_s: 0.1 mm}", "key 'friction.d_s': only for 'law: stick'");
+    expect_bad(SMALLEST, "friction", "{law: adams, d_s: 0.1 mm}", "key 'friction.d_s': only for 'law: stick'");
+    expect_bad(SMALLEST, "friction", "{law: sticky}", "expected adams or stick");
+    expect_bad(SMALLEST, "contact", "{cable_on_cable: true, cable_friction: {law: stick}}",
+               "cable on cable does not stick");
+}
+
 /* Runs an example case with settings, and returns its pull. */
 static double pull_of(const char *name, const char *const *settings, hawser_summary *summary)
 {
@@ -214,9 +238,9 @@ static void guide_case(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bends_and_straights), cmocka_unit_test(guides_inside),
-        cmocka_unit_test(grooves_are_sat_in),  cmocka_unit_test(bad_rows),
-        cmocka_unit_test(v_groove_case),       cmocka_unit_test(guide_case),
+        cmocka_unit_test(bends_and_straights),  cmocka_unit_test(guides_inside), cmocka_unit_test(grooves_are_sat_in),
+        cmocka_unit_test(friction_that_sticks), cmocka_unit_test(bad_rows),      cmocka_unit_test(v_groove_case),
+        cmocka_unit_test(guide_case),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,355 @@
+/* Friction that sticks: its derivatives, what it remembers, that it slides with the full force, that a step's end
+ * changes no force, and that it never gives more work than it took. */
+#include "tests/contact/contact_scene.h"
+
+#include <math.h>
+
+#include "contact/contact_fd.h"
+
+enum { N = 6 };
+
+static const FrictionLaw sticky = {.mu_s = 0.3, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2, .d_s = 1e-3};
+
+/* A level chain pressed 1 mm onto one flat and one grooved roller. */
+static void level_scene(TestScene *s, FrictionLaw law)
+{
+    scene_new(s, GEOMETRY_SMOOTH, N, 0.5);
+    const double radius = s->chain.radius[0];
+    scene_roller(s, v3(1.1, 0, -0.1 - radius + 1e-3), v3(0, 1, 0), 0.1, 0.2)->friction = law;
+    ContactRoller *const v = scene_roller(s, v3(2.1, 0, -0.08 - (radius - 1e-3) / sin(0.8)), v3(0, 1, 0), 0.08, 0.25);
+    v->friction = law;
+    v->shape.kind = SHAPE_V_GROOVE;
+    v->shape.groove = groove_v(0.8, 0.1);
+    scene_refresh(s);
+}
+
+/* All segments at one velocity. */
+static void speed_set(TestScene *s, Vec3 v)
+{
+    for (int i = 0; i < N; ++i) vector_to(s->kin.v, i, v);
+}
+
+/* A step of length h at velocity v, moved and accepted; t counts on. */
+static void step_take(TestScene *s, Vec3 v, double h, double *t)
+{
+    speed_set(s, v);
+    for (int i = 0; i < N; ++i) vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), h, v));
+    *t += h;
+    contact_accept(&s->model, &s->chain, &s->kin, *t, &s->pairs);
+}
+
+/* The friction along the chain that the rollers do, N, at the present velocity. */
+static double friction_along(TestScene *s)
+{
+    scene_forces(s, 1);
+    return -s->on_roller[0].x - s->on_roller[1].x;
+}
+
+static void test_grips_like_a_spring(void **state)
+{
+    (void)state;
+    TestScene s;
+    level_scene(&s, sticky);
+    double t = 0;
+    scene_forces(&s, 1);
+    const double N_flat = -s.on_roller[0].z;
+    assert_true(s.pairs.active == 3 && fabs(friction_along(&s)) < 1e-12 * N_flat);
+    /* 0.1 mm in ten steps, then at rest: the odd STEP of displacement over d_s, however long it lasts */
+    for (int i = 0; i < 10; ++i) step_take(&s, v3(1e-3, 0, 0), 0.01, &t);
+    speed_set(&s, v3(0, 0, 0));
+    for (int i = 0; i < 3; ++i) {
+        scene_forces(&s, 1);
+        const double x = 0.1, called = (3 * x - x * x * x) / 2;
+        assert_true(fabs(s.on_roller[0].x / (sticky.mu_s * called * N_flat) - 1) < 1e-6);
+        step_take(&s, v3(0, 0, 0), 3600, &t);
+    }
+    scene_free(&s);
+}
+
+/* Sliding on, over several elements: the coefficient of ADAMS' law at every speed, and back the same. */
+static void test_slides_like_adams(void **state)
+{
+    (void)state;
+    FrictionLaw adams = sticky;
+    adams.d_s = 0;
+    const double speeds[] = {6e-3, 1.2e-2, 0.1, -0.1, -8e-3};
+    TestScene s, r;
+    level_scene(&s, sticky);
+    level_scene(&r, adams);
+    double t = 0;
+    for (int k = 0; k < 5; ++k) {
+        const Vec3 v = v3(speeds[k], 0.2 * speeds[k], 0);
+        for (int i = 0; i < 40; ++i) step_take(&s, v, 0.05, &t);
+        for (int i = 0; i < N; ++i) {
+            vector_to(r.kin.p, i, vector_of(s.kin.p, i));
+            vector_to(r.kin.v, i, v);
+        }
+        scene_forces(&r, 1);
+        scene_forces(&s, 1);
+        for (int m = 0; m < 2; ++m) {
+            assert_true(v3_norm(v3_sub(s.on_roller[m], r.on_roller[m])) < 1e-3 * v3_norm(r.on_roller[m]));
+        }
+    }
+    scene_free(&s);
+    scene_free(&r);
+}
+
+/* A contact that goes on to the next element takes its lean along; one that lifts off forgets it. */
+static void test_lean_goes_along(void **state)
+{
+    (void)state;
+    TestScene s;
+    level_scene(&s, sticky);
+    double t = 0;
+    int before = -1, changes = 0;
+    for (int i = 0; i < 60; ++i) {
+        step_take(&s, v3(0.7, 0, 0), 0.1, &t);
+        const int element = s.pairs.stick.record[0].element;
+        changes += before >= 0 && element != before;
+        before = element;
+        if (i == 14) break;
+    }
+    assert_true(changes >= 2);
+    /* all records lean by d_s against nothing but the motion */
+    for (int i = 0; i < s.pairs.stick.n; ++i) {
+        assert_true(fabs(v3_norm(s.pairs.stick.record[i].lean) / sticky.d_s - 1) < 1e-9);
+        assert_true(s.pairs.stick.record[i].lean.x > 0.99 * sticky.d_s);
+    }
+    step_take(&s, v3(0, 0, 0.1), 0.1, &t);
+    assert_int_equal(s.pairs.stick.n, 0);
+    step_take(&s, v3(0, 0, -0.1), 0.1, &t);
+    assert_true(s.pairs.stick.n == 3 && v3_norm(s.pairs.stick.record[0].lean) < 1e-5);
+    scene_free(&s);
+}
+
+/* Segments join the chain behind its tail: what the contacts know goes on with the new numbers. */
+static void test_renumbered(void **state)
+{
+    (void)state;
+    TestScene s;
+    level_scene(&s, sticky);
+    double t = 0;
+    step_take(&s, v3(1e-2, 0, 0), 0.05, &t);
+    const StickRecord before = s.pairs.stick.record[1];
+    StickStore now;
+    stick_carry(&s.pairs.stick, &now, 1);
+    assert_int_equal(s.pairs.stick.n, 0);
+    const Vec3 kept = stick_kept(&now, before.roller, before.face, before.element + 1);
+    assert_true(v3_norm(v3_sub(kept, before.lean)) <= 0 && v3_norm(kept) > 1e-4);
+    assert_true(now.record[1].element == before.element + 1 && now.since == t);
+    stick_free(&now);
+    scene_free(&s);
+}
+
+/* The moment at which a step is accepted changes nothing: held, called up in part, and sliding. */
+static void test_no_jump_at_a_step(void **state)
+{
+    (void)state;
+    const double speeds[] = {0, 1e-4, 2e-3, 0.03, 0.3};
+    for (int k = 0; k < 5; ++k) {
+        TestScene s;
+        level_scene(&s, sticky);
+        double t = 0;
+        for (int i = 0; i < 7; ++i) {
+            const Vec3 v = v3(speeds[k], 0, 0);
+            speed_set(&s, v);
+            for (int j = 0; j < N; ++j) vector_to(s.kin.p, j, v3_axpy(vector_of(s.kin.p, j), 0.02, v));
+            t += 0.02;
+            stick_clock(&s.pairs.stick, t);
+            const double before = friction_along(&s);
+            contact_accept(&s.model, &s.chain, &s.kin, t, &s.pairs);
+            const double after = friction_along(&s);
+            assert_true(fabs(after - before) < 1e-9 * s.on_roller[0].z * -1);
+        }
+        scene_free(&s);
+    }
+}
+
+/* Dragged to and fro by less and by more than d_s, round and round: from the start on, friction has never given back
+ * more than it took. */
+static void test_work_is_only_taken(void **state)
+{
+    (void)state;
+    uint64_t seed = 9;
+    for (int run = 0; run < 20; ++run) {
+        TestScene s;
+        FrictionLaw law = sticky;
+        if (run % 2) law.mu_d = law.mu_s;
+        level_scene(&s, law);
+        double t = 0, work = 0, most = 0;
+        const double size = 0.02 * pow(10, random_next(&seed)), h = 0.01;
+        for (int i = 0; i < 400; ++i) {
+            const Vec3 v = v3(size * sin(0.05 * i + run), size * cos(0.031 * i) * (run % 3), 0);
+            speed_set(&s, v);
+            for (int j = 0; j < N; ++j) vector_to(s.kin.p, j, v3_axpy(vector_of(s.kin.p, j), h, v));
+            t += h;
+            stick_clock(&s.pairs.stick, t);
+            scene_forces(&s, 1);
+            for (int r = 0; r < 2; ++r) work -= h * v3_dot(s.on_roller[r], v);
+            contact_accept(&s.model, &s.chain, &s.kin, t, &s.pairs);
+            assert_true(work < 1e-9);
+            most = fmin(most, work);
+        }
+        assert_true(most < 0);
+        scene_free(&s);
+    }
+}
+
+/* Largest difference of two block chains over the largest entry of one. */
+static double difference(const BlockChain *a, const BlockChain *b)
+{
+    double most = 0, size = 0;
+    const double *const pa[3] = {a->lower, a->diag, a->upper}, *const pb[3] = {b->lower, b->diag, b->upper};
+    for (int i = 0; i < 3 * 36 * N; ++i) {
+        const double x = pa[i / (36 * N)][i % (36 * N)], y = pb[i / (36 * N)][i % (36 * N)];
+        size = fmax(size, fabs(y));
+        most = fmax(most, fabs(x - y));
+    }
+    return size > 0 ? most / size : most;
+}
+
+static double largest(const BlockChain *a)
+{
+    double size = 0;
+    const double *const part[3] = {a->lower, a->diag, a->upper};
+    for (int i = 0; i < 3 * 36 * N; ++i) size = fmax(size, fabs(part[i / (36 * N)][i % (36 * N)]));
+    return size;
+}
+
+/* A crooked, moving chain that has slid a little since the last step. */
+static void random_scene(TestScene *s, double speed, int with_v, uint64_t *seed)
+{
+    scene_new(s, GEOMETRY_SMOOTH, N, 0.5);
+    for (int i = 0; i < N; ++i) {
+        vector_to(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.03, random_vector(seed))));
+        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
+        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+    }
+    scene_join(s, v3(0, 0, 0));
+    const Element element = element_at(GEOMETRY_SMOOTH, N, 3);
+    const Vec3 p = element_point(&element, &s->chain, &s->kin, 0.4);
+    const double radius = s->chain.radius[0];
+    Shape shape = {.kind = with_v ? SHAPE_V_GROOVE : SHAPE_CYLINDER, .axis = {0, 1, 0}, .radius = 0.1};
+    shape.half_width = 0.3;
+    if (with_v) shape.groove = groove_v(0.8, 0.12);
+    shape.centre = v3_axpy(p, -(shape_seat(&shape, radius) - 8e-4), v3(0, 0, 1));
+    ContactRoller *const roller = scene_roller(s, shape.centre, shape.axis, 0.1, 0.3);
+    *roller = (ContactRoller){.shape = shape, .friction = sticky};
+    scene_refresh(s);
+    contact_accept(&s->model, &s->chain, &s->kin, 0, &s->pairs);
+    for (int i = 0; i < s->pairs.stick.n; ++i) {
+        s->pairs.stick.record[i].lean = v3_scale(0.8 * sticky.d_s, random_vector(seed));
+    }
+    stick_clock(&s->pairs.stick, 0.02 + 0.019 * random_next(seed));
+}
+
+static double blocks_error(TestScene *s, double step)
+{
+    BlockChain m[4];
+    for (int i = 0; i < 4; ++i) {
+        assert_true(block_chain_alloc(&m[i], N, 6));
+        block_chain_zero(&m[i]);
+    }
+    contact_blocks(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, &m[0], &m[1]);
+    assert_true(contact_blocks_fd(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, step, 1e-7, &m[2], &m[3]) == 0);
+    const double error = fmax(difference(&m[0], &m[2]), difference(&m[1], &m[3]));
+    for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
+    return error;
+}
+
+static void test_derivatives(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    const double speeds[] = {1e-4, 8e-3, 0.05, 1};
+    double worst = 0;
+    int active = 0;
+    for (int i = 0; i < 120; ++i) {
+        TestScene s;
+        random_scene(&s, speeds[i % 4], i / 4 % 2, &seed);
+        scene_forces(&s, 1);
+        active += s.pairs.active;
+        worst = fmax(worst, fmin(blocks_error(&s, 1e-7), blocks_error(&s, 2e-8)));
+        scene_free(&s);
+    }
+    print_message("%d active, worst %.2e\n", active, worst);
+    assert_true(active > 120);
+    assert_true(worst < 1e-6);
+}
+
+/* With a bristle that nothing has bent yet, and no time to bend it, the law is ADAMS' to the last bits. */
+static void test_without_memory_it_is_adams(void **state)
+{
+    (void)state;
+    uint64_t seed = 2;
+    int touching = 0;
+    for (int i = 0; i < 40; ++i) {
+        TestScene s;
+        random_scene(&s, i % 2 ? 1e-3 : 0.05, 0, &seed);
+        contact_accept(&s.model, &s.chain, &s.kin, 0, &s.pairs);
+        for (int k = 0; k < s.pairs.stick.n; ++k) s.pairs.stick.record[k].lean = v3(0, 0, 0);
+        scene_forces(&s, 1);
+        const Vec3 sticking = s.on_roller[0];
+        s.roller[0].friction.d_s = 0;
+        scene_refresh(&s);
+        scene_forces(&s, 1);
+        touching += s.pairs.active;
+        assert_true(v3_norm(v3_sub(sticking, s.on_roller[0])) <= 1e-14 * v3_norm(sticking));
+        scene_free(&s);
+    }
+    assert_true(touching > 20);
+}
+
+/* Rollers without friction, in the same scene as others: only their normal force is there; the kernels of frictionless
+ * rollers do what the others do at a scale of zero. */
+static void test_frictionless_is_zero_friction(void **state)
+{
+    (void)state;
+    uint64_t seed = 4;
+    int touching = 0;
+    for (int i = 0; i < 20; ++i) {
+        TestScene s;
+        BlockChain m[4];
+        random_scene(&s, 0.05, 0, &seed);
+        const double c = s.model.impact.c;
+        s.model.impact.c = i % 2 ? 0 : c;
+        for (int k = 0; k < 4; ++k) {
+            assert_true(block_chain_alloc(&m[k], N, 6));
+            block_chain_zero(&m[k]);
+        }
+        s.roller[0].friction = (FrictionLaw){.v_s = 5e-3, .v_d = 2e-2};
+        scene_refresh(&s);
+        scene_forces(&s, 1);
+        const Vec3 without = s.on_roller[0];
+        contact_blocks(&s.model, &s.chain, &s.kin, 1, &s.pairs, &m[0], &m[1]);
+        /* the general kernels: a coefficient that is as good as none */
+        s.roller[0].friction.mu_s = s.roller[0].friction.mu_d = 1e-300;
+        scene_refresh(&s);
+        scene_forces(&s, 1);
+        contact_blocks(&s.model, &s.chain, &s.kin, 1, &s.pairs, &m[2], &m[3]);
+        touching += s.pairs.active;
+        assert_true(v3_norm(v3_sub(without, s.on_roller[0])) <= 1e-13 * v3_norm(without));
+        assert_true(difference(&m[0], &m[2]) < 1e-13);
+        assert_true(difference(&m[1], &m[3]) < 1e-13 ||
+                    (s.model.impact.c == 0 && largest(&m[1]) == 0 && largest(&m[3]) < 1e-290));
+        for (int k = 0; k < 4; ++k) block_chain_free(&m[k]);
+        scene_free(&s);
+    }
+    assert_true(touching > 8);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_grips_like_a_spring),
+        cmocka_unit_test(test_slides_like_adams),
+        cmocka_unit_test(test_lean_goes_along),
+        cmocka_unit_test(test_renumbered),
+        cmocka_unit_test(test_no_jump_at_a_step),
+        cmocka_unit_test(test_work_is_only_taken),
+        cmocka_unit_test(test_derivatives),
+        cmocka_unit_test(test_without_memory_it_is_adams),
+        cmocka_unit_test(test_frictionless_is_zero_friction),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

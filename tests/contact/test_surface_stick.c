@@ -1,0 +1,178 @@
+/* Friction that sticks on trays and planes: derivatives, what the points remember, no jump at a step's end, and that
+ * only surfaces that stick remember anything. */
+#include "tests/contact/surface_scene.h"
+
+#include <math.h>
+
+#include "contact/surface_fd.h"
+
+enum { N = 6 };
+
+static const FrictionLaw sticky = {.mu_s = 0.3, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2, .d_s = 1e-3};
+
+/* A crooked chain that moves, a little inside a surface of this kind. */
+static void scene_make(SurfaceScene *s, SurfaceKind kind, double speed, uint64_t *seed)
+{
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
+    surfaces_new(s, N, 0.5);
+    surfaces_points(s, GEOMETRY_SMOOTH);
+    surfaces_route(s, 1, &straight, 0);
+    SurfaceShape shape = surfaces_shape(kind, 2, 18);
+    if (kind == SURFACE_PLANE) shape.point = v3(0, 0, -CABLE_RADIUS);
+    surfaces_add(s, &shape);
+    surfaces_lay(s, 6, 0, -5e-4);
+    for (int i = 0; i < N; ++i) {
+        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), 2e-4, random_vector(seed)));
+        vector_to(s->kin.a, i, v3_unit(v3_axpy(vector_of(s->kin.a, i), 5e-4, random_vector(seed))));
+        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
+        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+    }
+    s->friction[0] = sticky;
+    assert_true(surface_sticks(&s->model));
+    assert_true(surface_pairs_sticks(&s->pairs, &s->model, N));
+    surfaces_refresh(s);
+}
+
+static double largest(const BlockChain *a, const BlockChain *b)
+{
+    double most = 0;
+    const double *const pa[3] = {a->lower, a->diag, a->upper};
+    const double *const pb[3] = {b ? b->lower : NULL, b ? b->diag : NULL, b ? b->upper : NULL};
+    for (int i = 0; i < 3 * 36 * N; ++i) {
+        const int part = i / (36 * N), at = i % (36 * N);
+        most = fmax(most, fabs(pa[part][at] - (b ? pb[part][at] : 0)));
+    }
+    return most;
+}
+
+static double blocks_error(SurfaceScene *s, double step)
+{
+    BlockChain m[4];
+    for (int i = 0; i < 4; ++i) {
+        assert_true(block_chain_alloc(&m[i], N, 6));
+        block_chain_zero(&m[i]);
+    }
+    surface_blocks(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, 0, s->points.elements, &m[0], &m[1]);
+    assert_true(surface_blocks_fd(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, step, 1e-7, &m[2], &m[3]) == 0);
+    double error = 0;
+    for (int i = 0; i < 2; ++i) error = fmax(error, largest(&m[i], &m[i + 2]) / largest(&m[i + 2], NULL));
+    for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
+    return error;
+}
+
+static void test_derivatives(void **state)
+{
+    (void)state;
+    const SurfaceKind kinds[] = {SURFACE_PLANE, SURFACE_V, SURFACE_U, SURFACE_FLAT};
+    const double speeds[] = {1e-4, 8e-3, 0.05};
+    uint64_t seed = 3;
+    double worst = 0;
+    for (int i = 0; i < 24; ++i) {
+        SurfaceScene s;
+        scene_make(&s, kinds[i % 4], speeds[i % 3], &seed);
+        surface_accept(&s.model, &s.chain, &s.kin, 0, &s.pairs);
+        for (int f = 0; f < SURFACE_FACES_MAX; ++f) {
+            for (int e = 0; e <= N; ++e) {
+                for (int q = 0; q < SURFACE_POINTS; ++q) {
+                    vector_to(s.pairs.stick.bed[f].lean[q], e, v3_scale(0.8 * sticky.d_s, random_vector(&seed)));
+                }
+            }
+        }
+        surface_clock(&s.pairs, 0.02);
+        surfaces_forces(&s, 1);
+        assert_true(s.pairs.active > 0);
+        worst = fmax(worst, fmin(blocks_error(&s, 1e-7), blocks_error(&s, 2e-8)));
+        surfaces_free(&s);
+    }
+    print_message("worst %.2e\n", worst);
+    assert_true(worst < 1e-6);
+}
+
+/* Slid to and fro as a whole: nothing changes when a step is accepted, work is only taken, and after 1 mm and more the
+ * friction is the full one. */
+static void test_steps(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    SurfaceScene s;
+    scene_make(&s, SURFACE_V, 0, &seed);
+    double t = 0, work = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 v = v3(i < 60 ? 2e-4 * i : 0.05 * sin(0.1 * i), 0, 0);
+        const double h = 0.01;
+        for (int k = 0; k < N; ++k) {
+            vector_to(s.kin.v, k, v);
+            vector_to(s.kin.w, k, v3(0, 0, 0));
+            vector_to(s.kin.p, k, v3_axpy(vector_of(s.kin.p, k), h, v));
+        }
+        t += h;
+        surface_clock(&s.pairs, t);
+        surfaces_forces(&s, 1);
+        const double before = s.tally[0].force.x, normal = s.tally[0].normal;
+        work -= h * before * v.x;
+        surface_accept(&s.model, &s.chain, &s.kin, t, &s.pairs);
+        surfaces_forces(&s, 1);
+        assert_true(fabs(s.tally[0].force.x - before) < 1e-9 * normal);
+        assert_true(work < 1e-9);
+        if (i == 59) assert_true(before > sticky.mu_d * normal && before < 1.0001 * sticky.mu_s * normal);
+    }
+    surfaces_free(&s);
+}
+
+/* At rest it grips by what it has leaned, however long. */
+static void test_holds(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    SurfaceScene s;
+    scene_make(&s, SURFACE_PLANE, 0, &seed);
+    for (int k = 0; k < N; ++k) vector_to(s.kin.v, k, v3(1e-2, 0, 0));
+    surface_accept(&s.model, &s.chain, &s.kin, 0.02, &s.pairs); /* 0.2 mm */
+    for (int k = 0; k < N; ++k) vector_to(s.kin.v, k, v3(0, 0, 0));
+    for (int i = 1; i < 4; ++i) {
+        surface_clock(&s.pairs, 3600 * i);
+        surfaces_forces(&s, 1);
+        const double x = 0.2, called = (3 * x - x * x * x) / 2;
+        assert_true(fabs(s.tally[0].force.x / (sticky.mu_s * called * s.tally[0].normal) - 1) < 1e-3);
+        surface_accept(&s.model, &s.chain, &s.kin, 3600 * i, &s.pairs);
+    }
+    surfaces_free(&s);
+}
+
+/* A chain of one more segment, cut into two halves, takes over what the shorter one knew. */
+static void test_renumbered(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    SurfaceScene s;
+    SurfacePairs half[2];
+    scene_make(&s, SURFACE_PLANE, 0.01, &seed);
+    surface_accept(&s.model, &s.chain, &s.kin, 0.02, &s.pairs);
+    surface_pairs_init(&half[0], 0, 3);
+    surface_pairs_init(&half[1], 3, N + 2);
+    for (int p = 0; p < 2; ++p) {
+        assert_true(surface_pairs_sticks(&half[p], &s.model, N + 1));
+        surface_carry(&s.pairs, &half[p], 1);
+        assert_true(half[p].stick.since == 0.02);
+    }
+    for (int e = 0; e <= N + 1; ++e) {
+        const double found = half[e < 3 ? 0 : 1].stick.bed[0].lean[1][0][e];
+        const double expected = e > 0 ? s.pairs.stick.bed[0].lean[1][0][e - 1] : 0;
+        assert_true(found == expected);
+        assert_true(half[e < 3 ? 1 : 0].stick.bed[0].lean[1][0][e] == 0);
+    }
+    surface_pairs_free(&half[0]);
+    surface_pairs_free(&half[1]);
+    surfaces_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_derivatives),
+        cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_holds),
+        cmocka_unit_test(test_renumbered),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
