@@ -18,10 +18,13 @@ enum { STALLED_MOST = 20 };
  * in the tensions, because the axial stiffness multiplies it; docs/model.md, "Integration", has the figures. */
 static const double NEWTON_SHARE = 1e-3;
 
-/* Where friction sticks: the change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides
- * at its full force lets Newton's iteration converge so well that CVODE takes a single iteration for enough long after
- * the matrix has become a poor one. */
+/* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
+ * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
+ * poor one. */
 static const double GAMMA_CHANGE = 0.05;
+/* Iterations before a step is taken back for a new matrix (CVODE's default: 3, made for a convergence a hundred times
+ * looser). */
+enum { ITERATIONS_MOST = 4 };
 
 struct Integrator {
     Motion *motion;
@@ -171,7 +174,8 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
     bad |= CVodeSetNonlinConvCoef(c, NEWTON_SHARE);
-    if (scene_sticks(in->motion->scene)) bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
+    bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
+    bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
     const double longest = def->max_step > 0 ? def->max_step : in->motion->scene->def.output.interval;
     if (longest > 0) bad |= CVodeSetMaxStep(c, longest);

@@ -275,11 +275,6 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     return status || !def->drum.present ? status : drum_set(scene, err);
 }
 
-int scene_sticks(const Scene *scene)
-{
-    return contact_sticks(&scene->contact) || surface_sticks(&scene->surfaces.model);
-}
-
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
 {
     memset(scene, 0, sizeof *scene);

@@ -60,9 +60,6 @@ typedef struct Scene {
     SceneDef def;        /* a deep copy of what this was built from */
 } Scene;
 
-/* Whether some friction of the scene sticks: forces then depend on what was at the last accepted step. */
-int scene_sticks(const Scene *scene);
-
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err);
 void scene_clear(Scene *scene);
