@@ -7,20 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_LINEAR_SOLVER = 'l', KNOWN_MAX = 16 };
+enum { OPTION_LINEAR_SOLVER = 'l', OPTION_STRICT = 'S', KNOWN_MAX = 16 };
 
 /* Every option of every command; a command takes those whose letter is in its list, and help and version. */
-static const struct option all_options[] = {{"output", required_argument, NULL, 'o'},
-                                            {"set", required_argument, NULL, 's'},
-                                            {"threads", required_argument, NULL, 't'},
-                                            {"linear-solver", required_argument, NULL, OPTION_LINEAR_SOLVER},
-                                            {"quiet", no_argument, NULL, 'q'},
-                                            {"format", required_argument, NULL, 'f'},
-                                            {"filter", required_argument, NULL, 'F'},
-                                            {"fast", no_argument, NULL, 'x'},
-                                            {"help", no_argument, NULL, 'h'},
-                                            {"version", no_argument, NULL, 'V'},
-                                            {NULL, 0, NULL, 0}};
+static const struct option all_options[] = {
+    {"output", required_argument, NULL, 'o'},  {"set", required_argument, NULL, 's'},
+    {"threads", required_argument, NULL, 't'}, {"linear-solver", required_argument, NULL, OPTION_LINEAR_SOLVER},
+    {"quiet", no_argument, NULL, 'q'},         {"format", required_argument, NULL, 'f'},
+    {"filter", required_argument, NULL, 'F'},  {"strict", no_argument, NULL, OPTION_STRICT},
+    {"fast", no_argument, NULL, 'x'},          {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},       {NULL, 0, NULL, 0}};
 
 /* The options of one command: the long ones into `list` (ended by zeros), the letters into `letters`. */
 static void select_options(const Command *command, struct option *list, char *letters)
@@ -121,6 +117,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
         return ARGUMENTS_GO_ON;
     case 'x':
         args->fast = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_STRICT:
+        args->strict = 1;
         return ARGUMENTS_GO_ON;
     case 'q':
         args->quiet = 1;

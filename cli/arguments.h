@@ -4,8 +4,8 @@
 
 #include "hawser/hawser.h"
 
-/* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 130. */
-enum { EXIT_INTERNAL = 1, EXIT_USAGE = 2, EXIT_OUTPUT = 4 };
+/* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 5, 130. */
+enum { EXIT_LIMITS = 1, EXIT_USAGE = 2, EXIT_OUTPUT = 4, EXIT_INTERNAL = 5 };
 /* What arguments_parse returns when the command is to go on. */
 enum { ARGUMENTS_GO_ON = -1 };
 
@@ -21,6 +21,7 @@ typedef struct Arguments {
     int n_settings;
     int threads; /* 0: the case's choice */
     int quiet;
+    int strict; /* a broken limit is an error */
     hawser_format format;
     const char *filter; /* NULL: none */
     int fast;

@@ -57,12 +57,12 @@ void complain_unknown(const char *what, const char *given, int n, const char *co
     if (!near) complain("unknown %s '%s'; try --help", what, given);
 }
 
-/* Statuses of the library were chosen to be exit statuses; only a lack of memory has none of its own. */
+/* Statuses of the library were chosen to be exit statuses. */
 int exit_status(hawser_status status, const hawser_error *err)
 {
     if (status == HAWSER_OK) return 0;
     complain("%s", err->message);
-    return status == HAWSER_ERR_MEMORY ? EXIT_INTERNAL : (int)status;
+    return (int)status;
 }
 
 /* Without this, a report into a full disk would be lost silently: the C library writes it after main. */

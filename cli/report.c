@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Before the run: what the counts of the model are. */
 void report_scene(const hawser_sim *s)
@@ -123,6 +124,36 @@ static void report_phases(const hawser_summary *s)
     }
 }
 
+/* A number with its unit, in kN where it is a large force. */
+static const char *say_quantity(double value, const char *unit, char text[32])
+{
+    const int large = unit[0] == 'N';
+    const char *const shown = !strcmp(unit, "1") ? "" : unit;
+    if (isinf(value)) return "none";
+    if (isnan(value)) return "-";
+    snprintf(text, 32, "%.4g %s%s", large ? value / 1e3 : value, large ? "k" : "", shown);
+    return text;
+}
+
+/* The limits one by one, and the verdict, which comes last of all. */
+static void report_limits(hawser_sim *s)
+{
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    char verdict[HAWSER_VERDICT_MAX], found[32], allowed[32];
+    const int n = hawser_sim_limits(s, limit);
+    if (n > 0) printf("\nLimits\n  %-14s %12s %12s %9s\n", "", "found", "allowed", "margin");
+    for (int i = 0; i < n; i++) {
+        const hawser_limit *l = &limit[i];
+        printf("  %-14s %12s %12s ", l->name, say_quantity(l->value, l->unit, found),
+               say_quantity(l->limit, l->unit, allowed));
+        if (l->judged)
+            printf("%7.1f %%  %-10s %s; %s\n", 100 * l->margin, l->ok ? "holds" : "BROKEN", l->where, l->source);
+        if (!l->judged) printf("%9s  not judged: %s\n", "-", l->source);
+    }
+    hawser_limits_verdict(n, limit, verdict, sizeof verdict);
+    printf("\n%s\n", verdict);
+}
+
 /* The whole report, in the order in which a planner asks. */
 void report_run(hawser_sim *s, const char *dir)
 {
@@ -136,4 +167,5 @@ void report_run(hawser_sim *s, const char *dir)
     report_work(&sum);
     report_phases(&sum);
     printf("\nResults: %s\n", dir);
+    report_limits(s);
 }

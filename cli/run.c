@@ -19,13 +19,14 @@ static const char help[] =
     "                          may be given many times\n"
     "      --threads N         1 or 2; results do not depend on it\n"
     "      --linear-solver KIND  auto, block, bordered, klu, klu-full, band or dense\n"
+    "      --strict            a limit that is broken, or none that could be judged, is an error: status 1\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
     "\n"
-    "Exit status: 0 finished; 1 internal error or no memory; 2 the case or the command line is wrong;\n"
-    "3 the integration failed; 4 results could not be written; 130 interrupted. With 3 and 130, what was\n"
-    "computed until then is in DIR.\n";
+    "Exit status: 0 finished; 1 finished but not safe (--strict alone); 2 the case or the command line is\n"
+    "wrong; 3 the integration failed; 4 results could not be written; 5 no memory; 130 interrupted. With 3\n"
+    "and 130, what was computed until then is in DIR.\n";
 
 /* Set by a signal: the only thing that a handler may touch. */
 static volatile sig_atomic_t interrupted;
@@ -86,6 +87,17 @@ static hawser_status build_sim(const Arguments *args, hawser_sim **out, hawser_e
     return status;
 }
 
+/* --strict: the exit status of the limits, and a word on standard error, where a script with --quiet finds it. */
+static int strict_verdict(hawser_sim *sim)
+{
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    char verdict[HAWSER_VERDICT_MAX];
+    const int n = hawser_sim_limits(sim, limit);
+    if (hawser_limits_verdict(n, limit, verdict, sizeof verdict) == 0) return 0;
+    complain("%s", verdict);
+    return EXIT_LIMITS;
+}
+
 /* What there is to say about a run that is over, whatever its end. */
 static int conclude(hawser_sim *sim, const Arguments *args, const char *dir, hawser_status status,
                     const hawser_error *err)
@@ -93,7 +105,8 @@ static int conclude(hawser_sim *sim, const Arguments *args, const char *dir, haw
     const int kept = status == HAWSER_OK || status == HAWSER_STOPPED || status == HAWSER_ERR_RUN;
     if (!args->quiet && kept) report_run(sim, dir);
     fflush(stdout);
-    return finish_stdout(exit_status(status, err));
+    const int safe = args->strict && !status ? strict_verdict(sim) : 0;
+    return finish_stdout(status ? exit_status(status, err) : safe);
 }
 
 /* Nothing is written before the simulation is built: a wrong case leaves earlier results alone. */
@@ -121,4 +134,4 @@ static int run(const Arguments *args)
     return result;
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlq", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqS", help, run};

@@ -4,7 +4,7 @@
 
 #include "hawser/hawser.h"
 
-enum { TABLE_COLUMNS_MAX = 10 };
+enum { TABLE_COLUMNS_MAX = 16 };
 
 /* A number, or a text if that is not NULL. A number that is not finite is not known: "-", null or an empty
  * cell. */

@@ -156,27 +156,40 @@ static const char *outcome_name(const hawser_sim *s)
     return sim_tripped(s->sim) ? "tripped" : "finished";
 }
 
+int hawser_sim_limits(struct hawser_sim *s, hawser_limit *out) { return sim_limits(s->sim, out); }
+
 /* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
     hawser_summary summary;
-    SummaryLabels labels = {s->title, s->case_name, outcome_name(s), s->outcome ? s->message : "", 0, NULL, 0, NULL};
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    Overload *overload;
     const SimSurface *table;
     const SimRoller *rollers;
-    labels.n_surfaces = sim_surfaces(s->sim, &table);
-    labels.n_rollers = sim_rollers(s->sim, &rollers);
+    SummaryLabels labels = {.title = s->title,
+                            .case_name = s->case_name,
+                            .outcome = outcome_name(s),
+                            .message = s->outcome ? s->message : "",
+                            .n_surfaces = sim_surfaces(s->sim, &table),
+                            .n_rollers = sim_rollers(s->sim, &rollers),
+                            .n_limits = sim_limits(s->sim, limit),
+                            .limit = limit,
+                            .n_overloads = sim_overload(s->sim, &overload),
+                            .trip_N = sim_trip_force(s->sim)};
     hawser_surface *const surface = calloc((size_t)labels.n_surfaces + 1, sizeof *surface);
     hawser_roller *const roller = calloc((size_t)labels.n_rollers + 1, sizeof *roller);
-    hawser_status status = surface && roller ? HAWSER_OK : error_memory(err);
+    hawser_status status = surface && roller && labels.n_overloads >= 0 ? HAWSER_OK : error_memory(err);
     if (!status) {
         for (int i = 0; i < labels.n_surfaces; i++) surface[i] = api_surface(&table[i]);
         for (int i = 0; i < labels.n_rollers; i++) roller[i] = roller_row(&rollers[i]);
         labels.surface = surface;
         labels.roller = roller;
+        labels.overload = overload;
         sim_summary(s->sim, &summary);
         status = summary_json(&summary, &labels, text, err);
     }
     free(surface);
     free(roller);
+    free(overload);
     return status;
 }

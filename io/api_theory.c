@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "io/api_document.h"
 #include "io/api_handles.h"
+#include "io/theory_tables.h"
 #include "sim/expected.h"
 #include "theory/paper.h"
 #include "theory/pulling.h"
@@ -27,7 +28,10 @@ typedef struct Theory {
     int n;                 /* places */
     Place *place;          /* [n] */
     hawser_station *value; /* [n] */
-    Cell *cell, *term;     /* [n * PLACE_COLUMNS], [n_paper * TERM_COLUMNS] */
+    Calculator calculator;
+    TheoryTables tables;
+    char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX];
+    Cell *cell, *term; /* [n * PLACE_COLUMNS], [n_paper * TERM_COLUMNS] */
 } Theory;
 
 /* By place; places that coincide keep no particular order. */
@@ -81,7 +85,9 @@ static hawser_status solve(Theory *t, hawser_error *err)
     }
     status = expected_fill(&t->scene, t->n, t->value, &t->expected, err);
     /* the pull that the reference totals come from, for the sidewall pressure */
-    return status ? status : expected_pull(&t->scene, &t->expected, PULL_REFERENCE, &t->pull, err);
+    if (!status) status = expected_pull(&t->scene, &t->expected, PULL_REFERENCE, &t->pull, err);
+    if (!status) status = calculator_build(&t->scene, t->expected.start_tension, &t->calculator, err);
+    return status ? status : theory_tables_make(&t->scene, &t->calculator, &t->tables, err);
 }
 
 /* Off the counted stretch there is no cable, so no force: those cells stay empty. */
@@ -118,8 +124,12 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
 {
     const SceneDef *def = &t->scene.def;
     const Expected *e = &t->expected;
+    const Calculator *c = &t->calculator;
     fill_places(t);
     fill_terms(t);
+    for (int k = 0; k < PLAN_WAYS; k++) {
+        hawser_limits_verdict(c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
+    }
     const Fact facts[] = {
         {"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->scene.cable_weight)},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
@@ -130,8 +140,12 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
         {"paper_total_N", "winch force, paper's formulas", "N", cell_number(e->paper_total)},
         {"reference_total_N", "winch force, reference", "N", cell_number(e->reference_total)},
         {"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(t->pull.max_sidewall)},
+        {"cables", "cables pulled together", "", cell_number(c->cables)},
+        {"better_direction", "less force when pulled", "", cell_text(c->plan.better ? "backward" : "forward")},
+        {"verdict_forward", "pulled forward", "", cell_text(t->verdict[PLAN_FORWARD])},
+        {"verdict_backward", "pulled backward", "", cell_text(t->verdict[PLAN_BACKWARD])},
     };
-    const Table tables[] = {
+    Table tables[2 + THEORY_TABLES_MAX] = {
         {"stations",
          "Tension along the route",
          PLACE_COLUMNS,
@@ -151,7 +165,10 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
          {{"name", "term", 0}, {"force_N", "N", 2}},
          t->term},
     };
-    const Document doc = {title, sizeof facts / sizeof *facts, def->n_paper ? 2 : 1, facts, tables, &tables[0]};
+    const int own = def->n_paper ? 2 : 1;
+    for (int i = 0; i < t->tables.n; i++) tables[own + i] = t->tables.table[i];
+    const Document doc = {title,  sizeof facts / sizeof *facts, own + t->tables.n, facts,
+                          tables, &tables[own + THEORY_PIECES]};
     return document_write(&doc, format, text, err);
 }
 
@@ -168,6 +185,8 @@ static hawser_status build_and_solve(Theory *t, const hawser_case *c, hawser_err
 static void theory_free(Theory *t)
 {
     pull_clear(&t->pull);
+    theory_tables_free(&t->tables);
+    calculator_free(&t->calculator);
     expected_free(&t->expected);
     if (t->built) scene_clear(&t->scene);
     free(t->place);

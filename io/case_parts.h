@@ -64,6 +64,8 @@ hawser_status case_reel_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_run_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_paper_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_theory_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_limits_read(const CaseReader *r, const CaseNode *node);
 
 /* Segments of the whole chain; the largest diameter of its cables, m. */
 int case_segments(const SceneDef *def);

@@ -58,6 +58,8 @@ static hawser_status parts_read(CaseReader *r, const TopRecord *top)
     if (!status) status = solver_read(r, top->solver);
     if (!status) status = case_output_read(r, top->output);
     if (!status) status = case_paper_read(r, top->paper);
+    if (!status) status = case_theory_read(r, top->theory);
+    if (!status) status = case_limits_read(r, top->limits);
     return status;
 }
 

@@ -240,7 +240,7 @@ typedef struct RunRecord {
 typedef struct TopRecord {
     char title[256];
     const CaseNode *gravity, *cables, *chain, *route, *lead_in, *reel, *rollers, *surfaces, *contact, *friction, *drive,
-        *run, *solver, *output, *paper, *conveyors;
+        *run, *solver, *output, *paper, *conveyors, *theory, *limits;
     int frame;
 } TopRecord;
 

@@ -1,19 +1,7 @@
 #include "io/case_schema.h"
 
 #include "io/case_records.h"
-
-/* Ranges are wide: they keep out what cannot be meant or computed, not what is unusual. Lengths to 1000 km,
- * forces to 1 GN, moduli to 1000 TPa. */
-#define AT(type, member)            .offset = offsetof(type, member), .size = sizeof(((type *)NULL)->member)
-#define FROM(lowest, highest)       .min = (lowest), .max = (highest)
-#define ABOVE(lowest, highest)      .min = (lowest), .max = (highest), .above = 1
-#define SECTION(name_, path_, rows) const CaseSection name_ = {path_, (int)(sizeof(rows) / sizeof *(rows)), rows}
-
-#define LONG       1e6
-#define STRONG     1e9
-#define STIFF      1e15
-#define LATE       1e9
-#define DEGREES(a) ((a)*3.14159265358979323846 / 180)
+#include "io/case_rows.h"
 
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
@@ -55,6 +43,8 @@ static const CaseKey top_keys[] = {
     {"solver", KEY_MAP, .otherwise = "its defaults", .form = "section `solver`", AT(TopRecord, solver)},
     {"output", KEY_MAP, .otherwise = "its defaults", .form = "section `output`", AT(TopRecord, output)},
     {"paper", KEY_MAP, .otherwise = "from the route", .form = "section `paper`", AT(TopRecord, paper)},
+    {"theory", KEY_MAP, .otherwise = "its defaults", .form = "section `theory`", AT(TopRecord, theory)},
+    {"limits", KEY_MAP, .otherwise = "nothing is judged", .form = "section `limits`", AT(TopRecord, limits)},
 };
 SECTION(case_top, "", top_keys);
 
@@ -550,6 +540,7 @@ const CaseSection *const *case_sections(void)
         &case_tail,        &case_rope_drag,    &case_conveyor,       &case_belt,
         &case_reel,        &case_brake,        &case_back_tension,   &case_run,
         &case_solver,      &case_tolerances,   &case_output,         &case_stations,
-        &case_station,     &case_paper,        &case_paper_term,     NULL};
+        &case_station,     &case_paper,        &case_paper_term,     &case_theory,
+        &case_limits,      &case_conductor,    &case_sheath,         NULL};
     return all;
 }

@@ -187,6 +187,40 @@ static int put_events(json_t *o, const hawser_summary *s)
     return json_object_set_new(o, "events", list) | bad;
 }
 
+/* One object a limit, and the verdict on all of them. */
+static int put_limits(json_t *o, const SummaryLabels *l)
+{
+    char verdict[HAWSER_VERDICT_MAX];
+    json_t *list = json_array();
+    int bad = !list;
+    for (int i = 0; i < l->n_limits && !bad; i++) {
+        const hawser_limit *k = &l->limit[i];
+        json_t *row = json_object();
+        bad = put_text(row, "name", k->name) | put_real(row, "value", k->value) | put_real(row, "limit", k->limit) |
+              put_text(row, "unit", k->unit) | put_real(row, "margin", k->margin) |
+              json_object_set_new(row, "ok", k->judged ? json_boolean(k->ok) : json_null()) |
+              put_text(row, "where", k->where) | put_text(row, "source", k->source) | json_array_append_new(list, row);
+    }
+    hawser_limits_verdict(l->n_limits, l->limit, verdict, sizeof verdict);
+    return json_object_set_new(o, "limits", list) | put_text(o, "verdict", verdict) | bad;
+}
+
+/* Eq. 12 roller by roller. */
+static int put_overload(json_t *o, const SummaryLabels *l)
+{
+    json_t *inner = json_object(), *list = json_array();
+    int bad = !inner || !list;
+    for (int i = 0; i < l->n_overloads && !bad; i++) {
+        const Overload *v = &l->overload[i];
+        json_t *row = json_object();
+        bad = put_text(row, "roller", v->name) | put_real(row, "s_m", v->s) | put_real(row, "peak_N", v->peak) |
+              put_real(row, "reference_N", v->reference) | put_real(row, "alpha", v->alpha) |
+              json_array_append_new(list, row);
+    }
+    bad |= put_real(inner, "trip_N", l->trip_N) | json_object_set_new(inner, "rollers", list);
+    return json_object_set_new(o, "overload", inner) | bad;
+}
+
 /* Where the wall time went. */
 static int put_phases(json_t *o, const hawser_phases *p)
 {
@@ -204,7 +238,8 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     if (o) {
         bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
               put_events(o, s) | put_positions(o, s) | put_surfaces(o, labels) | put_moving_rollers(o, labels) |
-              put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
+              put_limits(o, labels) | put_overload(o, labels) | put_relaxation(o, &s->relaxation) |
+              put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(o);

@@ -2,7 +2,7 @@
 #ifndef HAWSER_IO_SUMMARY_JSON_H
 #define HAWSER_IO_SUMMARY_JSON_H
 
-#include "hawser/hawser.h"
+#include "sim/peaks.h"
 
 /* What the summary says beside the figures. */
 typedef struct SummaryLabels {
@@ -13,6 +13,11 @@ typedef struct SummaryLabels {
     const hawser_surface *surface; /* [n_surfaces] */
     int n_rollers;
     const hawser_roller *roller; /* [n_rollers] */
+    int n_limits;
+    const hawser_limit *limit; /* [n_limits] */
+    int n_overloads;
+    const Overload *overload; /* [n_overloads], by roller */
+    double trip_N;            /* that follows from the largest overload factor allowed; NAN without limits */
 } SummaryLabels;
 
 /* The text of summary.json, malloc'ed; what is not known (NAN) becomes null. Errors: MEMORY. */

@@ -118,10 +118,9 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
     return status;
 }
 
-/* What a conveyor pushes with in steady motion where the tension before it is `arriving` (WI20): a belt that is faster
- * than the winch slips and pushes with all it has, a slower one brakes; one that keeps the winch's speed takes over
- * what arrives, up to its grip. */
-static double push_of(const Scene *scene, const Conveyor *c, double arriving)
+/* A belt that is faster than the winch slips and pushes with all it has, a slower one brakes; one that keeps the
+ * winch's speed takes over what arrives, up to its grip. */
+double expected_push_at(const Scene *scene, const Conveyor *c, double arriving)
 {
     const double end = scene->def.duration;
     const double speed = scene->winch.mode == WINCH_SPEED ? winch_speed(&scene->winch, end) : scene->largest_speed;
@@ -144,7 +143,7 @@ static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error 
         const hawser_status status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
         if (status) return status;
         const int there = at > out->from && at < out->rope_to;
-        const double push = there ? push_of(scene, &scene->conveyor[i], pull_at(&pull, at).tension) : 0;
+        const double push = there ? expected_push_at(scene, &scene->conveyor[i], pull_at(&pull, at).tension) : 0;
         out->step[out->n_steps++] = (PullStep){.at = at, .force = -push};
         pull_clear(&pull);
     }

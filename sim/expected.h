@@ -35,6 +35,8 @@ int expected_range(const Scene *scene, double *from, double *to);
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
 /* What conveyor i (the case's order) is reckoned to push with, N. */
 double expected_push(const Expected *e, int i);
+/* What a conveyor pushes with in steady motion where the tension before it is `arriving`, N (WI20). */
+double expected_push_at(const Scene *scene, const Conveyor *c, double arriving);
 void expected_free(Expected *e);
 
 #endif

@@ -16,7 +16,9 @@ KNOWN_SIZE(LeadInDef, 16);
 KNOWN_SIZE(WinchDef, 272);
 KNOWN_SIZE(TailDef, 80);
 KNOWN_SIZE(RopeDragDef, 32);
-KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef)], 1256);
+/* the sections that no motion depends on are left out */
+KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef) - sizeof(TheoryDef) - sizeof(LimitsDef)],
+           1256);
 
 /* How far from the plane counts as in it: unit vectors, and metres. */
 static const double CLOSE = 1e-9;

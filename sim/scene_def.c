@@ -48,6 +48,8 @@ void scene_def_defaults(SceneDef *def)
     contact_defaults(def);
     drive_defaults(def);
     solver_defaults(&def->solver);
+    def->theory.cables = 1;
+    limits_defaults(&def->limits);
     def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
 }
 

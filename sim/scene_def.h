@@ -12,6 +12,7 @@
 #include "core/route.h"
 #include "linsolve/linsolve.h"
 #include "sim/reel_def.h"
+#include "theory/limits.h"
 #include "theory/paper.h"
 
 enum { NAME_MAX_LENGTH = 64 };
@@ -190,6 +191,13 @@ typedef struct OutputDef {
     int *speed_segments; /* whose speeds are columns of series.csv */
 } OutputDef;
 
+/* What the pulling calculation adds to the scene. */
+typedef struct TheoryDef {
+    int cables;        /* pulled together, all alike */
+    int layout;        /* a DuctLayout: how they lie in ducts */
+    double reel, rope; /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
+} TheoryDef;
+
 typedef struct SceneDef {
     char title[256];
     Vec3 gravity; /* m/s2 */
@@ -232,6 +240,8 @@ typedef struct SceneDef {
     StationDef *stations;
     int n_paper;
     PaperTermDef *paper; /* 0 terms: taken from the route */
+    TheoryDef theory;
+    LimitsDef limits;
 
     SolverDef solver;
     OutputDef output;

@@ -10,6 +10,7 @@
 #include "sim/by_position.h"
 #include "sim/events.h"
 #include "sim/expected.h"
+#include "sim/peaks.h"
 #include "sim/sample.h"
 #include "sim/stage.h"
 #include "sim/stats.h"
@@ -18,6 +19,7 @@ struct Sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
     Stats stats;
+    Peaks peaks;
     Expected expected;
     ByPosition by_position;
     EventLog events;
@@ -67,6 +69,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     if (!sample_alloc(&s->look, scene)) return error_memory(err);
     status = stats_new(&s->stats, scene, err);
+    if (!status) status = peaks_new(&s->peaks, scene, err);
     if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     if (!status) status = by_position_new(&s->by_position, scene, err);
     for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
@@ -100,6 +103,7 @@ Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
     stats_free(&s->stats);
+    peaks_free(&s->peaks);
     events_free(&s->events);
     expected_free(&s->expected);
     by_position_free(&s->by_position);
@@ -201,6 +205,7 @@ static void record_now(Sim *s, SampleParts parts)
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
     by_position_record(&s->by_position, look->t, look->head_at, look->winch_force, look->reference, steady);
+    peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws.kin, look);
     s->record_s += clock_now() - start;
 }
 
@@ -302,4 +307,17 @@ int sim_conveyors(const Sim *s, const hawser_conveyor **out)
 {
     *out = s->stats.conveyor_out;
     return s->stats.n_conveyors;
+}
+
+int sim_limits(const Sim *s, hawser_limit *out)
+{
+    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
+}
+
+int sim_overload(const Sim *s, Overload **out) { return peaks_overload(&s->peaks, &s->stage.scene, &s->expected, out); }
+
+double sim_trip_force(const Sim *s)
+{
+    const LimitsDef *const limits = &s->stage.scene.def.limits;
+    return limits->present ? limits->alpha * s->expected.reference_total : NAN;
 }

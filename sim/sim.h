@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_SIM_H
 #define HAWSER_SIM_SIM_H
 
-#include "sim/stats.h"
+#include "sim/peaks.h"
 
 typedef struct Sim Sim;
 
@@ -47,6 +47,13 @@ int sim_positions(const Sim *s, const hawser_position **out);
 
 /* What happened so far; the array is the simulation's. Returns how many. */
 int sim_events(const Sim *s, const hawser_event **out);
+
+/* The run so far against the case's limits: as hawser_sim_limits. */
+int sim_limits(const Sim *s, hawser_limit *out);
+/* The rollers' overload factors, as peaks_overload; and the winch's trip that follows from the largest one allowed
+ * (LI7), N, NAN without limits. */
+int sim_overload(const Sim *s, Overload **out);
+double sim_trip_force(const Sim *s);
 
 /* What the output needs to know. */
 const OutputDef *sim_output(const Sim *s);

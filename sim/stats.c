@@ -128,9 +128,7 @@ void stats_free(Stats *stats)
     memset(stats, 0, sizeof *stats);
 }
 
-/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
- * there. */
-static double tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
+double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
 {
     const int n = scene->chain.n;
     const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
@@ -164,7 +162,7 @@ static void stations_record(Stats *stats, const Scene *scene, const Kinematics *
                             double dt, int steady)
 {
     for (int i = 0; i < stats->n_stations; ++i) {
-        const double tension = tension_at(scene, kin, sample, stats->station_out[i].s);
+        const double tension = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
         if (!isnan(tension)) mean_add(&stats->station[i], tension, dt, steady);
     }
 }

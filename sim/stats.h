@@ -59,6 +59,9 @@ void stats_free(Stats *stats);
 /* Takes a sample in, of which it reads no positions and attitudes: those are kin's. The tables station_out,
  * roller_out and surface_out are up to date afterwards. */
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
+ * there. */
+double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s);
 /* Fills what the statistics know into the summary; paper_N and reference_N must be in station_out. */
 void stats_summary(const Stats *stats, hawser_summary *out);
 

@@ -13,8 +13,7 @@ typedef struct Guided {
     double from, to; /* m; none if from >= to */
 } Guided;
 
-/* Guides stand: their axis is nearer to the route's upward normal than to the level. */
-static int is_guide(const Route *route, const RollerDef *roller)
+int roller_is_guide(const Route *route, const RollerDef *roller)
 {
     if (isnan(roller->s)) return 0;
     const Vec3 up = v3_cross(route_at(route, roller->s).tangent, route_left(route, roller->s));
@@ -32,7 +31,7 @@ static Guided guided_part(const Scene *scene, int p)
     int n = 0;
     for (int i = 0; i < def->n_rollers; ++i) {
         const RollerDef *const r = &def->rollers[i];
-        if (!(r->s >= piece->s0 && r->s <= end) || !is_guide(&scene->route, r)) continue;
+        if (!(r->s >= piece->s0 && r->s <= end) || !roller_is_guide(&scene->route, r)) continue;
         if (r->s > last) ++n; /* a pair counts once */
         first = fmin(first, r->s);
         last = fmax(last, r->s);

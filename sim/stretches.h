@@ -16,6 +16,9 @@ typedef struct Stretches {
 hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *err);
 void stretches_free(Stretches *s);
 
+/* Whether a roller of a row stands upright beside the cable: its axis is nearer to the route's upward normal than to
+ * the level. */
+int roller_is_guide(const Route *route, const RollerDef *roller);
 /* The surface along the route at s, NULL if there is none. */
 const SurfaceDef *surface_at(const SceneDef *def, double s);
 

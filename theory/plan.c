@@ -23,9 +23,8 @@ static hawser_status check_def(const PlanDef *def, hawser_error *err)
     }
     for (int i = 0; i < def->n_conveyors; i++) {
         const PullStep *c = &def->conveyor[i];
-        if (!is_length(c->force)) {
-            return error_set(err, HAWSER_ERR_INPUT, "conveyor %d pushes with %g N: it must not be negative", i,
-                             c->force);
+        if (!isfinite(c->force) || (def->conveyor_back && !isfinite(def->conveyor_back[i].force))) {
+            return error_set(err, HAWSER_ERR_INPUT, "the push of conveyor %d is not a number", i);
         }
         if (!(c->at >= 0 && c->at <= def->route->length)) {
             return error_set(err, HAWSER_ERR_INPUT, "conveyor %d at %g m is off the route of %g m", i, c->at,
@@ -39,27 +38,36 @@ static hawser_status check_def(const PlanDef *def, hawser_error *err)
  */
 typedef struct Inputs {
     PullStretch *stretch;
-    PullStep *step;
+    PullStep *step[PLAN_WAYS];
 } Inputs;
 
 static void inputs_clear(Inputs *in)
 {
     free(in->stretch);
-    free(in->step);
+    for (int k = 0; k < PLAN_WAYS; k++) free(in->step[k]);
 }
 
-static hawser_status inputs_set(const PlanDef *def, double factor, Inputs *in, hawser_error *err)
+/* The conveyors of one direction; NULL without memory. */
+static PullStep *steps_new(int n, const PullStep *conveyor)
 {
+    PullStep *step = malloc((size_t)(n + 1) * sizeof *step);
+    for (int i = 0; step && i < n; i++) step[i] = (PullStep){.at = conveyor[i].at, .force = -conveyor[i].force};
+    return step;
+}
+
+/* With a duct the worst loaded cable's share of T/R is the duct's. */
+static hawser_status inputs_set(const PlanDef *def, const DuctLoad *duct, Inputs *in, hawser_error *err)
+{
+    const int n = def->n_conveyors;
     in->stretch = malloc((size_t)def->n_stretches * sizeof *in->stretch);
-    in->step = malloc((size_t)(def->n_conveyors + 1) * sizeof *in->step);
-    if (!in->stretch || !in->step) return error_memory(err);
+    in->step[PLAN_FORWARD] = steps_new(n, def->conveyor);
+    in->step[PLAN_BACKWARD] = steps_new(n, def->conveyor_back ? def->conveyor_back : def->conveyor);
+    if (!in->stretch || !in->step[PLAN_FORWARD] || !in->step[PLAN_BACKWARD]) return error_memory(err);
     for (int i = 0; i < def->n_stretches; i++) {
         in->stretch[i] = def->stretch[i];
-        in->stretch[i].mu *= factor;
-        in->stretch[i].mu_static *= factor;
-    }
-    for (int i = 0; i < def->n_conveyors; i++) {
-        in->step[i] = (PullStep){.at = def->conveyor[i].at, .force = -def->conveyor[i].force};
+        in->stretch[i].mu *= duct->weight_factor;
+        in->stretch[i].mu_static *= duct->weight_factor;
+        if (def->duct) in->stretch[i].share = duct->sidewall_factor;
     }
     return HAWSER_OK;
 }
@@ -90,15 +98,14 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
     }
 }
 
-static void fill_pieces(const PlanDef *def, double sidewall_factor, PlanWay *way)
+static void fill_pieces(const PlanDef *def, PlanWay *way)
 {
     for (int i = 0; i < def->route->n; i++) {
         PlanPiece *piece = &way->piece[i];
         *piece = (PlanPiece){.t_in = NAN, .t_out = NAN, .closed = NAN};
-        double normal;
-        pull_piece_extremes(&way->pull, i, &piece->max_tension, &piece->sidewall, &normal);
-        piece->sidewall *= sidewall_factor;
-        piece->roller_load = normal * def->roller_spacing;
+        double support;
+        pull_piece_extremes(&way->pull, i, &piece->max_tension, &piece->sidewall, &support);
+        piece->roller_load = support * (def->spacing ? def->spacing[i] : def->roller_spacing);
     }
     for (int i = 0; i < way->pull.n; i++) {
         const PullSpan *span = &way->pull.span[i];
@@ -113,12 +120,11 @@ static void fill_pieces(const PlanDef *def, double sidewall_factor, PlanWay *way
 }
 
 /* The route pulled one way: reel, pull, rope; then again from rest. */
-static hawser_status solve_way(const PlanDef *def, const Inputs *in, const DuctLoad *duct, int backward, PlanWay *way,
-                               hawser_error *err)
+static hawser_status solve_way(const PlanDef *def, const Inputs *in, int backward, PlanWay *way, hawser_error *err)
 {
     const double first = backward ? def->route->length : 0, last = backward ? 0 : def->route->length;
     way->start = weight_at(def, first) * def->reel_length + def->back_tension; /* (T24) */
-    way->rope = weight_at(def, first) * def->rope_length;                      /* (T25) */
+    way->rope = weight_at(def, first) * def->rope_length + def->rope_force;    /* (T25) */
     PullDef pull = {.route = def->route,
                     .from = first,
                     .to = last,
@@ -126,12 +132,14 @@ static hawser_status solve_way(const PlanDef *def, const Inputs *in, const DuctL
                     .n_stretches = def->n_stretches,
                     .stretch = in->stretch,
                     .n_steps = def->n_conveyors,
-                    .step = in->step,
+                    .step = in->step[backward],
                     .restart = 1};
     Pull restart;
     hawser_status status = pull_solve(&pull, &restart, err);
     if (status) return status;
     way->restart_force = restart.end_tension + way->rope;
+    way->restart_max = restart.max_tension;
+    way->restart_at = restart.max_at;
     pull_clear(&restart);
     pull.restart = 0;
     status = pull_solve(&pull, &way->pull, err);
@@ -141,11 +149,11 @@ static hawser_status solve_way(const PlanDef *def, const Inputs *in, const DuctL
     way->max_at = way->pull.max_at;
     way->min_tension = way->pull.min_tension;
     way->min_at = way->pull.min_at;
-    way->max_sidewall = way->pull.max_sidewall * duct->sidewall_factor;
+    way->max_sidewall = way->pull.max_sidewall;
     way->sidewall_at = way->pull.sidewall_at;
     way->piece = calloc((size_t)def->route->n, sizeof *way->piece);
     if (!way->piece) return error_memory(err);
-    fill_pieces(def, duct->sidewall_factor, way);
+    fill_pieces(def, way);
     return HAWSER_OK;
 }
 
@@ -155,9 +163,9 @@ hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err)
     Inputs in = {0};
     hawser_status status = check_def(def, err);
     if (!status && def->duct) status = duct_load(def->duct, &out->duct, err);
-    if (!status) status = inputs_set(def, out->duct.weight_factor, &in, err);
+    if (!status) status = inputs_set(def, &out->duct, &in, err);
     for (int k = 0; k < PLAN_WAYS && !status; k++) {
-        status = solve_way(def, &in, &out->duct, k == PLAN_BACKWARD, &out->way[k], err);
+        status = solve_way(def, &in, k, &out->way[k], err);
     }
     inputs_clear(&in);
     if (status) {

@@ -17,9 +17,12 @@ typedef struct PlanDef {
     double reel_length;    /* m of cable whose weight is the reel's back tension (eq. 3: 15) */
     double rope_length;    /* m of cable whose weight is the allowance for the rope (eq. 9: 5) */
     double back_tension;   /* N, added to the reel's: a brake */
+    double rope_force;     /* N, added to the rope's allowance: a drag */
     double roller_spacing; /* m; 0: no roller loads asked for */
+    const double *spacing; /* [pieces] m, in its place; NULL: roller_spacing everywhere */
     int n_conveyors;
-    const PullStep *conveyor; /* force > 0: push along the pull, in either direction */
+    const PullStep *conveyor;      /* force > 0: push along the pull; < 0: brake */
+    const PullStep *conveyor_back; /* the same when pulled back, by the same order; NULL: as conveyor */
 } PlanDef;
 
 /* One piece of the route, pulled one way. */
@@ -28,7 +31,7 @@ typedef struct PlanPiece {
                                    * piece that the pull enters there */
     double max_tension;           /* N */
     double sidewall;              /* N/m, the worst loaded cable's T/R; 0 on straights */
-    double roller_load;           /* N, largest normal force per length times the spacing (T18) */
+    double roller_load;           /* N, largest force per length on one support times the spacing (T18) */
     double closed;                /* N, t_out by the closed form; NAN if it is refused */
     char reason[PLAN_REASON_MAX]; /* why it is refused, else empty */
 } PlanPiece;
@@ -39,6 +42,7 @@ typedef struct PlanWay {
     double rope;                      /* N, the rope's allowance (T25) */
     double force;                     /* N: tension at the end plus rope */
     double restart_force;             /* N: the same with static friction */
+    double restart_max, restart_at;   /* N, m; of the cable then */
     double max_tension, max_at;       /* N, m; of the cable, at speed */
     double min_tension, min_at;       /* below 0 the cable would have to be pushed there */
     double max_sidewall, sidewall_at; /* N/m, of the worst loaded cable */
@@ -53,8 +57,9 @@ typedef struct Plan {
 } Plan;
 
 void plan_defaults(PlanDef *def);
-/* Errors: INPUT as pull_solve and duct_load give them, negative lengths, spacings or conveyor forces,
- * conveyors off the route; MEMORY. Nothing is left allocated then. The plan borrows nothing. */
+/* Errors: INPUT as pull_solve and duct_load give them, negative lengths, spacings, conveyor
+ * forces that are no numbers, conveyors off the route; MEMORY. Nothing is left allocated then. The plan borrows
+ * nothing. */
 hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err);
 void plan_clear(Plan *plan);
 

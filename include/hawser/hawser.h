@@ -204,6 +204,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 }
 #endif
 
+#include "hawser/limits.h"
 #include "hawser/validate.h"
 
 #endif

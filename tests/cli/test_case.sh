@@ -14,9 +14,9 @@ says out "key,value,unit" "chain_mass_kg,200,kg"
 run_hawser 0 theory pull.yaml
 says out "middle" "392.4 N" "reference, N"
 run_hawser 0 theory pull.yaml --format csv
-says out "name,s_m,slope_deg,paper_N,reference_N" "middle,7,"
+says out "name,from_m,length_m,radius_m,supports,forward_end_N" "row,0,20,,resultant,784.8,0,196.2,"
 run_hawser 0 theory pull.yaml --format json
-says out '"reference_total_N": 392.4' '"stations": ['
+says out '"reference_total_N": 392.4' '"stations": [' '"pieces": [' '"directions": ['
 run_hawser 0 theory pull.yaml --set friction.mu=0.4
 says out "784.8 N"
 run_hawser 0 theory --set friction.mu=0.4 --set friction.mu=0.3 -- pull.yaml

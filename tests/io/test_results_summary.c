@@ -51,7 +51,27 @@ static const hawser_summary full = {.segments = 370,
                                     .relaxation = {1, 12, 1e-3, 1e-2, 77, 0.002},
                                     .phases = {1, 2, 3, 4, 5, 6, 7, 8, 9}};
 
-static const SummaryLabels labels = {"A \"title\"", "cases/x.yaml", "finished", "", 0, NULL, 0, NULL};
+static const hawser_limit limits[] = {
+    {.name = "pull",
+     .unit = "N",
+     .value = 49e3,
+     .limit = 56e3,
+     .margin = 0.125,
+     .judged = 1,
+     .ok = 1,
+     .where = "58.5 m (E-F)",
+     .source = "eq. 11"},
+    {.name = "rope", .unit = "N", .value = 13e3, .limit = NAN, .margin = NAN, .source = "no strength"}};
+static const Overload overloads[] = {{"P7", 12, 9e3, 6e3, 1.5}};
+static const SummaryLabels labels = {.title = "A \"title\"",
+                                     .case_name = "cases/x.yaml",
+                                     .outcome = "finished",
+                                     .message = "",
+                                     .n_limits = 2,
+                                     .limit = limits,
+                                     .n_overloads = 1,
+                                     .overload = overloads,
+                                     .trip_N = 19e3};
 
 /* The summary as JSON read back; the caller decrefs it. */
 static json_t *write_and_read(const hawser_summary *s, const SummaryLabels *l)

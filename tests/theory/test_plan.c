@@ -113,6 +113,34 @@ static void conveyors(void **state)
     route_clear(&route);
 }
 
+/* Pushes of their own for the way back; a belt that brakes; gaps between rollers piece by piece. */
+static void ways_of_their_own(void **state)
+{
+    (void)state;
+    Route route = hill_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PullStep there = {.at = 80, .force = 3000}, back = {.at = 80, .force = -500};
+    const double spacing[5] = {2, 1, 3, 0.5, 0};
+    PlanDef def = hill_def(&route, &cable);
+    Plan without, with;
+    assert_int_equal(plan_build(&def, &without, NULL), HAWSER_OK);
+    def.n_conveyors = 1;
+    def.conveyor = &there;
+    def.conveyor_back = &back;
+    def.spacing = spacing;
+    def.rope_force = 70;
+    assert_int_equal(plan_build(&def, &with, NULL), HAWSER_OK);
+    near(pull_at(&with.way[0].pull, 90).tension, pull_at(&without.way[0].pull, 90).tension - 3000, 1e-9);
+    near(with.way[1].force, without.way[1].force + 500 * exp(MU * 0.2) + 70, 1e-7);
+    near(with.way[0].piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
+    near(with.way[0].piece[2].roller_load, 3 * WEIGHT, 1e-10);
+    near(with.way[0].piece[4].roller_load, 0, 0);
+    near(with.way[0].restart_max, with.way[0].restart_force - with.way[0].rope, 1e-9);
+    plan_clear(&without);
+    plan_clear(&with);
+    route_clear(&route);
+}
+
 /* Three cables in a duct: friction by the weight factor, pressure by the worst cable's share. */
 static void duct_corrections(void **state)
 {
@@ -153,7 +181,7 @@ static void refusals(void **state)
     Route route = hill_route();
     PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef good = hill_def(&route, &cable);
-    const PullStep conveyor = {.at = 3, .force = -1};
+    const PullStep conveyor = {.at = 3, .force = NAN};
     const DuctDef duct = {.duct_diameter = 0.05, .cable_diameter = 0.06, .cables = 1};
     PlanDef def = good;
     def.reel_length = -1;
@@ -178,9 +206,8 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_directions), cmocka_unit_test(closed_forms_by_piece),
-        cmocka_unit_test(conveyors),       cmocka_unit_test(duct_corrections),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(both_directions),   cmocka_unit_test(closed_forms_by_piece), cmocka_unit_test(conveyors),
+        cmocka_unit_test(ways_of_their_own), cmocka_unit_test(duct_corrections),      cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,41 @@
+/* Whether a pull is safe: part of hawser/hawser.h, which includes it. What each limit means, and where its values come
+ * from, is in docs/limits.md. */
+#ifndef HAWSER_LIMITS_H
+#define HAWSER_LIMITS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { HAWSER_LIMITS_MAX = 8, HAWSER_VERDICT_MAX = 512 };
+
+/* One limit of a pull. */
+typedef struct hawser_limit {
+    const char
+        *name; /* "pull", "restart", "sidewall", "bend_radius", "roller_steady", "roller_peak", "rope", "alpha" */
+    const char *unit; /* "N", "N/m", "m", "1" */
+    double value;     /* what was found: the worst */
+    double limit;     /* what is allowed: at most, of bend_radius at least */
+    double margin;    /* 1 - value/limit, of bend_radius 1 - limit/value: below 0 the limit is broken */
+    int judged;       /* 0: value or limit is not known, and `source` says why */
+    int ok;           /* the limit holds; 0 if it was not judged */
+    char where[80];   /* the place of `value`, "" if there is none */
+    char source[160]; /* where `limit` comes from */
+} hawser_limit;
+
+struct hawser_sim;
+
+/* Judges what the simulation has seen so far by the case's section `limits`. Fills out[HAWSER_LIMITS_MAX] and returns
+ * how many limits there are: 0 if the case has no such section. */
+int hawser_sim_limits(struct hawser_sim *s, hawser_limit *out);
+/* One line that says whether the pull is safe: "SAFE: ...", "NOT SAFE: ..." or "NOT JUDGED: ..."; at most `size` bytes
+ * (HAWSER_VERDICT_MAX is enough). Returns how many limits are broken, -1 if none could be judged. */
+int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,34 @@
+# Limits on the command line: the table, the verdict, --strict and its exit status.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+
+# Without a section nothing is judged, and --strict does not take that for safe.
+run_hawser 0 run pull.yaml -o out1
+says out "NOT JUDGED: the case has no section 'limits'"
+run_hawser 1 run pull.yaml -o out1 --strict
+says err "NOT JUDGED"
+
+printf 'limits: {conductor: {material: copper, area: 800 mm2}}\n' >>"$work/pull.yaml"
+run_hawser 0 run pull.yaml -o out2 --strict
+says out "Limits" "eq. 11, K = 1, S = 800 mm2; paper, table 4: copper 70 N/mm2" "56 kN" "SAFE: all" "1 not judged" \
+    "not judged: the case gives no limits.rope_strength"
+run_hawser 0 run pull.yaml -o out3 --set limits.pull=100N
+says out "NOT SAFE: 1 of" "pull by" "BROKEN"
+run_hawser 1 run pull.yaml -o out4 --set limits.pull=100N --strict
+says out "NOT SAFE"
+says err "NOT SAFE: 1 of"
+exists out4/summary.json
+run_hawser 1 run pull.yaml -o out4 --set limits.pull=100N --strict --quiet
+silent out
+says err "NOT SAFE: 1 of"
+# A case that is wrong stays status 2.
+run_hawser 2 run pull.yaml -o out5 --strict --set limits.pull=-1N
+says err "limits.pull"
+missing out5
+
+run_hawser 0 theory pull.yaml
+says out "pulled forward" "SAFE: all" "restart" "friction on"
+run_hawser 0 theory pull.yaml --set limits.pull=100N --format csv
+says out "forward_margin_pct" "row,0,20,,resultant,"
+run_hawser 2 theory pull.yaml --strict
+finish

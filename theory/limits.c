@@ -1,0 +1,178 @@
+#include "theory/limits.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SOURCE_SIZE = sizeof((hawser_limit *)0)->source };
+
+void limits_defaults(LimitsDef *def)
+{
+    *def = (LimitsDef){.cores = 1,
+                       .K = 1,
+                       .stress = NAN,
+                       .pull = NAN,
+                       .sidewall = NAN,
+                       .bend_factor = NAN,
+                       .bend_radius = NAN,
+                       .roller_factor = 1.6,
+                       .rope_strength = NAN,
+                       .rope_factor = 5,
+                       .alpha = 1.5};
+}
+
+/* ---------------------------------------------------------------------------------------- what is allowed */
+
+/* A value with its source. */
+typedef struct Allowed {
+    double value;
+    const char *source;
+} Allowed;
+
+/* Allowable stress of the conductor in tension, Pa. */
+static Allowed conductor_stress(const LimitsDef *def)
+{
+    static const Allowed paper[] = {{70e6, "paper, table 4: copper 70 N/mm2"},
+                                    {40e6, "paper, table 4: aluminium 40 N/mm2"}};
+    static const Allowed single[] = {{60e6, "TB 889, single core: copper 60 N/mm2"},
+                                     {30e6, "TB 889, single core: aluminium 30 N/mm2"}};
+    static const Allowed three[] = {{50e6, "TB 889, three core: copper 50 N/mm2"},
+                                    {30e6, "TB 889, three core: aluminium 30 N/mm2"}};
+    if (def->code == CODE_PAPER) return paper[def->metal];
+    return def->cores > 1 ? three[def->metal] : single[def->metal];
+}
+
+/* Of the sheath under a hauling net, Pa. */
+static Allowed sheath_stress(const LimitsDef *def)
+{
+    static const Allowed paper[] = {{7e6, "paper, table 4: PE sheath 7 N/mm2"},
+                                    {6e6, "paper, table 4: XLPE sheath 6 N/mm2"}};
+    if (def->code == CODE_PAPER) return paper[def->sheath];
+    return (Allowed){NAN, "no value for hauling nets in code tb889: give limits.stress or limits.pull"};
+}
+
+double limits_pull(const LimitsDef *def, int cables, char *source)
+{
+    const int net = def->attachment == ATTACH_NET;
+    const double area = net ? def->sheath_area : def->area * def->cores;
+    Allowed stress = net ? sheath_stress(def) : conductor_stress(def);
+    if (!isnan(def->stress)) stress = (Allowed){def->stress, "limits.stress"};
+    snprintf(source, SOURCE_SIZE, "%s", "limits.pull");
+    if (!isnan(def->pull)) return cables * def->pull;
+    if (isnan(stress.value)) snprintf(source, SOURCE_SIZE, "%s", stress.source);
+    if (isnan(stress.value)) return NAN;
+    if (!(area > 0)) {
+        snprintf(source, SOURCE_SIZE, "the case gives neither limits.%s.area nor limits.pull",
+                 net ? "sheath" : "conductor");
+        return NAN;
+    }
+    snprintf(source, SOURCE_SIZE, "eq. 11, K = %g, S = %g mm2; %s", def->K, cables * area * 1e6, stress.source);
+    return def->K * stress.value * area * cables; /* (LI3) */
+}
+
+double limits_sidewall(const LimitsDef *def, char *source)
+{
+    static const Allowed practice[] = {{3000, "Chinese practice: 3 kN/m"},
+                                       {4900, "Fujikura: 4.9 kN/m"},
+                                       {4400, "AEIC CG5: 4.4 kN/m, the least of its cable types"},
+                                       {500, "on rollers: 0.5 kN/m, the least of the usual 0.5 to 1"}};
+    const Allowed a = isnan(def->sidewall) ? practice[def->practice] : (Allowed){def->sidewall, "limits.sidewall"};
+    snprintf(source, SOURCE_SIZE, "%s", a.source);
+    return a.value;
+}
+
+double limits_radius(const LimitsDef *def, double d, char *source)
+{
+    static const Allowed practice[] = {{20, "20 D, usual at 110 kV"},
+                                       {12, "Fujikura: 8 to 12 D, the larger"},
+                                       {20, "20 D, usual at 110 kV"},
+                                       {20, "20 D, usual at 110 kV"}};
+    Allowed k = practice[def->practice];
+    snprintf(source, SOURCE_SIZE, "%s", "limits.bend_radius");
+    if (!isnan(def->bend_radius)) return def->bend_radius;
+    if (!isnan(def->bend_factor)) k = (Allowed){def->bend_factor, "limits.bend_factor"};
+    snprintf(source, SOURCE_SIZE, "%g D, D = %g mm (%s)", k.value, 1e3 * d, k.source);
+    return k.value * d;
+}
+
+/* What the rope may be pulled with, N. */
+static double rope_allowed(const LimitsDef *def, char *source)
+{
+    snprintf(source, SOURCE_SIZE, "%s", "the case gives no limits.rope_strength");
+    if (isnan(def->rope_strength)) return NAN;
+    snprintf(source, SOURCE_SIZE, "strength %g kN over a safety factor of %g", def->rope_strength / 1e3,
+             def->rope_factor);
+    return def->rope_strength / def->rope_factor;
+}
+
+/* What the roller that was found may bear, N: its rating, at steady speed less a reserve. */
+static double roller_allowed(const LimitsDef *def, const Finding *f, int steady, char *source)
+{
+    snprintf(source, SOURCE_SIZE, "%s", "no roller has a rating");
+    if (!(f->rating > 0)) return NAN;
+    if (!steady) snprintf(source, SOURCE_SIZE, "rated %g kN", f->rating / 1e3);
+    if (steady)
+        snprintf(source, SOURCE_SIZE, "rated %g kN, %g times the steady load", f->rating / 1e3, def->roller_factor);
+    return steady ? f->rating / def->roller_factor : f->rating;
+}
+
+/* The bound of one kind. */
+static double allowed(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f, char *source)
+{
+    switch (kind) {
+    case LIMIT_PULL:
+    case LIMIT_RESTART:
+        return limits_pull(def, cables, source);
+    case LIMIT_SIDEWALL:
+        return limits_sidewall(def, source);
+    case LIMIT_BEND:
+        return limits_radius(def, diameter, source);
+    case LIMIT_ROLLER_STEADY:
+    case LIMIT_ROLLER_PEAK:
+        return roller_allowed(def, f, kind == LIMIT_ROLLER_STEADY, source);
+    case LIMIT_ROPE:
+        return rope_allowed(def, source);
+    case LIMIT_ALPHA:
+    case LIMIT_KINDS:
+        break;
+    }
+    snprintf(source, SOURCE_SIZE, "%s", "eq. 12: 1.2 to 1.5 are usual");
+    return def->alpha;
+}
+
+/* --------------------------------------------------------------------------------------------- the verdict */
+
+/* Names and units by kind. */
+static const struct {
+    const char *name, *unit;
+} kinds[LIMIT_KINDS] = {{"pull", "N"},          {"restart", "N"},     {"sidewall", "N/m"}, {"bend_radius", "m"},
+                        {"roller_steady", "N"}, {"roller_peak", "N"}, {"rope", "N"},       {"alpha", "1"}};
+
+/* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
+static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
+                  hawser_limit *out)
+{
+    *out = (hawser_limit){.name = kinds[kind].name, .unit = kinds[kind].unit, .value = f->value, .margin = NAN};
+    memcpy(out->where, f->where, sizeof out->where);
+    out->limit = allowed(def, kind, diameter, cables, f, out->source);
+    if (isnan(out->limit)) return;
+    if (isnan(f->value)) {
+        snprintf(out->source, sizeof out->source, "%s", f->why);
+        return;
+    }
+    out->judged = 1;
+    out->margin = kind == LIMIT_BEND ? 1 - out->limit / out->value : 1 - out->value / out->limit;
+    out->ok = out->margin >= 0;
+}
+
+int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
+                 hawser_limit *out)
+{
+    int n = 0;
+    if (!def->present) return 0;
+    for (int k = 0; k < LIMIT_KINDS; k++) {
+        if (finding[k].absent) continue;
+        judge(def, (LimitKind)k, diameter, cables, &finding[k], &out[n++]);
+    }
+    return n;
+}
