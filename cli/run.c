@@ -95,7 +95,7 @@ static int strict_verdict(hawser_sim *sim)
     const int n = hawser_sim_limits(sim, limit);
     if (hawser_limits_verdict(n, limit, verdict, sizeof verdict) == 0) return 0;
     complain("%s", verdict);
-    return EXIT_LIMITS;
+    return EXIT_NOT_HELD;
 }
 
 /* What there is to say about a run that is over, whatever its end. */

@@ -15,7 +15,7 @@ static const char help[] =
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
     "\n"
-    "Exit status: 0 all are within their tolerances; 1 one is outside, or internal error or no memory;\n"
+    "Exit status: 0 all are within their tolerances; 1 one is outside; 5 no memory;\n"
     "2 no case has such a name, or the command line is wrong.\n";
 
 static int validate(const Arguments *args)
@@ -29,7 +29,7 @@ static int validate(const Arguments *args)
     hawser_text_free(text);
     if (!status && outside > 0) {
         complain("%d %s outside tolerance", outside, outside == 1 ? "quantity is" : "quantities are");
-        return finish_stdout(EXIT_INTERNAL);
+        return finish_stdout(EXIT_NOT_HELD);
     }
     return finish_stdout(exit_status(status, &err));
 }

@@ -2,7 +2,8 @@
 #ifndef HAWSER_IO_SUMMARY_JSON_H
 #define HAWSER_IO_SUMMARY_JSON_H
 
-#include "sim/peaks.h"
+#include "hawser/hawser.h"
+#include "sim/overload.h"
 
 /* What the summary says beside the figures. */
 typedef struct SummaryLabels {

@@ -4,6 +4,7 @@
 #define HAWSER_SIM_PEAKS_H
 
 #include "sim/expected.h"
+#include "sim/overload.h"
 #include "sim/stats.h"
 
 /* A largest value and where it was, m along the route. */
@@ -31,14 +32,6 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
 /* The run so far against the case's limits, (LI5); as hawser_sim_limits. */
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected,
                 hawser_limit *out);
-
-/* The overload factor of eq. 12 at one roller. */
-typedef struct Overload {
-    const char *name;       /* the scene's */
-    double s;               /* m along the route */
-    double peak, reference; /* N; reference: at speed, by the reference theory */
-    double alpha;           /* peak / reference; NAN where there is no measure */
-} Overload;
 
 /* The rollers over which cable has passed and theory has a tension, by the case's order: *out is malloc'ed. Returns how
  * many, -1 without memory. */

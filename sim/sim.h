@@ -3,7 +3,8 @@
 #ifndef HAWSER_SIM_SIM_H
 #define HAWSER_SIM_SIM_H
 
-#include "sim/peaks.h"
+#include "sim/overload.h"
+#include "sim/stats.h"
 
 typedef struct Sim Sim;
 
