@@ -12,8 +12,7 @@
 #include "core/route.h"
 #include "linsolve/linsolve.h"
 #include "sim/reel_def.h"
-#include "theory/limits.h"
-#include "theory/paper.h"
+#include "sim/theory_def.h"
 
 enum { NAME_MAX_LENGTH = 64 };
 
@@ -136,13 +135,6 @@ typedef struct DrumDef {
     double torque;                /* N m: brake and bearing */
 } DrumDef;
 
-/* A drag on the rope just ahead of the pulling eye (the paper's rope allowance, eq. 9): force times the friction law's
- * velocity function, against the motion along the segment's axis. */
-typedef struct RopeDragDef {
-    double force;           /* N; 0: none */
-    double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
-} RopeDragDef;
-
 /* A caterpillar conveyor: two belts that clamp the cable over a stretch of the route. */
 typedef struct ConveyorDef {
     char name[NAME_MAX_LENGTH];
@@ -190,13 +182,6 @@ typedef struct OutputDef {
     int n_speed_segments;
     int *speed_segments; /* whose speeds are columns of series.csv */
 } OutputDef;
-
-/* What the pulling calculation adds to the scene. */
-typedef struct TheoryDef {
-    int cables;        /* pulled together, all alike */
-    int layout;        /* a DuctLayout: how they lie in ducts */
-    double reel, rope; /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
-} TheoryDef;
 
 typedef struct SceneDef {
     char title[256];
