@@ -93,6 +93,15 @@ void by_position_record(ByPosition *b, double t, double s, double force, double 
     b->time[i] += dt;
 }
 
+void by_position_window(ByPosition *b, double reference, double dt)
+{
+    if (isnan(reference) || !(dt > 0)) return;
+    b->mean[0] += reference * dt;
+    b->mean[1] += dt;
+}
+
+double by_position_mean(const ByPosition *b) { return b->mean[1] > 0 ? b->mean[0] / b->mean[1] : NAN; }
+
 int by_position_table(const ByPosition *b)
 {
     int n = 0;

@@ -15,6 +15,7 @@ typedef struct ByPosition {
     double *sum[3];       /* [n_bins]: integrals over time of front, force and reference */
     double *time;         /* [n_bins] s */
     double last_t;        /* s, of the last look */
+    double mean[2];       /* of the reference over the steady window: its integral, N s, and the time, s */
     hawser_position *out; /* [n_bins] */
 } ByPosition;
 
@@ -26,6 +27,10 @@ double by_position_reference(const ByPosition *b, double s, double back);
 /* Takes in that the winch pulls with `force` at time t with the front at s, where theory has `reference`; `steady`: it
  * runs at its speed. */
 void by_position_record(ByPosition *b, double t, double s, double force, double reference, int steady);
+/* The reference's mean over the window so far in which by_position_window was called, N; NAN if it was not. */
+double by_position_mean(const ByPosition *b);
+/* Takes `reference` (N) into that mean for the last `dt` s. */
+void by_position_window(ByPosition *b, double reference, double dt);
 /* The bins that have something in them, in order, into b->out; returns how many. */
 int by_position_table(const ByPosition *b);
 

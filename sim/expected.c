@@ -14,8 +14,7 @@ static double travel_at(const Scene *scene, double t)
     return scene->winch.mode == WINCH_TENSION ? t * winch_largest_speed(&scene->winch) : winch_travel(&scene->winch, t);
 }
 
-/* Whether the cable comes from a reel or goes to a winch that the chain ends at: then theory follows its front. */
-static int follows(const Scene *scene) { return scene->reel.winding.turns > 0 || scene->take_in.present; }
+int expected_follows(const Scene *scene) { return scene->reel.winding.turns > 0 || scene->take_in.present; }
 
 /* How far rope lies on the route ahead of a front that has moved by `moved`. */
 static double rope_end(const Scene *scene, double moved)
@@ -62,7 +61,7 @@ static void stretch_of(const Scene *scene, Expected *out)
 {
     const double from = scene->def.output.steady_from, to = scene->def.duration;
     const double moved = (travel_at(scene, from) + travel_at(scene, to)) / 2, front = scene->joint_s[scene->eye];
-    if (follows(scene)) {
+    if (expected_follows(scene)) {
         const double end = scene->take_in.present ? scene_winch_place(scene) : scene->route.length;
         front_set(scene, fmin(front + moved, end), expected_back(scene, (from + to) / 2), out);
         out->passed = fmin(front + travel_at(scene, from), end);

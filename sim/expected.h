@@ -25,6 +25,8 @@ hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, 
  * of the reel, which turns at the winch's full speed; the rope ahead counts as far as it lies on the route. Only the
  * stretch, the start tension and the steps are set. Errors: as pull_solve. */
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err);
+/* Whether theory follows the cable's front, as it does where the chain begins at a reel or ends at a winch. */
+int expected_follows(const Scene *scene);
 /* The case's back tension at time t, N. */
 double expected_back(const Scene *scene, double t);
 /* Where the front may be for that, as far as the definition goes: from..to m; 0 if it does not move along the route. */

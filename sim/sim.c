@@ -204,6 +204,8 @@ static void record_now(Sim *s, SampleParts parts)
     const double start = clock_now();
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
+    const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
+    if (look->t - dt >= s->stats.steady_from - 1e-9) by_position_window(&s->by_position, look->reference, dt);
     by_position_record(&s->by_position, look->t, look->head_at, look->winch_force, look->reference, steady);
     peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws.kin, look);
     s->record_s += clock_now() - start;
@@ -264,6 +266,8 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .events = s->events.event,
                             .n_conveyors = s->stats.n_conveyors,
                             .conveyors = s->stats.conveyor_out};
+    const double mean = by_position_mean(&s->by_position);
+    if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
     out->phases.other = s->build_s;
     out->phases.relax = s->relax_s;

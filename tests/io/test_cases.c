@@ -221,6 +221,8 @@ static void test_tunnel_starts(void **state)
     Outcome o = run("tunnel-879", settings);
     assert_true(o.summary.relaxation.reached);
     assert_int_equal(o.summary.segments, 2660);
+    const hawser_sample *const look = hawser_sim_sample(o.sim);
+    assert_true(look->active < 900 && look->first > 1760); /* what is wound is not simulated */
     assert_true(o.summary.sim_time_s > 12 - 1e-9);
     assert_share(o.summary.steady_speed_m_per_s, 0.1, 0.2); /* the drum swings on the rope while the winch starts */
     assert_true(o.summary.pull_peak_N > 3e3 && o.summary.pull_peak_N < 8e3);
