@@ -39,7 +39,7 @@ static void way_cells(const Calculator *c, int way, int p, Cell *row)
     const PlanPiece *const piece = &c->plan.way[way].piece[p];
     row[0] = cell_number(piece->t_out);
     row[1] = cell_number(piece->sidewall);
-    row[2] = cell_number(c->spacing[p] > 0 ? piece->roller_load : NAN);
+    row[2] = cell_number(c->spacing[p] > 0 || c->guides[p] > 0 ? piece->roller_load : NAN);
     row[3] = cell_number(margin_of(c, way, piece));
     row[4] = cell_number(piece->closed);
 }

@@ -109,14 +109,14 @@ static double gap_on(const SceneDef *def, const RoutePiece *piece, int n, const 
     return gap;
 }
 
-/* Carriers along the whole route; guides only piece by piece, since there are none between bends. Where both stand the
- * larger gap counts. */
+/* Carriers along the whole route; guides only piece by piece, since there are none between bends. */
 static hawser_status spacings_find(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
     double *const s = malloc(((size_t)def->n_rollers + 1) * sizeof *s);
     c->spacing = calloc((size_t)scene->route.n, sizeof *c->spacing);
-    if (!s || !c->spacing) {
+    c->guides = calloc((size_t)scene->route.n, sizeof *c->guides);
+    if (!s || !c->spacing || !c->guides) {
         free(s);
         return error_memory(err);
     }
@@ -128,8 +128,8 @@ static hawser_status spacings_find(const Scene *scene, Calculator *c, hawser_err
             if (p < 0 || route_at(&scene->route, r->s).piece == p) s[n++] = r->s;
         }
         qsort(s, (size_t)n, sizeof *s, compare_places);
-        for (int k = p < 0 ? 0 : p; k < (p < 0 ? scene->route.n : p + 1); ++k)
-            c->spacing[k] = fmax(c->spacing[k], gap_on(def, &scene->route.piece[k], n, s));
+        if (p >= 0) c->guides[p] = gap_on(def, &scene->route.piece[p], n, s);
+        for (int k = 0; p < 0 && k < scene->route.n; ++k) c->spacing[k] = gap_on(def, &scene->route.piece[k], n, s);
     }
     free(s);
     return HAWSER_OK;
@@ -223,7 +223,8 @@ static hawser_status plan_fill(const Scene *scene, double start_tension, Calcula
                     .rope_length = def->theory.rope,
                     .back_tension = fmax(0, c->cables * start_tension),
                     .rope_force = def->drag.force,
-                    .spacing = c->spacing};
+                    .spacing = c->spacing,
+                    .guides = c->guides};
     hawser_status status = HAWSER_OK;
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         c->push[k] = calloc((size_t)scene->n_conveyors + 1, sizeof *c->push[k]);
@@ -252,6 +253,7 @@ void calculator_free(Calculator *c)
     stretches_free(&c->stretches);
     for (int k = 0; k < PLAN_WAYS; ++k) free(c->push[k]);
     free(c->spacing);
+    free(c->guides);
     free(c->rule);
     free(c->duct);
     *c = (Calculator){0};

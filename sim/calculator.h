@@ -22,7 +22,7 @@ typedef struct Calculator {
     int cables;
     Stretches stretches;       /* of all cables together */
     PullStep *push[PLAN_WAYS]; /* [conveyors] at the machines' middles; N along the pull */
-    double *spacing;           /* [pieces] m, the largest gap between rollers there; 0: none */
+    double *spacing, *guides;  /* [pieces] m, the largest gap between carriers there, and between guides; 0: none */
     SupportRule *rule;         /* [pieces] */
     int n_ducts;
     CalculatorDuct *duct; /* [n_ducts] */

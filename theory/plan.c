@@ -103,9 +103,11 @@ static void fill_pieces(const PlanDef *def, PlanWay *way)
     for (int i = 0; i < def->route->n; i++) {
         PlanPiece *piece = &way->piece[i];
         *piece = (PlanPiece){.t_in = NAN, .t_out = NAN, .closed = NAN};
-        double support;
-        pull_piece_extremes(&way->pull, i, &piece->max_tension, &piece->sidewall, &support);
-        piece->roller_load = support * (def->spacing ? def->spacing[i] : def->roller_spacing);
+        const PieceExtremes most = pull_piece_extremes(&way->pull, i);
+        const double spacing = def->spacing ? def->spacing[i] : def->roller_spacing;
+        piece->max_tension = most.tension;
+        piece->sidewall = most.sidewall;
+        piece->roller_load = fmax(most.down * spacing, most.aside * (def->guides ? def->guides[i] : spacing));
     }
     for (int i = 0; i < way->pull.n; i++) {
         const PullSpan *span = &way->pull.span[i];

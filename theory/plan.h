@@ -20,6 +20,7 @@ typedef struct PlanDef {
     double rope_force;     /* N, added to the rope's allowance: a drag */
     double roller_spacing; /* m; 0: no roller loads asked for */
     const double *spacing; /* [pieces] m, in its place; NULL: roller_spacing everywhere */
+    const double *guides;  /* [pieces] m, of the rollers beside the cable; NULL: as the others */
     int n_conveyors;
     const PullStep *conveyor;      /* force > 0: push along the pull; < 0: brake */
     const PullStep *conveyor_back; /* the same when pulled back, by the same order; NULL: as conveyor */

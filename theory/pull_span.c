@@ -37,12 +37,7 @@ static double normal_force(const SpanLaw *p, SpanFrame f, double tension)
     return hypot(pull - p->weight * f.nz, p->weight * p->line.bz);
 }
 
-/* The two parts of the same force where separate supports bear them, (LI1): what holds the cable up or down, positive
- * toward the ground, and what holds it sideways. The slope's cosine c is the length of (nz, bz). */
-typedef struct SpanParts {
-    double down, aside;
-} SpanParts;
-
+/* (LI1), by the frame's vertical components. The slope's cosine c is the length of (nz, bz). */
 static SpanParts support_parts(const SpanLaw *p, SpanFrame f, double tension)
 {
     const double c = hypot(f.nz, p->line.bz);
@@ -63,10 +58,15 @@ double span_normal(const SpanLaw *p, double s, double tension)
     return sum_of_supports(p, span_frame(&p->line, s), tension);
 }
 
+SpanParts span_parts(const SpanLaw *p, double s, double tension)
+{
+    if (!p->separate) return (SpanParts){.down = span_normal(p, s, tension)};
+    return support_parts(p, span_frame(&p->line, s), tension);
+}
+
 double span_support(const SpanLaw *p, double s, double tension)
 {
-    if (!p->separate) return span_normal(p, s, tension);
-    const SpanParts parts = support_parts(p, span_frame(&p->line, s), tension);
+    const SpanParts parts = span_parts(p, s, tension);
     return fmax(fabs(parts.down), fabs(parts.aside));
 }
 
@@ -175,7 +175,9 @@ static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, doub
     extremes_take(e, s, tension);
     extremes_take_inside(e, p, s, tension, h, k);
     extremes_take(e, s_end, end);
-    e->max_support = fmax(e->max_support, fmax(span_support(p, s, tension), span_support(p, s_end, end)));
+    const SpanParts first = span_parts(p, s, tension), last = span_parts(p, s_end, end);
+    e->max_down = fmax(e->max_down, fmax(fabs(first.down), fabs(last.down)));
+    e->max_aside = fmax(e->max_aside, fmax(fabs(first.aside), fabs(last.aside)));
 }
 
 /* Step by step with error control, ending a step where the normal force changes sign. Steps below 1e-13 of

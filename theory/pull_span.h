@@ -22,12 +22,12 @@ typedef struct SpanFrame {
     double tz, nz;
 } SpanFrame;
 
-/* Extremes met on the way, N and m along the route. max_support is the largest of those at the integrator's
+/* Extremes met on the way, N and m along the route. max_down and max_aside are the largest of those at the integrator's
  * steps. */
 typedef struct SpanExtremes {
     double max_tension, max_at;
     double min_tension, min_at;
-    double max_support; /* N/m, on one support: the larger part where supports are separate */
+    double max_down, max_aside; /* N/m, sizes of span_parts */
 } SpanExtremes;
 
 typedef struct SpanLaw {
@@ -45,7 +45,13 @@ SpanFrame span_frame(const SpanLine *line, double s);
 /* Force between cable and support per length, N/m, at tension T (N): (T6), or (T8) without capstan effect; the sum over
  * separate supports (LI1). */
 double span_normal(const SpanLaw *p, double s, double tension);
-/* The same on the support that bears most. */
+/* What lies on the ground (positive) and what presses to the side, N/m, where supports are separate; elsewhere all of
+ * the force is `down`. */
+typedef struct SpanParts {
+    double down, aside;
+} SpanParts;
+SpanParts span_parts(const SpanLaw *p, double s, double tension);
+/* The force on the support that bears most. */
 double span_support(const SpanLaw *p, double s, double tension);
 /* dT/ds along the pull's direction, N/m: (T5). */
 double span_rate(const SpanLaw *p, double s, double tension);

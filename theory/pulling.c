@@ -204,17 +204,16 @@ PullPoint pull_at(const Pull *pull, double s)
     return point;
 }
 
-void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *support)
+PieceExtremes pull_piece_extremes(const Pull *pull, int piece)
 {
-    double largest[3] = {0, 0, 0};
+    PieceExtremes out = {0};
     for (int i = 0; i < pull->n; i++) {
         const PullSpan *span = &pull->span[i];
         if (span->piece != piece) continue;
-        largest[0] = fmax(largest[0], span->extremes.max_tension);
-        largest[1] = fmax(largest[1], span->extremes.max_tension * span->law.line.curvature * span->share);
-        largest[2] = fmax(largest[2], span->extremes.max_support);
+        out.tension = fmax(out.tension, span->extremes.max_tension);
+        out.sidewall = fmax(out.sidewall, span->extremes.max_tension * span->law.line.curvature * span->share);
+        out.down = fmax(out.down, span->extremes.max_down);
+        out.aside = fmax(out.aside, span->extremes.max_aside);
     }
-    if (tension) *tension = largest[0];
-    if (sidewall) *sidewall = largest[1];
-    if (support) *support = largest[2];
+    return out;
 }

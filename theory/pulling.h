@@ -78,8 +78,13 @@ void pull_clear(Pull *pull);
 /* The pull at s (m along the route; taken at the nearer end outside the pull). At a step, the tension before
  * it; at a corner of the route, the span that the pull has just passed. */
 PullPoint pull_at(const Pull *pull, double s);
-/* The largest tension, sidewall pressure (N/m) and force on one support (N/m) on a piece of the route; 0 where the
- * pull has no span on it. Any of the three may be NULL. */
-void pull_piece_extremes(const Pull *pull, int piece, double *tension, double *sidewall, double *support);
+/* What is largest on a piece of the route; 0 where the pull has no span on it. */
+typedef struct PieceExtremes {
+    double tension;  /* N */
+    double sidewall; /* N/m */
+    double down;     /* N/m, force on what carries the cable */
+    double aside;    /* N/m, on separate supports beside it */
+} PieceExtremes;
+PieceExtremes pull_piece_extremes(const Pull *pull, int piece);
 
 #endif

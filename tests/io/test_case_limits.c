@@ -211,6 +211,8 @@ static void theory_by_hand(void **state)
     expect_near(number(o, "directions", 0, "force_N"), c, 1e-9);
     expect_near(number(o, "pieces", 0, "backward_end_N"), c, 1e-9);   /* the route is its own mirror */
     expect_near(number(o, "pieces", 0, "forward_roller_N"), w, 1e-9); /* a metre of cable */
+    /* in the bend too: the guides, two to a metre, bear less */
+    expect_near(number(o, "pieces", 1, "forward_roller_N"), w, 1e-9);
     const double restart = ((2000 + 0.3 * w * 8 + wR) * exp(0.3 * turn) - wR) + 0.3 * w * 8;
     expect_near(number(o, "directions", 0, "restart_N"), restart, 1e-9);
     assert_string_equal(word(o, "pieces", 0, "supports"), "resultant");

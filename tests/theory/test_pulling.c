@@ -115,6 +115,8 @@ static void separate_closed_forms(void **state)
     assert_int_equal(pull_solve(&pull_def, &pull, NULL), HAWSER_OK);
     const double exact = (3000 + 1600) * exp(0.25 * 1.1) - 1600;
     near(pull.span[0].t1, exact, 1e-8);
+    near(pull_piece_extremes(&pull, 0).down, 200, 1e-9);
+    near(pull_piece_extremes(&pull, 0).aside, exact / 8, 1e-9);
     assert_int_equal(bend_separate_tension(3000, 200, 0.25, 8, 1.1, &T2, NULL), HAWSER_OK);
     near(T2, exact, 1e-10);
     assert_int_equal(piece_tension(&route.piece[1], 1, exact, 200, 0.25, 1, &lifted, NULL), HAWSER_OK);
@@ -282,13 +284,11 @@ static void extremes(void **state)
     near(pull.max_tension, 3000, 0);
     near(pull.max_at, 0, 0);
     near(pull.max_sidewall, sidewall, 1e-3);
-    double tension, side, normal;
-    pull_piece_extremes(&pull, 1, &tension, &side, &normal);
-    near(side, pull.max_sidewall, 0);
-    near(side, tension / 20, 1e-12);
-    assert_true(normal >= pull_at(&pull, 56).normal);
-    pull_piece_extremes(&pull, 0, NULL, &side, NULL);
-    assert_true(side == 0);
+    const PieceExtremes most = pull_piece_extremes(&pull, 1);
+    near(most.sidewall, pull.max_sidewall, 0);
+    near(most.sidewall, most.tension / 20, 1e-12);
+    assert_true(most.down >= pull_at(&pull, 56).normal && most.aside == 0);
+    assert_true(pull_piece_extremes(&pull, 0).sidewall == 0);
     pull_clear(&pull);
     route_clear(&route);
 }
