@@ -6,6 +6,19 @@
 #include <stdio.h>
 #include <string.h>
 
+/* A rod's places, as the run ended. */
+static void report_rod(const hawser_summary *s)
+{
+    printf("\nAt the end (%s), m, rad, N, N m; forces are those of the part ahead on the part behind\n", s->analysis);
+    for (int i = 0; i < s->n_probes; i++) {
+        const hawser_probe *p = &s->probes[i];
+        const double *const d = p->displacement, *const r = p->rotation, *const f = p->force, *const m = p->moment;
+        printf("  %-12s moved (%.6g, %.6g, %.6g), turned (%.6g, %.6g, %.6g)\n", p->name, d[0], d[1], d[2], r[0], r[1],
+               r[2]);
+        printf("  %-12s force (%.6g, %.6g, %.6g), moment (%.6g, %.6g, %.6g)\n", "", f[0], f[1], f[2], m[0], m[1], m[2]);
+    }
+}
+
 /* Before the run: what the counts of the model are. */
 void report_scene(const hawser_sim *s)
 {
@@ -160,7 +173,11 @@ void report_run(hawser_sim *s, const char *dir)
     hawser_summary sum;
     hawser_sim_summary(s, &sum);
     report_relaxation(&sum.relaxation);
-    report_pull(&sum);
+    if (sum.rod) {
+        report_rod(&sum);
+    } else {
+        report_pull(&sum);
+    }
     report_conveyors(&sum);
     report_events(&sum);
     report_rollers(s);

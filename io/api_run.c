@@ -124,6 +124,8 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
                       .n_watched = output->n_speed_segments,
                       .watched = output->speed_segments,
                       .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};
+    def.probes = run->look->probes;
+    def.probe = run->look->probe;
     def.rollers = hawser_sim_rollers(s, &def.roller);
     def.conveyors = hawser_sim_conveyors(s, &def.conveyor);
     char *summary;

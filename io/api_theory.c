@@ -202,6 +202,9 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
+    if (c->def.rod.present) {
+        return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
+    }
     Theory *t = calloc(1, sizeof *t);
     if (!t) return error_memory(err);
     status = case_name_error(c, build_and_solve(t, c, err), err);

@@ -16,6 +16,13 @@ int case_segments(const SceneDef *def)
     return n;
 }
 
+double case_chain_length(const SceneDef *def)
+{
+    double length = 0;
+    for (int p = 0; p < def->n_pieces; p++) length += def->pieces[p].length;
+    return length;
+}
+
 /* The same eye as the scene's: between the last piece and those behind it. */
 int case_eye(const SceneDef *def)
 {

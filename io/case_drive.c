@@ -180,16 +180,3 @@ hawser_status case_drive_read(const CaseReader *r, const CaseNode *node)
     if (!status && record.rope_drag) status = drag_read(r, record.rope_drag);
     return status;
 }
-
-/* The steady window ends with the run, so it must begin before that. */
-hawser_status case_run_read(const CaseReader *r, const CaseNode *node)
-{
-    RunRecord record = {0};
-    const hawser_status status = case_section_read(r, node, &case_run, &record);
-    if (status) return status;
-    r->def->duration = record.duration;
-    r->def->output.steady_from = isnan(record.steady_from) ? record.duration / 2 : record.steady_from;
-    if (r->def->output.steady_from < record.duration) return HAWSER_OK;
-    return case_value_error(r->err, case_node_key(node, "steady_from"),
-                            " is out of range: must be below 'duration', %g s", record.duration);
-}

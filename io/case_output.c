@@ -71,6 +71,7 @@ static hawser_status stations_fill(const CaseReader *r, const CaseNode *node, co
 static hawser_status stations_read(const CaseReader *r, const CaseNode *node)
 {
     StationsRecord record = {.spacing = USUAL_SPACING};
+    if (r->def->rod.present) return HAWSER_OK; /* nothing lies along a route */
     if (!node) return stations_fill(r, NULL, NULL, fmax(USUAL_SPACING, r->route.length / 1000));
     if (node->kind == NODE_LIST) return stations_fill(r, node, node, NAN);
     const hawser_status status = case_section_read(r, node, &case_stations, &record);
@@ -107,6 +108,13 @@ static hawser_status interval_check(const CaseReader *r, const CaseNode *node, c
                           CASE_OUTPUTS_MAX);
 }
 
+/* Every load step is a row. */
+static void intervals_fit(SceneDef *def)
+{
+    if (def->analysis.kind == ANALYSIS_DYNAMICS) return;
+    def->output.interval = fmin(def->output.interval, def->duration / def->analysis.load_steps);
+}
+
 /* Needs the run's duration, the route and the chain to check against. */
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node)
 {
@@ -115,10 +123,12 @@ hawser_status case_output_read(const CaseReader *r, const CaseNode *node)
     if (status) return status;
     r->def->output.interval = record.interval;
     r->def->output.state_interval = record.states;
+    intervals_fit(r->def);
     status = interval_check(r, node, "interval", record.interval);
     if (!status) status = interval_check(r, node, "states", record.states);
     if (!status) status = stations_read(r, record.stations);
     if (!status) status = speeds_read(r, record.speeds_of);
+    if (!status) status = case_probes_read(r, record.probes);
     return status;
 }
 

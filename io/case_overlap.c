@@ -33,6 +33,7 @@ static double line_meets(const Route *route, const Shape *shape, double from, do
 /* Each piece with its own radius: a roller may be nearer to the rope than to the cable. */
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller)
 {
+    if (r->def->rod.present) return HAWSER_OK; /* it lies on no route */
     const SceneDef *def = r->def;
     const Shape shape = roller_def_shape(roller);
     for (int p = 0; p < def->n_pieces; p++) {

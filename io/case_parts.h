@@ -6,6 +6,7 @@
 
 #include "io/case_fields.h"
 #include "io/case_records.h"
+#include "io/case_records_rod.h"
 
 enum {
     CASE_SEGMENTS_MAX = 200000,
@@ -24,6 +25,15 @@ hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, const
 hawser_status case_chain_read(const CaseReader *r, const CaseNode *node);
 /* Leaves the route built in r->route. */
 hawser_status case_route_read(CaseReader *r, const CaseNode *node);
+/* Its chain without a route; r->route is then a straight of the chain's length. After the run, whose analysis says how
+ * loads come in. */
+hawser_status case_rod_read(CaseReader *r, const CaseNode *node);
+hawser_status case_rod_ends_read(const CaseReader *r, const RodRecord *record);
+hawser_status case_rod_loads_read(const CaseReader *r, const RodRecord *record);
+/* What goes with a pull only, or with a rod only. */
+hawser_status case_rod_check(const CaseReader *r);
+/* A bend's plane: a word, or the angle of its centre about the tangent (core/route.h). */
+hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double *plane);
 hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_contact_read(const CaseReader *r, const CaseNode *node);
 /* Its friction of cable on cable, once the case's own is known. */
@@ -63,10 +73,14 @@ hawser_status case_conveyors_read(const CaseReader *r, const CaseNode *list);
 hawser_status case_reel_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_run_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_output_read(const CaseReader *r, const CaseNode *node);
+/* Places of the chain that are watched. */
+hawser_status case_probes_read(const CaseReader *r, const CaseNode *list);
 hawser_status case_paper_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_theory_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_limits_read(const CaseReader *r, const CaseNode *node);
 
+/* Length of the whole chain, m. */
+double case_chain_length(const SceneDef *def);
 /* Segments of the whole chain; the largest diameter of its cables, m. */
 int case_segments(const SceneDef *def);
 double case_largest_diameter(const SceneDef *def);

@@ -36,6 +36,13 @@ static hawser_status solver_read(const CaseReader *r, const CaseNode *node)
     return status;
 }
 
+/* Without a rod there is a route. */
+static hawser_status route_read(CaseReader *r, const CaseNode *node)
+{
+    if (!node) return case_key_error(r->err, r->root, "route", "missing: give it, or a 'rod'");
+    return case_route_read(r, node);
+}
+
 /* The parts in an order in which each finds what it is checked against. */
 static hawser_status parts_read(CaseReader *r, const TopRecord *top)
 {
@@ -44,7 +51,9 @@ static hawser_status parts_read(CaseReader *r, const TopRecord *top)
     hawser_status status = case_gravity_read(r, top->gravity);
     if (!status) status = case_cables_read(r, top->cables);
     if (!status) status = case_chain_read(r, top->chain);
-    if (!status) status = case_route_read(r, top->route);
+    if (!status) status = case_run_read(r, top->run);
+    if (!status) status = top->rod ? case_rod_read(r, top->rod) : route_read(r, top->route);
+    if (!status) status = case_rod_check(r);
     if (!status) status = case_lead_in_read(r, top->lead_in);
     if (!status) status = case_contact_read(r, top->contact);
     if (!status) status = case_friction_read(r, top->friction, &usual, &def->friction);
@@ -54,7 +63,6 @@ static hawser_status parts_read(CaseReader *r, const TopRecord *top)
     if (!status) status = case_drive_read(r, top->drive);
     if (!status) status = case_reel_read(r, top->reel);
     if (!status) status = case_conveyors_read(r, top->conveyors);
-    if (!status) status = case_run_read(r, top->run);
     if (!status) status = solver_read(r, top->solver);
     if (!status) status = case_output_read(r, top->output);
     if (!status) status = case_paper_read(r, top->paper);

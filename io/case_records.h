@@ -210,7 +210,7 @@ typedef struct DrivesRecord {
 
 typedef struct OutputRecord {
     double interval, states;
-    const CaseNode *stations, *speeds_of;
+    const CaseNode *stations, *speeds_of, *probes;
 } OutputRecord;
 
 typedef struct StationsRecord {
@@ -235,12 +235,14 @@ typedef struct TermRecord {
 
 typedef struct RunRecord {
     double duration, steady_from;
+    int analysis, load_steps, modes;
+    double tolerance;
 } RunRecord;
 
 typedef struct TopRecord {
     char title[256];
     const CaseNode *gravity, *cables, *chain, *route, *lead_in, *reel, *rollers, *surfaces, *contact, *friction, *drive,
-        *run, *solver, *output, *paper, *conveyors, *theory, *limits;
+        *run, *solver, *output, *paper, *conveyors, *theory, *limits, *rod;
     int frame;
 } TopRecord;
 

@@ -8,8 +8,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* The plane of a bend: a word, or the angle of its centre about the tangent (core/route.h). */
-static hawser_status plane_read(const CaseReader *r, const CaseNode *node, double *plane)
+hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double *plane)
 {
     static const char *const words[4] = {"left", "up", "right", "down"};
     const CaseKey *key = case_key_of(&case_route_piece, "plane");
@@ -47,7 +46,7 @@ static hawser_status piece_read(const CaseReader *r, const CaseNode *node, Route
     }
     status = key_expect(r, node, "radius", bend);
     if (!status) status = key_expect(r, node, "plane", bend);
-    if (!status && bend) status = plane_read(r, record.plane, &piece->plane);
+    if (!status && bend) status = case_plane_read(r, record.plane, &piece->plane);
     if (status) return status;
     piece->kind = bend ? ROUTE_BEND : ROUTE_STRAIGHT;
     piece->length = bend ? 0 : record.straight;

@@ -15,4 +15,17 @@
 #define LATE       1e9
 #define DEGREES(a) ((a)*3.14159265358979323846 / 180)
 
+/* "none", "step", "step5": a ProfileKind each. */
+extern const char *const case_ramps[];
+
+/* How a value comes in over time; for records that begin with a DriveRecord. */
+#define RAMP_KEYS_FROM(usual)                                                                                          \
+    {"ramp", KEY_CHOICE, .fallback = usual, .choices = case_ramps, AT(DriveRecord, ramp)},                             \
+        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(DriveRecord, from)},                       \
+    {                                                                                                                  \
+        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(DriveRecord, to)                              \
+    }
+/* What a winch and a tail have in common. */
+#define RAMP_KEYS RAMP_KEYS_FROM("step")
+
 #endif

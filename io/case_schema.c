@@ -4,6 +4,8 @@
 #include "io/case_rows.h"
 
 /* In the order of the enumerations that they stand for. */
+const char *const case_ramps[] = {"none", "step", "step5", NULL};
+static const char *const analyses[] = {"dynamics", "static", "modes", NULL};
 static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const weights[] = {"full", "carried", NULL};
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
@@ -11,7 +13,6 @@ static const char *const places[] = {"centred", "resting", NULL};
 static const char *const tray_sections[] = {"flat", "v", "u", NULL};
 static const char *const grips[] = {"clamp", "axial", NULL};
 static const char *const afters[] = {"stay", "end", NULL};
-static const char *const ramps[] = {"none", "step", "step5", NULL};
 static const char *const planar_choices[] = {"auto", "on", "off", NULL};
 static const char *const reels[] = {"payout", "weight", "contact", NULL};
 static const char *const ends[] = {"free", "fixed", NULL};
@@ -30,7 +31,9 @@ static const CaseKey top_keys[] = {
     {"cables", KEY_MAP, .required = 1, .form = "a name and its properties for each kind of cable",
      AT(TopRecord, cables)},
     {"chain", KEY_LIST, .required = 1, .form = "the pieces, from the tail to the winch", AT(TopRecord, chain)},
-    {"route", KEY_MAP, .required = 1, .form = "section `route`", AT(TopRecord, route)},
+    {"route", KEY_MAP, .otherwise = "none: it is needed without a `rod`", .form = "section `route`",
+     AT(TopRecord, route)},
+    {"rod", KEY_MAP, .otherwise = "none", .form = "section `rod`", AT(TopRecord, rod)},
     {"lead_in", KEY_MAP, .otherwise = "none", .form = "section `lead_in`", AT(TopRecord, lead_in)},
     {"reel", KEY_MAP, .otherwise = "none", .form = "section `reel`", AT(TopRecord, reel)},
     {"rollers", KEY_MAP, .otherwise = "none", .form = "section `rollers`", AT(TopRecord, rollers)},
@@ -327,14 +330,6 @@ static const CaseKey drive_keys[] = {
 };
 SECTION(case_drive, "drive", drive_keys);
 
-/* What a winch and a tail have in common. */
-#define RAMP_KEYS                                                                                                      \
-    {"ramp", KEY_CHOICE, .fallback = "step", .choices = ramps, AT(DriveRecord, ramp)},                                 \
-        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(DriveRecord, from)},                       \
-    {                                                                                                                  \
-        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(DriveRecord, to)                              \
-    }
-
 static const CaseKey winch_keys[] = {
     {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(DriveRecord, value)},
     RAMP_KEYS,
@@ -444,9 +439,14 @@ static const CaseKey belt_keys[] = {
 };
 SECTION(case_belt, "conveyors.N.belt", belt_keys);
 
-/* Only the duration has no default. */
+/* What belongs to which analysis is checked in case_run.c. */
 static const CaseKey run_keys[] = {
-    {"duration", KEY_NUMBER, DIM_TIME, .required = 1, ABOVE(0, LATE), AT(RunRecord, duration)},
+    {"analysis", KEY_CHOICE, .fallback = "dynamics", .choices = analyses, AT(RunRecord, analysis)},
+    {"duration", KEY_NUMBER, DIM_TIME, .otherwise = "`dynamics` needs it; others 1 s", ABOVE(0, LATE),
+     AT(RunRecord, duration)},
+    {"load_steps", KEY_INTEGER, .fallback = "10", FROM(1, 100000), AT(RunRecord, load_steps)},
+    {"tolerance", KEY_NUMBER, .fallback = "1e-10", ABOVE(0, 0.1), AT(RunRecord, tolerance)},
+    {"modes", KEY_INTEGER, .fallback = "6", FROM(1, 200), AT(RunRecord, modes)},
     {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE), AT(RunRecord, steady_from)},
 };
 SECTION(case_run, "run", run_keys);
@@ -486,6 +486,7 @@ static const CaseKey output_keys[] = {
      AT(OutputRecord, stations)},
     {"speeds_of", KEY_LIST, .otherwise = "the first segment, the one behind the eye, the last",
      .form = "numbers of segments, from 0 at the tail", AT(OutputRecord, speeds_of)},
+    {"probes", KEY_LIST, .otherwise = "none", .form = "places one by one", AT(OutputRecord, probes)},
 };
 SECTION(case_output, "output", output_keys);
 
@@ -530,17 +531,16 @@ SECTION(case_paper_term, "paper.terms.N", paper_term_keys);
 const CaseSection *const *case_sections(void)
 {
     static const CaseSection *const all[] = {
-        &case_top,         &case_cable,        &case_damping_factor, &case_damping_ratio,
-        &case_preload,     &case_bending,      &case_chain_piece,    &case_route,
-        &case_route_piece, &case_lead_in,      &case_rollers,        &case_roller_row,
-        &case_groove,      &case_spin,         &case_bearing,        &case_mount,
-        &case_roller,      &case_surfaces,     &case_duct,           &case_tray,
-        &case_plane,       &case_line_contact, &case_contact,        &case_friction,
-        &case_drive,       &case_winch,        &case_winch_tension,  &case_trip,
-        &case_tail,        &case_rope_drag,    &case_conveyor,       &case_belt,
-        &case_reel,        &case_brake,        &case_back_tension,   &case_run,
-        &case_solver,      &case_tolerances,   &case_output,         &case_stations,
-        &case_station,     &case_paper,        &case_paper_term,     &case_theory,
-        &case_limits,      &case_conductor,    &case_sheath,         NULL};
+        &case_top,          &case_cable,       &case_damping_factor, &case_damping_ratio, &case_preload,
+        &case_bending,      &case_chain_piece, &case_route,          &case_route_piece,   &case_rod,
+        &case_rod_tail,     &case_rod_head,    &case_rod_motion,     &case_rod_load,      &case_rod_mass,
+        &case_lead_in,      &case_rollers,     &case_roller_row,     &case_groove,        &case_spin,
+        &case_bearing,      &case_mount,       &case_roller,         &case_surfaces,      &case_duct,
+        &case_tray,         &case_plane,       &case_line_contact,   &case_contact,       &case_friction,
+        &case_drive,        &case_winch,       &case_winch_tension,  &case_trip,          &case_tail,
+        &case_rope_drag,    &case_conveyor,    &case_belt,           &case_reel,          &case_brake,
+        &case_back_tension, &case_run,         &case_solver,         &case_tolerances,    &case_output,
+        &case_stations,     &case_station,     &case_probe,          &case_paper,         &case_paper_term,
+        &case_theory,       &case_limits,      &case_conductor,      &case_sheath,        NULL};
     return all;
 }

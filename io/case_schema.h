@@ -49,7 +49,7 @@ extern const CaseSection case_top, case_cable, case_damping_factor, case_damping
     case_contact, case_friction, case_drive, case_winch, case_winch_tension, case_trip, case_tail, case_rope_drag,
     case_conveyor, case_belt, case_reel, case_brake, case_back_tension, case_run, case_solver, case_tolerances,
     case_output, case_stations, case_station, case_paper, case_paper_term, case_theory, case_limits, case_conductor,
-    case_sheath;
+    case_sheath, case_rod, case_rod_tail, case_rod_head, case_rod_motion, case_rod_load, case_rod_mass, case_probe;
 
 /* All of them in the order of the documentation, NULL behind the last. */
 const CaseSection *const *case_sections(void);

@@ -196,6 +196,7 @@ static hawser_status plane_check(const CaseReader *r, const CaseNode *node, cons
 {
     const SceneDef *const def = r->def;
     SurfacePatch patch;
+    if (def->rod.present) return HAWSER_OK; /* it lies on no route */
     surface_patches(&plane->shape, &r->route, 0, &patch);
     for (int p = 0; p < def->n_pieces; p++) {
         const double radius = def->cables[def->pieces[p].cable].diameter / 2;

@@ -53,6 +53,7 @@ static hawser_status write_series_head(Results *r, const ResultsDef *def, hawser
         snprintf(column, sizeof column, "%s_slip_m_per_s", def->conveyor[i].name);
         if (!status) status = csv_text(&r->series, ",", column, err);
     }
+    for (int i = 0; i < def->probes && !status; i++) status = probe_write_head(&r->series, def->probe[i].name, err);
     if (!status) status = out_print(&r->series, err, "\n");
     return status ? status : out_flush(&r->series, err);
 }
@@ -148,6 +149,7 @@ hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
     for (int i = 0; i < s->conveyors && !status; i++) {
         status = out_print(&r->series, err, ",%.9g,%.9g", s->conveyor_force[i], s->conveyor_slip[i]);
     }
+    for (int i = 0; i < s->probes && !status; i++) status = probe_write(&r->series, &s->probe[i], err);
     return status ? status : out_print(&r->series, err, "\n");
 }
 

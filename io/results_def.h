@@ -14,9 +14,11 @@ typedef struct ResultsDef {
     const hawser_conveyor *conveyor; /* [conveyors]: names */
     int n_watched;
     const int *watched; /* [n_watched]: segments whose speed and tension are columns of series.csv */
-    double states;      /* expected number of states; 0: no results.h5 and no results.xdmf */
-    int reel;           /* the reel pays out: series.csv has its columns */
-    int front;          /* the cable's front moves along the route: likewise */
+    int probes;
+    const hawser_probe *probe; /* [probes]: names */
+    double states;             /* expected number of states; 0: no results.h5 and no results.xdmf */
+    int reel;                  /* the reel pays out: series.csv has its columns */
+    int front;                 /* the cable's front moves along the route: likewise */
 } ResultsDef;
 
 #endif

@@ -173,6 +173,32 @@ static int put_positions(json_t *o, const hawser_summary *s)
     return json_object_set_new(o, "pull_by_position", list) | bad;
 }
 
+/* A vector as a list. */
+static int put_vector(json_t *o, const char *key, const double v[3])
+{
+    json_t *list = json_array();
+    int bad = !list;
+    for (int c = 0; c < 3 && !bad; c++)
+        bad = json_array_append_new(list, isfinite(v[c]) ? json_real(v[c]) : json_null());
+    return json_object_set_new(o, key, list) | bad;
+}
+
+/* One row a probe, as the run ended. */
+static int put_probes(json_t *o, const hawser_summary *s)
+{
+    json_t *list = json_array();
+    int bad = put_text(o, "analysis", s->analysis);
+    for (int i = 0; i < s->n_probes; i++) {
+        const hawser_probe *p = &s->probes[i];
+        json_t *row = json_object();
+        bad |= put_text(row, "name", p->name) | put_real(row, "at_m", p->at) |
+               put_vector(row, "position_m", p->position) | put_vector(row, "displacement_m", p->displacement) |
+               put_vector(row, "rotation_rad", p->rotation) | put_vector(row, "force_N", p->force) |
+               put_vector(row, "moment_N_m", p->moment) | json_array_append_new(list, row);
+    }
+    return json_object_set_new(o, "probes", list) | bad;
+}
+
 /* What happened, by time. */
 static int put_events(json_t *o, const hawser_summary *s)
 {
@@ -237,9 +263,9 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     int bad = !o;
     if (o) {
         bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
-              put_events(o, s) | put_positions(o, s) | put_surfaces(o, labels) | put_moving_rollers(o, labels) |
-              put_limits(o, labels) | put_overload(o, labels) | put_relaxation(o, &s->relaxation) |
-              put_phases(o, &s->phases);
+              put_probes(o, s) | put_events(o, s) | put_positions(o, s) | put_surfaces(o, labels) |
+              put_moving_rollers(o, labels) | put_limits(o, labels) | put_overload(o, labels) |
+              put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(o);

@@ -2,6 +2,7 @@
 #include "io/summary_tables.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Of the theory, with its sign: positive when the simulation is above. */
@@ -31,6 +32,28 @@ static hawser_status write_row(OutFile *out, const char *name, int n, const doub
     hawser_status status = csv_text(out, "", name, err);
     for (int i = 0; i < n && !status; i++) status = csv_number(out, value[i], err);
     return status ? status : out_print(out, err, "\n");
+}
+
+/* Fifteen columns a probe. */
+hawser_status probe_write_head(OutFile *out, const char *name, hawser_error *err)
+{
+    static const char *const column[15] = {"x_m",    "y_m",  "z_m",  "dx_m", "dy_m",   "dz_m",   "rx_rad", "ry_rad",
+                                           "rz_rad", "fx_N", "fy_N", "fz_N", "mx_N_m", "my_N_m", "mz_N_m"};
+    hawser_status status = HAWSER_OK;
+    for (int c = 0; c < 15 && !status; c++) {
+        char text[160];
+        snprintf(text, sizeof text, "%s_%s", name, column[c]);
+        status = csv_text(out, ",", text, err);
+    }
+    return status;
+}
+
+hawser_status probe_write(OutFile *out, const hawser_probe *p, hawser_error *err)
+{
+    const double *const vector[5] = {p->position, p->displacement, p->rotation, p->force, p->moment};
+    hawser_status status = HAWSER_OK;
+    for (int c = 0; c < 15 && !status; c++) status = out_print(out, err, ",%.12g", vector[c / 3][c % 3]);
+    return status;
 }
 
 /* Flushed, so that a table that cannot be written is noticed before the run. */

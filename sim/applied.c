@@ -136,6 +136,7 @@ void applied_ends(const Scene *scene, const Kinematics *kin, double t, double fr
     tail_loads(scene, kin, t, loads);
     drag_loads(scene, kin, friction, loads);
     winch_loads(&scene->winch, &scene->chain, kin, t, loads);
+    if (scene->rod.n_loads > 0) rod_loads(&scene->rod, kin, t, loads);
     if (scene->reel.present) reel_loads(&scene->reel, kin, t, friction, loads);
 }
 
@@ -145,5 +146,6 @@ void applied_blocks(const Scene *scene, const Kinematics *kin, double t, double 
     tail_blocks(scene, kin, t, k);
     drag_blocks(scene, kin, friction, k, d);
     winch_blocks(&scene->winch, &scene->chain, kin, t, k, d);
+    if (scene->rod.n_loads > 0) rod_blocks(&scene->rod, kin, t, k);
     if (scene->reel.present) reel_blocks(&scene->reel, kin, t, friction, k, d);
 }

@@ -97,6 +97,45 @@ static void head_guide(Scene *scene, const Bushing *b)
 /* Whether the winch's joint bends. */
 static int head_clamped(const Scene *scene) { return scene->winch.present && !scene->def.winch.axial_only; }
 
+/* A rod's end: the half-spring of its segment in the components that are held; a pivot's three are the axial one. */
+static void rod_end_fill(Scene *scene, int j, int segment, const RodEndDef *end)
+{
+    const Side side = side_of(scene, segment);
+    Bushing held = clamp(&side);
+    for (int c = SHEAR_Y; end->pivot && c <= SHEAR_Z; ++c) {
+        held.stiffness[c] = held.stiffness[AXIAL];
+        held.damping[c] = held.damping[AXIAL];
+        held.preload[c] = 0;
+    }
+    for (int c = 0; c < COMPONENTS; ++c) {
+        if (end->held[c]) joint_set(&scene->chain, j, &held, c, c + 1);
+    }
+}
+
+/* The relative rotation of the segments at joint j at t = 0 (B2), as a vector. */
+static Vec3 rest_rotation(const Rod *rod, int n, int j)
+{
+    Quat q = quat_mul(quat_conj(rod_attitude(rod, n, j - 1)), rod_attitude(rod, n, j));
+    if (q.w < 0) q = (Quat){-q.w, -q.x, -q.y, -q.z};
+    const Vec3 u = v3(q.x, q.y, q.z);
+    const double size = v3_norm(u);
+    return v3_scale(size > 0 ? 2 * atan2(size, q.w) / size : 2, u);
+}
+
+/* A rod's ends; and in a rod that rests in its shape the preloads that take its rotations as zero (RD7). */
+static void rod_joints(Scene *scene)
+{
+    Chain *const c = &scene->chain;
+    const Rod *const rod = &scene->rod;
+    rod_end_fill(scene, 0, 0, rod->end[ROD_TAIL].def);
+    rod_end_fill(scene, c->n, c->n - 1, rod->end[ROD_HEAD].def);
+    for (int j = 0; scene->def.rod.stress_free && j <= c->n; ++j) {
+        const Vec3 rest = rest_rotation(rod, c->n, j);
+        const double theta[3] = {rest.x, rest.y, rest.z};
+        for (int k = 0; k < 3; ++k) c->preload[TORSION + k][j] -= c->stiffness[TORSION + k][j] * theta[k];
+    }
+}
+
 /* Joint j between segments; the head's joint to the winch is the half-spring of the last segment alone. */
 static void springs_fill(Scene *scene)
 {
@@ -110,6 +149,7 @@ static void springs_fill(Scene *scene)
             both.stiffness[TORSION] = both.damping[TORSION] = both.preload[TORSION] = 0;
         joint_set(c, j, &both, 0, COMPONENTS);
     }
+    if (scene->rod.present) rod_joints(scene);
     if (!scene->winch.present) return;
     const Side last = side_of(scene, c->n - 1);
     const Bushing head = clamp(&last);

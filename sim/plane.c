@@ -18,7 +18,7 @@ KNOWN_SIZE(TailDef, 80);
 KNOWN_SIZE(RopeDragDef, 32);
 /* the sections that no motion depends on are left out */
 KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef) - sizeof(TheoryDef) - sizeof(LimitsDef)],
-           1256);
+           1456);
 
 /* How far from the plane counts as in it: unit vectors, and metres. */
 static const double CLOSE = 1e-9;
@@ -142,6 +142,8 @@ static int preloads_fit(const Scene *scene, const Plane *plane)
 /* What the planar kernels do not have, wherever it lies; NULL if the scene asks for nothing of that kind. */
 static const char *unknown_feature(const Scene *scene)
 {
+    if (scene->rod.present) return "the case describes a rod";
+    if (scene->def.output.n_probes > 0) return "probes look at the chain in space";
     if (scene->chain.sliders.count > 0) return "the cable bends with hysteresis";
     if (scene->surfaces.model.n_surfaces > 0) return "the cable lies in ducts or trays or on planes";
     if (scene->self.present) return "the cable may touch itself";

@@ -15,6 +15,10 @@ static const double DT_SMALLEST = 1e-4, JUMP = 4;
  * share of the loads, or after so many iterations. */
 static const double SOFTEST = 1e-3, SOFT_GROWTH = 10, SOFT_AIM = 1e-2;
 enum { SOFT_ITERATIONS = 60 };
+/* Newton's method on the way of the loads (RD8): the step that stands for infinity, the largest turn in one iteration.
+ */
+static const double DT_STATIC = 1e5, TURN_STATIC = 0.5; /* s, rad */
+enum { STATIC_ITERATIONS = 60 };
 
 /* --------------------------------------------------------------------------------------- any chain */
 
@@ -34,15 +38,21 @@ double relax_shorten(double scale, double move, double turn)
     return fmin(scale, fmin(MOVE_MAX / (move + 1e-300), TURN_MAX / (turn + 1e-300)));
 }
 
+double relax_rounding(const Scene *scene, double far)
+{
+    const Chain *const chain = &scene->chain;
+    const int joints = chain->n + scene->rod.present; /* the head's end of a rod counts as its tail's does */
+    double stiffness = 0;
+    for (int j = 0; j < joints; ++j) stiffness = fmax(stiffness, chain->stiffness[0][j]);
+    return 16 * DBL_EPSILON * far * stiffness;
+}
+
 double relax_tolerance(const Scene *scene, double t, double far)
 {
     const Chain *const chain = &scene->chain;
-    double load = fabs(profile_value(&scene->tail, t)), stiffness = 0;
-    for (int i = 0; i < chain->n; ++i) {
-        load = fmax(load, chain->mass[i] * v3_norm(scene->weight.gravity));
-        stiffness = fmax(stiffness, chain->stiffness[0][i]);
-    }
-    return fmax(scene->def.solver.relax_tolerance * load, 16 * DBL_EPSILON * far * stiffness);
+    double load = fmax(fabs(profile_value(&scene->tail, t)), rod_load_size(&scene->rod, chain, t));
+    for (int i = 0; i < chain->n; ++i) load = fmax(load, chain->mass[i] * v3_norm(scene->weight.gravity));
+    return fmax(scene->def.solver.relax_tolerance * load, relax_rounding(scene, far));
 }
 
 /* The continuation in time: the step grows as the residual falls, until it is Newton's method (E3). Goes on until the
@@ -293,6 +303,70 @@ static hawser_status stages(Relaxation *r, const RelaxOps *ops, hawser_relaxatio
         r->ws->equipment.held = 0;
     }
     return status ? status : relax_run(r->scene, ops, r, r->size, r->y, out, err);
+}
+
+/* The largest force in the scene: weights, loads, and what the joints carry, N. */
+static double largest_force(const Relaxation *r)
+{
+    const Chain *const chain = &r->scene->chain;
+    const JointLoads *const joints = &r->ws->joints;
+    double largest = rod_load_size(&r->scene->rod, chain, r->t);
+    for (int i = 0; i < chain->n; ++i) largest = fmax(largest, chain->mass[i] * v3_norm(r->scene->weight.gravity));
+    for (int j = 0; j <= chain->n; ++j) {
+        largest = fmax(largest, v3_norm(v3(joints->force[0][j], joints->force[1][j], joints->force[2][j])));
+    }
+    return largest;
+}
+
+/* A whole Newton step, but nothing turns by more than TURN_STATIC. */
+static double turn_scale(const Relaxation *r)
+{
+    const int n = r->scene->chain.n;
+    double largest = 0;
+    for (int i = 0; i < n; ++i) {
+        const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
+        largest = fmax(largest, DT_STATIC * v3_norm(w));
+    }
+    return fmin(1, TURN_STATIC / (largest + 1e-300));
+}
+
+/* Newton's method (RD8). Residuals grow on the way, since turning a stiff segment stretches its neighbours: only the
+ * number of iterations and what is not a number end it early. */
+static hawser_status newton_iterate(Relaxation *r, double share, double floor, hawser_relaxation *out,
+                                    hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int it = 0; !status && it <= STATIC_ITERATIONS; ++it) {
+        out->residual_N = residual(r, &out->segment);
+        out->tolerance_N = fmax(share * largest_force(r), floor);
+        out->reached = out->residual_N <= out->tolerance_N;
+        if (out->reached || !isfinite(out->residual_N) || it == STATIC_ITERATIONS) break;
+        if (implicit_step(r, DT_STATIC)) break;
+        move(r, turn_scale(r) * DT_STATIC);
+        ++out->iterations;
+        status = refresh(r, 0, err);
+    }
+    return status;
+}
+
+hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
+                           hawser_relaxation *out, hawser_error *err)
+{
+    const size_t n = (size_t)scene->chain.n;
+    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y, .size = scene_state_size(scene)};
+    r.rate = malloc((size_t)r.size * sizeof(double));
+    r.start = malloc(3 * n * sizeof(double));
+    hawser_status status = r.rate && r.start ? HAWSER_OK : error_memory(err);
+    if (!status) {
+        memcpy(r.start, y, 3 * n * sizeof(double));
+        memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
+        equipment_halt(&scene->equipment, y + STATE_SIZE * n);
+        status = newton_iterate(&r, share, relax_rounding(scene, farthest_place(&r)), out, err);
+        out->moved_m = fmax(out->moved_m, farthest_move(&r));
+    }
+    free(r.rate);
+    free(r.start);
+    return status;
 }
 
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,

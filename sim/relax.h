@@ -10,6 +10,12 @@
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
                                    hawser_relaxation *out, hawser_error *err);
 
+/* The same by Newton's method alone, for loads that have grown a little since y was an equilibrium (RD8): `share` is
+ * the largest unbalanced force as a share of the largest force in the scene, though not below rounding. Adds to
+ * out->iterations and sets the rest; y is of no use if it is not reached. Errors: MEMORY. */
+hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
+                           hawser_relaxation *out, hawser_error *err);
+
 /* The continuation itself (E3)-(E5), for any chain that can do these things; `self` is handed to them. */
 typedef struct RelaxOps {
     /* Largest unbalanced force, N; moments count over half a segment. *where gets the segment. */
@@ -32,6 +38,8 @@ hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int
 /* What counts as balanced, N: the tolerance times the largest of the segments' weights and the loads of t, but never
  * less than what rounding of coordinates as large as `far` (m) does to the stiffest bushing. */
 double relax_tolerance(const Scene *scene, double t, double far);
+/* What rounding of coordinates as large as `far` (m) does to the stiffest bushing, N. */
+double relax_rounding(const Scene *scene, double far);
 /* `scale`, or less, so that a segment that would move by `move` (m) and turn by `turn` (rad) does not go too far (E2).
  */
 double relax_shorten(double scale, double move, double turn);

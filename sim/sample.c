@@ -107,7 +107,7 @@ static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *
     hawser_sample *const s = &b->sample;
     double *const tension = b->tension + first;
     memcpy(tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
-    tension[0] = s->tail_tension;
+    if (!scene->rod.present) tension[0] = s->tail_tension;
     if (scene->winch.mode == WINCH_TENSION) tension[n] = s->winch_force; /* no bushing carries it */
     s->max_tension_joint = first;
     for (int j = 1; j <= n; ++j) {

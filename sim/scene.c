@@ -93,6 +93,11 @@ static Vec3 joint_place(const Scene *scene, int j)
 void scene_initial_state(const Scene *scene, double *y)
 {
     const int n = scene->total;
+    if (scene->rod.present) {
+        memcpy(y, scene->rod.start, (size_t)(STATE_SIZE * n) * sizeof *y);
+        equipment_initial(&scene->equipment, y + STATE_SIZE * n);
+        return;
+    }
     memset(y, 0, (size_t)(STATE_SIZE * n) * sizeof *y);
     Quat q = {1, 0, 0, 0};
     Vec3 before = v3(0, 0, 0);
@@ -137,6 +142,7 @@ static void winch_place(Scene *scene)
 
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin)
 {
+    if (scene->rod.present) rod_ghosts(&scene->rod, t, scene->chain.n, kin);
     if (scene->winch.present) winch_ghost(&scene->winch, t, scene->chain.n, kin);
     if (scene->take_in.present) take_in_ghost(&scene->take_in, t, scene->chain.n, kin);
 }
@@ -251,6 +257,11 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     const SceneDef *const def = &scene->def;
     assert(scene->piece && scene->joint_s);
     segments_fill(scene);
+    if (def->rod.present) {
+        const hawser_status built = rod_build(&def->rod, def->route_start, def->route_heading, def->route_slope,
+                                              &scene->chain, &scene->rod, err);
+        if (built) return built;
+    }
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     winch_init(&scene->winch, &def->winch);
     scene->tail = def->tail.tension;
@@ -305,6 +316,7 @@ void scene_clear(Scene *scene)
     surfaces_clear(&scene->surfaces);
     free(scene->conveyor);
     drum_clear(&scene->drum);
+    rod_clear(&scene->rod);
     route_clear(&scene->route);
     scene_def_clear(&scene->def);
     memset(scene, 0, sizeof *scene);

@@ -10,6 +10,7 @@
 #include "sim/drum.h"
 #include "sim/equipment.h"
 #include "sim/reel.h"
+#include "sim/rod.h"
 #include "sim/surfaces.h"
 #include "sim/take_in.h"
 
@@ -57,6 +58,7 @@ typedef struct Scene {
     SelfModel self;      /* cable on cable */
     Drum drum;           /* with the cable wound on it */
     Equipment equipment; /* rollers that move */
+    Rod rod;             /* a chain without a route */
     SceneDef def;        /* a deep copy of what this was built from */
 } Scene;
 

@@ -26,6 +26,26 @@ static void table_copy(Profile *profile, double **time, double **value, int *ok)
     profile->value = *value;
 }
 
+/* The rod's points, ends, loads and masses. */
+static void rod_copy(const RodDef *def, RodDef *out, int *ok)
+{
+    out->points = copy_of(def->points, def->n_points, sizeof *def->points, ok);
+    out->masses = copy_of(def->masses, def->n_masses, sizeof *def->masses, ok);
+    out->loads = copy_of(def->loads, def->n_loads, sizeof *def->loads, ok);
+    for (int l = 0; out->loads && l < def->n_loads; ++l) {
+        RodProfile *const by = &out->loads[l].by;
+        table_copy(&by->size, &by->table_time, &by->table_value, ok);
+    }
+    for (int e = 0; e < 2; ++e) {
+        RodEndDef *const end = &out->end[e];
+        end->motions = copy_of(def->end[e].motions, end->n_motions, sizeof *end->motions, ok);
+        for (int m = 0; end->motions && m < end->n_motions; ++m) {
+            RodProfile *const by = &end->motions[m].by;
+            table_copy(&by->size, &by->table_time, &by->table_value, ok);
+        }
+    }
+}
+
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err)
 {
     int ok = 1;
@@ -43,6 +63,8 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
     out->stations = copy_of(def->stations, def->n_stations, sizeof *def->stations, &ok);
     out->paper = copy_of(def->paper, def->n_paper, sizeof *def->paper, &ok);
     out->output.speed_segments = copy_of(def->output.speed_segments, def->output.n_speed_segments, sizeof(int), &ok);
+    out->output.probes = copy_of(def->output.probes, def->output.n_probes, sizeof *def->output.probes, &ok);
+    rod_copy(&def->rod, &out->rod, &ok);
     table_copy(&out->winch.speed, &out->winch.table_time, &out->winch.table_value, &ok);
     table_copy(&out->winch.tension, &out->winch.tension_time, &out->winch.tension_value, &ok);
     table_copy(&out->tail.tension, &out->tail.table_time, &out->tail.table_value, &ok);

@@ -50,6 +50,8 @@ void scene_def_defaults(SceneDef *def)
     solver_defaults(&def->solver);
     def->theory.cables = 1;
     limits_defaults(&def->limits);
+    def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};
+    def->rod.stress_free = 1;
     def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
 }
 
@@ -63,8 +65,28 @@ Shape roller_def_shape(const RollerDef *roller)
                    .groove = roller->groove};
 }
 
+static void profile_clear(RodProfile *by)
+{
+    free(by->table_time);
+    free(by->table_value);
+}
+
+static void rod_def_clear(RodDef *rod)
+{
+    for (int e = 0; e < 2; ++e) {
+        RodEndDef *const end = &rod->end[e];
+        for (int m = 0; end->motions && m < end->n_motions; ++m) profile_clear(&end->motions[m].by);
+        free(end->motions);
+    }
+    for (int l = 0; rod->loads && l < rod->n_loads; ++l) profile_clear(&rod->loads[l].by);
+    free(rod->loads);
+    free(rod->masses);
+    free(rod->points);
+}
+
 void scene_def_clear(SceneDef *def)
 {
+    rod_def_clear(&def->rod);
     free(def->cables);
     free(def->pieces);
     free(def->route);
@@ -84,5 +106,6 @@ void scene_def_clear(SceneDef *def)
     free(def->stations);
     free(def->paper);
     free(def->output.speed_segments);
+    free(def->output.probes);
     memset(def, 0, sizeof *def);
 }

@@ -11,7 +11,9 @@
 #include "core/profile.h"
 #include "core/route.h"
 #include "linsolve/linsolve.h"
+#include "sim/output_def.h"
 #include "sim/reel_def.h"
+#include "sim/rod_def.h"
 #include "sim/theory_def.h"
 
 enum { NAME_MAX_LENGTH = 64 };
@@ -175,14 +177,6 @@ typedef struct SolverDef {
     int threads;
 } SolverDef;
 
-typedef struct OutputDef {
-    double interval;       /* s between rows of series.csv and samples of statistics */
-    double state_interval; /* s between states in results.h5; 0: none */
-    double steady_from;    /* s; the steady window is steady_from .. end */
-    int n_speed_segments;
-    int *speed_segments; /* whose speeds are columns of series.csv */
-} OutputDef;
-
 typedef struct SceneDef {
     char title[256];
     Vec3 gravity; /* m/s2 */
@@ -220,6 +214,7 @@ typedef struct SceneDef {
 
     int n_conveyors;
     ConveyorDef *conveyors;
+    RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */
 
     int n_stations;
     StationDef *stations;
@@ -228,6 +223,7 @@ typedef struct SceneDef {
     TheoryDef theory;
     LimitsDef limits;
 
+    AnalysisDef analysis;
     SolverDef solver;
     OutputDef output;
     double duration; /* s */

@@ -11,13 +11,16 @@
 #include "sim/events.h"
 #include "sim/expected.h"
 #include "sim/peaks.h"
+#include "sim/probes.h"
 #include "sim/sample.h"
 #include "sim/stage.h"
+#include "sim/statics.h"
 #include "sim/stats.h"
 
 struct Sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
+    Probes probes;
     Stats stats;
     Peaks peaks;
     Expected expected;
@@ -68,10 +71,13 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (status) return status;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     if (!sample_alloc(&s->look, scene)) return error_memory(err);
-    status = stats_new(&s->stats, scene, err);
+    status = probes_new(&s->probes, scene, err);
+    if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
-    if (!status) status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
-    if (!status) status = by_position_new(&s->by_position, scene, err);
+    if (!status && !scene->rod.present) {
+        status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
+    }
+    if (!status && !scene->rod.present) status = by_position_new(&s->by_position, scene, err);
     for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
         s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, i);
     }
@@ -108,6 +114,7 @@ Sim *sim_free(Sim *s)
     expected_free(&s->expected);
     by_position_free(&s->by_position);
     sample_free(&s->look);
+    probes_free(&s->probes);
     stage_free(&s->stage);
     team_free(s->team);
     free(s);
@@ -117,8 +124,16 @@ Sim *sim_free(Sim *s)
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
 {
     const double start = clock_now();
-    const hawser_status status =
-        s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
+    const Scene *const scene = &s->stage.scene;
+    hawser_status status;
+    if (scene->rod.present) {
+        const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
+                                                                           : scene->def.analysis.tolerance;
+        s->relaxation = (hawser_relaxation){0};
+        status = statics_settle(&s->stage, share, &s->relaxation, err);
+    } else {
+        status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
+    }
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
@@ -140,7 +155,7 @@ static double next_stop(const Sim *s, double stop)
         double corner;
         if (profile_next_corner(profile[p], after, &corner) && corner < stop) stop = corner;
     }
-    return stop;
+    return scene->rod.present ? rod_next_corner(&scene->rod, after, stop) : stop;
 }
 
 /* What a step may have brought about at the winch. */
@@ -156,9 +171,25 @@ static hawser_status winch_watch(Sim *s, hawser_error *err)
     return status;
 }
 
+/* Load steps in place of time steps. */
+static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
+{
+    const SceneDef *const def = &s->stage.scene.def;
+    const double step = def->duration / def->analysis.load_steps, start = clock_now();
+    hawser_status status = HAWSER_OK;
+    while (s->stage.t < t && !status) {
+        const double next = step * (floor(s->stage.t / step + 1e-6) + 1);
+        status = statics_advance(&s->stage, next > t - 1e-6 * step ? t : next, &s->relaxation, err);
+        if (one_step) break;
+    }
+    s->relax_s += clock_now() - start;
+    return status;
+}
+
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
+    if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
     s->stage.scene.winch.phase.held = 0; /* the brake that held a winch of set tension is let off */
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
@@ -185,6 +216,9 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         s->look.sample.reference =
             by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
     }
+    probes_look(&s->probes, &s->stage.scene, &s->stage.ws);
+    s->look.sample.probes = s->probes.n;
+    s->look.sample.probe = s->probes.out;
     if (s->stage.integrator) {
         IntegratorStats stats;
         integrator_stats(s->stage.integrator, &stats);
@@ -242,9 +276,10 @@ static void integration_fill(const Sim *s, hawser_summary *out)
 
 void sim_summary(const Sim *s, hawser_summary *out)
 {
+    static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
     *out = (hawser_summary){.segments = scene->total,
-                            .bushings = scene->total - 1 + (scene->winch.present ? 1 : 0),
+                            .bushings = scene->total - 1 + (scene->winch.present ? 1 : 0) + rod_ends_held(&scene->rod),
                             .rollers = scene->contact.n_rollers,
                             .surfaces = scene->surfaces.model.n_surfaces,
                             .contact_candidates = s->stage.ws.candidates_max,
@@ -262,6 +297,10 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .relaxation = s->relaxation,
                             .n_positions = by_position_table(&s->by_position),
                             .positions = s->by_position.out,
+                            .rod = scene->rod.present,
+                            .analysis = analyses[scene->def.analysis.kind],
+                            .n_probes = s->probes.n,
+                            .probes = s->probes.out,
                             .n_events = s->events.n,
                             .events = s->events.event,
                             .n_conveyors = s->stats.n_conveyors,

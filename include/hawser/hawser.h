@@ -83,6 +83,16 @@ typedef struct hawser_relaxation {
 /* Brings the cable to static equilibrium under the loads of t = 0. Not reaching it is not an error: see `reached`. */
 hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err);
 
+/* A named place of the chain (output.probes). World components; rotations from t = 0 as a vector, at most pi long.
+ * Force and moment are what the part of the chain ahead of the nearest joint does to the part behind it: at the tail's
+ * end the negative of what holds it, at the head's end what holds it. */
+typedef struct hawser_probe {
+    const char *name;
+    double at;                                        /* m from the tail */
+    double position[3], displacement[3], rotation[3]; /* m, m, rad */
+    double force[3], moment[3];                       /* N, N m */
+} hawser_probe;
+
 /* One look at the simulation. Arrays belong to the simulation and are overwritten by the next sample. */
 typedef struct hawser_sample {
     double t;     /* s */
@@ -119,6 +129,8 @@ typedef struct hawser_sample {
     int conveyors;
     const double *conveyor_force; /* [conveyors], N, on the cable along the pull */
     const double *conveyor_slip;  /* [conveyors], m/s, cable less belt; 0 where there is no cable */
+    int probes;
+    const hawser_probe *probe; /* [probes] */
 } hawser_sample;
 
 /* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
@@ -179,6 +191,10 @@ typedef struct hawser_summary {
     const hawser_position *positions; /* [n_positions], as hawser_sim_positions gives them */
     int n_events;
     const hawser_event *events; /* [n_events], as hawser_sim_events gives them */
+    int rod;                    /* 1: a rod, not a pull: pull, theory, stations and speeds say nothing */
+    const char *analysis;       /* "dynamics", "static" or "modes" */
+    int n_probes;
+    const hawser_probe *probes; /* [n_probes], as the last sample has them */
     int n_conveyors;
     const hawser_conveyor *conveyors; /* [n_conveyors], as hawser_sim_conveyors gives them */
 } hawser_summary;

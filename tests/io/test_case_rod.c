@@ -1,0 +1,148 @@
+/* Rods in case files: what they become, mistakes that no table of keys can see, and the cases of cases/. */
+#include "hawser/hawser.h"
+#include "tests/io/case_fixture.h"
+#include "tests/io/case_texts.h"
+
+static void a_rod_is_read(void **state)
+{
+    (void)state;
+    SceneDef def;
+    expect_good(FULL_ROD, NULL, NULL, &def);
+    const RodDef *const rod = &def.rod;
+    assert_int_equal(rod->shape, ROD_HELIX);
+    assert_int_equal(rod->stress_free, 0);
+    expect_near(rod->pitch, 0.5, 1e-15);
+    expect_near(rod->roll_rate, 40.0 / 6 * 3.14159265358979 / 180, 1e-12);
+    const RodEndDef *const tail = &rod->end[ROD_TAIL], *const head = &rod->end[ROD_HEAD];
+    const int held[2][6] = {{1, 1, 1, 1, 0, 0}, {0, 1, 1, 1, 1, 1}};
+    assert_memory_equal(tail->held, held[0], sizeof held[0]);
+    assert_memory_equal(head->held, held[1], sizeof held[1]);
+    assert_int_equal(tail->n_motions, 2);
+    expect_near(profile_value(&tail->motions[0].by.size, 0.3), 0.02, 1e-15);
+    expect_near(profile_value(&tail->motions[1].by.size, 0.25), 0.2617993877991494, 1e-12);
+    assert_int_equal(rod->n_loads, 2);
+    assert_int_equal(rod->loads[0].follower, 1);
+    assert_int_equal(rod->loads[1].moment, 1);
+    expect_near(rod->loads[1].at, 6, 1e-15); /* the head's end */
+    expect_near(profile_value(&rod->loads[1].by.size, 0.5), 2, 1e-12);
+    assert_int_equal(def.analysis.kind, ANALYSIS_MODES);
+    assert_int_equal(def.output.n_probes, 1);
+    expect_near(def.output.interval, 0.05, 1e-15);
+    scene_def_clear(&def);
+    expect_good(FULL_ROD_POLYLINE, NULL, NULL, &def);
+    assert_true(def.rod.end[ROD_TAIL].pivot && !def.rod.end[ROD_HEAD].held[0]);
+    assert_true(def.rod.stress_free);
+    scene_def_clear(&def);
+}
+
+/* Without a ramp a load is there from the start; in load steps it grows with time. */
+static void loads_grow_in_load_steps(void **state)
+{
+    (void)state;
+    SceneDef def;
+    const char *const load = "[{direction: [0, 0, 1], force: 8 N}]";
+    expect_good(FULL_ROD_POLYLINE, "rod.loads", load, &def);
+    expect_near(profile_value(&def.rod.loads[0].by.size, 0), 8, 1e-15);
+    scene_def_clear(&def);
+    expect_good(FULL_ROD, "rod.loads", load, &def);
+    expect_near(profile_value(&def.rod.loads[0].by.size, 0.25), 2, 1e-15);
+    scene_def_clear(&def);
+}
+
+static void wrong_rods(void **state)
+{
+    (void)state;
+    const char *const corners = FULL_ROD_POLYLINE, *const helix = FULL_ROD;
+    expect_bad(corners, "rod.points", "[[0, 0, 0], [2 m, 0, 0]]", "6 m long together");
+    expect_bad(corners, "rod.points", "[[0, 0, 0]]", "expected two at least");
+    expect_bad(corners, "rod.points", "[[0, 0, 0], [0, 0, 0], [6 m, 0, 0]]", "another place");
+    expect_bad(corners, "rod.shape", "arc", "'rod.radius': missing: 'shape: arc' needs it");
+    expect_bad(corners, "rod.heading", "3 deg", "'rod.heading': not allowed with 'shape: polyline'");
+    expect_bad(helix, "rod.radius", "100 mm", "the length of a segment at least");
+    expect_bad(helix, "rod.head.hold", "[axial]", "only with 'fixing: held'");
+    expect_bad(helix, "rod.tail.hold", "[axial, bend]", "expected axial, shear_y");
+    expect_bad(helix, "rod.head", "{fixing: held}", "'rod.head.hold': missing");
+    expect_bad(helix, "rod.head", "{fixing: free, motion: []}", "not allowed with 'fixing: free'");
+    expect_bad(helix, "rod.tail.motion.0.turn", "1 rad", "give either 'move' or 'turn'");
+    expect_bad(helix, "rod.loads.0.moment", "1 N m", "give either 'force' or 'moment'");
+    expect_bad(helix, "rod.loads.0.direction", "[0, 0, 0]", "not zero");
+    expect_bad(helix, "rod.loads.0.at", "7 m", "must be on the chain, at most 6 m");
+    expect_bad(helix, "rod.loads.0.to", "0 s", "must be above 'from'");
+    expect_bad(helix, "rod.loads.1.ramp", "step", "not allowed beside 'table'");
+    expect_bad(helix, "rod.masses.0.at", "6.1 m", "must be on the chain");
+    expect_bad(helix, "output.probes.0.at", "6.1 m", "must be on the chain");
+}
+
+/* What belongs to a pull is refused beside a rod, and the other way round. */
+static void rods_are_no_pulls(void **state)
+{
+    (void)state;
+    const char *const base = FULL_ROD_POLYLINE, *const beside = "not allowed beside 'rod'";
+    expect_bad(base, "route", "{pieces: [{straight: 3 m}]}", beside);
+    expect_bad(base, "drive", "{winch: {speed: 1 m/s}}", beside);
+    expect_bad(base, "lead_in", "{}", beside);
+    expect_bad(base, "conveyors", "[]", beside);
+    expect_bad(base, "rollers", "{along: {spacing: 1 m}}", beside);
+    expect_bad(base, "surfaces", "{ducts: [{radius: 1 m}]}", beside);
+    expect_bad(base, "output.stations", "{spacing: 1 m}", beside);
+    expect_bad(base, "cables.strip",
+               "{d: 10 mm, EA: 1 MN, GA: 1 MN, GJ: 1 kN m2, mass: 1 kg/m, bending: {table: [[1, 1], [2, 1.5]]}}",
+               "bends elastically");
+    expect_bad(SMALLEST, "run.analysis", "static", "'run.analysis': only a 'rod' can be analysed so");
+    expect_bad(base, "run.load_steps", "3", "only with 'analysis: static' or 'modes'");
+    expect_bad(base, "run", "{}", "'run.duration': missing");
+}
+
+/* Runs a case of cases/ and returns what its probe says at the end. */
+static hawser_probe probe_of(const char *name, const char *probe)
+{
+    char path[512];
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    hawser_sim *sim = NULL;
+    hawser_summary summary;
+    hawser_probe out = {0};
+    snprintf(path, sizeof path, "%s/cases/%s.yaml", HAWSER_SOURCE_DIR, name);
+    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
+    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_summary(sim, &summary);
+    assert_true(summary.rod && summary.relaxation.reached);
+    assert_string_equal(summary.analysis, "static");
+    for (int i = 0; i < summary.n_probes; ++i) {
+        if (strcmp(summary.probes[i].name, probe) == 0) out = summary.probes[i];
+    }
+    char *text = NULL;
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "needs a route"));
+    assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &text, &err), HAWSER_OK);
+    hawser_text_free(text);
+    hawser_case_free(c);
+    hawser_sim_free(sim);
+    return out;
+}
+
+static void cases_run(void **state)
+{
+    (void)state;
+    const hawser_probe tip = probe_of("rod-cantilever", "tip"), root = probe_of("rod-cantilever", "root");
+    expect_near(tip.displacement[2], -0.8106090, 0.001);
+    expect_near(tip.displacement[0], -0.5549956, 0.001);
+    expect_near(tip.rotation[1], 1.4302855, 0.001);
+    expect_near(root.force[2], -10e3, 1e-6);
+    expect_near(root.moment[1], 10e3 * tip.position[0], 1e-6);
+    const hawser_probe end = probe_of("rod-rollup", "tip"), middle = probe_of("rod-rollup", "middle");
+    for (int c = 0; c < 3; ++c) assert_true(fabs(end.position[c]) < 1e-8);
+    expect_near(middle.position[2], 0.5 / sin(3.14159265358979 / 20), 1e-8);
+    expect_near(middle.moment[1], -628.3185307, 1e-7);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_rod_is_read), cmocka_unit_test(loads_grow_in_load_steps),
+        cmocka_unit_test(wrong_rods),    cmocka_unit_test(rods_are_no_pulls),
+        cmocka_unit_test(cases_run),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
