@@ -4,8 +4,10 @@
 Usage: validation_tables.py RESULTS.csv FOLDER
   40-paper.md    the paper's case and its variants, one a line
   50-results.md  every quantity of every case
+and draws the errors of the cases of convergence into FOLDER/../img/convergence.svg.
 """
 import csv
+import math
 import os
 import sys
 
@@ -13,6 +15,7 @@ CAUSES = [
     ("paper", "as it is: the solid bar of table 1"),
     ("paper-real-cable", "bending stiffness of a real cable, EI / 20"),
     ("paper-limp", "next to no bending stiffness, EI / 200"),
+    ("paper-limp-rollers", "EI / 200, and a roller every 0.5 m"),
     ("paper-segments-2", "discretisation: segments of 0.25 m"),
     ("paper-segments-4", "discretisation: segments of 0.125 m"),
     ("paper-accuracy", "time integration: accuracy 1e-5 in place of 1e-3"),
@@ -58,6 +61,53 @@ def result_table(rows):
                f"{number(r['found'])} | {error} | {limit} | {r['verdict']} | {r['source']} |")
 
 
+def refinements(rows):
+    """{case: [(what was refined, error in %)]} of the cases of convergence."""
+    found = {}
+    for r in rows:
+        if r["case"].startswith("convergence-") and r["quantity"].startswith("error at"):
+            found.setdefault(r["case"], []).append((float(r["quantity"].split()[-1]), float(r["found"])))
+    return found
+
+
+def plot(series, names, label, left):
+    """One panel: errors over x, both logarithmic, 240 pixels wide, with a line a decade."""
+    colours = ("#0b5394", "#b45f06", "#38761d", "#741b47", "#666666", "#cc0000")
+    xs, ys = zip(*(p for name in names for p in series.get(name, [])))
+    x0, x1 = math.floor(math.log10(min(xs))), math.ceil(math.log10(max(xs)))
+    y0, y1 = math.floor(math.log10(min(ys))), math.ceil(math.log10(max(ys)))
+
+    def place(x, y):
+        return (left + 240 * (math.log10(x) - x0) / (x1 - x0), 230 - 210 * (math.log10(y) - y0) / (y1 - y0))
+    for e in range(y0, y1 + 1):
+        y = place(10.0 ** x0, 10.0 ** e)[1]
+        yield f'<path d="M{left} {y:.1f}h240" stroke="#ccc"/>'
+        yield f'<text x="{left - 4}" y="{y + 4:.1f}" text-anchor="end">1e{e} %</text>'
+    for e in range(x0, x1 + 1):
+        x = place(10.0 ** e, 10.0 ** y0)[0]
+        yield f'<path d="M{x:.1f} 20v210" stroke="#ccc"/><text x="{x:.1f}" y="246" text-anchor="middle">1e{e}</text>'
+    yield f'<text x="{left + 120}" y="262" text-anchor="middle">{label}</text>'
+    for i, name in enumerate(names):
+        points = [place(x, y) for x, y in series.get(name, [])]
+        path = "L".join(f"{x:.1f} {y:.1f}" for x, y in points)
+        yield f'<path d="M{path}" fill="none" stroke="{colours[i % 6]}" stroke-width="1.5"/>'
+        yield from (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{colours[i % 6]}"/>' for x, y in points)
+        yield f'<text x="{left + 236}" y="{196 + 12 * i - 12 * len(names) + 30}" text-anchor="end" ' \
+              f'fill="{colours[i % 6]}">{name.removeprefix("convergence-")}</text>'
+
+
+def draw(path, rows):
+    """Errors over segment lengths, and over the integrator's accuracy."""
+    series = refinements(rows)
+    lengths = [name for name in series if name != "convergence-accuracy"]
+    lines = ['<svg xmlns="http://www.w3.org/2000/svg" width="660" height="270" font-family="sans-serif" font-size="11">',
+             '<rect width="660" height="270" fill="white"/>']
+    lines += plot(series, lengths, "segment length over the rod's", 60)
+    lines += plot(series, ["convergence-accuracy"], "accuracy", 400)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines + ["</svg>"]) + "\n")
+
+
 def write(folder, name, heading, lines):
     with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
         file.write(heading + "\n\n" + "\n".join(lines) + "\n")
@@ -72,6 +122,7 @@ def main(results, folder):
     write(folder, "50-results.md",
           f"## Results\n\n{cases} cases, {len(rows)} quantities, {outside} outside their tolerance. "
           "Written by `sh scripts/validation.sh`.", result_table(rows))
+    draw(os.path.join(folder, "..", "img", "convergence.svg"), rows)
     return 0
 
 

@@ -1,39 +1,11 @@
 /* How errors fall with the segments and with the integrator's accuracy: the slope of log error over log of what was
  * refined, by regression over four refinements or more. */
 #include <math.h>
-#include <stdio.h>
 
 #include "validate/build.h"
 #include "validate/cases.h"
 #include "validate/motion.h"
-
-/* The slope of log y over log x, least squares (VA2). */
-static double order_of(int n, const double *x, const double *y)
-{
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int i = 0; i < n; ++i) {
-        const double a = log(x[i]), b = log(fabs(y[i]));
-        sx += a;
-        sy += b;
-        sxx += a * a;
-        sxy += a * b;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
-
-/* Errors and the order of n refinements: a row each for the table, without a demand of their own, and one for the
- * order. */
-static void order_log(ValidationLog *log, int n, const double *x, const double *error, const char *of, double expected,
-                      double tolerance)
-{
-    char quantity[VALIDATION_QUANTITY_MAX];
-    for (int i = 0; i < n; ++i) {
-        snprintf(quantity, sizeof quantity, "error at %s %.3g", of, x[i]);
-        log_limit(log, quantity, "%", 100 * fabs(error[i]), INFINITY);
-    }
-    snprintf(quantity, sizeof quantity, "order in %s", of);
-    log_near(log, quantity, "1", expected, order_of(n, x, error), tolerance);
-}
+#include "validate/orders.h"
 
 /* The free end of a cantilever 1 m long, clamped in the winch, under its own weight: how far it sinks, m. */
 static hawser_status cantilever_sinks(int n, double mass, double EI, double GA, double *out, hawser_error *err)

@@ -8,8 +8,9 @@
 #include "core/error.h"
 #include "validate/cases.h"
 
-static const ValidationGroup *const groups[] = {&paper_group, &row_group,    &duct_group,       &roller_group,
-                                                &wave_group,  &motion_group, &convergence_group};
+static const ValidationGroup *const groups[] = {&paper_group,  &row_group,       &duct_group,
+                                                &roller_group, &wave_group,      &motion_group,
+                                                &rod_group,    &frequency_group, &convergence_group};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
 /* Room for one more row; NULL if there is no memory, which is remembered. */
@@ -79,17 +80,23 @@ static void case_run(const ValidationCase *c, ValidationLog *log)
     log_limit(log, "could not be run", "", NAN, 0);
 }
 
+const ValidationCase *validation_case(int i)
+{
+    for (int g = 0; g < GROUPS; i -= groups[g++]->n) {
+        if (i < groups[g]->n) return &groups[g]->cases[i];
+    }
+    return NULL;
+}
+
 hawser_status validation_run(const char *filter, int fast, ValidationLog *log, int *ran, hawser_error *err)
 {
     memset(log, 0, sizeof *log);
     *ran = 0;
-    for (int g = 0; g < GROUPS; ++g) {
-        for (int i = 0; i < groups[g]->n; ++i) {
-            const ValidationCase *const c = &groups[g]->cases[i];
-            if ((filter && !strstr(c->name, filter)) || (fast && !c->fast)) continue;
-            case_run(c, log);
-            ++*ran;
-        }
+    const ValidationCase *c;
+    for (int i = 0; (c = validation_case(i)); ++i) {
+        if ((filter && !strstr(c->name, filter)) || (fast && !c->fast)) continue;
+        case_run(c, log);
+        ++*ran;
     }
     if (!log->no_memory) return HAWSER_OK;
     validation_clear(log);

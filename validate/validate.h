@@ -51,6 +51,9 @@ void log_near(ValidationLog *log, const char *quantity, const char *unit, double
 /* Something that should be small: at most `limit`. */
 void log_limit(ValidationLog *log, const char *quantity, const char *unit, double found, double limit);
 
+/* Case number i of the suite, in its order; NULL behind the last. */
+const ValidationCase *validation_case(int i);
+
 /* Runs the cases whose names hold `filter` (NULL: all), only the fast ones if `fast`, in the suite's order. A case that
  * fails adds a row that is not ok. Returns how many ran. Errors: MEMORY. */
 hawser_status validation_run(const char *filter, int fast, ValidationLog *log, int *ran, hawser_error *err);

@@ -6,6 +6,7 @@
 #include <cmocka.h>
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "validate/validate.h"
@@ -37,6 +38,27 @@ static void test_verdicts(void **state)
     assert_int_equal(validation_outside(&log), 6);
     validation_clear(&log);
     assert_int_equal(validation_outside(&log), 0);
+}
+
+/* Every case has a name of its own and says what it proves by which source; the document knows all of them. */
+static void test_cases(void **state)
+{
+    (void)state;
+    static char document[1 << 18];
+    FILE *const f = fopen(HAWSER_SOURCE_DIR "/docs/validation.md", "r");
+    assert_non_null(f);
+    document[fread(document, 1, sizeof document - 1, f)] = 0;
+    fclose(f);
+    int n = 0, fast = 0;
+    for (const ValidationCase *c; (c = validation_case(n)); ++n) {
+        assert_true(c->name[0] && c->proves[0] && c->source[0]);
+        if (!strstr(document, c->name)) fail_msg("docs/validation.md does not have %s", c->name);
+        for (int k = 0; k < n; ++k) assert_string_not_equal(validation_case(k)->name, c->name);
+        fast += c->fast;
+    }
+    print_message("%d cases, %d of them fast\n", n, fast);
+    assert_true(n >= 24 && 2 * fast >= n && fast < n);
+    assert_null(validation_case(n));
 }
 
 /* Names choose; there are none twice; a filter that fits nothing runs nothing. */
@@ -84,7 +106,7 @@ static void test_convergence(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdicts), cmocka_unit_test(test_choice),
-                                       cmocka_unit_test(test_convergence)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdicts), cmocka_unit_test(test_cases),
+                                       cmocka_unit_test(test_choice), cmocka_unit_test(test_convergence)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

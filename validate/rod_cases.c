@@ -1,0 +1,321 @@
+/* Rods at rest: linear and large bending in a plane and in space, hanging under their weight, twisted under tension.
+ * The numbers of the elastica are elliptic integrals, those of the bend in space a boundary value problem solved for
+ * this project beside the published ones. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/error.h"
+#include "sim/statics.h"
+#include "validate/cases.h"
+#include "validate/motion.h"
+#include "validate/orders.h"
+#include "validate/rod_build.h"
+
+/* Takes the definition; equilibria at even load steps up to t = 1 s. *stage must be freed if OK. */
+static hawser_status rod_solve(SceneDef *def, Stage *stage, hawser_error *err)
+{
+    hawser_relaxation out = {0};
+    const AnalysisDef analysis = def->analysis;
+    hawser_status status = motion_start(def, stage, err);
+    if (status) return status;
+    status = statics_settle(stage, analysis.tolerance, &out, err);
+    if (!status && !out.reached) status = error_set(err, HAWSER_ERR_RUN, "no equilibrium at t = 0");
+    for (int k = 1; k <= analysis.load_steps && !status; ++k) {
+        status = statics_advance(stage, (double)k / analysis.load_steps, &out, err);
+    }
+    if (status) stage_free(stage);
+    return status;
+}
+
+/* The front end of segment i, m, and its axis. */
+static Vec3 front_of(const Stage *stage, int i, Vec3 *axis)
+{
+    *axis = quat_rotate(quat_unit(motion_attitude(stage, i)), v3(1, 0, 0));
+    return v3_axpy(motion_get(stage, STATE_P, i), stage->scene.chain.half[i], *axis);
+}
+
+/* A cantilever clamped at its tail with one load at its head that grows to `size`; the tip and its axis. */
+static hawser_status cantilever(SceneDef *def, int moment, Vec3 direction, double size, Vec3 *tip, Vec3 *axis,
+                                hawser_error *err)
+{
+    Stage stage;
+    RodProfile by;
+    rod_clamp(&def->rod.end[ROD_TAIL]);
+    hawser_status status = rod_growing(direction, size, &by, err);
+    if (status) {
+        scene_def_clear(def);
+        return status;
+    }
+    rod_add_load(def, def->pieces[0].length, moment, by);
+    status = rod_solve(def, &stage, err);
+    if (status) return status;
+    *tip = front_of(&stage, stage.scene.chain.n - 1, axis);
+    stage_free(&stage);
+    return status;
+}
+
+/* A strip of EI = 1 kN m2 that neither stretches nor shears much. */
+static CableDef strip(double stiff)
+{
+    CableDef c = build_cable(1, 0.01, stiff, 1e3);
+    c.ga = stiff;
+    return c;
+}
+
+/* P L^3/3EI (1 + 1/2N^2), and the shear of all springs but the last half segment: exact for any N. */
+static hawser_status linear_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const int count[] = {1, 5, 50};
+    static const char *const name[] = {"tip, 1 segment", "tip, 5 segments", "tip, 50 segments"};
+    static const double STIFF = 1e6;
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < 3 && !status; ++k) {
+        const double n = count[k], exact = (1 + 0.5 / (n * n)) / 3e3 + (1 - 0.5 / n) / STIFF;
+        SceneDef def;
+        Vec3 tip, axis;
+        status = rod_start(&def, strip(STIFF), 1, count[k], 1, err);
+        if (!status) status = cantilever(&def, 0, v3(0, 0, -1), 1, &tip, &axis, err);
+        if (!status) log_share(log, name[k], "m", exact, -tip.z, 1e-4);
+    }
+    return status;
+}
+
+/* Sinking and drawing back of the tip over L, and its angle, at P L^2/EI. */
+typedef struct Elastica {
+    double load, sink, back, angle;
+} Elastica;
+static const Elastica elastica[] = {
+    {1, 0.3017208, 0.0564332, 0.4613519}, {3, 0.6032534, 0.2544202, 0.9860169}, {10, 0.8106090, 0.5549956, 1.4302855}};
+
+static hawser_status elastica_tip(const Elastica *e, int n, Vec3 *tip, Vec3 *axis, hawser_error *err)
+{
+    SceneDef def;
+    const hawser_status status = rod_start(&def, strip(1e9), 1, n, 10, err);
+    return status ? status : cantilever(&def, 0, v3(0, 0, -1), 1e3 * e->load, tip, axis, err);
+}
+
+static hawser_status elastica_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    const Elastica *const e = setup;
+    Vec3 tip, axis;
+    const hawser_status status = elastica_tip(e, 50, &tip, &axis, err);
+    if (status) return status;
+    log_share(log, "tip down over length", "1", e->sink, -tip.z, 0.2);
+    log_share(log, "tip back over length", "1", e->back, 1 - tip.x, 0.2);
+    log_share(log, "angle of the tip", "rad", e->angle, atan2(-axis.z, axis.x), 0.2);
+    return HAWSER_OK;
+}
+
+/* A moment 2 pi EI/L makes a regular polygon, whatever N. The last half of a joint's turn is left to the middle of the
+ * wall. */
+static hawser_status roll_up_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    enum { N = 20 };
+    static const double LENGTH = 10;
+    SceneDef def;
+    Vec3 tip, axis;
+    hawser_status status = rod_start(&def, strip(1e6), LENGTH, N, 10, err);
+    if (!status) status = cantilever(&def, 1, v3(0, -1, 0), 2 * M_PI * 1e3 / LENGTH, &tip, &axis, err);
+    if (status) return status;
+    log_limit(log, "gap between tip and root", "m", v3_norm(tip), 1e-6);
+    log_near(log, "angle between them", "rad", M_PI / N, acos(axis.x), 1e-6);
+    return HAWSER_OK;
+}
+
+/* A bend of 45 degrees, radius 100, section 1 x 1, E = 1e7, nu = 0, with a force square to its plane. */
+typedef struct Bathe {
+    double force;
+    Vec3 tip;
+} Bathe;
+static const Bathe bathe_300 = {300, {58.779, 22.245, 40.192}}, bathe_600 = {600, {47.150, 15.685, 53.476}};
+
+static hawser_status bathe_tip(const Bathe *b, int n, Vec3 *tip, hawser_error *err)
+{
+    SceneDef def;
+    Vec3 axis;
+    CableDef bar = build_cable(1, 1, 1e7, 1e7 / 12);
+    bar.ga = 5e6;
+    bar.gj = 5e6 / 6;
+    const hawser_status status = rod_start(&def, bar, 100 * M_PI / 4, n, 6, err);
+    if (status) return status;
+    def.rod.shape = ROD_ARC;
+    def.rod.radius = 100;
+    return cantilever(&def, 0, v3(0, 0, 1), b->force, tip, &axis, err);
+}
+
+static hawser_status bathe_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    const Bathe *const b = setup;
+    Vec3 tip;
+    const hawser_status status = bathe_tip(b, 50, &tip, err);
+    if (status) return status;
+    log_share(log, "tip x", "m", b->tip.x, tip.x, 0.2);
+    log_share(log, "tip y", "m", b->tip.y, tip.y, 0.2);
+    log_share(log, "tip z", "m", b->tip.z, tip.z, 0.2);
+    return HAWSER_OK;
+}
+
+/* Span 10 m, length 12 m: a = 4.695415 m. It starts as a V. */
+static hawser_status catenary_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const double SPAN = 10, LENGTH = 12, WEIGHT = 10, SAG = 2.923438, END = 7.618853;
+    enum { N = 60 };
+    SceneDef def;
+    Stage stage;
+    Vec3 axis;
+    CableDef chain = strip(1e6);
+    chain.ei_y = chain.ei_z = chain.gj = 1e-3;
+    hawser_status status = rod_start(&def, chain, LENGTH, N, 1, err);
+    if (status) return status;
+    def.gravity = v3(0, 0, -WEIGHT);
+    def.rod.shape = ROD_POLYLINE;
+    def.rod.points = calloc(3, sizeof *def.rod.points);
+    if (!def.rod.points) {
+        scene_def_clear(&def);
+        return error_memory(err);
+    }
+    def.rod.n_points = 3;
+    def.rod.points[1] = v3(SPAN / 2, 0, -sqrt(LENGTH * LENGTH - SPAN * SPAN) / 2);
+    def.rod.points[2] = v3(SPAN, 0, 0);
+    rod_pin(&def.rod.end[ROD_TAIL]);
+    rod_pin(&def.rod.end[ROD_HEAD]);
+    status = rod_solve(&def, &stage, err);
+    if (status) return status;
+    double *const *const law = motion_law(&stage);
+    log_share(log, "sag", "m", SAG, -front_of(&stage, N / 2 - 1, &axis).z, 0.2);
+    log_share(log, "tension at the end", "N", WEIGHT * END, v3_norm(v3(law[0][0], law[1][0], law[2][0])), 0.2);
+    stage_free(&stage);
+    return HAWSER_OK;
+}
+
+/* A long clamped rod under tension T and torque M: deflections u = y + i z obey EI u'''' - i M u''' - T u'' = 0. With
+ * s = M/2EI, d = sqrt(s^2 - T/EI) the smallest M > 2 sqrt(EI T) at which there is one besides u = 0 has (VA5). */
+static double twist_condition(double M, double EI, double T, double L)
+{
+    const double s = M / (2 * EI), d = sqrt(s * s - T / EI);
+    return T / EI * L * sin(d * L) - 2 * d * (cos(d * L) - cos(s * L));
+}
+
+/* The first change of sign above 2 sqrt(EI T), halved down. */
+static double twist_critical(double EI, double T, double L)
+{
+    const double start = 2 * sqrt(EI * T), step = 1e-3 * start;
+    double a = start + step;
+    while (twist_condition(a, EI, T, L) * twist_condition(a + step, EI, T, L) > 0) a += step;
+    double b = a + step;
+    for (int k = 0; k < 40; ++k) {
+        const double m = (a + b) / 2;
+        if (twist_condition(a, EI, T, L) * twist_condition(m, EI, T, L) > 0) {
+            a = m;
+        } else {
+            b = m;
+        }
+    }
+    return a;
+}
+
+/* A rod under tension whose head is turned, with a small force across its middle. The deflection grows like
+ * 1/(M_c - M): where its reciprocal, drawn over the torque, comes to zero the rod gives way (Southwell). */
+static hawser_status twist_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    enum { N = 150 };
+    static const double EI = 10, GJ = 1000, T = 1000, L = 2, PUSH = 1e-3, NEAR[2] = {0.998, 0.999};
+    const double expected = twist_critical(EI, T, L);
+    double torque[2] = {0}, stiffness[2] = {0};
+    SceneDef def;
+    Stage stage;
+    CableDef wire = build_cable(1, 0.01, 1e8, EI);
+    wire.ga = 1e8;
+    wire.gj = GJ;
+    hawser_status status = rod_start(&def, wire, L, N, 1, err);
+    if (status) return status;
+    RodEndDef *const head = &def.rod.end[ROD_HEAD];
+    rod_clamp(&def.rod.end[ROD_TAIL]);
+    rod_clamp(head);
+    head->held[0] = 0;
+    head->n_motions = head->motions ? 1 : 0;
+    head->motions[0].turns = 1;
+    rod_add_load(&def, L, 0, rod_steady(v3(1, 0, 0), T));
+    rod_add_load(&def, L / 2, 0, rod_steady(v3(0, 0, 1), PUSH));
+    status = rod_growing(v3(1, 0, 0), expected * L / GJ, &head->motions[0].by, err);
+    if (status) {
+        scene_def_clear(&def);
+        return status;
+    }
+    status = motion_start(&def, &stage, err);
+    if (status) return status;
+    hawser_relaxation out = {0};
+    status = statics_settle(&stage, 1e-10, &out, err);
+    for (int k = 1; k <= 10 && !status; ++k) status = statics_advance(&stage, 0.09 * k, &out, err);
+    for (int k = 0; k < 2 && !status; ++k) {
+        status = statics_advance(&stage, NEAR[k], &out, err);
+        const Vec3 middle = motion_get(&stage, STATE_P, N / 2);
+        torque[k] = fabs(motion_law(&stage)[3][N / 2]);
+        stiffness[k] = PUSH / hypot(middle.y, middle.z);
+    }
+    stage_free(&stage);
+    if (status) return status;
+    const double found = torque[1] + stiffness[1] * (torque[1] - torque[0]) / (stiffness[0] - stiffness[1]);
+    log_share(log, "critical torque", "N m", expected, found, 0.5);
+    log_share(log, "of an endless rod, 2 sqrt(EI T)", "N m", 2 * sqrt(EI * T), found, 5);
+    return HAWSER_OK;
+}
+
+/* Segments from a sixteenth to a 128th of the rod: what is left of the elastica's figures, and of the bend's tip where
+ * its finest two tend to. */
+static hawser_status elastica_order_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    enum { COUNT = 4 };
+    const Elastica *const e = setup;
+    double h[COUNT], error[COUNT];
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < COUNT && !status; ++k) {
+        Vec3 tip, axis;
+        status = elastica_tip(e, 8 << k, &tip, &axis, err);
+        h[k] = 1.0 / (8 << k);
+        error[k] = status ? NAN : -tip.z / e->sink - 1;
+    }
+    if (!status) order_log(log, COUNT, h, error, "segment length", 2, 0.1);
+    return status;
+}
+
+static hawser_status bathe_order_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    enum { COUNT = 4 };
+    double h[COUNT], error[COUNT];
+    Vec3 tip[COUNT + 2];
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < COUNT + 2 && !status; ++k) status = bathe_tip(setup, 8 << k, &tip[k], err);
+    if (status) return status;
+    const Vec3 limit = v3_axpy(tip[COUNT + 1], 1.0 / 3, v3_sub(tip[COUNT + 1], tip[COUNT]));
+    for (int k = 0; k < COUNT; ++k) {
+        h[k] = 1.0 / (8 << k);
+        error[k] = v3_norm(v3_sub(tip[k], limit)) / 100;
+    }
+    order_log(log, COUNT, h, error, "segment length", 2, 0.1);
+    return HAWSER_OK;
+}
+
+static const char integrals[] = "elliptic integrals; Mattiasson 1981";
+static const char bathe_source[] = "Bathe and Bolourchi 1979; boundary value problem";
+static const ValidationCase cases[] = {
+    {"cantilever", "linear bending, exact for any number of segments", "P L^3/3EI (1 + 1/2N^2)", 1, NULL, linear_run},
+    {"elastica-1", "large bending, P L^2/EI = 1", integrals, 1, &elastica[0], elastica_run},
+    {"elastica-3", "large bending, P L^2/EI = 3", integrals, 1, &elastica[1], elastica_run},
+    {"elastica-10", "large bending, P L^2/EI = 10", integrals, 1, &elastica[2], elastica_run},
+    {"roll-up", "a moment bends a rod into a closed ring", "M = 2 pi EI/L", 1, NULL, roll_up_run},
+    {"bathe-300", "a curved rod bent and twisted out of its plane", bathe_source, 1, &bathe_300, bathe_run},
+    {"bathe-600", "the same at twice the load", bathe_source, 1, &bathe_600, bathe_run},
+    {"catenary", "a chain hangs between two points", "catenary", 1, NULL, catenary_run},
+    {"twist-buckling", "a rod under tension gives way when it is twisted", "beam equation (VA4), (VA5); 2 sqrt(EI T)",
+     1, NULL, twist_run},
+    {"convergence-elastica", "large bending in a plane against segments", "second order; elliptic integrals", 1,
+     &elastica[1], elastica_order_run},
+    {"convergence-bathe", "bending and twist in space against segments", "second order", 1, &bathe_600,
+     bathe_order_run},
+};
+const ValidationGroup rod_group = VALIDATION_GROUP(cases);
