@@ -92,15 +92,16 @@ static Vec3 state_front(const double *y, int n, int i, double half)
 }
 
 /* Segment i of a state of n segments becomes what the winch holds: from its pose it moves on with the rope, and what
- * else it did dies out (RL16). A winch of set tension pulls at the front end of segment i - 1 now, and has hauled in no
- * more by that. */
+ * else it did dies out (RL16). A winch of set tension pulls and guides the front end of
+ * segment i - 1 now as it did that of i, and has hauled in no more by that. */
 static void ghost_take(Stage *st, const double *y, int n, int i, int global)
 {
     Winch *const w = &st->scene.winch;
     if (w->mode == WINCH_TENSION) {
         const double *const half = st->whole.half + global;
-        const Vec3 back = v3_sub(state_front(y, n, i - 1, half[-1]), state_front(y, n, i, half[0]));
-        w->origin = v3_axpy(w->origin, v3_dot(back, w->direction), w->direction);
+        const Quat held = quat_mul(w->attitude, quat_conj(state_attitude(y, n, i)));
+        w->origin = v3_add(w->origin, v3_sub(state_front(y, n, i - 1, half[-1]), state_front(y, n, i, half[0])));
+        w->attitude = quat_unit(quat_mul(held, state_attitude(y, n, i - 1)));
         return;
     }
     const double travel = winch_travel(w, st->t), speed = winch_speed(w, st->t);

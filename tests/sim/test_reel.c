@@ -159,6 +159,15 @@ static void test_momentum(void **state)
         for (int i = 0; i < n; ++i) momentum += st.y[STATE_V * n + i] * (st.scene.chain.mass[i] - (i ? 0 : r->mass));
         v = momentum / (r->mass + 12 * 20 + 1.5 * 10 - r->wound * 12);
         print_message("%ld segments joined; speed %.6f, %.6f m/s expected\n", st.joined, v, expected);
+        /* the work of the pull is in the motion of cable and drum */
+        double kinetic = 0;
+        for (int i = 0; i < n; ++i) {
+            const Vec3 u = state_vec(st.y, n, STATE_V, i);
+            kinetic += st.scene.chain.mass[i] * v3_dot(u, u) / 2;
+        }
+        dynamics_kinematics(&st.scene, &st.ws, st.t, st.y);
+        const double work = F * winch_motion(&st.scene.winch, &st.scene.chain, &st.ws.kin, st.t).travel;
+        if (!braked) assert_true(fabs(kinetic / work - 1) < 5e-3);
         assert_true(st.joined >= 5);
         assert_true(fabs(v / expected - 1) < 2e-3);
         stage_free(&st);

@@ -305,6 +305,82 @@ static void test_end(void **state)
     sim_free(s);
 }
 
+/* A cable that bends with hysteresis. */
+static void with_table(SceneDef *def)
+{
+    def->cables[0].bending = (BendingTable){.rows = 2, .curvature = {0.002, 0.02}, .moment = {10, 30}};
+    def->cables[0].ei_y = def->cables[0].ei_z = 5000;
+}
+
+/* What has slipped in the joints that stay is there after an event as it was before. */
+static void test_slips(void **state)
+{
+    (void)state;
+    SceneDef def;
+    Stage st;
+    hawser_error err = {0};
+    int events = 0, bent = 0;
+    reel_pull(&def, &PULL);
+    with_table(&def);
+    must(stage_new(&st, &def, NULL, &err), &err);
+    scene_def_clear(&def);
+    while (st.t < 8) {
+        must(stage_integrate(&st, 8, &err), &err);
+        const int first = st.scene.first, n = st.scene.chain.n;
+        double *const slip = malloc((size_t)(n + 1) * sizeof *slip);
+        assert_non_null(slip);
+        memcpy(slip, st.ws.kin.slip[0], (size_t)(n + 1) * sizeof *slip);
+        must(stage_settle(&st, &err), &err);
+        const int joined = first - st.scene.first, kept = st.scene.chain.n - joined;
+        for (int j = 1; j <= kept; ++j) {
+            assert_true(fabs(st.ws.kin.slip[0][j + joined] - slip[j]) <= 0);
+            bent += fabs(slip[j]) > 0;
+        }
+        events += joined || st.scene.chain.n != n;
+        free(slip);
+    }
+    assert_true(events >= 2 && bent > 0);
+    stage_free(&st);
+}
+
+static void hard_tension(SceneDef *def)
+{
+    def->winch.mode = WINCH_TENSION;
+    def->winch.tension = (Profile){.kind = PROFILE_STEP, .t1 = 3, .v1 = 2500};
+    def->winch.speed_limit = 0.2;
+    def->winch.band = 0.2;
+    def->winch.drum_mass = 50;
+    def->winch.axial_only = 0;
+}
+
+/* A winch of set tension takes rope in, too: the travel goes on without a step and is what it is without. */
+static void test_tension(void **state)
+{
+    (void)state;
+    double travel[2], force[2];
+    for (int taken = 0; taken < 2; ++taken) {
+        ReelChoice choice = PULL;
+        choice.take_in = taken;
+        Sim *const s = sim_begin(&choice, 1, hard_tension);
+        double before = 0;
+        while (sim_time(s) < 12) {
+            hawser_error err = {0};
+            must(sim_advance(s, 12, 1, &err), &err);
+            const hawser_sample *const look = sim_sample(s);
+            assert_true(look->winch_travel > before - 1e-6 && look->winch_travel < before + 0.02);
+            before = look->winch_travel;
+        }
+        const hawser_sample *const look = sim_sample(s);
+        if (taken) assert_true(look->first + look->active < look->segments - 2);
+        travel[taken] = look->winch_travel;
+        force[taken] = look->winch_force;
+        sim_free(s);
+    }
+    print_message("travel %.5f m, with take-in %.5f m; force %.2f N and %.2f N\n", travel[0], travel[1], force[0],
+                  force[1]);
+    assert_true(fabs(travel[1] / travel[0] - 1) < 2e-3);
+}
+
 /* What is not simulated has its place: wound cable within the drum, moving with it; rope taken in at the winch. */
 static void test_absent(void **state)
 {
@@ -339,7 +415,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_events),   cmocka_unit_test(test_history), cmocka_unit_test(test_on_off),
         cmocka_unit_test(test_repeated), cmocka_unit_test(test_memory),  cmocka_unit_test(test_end),
-        cmocka_unit_test(test_absent),
+        cmocka_unit_test(test_absent),   cmocka_unit_test(test_slips),   cmocka_unit_test(test_tension),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
