@@ -19,6 +19,18 @@ static void report_rod(const hawser_summary *s)
     }
 }
 
+/* Frequencies, one line each. */
+static void report_modes(const hawser_summary *s)
+{
+    if (s->n_modes > 0) printf("\nModes about the last equilibrium\n");
+    for (int i = 0; i < s->n_modes; i++) {
+        const hawser_mode *m = &s->modes[i];
+        printf("  %3d %14.6g Hz", i + 1, m->frequency_Hz);
+        if (m->growth_per_s > 0) printf("   not stable: grows by exp(t / %.4g s)", 1 / m->growth_per_s);
+        printf("\n");
+    }
+}
+
 /* Before the run: what the counts of the model are. */
 void report_scene(const hawser_sim *s)
 {
@@ -175,6 +187,7 @@ void report_run(hawser_sim *s, const char *dir)
     report_relaxation(&sum.relaxation);
     if (sum.rod) {
         report_rod(&sum);
+        report_modes(&sum);
     } else {
         report_pull(&sum);
     }

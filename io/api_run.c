@@ -146,6 +146,8 @@ static hawser_status finish_results(Run *run, hawser_error *err)
     if (status) return status;
     tables.n_stations = sim_stations(s->sim, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
+    tables.n_modes = sim_modes(s->sim, &tables.mode);
+    tables.segments = run->look->segments;
     tables.summary = summary;
     status = results_finish(run->results, &tables, err);
     hawser_text_free(summary);

@@ -101,6 +101,8 @@ int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out) { ret
 
 int hawser_sim_positions(const hawser_sim *s, const hawser_position **out) { return sim_positions(s->sim, out); }
 
+int hawser_sim_modes(const hawser_sim *s, const hawser_mode **out) { return sim_modes(s->sim, out); }
+
 int hawser_sim_events(const hawser_sim *s, const hawser_event **out) { return sim_events(s->sim, out); }
 
 /* The public table names things a little differently from the one inside. */

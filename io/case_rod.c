@@ -121,9 +121,10 @@ static hawser_status bending_check(const CaseReader *r)
 
 hawser_status case_rod_check(const CaseReader *r)
 {
-    static const char *const paths[][2] = {
-        {"route", NULL}, {"lead_in", NULL},    {"reel", NULL},        {"drive", NULL},       {"conveyors", NULL},
-        {"paper", NULL}, {"rollers", "along"}, {"surfaces", "ducts"}, {"surfaces", "trays"}, {"output", "stations"}};
+    static const char *const paths[][2] = {{"route", NULL},       {"lead_in", NULL},     {"reel", NULL},
+                                           {"drive", NULL},       {"conveyors", NULL},   {"paper", NULL},
+                                           {"theory", NULL},      {"limits", NULL},      {"rollers", "along"},
+                                           {"surfaces", "ducts"}, {"surfaces", "trays"}, {"output", "stations"}};
     for (size_t k = 0; r->def->rod.present && k < sizeof paths / sizeof *paths; k++) {
         const CaseNode *given = case_node_key(r->root, paths[k][0]);
         if (given && paths[k][1]) given = case_node_key(given, paths[k][1]);

@@ -194,6 +194,18 @@ static void keep_first(hawser_status *first, hawser_status status)
     if (!*first) *first = status;
 }
 
+/* Only where there are modes. */
+static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_error *err)
+{
+    OutFile out;
+    if (t->n_modes == 0) return HAWSER_OK;
+    hawser_status status = out_open(&out, r->dir, "modes.csv", err);
+    if (status) return status;
+    status = modes_write(&out, t->n_modes, t->segments, t->mode, err);
+    const hawser_status closed = out_close(&out, status ? NULL : err);
+    return status ? status : closed;
+}
+
 /* A full disk may still have room for the small tables, so every file gets its chance. */
 hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
 {
@@ -205,6 +217,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     keep_first(&s, out_close(&r->stations, s ? NULL : err));
     keep_first(&s, rollers_write(&r->rollers, t->n_rollers, t->roller, s ? NULL : err));
     keep_first(&s, out_close(&r->rollers, s ? NULL : err));
+    keep_first(&s, write_modes(r, t, s ? NULL : err));
     keep_first(&s, write_whole(r->dir, "summary.json", t->summary, s ? NULL : err));
     return s;
 }

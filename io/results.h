@@ -14,7 +14,9 @@ typedef struct ResultsTables {
     const hawser_station *station; /* [n_stations] */
     int n_rollers;
     const hawser_roller *roller; /* [n_rollers] */
-    const char *summary;         /* the text of summary.json */
+    int n_modes, segments;
+    const hawser_mode *mode; /* [n_modes], of `segments` segments; none: no modes.csv */
+    const char *summary;     /* the text of summary.json */
 } ResultsTables;
 
 /* Makes the folder and opens all its files, so that what cannot be written shows before anything is computed.

@@ -183,6 +183,20 @@ static int put_vector(json_t *o, const char *key, const double v[3])
     return json_object_set_new(o, key, list) | bad;
 }
 
+/* Frequencies; the shapes are in modes.csv. */
+static int put_modes(json_t *o, const hawser_summary *s)
+{
+    json_t *list = json_array();
+    int bad = !list;
+    for (int i = 0; i < s->n_modes; i++) {
+        const hawser_mode *m = &s->modes[i];
+        json_t *row = json_object();
+        bad |= put_real(row, "frequency_Hz", m->frequency_Hz) | put_real(row, "growth_per_s", m->growth_per_s) |
+               put_real(row, "omega_squared_per_s2", m->omega_squared) | json_array_append_new(list, row);
+    }
+    return json_object_set_new(o, "modes", list) | bad;
+}
+
 /* One row a probe, as the run ended. */
 static int put_probes(json_t *o, const hawser_summary *s)
 {
@@ -263,7 +277,7 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     int bad = !o;
     if (o) {
         bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
-              put_probes(o, s) | put_events(o, s) | put_positions(o, s) | put_surfaces(o, labels) |
+              put_probes(o, s) | put_modes(o, s) | put_events(o, s) | put_positions(o, s) | put_surfaces(o, labels) |
               put_moving_rollers(o, labels) | put_limits(o, labels) | put_overload(o, labels) |
               put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
     }

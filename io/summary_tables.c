@@ -34,6 +34,21 @@ static hawser_status write_row(OutFile *out, const char *name, int n, const doub
     return status ? status : out_print(out, err, "\n");
 }
 
+/* One long table: mode by mode, in each the segments from the tail on. */
+hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err)
+{
+    hawser_status status =
+        out_print(out, err, "mode,frequency_Hz,growth_per_s,segment,dx_m,dy_m,dz_m,rx_rad,ry_rad,rz_rad\n");
+    for (int k = 0; k < n && !status; k++) {
+        for (int i = 0; i < segments && !status; i++) {
+            const double *const d = mode[k].shape + 6 * i;
+            status = out_print(out, err, "%d,%.10g,%.10g,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", k + 1,
+                               mode[k].frequency_Hz, mode[k].growth_per_s, i, d[0], d[1], d[2], d[3], d[4], d[5]);
+        }
+    }
+    return status;
+}
+
 /* Fifteen columns a probe. */
 hawser_status probe_write_head(OutFile *out, const char *name, hawser_error *err)
 {

@@ -19,6 +19,9 @@ hawser_status csv_text(OutFile *out, const char *separator, const char *text, ha
 /* A comma and a number; only the comma if it is not finite. */
 hawser_status csv_number(OutFile *out, double value, hawser_error *err);
 
+/* modes.csv with its head: a row for each mode and segment. Errors: OUTPUT. */
+hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err);
+
 /* A probe's columns of series.csv, each after a comma: their names, and a row's values. Errors: OUTPUT. */
 hawser_status probe_write_head(OutFile *out, const char *name, hawser_error *err);
 hawser_status probe_write(OutFile *out, const hawser_probe *probe, hawser_error *err);

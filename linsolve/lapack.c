@@ -22,6 +22,8 @@ int lapack_load(Lapack *lapack)
     ok &= function_find(lapack->library, "LAPACKE_dgbtrf", &lapack->dgbtrf);
     ok &= function_find(lapack->library, "LAPACKE_dgbtrs", &lapack->dgbtrs);
     ok &= function_find(lapack->library, "LAPACKE_dgbcon", &lapack->dgbcon);
+    ok &= function_find(lapack->library, "LAPACKE_dsygv", &lapack->dsygv);
+    ok &= function_find(lapack->library, "LAPACKE_dggev", &lapack->dggev);
     if (!ok) lapack_unload(lapack);
     return ok;
 }

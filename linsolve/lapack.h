@@ -15,6 +15,8 @@ typedef struct Lapack {
     __typeof__(LAPACKE_dgbtrf) *dgbtrf;
     __typeof__(LAPACKE_dgbtrs) *dgbtrs;
     __typeof__(LAPACKE_dgbcon) *dgbcon;
+    __typeof__(LAPACKE_dsygv) *dsygv;
+    __typeof__(LAPACKE_dggev) *dggev;
 } Lapack;
 
 /* Loads the library; 0 if it is not there. */

@@ -75,6 +75,7 @@ int peaks_overload(const Peaks *peaks, const Scene *scene, const Expected *expec
     Pull pull;
     int n = 0;
     *out = malloc(((size_t)peaks->n_rollers + 1) * sizeof **out);
+    if (*out && !peaks->present) return 0; /* a rod has no theory to ask */
     if (!*out || expected_pull(scene, expected, PULL_REFERENCE, &pull, NULL)) return -1;
     for (int r = 0; r < peaks->n_rollers && peaks->present; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];

@@ -10,6 +10,7 @@
 #include "sim/by_position.h"
 #include "sim/events.h"
 #include "sim/expected.h"
+#include "sim/modes.h"
 #include "sim/peaks.h"
 #include "sim/probes.h"
 #include "sim/sample.h"
@@ -21,6 +22,7 @@ struct Sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
     Probes probes;
+    Modes modes;
     Stats stats;
     Peaks peaks;
     Expected expected;
@@ -115,6 +117,7 @@ Sim *sim_free(Sim *s)
     by_position_free(&s->by_position);
     sample_free(&s->look);
     probes_free(&s->probes);
+    modes_free(&s->modes);
     stage_free(&s->stage);
     team_free(s->team);
     free(s);
@@ -181,6 +184,10 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
         const double next = step * (floor(s->stage.t / step + 1e-6) + 1);
         status = statics_advance(&s->stage, next > t - 1e-6 * step ? t : next, &s->relaxation, err);
         if (one_step) break;
+    }
+    if (!status && def->analysis.kind == ANALYSIS_MODES && s->stage.t >= def->duration) {
+        modes_free(&s->modes);
+        status = modes_find(&s->stage, def->analysis.modes, &s->modes, err);
     }
     s->relax_s += clock_now() - start;
     return status;
@@ -299,6 +306,8 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .positions = s->by_position.out,
                             .rod = scene->rod.present,
                             .analysis = analyses[scene->def.analysis.kind],
+                            .n_modes = s->modes.n,
+                            .modes = s->modes.out,
                             .n_probes = s->probes.n,
                             .probes = s->probes.out,
                             .n_events = s->events.n,
@@ -332,6 +341,12 @@ int sim_positions(const Sim *s, const hawser_position **out)
 {
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
+}
+
+int sim_modes(const Sim *s, const hawser_mode **out)
+{
+    *out = s->modes.out;
+    return s->modes.n;
 }
 
 int sim_events(const Sim *s, const hawser_event **out)

@@ -46,6 +46,8 @@ int sim_conveyors(const Sim *s, const hawser_conveyor **out);
 /* The winch's force by the place of the cable's front; the array is the simulation's. Returns how many. */
 int sim_positions(const Sim *s, const hawser_position **out);
 
+/* The modes, as soon as they are known; the array is the simulation's. Returns how many. */
+int sim_modes(const Sim *s, const hawser_mode **out);
 /* What happened so far; the array is the simulation's. Returns how many. */
 int sim_events(const Sim *s, const hawser_event **out);
 

@@ -154,6 +154,8 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
 /* The conveyors in the case's order; *out stays the simulation's. Returns how many. */
 int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out);
 
+/* The modes, by rising omega squared; none before the run's end. *out stays the simulation's. Returns how many. */
+int hawser_sim_modes(const hawser_sim *s, const hawser_mode **out);
 /* The events so far, by time; *out stays the simulation's and is good until it advances again. Returns how many. */
 int hawser_sim_events(const hawser_sim *s, const hawser_event **out);
 
@@ -193,6 +195,8 @@ typedef struct hawser_summary {
     const hawser_event *events; /* [n_events], as hawser_sim_events gives them */
     int rod;                    /* 1: a rod, not a pull: pull, theory, stations and speeds say nothing */
     const char *analysis;       /* "dynamics", "static" or "modes" */
+    int n_modes;
+    const hawser_mode *modes; /* [n_modes], as hawser_sim_modes gives them */
     int n_probes;
     const hawser_probe *probes; /* [n_probes], as the last sample has them */
     int n_conveyors;

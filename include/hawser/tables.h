@@ -19,6 +19,14 @@ typedef struct hawser_conveyor {
     double slipping;       /* share of the steady window with more slip than the law sticks at, 0..1 */
 } hawser_conveyor;
 
+/* One mode of vibration about the equilibrium that a run with `analysis: modes` ends in, undamped. */
+typedef struct hawser_mode {
+    double frequency_Hz;  /* 0: a rigid motion, or one that does not swing */
+    double growth_per_s;  /* above 0: the equilibrium is not stable, the mode grows by exp(growth t) */
+    double omega_squared; /* 1/s2, its real part; below 0 for a mode that grows without swinging */
+    const double *shape;  /* [6*segments] dx dy dz rx ry rz of each segment's centre, m and rad, largest shift 1 m */
+} hawser_mode;
+
 /* Something that happened: the winch trips, stops, starts again. */
 typedef struct hawser_event {
     double t;         /* s */

@@ -110,7 +110,7 @@ static inline char *read_text(const char *path)
 /* Finishes with the fixture's tables. */
 static inline hawser_status fixture_finish(Results *r, hawser_error *err)
 {
-    const ResultsTables tables = {3, fixture_stations, R, fixture_rollers, "{\"outcome\": \"finished\"}\n"};
+    const ResultsTables tables = {3, fixture_stations, R, fixture_rollers, 0, N, NULL, "{\"outcome\": \"finished\"}\n"};
     return results_finish(r, &tables, err);
 }
 

@@ -82,6 +82,7 @@ static void rods_are_no_pulls(void **state)
     expect_bad(base, "drive", "{winch: {speed: 1 m/s}}", beside);
     expect_bad(base, "lead_in", "{}", beside);
     expect_bad(base, "conveyors", "[]", beside);
+    expect_bad(base, "limits", "{}", beside);
     expect_bad(base, "rollers", "{along: {spacing: 1 m}}", beside);
     expect_bad(base, "surfaces", "{ducts: [{radius: 1 m}]}", beside);
     expect_bad(base, "output.stations", "{spacing: 1 m}", beside);
@@ -113,6 +114,9 @@ static hawser_probe probe_of(const char *name, const char *probe)
         if (strcmp(summary.probes[i].name, probe) == 0) out = summary.probes[i];
     }
     char *text = NULL;
+    assert_int_equal(hawser_sim_summary_json(sim, &text, &err), HAWSER_OK);
+    assert_non_null(strstr(text, probe));
+    hawser_text_free(text);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
     assert_non_null(strstr(err.message, "needs a route"));
     assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &text, &err), HAWSER_OK);
@@ -137,12 +141,32 @@ static void cases_run(void **state)
     expect_near(middle.moment[1], -628.3185307, 1e-7);
 }
 
+/* Three modes in each direction, the frequencies of the summary, against the closed form within 0.5 %. */
+static void modes_run(void **state)
+{
+    (void)state;
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    hawser_sim *sim = NULL;
+    const hawser_mode *mode;
+    const double expected[6] = {8.957, 2 * 8.957, 56.13, 2 * 56.13, 157.2, 2 * 157.2};
+    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/rod-modes.yaml", &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_OK);
+    hawser_case_free(c);
+    assert_int_equal(hawser_sim_modes(sim, &mode), 0);
+    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_sim_modes(sim, &mode), 6);
+    for (int k = 0; k < 5; ++k) expect_near(mode[k].frequency_Hz, expected[k], 0.005);
+    expect_near(mode[5].frequency_Hz, expected[5], 0.03); /* shear takes 2.4 % */
+    hawser_sim_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rod_is_read), cmocka_unit_test(loads_grow_in_load_steps),
         cmocka_unit_test(wrong_rods),    cmocka_unit_test(rods_are_no_pulls),
-        cmocka_unit_test(cases_run),
+        cmocka_unit_test(cases_run),     cmocka_unit_test(modes_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
