@@ -123,6 +123,8 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
                       .front = !isnan(run->look->head_at),
                       .n_watched = output->n_speed_segments,
                       .watched = output->speed_segments,
+                      .n_loads = output->n_load_rollers,
+                      .loads = output->load_rollers,
                       .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};
     def.probes = run->look->probes;
     def.probe = run->look->probe;

@@ -98,6 +98,36 @@ static hawser_status speeds_read(const CaseReader *r, const CaseNode *list)
     return HAWSER_OK;
 }
 
+/* The roller of that name; -1: there is none. */
+static int roller_named(const SceneDef *def, const char *name)
+{
+    for (int i = 0; i < def->n_rollers; i++) {
+        if (strcmp(def->rollers[i].name, name) == 0) return i;
+    }
+    return -1;
+}
+
+/* Rollers whose loads are wanted over time, by their names; none unless asked for. */
+static hawser_status loads_read(const CaseReader *r, const CaseNode *list)
+{
+    OutputDef *out = &r->def->output;
+    if (!list) return HAWSER_OK;
+    out->load_rollers = calloc((size_t)list->count + 1, sizeof *out->load_rollers);
+    if (!out->load_rollers) return error_memory(r->err);
+    for (int k = 0; k < list->count; k++) {
+        const CaseNode *const item = case_node_item(list, k);
+        if (item->kind != NODE_TEXT) return case_value_error(r->err, item, ": expected the name of a roller");
+        if (r->def->n_rollers == 0) return case_value_error(r->err, item, ": the case has no rollers");
+        const int i = roller_named(r->def, item->text);
+        if (i < 0) {
+            return case_value_error(r->err, item, " is not a roller: names run from '%s' to '%s'",
+                                    r->def->rollers[0].name, r->def->rollers[r->def->n_rollers - 1].name);
+        }
+        out->load_rollers[out->n_load_rollers++] = i;
+    }
+    return HAWSER_OK;
+}
+
 /* How often something may be written: the run must end. */
 static hawser_status interval_check(const CaseReader *r, const CaseNode *node, const char *key, double interval)
 {
@@ -129,6 +159,7 @@ hawser_status case_output_read(const CaseReader *r, const CaseNode *node)
     if (!status) status = stations_read(r, record.stations);
     if (!status) status = speeds_read(r, record.speeds_of);
     if (!status) status = case_probes_read(r, record.probes);
+    if (!status) status = loads_read(r, record.rollers_of);
     return status;
 }
 

@@ -210,7 +210,7 @@ typedef struct DrivesRecord {
 
 typedef struct OutputRecord {
     double interval, states;
-    const CaseNode *stations, *speeds_of, *probes;
+    const CaseNode *stations, *speeds_of, *probes, *rollers_of;
 } OutputRecord;
 
 typedef struct StationsRecord {

@@ -478,7 +478,7 @@ static const CaseKey solver_keys[] = {
 };
 SECTION(case_solver, "solver", solver_keys);
 
-/* Straight into OutputDef, but for stations and segments. */
+/* Straight into OutputDef, but for stations, segments and rollers. */
 static const CaseKey output_keys[] = {
     {"interval", KEY_NUMBER, DIM_TIME, .fallback = "50 ms", ABOVE(0, LATE), AT(OutputRecord, interval)},
     {"states", KEY_NUMBER, DIM_TIME, .fallback = "500 ms", FROM(0, LATE), AT(OutputRecord, states)},
@@ -487,6 +487,8 @@ static const CaseKey output_keys[] = {
     {"speeds_of", KEY_LIST, .otherwise = "the first segment, the one behind the eye, the last",
      .form = "numbers of segments, from 0 at the tail", AT(OutputRecord, speeds_of)},
     {"probes", KEY_LIST, .otherwise = "none", .form = "places one by one", AT(OutputRecord, probes)},
+    {"rollers_of", KEY_LIST, .otherwise = "none", .form = "names of rollers, as in `rollers.csv`",
+     AT(OutputRecord, rollers_of)},
 };
 SECTION(case_output, "output", output_keys);
 

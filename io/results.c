@@ -27,7 +27,9 @@ struct Results {
     char dir[OUT_PATH_MAX];
     int reel, front; /* have columns */
     int n_watched;
-    int *watched;                /* [n_watched] */
+    int *watched; /* [n_watched] */
+    int n_loads;
+    int *loads;                  /* [n_loads] */
     int n_pending;               /* states that results.xdmf does not know of yet */
     double pending[PENDING_MAX]; /* their times, s */
     long states;                 /* in results.h5 */
@@ -54,6 +56,11 @@ static hawser_status write_series_head(Results *r, const ResultsDef *def, hawser
         if (!status) status = csv_text(&r->series, ",", column, err);
     }
     for (int i = 0; i < def->probes && !status; i++) status = probe_write_head(&r->series, def->probe[i].name, err);
+    for (int i = 0; i < r->n_loads && !status; i++) {
+        char column[160];
+        snprintf(column, sizeof column, "load_%s_N", def->roller[r->loads[i]].name);
+        status = csv_text(&r->series, ",", column, err);
+    }
     if (!status) status = out_print(&r->series, err, "\n");
     return status ? status : out_flush(&r->series, err);
 }
@@ -91,15 +98,22 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     return s;
 }
 
-/* The list of watched segments, which the definition only lends. */
+/* A copy of n indices; NULL for none, and for want of memory. */
+static int *copy_indices(int n, const int *index)
+{
+    int *const copy = n > 0 ? malloc(sizeof *copy * (size_t)n) : NULL;
+    if (copy) memcpy(copy, index, sizeof *copy * (size_t)n);
+    return copy;
+}
+
+/* The lists of watched segments and rollers, which the definition only lends. */
 static hawser_status copy_watched(Results *r, const ResultsDef *def, hawser_error *err)
 {
-    if (def->n_watched == 0) return HAWSER_OK;
-    const size_t size = sizeof *r->watched * (size_t)def->n_watched;
-    r->watched = malloc(size);
-    if (!r->watched) return error_memory(err);
-    memcpy(r->watched, def->watched, size);
+    r->watched = copy_indices(def->n_watched, def->watched);
+    r->loads = copy_indices(def->n_loads, def->loads);
+    if ((def->n_watched > 0 && !r->watched) || (def->n_loads > 0 && !r->loads)) return error_memory(err);
     r->n_watched = def->n_watched;
+    r->n_loads = def->n_loads;
     return HAWSER_OK;
 }
 
@@ -150,6 +164,9 @@ hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
         status = out_print(&r->series, err, ",%.9g,%.9g", s->conveyor_force[i], s->conveyor_slip[i]);
     }
     for (int i = 0; i < s->probes && !status; i++) status = probe_write(&r->series, &s->probe[i], err);
+    for (int i = 0; i < r->n_loads && !status; i++) {
+        status = out_print(&r->series, err, ",%.9g", s->roller_load[r->loads[i]]);
+    }
     return status ? status : out_print(&r->series, err, "\n");
 }
 
@@ -232,6 +249,7 @@ Results *results_free(Results *r)
     out_close(&r->stations, NULL);
     out_close(&r->rollers, NULL);
     free(r->watched);
+    free(r->loads);
     free(r);
     return NULL;
 }

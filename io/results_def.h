@@ -19,6 +19,8 @@ typedef struct ResultsDef {
     double states;             /* expected number of states; 0: no results.h5 and no results.xdmf */
     int reel;                  /* the reel pays out: series.csv has its columns */
     int front;                 /* the cable's front moves along the route: likewise */
+    int n_loads;
+    const int *loads; /* [n_loads]: rollers whose loads are columns of series.csv */
 } ResultsDef;
 
 #endif

@@ -26,6 +26,8 @@ typedef struct OutputDef {
     double steady_from;    /* s; the steady window is steady_from .. end */
     int n_speed_segments;
     int *speed_segments; /* whose speeds are columns of series.csv */
+    int n_load_rollers;
+    int *load_rollers; /* whose loads are columns of series.csv: places in `rollers` */
     int n_probes;
     ProbeDef *probes; /* owned */
 } OutputDef;

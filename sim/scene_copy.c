@@ -65,6 +65,7 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
     out->output.speed_segments = copy_of(def->output.speed_segments, def->output.n_speed_segments, sizeof(int), &ok);
     out->output.probes = copy_of(def->output.probes, def->output.n_probes, sizeof *def->output.probes, &ok);
     rod_copy(&def->rod, &out->rod, &ok);
+    out->output.load_rollers = copy_of(def->output.load_rollers, def->output.n_load_rollers, sizeof(int), &ok);
     table_copy(&out->winch.speed, &out->winch.table_time, &out->winch.table_value, &ok);
     table_copy(&out->winch.tension, &out->winch.tension_time, &out->winch.tension_value, &ok);
     table_copy(&out->tail.tension, &out->tail.table_time, &out->tail.table_value, &ok);

@@ -107,5 +107,6 @@ void scene_def_clear(SceneDef *def)
     free(def->paper);
     free(def->output.speed_segments);
     free(def->output.probes);
+    free(def->output.load_rollers);
     memset(def, 0, sizeof *def);
 }

@@ -22,7 +22,10 @@ static const hawser_station fixture_stations[3] = {
     {"A", 0, 1000, 1010, 1020, 1500}, {"say \"B\"", 2, 2000, 2020, 1980, 2500}, {"C", 4, 0, 0, NAN, NAN}};
 static const int fixture_watched[2] = {0, 4};
 
-static const ResultsDef fixture_def = {"A title", N, R, fixture_rollers, 0, NULL, 2, fixture_watched, 0, NULL, 1, 0, 0};
+static const int fixture_loads[2] = {1, 0};
+
+static const ResultsDef fixture_def = {"A title", N, R, fixture_rollers, 0, NULL, 2, fixture_watched, 0, NULL, 1,
+                                       0,         0, 2, fixture_loads};
 
 typedef struct Fixture {
     char dir[64];

@@ -193,6 +193,9 @@ static void drive_and_solver_have_their_places(void **state)
     expect_near(def.output.state_interval, 1, 0);
     assert_int_equal(def.output.n_speed_segments, 3);
     assert_int_equal(def.output.speed_segments[2], 89);
+    assert_int_equal(def.output.n_load_rollers, 2);
+    assert_string_equal(def.rollers[def.output.load_rollers[0]].name, "P3");
+    assert_string_equal(def.rollers[def.output.load_rollers[1]].name, "far");
     scene_def_clear(&def);
 }
 
@@ -338,6 +341,10 @@ static void parts_must_fit(void **state)
         {"output.stations.list.0.at", "26 m", "key 'output.stations.list.0.at': value '26 m' is out of range"},
         {"output.speeds_of", "[0, 90]",
          "key 'output.speeds_of.1': value '90' is out of range: must be at least 0, at most 89"},
+        {"output.rollers_of", "[P1, P99]",
+         "key 'output.rollers_of.1': value 'P99' is not a roller: names run from 'P1' to 'far'"},
+        {"output.rollers_of", "[P1, [P2]]",
+         "key 'output.rollers_of.1': the value is a list: expected the name of a roller"},
         {"paper.terms.0.arc", "1 m", "key 'paper.terms.0': slope and arc at once"},
         {"paper.terms.0.from", "1 deg", "key 'paper.terms.0.from': not allowed"},
         {"paper.terms.1.length", "1 m", "key 'paper.terms.1.length': not allowed"},

@@ -94,9 +94,9 @@ static void test_text_files(void **state)
     expect_text(f, "series.csv",
                 "time_s,winch_force_N,tail_tension_N,winch_speed_m_per_s,winch_travel_m,max_tension_N,"
                 "max_tension_joint,active_contacts,step_size_s,speed_0_m_per_s,tension_0_N,speed_4_m_per_s,"
-                "tension_4_N\n"
-                "0,7000,50,0.1,0.75,9000,3,17,0.0125,0,1.5,0.5,5.5\n"
-                "0.1,7001,51,0.1,0.75,9001,3,17,0.0125,1,101.5,1.5,105.5\n");
+                "tension_4_N,load_P2_N,\"load_entry, left_N\"\n"
+                "0,7000,50,0.1,0.75,9000,3,17,0.0125,0,1.5,0.5,5.5,1,0\n"
+                "0.1,7001,51,0.1,0.75,9001,3,17,0.0125,1,101.5,1.5,105.5,11,10\n");
     expect_text(f, "stations.csv",
                 "name,s_m,paper_N,reference_N,mean_N,peak_N,error_paper_pct,error_reference_pct,peak_ratio\n"
                 "A,0,1000,1010,1020,1500,2,0.99009901,1.48514851\n"
