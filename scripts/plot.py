@@ -7,8 +7,6 @@ Reads stations.csv, series.csv, rollers.csv and summary.json of a results folder
 as SVG and PNG into OUTDIR (default: DIR). A file that is missing or empty leaves its picture out. Needs matplotlib only.
 """
 import argparse
-import csv
-import json
 import math
 import os
 import sys
@@ -18,36 +16,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 
+from results_tables import read_summary, read_table  # noqa: E402
+
 COLOURS = {"paper": "#b08000", "reference": "#333333", "mean": "#0060b0", "peak": "#c03030"}
-
-
-def number(text):
-    """A cell as a number; an empty one is not known."""
-    try:
-        return float(text)
-    except ValueError:
-        return math.nan
-
-
-def read_table(folder, name):
-    """The columns of a CSV file: {column: list}; {} if there is none. The column `name` stays text."""
-    path = os.path.join(folder, name)
-    if not os.path.exists(path):
-        return {}
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    if not rows:
-        return {}
-    return {key: [row[key] if key == "name" else number(row[key] or "nan") for row in rows] for key in rows[0]}
-
-
-def read_summary(folder):
-    """summary.json, {} if there is none that can be read."""
-    try:
-        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
-            return json.load(file)
-    except (OSError, ValueError):
-        return {}
 
 
 def save(figure, folder, name):
