@@ -91,6 +91,8 @@ EXPERIMENTS = {
         ("front from 50 m, table 1's EI", FRONT),
         ("front from 50 m, table 1's EI, cylinders", {**FRONT, "contact.geometry": "cylinder"}),
         ("**front from 50 m, EI/20**", {**FRONT, **SOFT}),
+        ("front from 55 m, EI/20, no pulley beyond P32",
+         {**SOFT, **{key: FRONT[key] for key in FRONT if key.startswith(("run.", "output."))}, "route.head_at": "55 m"}),
         ("front from 50 m, EI/20, cylinders", {**FRONT, **SOFT, "contact.geometry": "cylinder"}),
     ],
     "peak": [
