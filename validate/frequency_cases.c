@@ -1,7 +1,9 @@
-/* Natural frequencies in time: a rod set going in one of its modes swings, and the crossings of its middle position
- * are timed. This goes through all that a pull goes through, the integrator included. */
+/* Natural frequencies, twice: in time, where a rod set going in one of its modes swings and its changes of direction
+ * are timed, through all that a pull goes through, the integrator included; and as eigenvalues about the equilibrium.
+ */
 #include <math.h>
 
+#include "sim/modes.h"
 #include "sim/statics.h"
 #include "validate/cases.h"
 #include "validate/motion.h"
@@ -55,7 +57,7 @@ static hawser_status span_start(const Span *s, int n, Stage *stage, hawser_error
     RodEndDef *const end = def.rod.end;
     if (s->kind == STRING) {
         rod_pin(&end[ROD_TAIL]);
-        end[ROD_HEAD].held[1] = end[ROD_HEAD].held[2] = 1;
+        end[ROD_HEAD].held[1] = end[ROD_HEAD].held[2] = end[ROD_HEAD].held[3] = 1;
         rod_add_load(&def, LENGTH, 0, rod_steady(v3(1, 0, 0), TENSION));
     } else {
         rod_clamp(&end[ROD_TAIL]);
@@ -152,12 +154,51 @@ static hawser_status frequency_run(const void *setup, ValidationLog *log, hawser
     return status;
 }
 
+/* Of modes that move square to the rod there are two alike, one a direction; others lie between them. */
+static int is_transverse(const hawser_mode *mode, int segments)
+{
+    double across = 0, along = 0;
+    for (int i = 0; i < segments; ++i) {
+        across = fmax(across, hypot(mode->shape[6 * i + 1], mode->shape[6 * i + 2]));
+        along = fmax(along, fabs(mode->shape[6 * i]));
+    }
+    return across > 0.5 && along < 0.5;
+}
+
+/* The same frequencies as eigenvalues. */
+static hawser_status modes_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    static const char *const name[MODES] = {"mode 1", "mode 2", "mode 3"};
+    const Span *const s = setup;
+    Stage stage;
+    Modes modes = {0};
+    hawser_status status = span_start(s, SEGMENTS, &stage, err);
+    if (status) return status;
+    status = modes_find(&stage, 2 * MODES + 4, &modes, err);
+    int found = 0;
+    for (int i = 0; i < modes.n && found < 2 * MODES && !status; ++i) {
+        if (!is_transverse(&modes.out[i], SEGMENTS)) continue;
+        const int mode = found++ / 2;
+        if (found % 2 == 0) continue;
+        log_share(log, name[mode], "Hz", frequency_of(s, mode) / (2 * M_PI), modes.out[i].frequency_Hz, 0.5);
+    }
+    if (!status && found < 2 * MODES) log_limit(log, "modes not found", "1", 2 * MODES - found, 0);
+    modes_free(&modes);
+    stage_free(&stage);
+    return status;
+}
+
 static const ValidationCase cases[] = {
     {"frequency-string", "a stretched string swings", "n/2L sqrt(T/m)", 1, &string, frequency_run},
     {"frequency-cantilever", "a cantilever swings", "cosh cos = -1: 1.8751, 4.6941, 7.8548", 1, &cantilever,
      frequency_run},
     {"frequency-clamped", "a rod clamped at both ends swings", "cosh cos = 1: 4.7300, 7.8532, 10.9956", 1, &clamped,
      frequency_run},
+    {"modes-string", "eigenvalues of a stretched string", "n/2L sqrt(T/m)", 1, &string, modes_run},
+    {"modes-cantilever", "eigenvalues of a cantilever", "cosh cos = -1: 1.8751, 4.6941, 7.8548", 1, &cantilever,
+     modes_run},
+    {"modes-clamped", "eigenvalues of a rod clamped at both ends", "cosh cos = 1: 4.7300, 7.8532, 10.9956", 1, &clamped,
+     modes_run},
     {"convergence-frequency", "a clamped rod's second mode against segments", "second order", 1, &clamped, order_run},
 };
 const ValidationGroup frequency_group = VALIDATION_GROUP(cases);
