@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 
+/* One more than asked for, so that an empty array is one too. */
 static void *items(int count, size_t size) { return calloc((size_t)count + 1, size); }
 
 hawser_status build_start(SceneDef *def, SceneRoom room, hawser_error *err)
@@ -24,6 +25,7 @@ hawser_status build_start(SceneDef *def, SceneRoom room, hawser_error *err)
     return error_memory(err);
 }
 
+/* What is not given follows from what is: the suite's scenes do not hang on it. */
 CableDef build_cable(double mass, double diameter, double ea, double ei)
 {
     return (CableDef){.name = "cable",
@@ -82,6 +84,7 @@ hawser_status build_route(const SceneDef *def, Route *route, hawser_error *err)
     return route_build(route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, err);
 }
 
+/* It clamps the head and stands where the route ends: NAN. */
 WinchDef build_winch(double speed, double t1)
 {
     return (WinchDef){.present = 1, .speed = {.kind = PROFILE_STEP, .t1 = t1, .v1 = speed}, .at = NAN};
@@ -100,6 +103,7 @@ hawser_status pull_start(SceneDef *def, Sim **out, hawser_error *err)
     return status;
 }
 
+/* The first record is that of t = 0, which the loads at rest are taken from. */
 hawser_status pull_run(SceneDef *def, Sim **out, hawser_error *err)
 {
     static const double EVERY = 0.05; /* s */

@@ -4,6 +4,7 @@
 
 #include "core/bushing.h"
 
+/* The planar equations have another state: they are switched off. */
 hawser_status motion_start(SceneDef *def, Stage *stage, hawser_error *err)
 {
     memset(stage, 0, sizeof *stage);
@@ -54,6 +55,7 @@ void motion_turn(Stage *stage, int i, Quat attitude)
     q[3 * n] = attitude.z;
 }
 
+/* Joints n and 0 too: the ground's ends of a rod or a winch are set with the kinematics. */
 double *const *motion_law(Stage *stage)
 {
     dynamics_kinematics(&stage->scene, &stage->ws, stage->t, stage->y);
@@ -75,6 +77,7 @@ static double elastic_energy(Stage *stage)
     return energy;
 }
 
+/* Two passes: the spin is about the centre of mass, which the first one finds. */
 Balance motion_balance(Stage *stage)
 {
     const Chain *const c = &stage->scene.chain;

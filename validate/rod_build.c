@@ -34,11 +34,13 @@ void rod_pin(RodEndDef *end)
     end->pivot = 1;
 }
 
+/* A constant owns nothing. */
 RodProfile rod_steady(Vec3 direction, double size)
 {
     return (RodProfile){.direction = v3_unit(direction), .size = {.kind = PROFILE_CONSTANT, .v1 = size}};
 }
 
+/* The table goes over to the definition that the profile is put into, and is freed with it. */
 hawser_status rod_growing(Vec3 direction, double size, RodProfile *out, hawser_error *err)
 {
     *out = (RodProfile){.direction = v3_unit(direction)};
