@@ -16,6 +16,7 @@ CAUSES = [
     ("paper-real-cable", "bending stiffness of a real cable, EI / 20"),
     ("paper-limp", "next to no bending stiffness, EI / 200"),
     ("paper-limp-rollers", "EI / 200, and a roller every 0.5 m"),
+    ("paper-onward", "EI / 200, and a roller every 0.5 m all the way to the winch"),
     ("paper-segments-2", "discretisation: segments of 0.25 m"),
     ("paper-segments-4", "discretisation: segments of 0.125 m"),
     ("paper-accuracy", "time integration: accuracy 1e-5 in place of 1e-3"),

@@ -70,7 +70,8 @@ static hawser_status experiment_run(const void *setup, ValidationLog *log, hawse
     return HAWSER_OK;
 }
 
-static const Experiment limp_close = {.choice = {.ei = LIMP_EI, .rollers = 118}, .largest = 1, .mean = 0.5},
+static const Experiment onward = {.choice = {.ei = LIMP_EI, .rollers = 118, .onward = 32}, .largest = 0.5, .mean = 0.1},
+                        limp_close = {.choice = {.ei = LIMP_EI, .rollers = 118}, .largest = 1, .mean = 0.5},
                         bar = {.largest = 5, .mean = 2.75}, real = {.choice = {.ei = REAL_EI}, .largest = 2, .mean = 1},
                         limp = {.choice = {.ei = LIMP_EI}, .largest = 2, .mean = 1},
                         finer = {.choice = {.segment = 0.25}, .largest = 5, .mean = 2.75},
@@ -91,6 +92,7 @@ static const ValidationCase cases[] = {
     {"paper-real-cable", "the same with a real cable's bending stiffness", reference, 1, &real, experiment_run},
     {"paper-limp", "bending switched off: a 200th of the EI", reference, 0, &limp, experiment_run},
     {"paper-limp-rollers", "the same on a roller every 0.5 m", reference, 0, &limp_close, experiment_run},
+    {"paper-onward", "and rollers all the way to the winch", reference, 0, &onward, experiment_run},
     {"paper-segments-2", "discretisation: segments of 0.25 m", reference, 0, &finer, experiment_run},
     {"paper-segments-4", "discretisation: segments of 0.125 m", reference, 0, &finest, experiment_run},
     {"paper-accuracy", "time integration: accuracy 1e-5", reference, 0, &tighter, experiment_run},

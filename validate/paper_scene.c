@@ -51,11 +51,12 @@ static void route_fill(SceneDef *def)
 static hawser_status rollers_fill(const PaperChoice *choice, SceneDef *def, hawser_error *err)
 {
     const int n = choice->rollers > 0 ? choice->rollers : 32;
+    const double pitch = LENGTH / (n - 1);
     Route route;
     const hawser_status status = build_route(def, &route, err);
     if (status) return status;
-    for (int i = 0; i < n; ++i) {
-        build_roller(def, &route, 0.1, def->cables[0].diameter, i * (LENGTH / (n - 1)));
+    for (int i = 0; i < n + (int)(choice->onward / pitch); ++i) {
+        build_roller(def, &route, 0.1, def->cables[0].diameter, i * pitch);
         def->rollers[i].width = 0.4;
     }
     route_clear(&route);

@@ -11,6 +11,7 @@ typedef struct PaperChoice {
     double accuracy; /* of the integration */
     double v_s;      /* m/s, sliding speed at which friction is full, of rollers and rope drag */
     int rollers;     /* under the 58.5 m */
+    double onward;   /* m past the tunnel's end over which the rollers go on, as close */
     double stiffer;  /* times the contacts' stiffness */
     int capsules;    /* the contact line of straight segments in place of the smooth one */
 } PaperChoice;
