@@ -164,7 +164,10 @@ LANE_INLINE void joint_rates(Joint *j, const Chain *chain, const Kinematics *kin
         j->rho = l3_sub(j->wb, j->wa);
     }
     j->d = frame_in(f, l3_sub(dx_w, l3_add(la_w, lb_w)));
-    if (!damped) return;
+    if (!damped) {
+        j->wa = j->wb = j->rho = j->e = j->omega = j->d_rate = j->theta_rate = l3_zero();
+        return;
+    }
     j->e = l3_sub(frame_in(f, dv_w), l3_add(l3_cross(j->wa, j->la), l3_cross(j->wb, j->lb)));
     const Lane3 mean = l3_scale(lane_set(0.5), l3_add(j->wa, j->wb));
     j->omega = symmetric ? l3_axpy(mean, -j->h, l3_cross(j->theta, j->rho)) : j->wb;

@@ -11,8 +11,9 @@ hawser_status case_theory_read(const CaseReader *r, const CaseNode *node)
     static const int cables[] = {0, 1, 2, 3, 3, 4};
     TheoryDef *const theory = &r->def->theory;
     const hawser_status status = case_section_read(r, node, &case_theory, theory);
+    if (status) return status;
     const int of = cables[theory->layout];
-    if (status || of == 0 || of == theory->cables) return status;
+    if (of == 0 || of == theory->cables) return HAWSER_OK;
     return case_key_error(r->err, case_node_key(node, "layout"), NULL, "a %s is of %d cables, but 'cables' is %d",
                           duct_layout_name((DuctLayout)theory->layout), of, theory->cables);
 }
