@@ -110,12 +110,13 @@ static void test_synchronised(void **state)
         1e8; /* N: the slip that the law needs takes (1.5 grip/v_s)/(EA/L) = 520 s to even the share out */
     def.conveyors[0].v_s = 1e-5;
     def.conveyors[0].v_d = 2e-5;
+    def.solver.accuracy = 3e-5; /* the share hangs on micrometres: at 3e-4 it is off by 1 to 2 % */
     const Shared r = shared_run(&def, 4, 1);
     const double ahead = (40 - 11) / 40.0 * ROW.mu * row_weight(&ROW), exact = ahead / 2;
     print_message("pull %.2f N, by elasticity %.2f N (%.2f %%); friction ahead of the belt %.2f N\n",
                   r.summary.pull_mean_N, exact, 100 * (r.summary.pull_mean_N / exact - 1), ahead);
     assert_true(fabs(r.conveyor[0].slip_m_per_s) < 2e-6 && r.conveyor[0].slipping < 1e-9);
-    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 0.02);
+    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 5e-3);
     /* nothing is lost: the two together are the friction */
     const double whole = ROW.mu * row_weight(&ROW);
     assert_true(fabs((r.summary.pull_mean_N + r.conveyor[0].mean_N) / whole - 1) < 5e-3);
