@@ -34,7 +34,7 @@ static Rig *rig_new(const RigChoice *choice, uint64_t seed)
     Rig *const r = fixture_array(1, sizeof *r);
     SceneDef def;
     hawser_error err = {0};
-    const int geometry = choice->cylinder ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
+    const ContactGeometry geometry = choice->cylinder ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
     fixture_pull(&def, &(FixtureChoice){.soft = 1, .geometry = geometry, .heading = 1.1});
     if (choice->sheave) fixture_sheave(&def, 0.02);
     fixture_moving_rollers(&def, choice->spins, choice->mounts);
