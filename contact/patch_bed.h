@@ -2,7 +2,7 @@
 #ifndef HAWSER_CONTACT_PATCH_BED_H
 #define HAWSER_CONTACT_PATCH_BED_H
 
-#include "contact/patch.h"
+#include "contact/patch_data.h"
 
 /* Where the piece is pressed, and the forces on its ends (CC2)-(CC6); 0 if it is pressed nowhere. */
 int bed_integrate(Patch *patch, const PatchLaw *law);

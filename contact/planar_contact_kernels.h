@@ -2,7 +2,7 @@
 #ifndef HAWSER_CONTACT_PLANAR_CONTACT_KERNELS_H
 #define HAWSER_CONTACT_PLANAR_CONTACT_KERNELS_H
 
-#include "contact/planar_contact.h"
+#include "contact/planar_contact_data.h"
 #include "core/isa.h"
 #include "core/lanes.h"
 

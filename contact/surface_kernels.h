@@ -3,7 +3,7 @@
 #define HAWSER_CONTACT_SURFACE_KERNELS_H
 
 #include "contact/contact_kernels.h"
-#include "contact/surface.h"
+#include "contact/surface_data.h"
 
 /* Up to LANES consecutive elements against one patch. */
 typedef struct SurfaceStrip {

@@ -3,7 +3,7 @@
 #define HAWSER_CORE_PLANAR_KERNELS_H
 
 #include "core/isa.h"
-#include "core/planar.h"
+#include "core/planar_data.h"
 
 typedef struct PlanarKernels {
     void (*kinematics)(const PlanarChain *chain, const double *y, int from, int to, PlanarKinematics *kin);

@@ -3,7 +3,8 @@
 #ifndef HAWSER_SIM_ABSENT_H
 #define HAWSER_SIM_ABSENT_H
 
-#include "sim/sample.h"
+#include "sim/sample_data.h"
+#include "sim/scene.h"
 
 /* Fills the rows of the sample before its first and behind its last simulated segment. Wound segments lie in their
  * layers on the drum, which turns, and move with its surface; those taken in are all where the winch holds the rope.

@@ -3,8 +3,8 @@
 #define HAWSER_SIM_PLANAR_KERNELS_H
 
 #include "core/isa.h"
-#include "sim/planar_newton.h"
-#include "sim/planar_scene.h"
+#include "sim/planar_newton_data.h"
+#include "sim/planar_scene_data.h"
 
 typedef struct PlanarSimKernels {
     /* planar_weight */

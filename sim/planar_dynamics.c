@@ -1,0 +1,135 @@
+#include "sim/planar_dynamics.h"
+
+#include <string.h>
+
+#include "core/clock.h"
+#include "sim/halves.h"
+#include "sim/planar_kernels.h"
+
+static const PlanarSimKernels *kernels(void)
+{
+    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
+    return table[isa_best()];
+}
+
+static int segments(const Planar *p) { return p->ps.chain.n; }
+
+/* One evaluation, as both threads see it. */
+typedef struct Evaluation {
+    Planar *p;
+    double t, friction;
+    const double *y;
+    double *ydot;
+    int finite[PARTS];
+} Evaluation;
+
+static int share_from(const Planar *p, int rank) { return rank == 0 ? 0 : p->middle; }
+static int share_to(const Planar *p, int rank, int end) { return rank == 0 ? p->middle : end; }
+
+/* Kinematics of one half, with its weight, and nothing yet in the second set of loads. */
+static void kinematics_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Planar *const p = e->p;
+    const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
+    planar_kinematics(&p->ps.chain, e->y, from, to, &p->kin);
+    planar_weight(&p->ps, &p->kin, from, to, &p->loads[0]);
+    double *const second[3] = {p->loads[1].f[0], p->loads[1].f[1], p->loads[1].m};
+    for (int c = 0; c < 3; ++c) memset(second[c] + from, 0, (size_t)(to - from) * sizeof(double));
+}
+
+/* Wrenches of half of the joints, contacts of half of the rollers; the first half brings the loads at the ends. */
+static void loads_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Planar *const p = e->p;
+    planar_joint_loads(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->joints);
+    if (rank == 0) planar_ends(&p->ps, &p->kin, e->t, e->friction, &p->loads[0]);
+    if (p->model[rank].n_rollers == 0) return;
+    ContactPart *const part = &p->ws->contact[rank];
+    const double start = clock_now();
+    planar_contact_forces(&p->model[rank], &p->ps.chain, &p->kin, e->friction, &part->pairs, &p->loads[rank], NULL);
+    part->seconds += clock_now() - start;
+}
+
+static void motion_job(void *arg, int rank)
+{
+    Evaluation *const e = arg;
+    Planar *const p = e->p;
+    e->finite[rank] = planar_rates(&p->ps.chain, &p->kin, &p->joints, p->loads, share_from(p, rank),
+                                   share_to(p, rank, segments(p)), e->ydot);
+}
+
+static void both(Planar *p, TeamJob job, int light, Evaluation *e)
+{
+    halves_run(p->ws->team, !light || segments(p) >= HALVES_LONG, job, e);
+}
+
+void planar_place(Planar *p, double t, const double *y)
+{
+    planar_kinematics(&p->ps.chain, y, 0, segments(p), &p->kin);
+    planar_scene_ghosts(&p->ps, t, &p->kin);
+}
+
+int planar_evaluate(Planar *p, double t, const double *y, double friction, double *ydot)
+{
+    Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};
+    both(p, kinematics_job, 1, &e);
+    planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
+    both(p, loads_job, 0, &e);
+    both(p, motion_job, 1, &e);
+    ++p->ws->rhs_evals;
+    return !(e.finite[0] && e.finite[1]);
+}
+
+static void joint_blocks_job(void *arg, int rank)
+{
+    Planar *const p = ((Evaluation *)arg)->p;
+    planar_joint_blocks(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->newton.k,
+                        &p->newton.d);
+}
+
+static void join_job(void *arg, int rank)
+{
+    Planar *const p = ((Evaluation *)arg)->p;
+    const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
+    planar_blocks_join(&p->newton.k, from, to);
+    planar_blocks_join(&p->newton.d, from, to);
+}
+
+void planar_blocks(Planar *p, double t, const double *y, double friction)
+{
+    const PlanarChain *const chain = &p->ps.chain;
+    PlanarBlocks *const k = &p->newton.k, *const d = &p->newton.d;
+    const int n = chain->n;
+    Evaluation e = {.p = p};
+    planar_place(p, t, y);
+    both(p, joint_blocks_job, 1, &e);
+    both(p, join_job, 1, &e);
+    planar_blocks_trim(k, n);
+    planar_blocks_trim(d, n);
+    planar_applied_blocks(&p->ps, &p->kin, t, friction, k, d);
+    for (int half = 0; half < PARTS; ++half) {
+        if (p->model[half].n_rollers == 0) continue;
+        planar_contact_blocks(&p->model[half], chain, &p->kin, friction, &p->ws->contact[half].pairs, k, d);
+    }
+}
+
+/* --------------------------------------------------------------------------------------- what steps renew, and looks
+ */
+
+hawser_status planar_refresh(Planar *p, double t, const double *y, int always, hawser_error *err)
+{
+    const Scene *const scene = p->motion.scene;
+    if (scene->contact.n_rollers == 0) return HAWSER_OK;
+    /* (C20), with the last evaluation for y, which is nearer to it than the reach's reserve */
+    const double moved = always ? 0 : planar_contact_moved(&p->ps.chain, &p->kin, p->at_p, p->at_a);
+    if (!always && moved <= CONTACT_USABLE * scene->contact.reach) return HAWSER_OK;
+    planar_place(p, t, y);
+    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    for (int c = 0; c < 2; ++c) {
+        memcpy(p->at_p[c], p->kin.p[c], (size_t)segments(p) * sizeof(double));
+        memcpy(p->at_a[c], p->kin.a[c], (size_t)segments(p) * sizeof(double));
+    }
+    return dynamics_find_candidates(scene, p->ws, err);
+}
