@@ -69,6 +69,10 @@ static void report_theory(const char *name, double total, double pull, double ma
 /* The figures that a run is made for: the pull, its theory, and when it was steady. */
 static void report_pull(const hawser_summary *s)
 {
+    if (!(s->pull_peak_N > 0)) {
+        printf("\nNothing was pulled: there is no winch, or its rope stayed slack\n");
+        return;
+    }
     printf("\nPull force: mean %.2f N (ripple %.3g N RMS) from %g s to %g s, peak %.2f N\n", s->pull_mean_N,
            s->pull_ripple_N, s->steady_from_s, s->steady_to_s, s->pull_peak_N);
     printf("  %-18s %14s %15s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");

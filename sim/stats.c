@@ -240,6 +240,8 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     tables_update(stats);
 }
 
+static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */
+
 /* Largest and mean error of the stations against one of the two theories, %. */
 static void errors_of(const Stats *stats, int paper, double *largest, double *mean)
 {
@@ -248,7 +250,7 @@ static void errors_of(const Stats *stats, int paper, double *largest, double *me
     for (int i = 0; i < stats->n_stations; ++i) {
         const hawser_station *const s = &stats->station_out[i];
         const double theory = paper ? s->paper_N : s->reference_N;
-        if (!stats->station[i].started || !(fabs(theory) > 0)) continue;
+        if (!stats->station[i].started || !(fabs(theory) > NO_TENSION)) continue;
         const double error = 100 * fabs(s->mean_N / theory - 1);
         *largest = fmax(*largest, error);
         *mean += error;

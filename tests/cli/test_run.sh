@@ -27,6 +27,11 @@ for file in series.csv stations.csv rollers.csv; do
     cmp -s "$work/results/pull/$file" "$work/two/$file" || fail "$what: $file differs between one and two threads"
 done
 
+# without a winch there is no pull to set beside a theory
+run_hawser 0 run -o still "$source/cases/slope-stick.yaml" --set run.duration="2 s" --set run.steady_from="1 s"
+says out "Nothing was pulled"
+if grep -q "reference theory" "$work/out"; then fail "$what: a theory of what is not pulled"; fi
+
 # into a folder that is there: files are replaced, others stay
 echo mine >"$work/two/notes.txt"
 run_hawser 0 run -q --linear-solver=klu --set run.duration=1s --set run.steady_from='0.5 s' --set output.states='0 s' -o two pull.yaml
