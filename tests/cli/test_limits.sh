@@ -31,4 +31,10 @@ says out "pulled forward" "SAFE: all" "restart" "friction on"
 run_hawser 0 theory pull.yaml --set limits.pull=100N --format csv
 says out "forward_margin_pct" "row,0,20,,resultant,"
 run_hawser 2 theory pull.yaml --strict
+# the example: its pull is safe but for the bend's radius
+run_hawser 1 run --strict -o example "$source/cases/limits.yaml"
+says out "NOT SAFE: 1 of 7 limits broken: sidewall"
+run_hawser 0 run --strict -o wider "$source/cases/limits.yaml" --set limits.sidewall="1 kN/m"
+says out "SAFE: all 7 limits hold"
+
 finish
