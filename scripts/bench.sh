@@ -1,37 +1,56 @@
 #!/bin/sh
-# Runs the benchmarks of docs/performance.md: the linear solvers alone, then whole runs. Wants a machine that does nothing
-# else; takes two to three minutes.
-# Usage: sh scripts/bench.sh [--quick]     (--quick: does everything work? Seconds, changes no document)
-# Writes bench/results/MACHINE/runs.csv and linsolve.md, the tables of docs/performance.d/20-runs.md, docs/performance.md.
+# Runs the benchmarks of docs/performance.md, all of them or the parts that are named, one after the other. Wants a machine
+# that does nothing else.
+# Usage: sh scripts/bench.sh [--quick] [PART...]
+#   --quick   does everything work? Under three minutes; changes no document, results go to build/bench/results
+#   PART      linsolve or steps
+# Writes bench/results/MACHINE (rows, pictures), the tables in docs/performance.d, and docs/performance.md.
+# Status: 0; 1 if a part missed a condition that does not depend on time; 2 wrong usage.
 set -eu
 
-quick=no
-case "${1-}" in
-"") ;;
---quick) quick=yes ;;
-*)
-    echo "bench.sh: unknown option '$1' (only --quick)" >&2
-    exit 2
-    ;;
-esac
+parts="linsolve steps"
 cd "$(dirname "$0")/.."
-sh scripts/setup.sh
+quick=no wanted=''
+for word in "$@"; do
+    case " $parts " in
+    *" $word "*) wanted="$wanted $word" ;;
+    *)
+        [ "$word" = --quick ] || {
+            echo "bench.sh: '$word' is neither --quick nor one of the parts: $parts" >&2
+            exit 2
+        }
+        quick=yes
+        ;;
+    esac
+done
+sh scripts/setup.sh --bench
 sh scripts/build.sh bench
-
-if [ $quick = yes ]; then
-    results=build/bench/results
-    mkdir -p "$results"
-    build/bench/bench/bench_linsolve 10 >"$results/linsolve.md"
-    python3 bench/bench_runs.py --build build/bench --results "$results" --quick
-    echo "Results: $results"
-    exit 0
-fi
-
-results=bench/results/$(python3 bench/bench_runs.py --machine)
+results=bench/results/$(python3 -c 'import sys; sys.path.insert(0, "bench")
+import os, common; print(common.machine_name(common.processor(), os.cpu_count()))')
+[ $quick = no ] || results=build/bench/results
 mkdir -p "$results"
-echo "Linear solvers"
-build/bench/bench/bench_linsolve 2000 >"$results/linsolve.md"
-echo "Whole runs"
-python3 bench/bench_runs.py --build build/bench --results "$results" --document docs/performance.d/20-runs.md
-sh scripts/model.sh
-echo "Results: $results (the tables of the linear solvers go into docs/performance.d/10-linsolve.md by hand)"
+
+# run_part NAME: one part; its document is the fragment docs/performance.d/NN-NAME.md.
+run_part() {
+    document=$(ls docs/performance.d/[0-9][0-9]-"$1".md)
+    if [ "$1" = linsolve ]; then # its tables go into the document by hand
+        repetitions=2000
+        [ $quick = no ] || repetitions=10
+        build/bench/bench/bench_linsolve $repetitions >"$results/linsolve.md"
+    elif [ $quick = yes ]; then
+        python3 -B "bench/$1.py" --build build/bench --results "$results" --quick
+    else
+        python3 -B "bench/$1.py" --build build/bench --results "$results" --document "$document"
+    fi
+}
+
+status=0
+for part in ${wanted:-$parts}; do
+    echo "== $part"
+    start=$(date +%s)
+    run_part "$part" || status=1
+    echo "== $part: $(($(date +%s) - start)) s"
+done
+[ $quick = yes ] || sh scripts/model.sh
+echo "Results: $results"
+exit $status

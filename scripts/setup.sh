@@ -1,6 +1,8 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint]      (--lint: what scripts/lint.sh needs as well)
+# Usage: sh scripts/setup.sh [--lint | --bench]
+#   --lint    also what scripts/lint.sh needs
+#   --bench   also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
 
@@ -8,12 +10,15 @@ packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libudunits2-dev libjansson-dev libhdf5-dev
     libcmocka-dev liblapacke-dev python3 python3-matplotlib valgrind"
 lint_packages="clang clang-tidy"
+peer_packages="libmujoco-dev libsimbody-dev"
 
+peers=no
 case "${1-}" in
 "") ;;
 --lint) packages="$packages $lint_packages" ;;
+--bench) peers=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench)" >&2
     exit 2
     ;;
 esac
@@ -44,10 +49,19 @@ if ! command -v dpkg-query >/dev/null 2>&1; then
     echo "setup.sh: this is not a Debian system; see that it has what these packages offer:" $packages >&2
     exit 0
 fi
-missing=$(list_missing $packages)
-[ -n "$missing" ] || exit 0
+# install PACKAGE...: those that are missing.
+install() {
+    missing=$(list_missing "$@")
+    [ -n "$missing" ] || return 0
+    echo "setup.sh: installing $missing"
+    as_root apt-get update -q
+    # shellcheck disable=SC2086 # one word a package
+    as_root apt-get install -q -y --no-install-recommends $missing
+}
 
-echo "setup.sh: installing $missing"
-as_root apt-get update -q
 # shellcheck disable=SC2086 # one word a package
-as_root apt-get install -q -y --no-install-recommends $missing
+install $packages
+if [ $peers = yes ]; then
+    # shellcheck disable=SC2086
+    (install $peer_packages) || echo "setup.sh: without $peer_packages: the comparison with them will be skipped" >&2
+fi

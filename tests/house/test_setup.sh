@@ -60,6 +60,15 @@ MISSING="clang-tidy"
 setup && [ ! -s "$CALLS" ] || fail "clang-tidy is for linting only"
 setup --lint && [ -s "$CALLS" ] || fail "--lint did not install clang-tidy"
 
+MISSING="libsimbody-dev"
+setup && [ ! -s "$CALLS" ] || fail "the programs to compare with are for the benchmarks only"
+setup --bench && [ -s "$CALLS" ] || fail "--bench did not install libsimbody-dev"
+APT_EXIT=100
+export APT_EXIT
+setup --bench || fail "the benchmarks need no programs to compare with"
+grep -q "will be skipped" "$work/out" || fail "did not say what is missing"
+unset APT_EXIT
+
 # A package that was removed but left its configuration is not installed.
 MISSING="" STATUS="deinstall ok config-files"
 export STATUS

@@ -1,6 +1,6 @@
-"""bench/bench_runs.py: names, statistics, tables, and a whole benchmark of a made-up program.
+"""bench/common.py and steps.py: names, statistics, tables, and a whole benchmark of a made-up program.
 
-Usage: test_runs.py ROOT
+Usage: test_steps.py ROOT
 """
 import csv
 import io
@@ -13,7 +13,7 @@ import unittest
 
 ROOT = os.path.abspath(sys.argv.pop(1))
 sys.path.insert(0, os.path.join(ROOT, "bench"))
-import bench_runs  # noqa: E402
+import common  # noqa: E402
 
 # Answers `hawser run CASE ... -o DIR --linear-solver S --threads N` with a summary; logs the order of the calls. The time
 # of the first call of a configuration is wild, as of a program that is not in memory yet.
@@ -51,7 +51,7 @@ def rows_of(walls):
 
 class Names(unittest.TestCase):
     def test_machine(self):
-        name = bench_runs.machine_name
+        name = common.machine_name
         self.assertEqual(name("AMD EPYC", 2), "epyc-2core")
         self.assertEqual(name("Intel(R) Xeon(R) Platinum 8375C CPU @ 2.90GHz", 4), "xeon-platinum-8375c-4core")
         self.assertEqual(name("AMD Ryzen 7 5800X 8-Core Processor", 16), "ryzen-7-5800x-16core")
@@ -60,34 +60,35 @@ class Names(unittest.TestCase):
 
 class Statistics(unittest.TestCase):
     def test_spread(self):
-        self.assertAlmostEqual(bench_runs.spread(rows_of([1, 2, 3, 4, 5]), "wall_time_s"), 100 / 3)
-        self.assertEqual(bench_runs.spread(rows_of([7]), "wall_time_s"), 0)
+        self.assertAlmostEqual(common.spread(rows_of([1, 2, 3, 4, 5]), "wall_time_s"), 100 / 3)
+        self.assertEqual(common.spread(rows_of([7]), "wall_time_s"), 0)
 
     def test_ratio_is_taken_within_rounds(self):
         # a slow second round slows both alike: the ratio does not see it
         one, two = rows_of([2, 20, 2.2]), [{**row, "threads": 2} for row in rows_of([1, 10, 1.1])]
-        self.assertAlmostEqual(bench_runs.ratio(one + two, {"threads": 2}, {"threads": 1}), 0.5)
+        self.assertAlmostEqual(common.ratio(one + two, {"threads": 2}, {"threads": 1}), 0.5)
 
     def test_table(self):
-        self.assertEqual(bench_runs.table(["a", "b"], [["x", "1"]]), "| a | b |\n|---|---:|\n| x | 1 |")
+        self.assertEqual(common.table(["a", "b"], [["x", "1"]]), "| a | b |\n|---|---:|\n| x | 1 |")
 
 
 class Document(unittest.TestCase):
-    text = f"before\n{bench_runs.BEGIN}\n\nold\n\n{bench_runs.END}\nafter\n"
+    BEGIN, END = "<!-- steps: begin -->", "<!-- steps: end -->"
+    text = f"before\n{BEGIN}\n\nold\n\n{END}\nafter\n"
 
     def test_only_what_is_between_changes(self):
-        new = bench_runs.replace_between(self.text, "new")
+        new = common.replace_between(self.text, "steps", "new")
         self.assertEqual(new, self.text.replace("old", "new"))
-        self.assertEqual(bench_runs.replace_between(new, "new"), new)
+        self.assertEqual(common.replace_between(new, "steps", "new"), new)
 
     def test_markers_must_be_there(self):
-        for text in ("", bench_runs.BEGIN, self.text + self.text, f"{bench_runs.END} {bench_runs.BEGIN}"):
+        for text in ("", self.BEGIN, self.text + self.text, f"{self.END} {self.BEGIN}"):
             with self.assertRaises(ValueError):
-                bench_runs.replace_between(text, "new")
+                common.replace_between(text, "steps", "new")
 
     def test_the_document_has_them(self):
-        with open(os.path.join(ROOT, "docs/performance.d/20-runs.md"), encoding="utf-8") as file:
-            bench_runs.replace_between(file.read(), "new")
+        with open(os.path.join(ROOT, "docs/performance.d/20-steps.md"), encoding="utf-8") as file:
+            common.replace_between(file.read(), "steps", "new")
 
 
 class Whole(unittest.TestCase):
@@ -97,7 +98,7 @@ class Whole(unittest.TestCase):
         for path, text in (("cli/hawser", PROGRAM), ("bench/bench_phases", PHASES)):
             self.place(path, text)
             os.chmod(self.path(path), 0o755)
-        self.place("runs.md", f"# Runs\n{bench_runs.BEGIN}\n{bench_runs.END}\n")
+        self.place("steps.md", f"# Steps\n{Document.BEGIN}\n{Document.END}\n")
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -108,8 +109,8 @@ class Whole(unittest.TestCase):
             file.write(text)
 
     def bench(self, *words):
-        return subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/bench_runs.py"), "--build", self.folder.name,
-                               "--results", self.path("results"), "--document", self.path("runs.md"), *words],
+        return subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/steps.py"), "--build", self.folder.name,
+                               "--results", self.path("results"), "--document", self.path("steps.md"), *words],
                               capture_output=True, text=True)
 
     def read(self, name):
@@ -123,12 +124,12 @@ class Whole(unittest.TestCase):
         self.assertEqual(len(log), 3 * 12)
         self.assertEqual(len(set(log[:12])), 12)
         self.assertEqual(log[:12], log[12:24])
-        rows = list(csv.DictReader(io.StringIO(self.read("results/runs.csv"))))
+        rows = list(csv.DictReader(io.StringIO(self.read("results/steps.csv"))))
         self.assertEqual(len(rows), 2 * 12)
         walls = [float(row["wall_time_s"]) for row in rows
                  if (row["case"], row["solver"], row["threads"]) == ("straight", "auto", "2")]
         self.assertAlmostEqual(statistics.median(walls), 0.625)
-        text = self.read("runs.md")
+        text = self.read("steps.md")
         self.assertIn("| straight, auto (block) | 2 | 625.0 |", text)
         self.assertIn("| huangjiahu, two threads to one | 0.500 |", text)
         self.assertIn("| straight: at least 8000 steps a second | 1603 | no |", text)
@@ -148,7 +149,7 @@ class Whole(unittest.TestCase):
     def test_a_program_that_fails_ends_it(self):
         self.place("cli/hawser", "#!/bin/sh\nexit 3\n")
         self.assertNotEqual(self.bench("--quick").returncode, 0)
-        self.assertFalse(os.path.exists(self.path("results/runs.csv")))
+        self.assertFalse(os.path.exists(self.path("results/steps.csv")))
 
 
 if __name__ == "__main__":
