@@ -1,0 +1,113 @@
+/* hawser's side of the comparison: the problems of problem.h through the library, one thread, nothing written.
+ * Settings: accuracy=A (the case key solver.accuracy), planar=off (the straight pull in space), stiff=F (chain: the
+ * links' rigidity over table 1's). Usage and row: run.h. */
+#include <stdlib.h>
+
+#include "bench/peers/run.h"
+#include "bench/straight_scene.h"
+#include "sim/sim.h"
+
+/* The straight scene is that of cases/straight.yaml; only the window differs. */
+static int define_straight(SceneDef *def, int n)
+{
+    if (!straight_scene(def, n)) return 0;
+    def->duration = WINDOW_TO;
+    def->output.steady_from = WINDOW_FROM;
+    return 1;
+}
+
+/* A link is rigid: table 1's cable, so much stiffer, without bending, torsion and rotary differences to a solid bar. */
+static CableDef chain_cable(double stiff)
+{
+    CableDef cable = straight_cable();
+    cable.ea *= stiff;
+    cable.ga *= stiff;
+    cable.gj = cable.ei_y = cable.ei_z = 1e-3; /* N m2: none to speak of */
+    return cable;
+}
+
+/* Both ends are pinned; the shape is the polyline of the joints. */
+static int define_chain(SceneDef *def, int n, double angle, double stiff)
+{
+    scene_def_defaults(def);
+    def->cables = malloc(sizeof *def->cables);
+    def->pieces = malloc(sizeof *def->pieces);
+    def->route = calloc(1, sizeof *def->route);
+    def->output.probes = calloc(1, sizeof *def->output.probes);
+    def->rod.points = calloc((size_t)n + 1, sizeof *def->rod.points);
+    double *const joint = malloc(3 * ((size_t)n + 1) * sizeof *joint);
+    if (!def->cables || !def->pieces || !def->route || !def->rod.points || !def->output.probes || !joint) return 0;
+    def->n_cables = def->n_pieces = def->n_route = def->output.n_probes = 1;
+    def->cables[0] = chain_cable(stiff);
+    def->pieces[0] = (ChainPieceDef){.length = PEER_LINK * n, .segments = n};
+    def->route[0] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .name = "chain", .length = PEER_LINK * n};
+    def->head_at = PEER_LINK * n;
+    def->output.probes[0] =
+        (ProbeDef){.name = "middle", .at = PEER_LINK * (chain_middle_segment(n) + 0.5) + chain_middle_arm(n)};
+    chain_joints(n, angle, joint);
+    for (int i = 0; i <= n; ++i) def->rod.points[i] = v3(joint[3 * i], joint[3 * i + 1], joint[3 * i + 2]);
+    free(joint);
+    def->rod.present = def->rod.stress_free = 1;
+    def->rod.shape = ROD_POLYLINE;
+    def->rod.n_points = n + 1;
+    for (int e = 0; e < 2; ++e) {
+        def->rod.end[e].pivot = 1;
+        for (int c = 0; c < 3; ++c) def->rod.end[e].held[c] = 1;
+    }
+    return 1;
+}
+
+static int define(SceneDef *def, PeerRun *run)
+{
+    const double stiff = peer_number(run, "stiff", 1);
+    const int made = run->problem == PEER_STRAIGHT ? define_straight(def, run->n)
+                                                   : define_chain(def, run->n, chain_angle(run->problem), stiff);
+    def->solver.accuracy = peer_number(run, "accuracy", def->solver.accuracy);
+    if (strcmp(peer_word(run, "planar", "auto"), "off") == 0) def->solver.planar = PLANAR_OFF;
+    if (run->problem != PEER_STRAIGHT) def->duration = peer_end(run->problem);
+    return made;
+}
+
+/* Takes what the problem is judged by out of the state of now. */
+static void look(PeerRun *run, Sim *sim)
+{
+    const hawser_sample *const sample = sim_sample(sim);
+    if (run->problem == PEER_STRAIGHT) peer_force(run, sample->t, sample->winch_force);
+    if (run->problem == PEER_HANG) peer_force(run, sample->t, sample->probe[0].force[0]);
+    if (run->problem == PEER_SWING)
+        peer_place(run, sample->t, sample->probe[0].position[1], sample->probe[0].position[2]);
+}
+
+/* Steps of the integrator's own, but for the path, whose times they must not miss. A pull begins in equilibrium. */
+static hawser_status integrate(PeerRun *run, Sim *sim, hawser_error *err)
+{
+    hawser_relaxation relaxation;
+    hawser_status status = run->problem == PEER_STRAIGHT ? sim_relax(sim, &relaxation, err) : HAWSER_OK;
+    look(run, sim);
+    while (!status && sim_time(sim) < run->until - 1e-12 && !peer_over_limit(run)) {
+        const double next = run->problem == PEER_SWING ? run->points * TRACE_EVERY : run->until;
+        status = sim_advance(sim, fmin(next, run->until), run->problem != PEER_SWING, err);
+        look(run, sim);
+    }
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    static PeerRun run;
+    SceneDef def;
+    Sim *sim = NULL;
+    hawser_error err;
+    hawser_summary summary;
+    peer_start(&run, "hawser", argc, argv);
+    hawser_status status = define(&def, &run) ? sim_new(&def, 1, &sim, &err) : HAWSER_ERR_MEMORY;
+    scene_def_clear(&def);
+    if (status) peer_stop(&run, "cannot build the scene:", status == HAWSER_ERR_MEMORY ? "no memory" : err.message);
+    peer_loop(&run);
+    status = integrate(&run, sim, &err);
+    if (status) fprintf(stderr, "hawser: %s\n", err.message);
+    sim_summary(sim, &summary);
+    peer_finish(&run, sim_time(sim), summary.steps, status != HAWSER_OK);
+    sim_free(sim);
+    return 0;
+}
