@@ -10,22 +10,31 @@ COLOURS = ("#0060b0", "#c03030", "#2a8a3a", "#b08000", "#7040a0", "#333333", "#0
 
 
 class Panel:
-    """One pair of axes. `add` a line or marks; values that are not finite leave gaps."""
+    """One pair of axes. `add` a line or marks; values that are not finite leave gaps, on a logarithmic axis those not above 0 too.
 
-    def __init__(self, xlabel, ylabel, height=230, bottom=None, top=None):
+    log: "", "x", "y" or "xy", the axes that are logarithmic. Series without a label are not in the legend.
+    """
+
+    def __init__(self, xlabel, ylabel, height=230, bottom=None, top=None, log=""):
         self.xlabel, self.ylabel, self.height = xlabel, ylabel, height
-        self.bottom, self.top = bottom, top  # ends of the y axis where they are prescribed
+        self.log = log
+        self.bottom, self.top = (None if end is None else self.scaled((1, end))[1] for end in (bottom, top))  # of the y axis
         self.series = []
+
+    def scaled(self, point):
+        """A point in the axes' own coordinates: decades where they are logarithmic."""
+        return tuple(decades(value) if axis in self.log else value for axis, value in zip("xy", point))
 
     def add(self, label, x, y, colour=None, marks=False, dash=""):
         colour = colour or COLOURS[len(self.series) % len(COLOURS)]
-        points = [(a, b) for a, b in zip(x, y)]
+        points = [self.scaled((a, b)) for a, b in zip(x, y)]
         self.series.append((label, points, colour, marks, dash))
         return self
 
     def level(self, label, value, colour="#888888"):
         """A dashed line over the whole width."""
         xs = [p[0] for _, points, *_ in self.series for p in points if math.isfinite(p[0])] or [0, 1]
+        xs = [10**x for x in xs] if "x" in self.log else xs
         return self.add(label, [min(xs), max(xs)], [value, value], colour, dash="6 3")
 
     def ends(self):
@@ -36,6 +45,22 @@ class Panel:
         low = min(ys) - room if self.bottom is None else self.bottom
         high = max(ys) + room if self.top is None else self.top
         return min(xs), max(xs) if max(xs) > min(xs) else min(xs) + 1, low, high
+
+
+def decades(value):
+    """log10 of it; not a number where there is none."""
+    return math.log10(value) if value > 0 else math.nan
+
+
+def marked(low, high, log, wanted=6):
+    """(place, label) of an axis' ticks: round numbers, or on a logarithmic axis whole decades and, if these are few, 2 and 5."""
+    if not log:
+        return [(value, f"{value:.6g}") for value in ticks(low, high, wanted)]
+    step = max(1, round((high - low) / (2 * wanted)))
+    places = [k for k in range(math.ceil(low - 1e-9), math.floor(high + 1e-9) + 1) if k % step == 0]
+    if high - low < 3:
+        places = sorted(places + [k + math.log10(m) for k in range(math.floor(low), math.ceil(high)) for m in (2, 5)])
+    return [(place, f"{10**place:.6g}") for place in places if low - 1e-9 <= place <= high + 1e-9]
 
 
 def ticks(low, high, wanted=6):
@@ -86,6 +111,8 @@ def draw_legend(panel, y):
     """Above the axes, in one row that breaks where it is full."""
     out, x = [], LEFT
     for label, _, colour, marks, dash in panel.series:
+        if not label:
+            continue
         length = 30 + 6.3 * len(label)
         if x + length > WIDTH - RIGHT and x > LEFT:
             x, y = LEFT, y + 15
@@ -112,14 +139,14 @@ def draw_panel(panel, y0):
         return x, lower - min(max(share, 0), 1) * panel.height
 
     out = legend
-    for value in ticks(y_low, y_high):
+    for value, label in marked(y_low, y_high, "y" in panel.log):
         _, height = place((x_low, value))
         out.append(f'<line x1="{LEFT}" y1="{height:.1f}" x2="{WIDTH - RIGHT}" y2="{height:.1f}" stroke="#dddddd"/>')
-        out.append(text(LEFT - 6, height + 4, f"{value:.6g}", "end", 11))
-    for value in ticks(x_low, x_high, 10):
+        out.append(text(LEFT - 6, height + 4, label, "end", 11))
+    for value, label in marked(x_low, x_high, "x" in panel.log, 10):
         across, _ = place((value, y_low))
         out.append(f'<line x1="{across:.1f}" y1="{lower}" x2="{across:.1f}" y2="{lower + 4}" stroke="#333333"/>')
-        out.append(text(across, lower + 16, f"{value:.6g}", size=11))
+        out.append(text(across, lower + 16, label, size=11))
     out.append(f'<path d="M{LEFT} {upper}V{lower}H{WIDTH - RIGHT}" fill="none" stroke="#333333"/>')
     for series in panel.series:
         out += draw_series(series, place)
