@@ -5,6 +5,7 @@
 
 #include "contact/contact_kernels.h"
 #include "contact/groove_lanes.h"
+#include "contact/weights_lanes.h"
 
 /* One of an element's two segments: centre, arm to the front end, velocities, contact radius. */
 typedef struct LaneBody {
@@ -12,15 +13,10 @@ typedef struct LaneBody {
     Lane radius;
 } LaneBody;
 
-/* The weights of the two bodies (C2), or their derivatives by u. */
-typedef struct LaneWeights {
-    Lane alpha[2], beta[2];
-} LaneWeights;
-
 /* A batch in lanes. */
 typedef struct Line {
     LaneBody body[2];
-    Lane arc, alpha, beta[2][2];
+    LaneShares shares;
     LaneShape shape;
     LaneGroove groove; /* of grooved kinds */
     ShapeKind kind;
@@ -61,11 +57,8 @@ LANE_INLINE Line line_load(const ContactBatch *batch, int grooved)
     for (int b = 0; b < 2; ++b) {
         line.body[b] = (LaneBody){batch_vector(batch->x[b]), batch_vector(batch->r[b]), batch_vector(batch->v[b]),
                                   batch_vector(batch->w[b]), lane_load(batch->radius[b])};
-        line.beta[b][0] = lane_load(batch->beta[b][0]);
-        line.beta[b][1] = lane_load(batch->beta[b][1]);
     }
-    line.arc = lane_load(batch->arc);
-    line.alpha = lane_load(batch->alpha);
+    line.shares = shares_load(batch->arc, batch->alpha, batch->beta);
     line.shape = (LaneShape){batch_vector(batch->centre), batch_vector(batch->axis), lane_load(batch->shape_radius),
                              lane_load(batch->shape_half_width)};
     if (grooved) line.groove = groove_load(batch);
@@ -80,38 +73,13 @@ LANE_INLINE Lane3 weighted(const LaneWeights *w, Lane3 a0, Lane3 b0, Lane3 a1, L
     return l3_axpy(l3_axpy(first, w->alpha[1], a1), w->beta[1], b1);
 }
 
-/* Weights (C2), (C3) and their first derivatives. */
-LANE_INLINE void line_weights(const Line *line, Lane u, LaneWeights *w, LaneWeights *w1)
-{
-    const Lane v = 1 - u;
-    w->alpha[1] = line->arc * u * u * (3 - 2 * u) + line->alpha;
-    w->alpha[0] = 1 - w->alpha[1];
-    w->beta[0] = line->arc * (2 * u * v * v) + line->beta[0][0] + line->beta[0][1] * u;
-    w->beta[1] = line->beta[1][0] + line->beta[1][1] * u - line->arc * (2 * u * u * v);
-    w1->alpha[1] = line->arc * (6 * u * v);
-    w1->alpha[0] = -w1->alpha[1];
-    w1->beta[0] = line->arc * (2 * v * (1 - 3 * u)) + line->beta[0][1];
-    w1->beta[1] = line->arc * (2 * u * (3 * u - 2)) + line->beta[1][1];
-}
-
-/* Second derivatives of the weights: only the arc has them. */
-LANE_INLINE LaneWeights line_weights2(const Line *line, Lane u)
-{
-    LaneWeights w2;
-    w2.alpha[1] = line->arc * (6 - 12 * u);
-    w2.alpha[0] = -w2.alpha[1];
-    w2.beta[0] = line->arc * (12 * u - 8);
-    w2.beta[1] = line->arc * (12 * u - 4);
-    return w2;
-}
-
 /* Everything at parameter u: (C1), (C4), (C9), (C10). grooved is a constant. */
 LANE_INLINE LinePoint line_at(const Line *line, int grooved, Lane u)
 {
     const LaneBody *j = &line->body[0], *k = &line->body[1];
     LinePoint at;
-    line_weights(line, u, &at.weight, &at.weight1);
-    const LaneWeights weight2 = line_weights2(line, u);
+    weights_at(&line->shares, u, &at.weight, &at.weight1);
+    const LaneWeights weight2 = weights_second(&line->shares, u);
     at.p = weighted(&at.weight, j->x, j->r, k->x, k->r);
     at.p1 = weighted(&at.weight1, j->x, j->r, k->x, k->r);
     const Lane3 p2 = weighted(&weight2, j->x, j->r, k->x, k->r);

@@ -140,7 +140,7 @@ static double kernel_moved(const PlanarChain *chain, const PlanarKinematics *kin
     for (int i = 0; i < chain->n; i += LANES) {
         const Lane2 dp = l2_sub(l2_load(kin->p, i), l2_load(at_p, i));
         const Lane2 da = l2_sub(l2_load(kin->a, i), l2_load(at_a, i));
-        const Lane moved = planar_root(l2_dot(dp, dp)) + lane_load(chain->half + i) * planar_root(l2_dot(da, da));
+        const Lane moved = lane_sqrt(l2_dot(dp, dp)) + lane_load(chain->half + i) * lane_sqrt(l2_dot(da, da));
         strange |= ~(moved >= 0);
         /* what pads the arrays may be anything, the head's ghost among it */
         most = lane_select((moved > most) & (lane_load(chain->inverse_mass + i) > lane_set(0)), moved, most);

@@ -6,6 +6,8 @@
 #include <math.h>
 
 #include "contact/planar_contact_kernels.h"
+#include "contact/weights_lanes.h"
+#include "core/lane_math.h"
 #include "core/plane_lanes.h"
 
 /* One of an element's two segments: centre, arm to the front end, velocities, contact radius. */
@@ -14,21 +16,16 @@ typedef struct PlanarBody {
     Lane w, radius;
 } PlanarBody;
 
-/* Weights of the two bodies (C2), or their derivatives by u. */
-typedef struct PlanarWeights {
-    Lane alpha[2], beta[2];
-} PlanarWeights;
-
 typedef struct PlanarLine {
     PlanarBody body[2];
-    Lane arc, alpha, beta[2][2];
+    LaneShares shares;
     Lane2 centre;
     Lane circle;
 } PlanarLine;
 
 /* A point of the line against its circle. */
 typedef struct PlanarPoint {
-    PlanarWeights weight, weight1; /* at u, and their first derivatives */
+    LaneWeights weight, weight1;   /* at u, and their first derivatives */
     Lane2 p, p1, p2;               /* from the circle's centre to P; P' and P'', m */
     Lane radius, radius1, radius2; /* rc, rc' and rc'', m */
     Lane rho;                      /* distance from the circle's centre, m */
@@ -49,41 +46,17 @@ LANE_INLINE PlanarLine planar_line_load(const PlanarBatch *batch)
     for (int b = 0; b < 2; ++b) {
         line.body[b] = (PlanarBody){pair_load(batch->x[b]), pair_load(batch->r[b]), pair_load(batch->v[b]),
                                     lane_load(batch->w[b]), lane_load(batch->radius[b])};
-        line.beta[b][0] = lane_load(batch->beta[b][0]);
-        line.beta[b][1] = lane_load(batch->beta[b][1]);
     }
-    line.arc = lane_load(batch->arc);
-    line.alpha = lane_load(batch->alpha);
+    line.shares = shares_load(batch->arc, batch->alpha, batch->beta);
     line.centre = pair_load(batch->centre);
     line.circle = lane_load(batch->circle);
     return line;
 }
 
 /* sum of alpha_i a_i + beta_i b_i over the two bodies */
-LANE_INLINE Lane2 planar_weighted(const PlanarWeights *w, Lane2 a0, Lane2 b0, Lane2 a1, Lane2 b1)
+LANE_INLINE Lane2 planar_weighted(const LaneWeights *w, Lane2 a0, Lane2 b0, Lane2 a1, Lane2 b1)
 {
     return l2_axpy(l2_axpy(l2_axpy(l2_scale(w->alpha[0], a0), w->beta[0], b0), w->alpha[1], a1), w->beta[1], b1);
-}
-
-/* Weights (C2), (C3) and their first derivatives. */
-LANE_INLINE void planar_weights(const PlanarLine *line, Lane u, PlanarWeights *w, PlanarWeights *w1)
-{
-    const Lane v = 1 - u;
-    w->alpha[1] = line->arc * u * u * (3 - 2 * u) + line->alpha;
-    w->alpha[0] = 1 - w->alpha[1];
-    w->beta[0] = line->arc * (2 * u * v * v) + line->beta[0][0] + line->beta[0][1] * u;
-    w->beta[1] = line->beta[1][0] + line->beta[1][1] * u - line->arc * (2 * u * u * v);
-    w1->alpha[1] = line->arc * (6 * u * v);
-    w1->alpha[0] = -w1->alpha[1];
-    w1->beta[0] = line->arc * (2 * v * (1 - 3 * u)) + line->beta[0][1];
-    w1->beta[1] = line->arc * (2 * u * (3 * u - 2)) + line->beta[1][1];
-}
-
-LANE_INLINE Lane planar_root(Lane x)
-{
-    Lane r;
-    for (int k = 0; k < LANES; ++k) r[k] = sqrt(x[k]);
-    return r;
 }
 
 /* P - c, P', P'' and the radius with its derivatives at u: (C1), (C4). */
@@ -91,17 +64,15 @@ LANE_INLINE PlanarPoint planar_point_at(const PlanarLine *line, Lane u)
 {
     const PlanarBody *j = &line->body[0], *k = &line->body[1];
     PlanarPoint at;
-    planar_weights(line, u, &at.weight, &at.weight1);
-    /* second derivatives of the weights: only the arc has them */
-    const Lane bent = line->arc * (6 - 12 * u);
-    const PlanarWeights weight2 = {{-bent, bent}, {line->arc * (12 * u - 8), line->arc * (12 * u - 4)}};
+    weights_at(&line->shares, u, &at.weight, &at.weight1);
+    const LaneWeights weight2 = weights_second(&line->shares, u);
     at.p = l2_sub(planar_weighted(&at.weight, j->x, j->r, k->x, k->r), line->centre);
     at.p1 = planar_weighted(&at.weight1, j->x, j->r, k->x, k->r);
     at.p2 = planar_weighted(&weight2, j->x, j->r, k->x, k->r);
     const Lane thinner = k->radius - j->radius;
     at.radius = at.weight.alpha[0] * j->radius + at.weight.alpha[1] * k->radius;
     at.radius1 = at.weight1.alpha[1] * thinner;
-    at.radius2 = bent * thinner;
+    at.radius2 = weight2.alpha[1] * thinner;
     return at;
 }
 
@@ -109,7 +80,7 @@ LANE_INLINE PlanarPoint planar_point_at(const PlanarLine *line, Lane u)
 LANE_INLINE Lane planar_rho(Lane2 p)
 {
     const Lane square = l2_dot(p, p), tiny = lane_set(1e-60);
-    return planar_root(lane_select(square > tiny, square, tiny));
+    return lane_sqrt(lane_select(square > tiny, square, tiny));
 }
 
 /* Adds normal, slope and curvature of the gap: (C9), (C10) with the circle's H = t t^T / rho (PL11). */
@@ -127,10 +98,11 @@ LANE_INLINE void planar_point_gap(PlanarPoint *at)
 LANE_INLINE void planar_end_slopes(const PlanarLine *line, Lane *start, Lane *end)
 {
     const PlanarBody *j = &line->body[0], *k = &line->body[1];
-    const Lane(*const beta)[2] = line->beta;
-    const Lane low = line->alpha, high = line->arc + line->alpha, chord = 2 * line->arc;
-    const PlanarWeights first = {{1 - low, low}, {beta[0][0], beta[1][0]}};
-    const PlanarWeights last = {{1 - high, high}, {beta[0][0] + beta[0][1], beta[1][0] + beta[1][1]}};
+    const LaneShares *const s = &line->shares;
+    const Lane(*const beta)[2] = s->beta;
+    const Lane low = s->alpha, high = s->arc + s->alpha, chord = 2 * s->arc;
+    const LaneWeights first = {{1 - low, low}, {beta[0][0], beta[1][0]}};
+    const LaneWeights last = {{1 - high, high}, {beta[0][0] + beta[0][1], beta[1][0] + beta[1][1]}};
     const Lane2 at_first = l2_sub(planar_weighted(&first, j->x, j->r, k->x, k->r), line->centre);
     const Lane2 at_last = l2_sub(planar_weighted(&last, j->x, j->r, k->x, k->r), line->centre);
     *start = l2_dot(at_first, l2_axpy(l2_scale(beta[0][1] + chord, j->r), beta[1][1], k->r));
@@ -216,7 +188,7 @@ LANE_INLINE PlanarContact planar_contact_at(const PlanarBatch *batch, const Plan
     PlanarContact c;
     c.at = planar_point_at(line, planar_nearest(line, &c.interior));
     planar_point_gap(&c.at);
-    const PlanarWeights *w = &c.at.weight;
+    const LaneWeights *w = &c.at.weight;
     c.tangent = l2_turn(c.at.normal);
     c.pdot = planar_weighted(w, j->v, l2_scale(j->w, l2_turn(j->r)), k->v, l2_scale(k->w, l2_turn(k->r)));
     c.omega = w->alpha[0] * j->w + w->alpha[1] * k->w;

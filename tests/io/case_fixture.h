@@ -67,4 +67,15 @@ static inline void expect_bad(const char *text, const char *key, const char *val
     if (!strstr(err.message, part)) fail_msg("'%s' is not in: %s", part, err.message);
 }
 
+/* The route of a definition. */
+static inline Route route_of(const SceneDef *def)
+{
+    Route route;
+    hawser_error err;
+    assert_int_equal(
+        route_build(&route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, &err),
+        HAWSER_OK);
+    return route;
+}
+
 #endif

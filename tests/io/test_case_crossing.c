@@ -1,27 +1,11 @@
 /* cases/crossing.yaml through the public interface: the rope comes to lie across itself, one diameter above the part
  * on the rollers; without the contact it falls through. And a case that begins inside itself is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "hawser/hawser.h"
+#include "tests/io/example_fixture.h"
 
 static hawser_status open_case(const char *key, const char *value, hawser_sim **sim, hawser_error *err)
 {
-    char path[512];
-    hawser_case *c = NULL;
-    snprintf(path, sizeof path, "%s/cases/crossing.yaml", HAWSER_SOURCE_DIR);
-    assert_int_equal(hawser_case_load(path, &c, err), HAWSER_OK);
-    if (key) assert_int_equal(hawser_case_set(c, key, value, err), HAWSER_OK);
-    const hawser_status status = hawser_sim_new(c, NULL, sim, err);
-    hawser_case_free(c);
-    return status;
+    const char *const settings[] = {key, value, NULL};
+    return example_open("crossing", key ? settings : NULL, sim, err);
 }
 
 /* Where the line through the centres first..last passes coordinate `axis` = at: the height there, m. */
@@ -77,25 +61,14 @@ static void test_rests_on_itself(void **state)
 static void test_falls_through_without(void **state)
 {
     (void)state;
-    hawser_sim *sim = NULL;
-    hawser_error err = {0};
-    hawser_summary summary;
+    const char *const settings[] = {
+        "contact", "{cable_on_cable: false}", "run.duration", "1 s", "run.steady_from", "0.5 s", NULL};
+    const Outcome o = example_run("crossing", settings);
     double speed;
-    char path[512];
-    hawser_case *c = NULL;
-    snprintf(path, sizeof path, "%s/cases/crossing.yaml", HAWSER_SOURCE_DIR);
-    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "contact", "{cable_on_cable: false}", &err), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "run.duration", "1 s", &err), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "run.steady_from", "0.5 s", &err), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_OK);
-    hawser_case_free(c);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
-    hawser_sim_summary(sim, &summary);
-    const double high = clearance(sim, &speed);
+    const double high = clearance(o.sim, &speed);
     print_message("without: %.2f mm apart\n", 1e3 * high);
     assert_true(high < 0.012);
-    hawser_sim_free(sim);
+    hawser_sim_free(o.sim);
 }
 
 /* The bend that lifts the loop made level: the end begins in the middle of the beginning. */

@@ -1,26 +1,10 @@
 /* cases/drum-contact.yaml through the public interface, and what a reel with `model: contact` refuses. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "hawser/hawser.h"
+#include "tests/io/example_fixture.h"
 
 static hawser_status open_case(const char *key, const char *value, hawser_sim **sim, hawser_error *err)
 {
-    char path[512];
-    hawser_case *c = NULL;
-    snprintf(path, sizeof path, "%s/cases/drum-contact.yaml", HAWSER_SOURCE_DIR);
-    assert_int_equal(hawser_case_load(path, &c, err), HAWSER_OK);
-    hawser_status status = key ? hawser_case_set(c, key, value, err) : HAWSER_OK;
-    if (!status) status = hawser_sim_new(c, NULL, sim, err);
-    hawser_case_free(c);
-    return status;
+    const char *const settings[] = {key, value, NULL};
+    return example_open("drum-contact", key ? settings : NULL, sim, err);
 }
 
 /* Torque over radius and the work of straightening, for the polygon of segments (CC25), and the tray's friction. */

@@ -17,16 +17,6 @@ static void load(const char *name, SceneDef *def)
     if (status) fail_msg("%s", err.message);
 }
 
-static Route route_of(const SceneDef *def)
-{
-    Route route;
-    hawser_error err;
-    assert_int_equal(
-        route_build(&route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, &err),
-        HAWSER_OK);
-    return route;
-}
-
 static void every_file_is_good(void **state)
 {
     (void)state;

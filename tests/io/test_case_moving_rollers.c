@@ -1,7 +1,7 @@
 /* Rollers that spin or stand on mounts as cases describe them: what is read and refused, and the example cases against
  * closed forms through the public interface; with them the capstan on a drum that is fixed or turns. */
-#include "hawser/hawser.h"
 #include "tests/io/case_fixture.h"
+#include "tests/io/example_fixture.h"
 
 static void what_is_read(void **state)
 {
@@ -53,27 +53,10 @@ static void what_is_refused(void **state)
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) expect_bad(SMALLEST, "rollers.along", bad[k][0], bad[k][1]);
 }
 
-/* Runs an example case with settings ("key", "value", ..., NULL). */
-typedef struct Outcome {
-    hawser_summary summary;
-    hawser_sim *sim;
-} Outcome;
-
+/* Runs an example case from equilibrium and says how it went. */
 static Outcome run(const char *name, const char *const *settings)
 {
-    char path[512];
-    hawser_error err = {0};
-    hawser_case *c = NULL;
-    Outcome out = {0};
-    snprintf(path, sizeof path, "%s/cases/%s.yaml", HAWSER_SOURCE_DIR, name);
-    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    if (hawser_sim_new(c, NULL, &out.sim, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    if (hawser_sim_run(out.sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
-    hawser_sim_summary(out.sim, &out.summary);
+    const Outcome out = example_run(name, settings);
     print_message("%s: pull %.2f N, %ld steps, %s\n", name, out.summary.pull_mean_N, out.summary.steps,
                   out.summary.linear_solver_why);
     assert_true(out.summary.relaxation.reached);

@@ -3,16 +3,6 @@
 
 static const double RADIUS = 0.04365; /* of the cable in SMALLEST, m */
 
-static Route route_of(const SceneDef *def)
-{
-    Route route;
-    hawser_error err;
-    assert_int_equal(
-        route_build(&route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, &err),
-        HAWSER_OK);
-    return route;
-}
-
 /* A roller is the sum of the radii from the route at its s, square to the tangent, with a level axis. */
 static void stands_right(const Route *route, const RollerDef *roller)
 {

@@ -1,39 +1,5 @@
 /* The two main cases against theory, through the public interface: the figures that the project promises. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "hawser/hawser.h"
-
-/* Runs a case of cases/ with settings ("key", "value", ..., NULL) and returns its summary and stations. */
-typedef struct Outcome {
-    hawser_summary summary;
-    hawser_sim *sim;
-} Outcome;
-
-static Outcome run(const char *name, const char *const *settings)
-{
-    char path[512];
-    hawser_error err = {0};
-    hawser_case *c = NULL;
-    Outcome out = {0};
-    snprintf(path, sizeof path, "%s/cases/%s.yaml", HAWSER_SOURCE_DIR, name);
-    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        assert_int_equal(hawser_case_set(c, settings[i], settings[i + 1], &err), HAWSER_OK);
-    }
-    assert_int_equal(hawser_sim_new(c, NULL, &out.sim, &err), HAWSER_OK);
-    hawser_case_free(c);
-    if (hawser_sim_run(out.sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
-    hawser_sim_summary(out.sim, &out.summary);
-    return out;
-}
+#include "tests/io/example_fixture.h"
 
 static void assert_share(double found, double expected, double share)
 {
@@ -55,7 +21,7 @@ static const hawser_station *station(const hawser_sim *sim, const char *name)
 static void test_huangjiahu(void **state)
 {
     (void)state;
-    Outcome o = run("huangjiahu", NULL);
+    Outcome o = example_run("huangjiahu", NULL);
     const hawser_summary *const s = &o.summary;
     assert_int_equal(s->segments, 370);
     assert_int_equal(s->rollers, 32);
@@ -79,7 +45,8 @@ static void test_huangjiahu_converged(void **state)
     (void)state;
     const char *const finer[] = {"chain.0.segment", "250 mm", "chain.1.segment", "250 mm", NULL};
     const char *const tighter[] = {"solver.accuracy", "1e-4", NULL};
-    Outcome base = run("huangjiahu", NULL), fine = run("huangjiahu", finer), tight = run("huangjiahu", tighter);
+    Outcome base = example_run("huangjiahu", NULL), fine = example_run("huangjiahu", finer),
+            tight = example_run("huangjiahu", tighter);
     assert_int_equal(fine.summary.segments, 740);
     assert_share(fine.summary.pull_mean_N, base.summary.pull_mean_N, 0.002);
     assert_share(tight.summary.pull_mean_N, base.summary.pull_mean_N, 0.002);
@@ -93,7 +60,7 @@ static void test_huangjiahu_real_stiffness(void **state)
 {
     (void)state;
     const char *const real[] = {"cables.power.EI", "16.4 kN m2", NULL};
-    Outcome o = run("huangjiahu", real);
+    Outcome o = example_run("huangjiahu", real);
     assert_true(o.summary.error_max_pct < 1 && o.summary.error_mean_pct < 0.5);
     hawser_sim_free(o.sim);
 }
@@ -103,7 +70,7 @@ static void test_straight(void **state)
 {
     (void)state;
     const char *const capsules[] = {"contact.geometry", "cylinder", NULL};
-    Outcome smooth = run("straight", NULL), rough = run("straight", capsules);
+    Outcome smooth = example_run("straight", NULL), rough = example_run("straight", capsules);
     assert_true(fabs(smooth.summary.reference_total_N - 7985.34) < 0.01);
     assert_share(smooth.summary.pull_mean_N, smooth.summary.reference_total_N, 0.001);
     assert_true(smooth.summary.pull_ripple_N * 10 < rough.summary.pull_ripple_N);
@@ -117,12 +84,12 @@ static void test_straight(void **state)
 static void test_winches(void **state)
 {
     (void)state;
-    Outcome o = run("winch-tension", NULL);
+    Outcome o = example_run("winch-tension", NULL);
     assert_true(o.summary.steady_speed_m_per_s > 0.095 && o.summary.steady_speed_m_per_s < 0.1);
     assert_share(o.summary.pull_mean_N, 0.15 * 9.81 * (14 * 40 + 0.68 * 15), 0.01);
     assert_true(o.summary.pull_peak_N < 1000.01);
     hawser_sim_free(o.sim);
-    o = run("winch-trip", NULL);
+    o = example_run("winch-trip", NULL);
     const hawser_event *event;
     assert_int_equal(hawser_sim_events(o.sim, &event), 4);
     assert_true(event[0].pull_N > 1.5 * o.summary.reference_total_N && event[0].t > 8.1 && event[0].t < 8.5);
@@ -147,7 +114,7 @@ static const hawser_surface *surface(hawser_sim *sim, const char *name)
 static void test_duct_bends(void **state)
 {
     (void)state;
-    Outcome o = run("duct-bends", NULL);
+    Outcome o = example_run("duct-bends", NULL);
     assert_true(o.summary.relaxation.reached);
     assert_int_equal(o.summary.surfaces, 1);
     assert_true(o.summary.error_max_pct < 1);
@@ -167,7 +134,7 @@ static void test_duct_bends(void **state)
 static void test_tray(void **state)
 {
     (void)state;
-    Outcome o = run("tray", NULL);
+    Outcome o = example_run("tray", NULL);
     assert_true(o.summary.relaxation.reached);
     assert_int_equal(o.summary.surfaces, 4);
     const char *const name[] = {"2 m", "4 m", "6 m", "8 m"};
@@ -185,7 +152,7 @@ static void test_tray(void **state)
 static void test_conveyors(void **state)
 {
     (void)state;
-    Outcome o = run("conveyors", NULL);
+    Outcome o = example_run("conveyors", NULL);
     const hawser_conveyor *c;
     assert_int_equal(hawser_sim_conveyors(o.sim, &c), 2);
     assert_share(c[0].mean_N, 900, 1e-4);
@@ -201,7 +168,7 @@ static void test_reel_and_take_in(void **state)
     (void)state;
     const char *const name[] = {"reel", "take-in"};
     for (int k = 0; k < 2; ++k) {
-        Outcome o = run(name[k], NULL);
+        Outcome o = example_run(name[k], NULL);
         const hawser_position *row;
         const int n = hawser_sim_positions(o.sim, &row);
         assert_share(o.summary.pull_mean_N, o.summary.reference_total_N, 0.005);
@@ -218,7 +185,7 @@ static void test_tunnel_starts(void **state)
 {
     (void)state;
     const char *const settings[] = {"run.duration", "12 s", "run.steady_from", "10 s", NULL};
-    Outcome o = run("tunnel-879", settings);
+    Outcome o = example_run("tunnel-879", settings);
     assert_true(o.summary.relaxation.reached);
     assert_int_equal(o.summary.segments, 2660);
     const hawser_sample *const look = hawser_sim_sample(o.sim);

@@ -2,7 +2,7 @@
  * two example cases against what can be said about them by hand. */
 #include "tests/io/case_fixture.h"
 
-#include "hawser/hawser.h"
+#include "tests/io/example_fixture.h"
 
 static const double RADIUS = 0.04365; /* of the cable in SMALLEST, m */
 
@@ -20,16 +20,6 @@ static void row_read(const char *row, SceneDef *def)
     assert_int_equal(case_tree_set(tree, "rollers.along", row, &err), HAWSER_OK);
     if (case_read(tree, def, &err)) fail_msg("%s", err.message);
     case_tree_free(tree);
-}
-
-static Route route_of(const SceneDef *def)
-{
-    Route route;
-    hawser_error err;
-    assert_int_equal(
-        route_build(&route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, &err),
-        HAWSER_OK);
-    return route;
 }
 
 /* Bends and straights share the route between them: places never meet and no gap is longer than the larger spacing. */
@@ -181,20 +171,9 @@ static void friction_that_sticks(void **state)
 /* Runs an example case with settings, and returns its pull. */
 static double pull_of(const char *name, const char *const *settings, hawser_summary *summary)
 {
-    char path[512];
-    hawser_error err = {0};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    snprintf(path, sizeof path, "%s/cases/%s.yaml", HAWSER_SOURCE_DIR, name);
-    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        assert_int_equal(hawser_case_set(c, settings[i], settings[i + 1], &err), HAWSER_OK);
-    }
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_OK);
-    hawser_case_free(c);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
-    hawser_sim_summary(sim, summary);
-    hawser_sim_free(sim);
+    const Outcome out = example_run(name, settings);
+    *summary = out.summary;
+    hawser_sim_free(out.sim);
     return summary->pull_mean_N;
 }
 

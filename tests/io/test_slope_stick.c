@@ -1,34 +1,8 @@
 /* Friction that sticks in whole runs: a cable held on a slope does not creep for an hour, slides where the slope is too
  * steep, pulls as hard as with ADAMS' law, and breaks away with the static coefficient. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "hawser/hawser.h"
+#include "tests/io/example_fixture.h"
 
 enum { SEGMENTS_MAX = 64 };
-
-static hawser_sim *sim_of(const char *name, const char *const *settings)
-{
-    char path[512];
-    hawser_error err = {0};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    snprintf(path, sizeof path, "%s/cases/%s.yaml", HAWSER_SOURCE_DIR, name);
-    assert_int_equal(hawser_case_load(path, &c, &err), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    return sim;
-}
 
 static void advance(hawser_sim *sim, double t)
 {
@@ -64,11 +38,11 @@ static void test_held_for_an_hour(void **state)
 {
     (void)state;
     hawser_summary summary;
-    hawser_sim *sim = sim_of("slope-stick", NULL);
+    hawser_sim *sim = example_sim("slope-stick", NULL);
     const double held = drift(sim, 30, 3600);
     hawser_sim_summary(sim, &summary);
     hawser_sim_free(sim);
-    sim = sim_of("slope-stick", (const char *const[]){"friction.law", "adams", NULL});
+    sim = example_sim("slope-stick", (const char *const[]){"friction.law", "adams", NULL});
     const double crept = drift(sim, 30, 3600);
     hawser_sim_free(sim);
     print_message("drift in an hour: %.3g m held (%ld steps), %.3g m with ADAMS' law\n", held, summary.steps, crept);
@@ -87,13 +61,13 @@ static void test_held_in_a_trough(void **state)
         "rollers.along.from", "18 m", "surfaces", "{trays: [{name: trough, section: u, radius: 100 mm}]}",
         "solver.threads",     "2",    NULL};
     double a[3 * SEGMENTS_MAX], b[3 * SEGMENTS_MAX];
-    hawser_sim *sim = sim_of("slope-stick", trough);
+    hawser_sim *sim = example_sim("slope-stick", trough);
     const double held = drift(sim, 30, 3600);
     const int n = positions(sim, a);
     hawser_sim_free(sim);
     print_message("in a trough: %.3g m\n", held);
     assert_true(held < 1e-6);
-    sim = sim_of("slope-stick", threads);
+    sim = example_sim("slope-stick", threads);
     drift(sim, 30, 3600);
     positions(sim, b);
     assert_memory_equal(a, b, 3 * (size_t)n * sizeof *a);
@@ -105,7 +79,7 @@ static void test_slides_where_it_is_steep(void **state)
 {
     (void)state;
     hawser_sim *sim =
-        sim_of("slope-stick", (const char *const[]){"friction.mu", "0.3", "output.interval", "50 ms", NULL});
+        example_sim("slope-stick", (const char *const[]){"friction.mu", "0.3", "output.interval", "50 ms", NULL});
     advance(sim, 2);
     const hawser_sample *const s = hawser_sim_sample(sim);
     const double slope = 20 * M_PI / 180, a = 9.81 * (sin(slope) - 0.3 * cos(slope));
@@ -117,7 +91,7 @@ static void test_slides_where_it_is_steep(void **state)
 
 static double pull(const char *const *settings, double *peak_after, double from)
 {
-    hawser_sim *sim = sim_of("straight", settings);
+    hawser_sim *sim = example_sim("straight", settings);
     hawser_summary summary;
     hawser_error err = {0};
     if (peak_after) {
@@ -177,7 +151,7 @@ static void test_starts_like_adams(void **state)
                                         "friction.law",
                                         k == 0 ? "adams" : "stick",
                                         NULL};
-        hawser_sim *sim = sim_of("straight", settings);
+        hawser_sim *sim = example_sim("straight", settings);
         hawser_summary summary;
         hawser_error err = {0};
         if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);

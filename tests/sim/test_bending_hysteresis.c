@@ -1,52 +1,13 @@
 /* Cables with a table of bending in whole scenes: the area of a cantilever's loop in a dynamic run, what a free chain
  * may lose and must keep, the start from a relaxed bend, threads. The law at one joint: tests/core/test_sliders.c. */
-#include "sim/integrator.h"
 #include "sim/relax.h"
 #include "sim/sim.h"
-#include "sim/spatial.h"
-#include "tests/sim/scene_fixture.h"
-
-typedef struct Rig {
-    Scene scene;
-    Workspace ws;
-    Newton newton;
-    Spatial spatial;
-    Integrator *integrator;
-    double t, *y, *rate; /* [13 n] */
-} Rig;
-
-/* Takes the definition; the chain lies on its route at rest, the integrator is not started. */
-static Rig *rig_new(SceneDef *def)
-{
-    Rig *const r = fixture_array(1, sizeof *r);
-    hawser_error err = {0};
-    fixture_build(def, &r->scene);
-    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
-    if (newton_new(&r->newton, &r->scene, &r->scene.def.solver.linear, &err)) fail_msg("%s", err.message);
-    r->y = fixture_array(STATE_SIZE * r->scene.chain.n, sizeof(double));
-    r->rate = fixture_array(STATE_SIZE * r->scene.chain.n, sizeof(double));
-    scene_initial_state(&r->scene, r->y);
-    return r;
-}
-
-static void rig_free(Rig *r)
-{
-    integrator_free(r->integrator);
-    newton_free(&r->newton);
-    workspace_free(&r->ws);
-    scene_clear(&r->scene);
-    free(r->y);
-    free(r->rate);
-    free(r);
-}
+#include "tests/sim/rig_fixture.h"
 
 static void rig_step(Rig *r, double stop)
 {
     hawser_error err = {0};
-    if (!r->integrator &&
-        integrator_new(spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton), r->t, r->y, &r->integrator, &err)) {
-        fail_msg("%s", err.message);
-    }
+    if (!r->integrator && integrator_new(rig_motion(r), r->t, r->y, &r->integrator, &err)) fail_msg("%s", err.message);
     if (integrator_step(r->integrator, stop, &r->t, &err)) fail_msg("%s", err.message);
 }
 
@@ -95,7 +56,7 @@ static Rig *cantilever_new(void)
     def.winch.speed = (Profile){.kind = PROFILE_TABLE, .n = CORNERS, .time = time, .value = speed};
     def.solver.accuracy = 1e-4;
     def.solver.max_step = 0.1;
-    Rig *const r = rig_new(&def);
+    Rig *const r = rig_make(&def, NULL);
     r->scene.winch.direction = v3(0, 0, 1);
     for (int c = 1; c < 3; ++c) {
         r->scene.chain.stiffness[c][0] = 1e6;
@@ -225,7 +186,7 @@ static void test_free_chain(void **state)
     def.cables[0].ei_y = def.cables[0].ei_z = 40;
     def.cables[0].bending = (BendingTable){.rows = 3, .curvature = {0.05, 0.1, 0.2}, .moment = {2, 3, 3.5}};
     def.solver.accuracy = 1e-6;
-    Rig *r = rig_new(&def);
+    Rig *r = rig_make(&def, NULL);
     state_shake(r->y, 12, 0.005, 0.05, 0.3, 0.5, &seed);
     assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0, r->y, 1, &err), HAWSER_OK);
     dynamics_accept(&r->scene, &r->ws, 0, r->y);
@@ -262,7 +223,7 @@ static void test_relaxed_start(void **state)
     hawser_error err = {0};
     hawser_relaxation relaxation;
     tabled_pull(&def);
-    Rig *r = rig_new(&def);
+    Rig *r = rig_make(&def, NULL);
     const int n = r->scene.chain.n;
     assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0, r->y, 1, &err), HAWSER_OK);
     assert_int_equal(relax_to_equilibrium(&r->scene, &r->ws, &r->newton, 0, r->y, &relaxation, &err), HAWSER_OK);
@@ -292,7 +253,7 @@ static void test_stiffness_of_joints(void **state)
     (void)state;
     SceneDef def;
     tabled_pull(&def);
-    Rig *r = rig_new(&def);
+    Rig *r = rig_make(&def, NULL);
     const Chain *const c = &r->scene.chain;
     assert_int_equal(c->sliders.count, 2);
     const int eye = FIXTURE_CABLE, n = c->n;

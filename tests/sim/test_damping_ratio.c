@@ -1,44 +1,20 @@
 /* Damping ratios against the logarithmic decrement of one mode: two free segments that swing against each other in one
  * component of the joint between them. */
-#include "sim/integrator.h"
-#include "sim/spatial.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/sim/rig_fixture.h"
 
 enum { N = 2, SIZE = STATE_SIZE * N, SWINGS = 4 };
-
-typedef struct Rig {
-    Scene scene;
-    Workspace ws;
-    Newton newton;
-    Spatial spatial;
-    double y[SIZE];
-} Rig;
 
 /* Two segments of 0.5 m, weightless; ratio in component c (0 axial, 1, 2 shear, 3 torsion, 4, 5 bending), at a
  * frequency or (0) in the joint's own mode. */
 static Rig *rig_new(int c, double ratio, double at)
 {
     SceneDef def;
-    hawser_error err = {0};
     fixture_free_chain(&def, N);
     def.cables[0].damping_ratio[c] = ratio;
     def.cables[0].damping_ratio_at = at;
     def.solver.accuracy = 1e-7;
     def.solver.max_order = 5;
-    Rig *const r = fixture_array(1, sizeof *r);
-    fixture_build(&def, &r->scene);
-    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
-    if (newton_new(&r->newton, &r->scene, &r->scene.def.solver.linear, &err)) fail_msg("%s", err.message);
-    scene_initial_state(&r->scene, r->y);
-    return r;
-}
-
-static void rig_free(Rig *r)
-{
-    newton_free(&r->newton);
-    workspace_free(&r->ws);
-    scene_clear(&r->scene);
-    free(r);
+    return rig_make(&def, NULL);
 }
 
 /* Sets the two segments moving against each other in component c, by a little. In shear both turn the same way, as the
@@ -87,7 +63,7 @@ static double ratio_seen(Rig *r, int c)
     r->scene.def.solver.max_step = 2 * M_PI / omega_of(r, c) / 400;
     push(r, c);
     before = rate_of(r, c);
-    if (integrator_new(spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton), 0, r->y, &in, &err)) {
+    if (integrator_new(rig_motion(r), 0, r->y, &in, &err)) {
         fail_msg("%s", err.message);
     }
     for (int n = 0; n <= 2 * SWINGS;) {

@@ -1,51 +1,13 @@
 /* CVODE on the chain: what a free chain must conserve, free flight, unit quaternions, and failures that are told. */
-#include "sim/integrator.h"
-#include "sim/spatial.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/sim/rig_fixture.h"
 
 enum { N = 12, SIZE = STATE_SIZE * N };
 
-typedef struct Rig {
-    Scene scene;
-    Workspace ws;
-    Newton newton;
-    Spatial spatial;
-    Integrator *integrator;
-    double t, y[SIZE];
-} Rig;
-
-/* Takes the definition; the chain lies straight and at rest, the integrator is not started. */
-static Rig *rig_new(SceneDef *def)
+/* From a state that the test has changed. */
+static hawser_status run_from(Rig *r, double to, hawser_error *err)
 {
-    Rig *const r = fixture_array(1, sizeof *r);
-    hawser_error err = {0};
-    fixture_build(def, &r->scene);
-    assert_int_equal(r->scene.chain.n, N);
-    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
-    if (newton_new(&r->newton, &r->scene, &r->scene.def.solver.linear, &err)) fail_msg("%s", err.message);
-    scene_initial_state(&r->scene, r->y);
-    return r;
-}
-
-static Rig *rig_free(Rig *r)
-{
-    integrator_free(r->integrator);
-    newton_free(&r->newton);
-    workspace_free(&r->ws);
-    scene_clear(&r->scene);
-    free(r);
-    return NULL;
-}
-
-static hawser_status rig_run(Rig *r, double to, hawser_error *err)
-{
-    hawser_status status = dynamics_refresh(&r->scene, &r->ws, r->t, r->y, 1, err);
-    if (!status && !r->integrator) {
-        status =
-            integrator_new(spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton), r->t, r->y, &r->integrator, err);
-    }
-    while (!status && r->t < to) status = integrator_step(r->integrator, to, &r->t, err);
-    return status;
+    rig_refresh(r);
+    return rig_run(r, to, err);
 }
 
 static Rig *free_chain(double accuracy, int max_order)
@@ -54,7 +16,7 @@ static Rig *free_chain(double accuracy, int max_order)
     fixture_free_chain(&def, N);
     def.solver.accuracy = accuracy;
     def.solver.max_order = max_order;
-    return rig_new(&def);
+    return rig_make(&def, NULL);
 }
 
 /* What undamped motion without loads conserves. */
@@ -90,7 +52,7 @@ static void drifts(double accuracy, int max_order, double drift[3])
     hawser_error err = {0};
     state_shake(r->y, N, 0.01, 0.1, 0.3, 0.5, &seed);
     const Balance before = balance_of(r);
-    if (rig_run(r, 1, &err)) fail_msg("%s", err.message);
+    if (run_from(r, 1, &err)) fail_msg("%s", err.message);
     const Balance after = balance_of(r);
     double mass = 0;
     for (int i = 0; i < N; ++i) mass += r->scene.chain.mass[i];
@@ -145,7 +107,7 @@ static void test_free_flight(void **state)
         state_set_vec(r->y, N, STATE_W, i, w);
     }
     memcpy(start, r->y, sizeof start);
-    if (rig_run(r, 1, &err)) fail_msg("%s", err.message);
+    if (run_from(r, 1, &err)) fail_msg("%s", err.message);
     double off = 0, turned = 0, speed = 0;
     for (int i = 0; i < N; ++i) {
         const Vec3 p = v3_add(state_vec(start, N, STATE_P, i), v3_scale(r->t, v));
@@ -172,9 +134,7 @@ static void test_unit_quaternions(void **state)
     double worst = 0;
     hawser_error err = {0};
     state_shake(r->y, N, 0.01, 0.2, 0.5, 3, &seed);
-    assert_int_equal(
-        integrator_new(spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton), 0, r->y, &r->integrator, &err),
-        HAWSER_OK);
+    assert_int_equal(integrator_new(rig_motion(r), 0, r->y, &r->integrator, &err), HAWSER_OK);
     int steps = 0;
     for (; r->t < 1; ++steps) {
         assert_int_equal(integrator_step(r->integrator, 1, &r->t, &err), HAWSER_OK);
@@ -200,14 +160,14 @@ static void test_failure_is_told(void **state)
     double time[] = {0, 0.5, 0.6}, tension[] = {0, 0, INFINITY};
     SceneDef def;
     fixture_free_chain(&def, N);
-    Rig *r = rig_new(&def);
+    Rig *r = rig_make(&def, NULL);
     r->scene.tail = (Profile){.kind = PROFILE_TABLE, .n = 3, .time = time, .value = tension};
     for (int i = 0; i < N; ++i) state_set_vec(r->y, N, STATE_V, i, v3(1, 0, 0));
     hawser_error err = {0};
     double good[SIZE];
-    assert_int_equal(rig_run(r, 0.5, &err), HAWSER_OK);
+    assert_int_equal(run_from(r, 0.5, &err), HAWSER_OK);
     memcpy(good, r->y, sizeof good);
-    assert_int_equal(rig_run(r, 1, &err), HAWSER_ERR_RUN);
+    assert_int_equal(run_from(r, 1, &err), HAWSER_ERR_RUN);
     print_message("%s\n", err.message);
     assert_int_equal(err.status, HAWSER_ERR_RUN);
     assert_non_null(strstr(err.message, "t = 0.5 s"));
@@ -234,7 +194,7 @@ static Rig *falling_chain(long max_steps)
                                  .s = NAN,
                                  .friction = def.friction};
     def.solver.max_steps = max_steps;
-    return rig_new(&def);
+    return rig_make(&def, NULL);
 }
 
 /* The run ends between two times (s) with a message and a finite state. */
@@ -242,7 +202,7 @@ static void check_fall(long max_steps, double after, double before, const char *
 {
     Rig *r = falling_chain(max_steps);
     hawser_error err = {0};
-    const hawser_status status = rig_run(r, 1, &err);
+    const hawser_status status = run_from(r, 1, &err);
     print_message("%s\n", err.message);
     assert_int_equal(status, HAWSER_ERR_RUN);
     assert_non_null(strstr(err.message, says));

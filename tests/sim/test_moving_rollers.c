@@ -1,60 +1,22 @@
 /* What rollers that spin and rollers on mounts do, against closed forms: slowing down, being driven by a cable, hanging
  * down under a load, swinging, and precessing; and what they must not do: notice threads or the world's directions. */
-#include "sim/integrator.h"
 #include "sim/relax.h"
 #include "sim/sim.h"
-#include "sim/spatial.h"
+#include "tests/sim/rig_fixture.h"
 #include "tests/sim/roller_fixture.h"
-
-typedef struct Rig {
-    Scene scene;
-    Workspace ws;
-    Newton newton;
-    Spatial spatial;
-    Integrator *in;
-    int n;
-    double t, *y, *e; /* s; state and its equipment */
-} Rig;
 
 static Rig *rig_new(SceneDef *def)
 {
-    Rig *const r = fixture_array(1, sizeof *r);
-    hawser_error err = {0};
-    fixture_build(def, &r->scene);
-    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
-    if (newton_new(&r->newton, &r->scene, &r->scene.def.solver.linear, &err)) fail_msg("%s", err.message);
-    r->n = r->scene.chain.n;
-    r->y = fixture_array(scene_state_size(&r->scene), sizeof(double));
-    r->e = r->y + STATE_SIZE * r->n;
-    scene_initial_state(&r->scene, r->y);
-    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0, r->y, 1, &err), HAWSER_OK);
+    Rig *const r = rig_make(def, NULL);
+    rig_refresh(r);
     return r;
 }
 
-static void rig_free(Rig *r)
-{
-    integrator_free(r->in);
-    newton_free(&r->newton);
-    workspace_free(&r->ws);
-    scene_clear(&r->scene);
-    free(r->y);
-    free(r);
-}
-
-static void rig_advance(Rig *r, double t)
-{
-    hawser_error err = {0};
-    if (!r->in) {
-        Motion *const motion = spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton);
-        assert_int_equal(integrator_new(motion, r->t, r->y, &r->in, &err), HAWSER_OK);
-    }
-    while (r->t < t) {
-        if (integrator_step(r->in, t, &r->t, &err)) fail_msg("%s", err.message);
-    }
-}
+/* The equipment's part of the state. */
+static double *rig_equipment(const Rig *r) { return r->y + STATE_SIZE * r->n; }
 
 /* Entry of mount 0, component as in core/state.h. */
-static double *mount_entry(Rig *r, int c) { return r->e + equipment_at(&r->scene.equipment, c, 0); }
+static double *mount_entry(Rig *r, int c) { return rig_equipment(r) + equipment_at(&r->scene.equipment, c, 0); }
 
 /* A free chain far from one roller at the origin, axis along y, that spins, stands on a mount, or both. */
 static void lonely_roller(SceneDef *def, int spins, int mounted, double accuracy)
@@ -80,14 +42,14 @@ static void test_slows_down(void **state)
     const SpinDef spin = def.rollers[0].spin;
     Rig *const r = rig_new(&def);
     const double start = 4;
-    r->e[0] = start;
+    rig_equipment(r)[0] = start;
     for (int k = 1; k <= 8; ++k) {
         rig_advance(r, 0.4 * k);
         const double expected = start - spin.torque / spin.inertia * r->t;
-        assert_true(fabs(r->e[0] - expected) < 1e-4);
+        assert_true(fabs(rig_equipment(r)[0] - expected) < 1e-4);
     }
     rig_advance(r, 12); /* would be backward by then; the bearing only stops it */
-    assert_true(fabs(r->e[0]) < 1e-3);
+    assert_true(fabs(rig_equipment(r)[0]) < 1e-3);
     rig_free(r);
 }
 
@@ -124,9 +86,9 @@ static void test_cable_drives_roller(void **state)
     for (int i = 0; i < r->n; ++i) momentum += r->scene.chain.mass[i] * r->y[STATE_V * r->n + i];
     speed = momentum / mass;
     const double expected = v0 * mass / (mass + 0.6 / 0.01);
-    print_message("v %.5f, rim %.5f, expected %.5f m/s\n", speed, 0.1 * r->e[0], expected);
+    print_message("v %.5f, rim %.5f, expected %.5f m/s\n", speed, 0.1 * rig_equipment(r)[0], expected);
     assert_true(fabs(speed - expected) < 2e-3 * expected);
-    assert_true(fabs(0.1 * r->e[0] - expected) < 5e-3 * expected);
+    assert_true(fabs(0.1 * rig_equipment(r)[0] - expected) < 5e-3 * expected);
     rig_free(r);
 }
 
@@ -149,11 +111,11 @@ static void test_deflection(void **state)
     double farthest = 0;
     for (int m = 0; m < q->mounts; ++m) {
         const Quat from = {q->ground.q[0][2 * m], q->ground.q[1][2 * m], q->ground.q[2][2 * m], q->ground.q[3][2 * m]};
-        const Quat turned = quat_mul(quat_conj(from), state_quat(r->e + q->spins, q->mounts, m));
+        const Quat turned = quat_mul(quat_conj(from), state_quat(rig_equipment(r) + q->spins, q->mounts, m));
         /* the bushing's components are those of the frame halfway between ground and mount */
         const Quat half = quat_unit((Quat){1 + turned.w, turned.x, turned.y, turned.z});
         const Quat back = quat_conj(quat_mul(from, half));
-        const Vec3 at = state_vec(r->e + q->spins, q->mounts, STATE_P, m);
+        const Vec3 at = state_vec(rig_equipment(r) + q->spins, q->mounts, STATE_P, m);
         const Vec3 moved = v3_sub(at, v3(q->ground.p[0][2 * m], q->ground.p[1][2 * m], q->ground.p[2][2 * m]));
         const Vec3 force = quat_rotate(back, r->ws.on_roller[q->item[m].roller]);
         const Vec3 expected = v3(force.x / 2e5, force.y / 3e5, force.z / 4e5);
@@ -218,7 +180,8 @@ static double energy_of(Rig *r)
     const Quat turned = quat_mul(to, quat_conj(from));
     const double sine = sqrt(turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
     const double angle = 2 * atan2(sine, fabs(turned.w));
-    return (item->mass * v2 + item->turning * w2 + item->inertia * r->e[0] * r->e[0] + 3e5 * p2 + 3e3 * angle * angle) /
+    return (item->mass * v2 + item->turning * w2 + item->inertia * rig_equipment(r)[0] * rig_equipment(r)[0] +
+            3e5 * p2 + 3e3 * angle * angle) /
            2;
 }
 
@@ -234,7 +197,7 @@ static void test_gyroscope(void **state)
     def.rollers[0].spin.friction = def.rollers[0].spin.torque = 0;
     Rig *const r = rig_new(&def);
     const double fast = 400;
-    r->e[0] = fast;
+    rig_equipment(r)[0] = fast;
     *mount_entry(r, STATE_W) = 0.5; /* about x, across the axis */
     const double before = energy_of(r);
     double most = 0;
@@ -246,7 +209,7 @@ static void test_gyroscope(void **state)
     print_message("energy changed by %.2g of the disturbance's, turned about z at up to %.3f rad/s\n",
                   (energy_of(r) - before) / swing, most);
     assert_true(fabs(energy_of(r) - before) < 0.02 * swing);
-    assert_true(fabs(r->e[0] - fast) < 1e-3);
+    assert_true(fabs(rig_equipment(r)[0] - fast) < 1e-3);
     assert_true(most > 0.1);
     rig_free(r);
 }
@@ -337,7 +300,7 @@ static void test_objectivity(void **state)
         for (int c = 0; c < 3; ++c) g->p[c][i] = place[c];
         for (int c = 0; c < 4; ++c) g->q[c][i] = attitude[c];
     }
-    double *const part[2] = {r[1]->y, r[1]->e + q->spins};
+    double *const part[2] = {r[1]->y, rig_equipment(r[1]) + q->spins};
     const int count[2] = {n, m};
     for (int g = 0; g < 2; ++g) {
         for (int i = 0; i < count[g]; ++i) {

@@ -1,34 +1,18 @@
 /* The reduced Newton matrix against the whole system: newton_solve must solve (1 - gamma J) x = b with J x taken by
  * differences of the rates, whatever the quaternions' lengths and however fast the segments spin. */
-#include "sim/dynamics.h"
-#include "sim/newton.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/sim/rig_fixture.h"
 
 enum { N = FIXTURE_SEGMENTS, SIZE = STATE_SIZE * N };
 
 static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */
 
-typedef struct Rig {
-    Scene scene;
-    Workspace ws;
-    Newton newton;
-    double y[SIZE], rate[SIZE];
-    uint64_t seed;
-} Rig;
-
 /* The soft scene in disorder: segments spin at up to `spin` (rad/s), quaternions are 1 +- 0.01 long. */
 static Rig *rig_new(const FixtureChoice *choice, LinKind kind, double spin, uint64_t seed)
 {
-    Rig *const r = fixture_array(1, sizeof *r);
     SceneDef def;
-    hawser_error err = {0};
     fixture_pull(&def, choice);
-    fixture_build(&def, &r->scene);
+    Rig *const r = rig_make(&def, &(LinOptions){.kind = kind, .threads = 1});
     r->seed = seed;
-    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
-    const LinOptions options = {.kind = kind, .threads = 1};
-    if (newton_new(&r->newton, &r->scene, &options, &err)) fail_msg("%s", err.message);
-    scene_initial_state(&r->scene, r->y);
     state_shake(r->y, N, 3e-3, 0.02, 0.05, spin, &r->seed);
     for (int i = 0; i < N; ++i) {
         const double length = 1 + 0.01 * fixture_random(&r->seed);
@@ -39,14 +23,6 @@ static Rig *rig_new(const FixtureChoice *choice, LinKind kind, double spin, uint
     dynamics_blocks(&r->scene, &r->ws, T, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
     newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
     return r;
-}
-
-static void rig_free(Rig *r)
-{
-    newton_free(&r->newton);
-    workspace_free(&r->ws);
-    scene_clear(&r->scene);
-    free(r);
 }
 
 /* Which of position, quaternion, velocity, angular velocity an entry of the state is. */

@@ -1,40 +1,13 @@
 /* The relaxation: it balances the fixture, the start from it is free of motion, and it says when it did not get there.
  */
-#include "sim/integrator.h"
 #include "sim/relax.h"
-#include "sim/spatial.h"
-#include "tests/sim/scene_fixture.h"
-
-typedef struct Rig {
-    Scene scene;
-    Workspace ws;
-    Newton newton;
-    Spatial spatial;
-    double *y, *rate; /* [13 n] */
-} Rig;
+#include "tests/sim/rig_fixture.h"
 
 static Rig *rig_new(SceneDef *def)
 {
-    Rig *const r = fixture_array(1, sizeof *r);
-    hawser_error err = {0};
-    fixture_build(def, &r->scene);
-    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
-    if (newton_new(&r->newton, &r->scene, &r->scene.def.solver.linear, &err)) fail_msg("%s", err.message);
-    r->y = fixture_array(STATE_SIZE * r->scene.chain.n, sizeof(double));
-    r->rate = fixture_array(STATE_SIZE * r->scene.chain.n, sizeof(double));
-    scene_initial_state(&r->scene, r->y);
-    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0, r->y, 1, &err), HAWSER_OK);
+    Rig *const r = rig_make(def, NULL);
+    rig_refresh(r);
     return r;
-}
-
-static void rig_free(Rig *r)
-{
-    newton_free(&r->newton);
-    workspace_free(&r->ws);
-    scene_clear(&r->scene);
-    free(r->y);
-    free(r->rate);
-    free(r);
 }
 
 static hawser_relaxation rig_relax(Rig *r)
