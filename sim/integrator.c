@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <cvode/cvode.h>
+#include <math.h>
 #include <nvector/nvector_serial.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,9 +15,10 @@
 #include "sim/vector.h"
 
 enum { STALLED_MOST = 20 };
-/* Share of the error test's tolerance that Newton's iteration may leave (CVODE's default: 0.1). What it leaves is noise
- * in the tensions, because the axial stiffness multiplies it; docs/model.md, "Integration", has the figures. */
-static const double NEWTON_SHARE = 1e-3;
+/* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
+ * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
+ * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
+static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
 
 /* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
  * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
@@ -164,6 +166,12 @@ static int linear_attach(Integrator *in)
 
 /* ------------------------------------------------------------------------------------------------- life */
 
+/* (N13) */
+static double newton_share(double accuracy)
+{
+    return fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / accuracy, NEWTON_SHARE_MOST));
+}
+
 static int cvode_set(Integrator *in)
 {
     const SolverDef *const def = &in->motion->scene->def.solver;
@@ -173,7 +181,7 @@ static int cvode_set(Integrator *in)
     bad |= CVodeWFtolerances(c, call_weights);
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
-    bad |= CVodeSetNonlinConvCoef(c, NEWTON_SHARE);
+    bad |= CVodeSetNonlinConvCoef(c, newton_share(def->accuracy));
     bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
