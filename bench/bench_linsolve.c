@@ -1,5 +1,6 @@
-/* The linear solvers against each other on a cable's Newton matrix: medians in one run, printed as Markdown tables.
- * Usage: bench_linsolve [repetitions of the short cases, default 1000] */
+/* The linear solvers against each other on a cable's Newton matrix: one round, in which every configuration has its
+ * turn. Prints CSV, a row a configuration with the medians of its repetitions; bench/linsolve.py runs rounds and makes
+ * tables. Usage: bench_linsolve [repetitions of the short cases, default 150] */
 #include <klu.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,11 +27,9 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Times of one solver, s: medians, and lower quartiles, which a second thread needs to show anything on a busy machine.
- */
+/* Times of one solver, s: medians of the repetitions. */
 typedef struct Timing {
     double factor, solve;
-    double factor_quartile, solve_quartile;
 } Timing;
 
 /* What is timed: factor, then solve x in place. */
@@ -63,9 +62,7 @@ static Timing measure(Subject s, int repetitions)
         s.solve(s.self, x);
         solve[k] = now() - t1;
     }
-    Timing t = {.factor = median(factor, repetitions), .solve = median(solve, repetitions)};
-    t.factor_quartile = factor[repetitions / 4];
-    t.solve_quartile = solve[repetitions / 4];
+    const Timing t = {.factor = median(factor, repetitions), .solve = median(solve, repetitions)};
     free(factor);
     free(solve);
     free(r);
@@ -182,82 +179,61 @@ static Timing measure_full(int n, int ordering, int repetitions)
     return t;
 }
 
-static void row(const char *name, int b, int n, Timing t, Timing reference)
+/* One row: group is the table that it belongs to; peak is the dense rate to compare with, flop/s, or 0. */
+static void row(const char *group, const char *solver, int b, int n, int threads, Isa isa, Timing t, double peak)
 {
-    printf("| %s | %d | %d | %.2f | %.2f | %.1f | %.1f | %.3f | %.3f |\n", name, b, n, 1e6 * t.factor, 1e6 * t.solve,
-           1e9 * t.factor / n, 1e9 * t.solve / n, t.factor / reference.factor, t.solve / reference.solve);
+    printf("%s,%s,%d,%d,%d,%s,%.4f,%.4f,%.3f\n", group, solver, b, n, threads, isa_name(isa), 1e6 * t.factor,
+           1e6 * t.solve, 1e-9 * peak);
 }
 
-static void table_head(const char *last)
-{
-    printf("\n| solver | b | N | factor us | solve us | factor ns/N | solve ns/N | factor / %s | solve / %s |\n", last,
-           last);
-    printf("|---|---|---|---|---|---|---|---|---|\n");
-}
-
+/* Every back end on one chain. `klu_refactor` is KLU alone; `klu` adds assembly and the growth check. */
 static void back_ends(int repetitions)
 {
-    printf("\nBack ends, one thread. `klu_refactor` is KLU alone; `klu` adds assembly and the growth check.\n");
-    table_head("klu_refactor");
+    static const struct {
+        const char *name;
+        LinKind kind;
+        int slower; /* repetitions are divided by it */
+    } kinds[] = {{"klu", LIN_KLU, 1}, {"block", LIN_BLOCK, 1}, {"bordered", LIN_BORDERED, 1}, {"band", LIN_BAND, 10}};
+    const Isa isa = isa_best();
     for (int b = 6; b >= 3; b -= 3) {
         BlockChain a;
         uint64_t seed = 3;
         fixture_chain_cable(&a, 370, b, gamma_step, &seed);
-        const Timing raw = measure_raw_klu_of(&a, repetitions);
-        row("klu_refactor", b, 370, raw, raw);
-        row("klu", b, 370, measure_kind(&a, LIN_KLU, 1, repetitions), raw);
-        row("block", b, 370, measure_kind(&a, LIN_BLOCK, 1, repetitions), raw);
-        row("bordered", b, 370, measure_kind(&a, LIN_BORDERED, 1, repetitions), raw);
-        row("band", b, 370, measure_kind(&a, LIN_BAND, 1, repetitions / 10 + 1), raw);
-        if (b == 6) row("klu-full, AMD", 13, 370, measure_full(370, 0, repetitions / 10 + 1), raw);
-        if (b == 6) row("klu-full, COLAMD", 13, 370, measure_full(370, 1, repetitions / 10 + 1), raw);
+        row("kinds", "klu_refactor", b, 370, 1, isa, measure_raw_klu_of(&a, repetitions), 0);
+        for (int k = 0; k < 4; ++k) {
+            const Timing t = measure_kind(&a, kinds[k].kind, 1, repetitions / kinds[k].slower + 1);
+            row("kinds", kinds[k].name, b, 370, 1, isa, t, 0);
+        }
         block_chain_free(&a);
     }
+    const int few = repetitions / 10 + 1;
+    row("kinds", "klu-full amd", 13, 370, 1, isa, measure_full(370, 0, few), 0);
+    row("kinds", "klu-full colamd", 13, 370, 1, isa, measure_full(370, 1, few), 0);
 }
 
+/* `block` over the chain's length, on one thread and on two. */
 static void lengths(int repetitions)
 {
-    printf("\n`block` over the chain's length, against N = 370; factors take 864 N bytes (b = 6).\n");
-    table_head("(N / 370) t(370)");
-    static const int sizes[] = {370, 1000, 2000, 5000, 20000};
-    for (int b = 6; b >= 3; b -= 3) {
-        Timing first = {0};
-        for (int k = 0; k < 5; ++k) {
+    static const int sizes[] = {100, 200, 370, 600, 1000, 2000, 5000, 20000};
+    for (int k = 0; k < (int)(sizeof sizes / sizeof *sizes); ++k) {
+        const int n = sizes[k], count = n > 370 ? repetitions * 370 / n + 11 : repetitions;
+        for (int b = 6; b >= 3; b -= 3) {
             BlockChain a;
             uint64_t seed = 3;
-            fixture_chain_cable(&a, sizes[k], b, gamma_step, &seed);
-            const Timing t = measure_kind(&a, LIN_BLOCK, 1, repetitions * 370 / sizes[k] + 11);
-            if (!k) first = t;
-            const double ratio = sizes[k] / 370.;
-            row("block", b, sizes[k], t, (Timing){.factor = ratio * first.factor, .solve = ratio * first.solve});
+            fixture_chain_cable(&a, n, b, gamma_step, &seed);
+            for (int threads = 1; threads <= 2; ++threads) {
+                const Timing t = measure_kind(&a, LIN_BLOCK, threads, count);
+                row("lengths", "block", b, n, threads, isa_best(), t, 0);
+            }
             block_chain_free(&a);
         }
-    }
-}
-
-/* The lower quartile as if it were the median. */
-static Timing quartiles(Timing t) { return (Timing){.factor = t.factor_quartile, .solve = t.solve_quartile}; }
-
-static void two_threads(int repetitions)
-{
-    printf("\nTwo threads against one, lower quartiles.\n");
-    table_head("one thread");
-    static const int sizes[] = {100, 200, 370, 600, 1000, 2000, 5000};
-    for (int k = 0; k < 7; ++k) {
-        BlockChain a;
-        uint64_t seed = 3;
-        fixture_chain_cable(&a, sizes[k], 6, gamma_step, &seed);
-        const Timing one = measure_kind(&a, LIN_BLOCK, 1, repetitions),
-                     two = measure_kind(&a, LIN_BLOCK, 2, repetitions);
-        row("block, two threads", 6, sizes[k], quartiles(two), quartiles(one));
-        block_chain_free(&a);
     }
 }
 
 static double peak_rate(Isa isa)
 {
     static void (*const peak[])(long, double *) = ISA_TABLE(peak);
-    enum { ROUNDS = 1000, SAMPLES = 201 };
+    enum { ROUNDS = 1000, SAMPLES = 51 };
     static _Alignas(64) double work[PEAK_DOUBLES];
     double t[SAMPLES];
     for (int k = 0; k < SAMPLES; ++k) {
@@ -286,21 +262,16 @@ static void direct_solve(void *self, double *x)
     block_solver_solve(&d->block, 1, x);
 }
 
-/* Per block row: the inverse of S, V and L V, three products' worth, 3 x 432 operations. */
+/* `block` with the kernels of each instruction set, beside the rate of dense products with the same one. */
 static void rates(int repetitions)
 {
-    printf("\nInstruction sets, N = 370, b = 6: the factor's rate (1296 operations a row) against C -= A B on 6 x 6 "
-           "blocks in first-level cache.\n\n");
-    printf("| set | factor us | solve us | factor GF/s | peak GF/s | share |\n|---|---|---|---|---|---|\n");
     for (int isa = ISA_GENERIC; isa <= (int)isa_best(); ++isa) {
         Direct d;
         uint64_t seed = 3;
         fixture_chain_cable(&d.a, 370, 6, gamma_step, &seed);
         if (!block_solver_init(&d.block, 370, 6, (Isa)isa, 1e6, NULL)) abort();
         const Timing t = measure((Subject){direct_factor, direct_solve, &d, 370 * 6}, repetitions);
-        const double rate = 370 * 1296 / t.factor, peak = peak_rate((Isa)isa);
-        printf("| %s | %.2f | %.2f | %.1f | %.1f | %.2f |\n", isa_name((Isa)isa), 1e6 * t.factor, 1e6 * t.solve,
-               1e-9 * rate, 1e-9 * peak, rate / peak);
+        row("rates", "block", 6, 370, 1, (Isa)isa, t, peak_rate((Isa)isa));
         block_solver_release(&d.block);
         block_chain_free(&d.a);
     }
@@ -308,12 +279,11 @@ static void rates(int repetitions)
 
 int main(int argc, char **argv)
 {
-    const int repetitions = argc > 1 ? atoi(argv[1]) : 1000;
+    const int repetitions = argc > 1 ? atoi(argv[1]) : 150;
     if (repetitions < 1) return 2;
-    setbuf(stdout, NULL);
+    printf("group,solver,b,n,threads,isa,factor_us,solve_us,peak_gf\n");
     back_ends(repetitions);
     lengths(repetitions);
-    two_threads(repetitions);
     rates(repetitions);
     return 0;
 }

@@ -120,10 +120,11 @@ def table(head, body):
 
 
 def commit():
-    """The tree's commit, with a + when it has changes."""
+    """The tree's commit, with a + when what is measured has changes: not the results themselves, nor documents."""
     def git(*words):
         return subprocess.run(["git", "-C", ROOT, *words], capture_output=True, text=True).stdout.strip()
-    return (git("rev-parse", "--short", "HEAD") or "unknown") + ("+" if git("status", "--porcelain", "-uno") else "")
+    changed = git("status", "--porcelain", "-uno", "--", ":!docs", ":!bench/results")
+    return (git("rev-parse", "--short", "HEAD") or "unknown") + ("+" if changed else "")
 
 
 def heading(load, note=""):
@@ -145,10 +146,18 @@ def replace_between(text, name, new):
     return text[:text.index(begin) + len(begin)] + "\n\n" + new + "\n\n" + text[text.index(end):]
 
 
-def write_document(path, name, new):
-    """replace_between in a file, in place."""
+def pictures_at(text, name, folder):
+    """The text with the part's pictures, ../bench/results/MACHINE/NAME*.svg, taken from another machine's folder."""
+    return re.sub(rf"\.\./bench/results/[\w.-]+/({re.escape(name)}[\w-]*\.svg)", rf"../{folder}/\1", text)
+
+
+def write_document(path, name, new, results=None):
+    """replace_between in a file, in place; its pictures are those in `results`, a folder bench/results/MACHINE."""
     with open(path, encoding="utf-8") as file:
         text = replace_between(file.read(), name, new)
+    folder = os.path.relpath(results, ROOT) if results else ""
+    if re.fullmatch(r"bench/results/[\w.-]+", folder):
+        text = pictures_at(text, name, folder)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 
@@ -167,5 +176,5 @@ def publish(args, name, rows, text, columns=None):
     if args.results:
         write_rows(os.path.join(args.results, name + ".csv"), rows, columns)
     if args.document:
-        write_document(args.document, name, text)
+        write_document(args.document, name, text, args.results)
     print(text)

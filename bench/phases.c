@@ -9,6 +9,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "bench/phases_plane.h"
 #include "bench/straight_scene.h"
 #include "core/isa.h"
 #include "sim/dynamics.h"
@@ -31,6 +32,7 @@ typedef struct Bench {
     N_Vector vector[4];     /* state, rates, weights, work; all of 13 n */
     double *y, *ydot, *rhs; /* data of the first two; a right-hand side of Newton's system, [13 n] */
     double t;               /* s */
+    PlaneBench plane;       /* the same state in its plane */
 } Bench;
 
 static void check(int good, const char *what)
@@ -121,6 +123,19 @@ static void phase_bushing_blocks(Bench *b) { bushing_derivatives(b, CHAIN_NO_PRE
 static void phase_bushing_blocks_bare(Bench *b) { bushing_derivatives(b, CHAIN_NO_PRELOAD | CHAIN_NO_DAMPING, 0); }
 static void phase_bushing_blocks_sliding(Bench *b) { bushing_derivatives(b, 0, 1); }
 
+/* In the plane: what the scene is solved with by default. */
+static void phase_plane_kinematics(Bench *b) { flat_kinematics(&b->plane); }
+static void phase_plane_rhs(Bench *b) { flat_rates(&b->plane); }
+static void phase_plane_contacts(Bench *b) { flat_contacts(&b->plane); }
+static void phase_plane_refresh(Bench *b) { flat_refresh(&b->plane); }
+static void phase_plane_blocks(Bench *b) { flat_blocks(&b->plane); }
+static void phase_plane_form(Bench *b) { flat_form(&b->plane, GAMMA); }
+static void phase_plane_factor(Bench *b) { flat_factor(&b->plane); }
+static void phase_plane_solve(Bench *b) { flat_solve(&b->plane); }
+static void phase_plane_vector(Bench *b) { flat_vector(&b->plane, GAMMA); }
+static void phase_plane_sample(Bench *b) { flat_sample(&b->plane, SAMPLE_ALL); }
+static void phase_plane_row(Bench *b) { flat_sample(&b->plane, SAMPLE_ROW); }
+
 typedef struct Phase {
     const char *name;
     void (*run)(Bench *b);
@@ -145,6 +160,17 @@ static const Phase phase_list[] = {
     {"bushing-blocks", phase_bushing_blocks},
     {"bushing-blocks-bare", phase_bushing_blocks_bare},
     {"bushing-blocks-sliding", phase_bushing_blocks_sliding},
+    {"plane-kinematics", phase_plane_kinematics},
+    {"plane-rhs", phase_plane_rhs},
+    {"plane-contacts", phase_plane_contacts},
+    {"plane-refresh", phase_plane_refresh},
+    {"plane-blocks", phase_plane_blocks},
+    {"plane-form", phase_plane_form},
+    {"plane-factor", phase_plane_factor},
+    {"plane-solve", phase_plane_solve},
+    {"plane-vector", phase_plane_vector},
+    {"plane-sample", phase_plane_sample},
+    {"plane-row", phase_plane_row},
 };
 enum { PHASES = sizeof phase_list / sizeof *phase_list };
 
@@ -217,11 +243,13 @@ static void bench_new(Bench *b)
     check(relax_to_equilibrium(&b->scene, &b->ws, &b->newton, 0, b->y, &relaxation, &err) == HAWSER_OK, err.message);
     check(relaxation.reached, "the cable did not come to rest");
     state_move(b);
+    flat_new(&b->plane, &b->scene, b->t, b->y, b->context);
     for (int k = 0; k < PHASES; ++k) phase_list[k].run(b); /* in order: rates, blocks, matrix, factors */
 }
 
 static void bench_free(Bench *b)
 {
+    flat_free(&b->plane);
     for (int k = 0; k < 4; ++k) N_VDestroy(b->vector[k]);
     free(b->y);
     free(b->rhs);

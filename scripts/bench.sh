@@ -33,11 +33,7 @@ mkdir -p "$results"
 # run_part NAME: one part; its document is the fragment docs/performance.d/NN-NAME.md.
 run_part() {
     document=$(ls docs/performance.d/[0-9][0-9]-"$1".md)
-    if [ "$1" = linsolve ]; then # its tables go into the document by hand
-        repetitions=2000
-        [ $quick = no ] || repetitions=10
-        build/bench/bench/bench_linsolve $repetitions >"$results/linsolve.md"
-    elif [ $quick = yes ]; then
+    if [ $quick = yes ]; then
         python3 -B "bench/$1.py" --build build/bench --results "$results" --quick
     else
         python3 -B "bench/$1.py" --build build/bench --results "$results" --document "$document"
@@ -49,8 +45,15 @@ for part in ${wanted:-$parts}; do
     echo "== $part"
     start=$(date +%s)
     run_part "$part" || status=1
-    echo "== $part: $(($(date +%s) - start)) s"
+    seconds=$(($(date +%s) - start))
+    echo "== $part: $seconds s"
+    { grep -v "^$part," "$results/seconds.csv" 2>/dev/null || echo part,seconds; } >"$results/seconds.new"
+    echo "$part,$seconds" >>"$results/seconds.new"
+    mv "$results/seconds.new" "$results/seconds.csv"
 done
-[ $quick = yes ] || sh scripts/model.sh
+if [ $quick = no ]; then
+    python3 -B bench/machine.py docs/performance.d/00-method.md "$results" >/dev/null
+    sh scripts/model.sh
+fi
 echo "Results: $results"
 exit $status

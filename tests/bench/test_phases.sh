@@ -13,7 +13,7 @@ refused() {
 }
 
 names=$("$program" list)
-for name in kinematics rhs contacts blocks form factor solve vector; do
+for name in kinematics rhs contacts blocks form factor solve vector plane-rhs plane-solve plane-row; do
     echo "$names" | grep -qx $name || fail "has no phase $name"
     lines=$("$program" $name 2)
     echo "$lines" | sed -n 1p | grep -Eqx 'target [a-z]+[0-9]+-(generic|avx2|avx512)' || fail "target: $lines"

@@ -1,4 +1,4 @@
-"""bench/common.py and steps.py: names, statistics, tables, and a whole benchmark of a made-up program.
+"""bench/common.py, steps.py and linsolve.py: names, statistics, tables, and a whole benchmark of a made-up program.
 
 Usage: test_steps.py ROOT
 """
@@ -14,32 +14,51 @@ import unittest
 ROOT = os.path.abspath(sys.argv.pop(1))
 sys.path.insert(0, os.path.join(ROOT, "bench"))
 import common  # noqa: E402
+import linsolve  # noqa: E402
 
 # Answers `hawser run CASE ... -o DIR --linear-solver S --threads N` with a summary; logs the order of the calls. The time
 # of the first call of a configuration is wild, as of a program that is not in memory yet.
-PROGRAM = '''#!/usr/bin/env python3
+PROGRAM = '''#!/usr/bin/env -S python3 -S -E
 import json, os, sys
 words = dict(zip(sys.argv[1:], sys.argv[2:]))
+sets = dict(word.split("=", 1) for flag, word in zip(sys.argv, sys.argv[1:]) if flag == "--set")
 here = os.path.dirname(os.path.abspath(__file__))
-case, solver, threads = os.path.basename(sys.argv[2])[:-5], words["--linear-solver"], int(words["--threads"])
+case, threads = os.path.basename(sys.argv[2])[:-5], int(words["--threads"])
+solver = words.get("--linear-solver", "auto")
+name = " ".join([case, sets["solver.planar"], solver, str(threads), *(sets.get(key, "-") for key in
+                 ("run.duration", "chain.0.length"))])
 with open(os.path.join(here, "log"), "a") as log:
-    log.write(f"{case} {solver} {threads}\\n")
+    log.write(name + "\\n")
 with open(os.path.join(here, "log")) as log:
-    count = log.read().splitlines().count(f"{case} {solver} {threads}")
+    count = log.read().splitlines().count(name)
 wall = 100.0 if count == 1 else (1 + 0.1 * count) / threads
 pull = 8000.0 + (threads if os.path.exists(os.path.join(here, "differ")) else 0)
+if solver == "klu-full" and os.path.exists(os.path.join(here, "astray")):
+    pull += 1
 summary = {"linear_solver": "block" if solver == "auto" else solver, "wall_time_s": wall, "real_time_factor": 30 / wall,
            "steps_per_second": 1000 / wall, "steps": 1000, "rhs_evals": 1100, "newton_iters": 1090, "jac_evals": 40,
            "lin_setups": 100, "error_test_fails": 2, "newton_fails": 3, "pull_force": {"steady_mean_N": pull},
+           "contact_candidates": 1760, "contact_active_max": 93,
            "phases_s": {name: wall / 9 for name in ("relax", "rhs", "contacts", "jacobian", "factor", "solve", "vector",
                                                     "output", "other")}}
 with open(os.path.join(words["-o"], "summary.json"), "w") as file:
     json.dump(summary, file)
 '''
+# Stand in for valgrind: 900 instructions in all, 300 of them in right-hand sides.
+VALGRIND = '''#!/bin/sh
+for word; do
+    case $word in --callgrind-out-file=*) echo counts >"${word#*=}" ;; esac
+done
+'''
+ANNOTATE = '''#!/bin/sh
+echo "900,000 (100.0%)  PROGRAM TOTALS"
+echo "300,000 (33.33%)  ???:call_rates [/x/hawser]"
+'''
 PHASES = '''#!/bin/sh
 echo "target gcc99-test"
 echo "rhs $2 12.5"
 echo "solve $2 3.5"
+echo "plane-rhs $2 2.5"
 '''
 
 
@@ -86,16 +105,73 @@ class Document(unittest.TestCase):
             with self.assertRaises(ValueError):
                 common.replace_between(text, "steps", "new")
 
+    def test_pictures_are_those_of_the_machine(self):
+        text = "![a](../bench/results/old-2core/steps-history.svg) ![b](../bench/results/old-2core/scale.svg)"
+        self.assertEqual(common.pictures_at(text, "steps", "bench/results/new-4core"),
+                         "![a](../bench/results/new-4core/steps-history.svg) ![b](../bench/results/old-2core/scale.svg)")
+
     def test_the_document_has_them(self):
         with open(os.path.join(ROOT, "docs/performance.d/20-steps.md"), encoding="utf-8") as file:
             common.replace_between(file.read(), "steps", "new")
 
 
-class Whole(unittest.TestCase):
+class Linsolve(unittest.TestCase):
+    HEAD = "group,solver,b,n,threads,isa,factor_us,solve_us,peak_gf\n"
+
+    def rows(self, factors):
+        """Rounds in which klu_refactor takes ten times as long as block, whatever else disturbs the round."""
+        text = ["kinds,klu_refactor,6,370,1,avx2,{0},10,0\nkinds,block,6,370,1,avx2,{1},2,0\nrates,block,6,370,1,avx2,{1},2,20\n"
+                .format(factor, factor / 10) for factor in factors]
+        return [row for number, one in enumerate(text) for row in linsolve.read_round(self.HEAD + one, number)]
+
+    def test_ratios_are_taken_within_rounds(self):
+        text = linsolve.kinds_table(self.rows([100, 5000, 110]))
+        self.assertIn("| klu_refactor | 6 | 110.00 |", text)
+        self.assertRegex(text, r"\| block \| 6 \| 11.00 .* \| 0.100 \| 0.200 \|")
+
+    def test_rates(self):
+        # 370 rows of 1296 operations in 479.52 us are 1 GF/s
+        self.assertIn("| avx2 | 479.52 | 2.00 | 1.0 | 20.0 | 0.05 |", linsolve.rates_table(self.rows([4795.2])))
+
+
+class Commit(unittest.TestCase):
+    """What common.commit calls a change."""
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        for path, text in (("cli/hawser", PROGRAM), ("bench/bench_phases", PHASES)):
+        self.git("init", "-q")
+        for name in ("docs/a.md", "bench/results/b.csv", "core/c.c"):
+            self.write(name, "old")
+        self.git("add", "-A")
+        self.git("-c", "user.name=a", "-c", "user.email=a@b.c", "commit", "-q", "-m", "a")
+        self.addCleanup(setattr, common, "ROOT", common.ROOT)
+        common.ROOT = self.folder.name
+
+    def git(self, *words):
+        subprocess.run(["git", "-C", self.folder.name, *words], check=True)
+
+    def write(self, name, text):
+        path = os.path.join(self.folder.name, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def test_results_and_documents_are_no_changes_but_code_is(self):
+        self.write("docs/a.md", "new")
+        self.write("bench/results/b.csv", "new")
+        self.assertNotIn("+", common.commit())
+        self.write("core/c.c", "new")
+        self.assertTrue(common.commit().endswith("+"))
+
+
+class Whole(unittest.TestCase):
+    EVERYDAY = 2 * (4 + 5) * 2  # cases, solvers in the plane and in space, threads
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        for path, text in (("cli/hawser", PROGRAM), ("bench/bench_phases", PHASES), ("bin/valgrind", VALGRIND),
+                           ("bin/callgrind_annotate", ANNOTATE)):
             self.place(path, text)
             os.chmod(self.path(path), 0o755)
         self.place("steps.md", f"# Steps\n{Document.BEGIN}\n{Document.END}\n")
@@ -109,42 +185,56 @@ class Whole(unittest.TestCase):
             file.write(text)
 
     def bench(self, *words):
+        path = self.path("bin") + os.pathsep + os.environ["PATH"]
         return subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/steps.py"), "--build", self.folder.name,
                                "--results", self.path("results"), "--document", self.path("steps.md"), *words],
-                              capture_output=True, text=True)
+                              capture_output=True, text=True, env={**os.environ, "PATH": path})
 
     def read(self, name):
         with open(self.path(name), encoding="utf-8") as file:
             return file.read()
 
     def test_rounds_are_interleaved_and_the_first_is_not_counted(self):
-        done = self.bench("--repetitions", "2")
+        done = self.bench("--rounds", "2")
         self.assertEqual(done.returncode, 0, done.stderr)
-        log = self.read("cli/log").splitlines()
-        self.assertEqual(len(log), 3 * 12)
-        self.assertEqual(len(set(log[:12])), 12)
-        self.assertEqual(log[:12], log[12:24])
+        log, count = self.read("cli/log").splitlines(), self.EVERYDAY
+        self.assertEqual(len(set(log[:count])), count)
+        self.assertEqual(log[:count], log[count:2 * count])
+        self.assertEqual(log[:count], log[2 * count:3 * count])
         rows = list(csv.DictReader(io.StringIO(self.read("results/steps.csv"))))
-        self.assertEqual(len(rows), 2 * 12)
-        walls = [float(row["wall_time_s"]) for row in rows
-                 if (row["case"], row["solver"], row["threads"]) == ("straight", "auto", "2")]
-        self.assertAlmostEqual(statistics.median(walls), 0.625)
-        text = self.read("steps.md")
-        self.assertIn("| straight, auto (block) | 2 | 625.0 |", text)
-        self.assertIn("| huangjiahu, two threads to one | 0.500 |", text)
-        self.assertIn("| straight: at least 8000 steps a second | 1603 | no |", text)
-        self.assertIn("| solve | 3.50 |", text)
+        mine = [row for row in rows if (row["case"], row["geometry"], row["solver"], row["threads"], row["window"]) ==
+                ("straight", "plane", "auto", "2", "whole")]
+        self.assertAlmostEqual(statistics.median(float(row["wall_time_s"]) for row in mine), 0.625)
+        self.assertEqual({row["solver"] for row in rows}, {"auto", "block", "bordered", "klu", "klu-full", "band", "dense"})
+        self.check_tables(self.read("steps.md"))
+
+    def check_tables(self, text):
+        self.assertIn("| straight, plane | 2 | 625.0 |", text)
+        self.assertIn("| plane, auto (block) | 1250.0 | 2.0 % | 625.0 | 2.0 % | 1000 | 1.00 |", text)
+        self.assertIn("| straight, plane (default): at least 8000 steps a second | 1603 | no |", text)
+        self.assertIn("| 2000 | 1250.0 | 625.0 | 0.500 | 1250.0 | 625.0 | 0.500 |", text)
+        self.assertIn("| rhs | 2.50 | 12.50 |", text)
+        self.assertIn("| right-hand side, with its contacts | 300 | 300 | 300 | 300 |", text)
         self.assertIn("`gcc99-test`", text)
 
-    def test_results_that_depend_on_threads_are_a_failure(self):
-        self.place("cli/differ", "")
-        done = self.bench("--repetitions", "1")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("results differ between runs of huangjiahu with auto", done.stderr)
-
-    def test_quick_is_short(self):
+    def test_the_history_has_the_commit(self):
+        self.place("results/history.csv", "date,commit,target,rounds,load,straight.steps_per_s\nthen,old,t,1,0,7\n")
         self.assertEqual(self.bench("--quick").returncode, 0)
-        self.assertEqual(len(self.read("cli/log").splitlines()), 2 * 12)
+        for _ in range(2):  # the second time its row is replaced
+            rows = list(csv.DictReader(io.StringIO(self.read("results/history.csv"))))
+            self.assertEqual([row["commit"] for row in rows], ["old", common.commit()])
+            self.assertEqual(rows[0]["straight.steps_per_s"], "7")
+            self.assertEqual(rows[1]["straight.instructions_rhs"], "300")
+            self.assertEqual(self.bench("--quick").returncode, 0)
+        self.assertIn("<svg", self.read("results/steps-history.svg"))
+
+    def test_results_that_depend_on_threads_or_solver_are_a_failure(self):
+        self.place("cli/differ", "")
+        self.place("cli/astray", "")
+        done = self.bench("--quick")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("results differ between runs of huangjiahu (370, plane) with auto", done.stderr)
+        self.assertIn("straight (space) with klu-full: 8002.0 N, not 8001.0 N", done.stderr)
 
     def test_a_program_that_fails_ends_it(self):
         self.place("cli/hawser", "#!/bin/sh\nexit 3\n")
