@@ -136,7 +136,7 @@ static double kernel_moved(const PlanarChain *chain, const PlanarKinematics *kin
                            double *const at_a[2])
 {
     Lane most = lane_set(0);
-    LaneMask strange = most > most;
+    LaneMask strange = {0};
     for (int i = 0; i < chain->n; i += LANES) {
         const Lane2 dp = l2_sub(l2_load(kin->p, i), l2_load(at_p, i));
         const Lane2 da = l2_sub(l2_load(kin->a, i), l2_load(at_a, i));

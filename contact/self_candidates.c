@@ -162,6 +162,7 @@ static int hits_reserve(const Chain *chain, SelfPairs *pairs)
     }
     const int needed = most[0] > most[1] ? most[0] : most[1];
     if (needed <= pairs->hits_allocated) return 1;
+    assert(needed > 0);
     for (int p = 0; p < SELF_PARTS; ++p) {
         SelfHit *const grown = realloc(pairs->hit[p], (size_t)needed * sizeof *grown);
         if (!grown) return 0;

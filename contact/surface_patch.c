@@ -187,7 +187,11 @@ int surface_patch_count(const SurfaceShape *shape, const Route *route)
     if (shape->kind == SURFACE_PLANE) return 1;
     const double last = shape->to + shape->fade / 2;
     int parts = 0;
-    for (double s = shape->from - shape->fade / 2; s < last; s = way_end(route, s, last)) ++parts;
+    double s = shape->from - shape->fade / 2;
+    while (s < last) {
+        s = way_end(route, s, last);
+        ++parts;
+    }
     return parts * faces_of(shape);
 }
 
@@ -200,11 +204,13 @@ void surface_patches(const SurfaceShape *shape, const Route *route, int surface,
         /* only a tube about the route looks the same however it is rolled */
         const int rolls = shape->kind != SURFACE_DUCT || shape->lift != 0;
         const double last = shape->to + shape->fade / 2;
-        for (double s = shape->from - shape->fade / 2, end; s < last; s = end) {
-            end = way_end(route, s, last);
+        double s = shape->from - shape->fade / 2;
+        while (s < last) {
+            const double end = way_end(route, s, last);
             SurfacePatch way = way_part(route, s, end, rolls);
             way_fade(shape, &way);
             out += faces(shape, &way, out);
+            s = end;
         }
     }
     for (SurfacePatch *p = patch; p < out; ++p) {

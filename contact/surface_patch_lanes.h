@@ -121,11 +121,11 @@ LANE_INLINE SurfacePlace surface_place(const SurfacePatch *patch, Lane3 p)
     at.y = at.a * at.cos + at.b * at.sin;
     at.z = at.b * at.cos - at.a * at.sin;
     /* half open, by the same numbers as the neighbouring part: every point belongs to exactly one */
-    const Lane zero = lane_set(0);
-    at.owned = zero == zero;
+    at.owned = ~(LaneMask){0};
     if (patch->length > 0) {
         const Lane after = l3_dot(l3_sub(p, surface_spread(patch->start)), surface_spread(patch->tangent));
         const Lane before = l3_dot(l3_sub(p, surface_spread(patch->end)), surface_spread(patch->end_tangent));
+        const Lane zero = lane_set(0);
         at.owned = (after >= zero) & (before < zero);
     }
     return at;

@@ -13,5 +13,3 @@ hawser_status error_set(hawser_error *err, hawser_status status, const char *for
     va_end(args);
     return status;
 }
-
-hawser_status error_memory(hawser_error *err) { return error_set(err, HAWSER_ERR_MEMORY, "out of memory"); }

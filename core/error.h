@@ -10,6 +10,10 @@ hawser_status error_set(hawser_error *err, hawser_status status, const char *for
     __attribute__((format(printf, 3, 4)));
 
 /* Out of memory, said the same way everywhere. */
-hawser_status error_memory(hawser_error *err);
+static inline hawser_status error_memory(hawser_error *err)
+{
+    error_set(err, HAWSER_ERR_MEMORY, "out of memory");
+    return HAWSER_ERR_MEMORY;
+}
 
 #endif

@@ -64,7 +64,7 @@ LANE_INLINE Lane2 lane_direction(Lane x)
     const Lane marked = x * lane_set(0.63661977236758134308) + rounding, times = marked - rounding;
     const Lane r = (x - times * lane_set(1.57079632673412561417)) - times * lane_set(6.07710050650619224932e-11);
     const Lane square = r * r, sine = r * plane_poly(odd, 9, square), cosine = plane_poly(even, 9, square);
-    const LaneMask quarter = (LaneMask)marked, swap = -(quarter & 1), zero = quarter ^ quarter;
+    const LaneMask quarter = (LaneMask)marked, swap = -(quarter & 1), zero = {0};
     const LaneMask sine_turns = zero - ((quarter >> 1) & 1), cosine_turns = zero - (((quarter + 1) >> 1) & 1);
     const Lane s = lane_select(swap, cosine, sine), c = lane_select(swap, sine, cosine);
     return (Lane2){lane_select(cosine_turns, -c, c), lane_select(sine_turns, -s, s)};

@@ -48,11 +48,11 @@ hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, const
     const CaseKey *const column[2] = {&curvature_key, &moment_key};
     BendingTable *const t = &cable->bending;
     hawser_status status = alone_check(r, node);
-    if (!status && !list) {
-        status = case_key_error(r->err, case_node_key(node, "bending"), "table",
-                                "missing: give 2 to 8 rows [curvature, moment]");
-    }
     if (status) return status;
+    if (!list) {
+        return case_key_error(r->err, case_node_key(node, "bending"), "table",
+                              "missing: give 2 to 8 rows [curvature, moment]");
+    }
     if (list->count < 2 || list->count > BENDING_ROWS_MAX) {
         status = case_value_error(r->err, list, " of %d rows: expected 2 to %d", list->count, BENDING_ROWS_MAX);
     }

@@ -20,7 +20,7 @@ extern const char *const case_ramps[];
 
 /* How a value comes in over time; for records that begin with a DriveRecord. */
 #define RAMP_KEYS_FROM(usual)                                                                                          \
-    {"ramp", KEY_CHOICE, .fallback = usual, .choices = case_ramps, AT(DriveRecord, ramp)},                             \
+    {"ramp", KEY_CHOICE, .fallback = (usual), .choices = case_ramps, AT(DriveRecord, ramp)},                           \
         {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(DriveRecord, from)},                       \
     {                                                                                                                  \
         "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(DriveRecord, to)                              \

@@ -83,7 +83,8 @@ static hawser_status bends_check(const CaseReader *r, const CaseNode *node, cons
 static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, const SurfaceShape *s)
 {
     const double steepest = 80 * 3.14159265358979323846 / 180;
-    for (double at = s->from; at < s->to; at += LOOK_STEP) {
+    for (int k = 0; s->from + k * LOOK_STEP < s->to; k++) {
+        const double at = s->from + k * LOOK_STEP;
         if (fabs(route_slope(&r->route, at)) <= steepest) continue;
         return case_key_error(r->err, node, "from",
                               "the route is steeper than 80 deg at %g m: only a centred duct can be", at);
@@ -202,7 +203,8 @@ static hawser_status plane_check(const CaseReader *r, const CaseNode *node, cons
         const double radius = def->cables[def->pieces[p].cable].diameter / 2;
         double from, to;
         case_piece_place(def, p, &from, &to);
-        for (double s = from; s <= to; s += LOOK_STEP) {
+        for (int k = 0; from + k * LOOK_STEP <= to; k++) {
+            const double s = from + k * LOOK_STEP;
             const SurfaceProbe at = surface_probe(&patch, route_at(&r->route, s).position);
             if (!at.owned || at.share <= 0 || at.distance >= radius - PRESS_MAX) continue;
             if (at.distance <= -SURFACE_DEPTH_MAX) continue; /* it passes behind */

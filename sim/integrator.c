@@ -222,6 +222,7 @@ static int integrator_start(Integrator *in, double t)
     return cvode_set(in);
 }
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): every step writes it */
 hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err)
 {
     Integrator *in = calloc(1, sizeof *in);

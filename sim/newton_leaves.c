@@ -1,5 +1,6 @@
 #include "sim/newton_leaves.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -123,6 +124,7 @@ hawser_status newton_leaves_new(Newton *nw, const Equipment *q, hawser_error *er
         ok = item_room(&l->item[k], ROOM);
         const int m = q->item[k].mount;
         if (m < 0) continue;
+        assert(m < q->mounts && l->mounts.mass);
         l->mounts.mass[m] = q->item[k].mass;
         for (int c = 0; c < 3; ++c) l->mounts.inertia[4 * c][m] = q->item[k].turning;
     }

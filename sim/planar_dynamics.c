@@ -71,6 +71,7 @@ void planar_place(Planar *p, double t, const double *y)
     planar_scene_ghosts(&p->ps, t, &p->kin);
 }
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): the jobs write it */
 int planar_evaluate(Planar *p, double t, const double *y, double friction, double *ydot)
 {
     Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};

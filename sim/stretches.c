@@ -129,7 +129,7 @@ hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *e
     *out = (Stretches){0};
     hawser_status status = corners_find(scene, &c, err);
     if (!status) {
-        out->stretch = calloc((size_t)c.n, sizeof *out->stretch);
+        out->stretch = calloc((size_t)c.n + 1, sizeof *out->stretch);
         if (!out->stretch) status = error_memory(err);
     }
     for (int i = 0; i < c.n && !status; ++i) {

@@ -12,7 +12,7 @@ hawser_status surfaces_fill(Surfaces *s, const SceneDef *def, const Route *route
     if (def->n_surfaces == 0) return HAWSER_OK;
     int patches = 0;
     for (int i = 0; i < def->n_surfaces; ++i) patches += surface_patch_count(&def->surfaces[i].shape, route);
-    s->patch = calloc((size_t)patches, sizeof *s->patch);
+    s->patch = calloc((size_t)patches + 1, sizeof *s->patch);
     s->friction = calloc((size_t)def->n_surfaces, sizeof *s->friction);
     if (!s->patch || !s->friction || !surface_points_alloc(&s->points, def->geometry, chain)) {
         surfaces_clear(s);

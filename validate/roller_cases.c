@@ -81,7 +81,8 @@ static hawser_status sag_run(const void *setup, ValidationLog *log, hawser_error
     if (!status) status = pull_start(&def, &sim, err);
     if (status) return status;
     const double *const p = sim_sample(sim)->position;
-    const int roller = (int)floor((s->overhang + (s->n / 2) * SPAN) / SEGMENT), span = (int)lround(SPAN / SEGMENT);
+    const int half = s->n / 2, roller = (int)floor((s->overhang + SPAN * half) / SEGMENT),
+              span = (int)lround(SPAN / SEGMENT);
     const double sag = (p[3 * roller + 2] + p[3 * (roller + span) + 2]) / 2 - p[3 * (roller + span / 2) + 2];
     log_share(log, "sag", "m", s->coefficient * s->mass * G * pow(SPAN, 4) / EI, sag, 0.5);
     sim_free(sim);

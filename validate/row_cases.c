@@ -40,7 +40,8 @@ static hawser_status row_build(const Row *row, SceneDef *def, hawser_error *err)
         scene_def_clear(def);
         return status;
     }
-    for (double s = -PITCH / 2; s < LENGTH + 6; s += PITCH) build_roller(def, &route, 0.1, DIAMETER, s);
+    const int rollers = (int)ceil((LENGTH + 6) / PITCH + 0.5);
+    for (int i = 0; i < rollers; ++i) build_roller(def, &route, 0.1, DIAMETER, (i - 0.5) * PITCH);
     route_clear(&route);
     return HAWSER_OK;
 }
