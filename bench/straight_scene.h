@@ -54,12 +54,11 @@ static inline void straight_settings(SceneDef *def)
     def->output.steady_from = 10;
 }
 
-/* Fills *def for `segments` >= 1 segments of 0.5 m; the tail lies at 2.5 m, rollers stand every 2 m up to 6.5 m ahead
- * of the head. scene_def_clear() frees it. Returns 0 without memory (then *def is cleared). */
-static inline int straight_scene(SceneDef *def, int segments)
+/* Fills *def for `segments` >= 1 segments of 0.5 m; the tail lies at 2.5 m, `rollers` >= 1 rollers stand `spacing` (m)
+ * apart from the origin on. scene_def_clear() frees it. Returns 0 without memory (then *def is cleared). */
+static inline int straight_row(SceneDef *def, int segments, int rollers, double spacing)
 {
-    const double length = 0.5 * segments, row = length + 9;
-    const int rollers = (int)floor(row / 2 + 1e-9) + 1;
+    const double length = 0.5 * segments;
     scene_def_defaults(def);
     def->cables = malloc(sizeof *def->cables);
     def->pieces = malloc(sizeof *def->pieces);
@@ -73,10 +72,16 @@ static inline int straight_scene(SceneDef *def, int segments)
     def->n_cables = def->n_pieces = def->n_route = 1;
     def->cables[0] = straight_cable();
     def->pieces[0] = (ChainPieceDef){.length = length, .segments = segments};
-    def->route[0] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .name = "row", .length = row};
+    def->route[0] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .name = "row", .length = length + 9};
     def->head_at = length + 2.5;
-    for (int k = 0; k < rollers; ++k) def->rollers[def->n_rollers++] = straight_roller(def, k + 1, 2. * k);
+    for (int k = 0; k < rollers; ++k) def->rollers[def->n_rollers++] = straight_roller(def, k + 1, spacing * k);
     return 1;
+}
+
+/* The same with rollers every 2 m up to 6.5 m ahead of the head. */
+static inline int straight_scene(SceneDef *def, int segments)
+{
+    return straight_row(def, segments, (int)floor((0.5 * segments + 9) / 2 + 1e-9) + 1, 2);
 }
 
 #endif
