@@ -1,4 +1,5 @@
-/* The scenes of bench/scale_steps.c, of any length: a straight pull in the middle of its way, and a chain that swings. */
+/* The scenes of bench/scale_steps.c, of any length: a straight pull in the middle of its way, and a chain that swings.
+ */
 #ifndef HAWSER_BENCH_SCALE_SCENES_H
 #define HAWSER_BENCH_SCALE_SCENES_H
 

@@ -99,7 +99,8 @@ static void steps_time(const Task *task, Stage *stage, hawser_error *err)
     print_work(&from, &to, stage->t - begin, dynamics_contact_seconds(&stage->ws) - contacts);
 }
 
-/* What the run must not lose: the winch's pull over the friction of everything behind it; of a chain its middle's height. */
+/* What the run must not lose: the winch's pull over the friction of everything behind it; of a chain its middle's
+ * height. */
 static void print_result(const Task *task, Stage *stage)
 {
     stage->motion->ops->look(stage->motion, stage->t, stage->y);
@@ -149,8 +150,9 @@ static void run_sim(const Task *task, SceneDef *def, hawser_error *err)
         check(sim_advance(sim, task->seconds > 0 ? end : 1e6, 1, err) == HAWSER_OK, err->message);
     }
     sim_summary(sim, &after);
-    printf("build_s %.6f\nrelax_s %.6f\nrelax_iterations %d\nrelax_residual_N %.3g\nrecord_s %.6f\n", before.phases.other,
-           before.phases.relax, relaxation.iterations, relaxation.residual_N, before.phases.output);
+    printf("build_s %.6f\nrelax_s %.6f\nrelax_iterations %d\nrelax_residual_N %.3g\nrecord_s %.6f\n",
+           before.phases.other, before.phases.relax, relaxation.iterations, relaxation.residual_N,
+           before.phases.output);
     printf("steps %ld\nsimulated_s %.9g\ncandidates %ld\n", after.steps - before.steps, sim_time(sim) - begin,
            (long)after.contact_candidates);
     sim_free(sim);
@@ -159,7 +161,8 @@ static void run_sim(const Task *task, SceneDef *def, hawser_error *err)
 int main(int argc, char **argv)
 {
     if (argc != 8) {
-        fprintf(stderr, "usage: bench_scale pull|rest|chain SEGMENTS ROLLERS plane|space THREADS WARM STEPS|SECONDSs\n");
+        fprintf(stderr,
+                "usage: bench_scale pull|rest|chain SEGMENTS ROLLERS plane|space THREADS WARM STEPS|SECONDSs\n");
         return 2;
     }
     const size_t last = strlen(argv[7]) - 1;

@@ -31,15 +31,16 @@ enum { ITERATIONS_MOST = 4 };
 struct Integrator {
     Motion *motion;
     double *y;
-    double *y_good; /* [size] state of the last good step */
-    double *weight; /* [size] 1 / absolute tolerance */
-    double stop;    /* s, the stop time that CVODE knows */
-    double gamma;   /* s, of the matrix that is factored */
-    int stalled;    /* steps in a row that were too small to change t */
+    double *weight;         /* [size] 1 / absolute tolerance */
+    const double *weighted; /* CVODE's array that holds them already; NULL: none does */
+    double stop;            /* s, the stop time that CVODE knows */
+    double gamma;           /* s, of the matrix that is factored */
+    int stalled;            /* steps in a row that were too small to change t */
     void *cvode;
     SUNContext context;
     VectorFamily family; /* every vector that CVODE has made */
     N_Vector state;
+    N_Vector good;   /* the state of the last good step */
     N_Vector newest; /* of CVODE's history: the state at the last step; see history_find */
     SUNMatrix matrix;
     SUNLinearSolver solver;
@@ -62,8 +63,10 @@ static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
 static int call_weights(N_Vector y, N_Vector weight, void *user)
 {
     (void)y;
-    const Integrator *const in = user;
-    memcpy(N_VGetArrayPointer(weight), in->weight, (size_t)in->motion->size * sizeof(double));
+    Integrator *const in = user;
+    double *const data = NV_DATA_S(weight); /* nothing waits to be done with it */
+    if (data != in->weighted) memcpy(data, in->weight, (size_t)in->motion->size * sizeof(double));
+    in->weighted = data;
     return 0;
 }
 
@@ -191,12 +194,20 @@ static int cvode_set(Integrator *in)
     return !bad && linear_attach(in);
 }
 
+/* The state of now is one that can be gone back to. */
+static void state_keep(Integrator *in)
+{
+    N_VScale(1.0, in->state, in->good);
+    vector_family_settle(&in->family); /* from here on numbers are looked at */
+}
+
 /* CVODE keeps its history to itself, but in vectors of ours. Just after its start all of them are zero but one, which
  * is the first of the history: a copy of the state. NULL if that is not so (another version of CVODE). */
-static N_Vector history_find(const Integrator *in)
+static N_Vector history_find(Integrator *in)
 {
     const size_t bytes = (size_t)in->motion->size * sizeof(double);
     N_Vector found = NULL;
+    vector_family_settle(&in->family);
     for (int k = 0; k < in->family.n; ++k) {
         N_Vector v = in->family.member[k];
         if (v == in->state || memcmp(NV_DATA_S(v), in->y, bytes) != 0) continue;
@@ -209,16 +220,18 @@ static N_Vector history_find(const Integrator *in)
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
-    in->y_good = malloc((size_t)length * sizeof(double));
     in->weight = malloc((size_t)length * sizeof(double));
-    if (!in->y_good || !in->weight || SUNContext_Create(NULL, &in->context)) return 0;
-    memcpy(in->y_good, in->y, (size_t)length * sizeof(double));
+    if (!in->weight || SUNContext_Create(NULL, &in->context)) return 0;
     in->motion->ops->weights(in->motion, in->weight);
+    in->family.queue.team = in->motion->team;
     in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
     if (!in->state) return 0;
     in->cvode = CVodeCreate(CV_BDF, in->context);
     if (!in->cvode || CVodeInit(in->cvode, call_rates, t, in->state) != CV_SUCCESS) return 0;
     in->newest = history_find(in);
+    in->good = N_VClone(in->state);
+    if (!in->good) return 0;
+    state_keep(in);
     return cvode_set(in);
 }
 
@@ -240,10 +253,10 @@ Integrator *integrator_free(Integrator *in)
     if (in->cvode) CVodeFree(&in->cvode);
     if (in->solver) SUNLinSolFreeEmpty(in->solver);
     if (in->matrix) SUNMatFreeEmpty(in->matrix);
+    if (in->good) N_VDestroy(in->good);
     if (in->state) N_VDestroy(in->state);
     if (in->context) SUNContext_Free(&in->context);
     vector_family_clear(&in->family);
-    free(in->y_good);
     free(in->weight);
     free(in);
     return NULL;
@@ -289,10 +302,11 @@ static const char *advice_for(int flag)
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
     const int i = worst_segment(in);
-    const Vec3 p = in->motion->ops->place(in->motion, in->y_good, i);
+    const Vec3 p = in->motion->ops->place(in->motion, N_VGetArrayPointer(in->good), i);
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
-    memcpy(in->y, in->y_good, (size_t)in->motion->size * sizeof(double));
+    N_VScale(1.0, in->good, in->state);
+    vector_family_settle(&in->family);
     return error_set(
         err, HAWSER_ERR_RUN,
         "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
@@ -336,7 +350,7 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     in->stalled = reached > *t ? 0 : in->stalled + 1;
     if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
-    memcpy(in->y_good, in->y, (size_t)in->motion->size * sizeof(double));
+    state_keep(in);
     const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
@@ -355,22 +369,16 @@ static void call_map(const void *user, N_Vector which, const double *from, doubl
     call->reshape->map(call->reshape->user, which == call->newest, from, to);
 }
 
-/* The arrays beside CVODE's vectors; 0 if there is no memory. */
+/* What is kept beside CVODE's vectors; 0 if there is no memory. */
 static int arrays_renew(Integrator *in, const Reshape *reshape)
 {
-    const size_t bytes = (size_t)reshape->size * sizeof(double);
-    double *const good = malloc(bytes), *const weight = malloc(bytes);
-    if (!good || !weight) {
-        free(good);
-        free(weight);
-        return 0;
-    }
-    free(in->y_good);
+    double *const weight = malloc((size_t)reshape->size * sizeof(double));
+    if (!weight) return 0;
     free(in->weight);
-    in->y_good = good;
     in->weight = weight;
+    in->weighted = NULL;
     in->y = reshape->y;
-    memcpy(good, in->y, bytes);
+    state_keep(in);
     in->motion->ops->weights(in->motion, weight);
     return 1;
 }

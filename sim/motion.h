@@ -4,6 +4,7 @@
 #ifndef HAWSER_SIM_MOTION_H
 #define HAWSER_SIM_MOTION_H
 
+#include "core/team.h"
 #include "core/vec3.h"
 #include "sim/scene.h"
 
@@ -53,6 +54,7 @@ struct Motion {
     const MotionOps *ops;
     const Scene *scene; /* borrowed */
     int size;           /* of y */
+    Team *team;         /* borrowed; NULL: one thread */
 };
 
 #endif

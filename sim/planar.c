@@ -193,7 +193,8 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .unpack = motion_unpack,
                                   .lin_stats = motion_lin_stats};
     const int n = scene->chain.n;
-    *p = (Planar){.motion = {&ops, scene, PLANAR_SIZE * planar_stride(n)}, .ws = ws, .middle = halves_middle(n)};
+    *p = (Planar){
+        .motion = {&ops, scene, PLANAR_SIZE * planar_stride(n), ws->team}, .ws = ws, .middle = halves_middle(n)};
     hawser_status status = HAWSER_OK;
     if (!planar_scene_new(&p->ps, scene, plane) || !parts_new(p)) status = error_memory(err);
     if (!status) status = planar_newton_new(&p->newton, &p->ps.chain, options, err);

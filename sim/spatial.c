@@ -136,6 +136,6 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .pack = spatial_pack,
                                   .unpack = spatial_unpack,
                                   .lin_stats = spatial_lin_stats};
-    *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene)}, .ws = ws, .newton = newton};
+    *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene), ws->team}, .ws = ws, .newton = newton};
     return &s->motion;
 }

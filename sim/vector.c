@@ -5,9 +5,6 @@
 #include <string.h>
 
 #include "core/chain.h"
-#include "sim/vector_kernels.h"
-
-enum { TERMS_MAX = 16 }; /* more than CVODE ever combines: its order is at most 12, plus 2 */
 
 /* What SUNDIALS' serial vector keeps, so that its own operations go on working, and the norm with whom to ask. */
 typedef struct VectorContent {
@@ -17,36 +14,73 @@ typedef struct VectorContent {
     VectorFamily *family;
 } VectorContent;
 
-static const VectorKernels *kernels(void)
+static int length_of(N_Vector v) { return (int)NV_LENGTH_S(v); }
+
+/* Does what waits for the vector's family. */
+static void settle(N_Vector v)
 {
-    static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
-    return table[isa_best()];
+    const VectorContent *const content = v->content;
+    if (content->family) vector_queue_flush(&content->family->queue, length_of(v));
 }
 
-static int length_of(N_Vector v) { return (int)NV_LENGTH_S(v); }
+/* The task to fill in: in the family's queue, or `alone` where there is none. */
+static VectorTask *task_begin(N_Vector z, VectorTask *alone)
+{
+    const VectorContent *const content = z->content;
+    return content->family ? vector_queue_next(&content->family->queue, length_of(z)) : alone;
+}
+
+/* Done at once if it has no queue to wait in. */
+static void task_end(N_Vector z, const VectorTask *task, const VectorTask *alone)
+{
+    if (task == alone) vector_task_run(task, length_of(z));
+}
+
+/* ------------------------------------------------------------------------------------------ what can wait */
 
 static void op_linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z)
 {
-    kernels()->linear_sum(length_of(x), a, NV_DATA_S(x), b, NV_DATA_S(y), NV_DATA_S(z));
+    VectorTask alone, *const task = task_begin(z, &alone);
+    task->kind = VECTOR_SUM;
+    task->a[0] = a;
+    task->a[1] = b;
+    task->x[0] = NV_DATA_S(x);
+    task->x[1] = NV_DATA_S(y);
+    task->z = NV_DATA_S(z);
+    task_end(z, task, &alone);
 }
 
 static void op_scale(realtype a, N_Vector x, N_Vector z)
 {
-    kernels()->scale(length_of(x), a, NV_DATA_S(x), NV_DATA_S(z));
+    VectorTask alone, *const task = task_begin(z, &alone);
+    task->kind = VECTOR_SCALE;
+    task->a[0] = a;
+    task->x[0] = NV_DATA_S(x);
+    task->z = NV_DATA_S(z);
+    task_end(z, task, &alone);
 }
 
-static realtype op_norm(N_Vector x, N_Vector w)
+static void op_const(realtype a, N_Vector z)
 {
-    const VectorContent *const content = x->content;
-    return content->norm(content->owner, NV_DATA_S(x), NV_DATA_S(w));
+    VectorTask alone, *const task = task_begin(z, &alone);
+    task->kind = VECTOR_FILL;
+    task->a[0] = a;
+    task->z = NV_DATA_S(z);
+    task_end(z, task, &alone);
 }
 
 static int op_combination(int terms, realtype *a, N_Vector *x, N_Vector z)
 {
-    double *data[TERMS_MAX];
-    if (terms < 1 || terms > TERMS_MAX) return -1;
-    for (int k = 0; k < terms; ++k) data[k] = NV_DATA_S(x[k]);
-    kernels()->combination(length_of(z), terms, a, data, NV_DATA_S(z));
+    if (terms < 1 || terms > VECTOR_TERMS_MAX) return -1;
+    VectorTask alone, *const task = task_begin(z, &alone);
+    task->kind = VECTOR_COMBINATION;
+    task->terms = terms;
+    for (int k = 0; k < terms; ++k) {
+        task->a[k] = a[k];
+        task->x[k] = NV_DATA_S(x[k]);
+    }
+    task->z = NV_DATA_S(z);
+    task_end(z, task, &alone);
     return 0;
 }
 
@@ -57,16 +91,72 @@ static int op_scale_add_multi(int terms, realtype *a, N_Vector x, N_Vector *y, N
     return 0;
 }
 
-static void op_const(realtype a, N_Vector z)
+/* ------------------------------------------------------------------------------------------ what cannot */
+
+static realtype *op_data(N_Vector v)
 {
-    double *const data = NV_DATA_S(z);
-    const int count = length_of(z);
-    if (!(a < 0 || a > 0)) {
-        memset(data, 0, (size_t)count * sizeof *data); /* which is what CVODE asks for */
-        return;
-    }
-    for (int i = 0; i < count; ++i) data[i] = a;
+    settle(v);
+    return NV_DATA_S(v);
 }
+
+static realtype op_norm(N_Vector x, N_Vector w)
+{
+    const VectorContent *const content = x->content;
+    settle(x);
+    return content->norm(content->owner, NV_DATA_S(x), NV_DATA_S(w));
+}
+
+/* What CVODE asks for before its first step is SUNDIALS' own, of numbers that are there. */
+
+static void op_product(N_Vector x, N_Vector y, N_Vector z)
+{
+    settle(z);
+    N_VProd_Serial(x, y, z);
+}
+
+static void op_quotient(N_Vector x, N_Vector y, N_Vector z)
+{
+    settle(z);
+    N_VDiv_Serial(x, y, z);
+}
+
+static void op_absolute(N_Vector x, N_Vector z)
+{
+    settle(z);
+    N_VAbs_Serial(x, z);
+}
+
+static void op_inverse(N_Vector x, N_Vector z)
+{
+    settle(z);
+    N_VInv_Serial(x, z);
+}
+
+static void op_add_const(N_Vector x, realtype b, N_Vector z)
+{
+    settle(z);
+    N_VAddConst_Serial(x, b, z);
+}
+
+static realtype op_dot(N_Vector x, N_Vector y)
+{
+    settle(x);
+    return N_VDotProd_Serial(x, y);
+}
+
+static realtype op_largest(N_Vector x)
+{
+    settle(x);
+    return N_VMaxNorm_Serial(x);
+}
+
+static realtype op_least(N_Vector x)
+{
+    settle(x);
+    return N_VMin_Serial(x);
+}
+
+/* ------------------------------------------------------------------------------------------ life */
 
 /* Into the family's list; 0 if there is no memory. */
 static int family_add(VectorFamily *family, N_Vector v)
@@ -96,7 +186,10 @@ static void op_destroy(N_Vector v)
 {
     if (!v) return;
     VectorContent *const content = v->content;
-    if (content) family_remove(content->family, v);
+    if (content) {
+        settle(v);
+        family_remove(content->family, v);
+    }
     if (content && content->serial.own_data) free(content->serial.data);
     free(content);
     N_VFreeEmpty(v);
@@ -130,16 +223,31 @@ static N_Vector op_clone(N_Vector like)
     return vector_fill(v, aligned_array_new((int)content->serial.length), 1, content);
 }
 
-static void use_kernels(N_Vector v)
+/* Operations that are not listed would read numbers that wait to be computed: there are none. */
+static void use_ours(N_Vector v)
 {
+    const struct _generic_N_Vector_Ops none = {0}, theirs = *v->ops;
+    *v->ops = none;
+    v->ops->nvgetvectorid = theirs.nvgetvectorid;
+    v->ops->nvgetlength = theirs.nvgetlength;
+    v->ops->nvspace = theirs.nvspace;
     v->ops->nvclone = op_clone;
     v->ops->nvdestroy = op_destroy;
+    v->ops->nvgetarraypointer = op_data;
     v->ops->nvlinearsum = op_linear_sum;
     v->ops->nvscale = op_scale;
     v->ops->nvconst = op_const;
-    v->ops->nvwrmsnorm = op_norm;
     v->ops->nvlinearcombination = op_combination;
     v->ops->nvscaleaddmulti = op_scale_add_multi;
+    v->ops->nvwrmsnorm = op_norm;
+    v->ops->nvprod = op_product;
+    v->ops->nvdiv = op_quotient;
+    v->ops->nvabs = op_absolute;
+    v->ops->nvinv = op_inverse;
+    v->ops->nvaddconst = op_add_const;
+    v->ops->nvdotprod = op_dot;
+    v->ops->nvmaxnorm = op_largest;
+    v->ops->nvmin = op_least;
 }
 
 N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
@@ -150,9 +258,14 @@ N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owne
     if (!v) return NULL;
     free(v->content);
     v->content = NULL;
-    use_kernels(v);
+    use_ours(v);
     const VectorContent content = {.serial = {.length = length}, .norm = norm, .owner = owner, .family = family};
     return vector_fill(v, data, 0, &content);
+}
+
+void vector_family_settle(VectorFamily *family)
+{
+    if (family->n > 0) settle(family->member[0]);
 }
 
 void vector_family_clear(VectorFamily *family)
@@ -164,6 +277,7 @@ void vector_family_clear(VectorFamily *family)
 int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user)
 {
     const int n = family->n;
+    vector_family_settle(family);
     double **const fresh = calloc((size_t)n + 1, sizeof *fresh);
     int ok = fresh != NULL;
     for (int k = 0; ok && k < n; ++k) {

@@ -6,19 +6,26 @@
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_nvector.h>
 
+#include "sim/vector_queue.h"
+
 /* The norm of x weighted by w, for the owner of the vector. */
 typedef double (*VectorNorm)(const void *owner, const double *x, const double *w);
 
-/* All vectors that live and were cloned, directly or not, from one: they can change their length together. */
+/* All vectors that live and were cloned, directly or not, from one: they can change their length together, and what is
+ * to be done with them waits in one queue. */
 typedef struct VectorFamily {
     int n, room;
     N_Vector *member; /* [n] */
+    VectorQueue queue;
 } VectorFamily;
 
 /* A vector around data [length], borrowed as are the owner and the family (NULL: none); its clones have data of their
- * own, the same norm and the same family. NULL if there is no memory. N_VDestroy frees it. */
+ * own, the same norm and the same family. NULL if there is no memory. N_VDestroy frees it. Numbers of a vector with a
+ * family are read and written through N_VGetArrayPointer, which does what waits, or after vector_family_settle. */
 N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
                      SUNContext context);
+/* Does what waits to be done with the family's vectors. */
+void vector_family_settle(VectorFamily *family);
 /* After the family's vectors are destroyed. */
 void vector_family_clear(VectorFamily *family);
 

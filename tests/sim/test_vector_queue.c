@@ -1,0 +1,133 @@
+/* Operations on vectors that wait do what they would have done at once, to the last bit, with one thread and two. */
+#include "sim/vector.h"
+
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { LENGTH = 30011, VECTORS = 5 };
+
+/* The largest of |x w|. */
+static double largest(const void *owner, const double *x, const double *w)
+{
+    double most = 0;
+    for (int i = 0; i < *(const int *)owner; ++i) most = fmax(most, fabs(x[i] * w[i]));
+    return most;
+}
+
+typedef struct Vectors {
+    SUNContext context;
+    VectorFamily family;
+    int length;
+    double data[LENGTH];
+    N_Vector v[VECTORS];
+} Vectors;
+
+static void vectors_new(Vectors *s, int length, int waits, Team *team)
+{
+    memset(s, 0, sizeof *s);
+    s->length = length;
+    s->family.queue.team = team;
+    assert_int_equal(SUNContext_Create(NULL, &s->context), 0);
+    for (int k = 0; k < VECTORS; ++k) {
+        s->v[k] = k ? N_VClone(s->v[0])
+                    : vector_wrap(length, s->data, largest, &s->length, waits ? &s->family : NULL, s->context);
+        assert_non_null(s->v[k]);
+        double *const data = N_VGetArrayPointer(s->v[k]);
+        for (int i = 0; i < length; ++i) data[i] = sin(1 + i + 1000. * k);
+    }
+}
+
+static void vectors_free(Vectors *s)
+{
+    for (int k = VECTORS; k-- > 0;) N_VDestroy(s->v[k]);
+    vector_family_clear(&s->family);
+    SUNContext_Free(&s->context);
+}
+
+/* More operations than the queue has room for, with results that are read again and overwritten, and looks between. */
+static double work(Vectors *s)
+{
+    N_Vector *const v = s->v;
+    realtype a[3] = {0.3, -1.1, 0.7};
+    N_Vector three[3] = {v[2], v[0], v[3]}, out[2] = {v[1], v[4]}, in[2] = {v[4], v[1]};
+    double norms = 0;
+    for (int round = 0; round < 3; ++round) {
+        N_VLinearSum(1, v[0], 0.1, v[1], v[0]);
+        N_VLinearSum(-0.3, v[1], 1, v[0], v[1]);
+        N_VScale(-1, v[1], v[2]);
+        N_VScale(0.9, v[2], v[2]);
+        N_VConst(0, v[3]);
+        N_VLinearSum(1, v[3], 1.7, v[2], v[3]);
+        N_VLinearCombination(3, a, three, v[2]);
+        N_VScaleAddMulti(2, a, v[0], in, out);
+        if (round == 1) norms += N_VWrmsNorm(v[2], v[1]);
+        N_VConst(0.25, v[4]);
+        for (int k = 0; k < 5; ++k) N_VLinearSum(1, v[4], 0.01 * k, v[0], v[4]);
+    }
+    N_VAbs(v[4], v[1]); /* one of SUNDIALS' own */
+    norms += N_VMaxNorm(v[1]) + N_VMin(v[4]);
+    return norms;
+}
+
+/* Lengths below, at and above pieces and lanes. */
+static void test_bits(void **state)
+{
+    (void)state;
+    static Vectors at_once, waiting;
+    const int lengths[] = {1, 7, 512, 519, 4810, LENGTH};
+    Team *const two = team_new(2);
+    assert_non_null(two);
+    for (int k = 0; k < 6; ++k) {
+        for (int threads = 1; threads <= 2; ++threads) {
+            vectors_new(&at_once, lengths[k], 0, NULL);
+            vectors_new(&waiting, lengths[k], 1, threads == 2 ? two : NULL);
+            const double expected = work(&at_once), found = work(&waiting);
+            assert_memory_equal(&expected, &found, sizeof found);
+            for (int i = 0; i < VECTORS; ++i) {
+                assert_memory_equal(N_VGetArrayPointer(at_once.v[i]), N_VGetArrayPointer(waiting.v[i]),
+                                    (size_t)lengths[k] * sizeof(double));
+            }
+            vectors_free(&at_once);
+            vectors_free(&waiting);
+        }
+    }
+    team_free(two);
+}
+
+/* Nothing is done before somebody looks; then everything is, also what the look itself does not need. */
+static void test_waits(void **state)
+{
+    (void)state;
+    static Vectors s;
+    vectors_new(&s, 100, 1, NULL);
+    N_VConst(3, s.v[0]);
+    N_VScale(2, s.v[0], s.v[1]);
+    assert_true(fabs(s.data[5] - 3) > 1);
+    assert_int_equal(s.family.queue.tasks, 2);
+    assert_true(fabs(N_VGetArrayPointer(s.v[2])[0] - sin(2001)) < 1e-15);
+    assert_int_equal(s.family.queue.tasks, 0);
+    assert_true(fabs(s.data[5] - 3) < 1e-15 && fabs(NV_DATA_S(s.v[1])[5] - 6) < 1e-15);
+    N_VScale(5, s.v[1], s.v[0]);
+    vector_family_settle(&s.family);
+    assert_true(fabs(s.data[99] - 30) < 1e-15);
+    N_VScale(2, s.v[1], s.v[2]); /* of a vector that goes away before it is done */
+    N_VDestroy(s.v[1]);
+    assert_true(fabs(NV_DATA_S(s.v[2])[7] - 12) < 1e-15);
+    s.v[1] = N_VClone(s.v[0]);
+    vectors_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_waits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
