@@ -98,14 +98,24 @@ static void form_job(void *arg, int rank)
     kernels()->form(nw, split_from(nw, rank), split_to(nw, rank));
 }
 
-/* Eliminates in one half and couples its rows, but for the one at the middle, which needs the other half's z too. */
+/* Rows that are eliminated, then coupled, while what the first wrote for the second is in the nearest cache; whole
+ * lanes. */
+enum { TILE = 128 };
+
+/* Eliminates in one half and couples its rows, but for the one at the middle, which needs the other half's z too. A row
+ * needs its neighbours' z: coupling follows one row behind. */
 static void reduce_job(void *arg, int rank)
 {
     const Split *const s = arg;
     Newton *const nw = s->nw;
     const int from = split_from(nw, rank), to = split_to(nw, rank);
-    kernels()->eliminate(nw, s->b, from, to);
-    kernels()->couple(nw, rank == 0 ? from : from + 1, rank == 0 ? to - 1 : to);
+    int coupled = rank == 0 ? from : from + 1;
+    for (int i = from; i < to; i += TILE) {
+        const int end = i + TILE < to ? i + TILE : to, last = end == to && rank == 1 ? to : end - 1;
+        kernels()->eliminate(nw, s->b, i, end);
+        if (last > coupled) kernels()->couple(nw, coupled, last);
+        if (last > coupled) coupled = last;
+    }
 }
 
 static void expand_job(void *arg, int rank)

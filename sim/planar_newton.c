@@ -61,14 +61,24 @@ static void form_job(void *arg, int rank)
     kernels()->form(nw, share_from(nw, rank), share_to(nw, rank));
 }
 
-/* Eliminates in one half and couples its rows, but for the lane beside the middle, which needs the other half's z. */
+/* Rows that are eliminated, then coupled, while what the first wrote for the second is in the nearest cache; whole
+ * lanes. */
+enum { TILE = 256 };
+
+/* Eliminates in one half and couples its rows, but for the lane beside the middle, which needs the other half's z too.
+ * A lane needs its neighbours' z: coupling follows one lane behind. */
 static void reduce_job(void *arg, int rank)
 {
     const Share *const s = arg;
     PlanarNewton *const nw = s->nw;
     const int from = share_from(nw, rank), to = share_to(nw, rank);
-    kernels()->eliminate(nw, s->b, from, to);
-    kernels()->couple(nw, s->b, rank == 0 ? from : from + LANES, rank == 0 ? to - LANES : to);
+    int coupled = rank == 0 ? from : from + LANES;
+    for (int i = from; i < to; i += TILE) {
+        const int end = i + TILE < to ? i + TILE : to, last = end == to && rank == 1 ? to : end - LANES;
+        kernels()->eliminate(nw, s->b, i, end);
+        if (last > coupled) kernels()->couple(nw, s->b, coupled, last);
+        if (last > coupled) coupled = last;
+    }
 }
 
 static void expand_job(void *arg, int rank)
