@@ -35,6 +35,28 @@ static inline int hanging_scene(SceneDef *def, int segments)
     return 1;
 }
 
+/* How much longer the straight pull's cable becomes when all of it slides (m): the tension grows evenly from the tail.
+ */
+static inline double pull_stretch(int segments)
+{
+    const CableDef cable = straight_cable();
+    const double length = 0.5 * segments;
+    return 0.2 * 9.81 * cable.mass * length * length / (2 * cable.ea);
+}
+
+/* The straight pull with room for that behind the tail; rollers < 0: every 2 m; 0: none, and a cable without weight. */
+static inline int pull_scene(SceneDef *def, int segments, int rollers)
+{
+    const double tail = 2.5 + 2 * ceil(pull_stretch(segments) / 2), row = 0.5 * segments + tail + 6.5;
+    const int count = rollers < 0 ? (int)floor(row / 2 + 1e-9) + 1 : rollers > 0 ? rollers : 1;
+    if (!straight_row(def, segments, count, rollers < 0 || count == 1 ? 2 : row / (count - 1), tail)) return 0;
+    if (rollers == 0) {
+        def->gravity = v3(0, 0, 0);
+        def->n_rollers = 0;
+    }
+    return 1;
+}
+
 /* Puts the straight pull where it will be at time t (s) of constant speed, all of it sliding: every joint carries the
  * friction of what is behind it, and is stretched by that. The heights are those of equilibrium at rest. */
 static inline int pull_begin(Stage *stage, double t)

@@ -54,9 +54,9 @@ static inline void straight_settings(SceneDef *def)
     def->output.steady_from = 10;
 }
 
-/* Fills *def for `segments` >= 1 segments of 0.5 m; the tail lies at 2.5 m, `rollers` >= 1 rollers stand `spacing` (m)
- * apart from the origin on. scene_def_clear() frees it. Returns 0 without memory (then *def is cleared). */
-static inline int straight_row(SceneDef *def, int segments, int rollers, double spacing)
+/* Fills *def for `segments` >= 1 segments of 0.5 m; the tail lies at `tail` (m), `rollers` >= 1 rollers stand `spacing`
+ * (m) apart from the origin on. scene_def_clear() frees it. Returns 0 without memory (then *def is cleared). */
+static inline int straight_row(SceneDef *def, int segments, int rollers, double spacing, double tail)
 {
     const double length = 0.5 * segments;
     scene_def_defaults(def);
@@ -72,16 +72,16 @@ static inline int straight_row(SceneDef *def, int segments, int rollers, double 
     def->n_cables = def->n_pieces = def->n_route = 1;
     def->cables[0] = straight_cable();
     def->pieces[0] = (ChainPieceDef){.length = length, .segments = segments};
-    def->route[0] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .name = "row", .length = length + 9};
-    def->head_at = length + 2.5;
+    def->route[0] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .name = "row", .length = length + tail + 6.5};
+    def->head_at = length + tail;
     for (int k = 0; k < rollers; ++k) def->rollers[def->n_rollers++] = straight_roller(def, k + 1, spacing * k);
     return 1;
 }
 
-/* The same with rollers every 2 m up to 6.5 m ahead of the head. */
+/* The same with the tail at 2.5 m and rollers every 2 m up to 6.5 m ahead of the head. */
 static inline int straight_scene(SceneDef *def, int segments)
 {
-    return straight_row(def, segments, (int)floor((0.5 * segments + 9) / 2 + 1e-9) + 1, 2);
+    return straight_row(def, segments, (int)floor((0.5 * segments + 9) / 2 + 1e-9) + 1, 2, 2.5);
 }
 
 #endif
