@@ -15,7 +15,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 #include "bench/scale_scenes.h"
 #include "core/clock.h"
@@ -52,12 +51,17 @@ static void check(int good, const char *what)
     exit(1);
 }
 
-/* Largest memory of the process so far, kB. */
+/* Largest memory of the process so far, kB; 0 where the system does not say. */
 static long peak_kB(void)
 {
-    struct rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss;
+    FILE *const file = fopen("/proc/self/status", "r");
+    char line[256];
+    long peak = 0;
+    while (file && fgets(line, sizeof line, file)) {
+        if (!strncmp(line, "VmHWM:", 6)) peak = strtol(line + 6, NULL, 10);
+    }
+    if (file) fclose(file);
+    return peak;
 }
 
 static void define(const Task *task, SceneDef *def)
@@ -138,7 +142,9 @@ static void run_stage(const Task *task, const SceneDef *def)
     IntegratorStats from, to;
     Team *const team = task->threads > 1 ? team_new(task->threads) : NULL;
     stage_begin(task, def, team, &stage);
-    printf("ready=1");
+    IntegratorStats begun;
+    integrator_stats(stage.integrator, &begun);
+    printf("steps=%ld", begun.steps);
     line_end();
     while (fgets(line, sizeof line, stdin)) {
         const double t = stage.t, contacts = dynamics_contact_seconds(&stage.ws);
