@@ -249,7 +249,8 @@ def setup_table(rows):
             mine = pick(some, segments=n)
             memory = (median(mine, "memory_kB") - empty) / (n - lengths[0]) if n > lengths[0] else math.nan
             body.append([f"{way}, {n}", f"{1e6 * median(mine, 'build_s') / n:.2f}",
-                         f"{1e6 * median(mine, 'relax_s') / n:.2f}", f"{median(mine, 'relax_iterations'):.0f}", "-" if math.isnan(memory) else f"{memory:.2f}",
+                         f"{1e6 * median(mine, 'relax_s') / n:.2f}", f"{median(mine, 'relax_iterations'):.0f}",
+                         "-" if math.isnan(memory) else f"{memory:.2f}",
                          f"{median(mine, 'memory_kB') / 1024:.0f}"])
     return table(["way, N", "building, us a segment", "relaxation, us a segment", "its iterations", "memory, kB a segment",
                   "memory, MB"], body)
