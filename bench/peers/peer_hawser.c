@@ -62,6 +62,7 @@ static int define(SceneDef *def, PeerRun *run)
     const double stiff = peer_number(run, "stiff", 1);
     const int made = run->problem == PEER_STRAIGHT ? define_straight(def, run->n)
                                                    : define_chain(def, run->n, chain_angle(run->problem), stiff);
+    def->output.interval = peer_number(run, "interval", def->output.interval);
     def->solver.accuracy = peer_number(run, "accuracy", def->solver.accuracy);
     if (strcmp(peer_word(run, "planar", "auto"), "off") == 0) def->solver.planar = PLANAR_OFF;
     if (run->problem != PEER_STRAIGHT) def->duration = peer_end(run->problem);
