@@ -6,11 +6,14 @@ import itertools
 
 
 class Peer:
-    """A program bench/peers/peer_NAME. sweep: {problem: settings tried at the small sizes}; quick: one or two a problem."""
+    """A program bench/peers/peer_NAME.
 
-    def __init__(self, name, title, package, sweep, quick):
+    sweep: {problem: settings, all tried at the smallest size}; quick: one or two a problem;
+    keep: {size: how many of the best settings at the size before go on to it}; limit: {size: s of processor time a run}."""
+
+    def __init__(self, name, title, package, sweep, quick, keep=None, limit=None):
         self.name, self.title, self.package = name, title, package
-        self.sweep, self.quick = sweep, quick
+        self.sweep, self.quick, self.keep, self.limit = sweep, quick, keep or {}, limit or {}
 
 
 def grid(**axes):
@@ -21,13 +24,37 @@ def grid(**axes):
 
 
 HAWSER = Peer("hawser", "hawser", None,
-              {"straight": ["", "accuracy=1e-4", "accuracy=1e-2"],
+              {"straight": ["", "accuracy=1e-4", "accuracy=1e-2", "accuracy=1e-2 interval=1"],
                "hang": ["stiff=100", "stiff=100 accuracy=1e-4"],
                "swing": ["stiff=100", "stiff=100 accuracy=1e-4", "stiff=100 accuracy=1e-2"]},
               {"straight": [""], "hang": ["stiff=100"], "swing": ["stiff=100"]})
+# The pull: single bodies allow the longest steps, since nothing in them is explicit; longer trees have explicit bending
+# springs. Springs in place of constraints are the plain explicit method.
 MUJOCO = Peer("mujoco", "MuJoCo", "libmujoco-dev",
-              {"straight": [], "hang": [], "swing": []},
-              {"straight": [], "hang": [], "swing": []})
+              {"straight": [
+                  *grid(piece=[1], dt=["1e-2"], solver=["CG"], impedance=["0.99", "0.999"],
+                        contact_time=["0.02", "0.05", "0.1", "0.2"]),
+                  *grid(piece=[1], dt=["5e-3"], solver=["CG"], impedance=["0.99", "0.999"], contact_time=["0.02", "0.1"]),
+                  *grid(piece=[1], dt=["2e-3"], solver=["CG"], contact_time=["5e-3", "0.05"]),
+                  *grid(piece=[1], dt=["1e-2", "4e-3"], solver=["Newton"], impedance=["0.99", "0.999"],
+                        contact_time=["0.02", "0.1"]),
+                  *grid(piece=[20, 60], dt=["1e-3", "5e-4"], solver=["Newton", "PGS", "CG"]),
+                  "piece=1 dt=5e-3 solver=CG impedance=0.999 contact_time=0.1 cone=pyramidal",
+                  "piece=1 dt=5e-3 solver=CG impedance=0.999 contact_time=0.1 tolerance=1e-6",
+                  "piece=1 dt=5e-3 solver=CG impedance=0.999 contact_time=0.1 integrator=RK4",
+                  "piece=1 dt=5e-3 solver=PGS impedance=0.999 contact_time=0.1",
+                  "as=springs dt=2e-5 damping=1e-6 solver=PGS", "as=springs dt=2e-4 damping=1e-5 stiff=0.01 solver=PGS"],
+               "hang": [*grid(piece=[1, 10, 60], dt=["5e-3", "2e-3", "1e-3"], impedance=["0.99", "0.9999"])],
+               "swing": [*grid(piece=[1], dt=["2e-3", "5e-4"], solver=["Newton", "CG"]),
+                         *grid(piece=[10], dt=["5e-3", "2e-3", "1e-3", "5e-4"], solver=["PGS", "Newton"]),
+                         *grid(piece=[30, 60], dt=["5e-3", "2e-3", "1e-3"]),
+                         "piece=30 dt=1e-3 joints=ball", "piece=30 dt=2e-3 integrator=RK4",
+                         "piece=30 dt=1e-3 impedance=0.9999",
+                         "as=springs dt=1e-4 damping=1e-5 stiff=0.1"]},
+              {"straight": ["piece=1 dt=1e-2 solver=CG", "piece=60 dt=1e-3"],
+               "hang": ["piece=10", "as=springs dt=2e-5 damping=1e-5"],
+               "swing": ["piece=10", "piece=1 joints=ball"]},
+              keep={37: 16, 120: 10, 370: 6}, limit={12: 8, 37: 8, 120: 15, 370: 25})
 SIMBODY = Peer("simbody", "Simbody", "libsimbody-dev",
                {"straight": [], "hang": [], "swing": []},
                {"straight": [], "hang": [], "swing": []})

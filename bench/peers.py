@@ -4,7 +4,6 @@
 A program that was not built, since its package is missing, is skipped with a message. The sweep runs every setting at the
 smallest size; the settings that are best there run at the larger ones, within limits of processor time.
 """
-import math
 import os
 import statistics
 import subprocess
@@ -20,9 +19,7 @@ SIZES = (12, 37, 120, 370)
 PROBLEMS = {"straight": "straight pull", "hang": "hanging chain at rest", "swing": "swinging chain"}
 SAME = 0.1           # %: errors below are as good as each other
 GOAL, AT = 500, 370  # times faster, on the straight pull of so many segments
-SWEEP_LIMIT = 8      # s of processor time for a run of the sweep
-FINAL_LIMIT = {37: 30, 120: 45, 370: 110}  # and for one of the larger sizes
-BEST = 2             # settings that go on to the larger sizes
+LIMIT = 120          # s of processor time of a run, where its program has no other limit
 REFERENCE = "stiff=100 accuracy=1e-6"  # of hawser, for the swinging chain
 # Largest errors of hawser's default settings, %: a result that is wrong fails the part.
 ALLOWED = {"straight": 0.1, "hang": 0.1, "swing": 1}
@@ -54,7 +51,7 @@ class Runner:
     def program(self, peer):
         return os.path.join(self.build, "bench/peers/peer_" + peer.name)
 
-    def run(self, peer, problem, n, settings, stage, number=1, limit=120, words=()):
+    def run(self, peer, problem, n, settings, stage, number=1, limit=LIMIT, words=()):
         """One run: its row. A program that crashes has failed; one that refuses its command line ends the part."""
         reference = os.path.join(self.folder, f"path{n}")
         words = [*settings.split(), "--limit", str(limit), *words]
@@ -85,7 +82,7 @@ class Runner:
 
 
 def rank(rows, count):
-    """The settings that go on: the cheapest of those within SAME, then the most accurate of the others; of equals the first."""
+    """The settings that go on: the cheapest of those within SAME, then the most accurate of the others."""
     done = [row for row in rows if row["error_pct"] is not None]
     good = sorted((row for row in done if row["error_pct"] <= SAME), key=lambda row: row["cost"])
     rest = sorted((row for row in done if row["error_pct"] > SAME), key=lambda row: row["error_pct"])
@@ -97,7 +94,7 @@ def rank(rows, count):
 
 
 def best(rows):
-    """The row that stands for a program: what rank puts first; without any that finished, the cheapest that got somewhere."""
+    """What stands for a program: the setting that is first by rank; else the cheapest that got somewhere."""
     first = rank(rows, 1)
     if first:
         mine = [row for row in rows if row["settings"] == first[0] and row["error_pct"] is not None]
@@ -118,16 +115,16 @@ def match(rows, error):
 
 
 def sweep(runner, peer, problem, quick):
-    """Every setting at the smallest size, twice where it is quick enough to matter; the best at the larger ones.
+    """Every setting at the smallest size, the best of those at the larger ones, as many as the program's plan says.
 
-    A setting that does not come to its end at one size is not tried at the next one.
+    A setting that does not come to its end at one size is not tried at the next one, unless no other did.
     """
-    tried = [runner.run(peer, problem, SIZES[0], settings, "sweep", limit=SWEEP_LIMIT)
-             for settings in (peer.quick if quick else peer.sweep)[problem]]
-    going = rank(tried, BEST)
-    for n in () if quick else SIZES[1:]:
-        rows = [runner.run(peer, problem, n, settings, "size", limit=FINAL_LIMIT[n]) for settings in going]
-        going = [row["settings"] for row in rows if row["outcome"] == "finished"]
+    going = (peer.quick if quick else peer.sweep)[problem]
+    for n in SIZES[:1] if quick else SIZES:
+        rows = [runner.run(peer, problem, n, settings, "sweep", limit=peer.limit.get(n, LIMIT))
+                for settings in going[:peer.keep.get(n)]]
+        moved = sorted((row for row in rows if row["outcome"] == "limit" and row["cost"]), key=lambda row: row["cost"])
+        going = rank(rows, None) or [row["settings"] for row in moved[:1]]
 
 
 def measure_hawser(runner, sizes, problem, rounds, quick):
@@ -161,14 +158,16 @@ def pairs(rows, peer, problem):
 
 
 def comparison_table(rows, peers, problem):
-    head = [PROBLEMS[problem], "segments", "best settings", "outcome", "error %", "CPU s per s", "steps per s",
-            "hawser: error %", "hawser: CPU s per s", "times"]
+    head = [PROBLEMS[problem], "segments", "best settings", "outcome", "error %", "ripple N", "CPU s per s",
+            "steps per s", "hawser: settings", "error %", "ripple N", "CPU s per s", "times"]
     body = []
     for peer in peers:
         for n, theirs, ours in pairs(rows, peer, problem):
             body.append([peer.title, str(n), f"`{theirs['settings'] or 'default'}`", theirs["outcome"],
-                         number(theirs["error_pct"]), number(theirs["cost"]), number(theirs["steps"] / theirs["sim_s"], 4),
-                         number(ours["error_pct"]), number(ours["cost"]), f"{theirs['cost'] / ours['cost']:.0f}"])
+                         number(theirs["error_pct"]), number(theirs["ripple"]), number(theirs["cost"]),
+                         f"{theirs['steps'] / theirs['sim_s']:.0f}", f"`{ours['settings'] or 'default'}`",
+                         number(ours["error_pct"]), number(ours["ripple"]), number(ours["cost"]),
+                         f"{theirs['cost'] / ours['cost']:.3g}"])
     return table(head, body)
 
 
@@ -209,19 +208,19 @@ def sweep_table(rows, peer):
     body = [[PROBLEMS[row["problem"]], str(row["n"]), f"`{row['settings'] or 'default'}`", row["outcome"],
              number(row["error_pct"]), number(row["ripple"]), number(row["cost"])]
             for problem in PROBLEMS for row in rows
-            if row["program"] == peer.name and row["problem"] == problem and row["stage"] in ("sweep", "size")]
+            if row["program"] == peer.name and row["problem"] == problem and row["stage"] == "sweep"]
     return table([f"{peer.title}: all runs", "segments", "settings", "outcome", "error %", "ripple N", "CPU s per s"], body)
 
 
 def cost_plot(path, rows, peers):
     panels = []
     for problem in ("straight", "swing"):
-        panel = Panel("log10 of the number of segments", f"log10 CPU s per s, {PROBLEMS[problem]}")
+        panel = Panel("segments", f"CPU s per s, {PROBLEMS[problem]}", log="xy")
         hawser = [(n, best(of(rows, "hawser", problem, n))) for n in SIZES]
         lines = [("hawser", [(n, row["cost"]) for n, row in hawser if row])]
         lines += [(peer.title, [(n, theirs["cost"]) for n, theirs, _ in pairs(rows, peer, problem)]) for peer in peers]
         for title, points in lines:
-            panel.add(title, [math.log10(n) for n, _ in points], [math.log10(cost) for _, cost in points])
+            panel.add(title, [n for n, _ in points], [cost for _, cost in points])
         panels.append(panel)
     write_svg(path, "Cost of a simulated second at each program's best settings", panels)
 

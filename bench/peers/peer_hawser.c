@@ -1,6 +1,7 @@
 /* hawser's side of the comparison: the problems of problem.h through the library, one thread, nothing written.
- * Settings: accuracy=A (the case key solver.accuracy), planar=off (the straight pull in space), stiff=F (chain: the
- * links' rigidity over table 1's). Usage and row: run.h. */
+ * Settings: accuracy=A and interval=S (the case keys solver.accuracy, output.interval, which bounds the step),
+ * planar=off (the straight pull in space), stiff=F (chain: the links' rigidity over table 1's). Usage and row: run.h.
+ */
 #include <stdlib.h>
 
 #include "bench/peers/run.h"
@@ -69,9 +70,10 @@ static int define(SceneDef *def, PeerRun *run)
     return made;
 }
 
-/* Takes what the problem is judged by out of the state of now. */
+/* Takes what the problem is judged by out of the state of now; of the pull not before it has its speed. */
 static void look(PeerRun *run, Sim *sim)
 {
+    if (run->problem == PEER_STRAIGHT && sim_time(sim) < STRAIGHT_RAMP) return;
     const hawser_sample *const sample = sim_sample(sim);
     if (run->problem == PEER_STRAIGHT) peer_force(run, sample->t, sample->winch_force);
     if (run->problem == PEER_HANG) peer_force(run, sample->t, sample->probe[0].force[0]);

@@ -1,0 +1,159 @@
+/* bench/peers: the closed forms of the problems, and the means and errors that the programs' rows are made of. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "bench/peers/run.h"
+
+/* A run as peer_start leaves it. */
+static PeerRun a_run(PeerProblem problem)
+{
+    return (PeerRun){.program = "test", .problem = problem, .n = 12, .last_t = -1, .place_t = -1};
+}
+
+static void test_travel_is_the_integral_of_speed(void **state)
+{
+    (void)state;
+    double sum = 0;
+    const int steps = 3000;
+    for (int k = 0; k < steps; ++k) sum += straight_speed((k + 0.5) * 3 / steps) * 3 / steps;
+    assert_true(fabs(straight_travel(3) - sum) < 1e-8);
+    assert_true(fabs(straight_travel(3) - 0.25) < 1e-12); /* half the ramp's time at half the speed */
+    assert_true(fabs(straight_force(370) - 7985.34) < 1e-9);
+}
+
+/* Links are as long as they should be, the ends as far apart, and every link is in balance: about its centre the
+ * vertical forces at its ends, which grow by its weight from link to link, turn it as much as the horizontal ones do.
+ */
+static void balanced(int n)
+{
+    double joint[3 * 121];
+    const double tension = chain_tension(n), weight = PEER_MASS * PEER_GRAVITY;
+    chain_joints(n, 0, joint);
+    for (int i = 0; i < n; ++i) {
+        const double *const a = joint + 3 * i, *const b = a + 3, dx = b[0] - a[0], dz = b[2] - a[2];
+        assert_true(fabs(hypot(dx, dz) - PEER_LINK) < 1e-12);
+        const double rear = weight * (i - n / 2.),
+                     front = weight * (i + 1 - n / 2.); /* half the weight on either side */
+        assert_true(fabs(dx * (rear + front) / 2 - dz * tension) < 1e-9 * tension);
+    }
+    assert_true(fabs(joint[3 * n] - chain_span(n)) < 1e-10);
+    assert_true(fabs(joint[3 * n + 2]) < 1e-10);
+}
+
+static void test_chain_is_in_balance(void **state)
+{
+    (void)state;
+    balanced(2);
+    balanced(37);
+    balanced(120);
+}
+
+/* Many links are a catenary: horizontal tension w a, length 2 a sinh(span/2a). */
+static void test_chain_tends_to_the_catenary(void **state)
+{
+    (void)state;
+    const int n = 4000;
+    const double length = PEER_LINK * n, span = chain_span(n);
+    double low = span / 10, high = 100 * span;
+    for (int it = 0; it < 200; ++it) {
+        const double a = (low + high) / 2;
+        if (2 * a * sinh(span / (2 * a)) > length)
+            low = a;
+        else
+            high = a;
+    }
+    assert_true(fabs(chain_tension(n) / (PEER_MASS * PEER_GRAVITY / PEER_LINK * low) - 1) < 1e-6);
+}
+
+static void test_turned_chain(void **state)
+{
+    (void)state;
+    double flat[3 * 13], turned[3 * 13];
+    chain_joints(12, 0, flat);
+    chain_joints(12, SWING_ANGLE, turned);
+    for (int i = 0; i <= 12; ++i) {
+        assert_true(fabs(turned[3 * i] - flat[3 * i]) < 1e-15);
+        assert_true(fabs(turned[3 * i + 1] + flat[3 * i + 2] * 0.5) < 1e-12);
+        assert_true(fabs(turned[3 * i + 2] - flat[3 * i + 2] * sqrt(0.75)) < 1e-12);
+    }
+}
+
+/* A force that grows linearly, looked at on a grid that misses the window's ends: mean and mean square are exact. */
+static void test_mean_over_the_window(void **state)
+{
+    (void)state;
+    PeerRun run = a_run(PEER_STRAIGHT);
+    for (double t = 0; t < 9; t += 0.7) peer_force(&run, t, 10 * t);
+    const double mean = run.sum / run.mean_time;
+    assert_true(fabs(run.mean_time - 5) < 1e-12);
+    assert_true(fabs(mean - 45) < 1e-10);
+    assert_true(fabs(run.square / run.mean_time - mean * mean - 2500. / 12) < 1e-8);
+}
+
+/* The path is linear between calls, and its first point is the first call's. */
+static void test_path(void **state)
+{
+    (void)state;
+    PeerRun run = a_run(PEER_SWING);
+    for (int k = 0; k <= 70; ++k) peer_place(&run, 0.03 * k, 1 + 0.03 * k, -0.06 * k);
+    assert_int_equal(run.points, TRACE_POINTS);
+    for (int k = 0; k < TRACE_POINTS; ++k) {
+        assert_true(fabs(run.path[k][0] - 1 - TRACE_EVERY * k) < 1e-12);
+        assert_true(fabs(run.path[k][1] + 2 * TRACE_EVERY * k) < 1e-12);
+    }
+}
+
+/* A path against itself, against one that is 1 mm aside at one point, and against one that is too short. */
+static void test_path_error(void **state)
+{
+    (void)state;
+    char file[] = "test_peer_run_path.txt";
+    PeerRun run = a_run(PEER_SWING);
+    run.trace_file = run.reference_file = file;
+    for (int k = 0; k <= 100; ++k) peer_place(&run, TRACE_EVERY * k, 3 * sin(TRACE_EVERY * k), 0);
+    peer_trace_write(&run);
+    double size;
+    assert_true(peer_trace_error(&run, &size) < 1e-11);
+    assert_true(fabs(size - 3 * sin(1.58)) < 1e-11); /* the point next to a quarter turn */
+    run.path[40][1] += 1e-3;
+    assert_true(fabs(peer_trace_error(&run, &size) - 1e-3) < 1e-11);
+    run.points = 50;
+    assert_true(isnan(peer_trace_error(&run, &size)));
+    remove(file);
+}
+
+static void test_settings(void **state)
+{
+    (void)state;
+    char program[] = "p", problem[] = "swing", n[] = "12", dt[] = "dt=2e-3", cone[] = "cone=elliptic",
+         limit[] = "--limit", s[] = "7";
+    char *argv[] = {program, problem, n, dt, limit, s, cone};
+    PeerRun run;
+    peer_start(&run, "test", 7, argv);
+    assert_int_equal(run.problem, PEER_SWING);
+    assert_int_equal(run.n, 12);
+    assert_true(run.limit == 7 && run.until == SWING_END);
+    assert_true(peer_number(&run, "dt", 1) == 2e-3);
+    assert_true(peer_number(&run, "d", 1) == 1);
+    assert_string_equal(peer_word(&run, "cone", "x"), "elliptic");
+    assert_int_equal(run.used, 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_travel_is_the_integral_of_speed),
+        cmocka_unit_test(test_chain_is_in_balance),
+        cmocka_unit_test(test_chain_tends_to_the_catenary),
+        cmocka_unit_test(test_turned_chain),
+        cmocka_unit_test(test_mean_over_the_window),
+        cmocka_unit_test(test_path),
+        cmocka_unit_test(test_path_error),
+        cmocka_unit_test(test_settings),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
