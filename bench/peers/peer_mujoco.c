@@ -33,7 +33,7 @@ static void add_planar_spring(mjData *d, int i)
 {
     const double *const q = d->qpos + 3 * i, *const v = d->qvel + 3 * i, r = PEER_LINK / 2;
     const double ca = r * cos(q[2]), sa = r * sin(q[2]), cb = r * cos(q[5]), sb = r * sin(q[5]);
-    const double gap[2] = {q[3] - q[0] - PEER_LINK - ca - cb + 2 * r, q[4] - q[1] + sa + sb};
+    const double gap[2] = {q[3] - q[0] + PEER_LINK - ca - cb, q[4] - q[1] + sa + sb};
     const double rate[2] = {v[3] - v[0] + sa * v[2] + sb * v[5], v[4] - v[1] + ca * v[2] + cb * v[5]};
     const double c = cos((q[2] + q[5]) / 2), s = sin((q[2] + q[5]) / 2);
     const double along = now.k[0] * (c * gap[0] - s * gap[1]) + now.c[0] * (c * rate[0] - s * rate[1]);
@@ -95,11 +95,11 @@ static void passive(const mjModel *m, mjData *d)
     }
 }
 
-/* Size of the force of a constraint, along x if it has several components. */
+/* The force of a constraint, along x if it has several components; on the head it is positive when it pulls. */
 static double constraint_force(const mjData *d, int which)
 {
     for (int i = 0; i < d->ne; ++i) {
-        if (d->efc_type[i] == mjCNSTR_EQUALITY && d->efc_id[i] == which) return fabs(d->efc_force[i]);
+        if (d->efc_type[i] == mjCNSTR_EQUALITY && d->efc_id[i] == which) return d->efc_force[i];
     }
     return NAN;
 }
@@ -108,7 +108,8 @@ static double constraint_force(const mjData *d, int which)
 static void look(PeerRun *run, const mjData *d, double t)
 {
     if (run->problem == PEER_STRAIGHT) peer_force(run, t, constraint_force(d, now.winch));
-    if (run->problem == PEER_HANG) peer_force(run, t, now.close >= 0 ? constraint_force(d, now.close) : now.value);
+    if (run->problem == PEER_HANG)
+        peer_force(run, t, now.close >= 0 ? fabs(constraint_force(d, now.close)) : now.value);
     if (run->problem != PEER_SWING) return;
     const int i = chain_middle_segment(run->n), body = now.first + i;
     double place[3], arm[3];
