@@ -1,6 +1,7 @@
 /* ARKODE's Runge-Kutta methods: explicit ones, and diagonally implicit ones with hawser's Newton matrix, norm and share
  * of the tolerance for Newton's iteration. */
 #include <arkode/arkode_arkstep.h>
+#include <math.h>
 #include <nvector/nvector_serial.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,8 @@
 #include "core/chain.h"
 #include "sim/vector.h"
 
-static const double NEWTON_SHARE = 1e-3, GAMMA_CHANGE = 0.05; /* as the integrator has them */
+/* As the integrator has them: what Newton's iteration leaves is a share of the tolerance, and the same at any. */
+static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7, GAMMA_CHANGE = 0.05;
 enum { ITERATIONS_MOST = 10, PREDICT_VARIABLE_ORDER = 2 };
 
 typedef struct Ark {
@@ -80,7 +82,8 @@ static int implicit_set(Ark *a, int variant)
     bad |= ARKStepSetLinSysFn(m, call_system);
     if (!own) return bad;
     bad |= ARKStepSetPredictorMethod(m, PREDICT_VARIABLE_ORDER);
-    bad |= ARKStepSetNonlinConvCoef(m, NEWTON_SHARE);
+    const double accuracy = a->p->stage.scene.def.solver.accuracy;
+    bad |= ARKStepSetNonlinConvCoef(m, fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / accuracy, NEWTON_SHARE_MOST)));
     bad |= ARKStepSetMaxNonlinIters(m, ITERATIONS_MOST);
     bad |= ARKStepSetDeltaGammaMax(m, GAMMA_CHANGE);
     bad |= ARKStepSetDeduceImplicitRhs(m, 1);
