@@ -12,6 +12,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "sim/stride.h"
 #include "sim/vector.h"
 
 enum { STALLED_MOST = 20 };
@@ -33,6 +34,7 @@ struct Integrator {
     double *y;
     double *weight;         /* [size] 1 / absolute tolerance */
     const double *weighted; /* CVODE's array that holds them already; NULL: none does */
+    double way;             /* m, that a step may move the chain by; INFINITY: any */
     double stop;            /* s, the stop time that CVODE knows */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
@@ -241,7 +243,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.motion = motion, .y = y, .stop = -1};
+    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1};
     if (integrator_start(in, t)) return HAWSER_OK;
     *out = integrator_free(in);
     return error_memory(err);
@@ -274,6 +276,21 @@ static int worst_segment(Integrator *in)
     }
     if (error) N_VDestroy(error);
     return worst;
+}
+
+/* What is known of scenes whose steps become too small at segment i. The head of a limp cable does not keep its
+ * direction on an axial grip: the pull follows it. A limp cable on a roller as bent as itself has no point that is
+ * nearest, see (C6): said where a roller may take the cable over more than two segments. */
+static const char *hint_for(const Scene *scene, int i)
+{
+    double largest = 0;
+    const int at_head = i >= scene->chain.n - 3;
+    if (at_head && scene->winch.present && scene->def.winch.axial_only)
+        return " (the head of a limp cable needs drive.winch.grip: clamp)";
+    if (scene->contact.geometry != GEOMETRY_SMOOTH) return "";
+    for (int r = 0; r < scene->contact.n_rollers; ++r) largest = fmax(largest, scene->contact.roller[r].shape.radius);
+    if (!(largest > 2 * scene->chain.half[0])) return "";
+    return " (a limp cable bent around a roller over more than two segments needs contact.geometry: cylinder)";
 }
 
 static const char *advice_for(int flag)
@@ -310,9 +327,9 @@ static hawser_status step_failed(Integrator *in, int flag, double t, hawser_erro
     return error_set(
         err, HAWSER_ERR_RUN,
         "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
-        "%s (CVODE flag %d: %s)",
-        t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag), flag,
-        in->complaint);
+        "%s%s (CVODE flag %d: %s)",
+        t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
+        hint_for(in->motion->scene, i), flag, in->complaint);
 }
 
 /* solver.max_steps, if given, is used up. */
@@ -327,21 +344,33 @@ static int steps_spent(const Integrator *in)
 static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
 {
     double step = 0;
+    const int i = worst_segment(in);
     CVodeGetCurrentStep(in->cvode, &step);
     return error_set(
         err, HAWSER_ERR_RUN,
         "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
-        "raise it or solver.accuracy, or soften what is stiff there",
-        in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + worst_segment(in),
-        in->motion->scene->total);
+        "raise it or solver.accuracy, or soften what is stiff there%s",
+        in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
+        hint_for(in->motion->scene, i));
+}
+
+/* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14). */
+static double stride_end(const Integrator *in, double t, double stop)
+{
+    if (!(in->way < INFINITY)) return stop;
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    const double longest = in->way / in->motion->ops->speed(in->motion, in->y);
+    return step > longest && t + longest > t ? fmin(stop, t + longest) : stop;
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
 {
     if (steps_spent(in)) return steps_failed(in, *t, err);
-    if (stop > in->stop || stop < in->stop) {
-        CVodeSetStopTime(in->cvode, stop);
-        in->stop = stop;
+    const double end = stride_end(in, *t, stop);
+    if (end > in->stop || end < in->stop) {
+        CVodeSetStopTime(in->cvode, end);
+        in->stop = end;
     }
     const double start = clock_now();
     double reached = *t;

@@ -26,6 +26,8 @@ typedef struct MotionOps {
     void (*weights)(const Motion *m, double *weight);
     /* The norm of x weighted by w in which errors are judged (N11). */
     double (*norm)(const Motion *m, const double *x, const double *w);
+    /* Largest speed of a point of the chain, m/s: stride_speed. */
+    double (*speed)(const Motion *m, const double *y);
     /* Correction of y to what its constraints ask for (unit quaternions) and projection of its error (NULL: none).
      * NULL where y has no such constraint. */
     void (*project)(const Motion *m, const double *y, double *correction, double *error);

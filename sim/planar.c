@@ -9,6 +9,7 @@
 #include "sim/planar_kernels.h"
 #include "sim/planar_relax.h"
 #include "sim/scales.h"
+#include "sim/stride.h"
 
 static Planar *planar_of(Motion *m) { return (Planar *)m; }
 static const Planar *planar_in(const Motion *m) { return (const Planar *)m; }
@@ -100,6 +101,12 @@ static double motion_norm(const Motion *m, const double *x, const double *w)
     return sqrt(kernels()->window_square(&planar_in(m)->ps.chain, x, w));
 }
 
+static double motion_speed(const Motion *m, const double *y)
+{
+    const int stride = planar_in(m)->ps.chain.stride;
+    return stride_speed(&m->scene->chain, stride, 2, y + 3 * stride, 1, y + 5 * stride);
+}
+
 static hawser_status motion_accept(Motion *m, double t, const double *y, hawser_error *err)
 {
     return planar_refresh(planar_of(m), t, y, 0, err);
@@ -182,6 +189,7 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .solve = motion_solve,
                                   .weights = motion_weights,
                                   .norm = motion_norm,
+                                  .speed = motion_speed,
                                   .accept = motion_accept,
                                   .renew = motion_renew,
                                   .worst = motion_worst,

@@ -42,9 +42,13 @@ double relax_rounding(const Scene *scene, double far)
 {
     const Chain *const chain = &scene->chain;
     const int joints = chain->n + scene->rod.present; /* the head's end of a rod counts as its tail's does */
-    double stiffness = 0;
-    for (int j = 0; j < joints; ++j) stiffness = fmax(stiffness, chain->stiffness[0][j]);
-    return 16 * DBL_EPSILON * far * stiffness;
+    double force = 0;
+    for (int j = 0; j < joints; ++j) {
+        const double half = chain->half[j < chain->n ? j : chain->n - 1];
+        force = fmax(force, far * chain->stiffness[0][j]);
+        for (int c = 3; c < 6; ++c) force = fmax(force, chain->stiffness[c][j] / half); /* quaternions are of size 1 */
+    }
+    return 16 * DBL_EPSILON * force;
 }
 
 double relax_tolerance(const Scene *scene, double t, double far)

@@ -38,7 +38,8 @@ hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int
 /* What counts as balanced, N: the tolerance times the largest of the segments' weights and the loads of t, but never
  * less than what rounding of coordinates as large as `far` (m) does to the stiffest bushing. */
 double relax_tolerance(const Scene *scene, double t, double far);
-/* What rounding of coordinates as large as `far` (m) does to the stiffest bushing, N. */
+/* What rounding of coordinates as large as `far` (m), and of rotations, does to the stiffest bushing, N; moments count
+ * over half a segment (E6). */
 double relax_rounding(const Scene *scene, double far);
 /* `scale`, or less, so that a segment that would move by `move` (m) and turn by `turn` (rad) does not go too far (E2).
  */

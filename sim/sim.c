@@ -17,6 +17,7 @@
 #include "sim/stage.h"
 #include "sim/statics.h"
 #include "sim/stats.h"
+#include "sim/turned.h"
 
 struct Sim {
     Stage stage; /* scene, state, integrator */
@@ -34,6 +35,7 @@ struct Sim {
     int threads;
     Team *team;     /* of two, or NULL */
     int active_max; /* contacts */
+    int turned;     /* what has turned too far, and was said */
 };
 
 /* A trip at a factor of what theory expects needs an expectation. */
@@ -239,10 +241,22 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
 
 const hawser_sample *sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
 
+/* Says once that the run has left what its model can do. */
+static void turned_watch(Sim *s, const hawser_sample *look)
+{
+    Stage *const st = &s->stage;
+    const int now = turned(&st->scene, st->motion == &st->planar.motion, &st->ws.kin) & ~s->turned;
+    hawser_error only_a_note;
+    if (now & TURNED_JOINT) events_add(&s->events, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_HEAD) events_add(&s->events, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
+    s->turned |= now;
+}
+
 static void record_now(Sim *s, SampleParts parts)
 {
     const hawser_sample *const look = look_now(s, parts);
     const double start = clock_now();
+    turned_watch(s, look);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
     const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;

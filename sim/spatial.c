@@ -4,6 +4,7 @@
 
 #include "sim/relax.h"
 #include "sim/scales.h"
+#include "sim/stride.h"
 
 static Spatial *spatial_of(Motion *m) { return (Spatial *)m; }
 
@@ -36,6 +37,12 @@ static double spatial_norm(const Motion *m, const double *x, const double *w)
     if (m->scene->equipment.n == 0) return chain;
     const double beside = scales_equipment_norm(&m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
     return beside > chain || isnan(beside) ? beside : chain;
+}
+
+static double spatial_speed(const Motion *m, const double *y)
+{
+    const Chain *const chain = &m->scene->chain;
+    return stride_speed(chain, chain->n, 3, y + STATE_V * chain->n, 3, y + STATE_W * chain->n);
 }
 
 /* Keeps the quaternions of unit length (N9). */
@@ -125,6 +132,7 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .solve = spatial_solve,
                                   .weights = spatial_weights,
                                   .norm = spatial_norm,
+                                  .speed = spatial_speed,
                                   .project = spatial_project,
                                   .accept = spatial_accept,
                                   .renew = spatial_renew,

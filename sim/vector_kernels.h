@@ -14,6 +14,10 @@ typedef struct VectorKernels {
     /* Largest over windows of 16 segments of the sum of (x w)^2 over the window's entries, divided by their number; x
      * and w are 13 arrays of n (N11). A NaN in x or w gives a NaN. */
     double (*window_square)(int n, const double *x, const double *w);
+    /* Largest over the n entries of sum of v[c]^2, c < dims, + half^2 times the sum of w[c]^2, c < turns: v[c] begins
+     * at v + c pitch, w[c] likewise. What is not a number counts for nothing. */
+    double (*largest_square)(int n, int pitch, int dims, const double *v, int turns, const double *w,
+                             const double *half);
     /* 1 if every entry is finite */
     int (*all_finite)(int count, const double *x);
     /* Correction of the quaternions of y (13 arrays of n) to unit length, zero elsewhere; error (NULL: none) loses its

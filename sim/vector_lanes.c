@@ -69,6 +69,42 @@ static double kernel_window_square(int n, const double *x, const double *w)
     return largest;
 }
 
+/* Entries i..i+count-1 of kernel_largest_square's sums; a whole lane when count is LANES. */
+LANE_INLINE Lane squares_at(int pitch, int dims, const double *v, int turns, const double *w, const double *half, int i,
+                            int count)
+{
+    const size_t bytes = (size_t)count * sizeof(double);
+    Lane square = lane_set(0), turn = lane_set(0), arm = lane_set(0), x = lane_set(0);
+    memcpy(&arm, half + i, bytes);
+    for (int c = 0; c < dims; ++c) {
+        memcpy(&x, v + c * pitch + i, bytes);
+        square += x * x;
+    }
+    for (int c = 0; c < turns; ++c) {
+        memcpy(&x, w + c * pitch + i, bytes);
+        turn += x * x;
+    }
+    return square + arm * arm * turn;
+}
+
+static double kernel_largest_square(int n, int pitch, int dims, const double *v, int turns, const double *w,
+                                    const double *half)
+{
+    Lane most = lane_set(0);
+    int i = 0;
+    for (; i + LANES <= n; i += LANES) {
+        const Lane square = squares_at(pitch, dims, v, turns, w, half, i, LANES);
+        most = lane_select(square > most, square, most);
+    }
+    if (i < n) {
+        const Lane square = squares_at(pitch, dims, v, turns, w, half, i, n - i);
+        most = lane_select(square > most, square, most);
+    }
+    double largest = 0;
+    for (int k = 0; k < LANES; ++k) largest = most[k] > largest ? most[k] : largest;
+    return largest;
+}
+
 static int kernel_all_finite(int count, const double *x)
 {
     Lane sum = lane_set(0); /* x 0 is 0, or NaN where x is not finite */
@@ -112,5 +148,6 @@ static void kernel_project(int n, const double *y, double *correction, double *e
     if (i < n) project_at(n, y, correction, error, i, n - i);
 }
 
-const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum,    kernel_scale,      kernel_combination,
-                                                kernel_window_square, kernel_all_finite, kernel_project};
+const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum,    kernel_scale,          kernel_combination,
+                                                kernel_window_square, kernel_largest_square, kernel_all_finite,
+                                                kernel_project};

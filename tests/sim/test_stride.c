@@ -1,0 +1,75 @@
+/* How far a step may carry the chain (N14), and what has turned too far to be followed (B16). */
+#include "sim/stride.h"
+#include "sim/turned.h"
+#include "tests/sim/rig_fixture.h"
+
+static Rig *pull(void)
+{
+    SceneDef def;
+    const FixtureChoice choice = {0};
+    fixture_pull(&def, &choice);
+    return rig_make(&def, NULL);
+}
+
+/* The thinnest roller and the thinnest cable; nothing where there is nothing to pass. */
+static void test_most(void **state)
+{
+    (void)state;
+    Rig *const r = pull();
+    double thin = INFINITY;
+    for (int i = 0; i < r->scene.def.n_cables; ++i) thin = fmin(thin, r->scene.def.cables[i].diameter / 2);
+    assert_true(fabs(stride_most(&r->scene) - (0.1 + thin)) < 1e-15);
+    rig_free(r);
+    SceneDef def;
+    fixture_free_chain(&def, 12);
+    Rig *const alone = rig_make(&def, NULL);
+    assert_true(isinf(stride_most(&alone->scene)));
+    rig_free(alone);
+}
+
+/* The largest of all segments, wherever it is, for counts that are no multiple of the lanes. */
+static void test_speed(void **state)
+{
+    (void)state;
+    Rig *const r = pull();
+    const Chain *const chain = &r->scene.chain;
+    const int n = r->n;
+    for (int i = 0; i < n; ++i) {
+        double *const y = r->y;
+        y[STATE_V * n + i] = 3, y[(STATE_V + 2) * n + i] = -4, y[(STATE_W + 1) * n + i] = 12 / chain->half[i];
+        const double speed = stride_speed(chain, n, 3, y + STATE_V * n, 3, y + STATE_W * n);
+        assert_true(fabs(speed - 13) < 1e-12);
+        y[STATE_V * n + i] = y[(STATE_V + 2) * n + i] = y[(STATE_W + 1) * n + i] = 0;
+    }
+    rig_free(r);
+}
+
+static void test_turned(void **state)
+{
+    (void)state;
+    Rig *const r = pull();
+    const int n = r->n;
+    dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
+    assert_int_equal(turned(&r->scene, 0, &r->ws.kin), 0);
+    /* segment 5 about its own axis: by 140 deg, by 160 deg */
+    const Quat q = {r->y[3 * n + 5], r->y[4 * n + 5], r->y[5 * n + 5], r->y[6 * n + 5]};
+    for (int degrees = 140; degrees <= 160; degrees += 20) {
+        const double half = degrees * M_PI / 360;
+        const Quat p = quat_mul(q, (Quat){cos(half), sin(half), 0, 0});
+        r->y[3 * n + 5] = p.w, r->y[4 * n + 5] = p.x, r->y[5 * n + 5] = p.y, r->y[6 * n + 5] = p.z;
+        dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
+        assert_int_equal(turned(&r->scene, 0, &r->ws.kin), degrees > 150 ? TURNED_JOINT : 0);
+    }
+    assert_int_equal(turned(&r->scene, 1, &r->ws.kin), 0); /* a plane has no such limit */
+    rig_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_most),
+        cmocka_unit_test(test_speed),
+        cmocka_unit_test(test_turned),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
