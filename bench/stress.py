@@ -114,9 +114,10 @@ def run_value(build, row, value):
     return row_of(row.name, value, launch(build, case), lambda run: row.judge(value, run))
 
 
-def run_random(build, number):
+def run_random(build, number, steps):
     """One random case."""
     case = stress_random.draw(number)
+    case["solver"]["max_steps"] = steps
     return row_of("random " + case["title"].split(": ")[1], number, launch(build, case))
 
 
@@ -231,13 +232,14 @@ def draw(path, rows):
 def main():
     parser = arguments(__doc__.splitlines()[0])
     parser.add_argument("--random", type=int, default=RANDOM_COUNT, help="how many random cases")
+    parser.add_argument("--steps", type=int, default=stress_random.STEPS_MOST, help="most steps of a random case")
     parser.add_argument("--no-conditions", action="store_true", help="random cases only")
     args = parser.parse_args()
     load, start = os.getloadavg()[0], time.time()
     jobs = [] if args.no_conditions else [(run_value, row, value) for row in stress_rows.ROWS
                                           for value in (row.values[-1:] if args.quick else row.values)]
     count = len(jobs)
-    jobs += [(run_random, number) for number in range(20 if args.quick else args.random)]
+    jobs += [(run_random, number, args.steps) for number in range(20 if args.quick else args.random)]
     rows = run_all(args.build, jobs)
     conditions, drawn = rows[:count], rows[count:]
     bad = bad_rows(rows)
