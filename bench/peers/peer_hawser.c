@@ -81,11 +81,12 @@ static void look(PeerRun *run, Sim *sim)
         peer_place(run, sample->t, sample->probe[0].position[1], sample->probe[0].position[2]);
 }
 
-/* Steps of the integrator's own, but for the path, whose times they must not miss. A pull begins in equilibrium. */
+/* Steps of the integrator's own, but for the path, whose times they must not miss. A pull and the chain at rest begin
+ * in equilibrium, of their own stiffness. */
 static hawser_status integrate(PeerRun *run, Sim *sim, hawser_error *err)
 {
     hawser_relaxation relaxation;
-    hawser_status status = run->problem == PEER_STRAIGHT ? sim_relax(sim, &relaxation, err) : HAWSER_OK;
+    hawser_status status = run->problem != PEER_SWING ? sim_relax(sim, &relaxation, err) : HAWSER_OK;
     look(run, sim);
     while (!status && sim_time(sim) < run->until - 1e-12 && !peer_over_limit(run)) {
         const double next = run->problem == PEER_SWING ? run->points * TRACE_EVERY : run->until;
