@@ -9,9 +9,11 @@ class Peer:
     """A program bench/peers/peer_NAME.
 
     sweep: {problem: settings, all tried at the smallest size}; quick: one or two a problem;
-    keep: {size: how many of the best settings at the size before go on to it}; limit: {size: s of processor time a run}."""
+    keep: {size: how many of the best settings at the size before go on to it}; limit: {size: s of processor time a run};
+    program: the NAME of another peer whose program this one is, with settings of another kind."""
 
-    def __init__(self, name, title, package, sweep, quick, keep=None, limit=None):
+    def __init__(self, name, title, package, sweep, quick, keep=None, limit=None, program=None):
+        self.program = program or name
         self.name, self.title, self.package = name, title, package
         self.sweep, self.quick, self.keep, self.limit = sweep, quick, keep or {}, limit or {}
 
@@ -58,6 +60,29 @@ MUJOCO = Peer("mujoco", "MuJoCo", "libmujoco-dev",
                "hang": ["piece=10", "as=springs dt=2e-5 damping=1e-5"],
                "swing": ["piece=10", "piece=1 joints=ball"]},
               keep={37: 10, 120: 6, 370: 3}, limit={12: 5, 37: 8, 120: 10, 370: 25})
-SIMBODY = Peer("simbody", "Simbody", "libsimbody-dev",
-               {"straight": [], "hang": [], "swing": []},
-               {"straight": [], "hang": [], "swing": []})
+# Simbody by its own Integrator classes: their CPodes has a dense matrix, the others are explicit.
+SIMBODY = Peer("simbody", "Simbody, its integrators", "libsimbody-dev",
+               {"straight": [
+                   *grid(form=["pins"], integrator=["cpodes"], accuracy=["1e-1", "1e-2", "1e-3"]),
+                   *grid(form=["free3", "free6", "plane"], integrator=["cpodes"], accuracy=["1e-1", "1e-2"]),
+                   *grid(form=["pins"], integrator=["semi"], step=["1e-4", "1.5e-4"]),
+                   *grid(form=["pins"], integrator=["rk2", "verlet"], step=["2e-4"]),
+                   *grid(form=["pins"], integrator=["rk3"], step=["2e-4", "3e-4"]),
+                   *grid(form=["pins"], integrator=["merson", "semi2"], accuracy=["1e-1", "1e-2"]),
+                   "form=pins integrator=adams accuracy=1e-2", "form=plane integrator=semi step=1e-5"],
+                "hang": [*grid(form=["links"], integrator=["cpodes", "merson"], accuracy=["1e-2", "1e-3"]),
+                         "form=free6 integrator=cpodes accuracy=1e-2"],
+                "swing": [*grid(form=["links"], integrator=["cpodes", "merson", "rk3", "semi2"],
+                                accuracy=["1e-2", "1e-3", "1e-4"]),
+                          *grid(form=["links"], integrator=["verlet", "semi"], step=["2e-3", "5e-4"]),
+                          "form=free6 integrator=cpodes accuracy=1e-2"]},
+               {"straight": ["form=pins integrator=cpodes", "form=pins integrator=semi step=1e-4 settle=0.05"],
+                "hang": ["form=links integrator=cpodes"], "swing": ["form=links integrator=merson"]},
+               keep={37: 4, 120: 3, 370: 2}, limit={12: 4, 37: 6, 120: 12, 370: 25})
+# The same models with CPodes called past those classes, with a band matrix.
+BAND = Peer("simbody-band", "Simbody, CPodes with a band", "libsimbody-dev",
+            {"straight": [*grid(form=["plane", "free3", "free6"], accuracy=["3e-3", "1e-3", "3e-4", "1e-4", "1e-5"])],
+             "hang": [*grid(form=["free6"], accuracy=["1e-2", "1e-3", "1e-4"], stiff=["1", "100"])],
+             "swing": [*grid(form=["free6"], accuracy=["1e-3", "1e-4", "1e-5"], stiff=["1", "100"])]},
+            {"straight": ["form=plane", "form=free3", "form=free6"], "hang": [""], "swing": [""]},
+            keep={37: 6, 120: 5, 370: 4}, limit={12: 4, 37: 6, 120: 12, 370: 25}, program="simbody")

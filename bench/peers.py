@@ -14,7 +14,7 @@ import peer_grids
 from common import ROOT, arguments, heading, publish, slope, table
 from svgplot import Panel, write_svg
 
-PEERS = (peer_grids.MUJOCO, peer_grids.SIMBODY)
+PEERS = (peer_grids.MUJOCO, peer_grids.SIMBODY, peer_grids.BAND)
 SIZES = (12, 37, 120, 370)
 PROBLEMS = {"straight": "straight pull", "hang": "hanging chain at rest", "swing": "swinging chain"}
 SAME = 0.1           # %: errors below are as good as each other
@@ -49,7 +49,7 @@ class Runner:
         self.build, self.folder, self.rows = build, folder, []
 
     def program(self, peer):
-        return os.path.join(self.build, "bench/peers/peer_" + peer.name)
+        return os.path.join(self.build, "bench/peers/peer_" + peer.program)
 
     def run(self, peer, problem, n, settings, stage, number=1, limit=LIMIT, words=()):
         """One run: its row. A program that crashes has failed; one that refuses its command line ends the part."""
@@ -67,7 +67,7 @@ class Runner:
         else:
             row = {**dict.fromkeys(COLUMNS), "program": peer.name, "problem": problem, "n": n, "settings": settings,
                    "outcome": "failed"}
-        row.update(stage=stage, round=number)
+        row.update(program=peer.name, stage=stage, round=number)
         self.rows.append(row)
         cost = "-" if row["cost"] is None else f"{row['cost']:.4g}"
         error = "-" if row["error_pct"] is None else f"{row['error_pct']:.4g}"

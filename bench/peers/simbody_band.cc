@@ -1,15 +1,17 @@
-/* CPodes with its band solver. Simbody's Integrator around it always takes the dense one, whose finite differences need as
- * many evaluations as there are states; the class that it is built on is public and knows bands as well. */
+/* CPodes with its band solver. Simbody's Integrator around it always takes the dense one, whose finite differences need
+ * as many evaluations as there are states; the class that it is built on is public and knows bands as well. */
 #include "bench/peers/simbody_run.h"
 
 using namespace SimTK;
 
-/* y = (q, u of body 0; q, u of body 1; ...) + 1, less q at the start: neighbours touch neighbours alone, which makes a band of
- * the Jacobian. The 1 makes CPodes' increments, sqrt(eps) |y|, fit to be seen in the forces of stiff joints: for a coordinate
- * near 0 they would drown in rounding. It makes the tolerance an absolute one, in m, rad and their rates. Simbody's own order
- * is all q, all u, then the energy that each bushing has dissipated, which is left out: it would be in the error test. */
-class BandSystem : public CPodesSystem {
-public:
+/* y = (q, u of body 0; q, u of body 1; ...) + 1, less q at the start: neighbours touch neighbours alone, which makes a
+ * band of the Jacobian. The 1 makes CPodes' increments, sqrt(eps) |y|, fit to be seen in the forces of stiff joints:
+ * for a coordinate near 0 they would drown in rounding. It makes the tolerance an absolute one, in m, rad and their
+ * rates. Simbody's own order is all q, all u, then the energy that each bushing has dissipated, which is left out: it
+ * would be in the error test. */
+class BandSystem : public CPodesSystem
+{
+  public:
     BandSystem(const Chain &chain, State &state, const Method &method)
         : chain_(chain), state_(state), method_(method), size_(chain.coordinates()),
           slots_(state.getNQ() / chain.def.n), q0_(state.getQ())
@@ -55,16 +57,20 @@ public:
         return CPodes::Success;
     }
 
-private:
+  private:
     const Chain &chain_;
     State &state_;
     const Method &method_;
-    const int size_, slots_; /* coordinates of a body in use, and in the state: Euler angles leave a slot of four empty */
+    const int size_,
+        slots_; /* coordinates of a body in use, and in the state: Euler angles leave a slot of four empty */
     const Vector q0_;
     mutable bool over_ = false;
 
     int half() const { return size_ * chain_.def.n; }
-    int q_at(int i) const { return slots_ * (i / size_) + i % size_; } /* coordinate i in Simbody's q; speeds have no gaps */
+    int q_at(int i) const
+    {
+        return slots_ * (i / size_) + i % size_;
+    } /* coordinate i in Simbody's q; speeds have no gaps */
     int place(int i, int speed) const { return 2 * size_ * (i / size_) + size_ * speed + i % size_; } /* in y */
 };
 
@@ -72,7 +78,8 @@ static bool set_up(CPodes &solver, BandSystem &system, const Method &method, dou
 {
     double absolute = 0.1 * method.accuracy;
     system.explicitODE(t, y, rate);
-    if (solver.init(system, t, y, rate, CPodes::ScalarScalar, method.accuracy, &absolute) != CPodes::Success) return false;
+    if (solver.init(system, t, y, rate, CPodes::ScalarScalar, method.accuracy, &absolute) != CPodes::Success)
+        return false;
     if (solver.lapackBand(y.size(), system.width(), system.width()) != CPodes::Success) return false;
     solver.setMaxNumSteps(100000000);
     if (method.step > 0) solver.setMaxStep(method.step);

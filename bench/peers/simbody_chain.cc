@@ -13,12 +13,14 @@ static const double WINCH_STIFFNESS = 1e8; /* N/m: gives 0.08 mm at the pull of 
 static Transform front() { return Transform(Vec3(HALF, 0, 0)); }
 static Transform back() { return Transform(Vec3(-HALF, 0, 0)); }
 
-/* Of a joint, in a bushing's order: torsion, two bendings (N m/rad), axial, two shears (N/m). A chain's links are hinged. */
+/* Of a joint, in a bushing's order: torsion, two bendings (N m/rad), axial, two shears (N/m). A chain's links are
+ * hinged. */
 static Vec6 joint_stiffness(const ChainDef &def)
 {
     const double I = def.problem == PEER_STRAIGHT ? peer_second_moment() : 0;
     const double bend = PEER_E * I / PEER_LINK, twist = 2 * PEER_G * I / PEER_LINK;
-    const double stretch = def.stiff * PEER_E * PEER_AREA / PEER_LINK, shear = def.stiff * PEER_G * PEER_AREA / PEER_LINK;
+    const double stretch = def.stiff * PEER_E * PEER_AREA / PEER_LINK,
+                 shear = def.stiff * PEER_G * PEER_AREA / PEER_LINK;
     return Vec6(twist, bend, bend, stretch, shear, shear);
 }
 
@@ -61,8 +63,8 @@ void Chain::add_bushings()
 {
     const Vec6 k = joint_stiffness(def);
     for (size_t i = 0; i + 1 < body.size(); ++i) {
-        Force::LinearBushing(forces, matter.getMobilizedBody(body[i]), front(), matter.getMobilizedBody(body[i + 1]), back(),
-                             k, def.damping * k);
+        Force::LinearBushing(forces, matter.getMobilizedBody(body[i]), front(), matter.getMobilizedBody(body[i + 1]),
+                             back(), k, def.damping * k);
     }
 }
 

@@ -1,5 +1,5 @@
-/* The cable of problem.h built from Simbody's parts: bodies, mobilizers, force elements. The world's x is that of problem.h,
- * its y is up (problem.h's z), its z is problem.h's -y: Simbody's planar mobilizers move in x and y. */
+/* The cable of problem.h built from Simbody's parts: bodies, mobilizers, force elements. The world's x is that of
+ * problem.h, its y is up (problem.h's z), its z is problem.h's -y: Simbody's planar mobilizers move in x and y. */
 #ifndef HAWSER_BENCH_PEERS_SIMBODY_CHAIN_H
 #define HAWSER_BENCH_PEERS_SIMBODY_CHAIN_H
 
@@ -23,13 +23,14 @@ struct ChainDef {
     PeerProblem problem;
     int n;
     Form form;
-    double stiff;  /* stiffness against stretch and shear over table 1's */
+    double stiff;   /* stiffness against stretch and shear over table 1's */
     double damping; /* s: damping over stiffness */
 };
 
 /* The system, and where its parts are. Bodies are numbered from the tail to the head. */
-class Chain {
-public:
+class Chain
+{
+  public:
     explicit Chain(const ChainDef &chain_def);
     Chain(const Chain &) = delete;
     Chain &operator=(const Chain &) = delete;
@@ -50,10 +51,10 @@ public:
     SimTK::GeneralForceSubsystem forces;
     std::vector<SimTK::MobilizedBodyIndex> body;
 
-private:
+  private:
     SimTK::Force::LinearBushing last_;
     SimTK::Constraint::Ball ball_;
-    std::vector<double> slope_;     /* of the segments at the start, in their plane */
+    std::vector<double> slope_;       /* of the segments at the start, in their plane */
     std::vector<SimTK::Vec3> centre_; /* at the start */
     void lay_out();
     void add_free(SimTK::Body &bar);

@@ -1,5 +1,6 @@
-/* Simbody's own collision detection knows no cylinders, and looks for pairs of shapes in every evaluation: one loop along the
- * cable finds the segment over each roller instead. The laws of contact are hawser's, by its own functions. */
+/* Simbody's own collision detection knows no cylinders, and looks for pairs of shapes in every evaluation: one loop
+ * along the cable finds the segment over each roller instead. The laws of contact are hawser's, by its own functions.
+ */
 #include "bench/peers/simbody_forces.h"
 
 #include <algorithm>
@@ -36,8 +37,9 @@ static void add_force(SpatialVec &on, const PlanePose &p, double x, double y, do
 }
 
 /* All rollers against all segments: one contact a roller, with the line of the axes, whose ends are round. */
-class Rollers : public Force::Custom::Implementation {
-public:
+class Rollers : public Force::Custom::Implementation
+{
+  public:
     explicit Rollers(const Chain &chain) : chain_(chain), count_(straight_rollers(chain.def.n)) {}
     void calcForce(const State &state, Vector_<SpatialVec> &bodies, Vector_<Vec3> &, Vector &) const override
     {
@@ -50,7 +52,7 @@ public:
     }
     Real calcPotentialEnergy(const State &) const override { return 0; }
 
-private:
+  private:
     const Chain &chain_;
     const int count_;
     const ImpactLaw impact_ = {CONTACT_K, CONTACT_EXPONENT, CONTACT_C, 1e-4};
@@ -80,8 +82,9 @@ private:
     }
 };
 
-class Winch : public Force::Custom::Implementation {
-public:
+class Winch : public Force::Custom::Implementation
+{
+  public:
     explicit Winch(const Chain &chain) : chain_(chain) {}
     void calcForce(const State &state, Vector_<SpatialVec> &bodies, Vector_<Vec3> &, Vector &) const override
     {
@@ -90,24 +93,24 @@ public:
     }
     Real calcPotentialEnergy(const State &) const override { return 0; }
 
-private:
+  private:
     const Chain &chain_;
 };
 
-/* The springs and dampers between neighbours, in the axes half-way between theirs: (PL5) to (PL7) of docs/model.md. They act
- * on the planar mobilizers' coordinates (angle, x, y), so that no body's pose is needed. */
-class PlaneJoints : public Force::Custom::Implementation {
-public:
+/* The springs and dampers between neighbours, in the axes half-way between theirs: (PL5) to (PL7) of docs/model.md.
+ * They act on the planar mobilizers' coordinates (angle, x, y), so that no body's pose is needed. */
+class PlaneJoints : public Force::Custom::Implementation
+{
+  public:
     PlaneJoints(const Chain &chain, const Vec3 &stiffness) : chain_(chain), k_(stiffness) {}
     void calcForce(const State &state, Vector_<SpatialVec> &, Vector_<Vec3> &, Vector &mobilities) const override
     {
         const Vector &q = chain_.matter.getQ(state), &u = chain_.matter.getU(state);
-        for (int i = 0; i + 1 < chain_.def.n; ++i)
-            join(&q[3 * i], &u[3 * i], &mobilities[3 * i]);
+        for (int i = 0; i + 1 < chain_.def.n; ++i) join(&q[3 * i], &u[3 * i], &mobilities[3 * i]);
     }
     Real calcPotentialEnergy(const State &) const override { return 0; }
 
-private:
+  private:
     const Chain &chain_;
     const Vec3 k_;
 

@@ -83,7 +83,8 @@ static Outcome run_integrator(const Chain &chain, State &state, const Method &me
     return outcome;
 }
 
-Outcome run_chain(const Chain &chain, State &state, const Method &method, double end, double every, const Report &report)
+Outcome run_chain(const Chain &chain, State &state, const Method &method, double end, double every,
+                  const Report &report)
 {
     return method.name == "band" ? run_band(chain, state, method, end, every, report)
                                  : run_integrator(chain, state, method, end, every, report);

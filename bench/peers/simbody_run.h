@@ -7,13 +7,14 @@
 
 #include "bench/peers/simbody_chain.h"
 
-/* How to integrate: `band` is CPodes with its band solver, called past Simbody's Integrator (simbody_band.cc), for bodies
- * that touch their neighbours alone; the others are Simbody's integrators by the short names of method_exists. */
+/* How to integrate: `band` is CPodes with its band solver, called past Simbody's Integrator (simbody_band.cc), for
+ * bodies that touch their neighbours alone; the others are Simbody's integrators by the short names of method_exists.
+ */
 struct Method {
     std::string name;
-    double accuracy;                /* relative tolerance; the absolute one is a tenth, as CPodesIntegrator has it */
-    double step;                    /* s, fixed; for CPodes the largest; 0: chosen by the error */
-    std::function<bool()> over;     /* has the time limit come? */
+    double accuracy;            /* relative tolerance; the absolute one is a tenth, as CPodesIntegrator has it */
+    double step;                /* s, fixed; for CPodes the largest; 0: chosen by the error */
+    std::function<bool()> over; /* has the time limit come? */
 };
 
 /* What is told of every state. */
