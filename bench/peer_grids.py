@@ -78,7 +78,7 @@ SIMBODY = Peer("simbody", "Simbody, its integrators", "libsimbody-dev",
                           "form=free6 integrator=cpodes accuracy=1e-2"]},
                {"straight": ["form=pins integrator=cpodes", "form=pins integrator=semi step=1e-4 settle=0.05"],
                 "hang": ["form=links integrator=cpodes"], "swing": ["form=links integrator=merson"]},
-               keep={37: 4, 120: 3, 370: 2}, limit={12: 4, 37: 6, 120: 12, 370: 25})
+               keep={37: 6, 120: 4, 370: 2}, limit={12: 4, 37: 8, 120: 20, 370: 60})
 # The same models with CPodes called past those classes, with a band matrix.
 BAND = Peer("simbody-band", "Simbody, CPodes with a band", "libsimbody-dev",
             {"straight": [*grid(form=["plane", "free3", "free6"], accuracy=["3e-3", "1e-3", "3e-4", "1e-4", "1e-5"])],
