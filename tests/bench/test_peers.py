@@ -129,7 +129,7 @@ class Whole(unittest.TestCase):
         done = self.bench("--quick")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("MuJoCo: skipped: package libmujoco-dev is missing.", done.stdout)
-        self.assertIn("Simbody: skipped: package libsimbody-dev is missing.", done.stdout)
+        self.assertIn("Simbody, its integrators: skipped: package libsimbody-dev is missing.", done.stdout)
         self.assertTrue(os.path.exists(os.path.join(self.folder.name, "results/peers.svg")))
 
     def test_wrong_results_of_hawser_are_a_failure(self):
