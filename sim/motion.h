@@ -24,7 +24,8 @@ typedef struct MotionOps {
     int (*solve)(Motion *m, double *b);
     /* weight = 1 / absolute tolerance of every entry. */
     void (*weights)(const Motion *m, double *weight);
-    /* The norm of x weighted by w in which errors are judged (N11). */
+    /* The norm of x weighted by w, which are those weights, in which errors are judged (N11): one number a component
+     * of the chain, of which the first segment's are read. */
     double (*norm)(const Motion *m, const double *x, const double *w);
     /* Largest speed of a point of the chain, m/s: stride_speed. */
     double (*speed)(const Motion *m, const double *y);

@@ -96,9 +96,26 @@ static void motion_weights(const Motion *m, double *weight)
     }
 }
 
+/* The windows of half of the chain. */
+typedef struct NormHalf {
+    const Planar *p;
+    const double *x, *w;
+    double square[2];
+} NormHalf;
+
+static void norm_half(void *arg, int rank)
+{
+    NormHalf *const h = arg;
+    const int n = segments(h->p), middle = n / 2 / SCALES_WINDOW * SCALES_WINDOW;
+    h->square[rank] = kernels()->window_square(&h->p->ps.chain, rank ? middle : 0, rank ? n : middle, h->x, h->w);
+}
+
 static double motion_norm(const Motion *m, const double *x, const double *w)
 {
-    return sqrt(kernels()->window_square(&planar_in(m)->ps.chain, x, w));
+    const Planar *const p = planar_in(m);
+    NormHalf h = {.p = p, .x = x, .w = w};
+    halves_run(m->team, segments(p) >= HALVES_LONG, norm_half, &h);
+    return sqrt(scales_larger(h.square[0], h.square[1]));
 }
 
 static double motion_speed(const Motion *m, const double *y)

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "sim/halves.h"
 #include "sim/vector_kernels.h"
 
 static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */
@@ -42,7 +43,29 @@ static const VectorKernels *kernels(void)
 
 double scales_norm(int n, const double *x, const double *weight)
 {
-    return sqrt(kernels()->window_square(n, x, weight));
+    return sqrt(kernels()->window_square(n, 0, n, x, weight));
+}
+
+/* The windows of half of a chain. */
+typedef struct NormHalf {
+    int n, middle;
+    const double *x, *weight;
+    double square[2];
+} NormHalf;
+
+static void norm_half(void *arg, int rank)
+{
+    NormHalf *const h = arg;
+    const int from = rank ? h->middle : 0, to = rank ? h->n : h->middle;
+    h->square[rank] = kernels()->window_square_even(h->n, from, to, h->x, h->weight);
+}
+
+double scales_chain_norm(Team *team, int n, const double *x, const double *weight)
+{
+    NormHalf h = {.n = n, .middle = n / 2 / SCALES_WINDOW * SCALES_WINDOW, .x = x, .weight = weight};
+    if (n < HALVES_LONG) return sqrt(kernels()->window_square_even(n, 0, n, x, weight));
+    halves_run(team, 1, norm_half, &h);
+    return sqrt(scales_larger(h.square[0], h.square[1]));
 }
 
 void scales_project(int n, const double *y, double *correction, double *error)

@@ -3,6 +3,9 @@
 #ifndef HAWSER_SIM_SCALES_H
 #define HAWSER_SIM_SCALES_H
 
+#include <math.h>
+
+#include "core/team.h"
 #include "sim/scene.h"
 
 /* Absolute tolerances: m, rad, m/s, rad/s (N10). */
@@ -18,6 +21,11 @@ void scales_weights(const Scene *scene, double *weight);
  */
 enum { SCALES_WINDOW = 16 };
 double scales_norm(int n, const double *x, const double *weight);
+/* The same for weights that are one number a component, those of scales_weights; only their first is read. team: NULL,
+ * or who does it for long chains. */
+double scales_chain_norm(Team *team, int n, const double *x, const double *weight);
+/* The larger of two norms; a NaN wins. */
+static inline double scales_larger(double a, double b) { return b > a || isnan(b) ? b : a; }
 
 /* The segment with the largest sum of squares of x w; the first with a NaN, if any. */
 int scales_worst_segment(int n, const double *x, const double *weight);

@@ -33,10 +33,10 @@ static void spatial_weights(const Motion *m, double *weight) { scales_weights(m-
 static double spatial_norm(const Motion *m, const double *x, const double *w)
 {
     const int n = m->scene->chain.n;
-    const double chain = scales_norm(n, x, w);
+    const double chain = scales_chain_norm(m->team, n, x, w);
     if (m->scene->equipment.n == 0) return chain;
     const double beside = scales_equipment_norm(&m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
-    return beside > chain || isnan(beside) ? beside : chain;
+    return scales_larger(chain, beside);
 }
 
 static double spatial_speed(const Motion *m, const double *y)
