@@ -263,6 +263,19 @@ N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owne
     return vector_fill(v, data, 0, &content);
 }
 
+void vector_take(N_Vector x, N_Vector b)
+{
+    VectorContent *const to = x->content, *const from = b->content;
+    if (!to->family || !to->serial.own_data || !from->serial.own_data) {
+        N_VScale(1.0, b, x);
+        return;
+    }
+    double *const given = from->serial.data;
+    vector_queue_unfill(&to->family->queue, to->serial.data);
+    from->serial.data = to->serial.data;
+    to->serial.data = given;
+}
+
 void vector_family_settle(VectorFamily *family)
 {
     if (family->n > 0) settle(family->member[0]);

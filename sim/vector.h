@@ -24,6 +24,10 @@ typedef struct VectorFamily {
  * family are read and written through N_VGetArrayPointer, which does what waits, or after vector_family_settle. */
 N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
                      SUNContext context);
+/* Moves b's numbers to x, a clone of the same vector: x has them, and what b holds is not to be read before it is
+ * written. Nothing is copied unless one of them wraps borrowed data. */
+void vector_take(N_Vector x, N_Vector b);
+
 /* Does what waits to be done with the family's vectors. */
 void vector_family_settle(VectorFamily *family);
 /* After the family's vectors are destroyed. */

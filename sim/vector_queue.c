@@ -54,6 +54,13 @@ VectorTask *vector_queue_next(VectorQueue *queue, int length)
     return &queue->task[queue->tasks++];
 }
 
+void vector_queue_unfill(VectorQueue *queue, const double *z)
+{
+    if (queue->tasks == 0) return;
+    const VectorTask *const latest = &queue->task[queue->tasks - 1];
+    if (latest->kind == VECTOR_FILL && latest->z == z) --queue->tasks;
+}
+
 /* The waiting tasks on the first or the second half of their vectors. */
 typedef struct Half {
     const VectorQueue *queue;

@@ -38,6 +38,8 @@ typedef struct VectorQueue {
 void vector_task_run(const VectorTask *task, int length);
 /* Where to write the next task; what waits is done first if there is no more room. */
 VectorTask *vector_queue_next(VectorQueue *queue, int length);
+/* Forgets the latest task if it is to fill z, whose numbers nobody will read. */
+void vector_queue_unfill(VectorQueue *queue, const double *z);
 /* Does what waits. */
 void vector_queue_flush(VectorQueue *queue, int length);
 

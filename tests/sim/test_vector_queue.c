@@ -123,9 +123,31 @@ static void test_waits(void **state)
     vectors_free(&s);
 }
 
+/* The numbers move, with what waits to be done to them; those that are lost are not computed. */
+static void test_take(void **state)
+{
+    (void)state;
+    static Vectors s;
+    vectors_new(&s, 100, 1, NULL);
+    const double first = N_VGetArrayPointer(s.v[2])[0];
+    N_VScale(2, s.v[2], s.v[2]);
+    N_VConst(7, s.v[1]);
+    vector_take(s.v[1], s.v[2]);
+    assert_int_equal(s.family.queue.tasks, 1);
+    N_VScale(1, s.v[1], s.v[2]);
+    N_VConst(0, s.v[1]);
+    assert_true(fabs(N_VGetArrayPointer(s.v[2])[0] - 2 * first) < 1e-15);
+    assert_true(fabs(N_VGetArrayPointer(s.v[1])[0]) < 1e-15);
+    N_VConst(3, s.v[0]); /* borrowed data stay where they are */
+    vector_take(s.v[1], s.v[0]);
+    assert_true(N_VGetArrayPointer(s.v[0]) == s.data && fabs(N_VGetArrayPointer(s.v[1])[9] - 3) < 1e-15);
+    vectors_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_take),
         cmocka_unit_test(test_bits),
         cmocka_unit_test(test_waits),
     };
