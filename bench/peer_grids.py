@@ -10,10 +10,11 @@ class Peer:
 
     sweep: {problem: settings, all tried at the smallest size}; quick: one or two a problem;
     keep: {size: how many of the best settings at the size before go on to it}; limit: {size: s of processor time a run};
+    aside: {problem: settings that run at every size without being chosen}: fast ones whose error is not held;
     program: the NAME of another peer whose program this one is, with settings of another kind."""
 
-    def __init__(self, name, title, package, sweep, quick, keep=None, limit=None, program=None):
-        self.program = program or name
+    def __init__(self, name, title, package, sweep, quick, keep=None, limit=None, program=None, aside=None):
+        self.program, self.aside = program or name, aside or {}
         self.name, self.title, self.package = name, title, package
         self.sweep, self.quick, self.keep, self.limit = sweep, quick, keep or {}, limit or {}
 
@@ -59,7 +60,9 @@ MUJOCO = Peer("mujoco", "MuJoCo", "libmujoco-dev",
               {"straight": ["piece=1 dt=1e-2 solver=CG", "piece=60 dt=1e-3"],
                "hang": ["piece=10", "as=springs dt=2e-5 damping=1e-5"],
                "swing": ["piece=10", "piece=1 joints=ball"]},
-              keep={37: 10, 120: 6, 370: 3}, limit={12: 5, 37: 8, 120: 10, 370: 25})
+              keep={37: 10, 120: 6, 370: 3}, limit={12: 5, 37: 8, 120: 10, 370: 25},
+              aside={"straight": ["piece=1 dt=1e-2 solver=CG impedance=0.999 contact_time=0.1",
+                                  "piece=1 dt=1e-2 solver=CG impedance=0.999 contact_time=0.05"]})
 # Simbody by its own Integrator classes: their CPodes has a dense matrix, the others are explicit.
 SIMBODY = Peer("simbody", "Simbody, its integrators", "libsimbody-dev",
                {"straight": [

@@ -139,7 +139,7 @@ def measure_hawser(runner, sizes, problem, rounds, quick):
 
 def of(rows, program, problem, n):
     return [row for row in rows if (row["program"], row["problem"], row["n"]) == (program, problem, n)
-            and row["stage"] != "reference"]
+            and row["stage"] in ("sweep", "hawser")]
 
 
 def number(value, digits=3):
@@ -203,6 +203,20 @@ def goal_rows(rows, peers):
     return body
 
 
+def aside_table(rows, peers):
+    """Settings that were not to be chosen, against hawser at the same error."""
+    body = []
+    for peer in peers:
+        for row in rows:
+            if (row["program"], row["stage"]) == (peer.name, "aside"):
+                ours = match(of(rows, "hawser", row["problem"], row["n"]), row["error_pct"])
+                body.append([f"{peer.title}, {PROBLEMS[row['problem']]}", str(row["n"]), f"`{row['settings']}`",
+                             row["outcome"], number(row["error_pct"]), number(row["ripple"]), number(row["cost"]),
+                             f"{row['cost'] / ours['cost']:.3g}" if ours and row["cost"] else "-"])
+    return table(["fast, but the error is not held", "segments", "settings", "outcome", "error %", "ripple N", "CPU s per s",
+                  "times"], body)
+
+
 def sweep_table(rows, peer):
     """Every setting of the sweep, problem by problem."""
     body = [[PROBLEMS[row["problem"]], str(row["n"]), f"`{row['settings'] or 'default'}`", row["outcome"],
@@ -240,6 +254,9 @@ def run_all(args, runner, peers):
         measure_hawser(runner, sizes, problem, 1 if args.quick else args.repetitions, args.quick)
         for peer in peers:
             sweep(runner, peer, problem, args.quick)
+            for n in sizes:
+                for settings in peer.aside.get(problem, ()):
+                    runner.run(peer, problem, n, settings, "aside", limit=peer.limit.get(n, LIMIT))
 
 
 def main():
@@ -255,7 +272,7 @@ def main():
     notes = [f"{peer.title}: skipped: package {peer.package} is missing." for peer in PEERS if peer not in peers]
     goals = [] if args.quick else [table(["goal", "segments", "times", "reached"], goal_rows(rows, peers))]
     text = [heading(load), *notes, *goals, *(comparison_table(rows, peers, problem) for problem in PROBLEMS)]
-    text += [] if args.quick else [growth_table(rows, peers)]
+    text += [] if args.quick else [growth_table(rows, peers), aside_table(rows, peers)]
     text += [sweep_table(rows, peer) for peer in peers]
     if args.results:
         os.makedirs(args.results, exist_ok=True)

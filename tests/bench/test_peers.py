@@ -163,6 +163,12 @@ class Whole(unittest.TestCase):
         self.assertEqual(ran, {12: ["cost=2", "cost=1", "cost=0.1", "cost=3"], 37: ["cost=1", "cost=2", "cost=3"],
                                120: ["cost=1", "cost=2"], 370: ["cost=2"]})
 
+    def test_what_is_aside_is_not_chosen(self):
+        rows = [{"program": name, "problem": "straight", "n": 370, "stage": stage, "ripple": 1.0, **row("s", 0.05, cost)}
+                for name, stage, cost in (("mujoco", "aside", 1), ("mujoco", "sweep", 3), ("hawser", "hawser", 0.002))]
+        self.assertEqual(peers.pairs(rows, peer_grids.MUJOCO, "straight")[0][1]["cost"], 3)
+        self.assertIn("| 370 | `s` | finished | 0.05 | 1 | 1 | 500 |", peers.aside_table(rows, [peer_grids.MUJOCO]))
+
     def test_growth(self):
         self.program("hawser")
         self.program("mujoco")
