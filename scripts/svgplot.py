@@ -10,9 +10,10 @@ COLOURS = ("#0060b0", "#c03030", "#2a8a3a", "#b08000", "#7040a0", "#333333", "#0
 
 
 class Panel:
-    """One pair of axes. `add` a line or marks; values that are not finite leave gaps, on a logarithmic axis those not above 0 too.
+    """One pair of axes. `add` a line or marks; values that are not finite leave gaps.
 
-    log: "", "x", "y" or "xy", the axes that are logarithmic. Series without a label are not in the legend.
+    On a logarithmic axis those that are not above 0 do too. log: "", "x", "y" or "xy", the axes that are logarithmic. Series
+    without a label are not in the legend.
     """
 
     def __init__(self, xlabel, ylabel, height=230, bottom=None, top=None, log=""):
@@ -53,7 +54,7 @@ def decades(value):
 
 
 def marked(low, high, log, wanted=6):
-    """(place, label) of an axis' ticks: round numbers, or on a logarithmic axis whole decades and, if these are few, 2 and 5."""
+    """(place, label) of an axis' ticks: round numbers, or on a logarithmic axis decades and, if these are few, 2 and 5."""
     if not log:
         return [(value, f"{value:.6g}") for value in ticks(low, high, wanted)]
     step = max(1, round((high - low) / (2 * wanted)))
