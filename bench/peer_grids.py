@@ -84,8 +84,10 @@ SIMBODY = Peer("simbody", "Simbody, its integrators", "libsimbody-dev",
                keep={37: 6, 120: 4, 370: 2}, limit={12: 4, 37: 8, 120: 20, 370: 60})
 # The same models with CPodes called past those classes, with a band matrix.
 BAND = Peer("simbody-band", "Simbody, CPodes with a band", "libsimbody-dev",
-            {"straight": [*grid(form=["plane", "free3", "free6"], accuracy=["3e-3", "1e-3", "3e-4", "1e-4", "1e-5"])],
-             "hang": [*grid(form=["free6"], accuracy=["1e-2", "1e-3", "1e-4"], stiff=["1", "100"])],
+            {"straight": [*grid(form=["plane", "free3", "free6"], accuracy=["3e-3", "1e-3", "3e-4", "1e-4", "1e-5"]),
+                          *grid(form=["plane", "free3"], accuracy=["1e-3"], step=["0.02"])],
+             "hang": [*grid(form=["free6"], accuracy=["1e-2", "1e-3", "1e-4"], stiff=["100"], settle=["0", "0.1"]),
+                      "form=free6 accuracy=1e-3 stiff=1"],
              "swing": [*grid(form=["free6"], accuracy=["1e-3", "1e-4", "1e-5"], stiff=["1", "100"])]},
             {"straight": ["form=plane", "form=free3", "form=free6"], "hang": [""], "swing": [""]},
             keep={37: 6, 120: 5, 370: 4}, limit={12: 4, 37: 6, 120: 12, 370: 25}, program="simbody")
