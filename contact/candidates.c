@@ -28,6 +28,7 @@ void contact_pairs_free(ContactPairs *pairs)
 {
     sphere_tree_free(&pairs->tree);
     free(pairs->range);
+    free(pairs->near);
     free(pairs->hit);
     stick_free(&pairs->stick);
     chain_array_free(pairs->node);
@@ -43,9 +44,11 @@ static int range_add(ContactPairs *pairs, ContactRange range)
 {
     if (pairs->n_ranges == pairs->ranges_allocated) {
         const int more = 2 * pairs->ranges_allocated + 16;
-        ContactRange *grown = realloc(pairs->range, (size_t)more * sizeof *grown);
-        if (!grown) return 0;
-        pairs->range = grown;
+        ContactRange *const grown = realloc(pairs->range, (size_t)more * sizeof *grown);
+        if (grown) pairs->range = grown;
+        ContactRange *const near = realloc(pairs->near, (size_t)more * sizeof *near);
+        if (near) pairs->near = near;
+        if (!grown || !near) return 0;
         pairs->ranges_allocated = more;
     }
     assert(pairs->range);
@@ -115,6 +118,12 @@ static int hits_reserve(ContactPairs *pairs)
     return 1;
 }
 
+void contact_widen(ContactPairs *pairs)
+{
+    pairs->n_near = pairs->n_ranges;
+    if (pairs->n_ranges > 0) memcpy(pairs->near, pairs->range, (size_t)pairs->n_ranges * sizeof *pairs->near);
+}
+
 hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
                               hawser_error *err)
 {
@@ -126,6 +135,7 @@ hawser_status contact_refresh(const ContactModel *model, const Chain *chain, con
         const ShapeKind shape = (ShapeKind)(kind / FRICTION_KINDS);
         if (!kind_visit(model, pairs, shape, (FrictionKind)(kind % FRICTION_KINDS))) return error_memory(err);
     }
+    contact_widen(pairs);
     if (!hits_reserve(pairs)) return error_memory(err);
     if (contact_sticks(model) && !stick_reserve(&pairs->stick, model->n_rollers, pairs->hits_allocated)) {
         return error_memory(err);

@@ -65,7 +65,10 @@ typedef struct ContactPairs {
     int n_ranges, ranges_allocated;
     ContactRange *range; /* [n_ranges], by kinds of shape and of friction, roller, face, element */
     int candidates;      /* pairs in all ranges */
-    double *at_p[3];     /* chain arrays: centres, m, and axes at the refresh */
+    /* by contact_refresh all ranges; by planar_contact_narrow what of them is near */
+    int n_near;
+    ContactRange *near; /* [n_near], room for ranges_allocated */
+    double *at_p[3];    /* chain arrays: centres, m, and axes at the refresh */
     double *at_a[3];
     SphereTree tree; /* spheres around runs of elements (C19) */
     /* by contact_forces and contact_blocks */
@@ -86,6 +89,8 @@ void contact_pairs_free(ContactPairs *pairs);
  * candidates) log n). Errors: HAWSER_ERR_MEMORY. The only call that may allocate. */
 hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
                               hawser_error *err);
+/* Takes all ranges for near. */
+void contact_widen(ContactPairs *pairs);
 /* Share of the reach that may be used up before candidates are renewed; the rest is for the motion within a step. */
 #define CONTACT_USABLE 0.75
 /* Whether a point of the line may have moved by more than that since the refresh (C20). */

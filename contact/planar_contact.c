@@ -3,6 +3,7 @@
 #include "contact/planar_contact.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 #include "contact/planar_contact_kernels.h"
@@ -51,12 +52,42 @@ static void hits_find(const PlanarContactModel *model, const PlanarChain *chain,
 {
     const PlanarContactKernels *const kernel = kernels();
     pairs->n_hits = 0;
-    for (int i = 0; i < pairs->n_ranges; ++i) {
+    for (int i = 0; i < pairs->n_near; ++i) {
         if (model->geometry == GEOMETRY_SMOOTH) {
-            hits_smooth(kernel, model, kin, pairs->range[i], pairs);
+            hits_smooth(kernel, model, kin, pairs->near[i], pairs);
         } else {
-            hits_cylinder(model, chain, kin, pairs->range[i], pairs);
+            hits_cylinder(model, chain, kin, pairs->near[i], pairs);
         }
+    }
+}
+
+/* Distance of the roller from the sphere around an element of the smooth line (C18); at the line's ends, around half of
+ * the segment. m, below zero where the sphere reaches it. */
+static double element_gap(const PlanarRoller *roller, const PlanarChain *chain, const PlanarKinematics *kin, int e)
+{
+    const int j = e > 0 ? e - 1 : 0, k = e < chain->n ? e : chain->n - 1;
+    const double x = kin->p[0][k] - kin->p[0][j], z = kin->p[1][k] - kin->p[1][j];
+    const double bulge = j == k ? chain->half[j] : 8. / 27 * (chain->half[j] + chain->half[k]);
+    const double thick = fmax(chain->radius[j], chain->radius[k]);
+    const double across = kin->p[0][j] + x / 2 - roller->centre[0], up = kin->p[1][j] + z / 2 - roller->centre[1];
+    return sqrt(across * across + up * up) - roller->radius - sqrt(x * x + z * z) / 2 - bulge - thick;
+}
+
+void planar_contact_narrow(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
+                           double reach, ContactPairs *pairs)
+{
+    contact_widen(pairs);
+    if (model->geometry != GEOMETRY_SMOOTH) return;
+    pairs->n_near = 0;
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        ContactRange range = pairs->range[i];
+        const PlanarRoller *const roller = &model->roller[range.roller];
+        int last = range.first + range.count - 1;
+        /* !(... > reach): what is not a number is near */
+        while (last >= range.first && element_gap(roller, chain, kin, range.first) > reach) ++range.first;
+        while (last >= range.first && element_gap(roller, chain, kin, last) > reach) --last;
+        range.count = last - range.first + 1;
+        if (range.count > 0) pairs->near[pairs->n_near++] = range;
     }
 }
 

@@ -13,6 +13,12 @@
 void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarLoads *loads, double (*on_roller)[2]);
 
+/* Keeps of the candidates those that are within `reach` (m) of their roller, as `near`, which is what the forces look
+ * at: (C19) with the spheres (C18). Of a roller's ranges the part between its first and its last near element. Capsules
+ * are all kept. */
+void planar_contact_narrow(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
+                           double reach, ContactPairs *pairs);
+
 /* Adds the derivatives of [force; moment] by [dx; dphi] to k and by [dv; dw] to d (PL13). */
 void planar_contact_blocks(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarBlocks *k, PlanarBlocks *d);

@@ -126,12 +126,14 @@ static double motion_speed(const Motion *m, const double *y)
 
 static hawser_status motion_accept(Motion *m, double t, const double *y, hawser_error *err)
 {
-    return planar_refresh(planar_of(m), t, y, 0, err);
+    return planar_accept(planar_of(m), t, y, err);
 }
 
 static hawser_status motion_renew(Motion *m, double t, const double *y, hawser_error *err)
 {
-    return planar_refresh(planar_of(m), t, y, 1, err);
+    const hawser_status status = planar_refresh(planar_of(m), t, y, 1, err);
+    if (!status) planar_narrow(planar_of(m), t, y);
+    return status;
 }
 
 static int motion_worst(const Motion *m, const double *error, const double *weight)
@@ -184,6 +186,7 @@ static int parts_new(Planar *p)
     const int n = segments(p);
     int ok = planar_kinematics_alloc(&p->kin, n) & planar_joint_loads_alloc(&p->joints, n);
     ok &= chain_arrays_new(p->at_p, 2, n, 0) & chain_arrays_new(p->at_a, 2, n, 0);
+    ok &= chain_arrays_new(p->near_p, 2, n, 0) & chain_arrays_new(p->near_a, 2, n, 0);
     for (int half = 0, first = 0; half < PARTS; first += p->model[half++].n_rollers) {
         const ContactModel *const model = &p->ws->contact[half].model;
         ok &= planar_loads_alloc(&p->loads[half], n);
@@ -235,6 +238,8 @@ void planar_free(Planar *p)
     planar_joint_loads_free(&p->joints);
     chain_arrays_free(p->at_p, 2);
     chain_arrays_free(p->at_a, 2);
+    chain_arrays_free(p->near_p, 2);
+    chain_arrays_free(p->near_a, 2);
     for (int half = 0; half < PARTS; ++half) planar_loads_free(&p->loads[half]);
     free(p->on_roller);
     planar_scene_free(&p->ps);

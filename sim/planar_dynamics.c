@@ -1,5 +1,6 @@
 #include "sim/planar_dynamics.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/clock.h"
@@ -119,18 +120,83 @@ void planar_blocks(Planar *p, double t, const double *y, double friction)
 /* --------------------------------------------------------------------------------------- what steps renew, and looks
  */
 
+/* Shares of the reach: within what candidates are near; what a step may move so that they suffice for the next. */
+static const double NEAR = 1. / 4, NEAR_STEP = 1. / 128;
+
+static double moved_since(const Planar *p, double *const at_p[2], double *const at_a[2])
+{
+    return planar_contact_moved(&p->ps.chain, &p->kin, at_p, at_a);
+}
+
+/* Keeps centres and axes of now. */
+static void stand(const Planar *p, double *at_p[2], double *at_a[2])
+{
+    const size_t bytes = (size_t)segments(p) * sizeof(double);
+    for (int c = 0; c < 2; ++c) {
+        memcpy(at_p[c], p->kin.p[c], bytes);
+        memcpy(at_a[c], p->kin.a[c], bytes);
+    }
+}
+
+/* Chooses what is near the kinematics of now, of candidates since whose search points have moved by `spent`, m. */
+static void near_choose(Planar *p, double spent, int wide)
+{
+    const double reach = p->motion.scene->contact.reach, left = CONTACT_USABLE * reach - spent;
+    for (int half = 0; half < PARTS; ++half) {
+        ContactPairs *const pairs = &p->ws->contact[half].pairs;
+        if (wide) {
+            contact_widen(pairs);
+        } else {
+            planar_contact_narrow(&p->model[half], &p->ps.chain, &p->kin, NEAR * reach, pairs);
+        }
+    }
+    stand(p, p->near_p, p->near_a);
+    p->near_usable = wide ? left : fmin(left, CONTACT_USABLE * NEAR * reach);
+    p->near_moved = 0;
+    p->wide = wide;
+}
+
+void planar_widen(Planar *p)
+{
+    if (p->motion.scene->contact.n_rollers > 0) near_choose(p, moved_since(p, p->at_p, p->at_a), 1);
+}
+
+void planar_narrow(Planar *p, double t, const double *y)
+{
+    if (p->motion.scene->contact.n_rollers == 0) return;
+    planar_place(p, t, y);
+    near_choose(p, moved_since(p, p->at_p, p->at_a), 0);
+}
+
+/* (PL19), with the last evaluation for y as below. */
+hawser_status planar_accept(Planar *p, double t, const double *y, hawser_error *err)
+{
+    const Scene *const scene = p->motion.scene;
+    const double reach = scene->contact.reach;
+    if (scene->contact.n_rollers == 0) return HAWSER_OK;
+    const double moved = moved_since(p, p->near_p, p->near_a), step = fabs(moved - p->near_moved);
+    const int fast = !(step <= NEAR_STEP * reach);
+    p->near_moved = moved;
+    if (moved <= p->near_usable && (p->wide || !fast)) return HAWSER_OK;
+    const double spent = moved_since(p, p->at_p, p->at_a);
+    if (spent <= CONTACT_USABLE * reach) {
+        near_choose(p, spent, fast);
+        return HAWSER_OK;
+    }
+    const hawser_status status = planar_refresh(p, t, y, 1, err);
+    if (!status) near_choose(p, 0, fast);
+    return status;
+}
+
 hawser_status planar_refresh(Planar *p, double t, const double *y, int always, hawser_error *err)
 {
     const Scene *const scene = p->motion.scene;
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
     /* (C20), with the last evaluation for y, which is nearer to it than the reach's reserve */
-    const double moved = always ? 0 : planar_contact_moved(&p->ps.chain, &p->kin, p->at_p, p->at_a);
+    const double moved = always ? 0 : moved_since(p, p->at_p, p->at_a);
     if (!always && moved <= CONTACT_USABLE * scene->contact.reach) return HAWSER_OK;
     planar_place(p, t, y);
     kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
-    for (int c = 0; c < 2; ++c) {
-        memcpy(p->at_p[c], p->kin.p[c], (size_t)segments(p) * sizeof(double));
-        memcpy(p->at_a[c], p->kin.a[c], (size_t)segments(p) * sizeof(double));
-    }
+    stand(p, p->at_p, p->at_a);
     return dynamics_find_candidates(scene, p->ws, err);
 }

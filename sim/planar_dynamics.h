@@ -20,6 +20,11 @@ typedef struct Planar {
     PlanarContactModel model[PARTS]; /* the rollers in two halves, as ws->contact */
     double *at_p[2], *at_a[2];       /* centres and axes at the last refresh of the candidates */
     double (*on_roller)[2];          /* [rollers] N */
+    /* which of the candidates are near, by planar_accept (PL19) */
+    double *near_p[2], *near_a[2]; /* centres and axes when they were chosen */
+    double near_usable;            /* m that points of the line may move from there */
+    double near_moved;             /* m, at the last accepted step */
+    int wide;                      /* all candidates count as near */
 } Planar;
 
 /* Kinematics of (t, y), ghosts included. */
@@ -31,5 +36,11 @@ void planar_blocks(Planar *p, double t, const double *y, double friction);
 /* New candidates if `always`, or if the kinematics of the last evaluation are too far from those of the last ones.
  * Errors: MEMORY. */
 hawser_status planar_refresh(Planar *p, double t, const double *y, int always, hawser_error *err);
+/* After an accepted step to (t, y): new candidates if need be, and those of them that are near (PL19). Errors: MEMORY.
+ */
+hawser_status planar_accept(Planar *p, double t, const double *y, hawser_error *err);
+/* Takes all candidates for near until the next planar_refresh and planar_narrow; or those near (t, y). */
+void planar_widen(Planar *p);
+void planar_narrow(Planar *p, double t, const double *y);
 
 #endif

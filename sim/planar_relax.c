@@ -106,7 +106,9 @@ hawser_status planar_relax(Planar *p, double t, double *y, hawser_relaxation *ou
         memcpy(r.start, y, 2 * stride * sizeof(double));
         memset(y + PLANAR_V * stride, 0, (PLANAR_SIZE - PLANAR_V) * stride * sizeof(double));
         out->tolerance_N = relax_tolerance(scene, t, farthest(&r, NULL));
+        planar_widen(p); /* the relaxation moves farther at once than steps do */
         status = relax_run(scene, &ops, &r, p->motion.size, y, out, err);
+        if (!status) planar_narrow(p, t, y);
         out->moved_m = farthest(&r, r.start);
     } else {
         status = error_memory(err);

@@ -318,12 +318,82 @@ static void test_not_finite(void **state)
     rig_free(r);
 }
 
+/* Elements that the forces look at. */
+static int near_count(const Rig *r)
+{
+    int count = 0;
+    for (int half = 0; half < PARTS; ++half) {
+        const ContactPairs *const pairs = &r->planar_ws.contact[half].pairs;
+        for (int i = 0; i < pairs->n_near; ++i) count += pairs->near[i].count;
+    }
+    return count;
+}
+
+/* The rates with what is near, which must be those with all candidates, bit by bit. */
+static void near_suffices(Rig *r)
+{
+    enum { MOST = 64 };
+    static double all[SIZE];
+    ContactRange kept[PARTS][MOST];
+    int n_kept[PARTS];
+    assert_int_equal(planar_evaluate(&r->planar, T, r->y, 1, r->rate), 0);
+    for (int half = 0; half < PARTS; ++half) {
+        ContactPairs *const pairs = &r->planar_ws.contact[half].pairs;
+        assert_true(pairs->n_ranges < MOST);
+        n_kept[half] = pairs->n_near;
+        memcpy(kept[half], pairs->near, (size_t)pairs->n_near * sizeof *pairs->near);
+        contact_widen(pairs);
+    }
+    assert_int_equal(planar_evaluate(&r->planar, T, r->y, 1, all), 0);
+    assert_memory_equal(r->rate, all, sizeof all);
+    for (int half = 0; half < PARTS; ++half) {
+        ContactPairs *const pairs = &r->planar_ws.contact[half].pairs;
+        pairs->n_near = n_kept[half];
+        memcpy(pairs->near, kept[half], (size_t)n_kept[half] * sizeof *pairs->near);
+    }
+}
+
+static void step_along(Rig *r, double distance)
+{
+    for (int i = 0; i < N; ++i) r->y[i] += distance;
+    near_suffices(r); /* before what is near is renewed */
+    assert_int_equal(r->planar.motion.ops->accept(&r->planar.motion, T, r->y, NULL), HAWSER_OK);
+    near_suffices(r);
+}
+
+/* What is near (PL19) is a part of the candidates that gives the same forces, goes along with the chain, and becomes
+ * all of them when the chain leaps. */
+static void test_near(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 31);
+    const double reach = r->scene.contact.reach;
+    assert_int_equal(r->planar.motion.ops->renew(&r->planar.motion, T, r->y, NULL), HAWSER_OK);
+    const int candidates = dynamics_candidates(&r->planar_ws);
+    const long refreshes = r->planar_ws.refreshes;
+    assert_true(near_count(r) > 0 && near_count(r) < 2 * candidates / 3);
+    int renewed = 0;
+    for (int k = 0; k < 60; ++k) {
+        const double before = r->planar.near_moved;
+        step_along(r, reach / 140);
+        renewed += r->planar.near_moved < before;
+        assert_true(!r->planar.wide && near_count(r) < candidates);
+    }
+    assert_true(renewed >= 2 && r->planar_ws.refreshes == refreshes);
+    for (int k = 0; k < 60; ++k) step_along(r, reach / 140);
+    assert_true(r->planar_ws.refreshes == refreshes + 1 && !r->planar.wide);
+    step_along(r, reach / 30);
+    assert_true(r->planar.wide);
+    assert_int_equal(near_count(r), dynamics_candidates(&r->planar_ws));
+    rig_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rates),      cmocka_unit_test(test_blocks), cmocka_unit_test(test_differences),
         cmocka_unit_test(test_newton),     cmocka_unit_test(test_look),   cmocka_unit_test(test_norm),
-        cmocka_unit_test(test_not_finite),
+        cmocka_unit_test(test_not_finite), cmocka_unit_test(test_near),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
