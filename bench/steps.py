@@ -53,8 +53,8 @@ def banded():
             for threads in THREADS]
 
 
-def dense(chosen):
-    return [configuration(case, geometry, solver, 1, window) for (case, geometry), window in chosen.items()
+def dense(chosen, segments=370):
+    return [configuration(case, geometry, solver, 1, window, segments) for (case, geometry), window in chosen.items()
             for solver in ("auto", "dense")]
 
 
@@ -283,7 +283,8 @@ def measure(args):
     target, samples = phase_samples(os.path.join(args.build, "bench/bench_phases"), rounds, 20 if quick else 300)
     rows = run_rounds(args.build, "solvers", everyday(), rounds, settings, warm=not quick)
     rows += run_rounds(args.build, "band", banded(), 1 if quick else min(SLOW_ROUNDS, rounds), settings, warm=False)
-    rows += run_rounds(args.build, "dense", dense({("straight", "plane"): "2 ms"} if quick else DENSE), 1, warm=False)
+    few = dense({("straight", "plane"): "20 ms"}, 37) if quick else dense(DENSE)
+    rows += run_rounds(args.build, "dense", few, 1, warm=False)
     rows += run_rounds(args.build, "lengths", long_rows(LENGTHS[:1] if quick else LENGTHS),
                        1 if quick else min(LENGTH_ROUNDS, rounds), warm=not quick)
     counted = count_scenes(args.build, ["run.duration=100 ms", "run.steady_from=50 ms"] if quick else COUNTED,

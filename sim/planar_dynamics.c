@@ -61,9 +61,15 @@ static void motion_job(void *arg, int rank)
                                    share_to(p, rank, segments(p)), e->ydot);
 }
 
-static void both(Planar *p, TeamJob job, int light, Evaluation *e)
+static void both(Planar *p, TeamJob job, Evaluation *e) { halves_run(p->ws->team, segments(p) >= HALVES_LONG, job, e); }
+
+/* Whether two threads gain more on wrenches and contacts than it takes to wake the second one and to send it the state,
+ * some 3 us: a roller with the line near costs about as much as the joints of 16 segments. */
+static int loads_heavy(const Planar *p)
 {
-    halves_run(p->ws->team, !light || segments(p) >= HALVES_LONG, job, e);
+    enum { CONTACT_SEGMENTS = 16 };
+    const int near = p->ws->contact[0].pairs.n_near + p->ws->contact[1].pairs.n_near;
+    return segments(p) + CONTACT_SEGMENTS * near >= HALVES_LONG;
 }
 
 void planar_place(Planar *p, double t, const double *y)
@@ -76,10 +82,10 @@ void planar_place(Planar *p, double t, const double *y)
 int planar_evaluate(Planar *p, double t, const double *y, double friction, double *ydot)
 {
     Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};
-    both(p, kinematics_job, 1, &e);
+    both(p, kinematics_job, &e);
     planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
-    both(p, loads_job, 0, &e);
-    both(p, motion_job, 1, &e);
+    halves_run(p->ws->team, loads_heavy(p), loads_job, &e);
+    both(p, motion_job, &e);
     ++p->ws->rhs_evals;
     return !(e.finite[0] && e.finite[1]);
 }
@@ -106,8 +112,8 @@ void planar_blocks(Planar *p, double t, const double *y, double friction)
     const int n = chain->n;
     Evaluation e = {.p = p};
     planar_place(p, t, y);
-    both(p, joint_blocks_job, 1, &e);
-    both(p, join_job, 1, &e);
+    both(p, joint_blocks_job, &e);
+    both(p, join_job, &e);
     planar_blocks_trim(k, n);
     planar_blocks_trim(d, n);
     planar_applied_blocks(&p->ps, &p->kin, t, friction, k, d);
