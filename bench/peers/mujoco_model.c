@@ -1,3 +1,6 @@
+/* MuJoCo 2.2.2 knows models as XML only (its functions for editing one in memory came later), so the XML is written
+ * here, into memory. It is read by a parser that takes no more than a hundred levels of elements, which bounds the
+ * depth of a tree. */
 #include "bench/peers/mujoco_model.h"
 
 #include <stdarg.h>
@@ -8,6 +11,7 @@ typedef struct Text {
     long at, room;
 } Text;
 
+/* Appends one formatted piece, shorter than 1 kB. */
 __attribute__((format(printf, 2, 3))) static void put(Text *text, const char *format, ...)
 {
     va_list list;
@@ -51,6 +55,9 @@ static int rows_of(PeerProblem problem, int n, const Settings *s)
     return 64 + contacts + (s->as == AS_PIECES ? 6 * (pieces_of(n, s) + 1) : 0);
 }
 
+/* Options, sizes and defaults. The stack is MuJoCo's for dense matrices of all speeds (nv) and rows of constraints;
+ * collision is looked for between the pairs alone that put_pairs names. solref of a positive pair is time constant and
+ * damping ratio. */
 static void put_head(Text *text, PeerProblem problem, int n, const Settings *s)
 {
     const int rows = rows_of(problem, n, s), trees = s->as == AS_PIECES ? pieces_of(n, s) : n;
@@ -109,6 +116,7 @@ static void put_branch(Text *text, int from, int to, int step, const Settings *s
     for (int i = from; i != to + step; i += step) put(text, "</body>");
 }
 
+/* One tree of the pull: its root may move in the plane, branches go both ways. Joint values are 0 at t = 0. */
 static void put_pull_piece(Text *text, Piece p, const Settings *s)
 {
     put(text, "<body name=\"s%d\" pos=\"%.15g 0 0\">", p.root, straight_joint_x(p.root) + PEER_LINK / 2);
@@ -225,6 +233,7 @@ static void put_chain_piece(Text *text, const double *joint, int n, Piece p, int
     put(text, "</body>\n");
 }
 
+/* Every link a body of its own with all freedom, its origin at its centre: for springs. */
 static void put_chain_bodies(Text *text, const double *joint, int n)
 {
     static const double zero[3] = {0, 0, 0};
@@ -255,6 +264,7 @@ static void put_chain_joints(Text *text, PeerProblem problem, const double *join
     put(text, "</equality>\n");
 }
 
+/* The chain's bodies and what joins them. */
 static void put_chain(Text *text, PeerProblem problem, int n, const Settings *s)
 {
     double *const joint = malloc(3 * ((size_t)n + 1) * sizeof *joint);

@@ -58,6 +58,8 @@ static int define_chain(SceneDef *def, int n, double angle, double stiff)
     return 1;
 }
 
+/* The definition of the run's problem; 0 without memory. Solver and tolerances are the defaults but for what a setting
+ * says. */
 static int define(SceneDef *def, PeerRun *run)
 {
     const double stiff = peer_number(run, "stiff", 1);

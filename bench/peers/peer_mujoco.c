@@ -85,6 +85,7 @@ static void add_chain_spring(const mjModel *m, mjData *d, int j)
     now.value = force[0];
 }
 
+/* MuJoCo calls this for forces of its own kind (joint springs and the like): it is where a user's springs go. */
 static void passive(const mjModel *m, mjData *d)
 {
     if (now.as != AS_SPRINGS) return;
@@ -118,6 +119,7 @@ static void look(PeerRun *run, const mjData *d, double t)
     peer_place(run, t, place[1], place[2]);
 }
 
+/* The defaults are those of the comment above. */
 static Settings read_settings(PeerRun *run)
 {
     Settings s;
@@ -186,6 +188,8 @@ static int is_broken(const mjData *d)
            d->warning[mjWARN_CONTACTFULL].number;
 }
 
+/* Steps of fixed size; a force is that of the state before the step. The run goes one step beyond its end, for the
+ * path's last point. */
 static void integrate(PeerRun *run, const mjModel *m, mjData *d)
 {
     long steps = 0;

@@ -64,7 +64,7 @@ static inline double peer_inertia_across(void)
 }
 static inline double peer_inertia_along(void) { return PEER_MASS * PEER_DIAMETER * PEER_DIAMETER / 8; }
 
-/* STEP from 0 to the speed, and its integral: D = t/ramp, v D^2 (3 - 2 D) and v ramp (D^3 - D^4/2). */
+/* The winch: STEP from 0 to the speed, and its integral: D = t/ramp, v D^2 (3 - 2 D) and v ramp (D^3 - D^4/2). */
 static inline double straight_speed(double t)
 {
     const double d = t < STRAIGHT_RAMP ? t / STRAIGHT_RAMP : 1;

@@ -35,8 +35,10 @@ typedef struct PeerRun {
     double path[TRACE_POINTS][2], last_place[2], place_t;
 } PeerRun;
 
+/* Processor time of the process so far, all threads, s. */
 static inline double peer_cpu(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
+/* Ends the program as one that was called wrongly, which the driver takes for an error of its own. */
 static inline void peer_stop(const PeerRun *run, const char *what, const char *which)
 {
     fprintf(stderr, "%s: %s '%s'\n", run->program, what, which);
@@ -86,6 +88,7 @@ static inline const char *peer_word(PeerRun *run, const char *key, const char *o
     return otherwise;
 }
 
+/* The same for a number; a word that is none ends the program. */
 static inline double peer_number(PeerRun *run, const char *key, double otherwise)
 {
     const char *const text = peer_word(run, key, "");
@@ -104,6 +107,7 @@ static inline void peer_loop(PeerRun *run)
     run->started = peer_cpu();
 }
 
+/* Whether the run has had its time, model included: to be asked every step. */
 static inline int peer_over_limit(const PeerRun *run) { return peer_cpu() - run->born > run->limit; }
 
 /* Takes a force at time t into the mean over the problem's window, by the trapezoidal rule. Steps need not end where
