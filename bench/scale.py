@@ -18,7 +18,7 @@ FIT_FROM = 370  # segments
 CONFIGS = tuple((scene, way, threads) for scene, way in (("pull", "plane"), ("pull", "space"), ("chain", "space"))
                 for threads in (1, 2))
 NAMES = {("pull", "plane"): "pull, plane", ("pull", "space"): "pull, space", ("chain", "space"): "chain, space"}
-ROLLERS, ROLLERS_AT = (0, 100, 200, 500, 1000, 2000), 2000  # at so many segments
+ROLLERS, ROLLERS_AT = (0, 250, 500, 1000, 1500, 2000), 2000  # at so many segments
 PHASES = {"rhs": "right-hand side", "contacts": "contacts", "jacobian": "Jacobian blocks and matrix", "factor": "factor",
           "solve": "solve", "vector": "vectors and control"}
 COLUMNS = ["kind", "scene", "way", "threads", "segments", "rollers", "round", "steps", "simulated_s", "iterations",
