@@ -127,13 +127,18 @@ def commit():
     return (git("rev-parse", "--short", "HEAD") or "unknown") + ("+" if changed else "")
 
 
+def busy(load):
+    """Whether a load average means that others used the machine too."""
+    return load > 0.3 * os.cpu_count()
+
+
 def heading(load, note=""):
     """Machine, commit, day, and whether something else was running: `load` is os.getloadavg()[0] at the start."""
     cores = os.cpu_count()
     text = (f"Machine `{machine_name(processor(), cores)}` ({processor()}, {cores} cores, Linux "
             f"{os.uname().release.split('-')[0]}), commit {commit()}, {time.strftime('%Y-%m-%d')}"
             f"{', ' + note if note else ''}; load average at the start {load:.2f}.")
-    if load > 0.3 * cores:
+    if busy(load):
         text += " **The machine was busy: read ratios, not times.**"
     return text
 

@@ -76,7 +76,7 @@ def table_of(rows, last=8):
         cells = [f"`{row['commit']}` {row['date'][:10]}", row["load"]]
         for scene in TRACKED:
             speed, count = (numbers([row], f"{scene}.{figure}")[0] for figure in ("steps_per_s", "instructions_all"))
-            cells += [f"{speed:.0f}", "-" if count != count else f"{count:.0f}"]
+            cells += ["-" if speed != speed else f"{speed:.0f}", "-" if count != count else f"{count:.0f}"]
         body.append(cells)
     head = ["commit", "load"] + [f"{scene}, {unit}" for scene in TRACKED for unit in ("steps/s", "instructions a step")]
     return common.table(head, body)

@@ -45,8 +45,9 @@ def versions():
 def machine_text():
     cores = os.cpu_count()
     compiler = output_of("cc", "--version").splitlines()
+    kernel = os.uname().release.split("-")[0]
     parts = [f"`{machine_name(processor(), cores)}`: {processor()}, {cores} cores; {'; '.join(facts_of(output_of('lscpu')))}.",
-             f"Linux {os.uname().release.split("-")[0]}, {system()}; {compiler[0] if compiler else 'no compiler'}; {', '.join(versions())}."]
+             f"Linux {kernel}, {system()}; {compiler[0] if compiler else 'no compiler'}; {', '.join(versions())}."]
     return "\n".join(parts)
 
 

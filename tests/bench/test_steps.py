@@ -142,6 +142,22 @@ class Linsolve(unittest.TestCase):
         self.assertIn("| avx2 | 479.52 | 2.00 | 1.0 | 20.0 | 0.05 |", linsolve.rates_table(self.rows([4795.2])))
 
 
+class Machine(unittest.TestCase):
+    def test_the_machine_and_the_time_of_the_parts_are_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            document = os.path.join(folder, "m.md")
+            for path, text in ((document, "a\n<!-- machine: begin -->\n<!-- machine: end -->\nb\n"),
+                               (os.path.join(folder, "seconds.csv"), "part,seconds\nsteps,90\nscale,150\n")):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text)
+            subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/machine.py"), document, folder], check=True,
+                           stdout=subprocess.DEVNULL)
+            with open(document, encoding="utf-8") as file:
+                text = file.read()
+        self.assertIn(f"`{common.machine_name(common.processor(), os.cpu_count())}`", text)
+        self.assertIn("`steps` 90 s, `scale` 150 s; together 4 min.", text)
+
+
 class Commit(unittest.TestCase):
     """What common.commit calls a change."""
     def setUp(self):
@@ -195,7 +211,7 @@ class Whole(unittest.TestCase):
     def bench(self, *words):
         path = self.path("bin") + os.pathsep + os.environ["PATH"]
         return subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/steps.py"), "--build", self.folder.name,
-                               "--results", self.path("results"), "--document", self.path("steps.md"), *words],
+                               "--results", self.path("results"), "--document", self.path("steps.md"), "--load", "0", *words],
                               capture_output=True, text=True, env={**os.environ, "PATH": path})
 
     def read(self, name):
@@ -224,15 +240,19 @@ class Whole(unittest.TestCase):
         self.assertIn("| right-hand side, with its contacts | 300 | 300 | 300 | 300 |", text)
         self.assertIn("`gcc99-test`", text)
 
+    def history(self):
+        return list(csv.DictReader(io.StringIO(self.read("results/history.csv"))))
+
     def test_the_history_has_the_commit(self):
         self.place("results/history.csv", "date,commit,target,rounds,load,straight.steps_per_s\nthen,old,t,1,0,7\n")
         self.assertEqual(self.bench("--quick").returncode, 0)
         for _ in range(2):  # the second time its row is replaced
-            rows = list(csv.DictReader(io.StringIO(self.read("results/history.csv"))))
+            rows = self.history()
             self.assertEqual([row["commit"] for row in rows], ["old", common.commit()])
             self.assertEqual(rows[0]["straight.steps_per_s"], "7")
             self.assertEqual(rows[1]["straight.instructions_rhs"], "300")
-            self.assertEqual(self.bench("--quick").returncode, 0)
+            self.assertEqual(self.bench("--quick", "--load", "99").returncode, 0)
+        self.assertEqual([row["straight.steps_per_s"] for row in self.history()], ["7", ""])  # busy: counts alone
         self.assertIn("<svg", self.read("results/steps-history.svg"))
 
     def test_results_that_depend_on_threads_or_solver_are_a_failure(self):
