@@ -127,7 +127,7 @@ class Bench:
 
     def run(self, file, case, program, setting, limit, options, note):
         """One run; its row is kept and returned. note: what identifies it."""
-        text = self.call("run", file, self.case(case), program, setting, limit, *options, timeout=limit + 60)
+        text = self.call("run", file, self.case(case), program, setting, limit, *options, timeout=60 * limit)
         return self.keep(json.loads(text), program, options, note)
 
     def search(self, file, case, program, ends, limit, options, note):
@@ -215,10 +215,10 @@ def rounds(bench, scene, spec, chosen, number, cap):
 
 def timed(rows, scene, name, row):
     """Median over the rounds of one run's cost, and half the distance of the quartiles in % of it; the sweep's own cost
-    where there are no rounds."""
+    (and None) where there are no rounds."""
     values = [r["cpu_ms_per_s"] for r in rows if r["kind"] == "round" and r["scene"] == scene and r["method"] == name]
     if len(values) < 2:
-        return row["cpu_ms_per_s"], 0.0
+        return row["cpu_ms_per_s"], None
     low, middle, high = statistics.quantiles(values, n=4, method="inclusive")
     return middle, 50 * (high - low) / middle
 
@@ -269,8 +269,15 @@ def measure(bench, name, spec, number, quick):
         scene.chosen[DEFAULT] = (default[0], "ref")
     for method, row in scene.held.items():
         scene.chosen[method] = (row, "short")
-    rounds(bench, name, spec, scene.chosen, number, 3.0)
+    rounds(bench, name, spec, scene.chosen, number, 1.5)
     return scene
+
+
+def times(rows, above, below):
+    """How many times more (scene, method) costs than another, within rounds where the scene is the same; None: not known."""
+    ratio = paired(rows, above[0].name, above[1], below[1]) if above[0] is below[0] else None
+    costs = above[0].cost(rows, above[1]), below[0].cost(rows, below[1])
+    return ratio or (costs[0] / costs[1] if all(costs) else None)
 
 
 def scene_table(rows, scene):
@@ -283,10 +290,10 @@ def scene_table(rows, scene):
         if name in scene.chosen:
             row = scene.chosen[name][0]
             cost, half = timed(rows, scene.name, name, row)
-            times = paired(rows, scene.name, name, HAWSER) or (cost / own if own else math.nan)
+            over = times(rows, (scene, name), (scene, HAWSER))
             steps = row["steps"] / (row["reached_s"] - row["from_s"])
-            body.append([name, setting_text(row), f"{cost:.4g}", f"{half:.0f} %", f"{100 * row['rms']:.2g}",
-                         f"{100 * row['worst']:.2g}", f"{steps:.0f}", f"{times:.3g}"])
+            body.append([name, setting_text(row), f"{cost:.4g}", "-" if half is None else f"{half:.0f} %",
+                         f"{100 * row['rms']:.2g}",                         f"{100 * row['worst']:.2g}", f"{steps:.0f}", "-" if over is None else f"{over:.3g}"])
         elif found:
             row = min(found, key=lambda r: (not r["arrived"], r["rms"]))
             note = "not within 1 %" if row["arrived"] else f"ended at {row['reached_s']:.3g} s: {row['why']}"
@@ -309,18 +316,17 @@ def goals_table(rows, scenes):
         if not scene:
             continue
         names = [row for row, _, _ in EXPLICIT if row in scene.held]
-        base = scene.cost(rows, DEFAULT)
-        cheapest = min((scene.cost(rows, row), row) for row in names) if names and base else None
-        line(f"{name}: the best explicit method ({cheapest[1] if cheapest else 'none'}) over hawser's default",
-             cheapest and cheapest[0] / base, 100)
+        cheapest = min(names, key=lambda row: scene.cost(rows, row), default=None)
+        line(f"{name}: the best explicit method ({cheapest or 'none'}) over hawser's default",
+             times(rows, (scene, cheapest), (scene, DEFAULT)), 100)
     pairs = (("huangjiahu", "huangjiahu in space"), ("straight", "straight in space"))
     for name, space in pairs:
         for mine, theirs in ((name, space), (name, name), (space, space)):
             if mine not in scenes or theirs not in scenes:
                 continue
-            above, below = scenes[theirs].cost(rows, USER_KLU), scenes[mine].cost(rows, HAWSER)
             line(f"{theirs}: CVODE with KLU on the unreduced system over hawser"
-                 f"{' in the plane' if mine != theirs else ''}, both at 1 %", above / below if above and below else None, 5)
+                 f"{' in the plane' if mine != theirs else ''}, both at 1 %",
+                 times(rows, (scenes[theirs], USER_KLU), (scenes[mine], HAWSER)), 5)
     return table(["times slower", "measured", "goal", "reached"], body)
 
 
@@ -426,6 +432,20 @@ def picture_name(scene):
     return "methods-" + scene.replace(",", "").replace(" ", "-") + ".svg"
 
 
+def report(args, load, number, rows, scenes, dense):
+    """Tables, pictures, rows."""
+    parts = [heading(load, f"processor time of one thread, medians of {number} rounds"), goals_table(rows, scenes),
+             verdicts(rows, scenes), ladder_table(rows, scenes)]
+    for scene in scenes.values():
+        parts += [f"**{scene.name}**", scene_table(rows, scene)]
+    parts += [dense, agreement_table(scenes)]
+    if args.results:
+        os.makedirs(args.results, exist_ok=True)
+        for scene in scenes.values():
+            picture(os.path.join(args.results, picture_name(scene.name)), scene)
+    publish(args, "methods", rows, "\n\n".join(parts), COLUMNS)
+
+
 def main():
     parser = arguments(__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=5)
@@ -440,17 +460,7 @@ def main():
         bench = Bench(args.build, folder)
         scenes = {name: measure(bench, name, spec, number, args.quick) for name, spec in specs.items()}
         dense = dense_runs(bench, (8, 16) if args.quick else (12, 23, 46, 92), 4 if args.quick else 20)
-    rows = bench.rows
-    parts = [heading(load, f"processor time of one thread, medians of {number} rounds"), goals_table(rows, scenes),
-             verdicts(rows, scenes), ladder_table(rows, scenes)]
-    for scene in scenes.values():
-        parts += [f"**{scene.name}**", scene_table(rows, scene)]
-    parts += [dense, agreement_table(scenes)]
-    if args.results:
-        os.makedirs(args.results, exist_ok=True)
-        for scene in scenes.values():
-            picture(os.path.join(args.results, picture_name(scene.name)), scene)
-    publish(args, "methods", rows, "\n\n".join(part for part in parts if part), COLUMNS)
+    report(args, load, number, bench.rows, scenes, dense)
     bad = disagreements(scenes, args.quick)
     for words in bad:
         print(f"methods.py: {words}", file=sys.stderr)
