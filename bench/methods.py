@@ -293,7 +293,8 @@ def scene_table(rows, scene):
             over = times(rows, (scene, name), (scene, HAWSER))
             steps = row["steps"] / (row["reached_s"] - row["from_s"])
             body.append([name, setting_text(row), f"{cost:.4g}", "-" if half is None else f"{half:.0f} %",
-                         f"{100 * row['rms']:.2g}",                         f"{100 * row['worst']:.2g}", f"{steps:.0f}", "-" if over is None else f"{over:.3g}"])
+                         f"{100 * row['rms']:.2g}", f"{100 * row['worst']:.2g}", f"{steps:.0f}",
+                         "-" if over is None else f"{over:.3g}"])
         elif found:
             row = min(found, key=lambda r: (not r["arrived"], r["rms"]))
             note = "not within 1 %" if row["arrived"] else f"ended at {row['reached_s']:.3g} s: {row['why']}"
