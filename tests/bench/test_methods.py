@@ -68,7 +68,9 @@ class Choice(unittest.TestCase):
         loose, tight = row(1, 0.1), row(2, 0.005)
         self.assertFalse(methods.enough([loose, tight], spent=2, cap=8))
         self.assertFalse(methods.enough([loose, tight, tight], spent=0.5, cap=8))
-        self.assertTrue(methods.enough([loose, tight, tight], spent=2, cap=8))
+        self.assertFalse(methods.enough([loose, tight, tight], spent=2, cap=8))  # a tenth of the goal is still to be had
+        self.assertTrue(methods.enough([loose, tight, row(3, 0.001)], spent=2, cap=8))
+        self.assertTrue(methods.enough([loose, tight, tight], spent=5, cap=8))
         self.assertTrue(methods.enough([loose], spent=9, cap=8))
 
     def test_settings_in_words(self):
