@@ -152,7 +152,7 @@ def best(rows):
 
 
 def enough(rows, spent, cap):
-    """Whether a sweep from loose to tight may end: two settings keep to the goal, and one to a tenth of it if that can be had
+    """Whether a sweep from loose to tight may end: two settings keep to the goal, one to a tenth of it if that can be had
     for half the cap, and the picture has its points; or it has cost too much."""
     if spent > cap:
         return True
