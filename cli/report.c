@@ -136,6 +136,16 @@ static void report_work(const hawser_summary *s)
     printf("  solved in %s (%s)\n", s->planar ? "the plane" : "space", s->planar_why);
 }
 
+/* Whether energy and momentum add up. */
+static void report_balance(const hawser_balance *b)
+{
+    if (!b) return;
+    printf(
+        "\nBalances: energy closes to %.2g %% of what goes through '%s' (%.4g kJ), momentum to %.2g %% of the largest "
+        "impulse\n",
+        100 * b->residual_share, b->turnover_of, b->turnover_J / 1e3, 100 * b->impulse_residual_share);
+}
+
 /* Where the time went, so that a slow case shows its reason. */
 static void report_phases(const hawser_summary *s)
 {
@@ -198,6 +208,7 @@ void report_run(hawser_sim *s, const char *dir)
     report_conveyors(&sum);
     report_events(&sum);
     report_rollers(s);
+    report_balance(sum.balance);
     report_work(&sum);
     report_phases(&sum);
     printf("\nResults: %s\n", dir);

@@ -194,6 +194,32 @@ static void push_add(const ContactBatch *batch, const ContactPush *push, int l, 
     }
 }
 
+/* Sums that are kept lane by lane, so that none waits for the one before it. */
+typedef struct TallyLanes {
+    double friction[LANES], damping[LANES], energy[LANES], force[3][LANES];
+} TallyLanes;
+
+/* Adds one lane that is in the batch. */
+static void tally_add(TallyLanes *sum, const ContactPush *push, int l)
+{
+    sum->friction[l] += push->friction[l];
+    sum->damping[l] += push->damping[l];
+    sum->energy[l] += push->energy[l];
+    for (int c = 0; c < 3; ++c) sum->force[c][l] += push->total[c][l];
+}
+
+static ContactTally tally_total(const TallyLanes *sum)
+{
+    ContactTally total = {0};
+    for (int l = 0; l < LANES; ++l) {
+        total.friction += sum->friction[l];
+        total.damping += sum->damping[l];
+        total.energy += sum->energy[l];
+        for (int c = 0; c < 3; ++c) total.force[c] += sum->force[c][l];
+    }
+    return total;
+}
+
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
 {
@@ -201,11 +227,13 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
     ContactPush push;
     hits_find(model, chain, kin, pairs);
     pairs->active = 0;
+    TallyLanes tally = {0};
     if (on_roller) memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
+            tally_add(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
             if (!(push.normal[l] > 0)) continue;
             /* only what carries force is added: the others' lanes are zeros */
             ++pairs->active;
@@ -215,6 +243,7 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
             *sum = v3_sub(*sum, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
         }
     }
+    pairs->tally = tally_total(&tally);
 }
 
 void contact_forces_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
@@ -225,11 +254,13 @@ void contact_forces_moving(const ContactModel *model, const Chain *chain, const 
     ContactPush push;
     hits_find(model, chain, kin, pairs);
     pairs->active = 0;
+    TallyLanes tally = {0};
     memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
+            tally_add(&tally, &push, l);
             if (!(push.normal[l] > 0)) continue;
             ++pairs->active;
             push_add(&batch, &push, l, loads);
@@ -239,6 +270,7 @@ void contact_forces_moving(const ContactModel *model, const Chain *chain, const 
             sum->moment = v3_add(sum->moment, v3(moment[0][l], moment[1][l], moment[2][l]));
         }
     }
+    pairs->tally = tally_total(&tally);
 }
 
 /* block += rows of body a by columns of body b of one lane. */

@@ -9,6 +9,7 @@
 #define HAWSER_CONTACT_CONTACT_H
 
 #include "contact/contact_law.h"
+#include "contact/contact_tally.h"
 #include "contact/element.h"
 #include "contact/shape.h"
 #include "contact/sphere_tree.h"
@@ -74,10 +75,11 @@ typedef struct ContactPairs {
     /* by contact_forces and contact_blocks */
     int hits_allocated;
     int n_hits;
-    ContactHit *hit;  /* [n_hits] */
-    double *node;     /* chain array: a quantity of the segments against one roller */
-    int active;       /* hits that carried force in the last call of contact_forces */
-    StickStore stick; /* by contact_accept; nothing is allocated where nothing sticks */
+    ContactHit *hit;    /* [n_hits] */
+    double *node;       /* chain array: a quantity of the segments against one roller */
+    int active;         /* hits that carried force in the last call of contact_forces */
+    ContactTally tally; /* of the last call of contact_forces */
+    StickStore stick;   /* by contact_accept; nothing is allocated where nothing sticks */
 } ContactPairs;
 
 /* Allocates for chains of n segments; candidates are empty until the first refresh. Returns 0 without memory

@@ -40,6 +40,8 @@ typedef struct ContactPush {
     double moment[2][3][LANES];             /* N m, about their centres */
     double total[3][LANES];                 /* N, on the cable */
     double normal[LANES];                   /* N */
+    double friction[LANES], damping[LANES]; /* W, what they take (BA5) */
+    double energy[LANES];                   /* J, in the spring (BA6) */
     double u[LANES], gap[LANES];
     double point[3][LANES];         /* m, on the line */
     double roller_moment[3][LANES]; /* N m, on the roller about its centre; set where rollers move */

@@ -67,6 +67,9 @@ LANE_INLINE void push_of(const ContactBatch *batch, ContactPush *out, Variant is
     batch_vector_store(out->total, c.force);
     batch_vector_store(out->point, c.at.p);
     lane_store(out->normal, c.normal);
+    lane_store(out->friction, contact_friction_loss(&c, is));
+    lane_store(out->damping, c.loss);
+    lane_store(out->energy, c.energy);
     lane_store(out->u, c.u);
     lane_store(out->gap, c.gap);
     if (is.rubs == FRICTION_STICK) {

@@ -35,6 +35,7 @@ typedef struct Contact {
     Lane3 slide;                          /* its tangential part v_t */
     Lane gap, rate;                       /* m, m/s */
     Lane normal, normal_gap, normal_rate; /* N and its derivatives (C12) */
+    Lane loss, energy;                    /* W, what the normal damping takes; J, in the spring (BA5), (BA6) */
     Lane phi, phi_over;                   /* mu/v and its derivative over v, friction scale included (C14) */
     LaneStick stick;                      /* in place of phi where it sticks */
     Lane3 force;                          /* F (C13), N */
@@ -45,20 +46,24 @@ typedef struct Contact {
  */
 LANE_INLINE void contact_laws(Contact *c, const ContactBatch *batch, Variant is)
 {
-    /* value: N, dN/dgap, dN/drate, phi, (dphi/dv)/v */
-    double speed[LANES], value[5][LANES];
+    /* value: N, dN/dgap, dN/drate, phi, (dphi/dv)/v, a spring that is cut off */
+    double speed[LANES], value[6][LANES];
     if (is.rubs == FRICTION_SPEED) lane_store(speed, shape_root(l3_dot(c->slide, c->slide)));
     for (int l = 0; l < LANES; ++l) {
-        value[0][l] = value[1][l] = value[2][l] = value[3][l] = value[4][l] = 0;
+        for (int v = 0; v < 6; ++v) value[v][l] = 0;
         /* a gap that is not a number touches nothing: the caller sees it in the state */
         if (!(c->gap[l] < 0)) continue;
         value[0][l] = impact_force(batch->impact, c->gap[l], c->rate[l], &value[1][l], &value[2][l]);
+        if (!(value[0][l] > 0)) value[5][l] = impact_spring(batch->impact, c->gap[l]);
         if (is.rubs == FRICTION_SPEED) value[3][l] = friction_over_speed(batch->friction[l], speed[l], &value[4][l]);
     }
     const Lane scale = lane_set(batch->friction_scale);
     c->normal = lane_load(value[0]);
     c->normal_gap = lane_load(value[1]);
     c->normal_rate = lane_load(value[2]);
+    const Lane cut = lane_load(value[5]), spring = c->normal - c->normal_rate * c->rate + cut;
+    c->loss = (cut - c->normal_rate * c->rate) * c->rate;
+    c->energy = spring * -c->gap / (batch->impact->e + 1); /* no force, no spring: 0 */
     if (is.rubs != FRICTION_SPEED) return;
     c->phi = scale * lane_load(value[3]);
     c->phi_over = scale * lane_load(value[4]);
@@ -98,6 +103,14 @@ LANE_INLINE Lane3 contact_direction(const Contact *c, Variant is)
     if (is.rubs == FRICTION_NONE) return n;
     if (is.rubs == FRICTION_STICK) return l3_axpy(n, -c->stick.phi, c->stick.lean);
     return l3_axpy(n, -c->phi, c->slide);
+}
+
+/* What friction takes, W: its force along the sliding (BA5). */
+LANE_INLINE Lane contact_friction_loss(const Contact *c, Variant is)
+{
+    if (is.rubs == FRICTION_NONE) return lane_set(0);
+    if (is.rubs == FRICTION_STICK) return c->normal * c->stick.phi * l3_dot(c->stick.lean, c->slide);
+    return c->normal * c->phi * l3_dot(c->slide, c->slide);
 }
 
 /* What the roller's own motion takes off the line's (SP2): from here on both are seen from the roller. */

@@ -45,6 +45,12 @@ double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap
     return force;
 }
 
+double impact_spring(const ImpactLaw *law, double gap)
+{
+    const double p = -gap;
+    return p > 0 ? law->k * power_less_one(p, law->e) * p : 0;
+}
+
 /* (C14): the odd STEP from -mu_s to mu_s is mu_s (3 x - x^3)/2 in x = v/v_s, so mu/v is even in v and smooth
  * at rest; there the law is viscous with the coefficient 1.5 mu_s/v_s. */
 double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v)

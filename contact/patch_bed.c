@@ -42,6 +42,7 @@ int bed_integrate(Patch *p, const PatchLaw *law)
         const double share = WEIGHT[k] * (p->to - p->from) * q;
         p->m0 += share;
         p->m1 += share * xi;
+        p->energy += p->modulus * p->radius / 2 * share * q;
         p->g[0] = v3_axpy(p->g[0], p->modulus * share * (1 - xi), w);
         p->g[1] = v3_axpy(p->g[1], p->modulus * share * xi, w);
     }

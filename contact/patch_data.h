@@ -44,6 +44,7 @@ typedef struct Patch {
     double from, to; /* where the piece is pressed, in [0, 1] */
     double modulus;  /* k_b length / R, N/m2 */
     double m0, m1;   /* integrals of q and q xi, m */
+    double energy;   /* J, in the bed (BA6) */
     double centre;   /* xi at the resultant */
     Vec3 g[2];       /* elastic forces on the piece's ends, N */
     double elastic;  /* |g_0 + g_1|, N */

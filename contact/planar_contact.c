@@ -148,6 +148,32 @@ static void push_add(const PlanarBatch *batch, const PlanarPush *push, int l, Pl
     }
 }
 
+/* Sums that are kept lane by lane, so that none waits for the one before it. */
+typedef struct TallyLanes {
+    double friction[LANES], damping[LANES], energy[LANES], force[2][LANES];
+} TallyLanes;
+
+/* Adds one lane that is in the batch, along the plane's axes. */
+static void tally_add(TallyLanes *sum, const PlanarPush *push, int l)
+{
+    sum->friction[l] += push->friction[l];
+    sum->damping[l] += push->damping[l];
+    sum->energy[l] += push->energy[l];
+    for (int c = 0; c < 2; ++c) sum->force[c][l] += push->total[c][l];
+}
+
+static ContactTally tally_total(const TallyLanes *sum)
+{
+    ContactTally total = {0};
+    for (int l = 0; l < LANES; ++l) {
+        total.friction += sum->friction[l];
+        total.damping += sum->damping[l];
+        total.energy += sum->energy[l];
+        for (int c = 0; c < 2; ++c) total.force[c] += sum->force[c][l];
+    }
+    return total;
+}
+
 void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarLoads *loads, double (*on_roller)[2])
 {
@@ -156,11 +182,13 @@ void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *c
     PlanarPush push;
     hits_find(model, chain, kin, pairs);
     pairs->active = 0;
+    TallyLanes tally = {0};
     if (on_roller) memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, pairs, next);
         kernel->push(&batch, &push);
         for (int l = 0; l < batch.count; ++l) {
+            tally_add(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
             if (!(push.normal[l] > 0)) continue;
             ++pairs->active;
             push_add(&batch, &push, l, loads);
@@ -169,6 +197,7 @@ void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *c
             on_roller[batch.roller[l]][1] -= push.total[1][l];
         }
     }
+    pairs->tally = tally_total(&tally);
 }
 
 /* block (entry by entry), row i += rows of body a by columns of body b of one lane. */

@@ -31,6 +31,8 @@ typedef struct PlanarPush {
     double moment[2][LANES];                /* N m, about their centres */
     double total[2][LANES];                 /* N, on the cable */
     double normal[LANES];                   /* N */
+    double friction[LANES], damping[LANES]; /* W, what they take (BA5) */
+    double energy[LANES];                   /* J, in the spring (BA6) */
 } PlanarPush;
 
 /* Derivatives of [force moment] of both bodies with respect to [x phi] or [v w] of both: [column][row][lane]. */

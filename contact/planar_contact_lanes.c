@@ -37,6 +37,9 @@ static void kernel_push(const PlanarBatch *batch, PlanarPush *out)
     }
     pair_store(out->total, c.force);
     lane_store(out->normal, c.normal);
+    lane_store(out->friction, c.drag * c.slide);
+    lane_store(out->damping, c.loss);
+    lane_store(out->energy, c.energy);
 }
 
 /* dF (PL13) for given variations: of the normal's angle, the gap, its rate and the sliding speed. */

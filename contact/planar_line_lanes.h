@@ -156,6 +156,7 @@ typedef struct PlanarContact {
     Lane gap, rate;                       /* m, m/s */
     Lane slide;                           /* sliding speed along the tangent, m/s (PL11) */
     Lane normal, normal_gap, normal_rate; /* N and its derivatives (C12) */
+    Lane loss, energy;                    /* W, what the normal damping takes; J, in the spring (BA5), (BA6) */
     Lane phi, phi_over;                   /* mu/v and its derivative over v, friction scale included (C14) */
     Lane drag;                            /* T = N phi s, N (PL12) */
     Lane2 force;                          /* N */
@@ -165,18 +166,22 @@ typedef struct PlanarContact {
 /* Normal force and friction coefficient of every lane (C12), (C14). */
 LANE_INLINE void planar_laws(PlanarContact *c, const PlanarBatch *batch)
 {
-    double value[5][LANES]; /* N, dN/dgap, dN/drate, phi, (dphi/dv)/v */
+    double value[6][LANES]; /* N, dN/dgap, dN/drate, phi, (dphi/dv)/v, a spring that is cut off */
     for (int l = 0; l < LANES; ++l) {
-        value[0][l] = value[1][l] = value[2][l] = value[3][l] = value[4][l] = 0;
+        for (int v = 0; v < 6; ++v) value[v][l] = 0;
         if (!(c->gap[l] < 0))
             continue; /* a gap that is not a number touches nothing: the caller sees it in the state */
         value[0][l] = impact_force(batch->impact, c->gap[l], c->rate[l], &value[1][l], &value[2][l]);
+        if (!(value[0][l] > 0)) value[5][l] = impact_spring(batch->impact, c->gap[l]);
         value[3][l] = friction_over_speed(batch->friction[l], fabs(c->slide[l]), &value[4][l]);
     }
     const Lane scale = lane_set(batch->friction_scale);
     c->normal = lane_load(value[0]);
     c->normal_gap = lane_load(value[1]);
     c->normal_rate = lane_load(value[2]);
+    const Lane cut = lane_load(value[5]), spring = c->normal - c->normal_rate * c->rate + cut;
+    c->loss = (cut - c->normal_rate * c->rate) * c->rate;
+    c->energy = spring * -c->gap / (batch->impact->e + 1); /* no force, no spring: 0 */
     c->phi = scale * lane_load(value[3]);
     c->phi_over = scale * lane_load(value[4]);
 }

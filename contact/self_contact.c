@@ -149,14 +149,26 @@ static int patch_of(const SelfModel *model, const Chain *chain, const Kinematics
                     hit->foot, hit->v, patch);
 }
 
+/* What a patch does to the motion (BA5), (BA6); the feet run along the line square to the forces, at no cost. */
+static void work_add(const Patch *patch, ContactTally *work)
+{
+    const double elastic = v3_dot(patch->g[0], patch->speed[0]) + v3_dot(patch->g[1], patch->speed[1]);
+    work->friction -= v3_dot(patch->friction, patch->slide);
+    work->damping += (1 - patch->damped) * elastic;
+    work->energy += patch->energy;
+}
+
 void self_forces(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale, int part,
                  SelfPairs *pairs, Loads *loads)
 {
     const int hits = hits_find(chain, kin, part, pairs);
     pairs->active[part] = 0;
+    pairs->work[part] = (ContactTally){0};
     for (int h = 0; h < hits; ++h) {
         Patch patch;
-        if (!patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch)) continue;
+        const int presses = patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch);
+        work_add(&patch, &pairs->work[part]);
+        if (!presses) continue;
         ++pairs->active[part];
         for (int s = 0; s < patch.slots; ++s) {
             const PatchWrench wrench = patch_wrench(&patch, s);

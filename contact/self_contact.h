@@ -6,6 +6,7 @@
 #ifndef HAWSER_CONTACT_SELF_CONTACT_H
 #define HAWSER_CONTACT_SELF_CONTACT_H
 
+#include "contact/contact_tally.h"
 #include "contact/patch.h"
 #include "contact/sphere_tree.h"
 #include "core/block_chain.h"
@@ -46,9 +47,10 @@ typedef struct SelfPairs {
     double *at_a[3];
     SphereTree tree;
     int hits_allocated;
-    SelfHit *hit[SELF_PARTS]; /* [hits_allocated] each, by self_forces and self_blocks */
-    int active[SELF_PARTS];   /* pieces that carried force in the last call of self_forces */
-    BlockExtras extras;       /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
+    SelfHit *hit[SELF_PARTS];      /* [hits_allocated] each, by self_forces and self_blocks */
+    int active[SELF_PARTS];        /* pieces that carried force in the last call of self_forces */
+    ContactTally work[SELF_PARTS]; /* of the last call of self_forces; no force: the cable's own */
+    BlockExtras extras; /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
 } SelfPairs;
 
 /* Elements this far apart along the chain, or farther, may touch (CC18). */

@@ -246,12 +246,13 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
     const SurfaceKernels *const kernel = kernels();
     SurfacePush push;
     if (tally) pairs->active = 0;
+    pairs->work = (ContactTally){0};
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         for (int done = 0; done < r.count; done += LANES) {
             const SurfaceStrip strip =
                 strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, r.first + done, r.count - done);
-            const int any = kernel->push(&strip, loads, tally ? &push : NULL);
+            const int any = kernel->push(&strip, loads, tally ? &push : NULL, &pairs->work);
             if (!any || !tally) continue;
             for (int l = 0; l < strip.count; ++l) {
                 tally_element(&strip, &push, l, pairs, &tally[strip.patch->surface]);

@@ -3,6 +3,7 @@
 #define HAWSER_CONTACT_SURFACE_DATA_H
 
 #include "contact/contact_law.h"
+#include "contact/contact_tally.h"
 #include "contact/element.h"
 #include "contact/surface_patch.h"
 #include "contact/surface_stick.h"
@@ -40,6 +41,7 @@ typedef struct SurfacePairs {
     SurfaceRange *range; /* [n_ranges], by patch, then by element */
     int candidates;      /* pairs of element and patch */
     int active;          /* points that carried force in the last call of surface_forces with a tally */
+    ContactTally work;   /* of the last call of surface_forces */
     SurfaceStick stick;  /* by surface_accept; beds by surface_pairs_sticks, none without friction that sticks */
 } SurfacePairs;
 

@@ -27,8 +27,9 @@ typedef struct SurfacePush {
 } SurfacePush;
 
 typedef struct SurfaceKernels {
-    /* Adds a strip's forces and moments to loads; returns whether any point touches. out: NULL, or written if so. */
-    int (*push)(const SurfaceStrip *strip, Loads *loads, SurfacePush *out);
+    /* Adds a strip's forces and moments to loads, and what they do to work; returns whether any point touches. out:
+     * NULL, or written if so. */
+    int (*push)(const SurfaceStrip *strip, Loads *loads, SurfacePush *out, ContactTally *work);
     /* The derivatives of a strip's forces; returns 0, and writes nothing, if no point touches. Bodies 0 and 1 of lane l
      * are the segments before and after element first + l. */
     int (*columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d);

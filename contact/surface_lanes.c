@@ -4,15 +4,35 @@
 /* Adds to LANES entries of three arrays. */
 LANE_INLINE void loads_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
 
+/* What the point does to the motion (BA5), (BA6), as in contact_lanes.h. */
+LANE_INLINE void work_add(const SurfaceStrip *strip, const SurfaceContact *c, LaneMask near, int sticks,
+                          ContactTally *work)
+{
+    const Lane zero = lane_set(0), p = lane_select(near, c->radius - c->section.g, zero);
+    const Lane toward = l3_dot(c->normal, c->pdot), rate = c->steep * toward;
+    /* the spring's force by the law, also where the damping leaves none of it */
+    const Lane spring = c->share.value * c->length * (p * strip->impact->k * surface_power(p, strip->impact->e));
+    const Lane rubs = sticks ? c->stick.phi * l3_dot(c->stick.lean, c->slide) : c->phi * l3_dot(c->slide, c->slide);
+    const Lane slow = lane_select(near, (spring - c->load) * rate, zero);
+    work->friction += lane_sum(lane_select(c->touches, c->load * rubs, zero));
+    work->damping += lane_sum(slow);
+    work->energy += lane_sum(lane_select(near, spring * p / (strip->impact->e + 1), zero));
+    const Lane3 force = lanes_keep(c->touches, c->force);
+    work->force[0] += lane_sum(force.x);
+    work->force[1] += lane_sum(force.y);
+    work->force[2] += lane_sum(force.z);
+}
+
 /* One point of every element of the strip; returns whether any touches. */
 LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int q, int sticks, Loads *loads,
-                           SurfacePush *out)
+                           SurfacePush *out, ContactTally *work)
 {
     SurfaceContact c;
     contact_point(strip, s, q, &c);
     const LaneMask near = contact_gap(strip, s, &c);
     if (!mask_any(near)) return 0;
     contact_force(strip, s, q, near, sticks, &c);
+    work_add(strip, &c, near, sticks, work);
     /* by virtual work (C15); the two bodies' entries overlap, so one after the other */
     for (int b = 0; b < 2; ++b) {
         const int i = strip->first - 1 + b;
@@ -26,13 +46,14 @@ LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int 
     return 1;
 }
 
-static int kernel_push(const SurfaceStrip *strip, Loads *loads, SurfacePush *out)
+static int kernel_push(const SurfaceStrip *strip, Loads *loads, SurfacePush *out, ContactTally *work)
 {
     const StripBodies s = strip_load(strip);
     if (out) memset(out, 0, sizeof *out);
     int any = 0;
     for (int q = 0; q < SURFACE_POINTS; ++q) {
-        any |= strip->bed ? push_point(strip, &s, q, 1, loads, out) : push_point(strip, &s, q, 0, loads, out);
+        any |=
+            strip->bed ? push_point(strip, &s, q, 1, loads, out, work) : push_point(strip, &s, q, 0, loads, out, work);
     }
     return any;
 }

@@ -11,9 +11,14 @@ static const BushingKernels *kernels(void)
     return table[isa_best()];
 }
 
-void bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads)
+JointPower bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads)
 {
-    kernels()->loads(chain, kin, from, to, loads);
+    return kernels()->loads(chain, kin, from, to, loads);
+}
+
+JointEnergy bushing_energy(const Chain *chain, const Kinematics *kin, int from, int to)
+{
+    return kernels()->energy(chain, kin, from, to);
 }
 
 void bushing_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6])

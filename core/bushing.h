@@ -7,8 +7,11 @@
 #include "core/chain.h"
 
 /* Wrenches of joints from..to-1 for the given kinematics (ghosts included). from is a multiple of LANES; joints up to
- * the next multiple of LANES after `to` may be written too. */
-void bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
+ * the next multiple of LANES after `to` may be written too. Returns what these joints take out of the motion. */
+JointPower bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
+
+/* What joints from..to-1 hold; from as above. */
+JointEnergy bushing_energy(const Chain *chain, const Kinematics *kin, int from, int to);
 
 /* The law's own components of every joint (B8): law[0..2] force, law[3..5] moment, in the bushing's frame, N and N m;
  * law[0] is the axial force, positive in tension. */

@@ -13,9 +13,10 @@ typedef struct JointMatrix {
 } JointMatrix;
 
 typedef struct BushingKernels {
-    void (*loads)(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
+    JointPower (*loads)(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
     void (*law)(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6]);
     void (*columns)(const Chain *chain, const Kinematics *kin, int joint, JointMatrix *k, JointMatrix *d);
+    JointEnergy (*energy)(const Chain *chain, const Kinematics *kin, int from, int to);
     void (*slip)(const Chain *chain, Kinematics *kin, int from, int to);
 } BushingKernels;
 

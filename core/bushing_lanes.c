@@ -23,37 +23,66 @@ static int traits_of(const Chain *chain)
     return chain->lacks & CHAIN_NO_DAMPING ? SYMMETRIC_BARE : SYMMETRIC_DAMPED;
 }
 
-LANE_INLINE void loads_of(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out, int traits)
+LANE_INLINE JointPower loads_of(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out,
+                                int traits)
 {
+    Lane damping = lane_set(0), sliding = lane_set(0);
     for (int jj = from; jj < to; jj += LANES) {
         const Joint j = joint_at(chain, kin, jj, traits);
+        const LaneMask mine = lane_index() < lane_set(to - jj);
+        if (traits & JOINT_DAMPED) damping += lane_select(mine, joint_damping(&j, chain, jj), lane_set(0));
+        if (traits & JOINT_SLIDING) sliding += lane_select(mine, joint_sliding(&j, chain, kin, jj), lane_set(0));
         l3_store(out->force, jj, frame_out(&j.frame, j.force));
         l3_store(out->torque_a, jj, frame_out(&j.frame, j.torque_a));
         l3_store(out->torque_b, jj, frame_out(&j.frame, j.torque_b));
     }
+    return (JointPower){lane_sum(damping), lane_sum(sliding)};
 }
 
-static void kernel_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out)
+static JointPower kernel_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *out)
 {
     switch (traits_of(chain)) { /* each case compiled apart */
     case SYMMETRIC_DAMPED:
-        loads_of(chain, kin, from, to, out, SYMMETRIC_DAMPED);
-        break;
+        return loads_of(chain, kin, from, to, out, SYMMETRIC_DAMPED);
     case SYMMETRIC_BARE:
-        loads_of(chain, kin, from, to, out, SYMMETRIC_BARE);
-        break;
+        return loads_of(chain, kin, from, to, out, SYMMETRIC_BARE);
     case SYMMETRIC_SLIDING:
-        loads_of(chain, kin, from, to, out, SYMMETRIC_SLIDING);
-        break;
+        return loads_of(chain, kin, from, to, out, SYMMETRIC_SLIDING);
     case SYMMETRIC:
-        loads_of(chain, kin, from, to, out, SYMMETRIC);
-        break;
+        return loads_of(chain, kin, from, to, out, SYMMETRIC);
     case ADAMS_SLIDING:
-        loads_of(chain, kin, from, to, out, ADAMS_SLIDING);
-        break;
+        return loads_of(chain, kin, from, to, out, ADAMS_SLIDING);
     default:
-        loads_of(chain, kin, from, to, out, FULL);
+        return loads_of(chain, kin, from, to, out, FULL);
     }
+}
+
+/* (BA7), for either frame, since the two differ in d and theta alone. */
+LANE_INLINE JointEnergy energy_of(const Chain *chain, const Kinematics *kin, int from, int to, int traits)
+{
+    Lane elastic = lane_set(0), sliding = lane_set(0);
+    for (int jj = from; jj < to; jj += LANES) {
+        const Joint j = joint_at(chain, kin, jj, traits);
+        const LaneMask mine = lane_index() < lane_set(to - jj);
+        const Lane3 force =
+            l3_axpy(l3_load(chain->preload, jj), lane_set(0.5), l3_times(l3_load(chain->stiffness, jj), j.d));
+        const Lane3 moment = l3_axpy(l3_load(chain->preload + 3, jj), lane_set(0.5),
+                                     l3_times(l3_load(chain->stiffness + 3, jj), j.theta));
+        elastic += lane_select(mine, l3_dot(force, j.d) + l3_dot(moment, j.theta), lane_set(0));
+        if (traits & JOINT_SLIDING) {
+            sliding += lane_select(mine, sliders_energy(chain, kin, jj, j.theta), lane_set(0));
+        }
+    }
+    return (JointEnergy){lane_sum(elastic), lane_sum(sliding)};
+}
+
+static JointEnergy kernel_energy(const Chain *chain, const Kinematics *kin, int from, int to)
+{
+    const int sliding = chain->sliders.count > 0, symmetric = chain->frame == FRAME_SYMMETRIC;
+    if (sliding)
+        return symmetric ? energy_of(chain, kin, from, to, SYMMETRIC_SLIDING)
+                         : energy_of(chain, kin, from, to, ADAMS_SLIDING);
+    return symmetric ? energy_of(chain, kin, from, to, SYMMETRIC) : energy_of(chain, kin, from, to, FULL);
 }
 
 LANE_INLINE void law_of(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6], int traits)
@@ -312,4 +341,4 @@ static void kernel_columns(const Chain *chain, const Kinematics *kin, int jj, Jo
     }
 }
 
-const BushingKernels ISA_NAME(bushing_kernels) = {kernel_loads, kernel_law, kernel_columns, kernel_slip};
+const BushingKernels ISA_NAME(bushing_kernels) = {kernel_loads, kernel_law, kernel_columns, kernel_energy, kernel_slip};

@@ -68,6 +68,17 @@ typedef struct JointLoads {
     double *torque_a[3], *torque_b[3];
 } JointLoads;
 
+/* What the joints take out of the motion, W (BA4): their damping; the sliders' moments, what their springs store
+ * included. */
+typedef struct JointPower {
+    double damping, sliding;
+} JointPower;
+
+/* What joints hold, J (BA7): their springs, preloads included; the springs of their sliders. */
+typedef struct JointEnergy {
+    double elastic, sliding;
+} JointEnergy;
+
 /* One array over segments or joints of a chain of n, every entry `fill`, valid from -1 and padded as said above.
  * NULL if there is no memory. */
 double *chain_array_new(int n, double fill);

@@ -203,6 +203,22 @@ LANE_INLINE void joint_wrench(Joint *j, const Chain *chain, const Kinematics *ki
     }
 }
 
+/* What the damping takes (BA4): a quadratic form in the rates, which the wrench gives up exactly (B9). */
+LANE_INLINE Lane joint_damping(const Joint *j, const Chain *chain, int jj)
+{
+    const Lane3 ct = l3_load(chain->damping, jj), cr = l3_load(chain->damping + 3, jj);
+    /* squares first: a product shared with the law would not be fused with its sum any more, and round otherwise */
+    return l3_dot(ct, l3_times(j->d_rate, j->d_rate)) + l3_dot(cr, l3_times(j->theta_rate, j->theta_rate));
+}
+
+/* What the sliders' moments take, their springs' storage included (BA4). */
+LANE_INLINE Lane joint_sliding(const Joint *j, const Chain *chain, const Kinematics *kin, int jj)
+{
+    Lane3 moment = l3_zero();
+    sliders_moment(chain, kin, jj, j->theta, &moment);
+    return l3_dot(moment, j->theta_rate);
+}
+
 /* Everything about joints jj .. jj + LANES - 1. */
 LANE_INLINE Joint joint_at(const Chain *chain, const Kinematics *kin, int jj, int traits)
 {

@@ -32,6 +32,10 @@ LANE_INLINE Lane lane_select(LaneMask mask, Lane a, Lane b)
     return (Lane)(((LaneMask)a & mask) | ((LaneMask)b & ~mask));
 }
 
+LANE_INLINE Lane lane_index(void) { return (Lane){0, 1, 2, 3, 4, 5, 6, 7}; }
+/* In a fixed order. */
+LANE_INLINE double lane_sum(Lane a) { return ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7])); }
+
 /* One bit a lane, lane 0 the lowest: 1 where the mask is set. */
 LANE_INLINE unsigned lane_bits(LaneMask mask)
 {

@@ -106,10 +106,10 @@ void planar_kinematics(const PlanarChain *chain, const double *y, int from, int 
     kernels()->kinematics(chain, y, from, to, kin);
 }
 
-void planar_joint_loads(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
-                        PlanarJointLoads *loads)
+double planar_joint_loads(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
+                          PlanarJointLoads *loads)
 {
-    kernels()->joint_loads(chain, kin, from, to, loads);
+    return kernels()->joint_loads(chain, kin, from, to, loads);
 }
 
 void planar_tension(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, double *tension)

@@ -24,9 +24,9 @@ int planar_stride(int n);
  * are overwritten: set the head's ghost afterwards. */
 void planar_kinematics(const PlanarChain *chain, const double *y, int from, int to, PlanarKinematics *kin);
 /* Wrenches of joints from..to-1, ghosts included (PL5)-(PL7); from is a multiple of LANES, and joints up to the next
- * one after `to` are overwritten. */
-void planar_joint_loads(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
-                        PlanarJointLoads *loads);
+ * one after `to` are overwritten. Returns what the joints' damping takes out of the motion, W (BA4). */
+double planar_joint_loads(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
+                          PlanarJointLoads *loads);
 /* Axial force of joints from..to-1, N; from and `to` as above. */
 void planar_tension(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, double *tension);
 /* Rates of y, segments from..to-1 (PL2), from the joints' loads and two sets of other loads. `to` is a multiple of

@@ -7,8 +7,8 @@
 
 typedef struct PlanarKernels {
     void (*kinematics)(const PlanarChain *chain, const double *y, int from, int to, PlanarKinematics *kin);
-    void (*joint_loads)(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
-                        PlanarJointLoads *loads);
+    double (*joint_loads)(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
+                          PlanarJointLoads *loads);
     void (*tension)(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, double *tension);
     int (*rates)(const PlanarChain *chain, const PlanarKinematics *kin, const PlanarJointLoads *joints,
                  const PlanarLoads loads[2], int from, int to, double *ydot);

@@ -30,6 +30,7 @@ typedef struct PlanarJoint {
     Lane2 law;      /* axial force and shear force (PL6) */
     Lane2 force;    /* the same along the plane's axes */
     Lane bending;   /* moment of the law */
+    Lane damping;   /* W, what the damping takes (BA4) */
     Lane c;         /* d x force */
 } PlanarJoint;
 
@@ -68,20 +69,26 @@ LANE_INLINE PlanarJoint joint_at(const PlanarChain *chain, const PlanarKinematic
     const Lane theta = lane_load(kin->angle + jj) - lane_load(kin->angle + jj - 1);
     j.bending = lane_load(chain->stiffness[2] + jj) * theta + lane_load(chain->damping[2] + jj) * (j.wb - j.wa) +
                 lane_load(chain->preload[2] + jj);
+    /* squares first: a product shared with the law would not be fused with its sum any more, and round otherwise */
+    j.damping = l2_dot((Lane2){e.x * e.x, e.z * e.z}, l2_load(chain->damping, jj)) +
+                (j.wb - j.wa) * (j.wb - j.wa) * lane_load(chain->damping[2] + jj);
     j.c = l2_cross(j.d, j.force);
     return j;
 }
 
-static void kernel_joint_loads(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
-                               PlanarJointLoads *loads)
+static double kernel_joint_loads(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
+                                 PlanarJointLoads *loads)
 {
+    Lane damping = lane_set(0);
     for (int jj = from; jj < to; jj += LANES) {
         const PlanarJoint j = joint_at(chain, kin, jj);
         const Lane c_b = j.share * j.c;
         l2_store(loads->force, jj, j.force);
         lane_store(loads->torque_a + jj, l2_cross(j.ra, j.force) + (j.c - c_b) + j.bending);
         lane_store(loads->torque_b + jj, l2_cross(j.rb, j.force) + c_b - j.bending);
+        damping += lane_select(lane_index() < lane_set(to - jj), j.damping, lane_set(0));
     }
+    return lane_sum(damping);
 }
 
 static void kernel_tension(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, double *tension)

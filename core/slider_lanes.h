@@ -40,6 +40,17 @@ LANE_INLINE void sliders_moment(const Chain *chain, const Kinematics *kin, int j
     }
 }
 
+/* What their springs hold, J (BA7). */
+LANE_INLINE Lane sliders_energy(const Chain *chain, const Kinematics *kin, int jj, Lane3 theta)
+{
+    Lane sum = lane_set(0);
+    for (int s = 0; s < chain->sliders.count; ++s) {
+        const Slider x = slider_at(chain, kin, s, jj, theta);
+        sum += 0.5 * x.k * x.keeps * x.keeps * x.size2;
+    }
+    return sum;
+}
+
 /* A symmetric 2 x 2 matrix a joint: the derivative of the sliders' moments by the bending rotations. */
 typedef struct SliderTangent {
     Lane yy, yz, zz;

@@ -134,6 +134,47 @@ static int put_relaxation(json_t *o, const hawser_relaxation *r)
     return json_object_set_new(o, "relaxation", inner) | bad;
 }
 
+/* A vector as a list. */
+static int put_vector(json_t *o, const char *key, const double v[3])
+{
+    json_t *list = json_array();
+    int bad = !list;
+    for (int c = 0; c < 3 && !bad; c++)
+        bad = json_array_append_new(list, isfinite(v[c]) ? json_real(v[c]) : json_null());
+    return json_object_set_new(o, key, list) | bad;
+}
+
+/* The terms of one kind, by name. */
+static int put_terms(json_t *o, const char *key, const hawser_balance *b, hawser_balance_kind kind)
+{
+    json_t *inner = json_object();
+    int bad = !inner;
+    for (int i = 0; i < b->n_terms; i++) {
+        const hawser_balance_term *const term = &b->term[i];
+        if (term->kind != kind) continue;
+        bad |= kind == HAWSER_BALANCE_IMPULSE ? put_vector(inner, term->name, term->N_s)
+                                              : put_real(inner, term->name, term->J);
+    }
+    return json_object_set_new(o, key, inner) | bad;
+}
+
+/* Energy and momentum since t = 0; absent where nothing moves. */
+static int put_balance(json_t *o, const hawser_balance *b)
+{
+    if (!b) return 0;
+    json_t *inner = json_object();
+    const int bad =
+        put_terms(inner, "work_J", b, HAWSER_BALANCE_WORK) | put_terms(inner, "lost_J", b, HAWSER_BALANCE_LOSS) |
+        put_terms(inner, "stored_J", b, HAWSER_BALANCE_STORED) | put_real(inner, "carried_J", b->carried_J) |
+        put_real(inner, "residual_J", b->residual_J) | put_real(inner, "turnover_J", b->turnover_J) |
+        put_text(inner, "turnover_of", b->turnover_of) | put_real(inner, "residual_share", b->residual_share) |
+        put_terms(inner, "impulse_N_s", b, HAWSER_BALANCE_IMPULSE) |
+        put_vector(inner, "momentum_N_s", b->momentum_N_s) | put_vector(inner, "carried_N_s", b->carried_N_s) |
+        put_vector(inner, "residual_N_s", b->residual_N_s) |
+        put_real(inner, "impulse_residual_share", b->impulse_residual_share);
+    return json_object_set_new(o, "balance", inner) | bad;
+}
+
 /* One row a conveyor. */
 static int put_conveyors(json_t *o, const hawser_summary *s)
 {
@@ -171,16 +212,6 @@ static int put_positions(json_t *o, const hawser_summary *s)
                json_array_append_new(list, row);
     }
     return json_object_set_new(o, "pull_by_position", list) | bad;
-}
-
-/* A vector as a list. */
-static int put_vector(json_t *o, const char *key, const double v[3])
-{
-    json_t *list = json_array();
-    int bad = !list;
-    for (int c = 0; c < 3 && !bad; c++)
-        bad = json_array_append_new(list, isfinite(v[c]) ? json_real(v[c]) : json_null());
-    return json_object_set_new(o, key, list) | bad;
 }
 
 /* Frequencies; the shapes are in modes.csv. */
@@ -277,9 +308,9 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     int bad = !o;
     if (o) {
         bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
-              put_probes(o, s) | put_modes(o, s) | put_events(o, s) | put_positions(o, s) | put_surfaces(o, labels) |
-              put_moving_rollers(o, labels) | put_limits(o, labels) | put_overload(o, labels) |
-              put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
+              put_balance(o, s->balance) | put_probes(o, s) | put_modes(o, s) | put_events(o, s) | put_positions(o, s) |
+              put_surfaces(o, labels) | put_moving_rollers(o, labels) | put_limits(o, labels) |
+              put_overload(o, labels) | put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
     }
     char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(o);

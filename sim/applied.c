@@ -36,7 +36,7 @@ static Vec3 lead_in_hold(const Weight *w, const Kinematics *kin, int i)
     return v3_axpy(v3_scale(-w->hold, off), -w->hold_damping, v3_reject(body_velocity(kin, i), w->direction));
 }
 
-void applied_weight(const Scene *scene, const Kinematics *kin, int from, int to, Loads *loads)
+Push applied_weight(const Scene *scene, const Kinematics *kin, int from, int to, Loads *loads)
 {
     const Weight *const w = &scene->weight;
     const double g[3] = {w->gravity.x, w->gravity.y, w->gravity.z};
@@ -49,13 +49,17 @@ void applied_weight(const Scene *scene, const Kinematics *kin, int from, int to,
     if (scene->winch.drum_mass > 0 && to == scene->chain.n) { /* it moves with the last segment, but hangs elsewhere */
         load_add(loads, to - 1, v3_scale(-scene->winch.drum_mass, w->gravity), v3(0, 0, 0));
     }
-    if (!w->lead_in) return;
-    for (int i = from; i < to; ++i) {
+    Push by = {0};
+    for (int i = from; i < to && w->lead_in; ++i) {
         const double share = weight_share(w, body_position(kin, i), NULL);
         if (share >= 1) break; /* all segments ahead are past the start */
         const Vec3 behind = v3_add(v3_sub(w->behind, w->gravity), lead_in_hold(w, kin, i));
-        load_add(loads, i, v3_scale((1 - share) * scene->chain.mass[i], behind), v3(0, 0, 0));
+        const Vec3 force = v3_scale((1 - share) * scene->chain.mass[i], behind);
+        load_add(loads, i, force, v3(0, 0, 0));
+        by.power += v3_dot(force, body_velocity(kin, i));
+        by.force = v3_add(by.force, force);
     }
+    return by;
 }
 
 static void weight_blocks(const Scene *scene, const Kinematics *kin, BlockChain *k, BlockChain *d)
@@ -129,6 +133,23 @@ static void drag_blocks(const Scene *scene, const Kinematics *kin, double fricti
         column_add(k->diag + 36 * i, 3 + c, 0,
                    v3_scale(friction, v3_axpy(v3_scale(size, da), slope * v3_dot(v, da), a)));
     }
+}
+
+Push applied_tail(const Scene *scene, const Kinematics *kin, double t)
+{
+    const Vec3 f = tail_force(scene, t), arm = v3_scale(-scene->chain.half[0], body_axis(kin, 0));
+    const Vec3 spin = v3(kin->w[0][0], kin->w[1][0], kin->w[2][0]);
+    return (Push){v3_dot(f, v3_add(body_velocity(kin, 0), v3_cross(spin, arm))), f};
+}
+
+Push applied_drag(const Scene *scene, const Kinematics *kin)
+{
+    const int i = scene->drag.segment;
+    if (i < 0) return (Push){0};
+    double slope;
+    const Vec3 a = body_axis(kin, i);
+    const double speed = v3_dot(body_velocity(kin, i), a), size = drag_size(&scene->drag, speed, &slope);
+    return (Push){size * speed, v3_scale(size, a)};
 }
 
 void applied_ends(const Scene *scene, const Kinematics *kin, double t, double friction, Loads *loads)

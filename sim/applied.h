@@ -3,10 +3,15 @@
 #ifndef HAWSER_SIM_APPLIED_H
 #define HAWSER_SIM_APPLIED_H
 
+#include "core/push.h"
 #include "sim/scene.h"
 
-/* Writes (does not add) the weight of segments from..to-1, with what the lead-in does to them, into loads. */
-void applied_weight(const Scene *scene, const Kinematics *kin, int from, int to, Loads *loads);
+/* Writes (does not add) the weight of segments from..to-1, with what the lead-in does to them, into loads. Returns what
+ * the lead-in does to the motion. */
+Push applied_weight(const Scene *scene, const Kinematics *kin, int from, int to, Loads *loads);
+/* What the tail's tension of time t, and the rope's drag, do to the motion. */
+Push applied_tail(const Scene *scene, const Kinematics *kin, double t);
+Push applied_drag(const Scene *scene, const Kinematics *kin);
 /* Adds the tail's tension of time t, the rope's drag times friction, and a winch's set tension. */
 void applied_ends(const Scene *scene, const Kinematics *kin, double t, double friction, Loads *loads);
 /* Adds their derivatives to the diagonal blocks of k and d. */

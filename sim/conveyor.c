@@ -176,7 +176,10 @@ ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const 
         now.slip += held.share * held.slip;
         now.cover += held.share;
         const Vec3 hold = v3_scale(held.cover * chain->mass[i], hold_force(c, &held));
-        if (loads) force_add(loads, i, v3_axpy(hold, push, c->direction));
+        const Vec3 force = v3_axpy(hold, push, c->direction), v = v3(kin->v[0][i], kin->v[1][i], kin->v[2][i]);
+        now.push = push_sum(now.push, (Push){v3_dot(force, v), force});
+        now.lost -= push * held.slip;
+        if (loads) force_add(loads, i, force);
     }
     if (now.cover > 0) now.slip /= now.cover;
     return now;

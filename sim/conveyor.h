@@ -32,6 +32,8 @@ typedef struct ConveyorNow {
     double belt;  /* m/s */
     double slip;  /* m/s, cable less belt, mean over the grip; 0 where there is no cable */
     double cover; /* share of the grip that has cable, 0..1 */
+    Push push;    /* what belts and hold do to the cable */
+    double lost;  /* W, in the slip */
 } ConveyorNow;
 
 /* The conveyors of a scene, malloc'ed, [def->n_conveyors]. gravity: m/s2, for the hold. NULL if there is no memory. */

@@ -1,5 +1,6 @@
 #include "sim/drum.h"
 
+#include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -217,7 +218,7 @@ void drum_clear(Drum *drum)
 static Vec3 vector_at(double *const a[3], int i) { return v3(a[0][i], a[1][i], a[2][i]); }
 
 /* (CC26): the end's motion against the drum at its place, resisted. */
-void drum_hold(const Drum *drum, const Kinematics *kin, EquipmentWork *work, double friction, Loads *loads)
+Push drum_hold(const Drum *drum, const Kinematics *kin, EquipmentWork *work, double friction, Loads *loads)
 {
     const double c = friction * drum->hold, turning = c * HOLD_ARM * HOLD_ARM;
     const Vec3 w = work->motion[drum->roller].w;
@@ -232,6 +233,8 @@ void drum_hold(const Drum *drum, const Kinematics *kin, EquipmentWork *work, dou
     RollerLoad *const on = &work->load[drum->roller];
     on->force = v3_sub(on->force, force);
     on->moment = v3_sub(v3_sub(on->moment, v3_cross(arm, force)), moment);
+    const double lost = (v3_dot(force, force) + v3_dot(moment, moment) / (HOLD_ARM * HOLD_ARM)) / fmax(c, DBL_MIN);
+    return (Push){-lost, force};
 }
 
 /* Adds a column [force; moment] to a 6x6 block. */

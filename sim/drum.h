@@ -4,6 +4,7 @@
 #ifndef HAWSER_SIM_DRUM_H
 #define HAWSER_SIM_DRUM_H
 
+#include "core/push.h"
 #include "sim/equipment_work.h"
 #include "sim/scene_def.h"
 
@@ -24,8 +25,9 @@ hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *joint_s,
                        Drum *drum, hawser_error *err);
 void drum_clear(Drum *drum);
 
-/* What holds segment 0 to the drum (CC26): onto loads and onto the barrel's load in the equipment's. */
-void drum_hold(const Drum *drum, const Kinematics *kin, EquipmentWork *work, double friction, Loads *loads);
+/* What holds segment 0 to the drum (CC26): onto loads and onto the barrel's load in the equipment's. Returns what it
+ * takes out of the motion of both (a negative power), and its force on the cable. */
+Push drum_hold(const Drum *drum, const Kinematics *kin, EquipmentWork *work, double friction, Loads *loads);
 /* Its derivatives, onto k, d and the equipment's sums. */
 void drum_hold_blocks(const Drum *drum, const Kinematics *kin, EquipmentWork *work, double friction, BlockChain *k,
                       BlockChain *d);

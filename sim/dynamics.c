@@ -203,7 +203,7 @@ static void kinematics_job(void *arg, int rank)
     Workspace *const ws = e->ws;
     const int n = e->scene->chain.n, from = rank == 0 ? 0 : ws->middle, to = rank == 0 ? ws->middle : n;
     body_kinematics(n, e->y, from, to, &ws->kin);
-    applied_weight(e->scene, &ws->kin, from, to, &ws->loads[0]);
+    ws->lead_in[rank] = applied_weight(e->scene, &ws->kin, from, to, &ws->loads[0]);
     for (int c = 0; c < 3; ++c) {
         memset(ws->loads[1].f[c] + from, 0, (size_t)(to - from) * sizeof(double));
         memset(ws->loads[1].m[c] + from, 0, (size_t)(to - from) * sizeof(double));
@@ -215,7 +215,8 @@ static void loads_job(void *arg, int rank)
     const Evaluation *const e = arg;
     const Chain *const chain = &e->scene->chain;
     const int middle = e->ws->middle;
-    bushing_loads(chain, &e->ws->kin, rank == 0 ? 0 : middle, rank == 0 ? middle : chain->n + 1, &e->ws->joints);
+    e->ws->joint_power[rank] =
+        bushing_loads(chain, &e->ws->kin, rank == 0 ? 0 : middle, rank == 0 ? middle : chain->n + 1, &e->ws->joints);
     part_loads(e, rank);
 }
 
@@ -249,7 +250,9 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
     scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
     if (scene->equipment.n > 0) equipment_pose(&ws->equipment, equipment_of(scene, y));
     both(ws, loads_job, 0, &e);
-    if (scene->drum.present) drum_hold(&scene->drum, &ws->kin, &ws->equipment, friction, &ws->loads[0]);
+    if (scene->drum.present) {
+        ws->drum_hold = drum_hold(&scene->drum, &ws->kin, &ws->equipment, friction, &ws->loads[0]);
+    }
     both(ws, motion_job, 1, &e);
     if (scene->equipment.n > 0) {
         equipment_rates(&ws->equipment, equipment_of(scene, y), friction, ydot + STATE_SIZE * scene->chain.n);

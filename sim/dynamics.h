@@ -3,6 +3,7 @@
 #ifndef HAWSER_SIM_DYNAMICS_H
 #define HAWSER_SIM_DYNAMICS_H
 
+#include "core/push.h"
 #include "core/team.h"
 #include "sim/equipment_work.h"
 #include "sim/scene.h"
@@ -35,6 +36,10 @@ typedef struct Workspace {
     SurfaceTally *on_surface; /* [surfaces] dynamics_surface_forces */
     double *law[6];           /* bushing_law: [n+1] */
     double winch_pull;        /* N, of the last look */
+    /* what the last evaluation found to be done to the motion, beside the sums of the contacts */
+    JointPower joint_power[PARTS];
+    Push lead_in[PARTS];
+    Push drum_hold;
     long rhs_evals, refreshes;
     int candidates_max;
 } Workspace;

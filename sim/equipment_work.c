@@ -150,15 +150,16 @@ double equipment_shift(const EquipmentWork *w, const MovingRoller *item)
 }
 
 /* Moment of contact and bearing about the axis of a roller that spins at s (SP8), N m. */
-static double axis_moment(const EquipmentWork *w, const MovingRoller *item, double s, double friction)
+static double axis_moment(EquipmentWork *w, const MovingRoller *item, double s, double friction)
 {
     const RollerLoad *const load = &w->load[item->roller];
     const Vec3 b = w->roller[item->roller].shape.axis;
     const Vec3 turning = item->mount >= 0 ? vector_at(w->kin.w, body_of(item->mount)) : v3(0, 0, 0);
     double d_om, d_load;
     const double om = s - v3_dot(turning, b);
-    return v3_dot(b, load->moment) +
-           friction * bearing_torque(&item->bearing, v3_norm(load->force), om, &d_om, &d_load);
+    const double held = friction * bearing_torque(&item->bearing, v3_norm(load->force), om, &d_om, &d_load);
+    w->lost_bearings -= held * om;
+    return v3_dot(b, load->moment) + held;
 }
 
 /* Rates of mount m from the force and moment on it. */
@@ -179,7 +180,8 @@ static void mount_rates(const EquipmentWork *w, const MovingRoller *item, const 
 void equipment_rates(EquipmentWork *w, const double *e, double friction, double *rate)
 {
     const Equipment *const q = w->q;
-    if (q->mounts) bushing_loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints);
+    w->lost_bearings = w->lost_mounts = 0;
+    if (q->mounts) w->lost_mounts = bushing_loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints).damping;
     for (int k = 0; k < q->n; ++k) {
         const MovingRoller *const item = &q->item[k];
         RollerLoad on = w->load[item->roller];

@@ -24,6 +24,8 @@ typedef struct EquipmentWork {
     RollerLoad *load;      /* [rollers] contact_forces_moving */
     Kinematics kin;        /* equipment_pose: of the mounts' chain */
     JointLoads joints;     /* equipment_rates */
+    double lost_bearings;  /* W, equipment_rates: what the bearings take */
+    double lost_mounts;    /* W, equipment_rates: what the mounts' damping takes */
     BlockChain k, d;       /* equipment_blocks: the mounts' bushings */
     RollerSum *sum;        /* [q->n] equipment_blocks_begin, equipment_blocks_take */
     Vec3 *stood;           /* [q->n] equipment_stand: centres at the last refresh of candidates, m */

@@ -6,6 +6,7 @@
 
 #include "core/team.h"
 #include "core/vec3.h"
+#include "sim/balance_data.h"
 #include "sim/scene.h"
 
 typedef struct Motion Motion;
@@ -44,6 +45,10 @@ typedef struct MotionOps {
     int (*look)(Motion *m, double t, const double *y);
     /* The winch's pull at (t, y), N: dynamics_winch_pull_at. */
     double (*winch_pull)(Motion *m, double t, const double *y);
+    /* What works on the motion at (t, y), a state whose rates were evaluated last or close by (balance_terms.h). */
+    void (*work)(Motion *m, double t, const double *y, BalanceRates *out);
+    /* What is stored at (t, y), whose rates were the last evaluated. */
+    void (*stock)(Motion *m, double t, const double *y, BalanceStock *out);
     /* Moves y to equilibrium under the loads of t; see relax_to_equilibrium. */
     hawser_status (*relax)(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err);
     /* y from the state in space (core/state.h), and back. */

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/lanes.h"
+#include "sim/balance_terms.h"
 #include "sim/halves.h"
 #include "sim/planar_kernels.h"
 #include "sim/planar_relax.h"
@@ -45,6 +46,45 @@ static double head_pull(Planar *p)
     if (!p->motion.scene->winch.present) return 0;
     planar_joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
     return p->joints.force[0][n] * p->ps.winch_direction[0] + p->joints.force[1][n] * p->ps.winch_direction[1];
+}
+
+/* The winch at the head's joint: its force along the ghost's velocity, which does not turn (BA2). */
+static Push winch_push_now(Planar *p, double t, const double *y)
+{
+    const int n = segments(p);
+    if (!p->motion.scene->winch.present) return (Push){0};
+    planar_kinematics(&p->ps.chain, y, (n - 1) / LANES * LANES, n, &p->kin);
+    planar_scene_ghosts(&p->ps, t, &p->kin);
+    planar_joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
+    const double f[2] = {p->joints.force[0][n], p->joints.force[1][n]};
+    return (Push){f[0] * p->kin.v[0][n] + f[1] * p->kin.v[1][n], plane_vector(&p->ps.plane, f[0], f[1])};
+}
+
+static void planar_work(Motion *m, double t, const double *y, BalanceRates *out)
+{
+    Planar *const p = planar_of(m);
+    const int n = segments(p);
+    memset(out, 0, sizeof *out);
+    balance_gather(p->ws, out);
+    const Vec3 flat = out->push[PUSH_ROLLERS];
+    out->push[PUSH_ROLLERS] = plane_vector(&p->ps.plane, flat.x, flat.y);
+    planar_kinematics(&p->ps.chain, y, 0, LANES < n ? LANES : n, &p->kin);
+    const Push winch = winch_push_now(p, t, y), tail = planar_tail(&p->ps, &p->kin, t);
+    const Push drag = planar_drag(&p->ps, &p->kin);
+    out->work[BY_WINCH] = winch.power;
+    out->push[BY_WINCH] = winch.force;
+    out->work[BY_TAIL] = tail.power;
+    out->push[BY_TAIL] = tail.force;
+    out->loss[LOST_DRAG] = -drag.power;
+    out->push[PUSH_DRAG] = drag.force;
+}
+
+static void planar_stock(Motion *m, double t, const double *y, BalanceStock *out)
+{
+    Planar *const p = planar_of(m);
+    planar_place(p, t, y);
+    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    balance_stock(m->scene, p->ws, NULL, out);
 }
 
 static double motion_winch_pull(Motion *m, double t, const double *y)
@@ -216,6 +256,8 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .place = motion_place,
                                   .look = planar_look,
                                   .winch_pull = motion_winch_pull,
+                                  .work = planar_work,
+                                  .stock = planar_stock,
                                   .relax = motion_relax,
                                   .pack = motion_pack,
                                   .unpack = motion_unpack,

@@ -34,7 +34,7 @@ static void kinematics_job(void *arg, int rank)
     Planar *const p = e->p;
     const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
     planar_kinematics(&p->ps.chain, e->y, from, to, &p->kin);
-    planar_weight(&p->ps, &p->kin, from, to, &p->loads[0]);
+    p->ws->lead_in[rank] = planar_weight(&p->ps, &p->kin, from, to, &p->loads[0]);
     double *const second[3] = {p->loads[1].f[0], p->loads[1].f[1], p->loads[1].m};
     for (int c = 0; c < 3; ++c) memset(second[c] + from, 0, (size_t)(to - from) * sizeof(double));
 }
@@ -44,7 +44,8 @@ static void loads_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
     Planar *const p = e->p;
-    planar_joint_loads(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->joints);
+    p->ws->joint_power[rank].damping =
+        planar_joint_loads(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->joints);
     if (rank == 0) planar_ends(&p->ps, &p->kin, e->t, e->friction, &p->loads[0]);
     if (p->model[rank].n_rollers == 0) return;
     ContactPart *const part = &p->ws->contact[rank];

@@ -6,10 +6,15 @@
 #include "sim/planar_newton_data.h"
 #include "sim/planar_scene_data.h"
 
+/* What the lead-in does to the motion: W, and N along the plane's axes. */
+typedef struct PlanarPower {
+    double power, force[2];
+} PlanarPower;
+
 typedef struct PlanarSimKernels {
     /* planar_weight */
-    void (*weight)(const PlanarWeight *weight, const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
-                   PlanarLoads *loads);
+    PlanarPower (*weight)(const PlanarWeight *weight, const PlanarChain *chain, const PlanarKinematics *kin, int from,
+                          int to, PlanarLoads *loads);
     /* z = gamma b_x of segments from..to-1; from is a multiple of LANES, as below */
     void (*eliminate)(PlanarNewton *nw, const double *b, int from, int to);
     /* x = M b_u + K z, rows from..to-1 and what fills their last lane */

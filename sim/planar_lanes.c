@@ -14,8 +14,14 @@ LANE_INLINE Lane blend_share(Lane x)
     return share * share * (3 - 2 * share);
 }
 
-/* The lead-in's share of LANES segments (F1): what it takes off gravity, and its hold across its line. */
-LANE_INLINE Lane2 lead_in_force(const PlanarWeight *w, const PlanarKinematics *kin, int i, Lane mass, int *past)
+/* What the lead-in does to LANES segments, per mass held: what it takes off gravity, and its hold across its line; and
+ * the share of the mass that it holds (F1). */
+typedef struct LeadIn {
+    Lane2 pull; /* m/s2 */
+    Lane held;
+} LeadIn;
+
+LANE_INLINE LeadIn lead_in_at(const PlanarWeight *w, const PlanarKinematics *kin, int i, int *past)
 {
     const Lane2 along = {lane_set(w->direction[0]), lane_set(w->direction[1])}, across = l2_turn(along);
     const Lane2 off = l2_sub(l2_load(kin->p, i), (Lane2){lane_set(w->origin[0]), lane_set(w->origin[1])});
@@ -23,21 +29,30 @@ LANE_INLINE Lane2 lead_in_force(const PlanarWeight *w, const PlanarKinematics *k
     const Lane hold = -w->hold * l2_dot(off, across) - w->hold_damping * l2_dot(l2_load(kin->v, i), across);
     const Lane2 lost = {lane_set(w->lost[0]), lane_set(w->lost[1])};
     *past = !lane_bits(share < lane_set(1));
-    return l2_scale((1 - share) * mass, l2_axpy(lost, hold, across));
+    return (LeadIn){l2_axpy(lost, hold, across), 1 - share};
 }
 
-static void kernel_weight(const PlanarWeight *w, const PlanarChain *chain, const PlanarKinematics *kin, int from,
-                          int to, PlanarLoads *loads)
+static PlanarPower kernel_weight(const PlanarWeight *w, const PlanarChain *chain, const PlanarKinematics *kin, int from,
+                                 int to, PlanarLoads *loads)
 {
     const Lane2 gravity = {lane_set(w->gravity[0]), lane_set(w->gravity[1])};
+    Lane power = lane_set(0); /* of the lead-in; nothing pads the chain's mass, so that other lanes give nothing */
+    Lane2 sum = {power, power};
     int past = !w->lead_in; /* all segments ahead are past the start */
     for (int i = from; i < to; i += LANES) {
         const Lane mass = lane_load(chain->mass + i);
         Lane2 f = l2_scale(mass, gravity);
-        if (!past) f = l2_add(f, lead_in_force(w, kin, i, mass, &past));
+        if (!past) {
+            const LeadIn by = lead_in_at(w, kin, i, &past);
+            f = l2_add(f, l2_scale(by.held * mass, by.pull));
+            /* multiplied in another order than the force, whose product is fused with its sum */
+            power += by.held * l2_dot(by.pull, l2_load(kin->v, i)) * mass;
+            sum = l2_add(sum, l2_scale(mass, l2_scale(by.held, by.pull)));
+        }
         l2_store(loads->f, i, f);
         lane_store(loads->m + i, lane_set(0));
     }
+    return (PlanarPower){lane_sum(power), {lane_sum(sum.x), lane_sum(sum.z)}};
 }
 
 /* ---------------------------------------------------------------------------------------------- Newton's matrix */

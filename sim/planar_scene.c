@@ -135,9 +135,10 @@ void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
 
 /* --------------------------------------------------------------------------------------------------- loads */
 
-void planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads)
+Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads)
 {
-    kernels()->weight(&ps->weight, &ps->chain, kin, from, to, loads);
+    const PlanarPower by = kernels()->weight(&ps->weight, &ps->chain, kin, from, to, loads);
+    return (Push){by.power, plane_vector(&ps->plane, by.force[0], by.force[1])};
 }
 
 static double cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
@@ -162,6 +163,24 @@ static double drag_of(const PlanarScene *ps, const PlanarKinematics *kin, double
     const double over_speed = friction_over_speed(&drag->law, fabs(speed), &curve);
     *slope = -drag->force * (over_speed + curve * speed * speed);
     return -drag->force * over_speed * speed;
+}
+
+Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t)
+{
+    double force[2], arm[2];
+    tail_of(ps, kin, t, force, arm);
+    const double v[2] = {kin->v[0][0] - kin->w[0] * arm[1], kin->v[1][0] + kin->w[0] * arm[0]};
+    return (Push){force[0] * v[0] + force[1] * v[1], plane_vector(&ps->plane, force[0], force[1])};
+}
+
+Push planar_drag(const PlanarScene *ps, const PlanarKinematics *kin)
+{
+    const int i = ps->scene->drag.segment;
+    if (i < 0) return (Push){0};
+    double slope;
+    const double a[2] = {kin->a[0][i], kin->a[1][i]}, size = drag_of(ps, kin, &slope);
+    return (Push){size * (kin->v[0][i] * a[0] + kin->v[1][i] * a[1]),
+                  plane_vector(&ps->plane, size * a[0], size * a[1])};
 }
 
 void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, PlanarLoads *loads)

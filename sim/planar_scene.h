@@ -14,9 +14,11 @@ void planar_scene_unwind(PlanarScene *ps, double last_angle);
 /* Sets the head's ghost to what the winch does at time t. */
 void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin);
 
-/* As applied_weight, applied_ends and applied_blocks. Weight is written, not added; `from` is a multiple of LANES, and
- * entries up to the next one after `to` are overwritten. */
-void planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads);
+/* As applied_weight, applied_tail, applied_drag, applied_ends and applied_blocks. Weight is written, not added; `from`
+ * is a multiple of LANES, and entries up to the next one after `to` are overwritten. */
+Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads);
+Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t);
+Push planar_drag(const PlanarScene *ps, const PlanarKinematics *kin);
 void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, PlanarLoads *loads);
 void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction,
                            PlanarBlocks *k, PlanarBlocks *d);

@@ -3,6 +3,7 @@
 #define HAWSER_SIM_PLANAR_SCENE_DATA_H
 
 #include "contact/planar_contact.h"
+#include "core/push.h"
 #include "sim/plane.h"
 
 /* Gravity along the chain (F1), as Weight. */

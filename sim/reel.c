@@ -170,14 +170,27 @@ static Vec3 held_moment(const Reel *r, const Held *h, Vec3 spin)
     return v3_scale(-1, v3_add(rigid_times(r, PLAIN, v3_scale(2, h->u)), rigid_times(r, r->damping, spin)));
 }
 
-void reel_loads(const Reel *r, const Kinematics *kin, double t, double friction, Loads *loads)
+/* Force and moment on segment 0; the drum rests on its stand. */
+static void tail_wrench(const Reel *r, const Kinematics *kin, double t, double friction, Vec3 *f, Vec3 *m)
 {
     const double l = reel_free_length(r, kin), v = v3_dot(body_velocity(kin, 0), r->direction);
     const Held h = held_of(r, kin, l);
     const double resistance = reel_resistance(r, l, v, t, friction, NULL, NULL);
-    const Vec3 f =
-        v3_axpy(v3_scale(-resistance, r->direction), -r->mass, r->downhill); /* the drum rests on its stand */
-    const Vec3 m = v3_scale(h.share, held_moment(r, &h, body_spin(kin, 0)));
+    *f = v3_axpy(v3_scale(-resistance, r->direction), -r->mass, r->downhill);
+    *m = v3_scale(h.share, held_moment(r, &h, body_spin(kin, 0)));
+}
+
+Push reel_push(const Reel *r, const Kinematics *kin, double t)
+{
+    Vec3 f, m;
+    tail_wrench(r, kin, t, 1, &f, &m);
+    return (Push){v3_dot(f, body_velocity(kin, 0)) + v3_dot(m, body_spin(kin, 0)), f};
+}
+
+void reel_loads(const Reel *r, const Kinematics *kin, double t, double friction, Loads *loads)
+{
+    Vec3 f, m;
+    tail_wrench(r, kin, t, friction, &f, &m);
     const double force[3] = {f.x, f.y, f.z}, moment[3] = {m.x, m.y, m.z};
     for (int c = 0; c < 3; ++c) {
         loads->f[c][0] += force[c];

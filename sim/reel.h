@@ -8,6 +8,7 @@
 
 #include "core/block_chain.h"
 #include "core/chain.h"
+#include "core/push.h"
 #include "sim/scene_def.h"
 #include "sim/winding.h"
 
@@ -57,6 +58,8 @@ double reel_free_length(const Reel *r, const Kinematics *kin);
 /* Force of the drum's brake, bearing and back tension against the pull, at free length l (m) and cable speed v (m/s),
  * N (RL8); friction scales brake and bearing. The derivatives by l and v may be NULL. */
 double reel_resistance(const Reel *r, double l, double v, double t, double friction, double *by_l, double *by_v);
+/* What the drum does to the motion: brake, bearing, back tension, and the cable that bends as it comes off. */
+Push reel_push(const Reel *r, const Kinematics *kin, double t);
 /* Adds force and moment on segment 0, and their derivatives. */
 void reel_loads(const Reel *r, const Kinematics *kin, double t, double friction, Loads *loads);
 void reel_blocks(const Reel *r, const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d);

@@ -197,6 +197,19 @@ static Wrench wrench_of(const RodLoad *load, const Kinematics *kin, double t)
     return w;
 }
 
+Push rod_push(const Rod *rod, const Kinematics *kin, double t)
+{
+    Push sum = {0};
+    for (int l = 0; l < rod->n_loads; ++l) {
+        const int i = rod->load[l].segment;
+        const Wrench w = wrench_of(&rod->load[l], kin, t);
+        const Vec3 v = v3(kin->v[0][i], kin->v[1][i], kin->v[2][i]),
+                   spin = v3(kin->w[0][i], kin->w[1][i], kin->w[2][i]);
+        sum = push_sum(sum, (Push){v3_dot(w.force, v) + v3_dot(w.moment, spin), w.force});
+    }
+    return sum;
+}
+
 void rod_loads(const Rod *rod, const Kinematics *kin, double t, Loads *loads)
 {
     for (int l = 0; l < rod->n_loads; ++l) {

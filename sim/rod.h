@@ -5,6 +5,7 @@
 
 #include "core/block_chain.h"
 #include "core/chain.h"
+#include "core/push.h"
 #include "core/vec3.h"
 #include "hawser/hawser.h"
 #include "sim/rod_def.h"
@@ -43,6 +44,8 @@ Quat rod_attitude(const Rod *rod, int n, int i);
 /* Sets the ghosts of kin (segments -1 and n) to what leads the ends at time t (RD3). */
 void rod_ghosts(const Rod *rod, double t, int n, Kinematics *kin);
 
+/* What the loads of time t do to the motion. */
+Push rod_push(const Rod *rod, const Kinematics *kin, double t);
 /* Adds the loads of time t (RD5), and their derivatives to the diagonal blocks of k (RD6). */
 void rod_loads(const Rod *rod, const Kinematics *kin, double t, Loads *loads);
 void rod_blocks(const Rod *rod, const Kinematics *kin, double t, BlockChain *k);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "sim/balance_terms.h"
 #include "sim/relax.h"
 #include "sim/scales.h"
 #include "sim/stride.h"
@@ -108,6 +109,17 @@ static double spatial_winch_pull(Motion *m, double t, const double *y)
     return dynamics_winch_pull_at(m->scene, spatial_of(m)->ws, t, y);
 }
 
+static void spatial_work(Motion *m, double t, const double *y, BalanceRates *out)
+{
+    balance_spatial(m->scene, spatial_of(m)->ws, t, y, out);
+}
+
+static void spatial_stock(Motion *m, double t, const double *y, BalanceStock *out)
+{
+    (void)t;
+    balance_stock(m->scene, spatial_of(m)->ws, y + STATE_SIZE * m->scene->chain.n, out);
+}
+
 static hawser_status spatial_relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
 {
     Spatial *const s = spatial_of(m);
@@ -140,6 +152,8 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .place = spatial_place,
                                   .look = spatial_look,
                                   .winch_pull = spatial_winch_pull,
+                                  .work = spatial_work,
+                                  .stock = spatial_stock,
                                   .relax = spatial_relax,
                                   .pack = spatial_pack,
                                   .unpack = spatial_unpack,

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "sim/newton_extra.h"
 
@@ -200,6 +201,7 @@ hawser_status stage_new(Stage *st, const SceneDef *def, Team *team, hawser_error
 void stage_free(Stage *st)
 {
     integrator_free(st->integrator);
+    balance_free(st->balance);
     newton_free(&st->newton);
     planar_free(&st->planar);
     workspace_free(&st->ws);
@@ -315,6 +317,7 @@ static hawser_status parts_renew(Stage *st, int joined, hawser_error *err)
 static hawser_status move_make(Stage *st, const WindowMove *move, hawser_error *err)
 {
     const int size = st->motion->size;
+    if (st->balance) balance_leave(st->balance, st->motion, st->t, st->y);
     const StageMap map = {*move, size - STATE_SIZE * move->from};
     const Reshape reshape = {.size = STATE_SIZE * move->to + map.extra,
                              .y = malloc((size_t)(STATE_SIZE * move->to + map.extra) * sizeof(double)),
@@ -329,6 +332,7 @@ static hawser_status move_make(Stage *st, const WindowMove *move, hawser_error *
     if (!window_open(st, st->scene.first - move->joined, move->to)) status = error_memory(err);
     if (!status) status = parts_renew(st, move->joined, err);
     if (!status) status = integrator_reshape(st->integrator, st->t, &reshape, err);
+    if (!status && st->balance) status = balance_enter(st->balance, st->motion, st->t, st->y, err);
     free(old);
     return status;
 }
@@ -366,8 +370,14 @@ hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
         /* the relaxation bends the cable for the first time */
         status = st->motion->ops->accept(st->motion, st->t, st->y, err);
         if (!status) status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
+        if (!status) status = balance_new(st->motion, st->t, st->y, &st->balance, err);
     }
-    return status ? status : integrator_step(st->integrator, stop, &st->t, err);
+    if (!status) status = integrator_step(st->integrator, stop, &st->t, err);
+    if (status) return status;
+    const double start = clock_now();
+    balance_step(st->balance, st->motion, st->t, st->y);
+    st->balance_s += clock_now() - start;
+    return HAWSER_OK;
 }
 
 hawser_status stage_step(Stage *st, double stop, hawser_error *err)

@@ -4,6 +4,7 @@
 #ifndef HAWSER_SIM_STAGE_H
 #define HAWSER_SIM_STAGE_H
 
+#include "sim/balance.h"
 #include "sim/integrator.h"
 #include "sim/planar.h"
 #include "sim/spatial.h"
@@ -19,6 +20,8 @@ typedef struct Stage {
     Planar planar;
     char plane_why[PLANE_WHY_MAX]; /* why the motion is planar, or why not */
     Integrator *integrator;        /* made at the first step */
+    Balance *balance;              /* made at the first step too */
+    double balance_s;              /* s, spent on it */
     double t, *y;                  /* s; [motion->size] */
     LinOptions options;
     long joined, left; /* segments so far */

@@ -168,6 +168,15 @@ void winch_loads(const Winch *w, const Chain *chain, const Kinematics *kin, doub
     }
 }
 
+Push winch_push(const Winch *w, const Chain *chain, const Kinematics *kin, double t)
+{
+    if (!w->present || w->mode != WINCH_TENSION) return (Push){0};
+    const HeadEnd e = head_end(w, chain, kin);
+    const HeadLaw law = head_law(w, &e, t);
+    const Vec3 f = head_force(w, &law, &e);
+    return (Push){v3_dot(f, e.velocity), f};
+}
+
 /* Adds a column of [force; moment] to a 6x6 block. */
 static void column_add(double *block, int column, Vec3 f, Vec3 m)
 {

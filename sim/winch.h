@@ -7,6 +7,7 @@
 #define HAWSER_SIM_WINCH_H
 
 #include "core/block_chain.h"
+#include "core/push.h"
 #include "sim/scene_def.h"
 
 typedef enum WinchDoing { WINCH_FOLLOWS, WINCH_BRAKES, WINCH_STANDS, WINCH_RESTARTS } WinchDoing;
@@ -74,6 +75,8 @@ double winch_tension(const Winch *w, double t, double speed, double *slope);
 double winch_pull(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
 /* Set tension: adds force and moment on the last segment (WI3), (WI4); nothing for a winch with a speed profile. */
 void winch_loads(const Winch *w, const Chain *chain, const Kinematics *kin, double t, Loads *loads);
+/* What these do to the motion; nothing likewise. */
+Push winch_push(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
 /* Adds their derivatives to the last diagonal blocks of k and d (WI6), (WI7). */
 void winch_blocks(const Winch *w, const Chain *chain, const Kinematics *kin, double t, BlockChain *k, BlockChain *d);
 

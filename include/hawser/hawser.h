@@ -201,6 +201,7 @@ typedef struct hawser_summary {
     const hawser_probe *probes; /* [n_probes], as the last sample has them */
     int n_conveyors;
     const hawser_conveyor *conveyors; /* [n_conveyors], as hawser_sim_conveyors gives them */
+    const hawser_balance *balance;    /* from t = 0 until now; NULL where nothing has moved */
 } hawser_summary;
 
 void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);

@@ -27,6 +27,36 @@ typedef struct hawser_mode {
     const double *shape;  /* [6*segments] dx dy dz rx ry rz of each segment's centre, m and rad, largest shift 1 m */
 } hawser_mode;
 
+/* One term of the balances of a run: what it has done, or how it has changed, since t = 0. */
+typedef enum hawser_balance_kind {
+    HAWSER_BALANCE_WORK,   /* done on cable, drums and rollers, J */
+    HAWSER_BALANCE_LOSS,   /* turned into heat, J */
+    HAWSER_BALANCE_STORED, /* more than at t = 0, J */
+    HAWSER_BALANCE_IMPULSE /* on the cable, N s */
+} hawser_balance_kind;
+typedef struct hawser_balance_term {
+    hawser_balance_kind kind;
+    const char *name; /* lives for ever */
+    double J;         /* NAN of an impulse */
+    double N_s[3];    /* 0 but of an impulse */
+} hawser_balance_term;
+
+/* Whether energy and momentum add up over a run (docs/model.md, "Balances"): what is stored more than at t = 0 against
+ * the work done less what was lost, and the change of the cable's momentum against the impulses on it; `carried` is
+ * what segments brought that joined, less what those took along that left. */
+enum { HAWSER_BALANCE_TERMS = 48 };
+typedef struct hawser_balance {
+    double work_J, lost_J, stored_J, carried_J;
+    double residual_J;     /* stored - carried - (work - lost) */
+    double turnover_J;     /* of the term that most went through */
+    double residual_share; /* size of the residual over the turnover */
+    const char *turnover_of;
+    double impulse_N_s[3], momentum_N_s[3], carried_N_s[3], residual_N_s[3];
+    double impulse_residual_share; /* size of the residual over that of the largest impulse */
+    int n_terms;
+    hawser_balance_term term[HAWSER_BALANCE_TERMS]; /* [n_terms], those that there are */
+} hawser_balance;
+
 /* Something that happened: the winch trips, stops, starts again. */
 typedef struct hawser_event {
     double t;         /* s */
