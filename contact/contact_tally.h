@@ -5,6 +5,7 @@
 /* Sums over the contacts of one call. */
 typedef struct ContactTally {
     double friction, damping; /* W, what they take out of the motion (BA5) */
+    double edges;             /* W, what surfaces' fades do to the motion (BA10) */
     double energy;            /* J, in the springs (BA6) */
     double force[3];          /* N, on the cable */
 } ContactTally;

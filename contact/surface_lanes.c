@@ -11,12 +11,16 @@ LANE_INLINE void work_add(const SurfaceStrip *strip, const SurfaceContact *c, La
     const Lane zero = lane_set(0), p = lane_select(near, c->radius - c->section.g, zero);
     const Lane toward = l3_dot(c->normal, c->pdot), rate = c->steep * toward;
     /* the spring's force by the law, also where the damping leaves none of it */
-    const Lane spring = c->share.value * c->length * (p * strip->impact->k * surface_power(p, strip->impact->e));
+    const Lane whole = c->length * (p * strip->impact->k * surface_power(p, strip->impact->e));
+    const Lane spring = c->share.value * whole, held = whole * p * (1 / (strip->impact->e + 1));
     const Lane rubs = sticks ? c->stick.phi * l3_dot(c->stick.lean, c->slide) : c->phi * l3_dot(c->slide, c->slide);
     const Lane slow = lane_select(near, (spring - c->load) * rate, zero);
     work->friction += lane_sum(lane_select(c->touches, c->load * rubs, zero));
     work->damping += lane_sum(slow);
-    work->energy += lane_sum(lane_select(near, spring * p / (strip->impact->e + 1), zero));
+    work->energy += lane_sum(lane_select(near, c->share.value * held, zero));
+    /* the weight multiplies the force only (DU8): what it lends to the springs where it rises along the way (BA10) */
+    const Lane rise = held * l3_dot(c->share.slope, c->pdot);
+    work->edges += lane_sum(lane_select(near, rise + c->load * (toward - rate), zero));
     const Lane3 force = lanes_keep(c->touches, c->force);
     work->force[0] += lane_sum(force.x);
     work->force[1] += lane_sum(force.y);

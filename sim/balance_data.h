@@ -13,6 +13,7 @@ typedef enum BalanceWork {
     BY_CONVEYORS, /* belts and holds, what slips included */
     BY_ENDS,      /* what leads or holds a rod's ends */
     BY_LOADS,     /* a rod's loads */
+    BY_EDGES,     /* surfaces, where they fade out or are twisted */
     BALANCE_WORKS
 } BalanceWork;
 

@@ -38,6 +38,7 @@ void balance_gather(const Workspace *ws, BalanceRates *out)
         push_add(&part->pairs.tally, PUSH_ROLLERS, out);
         loss_add(&part->surface.work, LOST_SURFACES, out);
         push_add(&part->surface.work, PUSH_SURFACES, out);
+        out->work[BY_EDGES] += part->surface.work.edges;
         loss_add(&ws->self.work[p], LOST_CABLE, out);
     }
     out->loss[LOST_BEARINGS] += ws->equipment.lost_bearings;

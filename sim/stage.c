@@ -317,7 +317,6 @@ static hawser_status parts_renew(Stage *st, int joined, hawser_error *err)
 static hawser_status move_make(Stage *st, const WindowMove *move, hawser_error *err)
 {
     const int size = st->motion->size;
-    if (st->balance) balance_leave(st->balance, st->motion, st->t, st->y);
     const StageMap map = {*move, size - STATE_SIZE * move->from};
     const Reshape reshape = {.size = STATE_SIZE * move->to + map.extra,
                              .y = malloc((size_t)(STATE_SIZE * move->to + map.extra) * sizeof(double)),
@@ -337,6 +336,12 @@ static hawser_status move_make(Stage *st, const WindowMove *move, hawser_error *
     return status;
 }
 
+/* What was there before anything changes, the winch's ghost among it. */
+static void event_begins(Stage *st)
+{
+    if (st->balance) balance_leave(st->balance, st->motion, st->t, st->y);
+}
+
 /* What is due after a step, one thing after the other. */
 hawser_status stage_settle(Stage *st, hawser_error *err)
 {
@@ -344,16 +349,19 @@ hawser_status stage_settle(Stage *st, hawser_error *err)
     if (st->whole.n == 0) return status;
     const int n = st->scene.chain.n;
     if (release_due(st)) {
+        event_begins(st);
         st->scene.reel.present = 0;
         const WindowMove m = window_move(n, 0, 0);
         status = move_make(st, &m, err);
     }
     while (!status && join_due(st)) {
+        event_begins(st);
         const WindowMove m = join_move(st);
         status = move_make(st, &m, err);
         ++st->joined;
     }
     while (!status && leave_due(st)) {
+        event_begins(st);
         const WindowMove m = window_move(st->scene.chain.n, 0, 1);
         const int i = st->scene.chain.n - 1;
         ghost_take(st, st->y, i + 1, i, st->scene.first + i);

@@ -177,13 +177,56 @@ static void test_no_friction(void **state)
     }
 }
 
+/* Everything moves by dt at its velocities. */
+static void drift(TestScene *s, double dt)
+{
+    for (int i = 0; i < N; ++i) {
+        const Quat turn = quat_exp(v3_scale(dt, vector_of(s->kin.w, i)));
+        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), dt, vector_of(s->kin.v, i)));
+        vector_to(s->kin.a, i, quat_rotate(turn, vector_of(s->kin.a, i)));
+    }
+}
+
+/* What the contacts take from the segments is in their springs, or what friction and damping are said to take (BA5),
+ * (BA6): the springs' change by a quotient over a short way. */
+static void tally_closes(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    for (int k = 0; k < 40; ++k) {
+        const double dt = 1e-7;
+        double given = 0, energy[2];
+        TestScene s;
+        scene_random(&s, k % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, &seed);
+        scene_forces(&s, 1);
+        for (int i = 0; i < N; ++i) {
+            given += v3_dot(vector_of(s.loads.f, i), vector_of(s.kin.v, i));
+            given += v3_dot(vector_of(s.loads.m, i), vector_of(s.kin.w, i));
+        }
+        const ContactTally tally = s.pairs.tally;
+        const int active = s.pairs.active;
+        for (int side = 0; side < 2; ++side) {
+            drift(&s, side ? 2 * dt : -dt);
+            scene_forces(&s, 1);
+            energy[side] = s.pairs.tally.energy;
+        }
+        const double stored = (energy[1] - energy[0]) / (2 * dt);
+        if (active > 0) assert_true(tally.friction >= 0 && tally.damping >= 0 && tally.energy > 0);
+        const double size = fabs(given) + fabs(stored) + tally.friction + tally.damping;
+        if (!(fabs(given + stored + tally.friction + tally.damping) <= 2e-5 * size)) {
+            fail_msg("scene %d: given %g, stored %g, friction %g, damping %g W", k, given, stored, tally.friction,
+                     tally.damping);
+        }
+        scene_free(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_balance),
-        cmocka_unit_test(test_force_follows_laws),
-        cmocka_unit_test(test_objective),
-        cmocka_unit_test(test_no_friction),
+        cmocka_unit_test(test_balance),   cmocka_unit_test(test_force_follows_laws),
+        cmocka_unit_test(test_objective), cmocka_unit_test(test_no_friction),
+        cmocka_unit_test(tally_closes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

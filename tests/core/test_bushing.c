@@ -326,6 +326,83 @@ static void test_lacks(void **state)
     }
 }
 
+/* Moves every body, ghosts too, by dt at its velocities. */
+static void drift(Rig *r, double dt)
+{
+    for (int i = -1; i <= N; ++i) {
+        for (int c = 0; c < 3; ++c) r->kin.p[c][i] += dt * r->kin.v[c][i];
+        const Quat turn = quat_exp(v3_scale(dt, vec_load(r->kin.w, i)));
+        kinematics_turn_to(&r->kin, i, quat_mul(turn, kinematics_quat(&r->kin, i)));
+    }
+}
+
+/* What the wrenches of joints 0..N do to all bodies, ghosts too, W. */
+static double wrench_power(const Rig *r)
+{
+    double power = 0;
+    for (int j = 0; j <= N; ++j) {
+        const Vec3 f = vec_load(r->loads.force, j);
+        power += v3_dot(f, v3_sub(vec_load(r->kin.v, j - 1), vec_load(r->kin.v, j)));
+        power += v3_dot(vec_load(r->loads.torque_a, j), vec_load(r->kin.w, j - 1));
+        power += v3_dot(vec_load(r->loads.torque_b, j), vec_load(r->kin.w, j));
+    }
+    return power;
+}
+
+/* What the wrenches take from the bodies is in the springs, or what the damping and the sliders are said to take
+ * (BA4), (BA7); sum of both by a quotient over a short way. */
+static void power_check(Rig *r)
+{
+    const double dt = 1e-5;
+    const JointPower power = bushing_loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
+    const double given = wrench_power(r);
+    drift(r, dt);
+    const double after = bushing_energy(&r->chain, &r->kin, 0, N + 1).elastic;
+    drift(r, -2 * dt);
+    const double before = bushing_energy(&r->chain, &r->kin, 0, N + 1).elastic;
+    const double taken = (after - before) / (2 * dt) + power.damping + power.sliding;
+    print_message("given %.9g, taken %.9g W, damping %.3g, sliding %.3g\n", given, -taken, power.damping,
+                  power.sliding);
+    assert_true(power.damping > 0.1);
+    assert_true(fabs(given + taken) < 1e-7 * (fabs(given) + power.damping));
+}
+
+static void power_closes(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 5; ++seed) {
+        Rig plain = rig_new(FRAME_SYMMETRIC, 0.5, seed), sliding = sliding_rig(FRAME_SYMMETRIC, 0.5, seed);
+        power_check(&plain);
+        power_check(&sliding);
+        rig_free(&plain);
+        rig_free(&sliding);
+    }
+}
+
+/* Sliders that all hold are springs: their energy is that of the same stiffness in the joint. */
+static void sliders_that_hold(void **state)
+{
+    (void)state;
+    Rig r = rig_new(FRAME_SYMMETRIC, 0.5, 7);
+    const double bare = bushing_energy(&r.chain, &r.kin, 0, N + 1).elastic;
+    assert_true(chain_alloc_sliders(&r.chain, 1) && kinematics_alloc_slips(&r.kin, &r.chain));
+    for (int j = 0; j <= N; ++j) {
+        r.chain.sliders.stiffness[0][j] = 2.5;
+        r.chain.sliders.limit[0][j] = 100;
+    }
+    const JointEnergy with = bushing_energy(&r.chain, &r.kin, 0, N + 1);
+    for (int j = 0; j <= N; ++j) {
+        r.chain.stiffness[4][j] += 2.5;
+        r.chain.stiffness[5][j] += 2.5;
+    }
+    r.chain.sliders.count = 0;
+    const double stiffer = bushing_energy(&r.chain, &r.kin, 0, N + 1).elastic;
+    assert_true(fabs(with.elastic - bare) < 1e-12 * fabs(bare) && with.sliding > 1e-3);
+    assert_true(fabs(with.elastic + with.sliding - stiffer) < 1e-12 * fabs(stiffer));
+    r.chain.sliders.count = 1;
+    rig_free(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -337,6 +414,8 @@ int main(void)
         cmocka_unit_test(test_objectivity),
         cmocka_unit_test(test_by_hand),
         cmocka_unit_test(test_lacks),
+        cmocka_unit_test(power_closes),
+        cmocka_unit_test(sliders_that_hold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,7 +12,19 @@
 #include <cmocka.h>
 #include <jansson.h>
 
-static const hawser_summary full = {.segments = 370,
+static const hawser_balance books = {.carried_J = 11,
+                                     .residual_J = 12,
+                                     .turnover_J = 13,
+                                     .turnover_of = "winch",
+                                     .residual_share = 14,
+                                     .impulse_residual_share = 15,
+                                     .n_terms = 4,
+                                     .term = {{HAWSER_BALANCE_WORK, "winch", 16, {0, 0, 0}},
+                                              {HAWSER_BALANCE_LOSS, "bearings", 17, {0, 0, 0}},
+                                              {HAWSER_BALANCE_STORED, "height", 18, {0, 0, 0}},
+                                              {HAWSER_BALANCE_IMPULSE, "weight", NAN, {19, 20, 21}}}};
+static const hawser_summary full = {.balance = &books,
+                                    .segments = 370,
                                     .bushings = 370,
                                     .rollers = 32,
                                     .contact_candidates = 1795,
@@ -92,7 +104,7 @@ static json_t *value_of(json_t *o, const char *path)
     if (!dot) return json_object_get(o, path);
     memcpy(outer, path, (size_t)(dot - path));
     outer[dot - path] = 0;
-    return json_object_get(json_object_get(o, outer), dot + 1);
+    return value_of(json_object_get(o, outer), dot + 1);
 }
 
 static void test_numbers(void **state)
@@ -132,6 +144,14 @@ static void test_numbers(void **state)
                     {"speed.settle_time_s", 13.25},
                     {"steady_window.from_s", 18},
                     {"steady_window.to_s", 30},
+                    {"balance.carried_J", 11},
+                    {"balance.residual_J", 12},
+                    {"balance.turnover_J", 13},
+                    {"balance.residual_share", 14},
+                    {"balance.impulse_residual_share", 15},
+                    {"balance.work_J.winch", 16},
+                    {"balance.lost_J.bearings", 17},
+                    {"balance.stored_J.height", 18},
                     {"relaxation.iterations", 12},
                     {"relaxation.residual_N", 1e-3},
                     {"relaxation.tolerance_N", 1e-2},

@@ -1,0 +1,106 @@
+/* The balances of every case that comes with the program close: any force that is not the derivative of what is called
+ * its energy, any worker that is forgotten, shows here. */
+#include "tests/io/case_fixture.h"
+
+#include <glob.h>
+
+#include "hawser/hawser.h"
+
+/* At the default accuracy, over the first seconds of the pull: start and run, with all their transients. */
+static const double ENERGY_MOST = 5e-3, MOMENTUM_MOST = 1e-3;
+/* Where friction sticks, bristles move between steps and the rates within one are of first order in its length. */
+static const double STICKS_MOST = 2e-2;
+
+/* How long to run a case: those that take long per second run shorter. */
+static const char *duration_of(const char *name)
+{
+    static const struct {
+        const char *name, *duration;
+    } shorter[] = {{"crossing", "0.6 s"},     {"limits", "0.6 s"},   {"guide-rollers", "0.6 s"},
+                   {"drum-contact", "0.6 s"}, {"tunnel-879", "4 s"}, {"rollers-v-groove", "1.2 s"}};
+    for (size_t k = 0; k < sizeof shorter / sizeof *shorter; ++k) {
+        if (strstr(name, shorter[k].name)) return shorter[k].duration;
+    }
+    return "2 s";
+}
+
+static void set(hawser_case *c, const char *key, const char *value)
+{
+    hawser_error err;
+    if (hawser_case_set(c, key, value, &err)) fail_msg("%s", err.message);
+}
+
+/* Runs one case; returns whether it has a balance. */
+static int case_closes(const char *file)
+{
+    hawser_case *c;
+    hawser_sim *s;
+    hawser_error err;
+    hawser_summary sum;
+    if (hawser_case_load(file, &c, &err)) fail_msg("%s", err.message);
+    const int rod = strstr(file, "/rod-") != NULL;
+    if (!rod) {
+        set(c, "run.duration", duration_of(file));
+        set(c, "run.steady_from", "0.5 s");
+    }
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_run(s, NULL, NULL, NULL, &err))
+        fail_msg("%s: %s", file, err.message);
+    hawser_sim_summary(s, &sum);
+    const hawser_balance *const b = sum.balance;
+    if (b) {
+        print_message("%-24s energy %.1e of %10.4g J (%s), momentum %.1e\n", strrchr(file, '/') + 1, b->residual_share,
+                      b->turnover_J, b->turnover_of, b->impulse_residual_share);
+        const double most = strstr(file, "stick") ? STICKS_MOST : ENERGY_MOST;
+        if (!(b->residual_share < most)) fail_msg("%s: energy %g J is not accounted for", file, b->residual_J);
+        assert_true(b->impulse_residual_share < MOMENTUM_MOST);
+        assert_true(b->n_terms > 3 && b->turnover_J > 0);
+    }
+    const int any = b != NULL;
+    hawser_sim_free(s);
+    hawser_case_free(c);
+    return any;
+}
+
+static void every_case_closes(void **state)
+{
+    (void)state;
+    glob_t files;
+    int closed = 0;
+    assert_int_equal(glob(HAWSER_SOURCE_DIR "/cases/*.yaml", 0, NULL, &files), 0);
+    for (size_t k = 0; k < files.gl_pathc; k++) closed += case_closes(files.gl_pathv[k]);
+    assert_true(closed >= 18);
+    globfree(&files);
+}
+
+/* Segments that leave the reel and pass the winch bring and take energy and momentum, and the books know: a short reel
+ * and a winch close by, so that some of each do. */
+static void comers_and_goers(void **state)
+{
+    (void)state;
+    hawser_case *c;
+    hawser_sim *s;
+    hawser_error err;
+    hawser_summary sum;
+    if (hawser_case_load(HAWSER_SOURCE_DIR "/cases/take-in.yaml", &c, &err)) fail_msg("%s", err.message);
+    set(c, "run.duration", "25 s");
+    set(c, "run.steady_from", "5 s");
+    set(c, "solver.accuracy", "1e-5");
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
+    const int before = hawser_sim_sample(s)->first;
+    if (hawser_sim_advance(s, 25, 0, &err)) fail_msg("%s", err.message);
+    const int joined = before - hawser_sim_sample(s)->first;
+    hawser_sim_summary(s, &sum);
+    const hawser_balance *const b = sum.balance;
+    print_message("%d joined: carried %.4g J, residual %.3g J of %.4g J\n", joined, b->carried_J, b->residual_J,
+                  b->turnover_J);
+    assert_true(joined > 3 && fabs(b->carried_J) > 50 * fabs(b->residual_J));
+    assert_true(b->residual_share < 1e-5 && b->impulse_residual_share < 1e-5);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_case_closes), cmocka_unit_test(comers_and_goers)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

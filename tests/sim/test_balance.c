@@ -1,0 +1,148 @@
+/* Balances of energy and momentum of whole runs: they close, better the more accurate the run; the same in the plane,
+ * in space and on two threads; and their terms are what can be said by hand. */
+#include "sim/sim.h"
+#include "tests/sim/planar_fixture.h"
+
+/* A run to the definition's end, with its balance. */
+static hawser_balance balance_of(SceneDef *def, int threads, int relax)
+{
+    Sim *s = NULL;
+    hawser_error err = {0};
+    hawser_summary summary;
+    const double end = def->duration;
+    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(def);
+    if (relax) assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    sim_summary(s, &summary);
+    assert_null(summary.balance);
+    if (sim_advance(s, end, 0, &err)) fail_msg("%s", err.message);
+    sim_summary(s, &summary);
+    assert_non_null(summary.balance);
+    const hawser_balance balance = *summary.balance;
+    sim_free(s);
+    return balance;
+}
+
+/* A term by its name; 0 where there is none. */
+static double term(const hawser_balance *b, hawser_balance_kind kind, const char *name)
+{
+    for (int k = 0; k < b->n_terms; ++k) {
+        if (b->term[k].kind == kind && !strcmp(b->term[k].name, name)) return b->term[k].J;
+    }
+    return 0;
+}
+
+static hawser_balance pulled(PlanarChoice planar, int threads, double accuracy)
+{
+    SceneDef def;
+    fixture_planar(&def, &(FixtureChoice){.heading = 0.6, .accuracy = accuracy});
+    def.solver.planar = planar;
+    return balance_of(&def, threads, 1);
+}
+
+/* The residual falls with the accuracy: it is the run's own error, not the books'. Four decades of accuracy gain at
+ * least two of the residual, as the rule of the integral over a step allows (BA9). */
+static void test_convergence(void **state)
+{
+    (void)state;
+    const double accuracy[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
+    double share[5], impulse[5];
+    for (int planar = 0; planar < 2; ++planar) {
+        for (int k = 0; k < 5; ++k) {
+            const hawser_balance b = pulled(planar ? PLANAR_ON : PLANAR_OFF, 1, accuracy[k]);
+            share[k] = b.residual_share;
+            impulse[k] = b.impulse_residual_share;
+            print_message("accuracy %.0e: energy %.2e of %.4g J, momentum %.2e\n", accuracy[k], share[k], b.turnover_J,
+                          impulse[k]);
+        }
+        assert_true(share[1] < 2e-3 && share[4] < 1e-5 && share[4] < share[0] / 100);
+        assert_true(impulse[1] < 1e-3 && impulse[4] < 1e-5 && impulse[4] < impulse[0] / 100);
+    }
+}
+
+/* Term by term. */
+static void test_planar(void **state)
+{
+    (void)state;
+    const hawser_balance flat = pulled(PLANAR_ON, 1, 1e-5), full = pulled(PLANAR_OFF, 1, 1e-5);
+    assert_int_equal(flat.n_terms, full.n_terms);
+    for (int k = 0; k < flat.n_terms; ++k) {
+        const hawser_balance_term *const a = &flat.term[k], *const b = &full.term[k];
+        assert_string_equal(a->name, b->name);
+        if (a->kind != HAWSER_BALANCE_IMPULSE) assert_true(fabs(a->J - b->J) < 2e-5 * flat.turnover_J);
+        for (int c = 0; c < 3; ++c)
+            assert_true(fabs(a->N_s[c] - b->N_s[c]) < 1e-4 * fabs(term(&flat, HAWSER_BALANCE_WORK, "winch")));
+    }
+    assert_true(term(&flat, HAWSER_BALANCE_LOSS, "roller_friction") > 1);
+    assert_true(term(&flat, HAWSER_BALANCE_LOSS, "rope_drag") > 1);
+    assert_true(term(&flat, HAWSER_BALANCE_WORK, "lead_in") != 0);
+}
+
+static void test_threads(void **state)
+{
+    (void)state;
+    for (int planar = 0; planar < 2; ++planar) {
+        const hawser_balance one = pulled(planar ? PLANAR_ON : PLANAR_OFF, 1, 1e-3);
+        const hawser_balance two = pulled(planar ? PLANAR_ON : PLANAR_OFF, 2, 1e-3);
+        assert_int_equal(one.n_terms, two.n_terms);
+        for (int k = 0; k < one.n_terms; ++k) {
+            if (one.term[k].kind != HAWSER_BALANCE_IMPULSE) assert_true(one.term[k].J == two.term[k].J);
+            assert_memory_equal(one.term[k].N_s, two.term[k].N_s, sizeof one.term[k].N_s);
+        }
+        assert_true(one.residual_J == two.residual_J);
+    }
+}
+
+/* A level row: what the winch does is the rope's drag and the friction of the whole weight over the way, and the motion
+ * in the end. */
+static void test_level_row(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_planar(&def, &(FixtureChoice){.accuracy = 1e-4});
+    def.route_slope = 0;
+    def.n_route = 1;
+    def.route[0].length = 14.5;
+    def.head_at = 12;
+    def.n_pieces = 1;
+    def.drag.force = 0;
+    def.lead_in.present = 0;
+    def.tail.tension = (Profile){0};
+    for (int r = 0; r < def.n_rollers; ++r) def.rollers[r].centre = v3(0.25 + r, 0, -0.1 - def.cables[0].diameter / 2);
+    def.duration = 6;
+    const double weight = 20 * 12 * 9.80665, mu = def.friction.mu_d, way = 0.1 * 5.5, speed = 0.1;
+    const double gravity = v3_norm(def.gravity);
+    const hawser_balance b = balance_of(&def, 1, 1);
+    const double friction = term(&b, HAWSER_BALANCE_LOSS, "roller_friction");
+    const double expected = mu * weight / 9.80665 * gravity * way, moving = 20 * 12 * speed * speed / 2;
+    print_message("friction %.3f J, by hand %.3f J; motion %.4f J, by hand %.4f J\n", friction, expected,
+                  term(&b, HAWSER_BALANCE_STORED, "motion"), moving);
+    assert_true(fabs(friction / expected - 1) < 0.05);
+    assert_true(fabs(term(&b, HAWSER_BALANCE_STORED, "motion") / moving - 1) < 0.05);
+    assert_true(b.residual_share < 1e-3);
+}
+
+/* A chain that nothing touches falls: what it loses of height it has in motion; m g t is its impulse. */
+static void test_fall(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_free_chain(&def, 12);
+    def.gravity = v3(0, 0, -9.8);
+    def.duration = 1;
+    const hawser_balance b = balance_of(&def, 1, 0);
+    const double mass = 12 * 0.5 * 8, height = term(&b, HAWSER_BALANCE_STORED, "height");
+    assert_true(fabs(height / (-mass * 9.8 * 9.8 / 2) - 1) < 1e-3);
+    assert_true(b.residual_share < 1e-3 && b.impulse_residual_share < 1e-6);
+    assert_true(fabs(b.impulse_N_s[2] / (-mass * 9.8) - 1) < 1e-9);
+    assert_true(b.work_J == 0 && b.lost_J == 0 && b.carried_J == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_convergence), cmocka_unit_test(test_planar), cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_level_row),   cmocka_unit_test(test_fall),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
