@@ -3,12 +3,12 @@
 # that does nothing else.
 # Usage: sh scripts/bench.sh [--quick] [PART...]
 #   --quick   does everything work? Under three minutes; changes no document, results go to build/bench/results
-#   PART      linsolve, steps, precision, methods, peers, scale or stress
+#   PART      linsolve, steps, precision, methods, peers, scale, stress or long
 # Writes bench/results/MACHINE (rows, pictures), the tables in docs/performance.d, and docs/performance.md.
 # Status: 0; 1 if a part missed a condition that does not depend on time; 2 wrong usage.
 set -eu
 
-parts="linsolve steps precision methods peers scale stress"
+parts="linsolve steps precision methods peers scale stress long"
 cd "$(dirname "$0")/.."
 quick=no wanted=''
 for word in "$@"; do
