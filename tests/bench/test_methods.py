@@ -129,7 +129,7 @@ class Names(unittest.TestCase):
         replace_between(text, "methods", "new")
         for name in ("huangjiahu", "straight", "straight, light"):
             self.assertIn(name, methods.SCENES)
-            self.assertIn(f"epyc-2core/{methods.picture_name(name)})", text)
+            self.assertIn(f"core/{methods.picture_name(name)})", text)
 
 
 class Whole(unittest.TestCase):
