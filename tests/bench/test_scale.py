@@ -90,7 +90,7 @@ class Turns(unittest.TestCase):
         self.assertEqual(workers[0].begun, {"steps": 7})
         rows = scale.in_turn(workers, 2, scale.steps_of_round, "steps")
         with open(os.path.join(self.folder.name, "bench/log"), encoding="utf-8") as file:
-            self.assertEqual(file.read().split("\n")[:-1], ["100 200", "5000 10"] * 3)
+            self.assertEqual(file.read().split("\n")[:-1], ["100 60", "5000 10"] * 3)
         self.assertEqual([row["round"] for row in rows if row["kind"] == "steps"], [1, 1, 2, 2])
         self.assertEqual([row["pull_ratio"] for row in rows if row["kind"] == "steps end"], [1.25, 1.25])
 
