@@ -28,7 +28,7 @@ COLUMNS = ["row", "value", "outcome", "status", "steps", "sim_time_s", "steps_pe
            "relaxed", "wall_s", "found", "message"]
 # What a message of status 2 or 3 must have: where, and what to do or what is allowed.
 SAYS_WHERE = re.compile(r"key '|t = |solver\.linear_solver|the linear solver")
-SAYS_WHAT = re.compile(r"try |must be|raise|expected|allowed|missing|needs|need|may help|takes? |can$|can\b|not |\?")
+SAYS_WHAT = re.compile(r"try |must be|ends at|raise|expected|allowed|missing|needs|need|may help|takes? |can$|can\b|not |\?")
 
 
 def not_finite(value, path=""):

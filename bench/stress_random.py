@@ -20,7 +20,7 @@ import math
 import random
 import sys
 
-STEPS_MOST = 20000  # of every case: what does not get along with it says so and ends with status 3
+STEPS_MOST = 8000  # of every case: what does not get along with it says so and ends with status 3
 KINDS = ("rollers", "rollers", "rollers", "surfaces", "surfaces", "reel", "rod", "rod", "mixed", "self")
 
 
