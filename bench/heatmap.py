@@ -30,9 +30,9 @@ def short(value):
 
 
 def draw_cell(x, y, cell, ends):
-    """One cell: `label` above, the number below, and how it ended as its edge; `words` for who points at it."""
+    """One cell: `label` above; below it the number, or how it ended if not well; `words` for who points at it."""
     edge, width = EDGES[cell["outcome"]], 1 if cell["outcome"] == "ok" else 3
-    below = short(cell["number"]) + (" " + MARKS[cell["outcome"]] if MARKS[cell["outcome"]] else "")
+    below = MARKS[cell["outcome"]] or short(cell["number"])
     return [f'<g><title>{escape(cell["words"])}</title>',
             f'<rect x="{x + width / 2}" y="{y + width / 2}" width="{CELL - width}" height="{HEIGHT - width}" '
             f'fill="{colour(cell["number"], *ends)}" stroke="{edge}" stroke-width="{width}"/>',
