@@ -352,8 +352,9 @@ def main():
                         phases_table(rows, ("pull", "space", 1)), phases_table(rows, ("pull", "plane", 1)),
                         roofline_table(rows), setup_table(rows), counts_table(rows), rollers_table(rows),
                         "\n".join(f"**Wrong: {fault}.**" for fault in wrong) or
-                        f"From N = {FIT_FROM} on pulls are within 1 % of friction, two threads give the bits of one, relaxation "
-                        "takes as many iterations whatever the length, and a sliding pull as many steps within a factor of 4: yes."])
+                        f"From N = {FIT_FROM} on pulls are within 1 % of friction, two threads give the bits of one, "
+                        "relaxation takes as many iterations whatever the length, and a sliding pull as many steps within "
+                        "a factor of 4: yes."])
     if args.results:
         os.makedirs(args.results, exist_ok=True)
         draw(args.results, rows)
