@@ -151,8 +151,11 @@ static void energy_close(Balance *b, hawser_balance *out)
         /* what is carried in and out is no turnover */
         const int any = fabs(b->here.energy[k]) > 0 || fabs(change) > 0;
         if (any) out->term[out->n_terms++] = (hawser_balance_term){HAWSER_BALANCE_STORED, STORES[k], change, {0, 0, 0}};
-        if (b->carried == 0 && fabs(change) > out->turnover_J) {
-            out->turnover_J = fabs(change);
+        /* at rest nothing goes through: what is held measures then; heights count from anywhere */
+        const double held = k == IN_HEIGHT ? 0 : fabs(b->here.energy[k]), moved = b->carried == 0 ? fabs(change) : 0;
+        const double size = fmax(held, moved);
+        if (size > out->turnover_J) {
+            out->turnover_J = size;
             out->turnover_of = STORES[k];
         }
     }

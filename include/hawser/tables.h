@@ -48,7 +48,7 @@ enum { HAWSER_BALANCE_TERMS = 48 };
 typedef struct hawser_balance {
     double work_J, lost_J, stored_J, carried_J;
     double residual_J;     /* stored - carried - (work - lost) */
-    double turnover_J;     /* of the term that most went through */
+    double turnover_J;     /* of the term that most went through, or that holds most in the end */
     double residual_share; /* size of the residual over the turnover */
     const char *turnover_of;
     double impulse_N_s[3], momentum_N_s[3], carried_N_s[3], residual_N_s[3];
