@@ -41,6 +41,11 @@ class Long(unittest.TestCase):
     def test_a_tunnel_may_need_more_steps(self):
         self.assertEqual(len(verdicts(rows(scene="tunnel", steps=lambda t: t * t))), 3)
 
+    def test_segments_that_join_need_memory(self):
+        grown = rows(memory=lambda t: 5000 + t)
+        grown[-1]["active"] += 300
+        self.assertEqual(verdicts(grown), [True] * 4)
+
     def test_memory_of_the_beginning_does_not_count(self):
         self.assertEqual(long.memory_growth(rows(memory=lambda t: 1000 if t < 200 else 9000)), 0)
 
