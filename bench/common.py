@@ -127,17 +127,33 @@ def commit():
     return (git("rev-parse", "--short", "HEAD") or "unknown") + ("+" if changed else "")
 
 
+def processor_times():
+    """Seconds since boot that all cores together were busy (with this machine's work, or with another guest's), and all."""
+    with open("/proc/stat", encoding="ascii") as file:
+        ticks = [int(word) for word in file.readline().split()[1:9]]
+    idle = ticks[3] + ticks[4]  # waiting for a disk is idle
+    return (sum(ticks) - idle) / os.sysconf("SC_CLK_TCK"), sum(ticks) / os.sysconf("SC_CLK_TCK")
+
+
+def load_of_others(seconds=3):
+    """How many cores are busy while this process does nothing: the load average would tell of the part before."""
+    before = processor_times()
+    time.sleep(seconds)
+    used, passed = (now - then for now, then in zip(processor_times(), before))
+    return os.cpu_count() * used / passed if passed > 0 else 0.0
+
+
 def busy(load):
-    """Whether a load average means that others used the machine too."""
-    return load > 0.3 * os.cpu_count()
+    """Whether a load means that others used the machine too."""
+    return load > 0.1 * os.cpu_count()
 
 
 def heading(load, note=""):
-    """Machine, commit, day, and whether something else was running: `load` is os.getloadavg()[0] at the start."""
+    """Machine, commit, day, and whether something else was running: `load` is load_of_others() at the start."""
     cores = os.cpu_count()
     text = (f"Machine `{machine_name(processor(), cores)}` ({processor()}, {cores} cores, Linux "
             f"{os.uname().release.split('-')[0]}), commit {commit()}, {time.strftime('%Y-%m-%d')}"
-            f"{', ' + note if note else ''}; load average at the start {load:.2f}.")
+            f"{', ' + note if note else ''}; other work at the start: {load:.2f} cores.")
     if busy(load):
         text += " **The machine was busy: read ratios, not times.**"
     return text

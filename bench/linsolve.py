@@ -11,7 +11,7 @@ import statistics
 import subprocess
 import sys
 
-from common import arguments, heading, median, pick, publish, ratio, spread, table
+from common import arguments, heading, load_of_others, median, pick, publish, ratio, spread, table
 
 NUMBERS = {"b": int, "n": int, "threads": int, "factor_us": float, "solve_us": float, "peak_gf": float}
 COLUMNS = ["round", "group", "solver", "b", "n", "threads", "isa", "factor_us", "solve_us", "peak_gf"]
@@ -111,7 +111,7 @@ def main():
     parser = arguments(__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=15)
     args = parser.parse_args()
-    load = os.getloadavg()[0]
+    load = load_of_others(0.1 if args.quick else 3)
     rounds, repetitions = (1, 3) if args.quick else (args.rounds, REPETITIONS)
     rows = run_rounds(os.path.join(args.build, "bench/bench_linsolve"), rounds, repetitions)
     note = f"{rounds} rounds of up to {repetitions} repetitions"

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 import common
-from common import arguments, heading, publish, table
+from common import arguments, heading, load_of_others, publish, table
 
 HOUR = 3600
 # Name, case, what differs from it, simulated seconds of the whole part and of the quick one. `paying` never changes its
@@ -135,7 +135,7 @@ def draw(path, by_scene):
 
 def main():
     args = arguments(__doc__.splitlines()[0]).parse_args()
-    load = os.getloadavg()[0]
+    load = load_of_others(0.1 if args.quick else 3)
     by_scene = {scene[0]: run_scene(args.build, scene, args.quick) for scene in SCENES if not args.quick or scene[4]}
     rows = [row for of_one in by_scene.values() for row in of_one]
     text = "\n\n".join([heading(load, "one thread, one run a scene"), verdict_table(by_scene), runs_table(by_scene),

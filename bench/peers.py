@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 import peer_grids
-from common import ROOT, arguments, heading, publish, slope, table
+from common import ROOT, arguments, heading, load_of_others, publish, slope, table
 from svgplot import Panel, write_svg
 
 PEERS = (peer_grids.MUJOCO, peer_grids.SIMBODY, peer_grids.BAND)
@@ -263,7 +263,7 @@ def main():
     parser = arguments(__doc__.splitlines()[0])
     parser.add_argument("--repetitions", type=int, default=5, help="of hawser's runs, which are short")
     args = parser.parse_args()
-    load = os.getloadavg()[0]
+    load = load_of_others(0.1 if args.quick else 3)
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner(args.build, folder)
         peers = [peer for peer in PEERS if os.path.exists(runner.program(peer))]

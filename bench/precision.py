@@ -16,7 +16,7 @@ import sys
 import tempfile
 import time
 
-from common import ROOT, RunFailed, arguments, publish, read_series, run_case
+from common import ROOT, RunFailed, arguments, load_of_others, publish, read_series, run_case
 from precision_judge import errors, extrapolate
 import precision_report
 
@@ -193,7 +193,7 @@ def main():
     parser = arguments(__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=3)
     args = parser.parse_args()
-    load = os.getloadavg()[0]
+    load = load_of_others(0.1 if args.quick else 3)
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ProcessPoolExecutor(1 if args.quick else 2) as pool:
         calls = [(args.build, folder, name, job, 2 if args.quick else DENSE) for scene in SCENES
                  for name, job in reference_jobs(scene, args.quick).items()]

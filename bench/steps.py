@@ -11,7 +11,7 @@ import sys
 
 import counts
 import history
-from common import arguments, busy, heading, median, pick, publish, ratio, run_case, spread, table
+from common import arguments, busy, heading, load_of_others, median, pick, publish, ratio, run_case, spread, table
 
 CASES = ("huangjiahu", "straight")
 GEOMETRIES = {"plane": "on", "space": "off"}  # solver.planar
@@ -297,9 +297,9 @@ def measure(args):
 def main():
     parser = arguments(__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=11)
-    parser.add_argument("--load", type=float, default=os.getloadavg()[0], help="the load average (default: ask the system)")
+    parser.add_argument("--load", type=float, help="cores that others use (default: look for three seconds)")
     args = parser.parse_args()
-    load = args.load
+    load = load_of_others() if args.load is None else args.load
     target, samples, rows, counted = measure(args)
     whole = [row for row in rows if row["segments"] == 370 and row["window"] == WHOLE]
     runs = [row for row in rows if row["window"] != "6 s"]

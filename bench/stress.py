@@ -18,7 +18,7 @@ import time
 
 import stress_random
 import stress_rows
-from common import arguments, heading, publish, read_series, table
+from common import arguments, heading, load_of_others, publish, read_series, table
 from heatmap import write_heatmap
 
 STEPS_MOST, SECONDS_MOST = 60000, 300  # of a run; the machine may be slow, no run takes a tenth of it on an idle one
@@ -235,7 +235,7 @@ def main():
     parser.add_argument("--steps", type=int, default=stress_random.STEPS_MOST, help="most steps of a random case")
     parser.add_argument("--no-conditions", action="store_true", help="random cases only")
     args = parser.parse_args()
-    load, start = os.getloadavg()[0], time.time()
+    load, start = load_of_others(0.1 if args.quick else 3), time.time()
     jobs = [] if args.no_conditions else [(run_value, row, value) for row in stress_rows.ROWS
                                           for value in (row.values[-1:] if args.quick else row.values)]
     count = len(jobs)
