@@ -8,7 +8,8 @@
 #include "core/team.h"
 #include "sim/applied.h"
 
-enum { LONG_CHAIN = 1000 }; /* segments from which light loops pay on two threads */
+/* Segments from which light loops pay on two threads, and joints with the contacts of rollers. */
+enum { LONG_CHAIN = 1000, MIDDLE_CHAIN = 500 };
 
 /* The rollers in two halves by number, which is mostly their order along the route. */
 static int parts_alloc(Workspace *ws, const Scene *scene)
@@ -229,11 +230,17 @@ static void motion_job(void *arg, int rank)
                rank == 0 ? ws->middle : n, e->ydot);
 }
 
-/* Both shares of a job, on two threads or in a row; jobs that take a few nanoseconds a segment (`light`) go to two
- * threads only in long chains, where that outweighs waking the second one. */
-static void both(Workspace *ws, TeamJob job, int light, Evaluation *e)
+/* Whether joints and contacts gain more from a second thread than it takes to wake it and to send it the state. What
+ * lies on surfaces or on itself has so much to compute that they do in any case. */
+static int loads_heavy(const Scene *scene)
 {
-    if (team_size(ws->team) == PARTS && (!light || e->scene->chain.n >= LONG_CHAIN)) {
+    return scene->chain.n >= MIDDLE_CHAIN || scene->surfaces.model.n_surfaces > 0 || scene->self.present;
+}
+
+/* Both shares of a job, on two threads where that is worth it, or in a row. */
+static void both(Workspace *ws, TeamJob job, int worth, Evaluation *e)
+{
+    if (worth && team_size(ws->team) == PARTS) {
         team_run(ws->team, job, e);
     } else {
         job(e, 0);
@@ -246,14 +253,15 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
     Evaluation e = {.scene = scene, .ws = ws, .t = t, .friction = friction, .y = y};
     e.ydot = ydot;
     stick_time(ws, t);
-    both(ws, kinematics_job, 1, &e);
+    const int is_long = scene->chain.n >= LONG_CHAIN; /* jobs of a few nanoseconds a segment */
+    both(ws, kinematics_job, is_long, &e);
     scene_ghosts(scene, t, &ws->kin); /* after the kinematics, whose last lane reaches beyond the chain */
     if (scene->equipment.n > 0) equipment_pose(&ws->equipment, equipment_of(scene, y));
-    both(ws, loads_job, 0, &e);
+    both(ws, loads_job, loads_heavy(scene), &e);
     if (scene->drum.present) {
         ws->drum_hold = drum_hold(&scene->drum, &ws->kin, &ws->equipment, friction, &ws->loads[0]);
     }
-    both(ws, motion_job, 1, &e);
+    both(ws, motion_job, is_long, &e);
     if (scene->equipment.n > 0) {
         equipment_rates(&ws->equipment, equipment_of(scene, y), friction, ydot + STATE_SIZE * scene->chain.n);
     }
@@ -287,7 +295,7 @@ static void surface_blocks_job(void *arg, int rank)
 static void blocks_of_surfaces(Evaluation *e)
 {
     Workspace *const ws = e->ws;
-    both(ws, surface_blocks_job, 0, e);
+    both(ws, surface_blocks_job, 1, e);
     surface_blocks(&ws->surfaces, &e->scene->chain, &ws->kin, e->friction, &ws->contact[1].surface, ws->middle,
                    ws->middle + 1, e->k, e->d);
 }
@@ -298,7 +306,7 @@ static void blocks_of_chain(Evaluation *e)
     Workspace *const ws = e->ws;
     const Chain *const chain = &e->scene->chain;
     const int after = ws->middle + LANES < chain->n + 1 ? ws->middle + LANES : chain->n + 1;
-    both(ws, blocks_job, 0, e);
+    both(ws, blocks_job, 1, e);
     bushing_blocks(chain, &ws->kin, ws->middle, after, e->k, e->d);
     body_blocks(chain, &ws->kin, e->ydot, 0, chain->n, e->k, e->d);
 }

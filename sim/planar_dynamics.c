@@ -64,15 +64,6 @@ static void motion_job(void *arg, int rank)
 
 static void both(Planar *p, TeamJob job, Evaluation *e) { halves_run(p->ws->team, segments(p) >= HALVES_LONG, job, e); }
 
-/* Whether two threads gain more on wrenches and contacts than it takes to wake the second one and to send it the state,
- * some 3 us: a roller with the line near costs about as much as the joints of 16 segments. */
-static int loads_heavy(const Planar *p)
-{
-    enum { CONTACT_SEGMENTS = 16 };
-    const int near = p->ws->contact[0].pairs.n_near + p->ws->contact[1].pairs.n_near;
-    return segments(p) + CONTACT_SEGMENTS * near >= HALVES_LONG;
-}
-
 void planar_place(Planar *p, double t, const double *y)
 {
     planar_kinematics(&p->ps.chain, y, 0, segments(p), &p->kin);
@@ -85,7 +76,7 @@ int planar_evaluate(Planar *p, double t, const double *y, double friction, doubl
     Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};
     both(p, kinematics_job, &e);
     planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
-    halves_run(p->ws->team, loads_heavy(p), loads_job, &e);
+    both(p, loads_job, &e);
     both(p, motion_job, &e);
     ++p->ws->rhs_evals;
     return !(e.finite[0] && e.finite[1]);

@@ -107,6 +107,7 @@ static void test_level_row(void **state)
     def.n_pieces = 1;
     def.drag.force = 0;
     def.lead_in.present = 0;
+    def.winch.axial_only = 1; /* a clamp would carry half a metre's weight */
     def.tail.tension = (Profile){0};
     for (int r = 0; r < def.n_rollers; ++r) def.rollers[r].centre = v3(0.25 + r, 0, -0.1 - def.cables[0].diameter / 2);
     def.duration = 6;
@@ -117,8 +118,8 @@ static void test_level_row(void **state)
     const double expected = mu * weight / 9.80665 * gravity * way, moving = 20 * 12 * speed * speed / 2;
     print_message("friction %.3f J, by hand %.3f J; motion %.4f J, by hand %.4f J\n", friction, expected,
                   term(&b, HAWSER_BALANCE_STORED, "motion"), moving);
-    assert_true(fabs(friction / expected - 1) < 0.05);
-    assert_true(fabs(term(&b, HAWSER_BALANCE_STORED, "motion") / moving - 1) < 0.05);
+    assert_true(fabs(friction / expected - 1) < 2e-3);
+    assert_true(fabs(term(&b, HAWSER_BALANCE_STORED, "motion") / moving - 1) < 2e-3);
     assert_true(b.residual_share < 1e-3);
 }
 
