@@ -147,7 +147,8 @@ def draw_panel(panel, y0):
     for value, label in marked(x_low, x_high, "x" in panel.log, 10):
         across, _ = place((value, y_low))
         out.append(f'<line x1="{across:.1f}" y1="{lower}" x2="{across:.1f}" y2="{lower + 4}" stroke="#333333"/>')
-        out.append(text(across, lower + 16, label, size=11))
+        out_there = across + 3.2 * len(label) > WIDTH  # half of a label that would leave the picture
+        out.append(text(WIDTH - 2 if out_there else across, lower + 16, label, "end" if out_there else "middle", 11))
     out.append(f'<path d="M{LEFT} {upper}V{lower}H{WIDTH - RIGHT}" fill="none" stroke="#333333"/>')
     for series in panel.series:
         out += draw_series(series, place)
