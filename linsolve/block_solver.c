@@ -6,8 +6,9 @@
 
 #include "linsolve/backend.h"
 
-/* From how many blocks on the second thread pays: measured, docs/performance.md. */
-enum { TEAM_FACTOR_MIN = 600, TEAM_SOLVE_MIN = 600, ALIGNMENT = 64 };
+/* From how many blocks, and from how many entries in the diagonal ones, the second thread pays: measured,
+ * docs/performance.md. */
+enum { TEAM_FACTOR_MIN = 600, TEAM_SOLVE_ENTRIES = 30000, ALIGNMENT = 64 };
 
 static const BlockKernels *kernels_for(int b, Isa isa)
 {
@@ -111,7 +112,7 @@ void block_solver_solve(BlockSolver *s, int count, double *x)
     for (int done = 0; done < count; done += BLOCK_RHS) {
         double *const at = x + (size_t)done * (size_t)(f->n * f->b);
         SolveJob job = {s, count - done < BLOCK_RHS ? count - done : BLOCK_RHS, at};
-        if (f->n >= TEAM_SOLVE_MIN && team_ready(s->team)) {
+        if (f->n * f->b * f->b >= TEAM_SOLVE_ENTRIES && team_ready(s->team)) {
             team_run(s->team, forward_side, &job);
             team_run(s->team, back_side, &job);
         } else {

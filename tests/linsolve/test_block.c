@@ -52,7 +52,7 @@ static void solve_into(const BlockChain *a, Team *team, int count, const double 
 static void threads(void **state)
 {
     (void)state;
-    static const int sizes[] = {1, 2, 299, 300, 301, 599, 600, 2001};
+    static const int sizes[] = {1, 2, 299, 300, 301, 599, 600, 2001, 3401};
     Team *team = team_new(2);
     uint64_t seed = 2;
     for (int b = 3; b <= 6; b += 3) {
