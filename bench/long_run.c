@@ -15,7 +15,7 @@ static void check(hawser_status status, const hawser_error *err)
 {
     if (status == HAWSER_OK) return;
     fprintf(stderr, "bench_long_run: %s\n", err->message);
-    exit(status);
+    exit((int)status);
 }
 
 /* Resident memory, kB: the second number of /proc/self/statm, in pages; -1 if it cannot be read. */
