@@ -55,8 +55,8 @@ static void test_convergence(void **state)
             print_message("accuracy %.0e: energy %.2e of %.4g J, momentum %.2e\n", accuracy[k], share[k], b.turnover_J,
                           impulse[k]);
         }
-        assert_true(share[1] < 2e-3 && share[4] < 1e-5 && share[4] < share[0] / 100);
-        assert_true(impulse[1] < 1e-3 && impulse[4] < 1e-5 && impulse[4] < impulse[0] / 100);
+        assert_true(share[1] < 1e-4 && share[4] < 1e-6 && share[4] < share[0] / 100);
+        assert_true(impulse[1] < 1e-4 && impulse[4] < 1e-6 && impulse[4] < impulse[0] / 100);
     }
 }
 
