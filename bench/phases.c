@@ -79,17 +79,10 @@ static void phase_solve(Bench *b)
     check(newton_solve(&b->newton, x) == 0, "the Newton system could not be solved");
 }
 
-/* About what CVODE does with vectors in a step of order 2 that takes one iteration. */
 static void phase_vector(Bench *b)
 {
-    N_Vector y = b->vector[0], rate = b->vector[1], weight = b->vector[2], work = b->vector[3];
-    realtype factor[3] = {1, GAMMA, 0.5};
-    N_Vector terms[3] = {y, rate, work};
-    N_VScale(1, y, work);
-    N_VLinearSum(1, y, GAMMA, rate, work);
-    N_VLinearCombination(3, factor, terms, work);
-    check(isfinite(N_VWrmsNorm(work, weight)), "the norm is not finite");
-    scales_project(b->scene.chain.n, b->y, N_VGetArrayPointer(work), NULL);
+    vectors_step(b->vector, GAMMA);
+    scales_project(b->scene.chain.n, b->y, N_VGetArrayPointer(b->vector[3]), NULL);
 }
 
 static void phase_sample(Bench *b)

@@ -67,10 +67,9 @@ void flat_solve(PlaneBench *b)
     check(m->ops->solve(m, x) == 0, "the Newton system could not be solved");
 }
 
-/* About what CVODE does with vectors in a step of order 2 that takes one iteration; nothing is to be projected. */
-void flat_vector(PlaneBench *b, double gamma)
+void vectors_step(N_Vector vector[4], double gamma)
 {
-    N_Vector y = b->vector[0], rate = b->vector[1], weight = b->vector[2], work = b->vector[3];
+    N_Vector y = vector[0], rate = vector[1], weight = vector[2], work = vector[3];
     realtype factor[3] = {1, gamma, 0.5};
     N_Vector terms[3] = {y, rate, work};
     N_VScale(1, y, work);
@@ -78,6 +77,9 @@ void flat_vector(PlaneBench *b, double gamma)
     N_VLinearCombination(3, factor, terms, work);
     check(isfinite(N_VWrmsNorm(work, weight)), "the norm is not finite");
 }
+
+/* Nothing is to be projected. */
+void flat_vector(PlaneBench *b, double gamma) { vectors_step(b->vector, gamma); }
 
 void flat_sample(PlaneBench *b, SampleParts parts)
 {

@@ -31,6 +31,9 @@ void flat_form(PlaneBench *b, double gamma);
 void flat_factor(PlaneBench *b);
 void flat_solve(PlaneBench *b);
 void flat_vector(PlaneBench *b, double gamma);
+/* About what CVODE does with vectors (state, rates, weights, work) in a step of order 2 that takes one iteration, but
+ * for the projection. Ends the program if the norm is not finite. */
+void vectors_step(N_Vector vector[4], double gamma);
 /* The look at the state that a row of output takes, and what else a state does (SAMPLE_ALL). */
 void flat_sample(PlaneBench *b, SampleParts parts);
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "contact/contact_kernels.h"
+#include "contact/tally_lanes.h"
 
 /* The kernels of the best instruction set. */
 static const ContactKernels *kernels(void)
@@ -194,30 +195,11 @@ static void push_add(const ContactBatch *batch, const ContactPush *push, int l, 
     }
 }
 
-/* Sums that are kept lane by lane, so that none waits for the one before it. */
-typedef struct TallyLanes {
-    double friction[LANES], damping[LANES], energy[LANES], force[3][LANES];
-} TallyLanes;
-
 /* Adds one lane that is in the batch. */
-static void tally_add(TallyLanes *sum, const ContactPush *push, int l)
+static void push_tally(TallyLanes *sum, const ContactPush *push, int l)
 {
-    sum->friction[l] += push->friction[l];
-    sum->damping[l] += push->damping[l];
-    sum->energy[l] += push->energy[l];
+    tally_add(sum, push->friction, push->damping, push->energy, l);
     for (int c = 0; c < 3; ++c) sum->force[c][l] += push->total[c][l];
-}
-
-static ContactTally tally_total(const TallyLanes *sum)
-{
-    ContactTally total = {0};
-    for (int l = 0; l < LANES; ++l) {
-        total.friction += sum->friction[l];
-        total.damping += sum->damping[l];
-        total.energy += sum->energy[l];
-        for (int c = 0; c < 3; ++c) total.force[c] += sum->force[c][l];
-    }
-    return total;
 }
 
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
@@ -233,7 +215,7 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
-            tally_add(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
+            push_tally(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
             if (!(push.normal[l] > 0)) continue;
             /* only what carries force is added: the others' lanes are zeros */
             ++pairs->active;
@@ -260,7 +242,7 @@ void contact_forces_moving(const ContactModel *model, const Chain *chain, const 
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
-            tally_add(&tally, &push, l);
+            push_tally(&tally, &push, l);
             if (!(push.normal[l] > 0)) continue;
             ++pairs->active;
             push_add(&batch, &push, l, loads);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "contact/planar_contact_kernels.h"
+#include "contact/tally_lanes.h"
 
 static const PlanarContactKernels *kernels(void)
 {
@@ -148,30 +149,11 @@ static void push_add(const PlanarBatch *batch, const PlanarPush *push, int l, Pl
     }
 }
 
-/* Sums that are kept lane by lane, so that none waits for the one before it. */
-typedef struct TallyLanes {
-    double friction[LANES], damping[LANES], energy[LANES], force[2][LANES];
-} TallyLanes;
-
 /* Adds one lane that is in the batch, along the plane's axes. */
-static void tally_add(TallyLanes *sum, const PlanarPush *push, int l)
+static void push_tally(TallyLanes *sum, const PlanarPush *push, int l)
 {
-    sum->friction[l] += push->friction[l];
-    sum->damping[l] += push->damping[l];
-    sum->energy[l] += push->energy[l];
+    tally_add(sum, push->friction, push->damping, push->energy, l);
     for (int c = 0; c < 2; ++c) sum->force[c][l] += push->total[c][l];
-}
-
-static ContactTally tally_total(const TallyLanes *sum)
-{
-    ContactTally total = {0};
-    for (int l = 0; l < LANES; ++l) {
-        total.friction += sum->friction[l];
-        total.damping += sum->damping[l];
-        total.energy += sum->energy[l];
-        for (int c = 0; c < 2; ++c) total.force[c] += sum->force[c][l];
-    }
-    return total;
 }
 
 void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
@@ -188,7 +170,7 @@ void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *c
         next = batch_fill(&batch, model, chain, kin, pairs, next);
         kernel->push(&batch, &push);
         for (int l = 0; l < batch.count; ++l) {
-            tally_add(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
+            push_tally(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
             if (!(push.normal[l] > 0)) continue;
             ++pairs->active;
             push_add(&batch, &push, l, loads);

@@ -12,6 +12,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "sim/custom_linear.h"
 #include "sim/stride.h"
 #include "sim/vector.h"
 
@@ -44,8 +45,7 @@ struct Integrator {
     N_Vector state;
     N_Vector good;   /* the state of the last good step */
     N_Vector newest; /* of CVODE's history: the state at the last step; see history_find */
-    SUNMatrix matrix;
-    SUNLinearSolver solver;
+    CustomLinear linear;
     IntegratorStats stats;
     IntegratorStats before; /* counts of CVODE's from before it was started anew */
     char complaint[256];    /* what CVODE said last */
@@ -115,24 +115,6 @@ static void call_complaint(int code, const char *module, const char *function, c
 /* ----------------------------------------------------------- the Newton matrix in SUNDIALS' clothes (SUNDIALS custom)
  */
 
-static SUNMatrix_ID matrix_id(SUNMatrix a)
-{
-    (void)a;
-    return SUNMATRIX_CUSTOM;
-}
-
-static SUNLinearSolver_Type solver_type(SUNLinearSolver s)
-{
-    (void)s;
-    return SUNLINEARSOLVER_DIRECT;
-}
-
-static SUNLinearSolver_ID solver_id(SUNLinearSolver s)
-{
-    (void)s;
-    return SUNLINEARSOLVER_CUSTOM;
-}
-
 static int solver_setup(SUNLinearSolver s, SUNMatrix a)
 {
     (void)a;
@@ -156,16 +138,8 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
 
 static int linear_attach(Integrator *in)
 {
-    in->matrix = SUNMatNewEmpty(in->context);
-    in->solver = SUNLinSolNewEmpty(in->context);
-    if (!in->matrix || !in->solver) return 0;
-    in->matrix->ops->getid = matrix_id;
-    in->solver->ops->gettype = solver_type;
-    in->solver->ops->getid = solver_id;
-    in->solver->ops->setup = solver_setup;
-    in->solver->ops->solve = solver_solve;
-    in->solver->content = in;
-    return CVodeSetLinearSolver(in->cvode, in->solver, in->matrix) == CV_SUCCESS &&
+    if (!custom_linear_new(&in->linear, in, solver_setup, solver_solve, in->context)) return 0;
+    return CVodeSetLinearSolver(in->cvode, in->linear.solver, in->linear.matrix) == CV_SUCCESS &&
            CVodeSetLinSysFn(in->cvode, call_system) == CV_SUCCESS;
 }
 
@@ -253,8 +227,7 @@ Integrator *integrator_free(Integrator *in)
 {
     if (!in) return NULL;
     if (in->cvode) CVodeFree(&in->cvode);
-    if (in->solver) SUNLinSolFreeEmpty(in->solver);
-    if (in->matrix) SUNMatFreeEmpty(in->matrix);
+    custom_linear_free(&in->linear);
     if (in->good) N_VDestroy(in->good);
     if (in->state) N_VDestroy(in->state);
     if (in->context) SUNContext_Free(&in->context);

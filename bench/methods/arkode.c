@@ -78,7 +78,7 @@ static int implicit_set(Ark *a, int variant)
     const int own = variant < DIRK_DEFAULT;
     int bad = ARKStepSetTableNum(m, (ARKODE_DIRKTableID)(own ? variant : variant - DIRK_DEFAULT), ARKODE_ERK_NONE);
     bad |= !own_linear_new(&a->own, a->p->motion, a->context);
-    bad |= ARKStepSetLinearSolver(m, a->own.solver, a->own.matrix);
+    bad |= ARKStepSetLinearSolver(m, a->own.linear.solver, a->own.linear.matrix);
     bad |= ARKStepSetLinSysFn(m, call_system);
     if (!own) return bad;
     bad |= ARKStepSetPredictorMethod(m, PREDICT_VARIABLE_ORDER);

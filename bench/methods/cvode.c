@@ -141,7 +141,8 @@ static int attach_matrix(Plain *c) { return CVodeSetLinearSolver(c->memory, c->s
 static int attach_own(Plain *c)
 {
     if (!own_linear_new(&c->own, c->p->motion, c->context)) return 1;
-    return CVodeSetLinearSolver(c->memory, c->own.solver, c->own.matrix) || CVodeSetLinSysFn(c->memory, call_system);
+    return CVodeSetLinearSolver(c->memory, c->own.linear.solver, c->own.linear.matrix) ||
+           CVodeSetLinSysFn(c->memory, call_system);
 }
 
 static int attach_dense(Plain *c)

@@ -3,24 +3,6 @@
 #include <nvector/nvector_serial.h>
 #include <string.h>
 
-static SUNMatrix_ID matrix_id(SUNMatrix a)
-{
-    (void)a;
-    return SUNMATRIX_CUSTOM;
-}
-
-static SUNLinearSolver_Type solver_type(SUNLinearSolver s)
-{
-    (void)s;
-    return SUNLINEARSOLVER_DIRECT;
-}
-
-static SUNLinearSolver_ID solver_id(SUNLinearSolver s)
-{
-    (void)s;
-    return SUNLINEARSOLVER_CUSTOM;
-}
-
 static int solver_setup(SUNLinearSolver s, SUNMatrix a)
 {
     (void)a;
@@ -38,23 +20,11 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
 
 int own_linear_new(OwnLinear *own, Motion *motion, SUNContext context)
 {
-    *own = (OwnLinear){.motion = motion, .matrix = SUNMatNewEmpty(context), .solver = SUNLinSolNewEmpty(context)};
-    if (!own->matrix || !own->solver) return 0;
-    own->matrix->ops->getid = matrix_id;
-    own->solver->ops->gettype = solver_type;
-    own->solver->ops->getid = solver_id;
-    own->solver->ops->setup = solver_setup;
-    own->solver->ops->solve = solver_solve;
-    own->solver->content = own;
-    return 1;
+    *own = (OwnLinear){.motion = motion};
+    return custom_linear_new(&own->linear, own, solver_setup, solver_solve, context);
 }
 
-void own_linear_free(OwnLinear *own)
-{
-    if (own->solver) SUNLinSolFreeEmpty(own->solver);
-    if (own->matrix) SUNMatFreeEmpty(own->matrix);
-    memset(own, 0, sizeof *own);
-}
+void own_linear_free(OwnLinear *own) { custom_linear_free(&own->linear); }
 
 int own_linear_system(OwnLinear *own, double t, N_Vector y, N_Vector rates, int jok, booleantype *jcur, double gamma)
 {

@@ -2,15 +2,12 @@
 #ifndef HAWSER_BENCH_METHODS_OWN_LINEAR_H
 #define HAWSER_BENCH_METHODS_OWN_LINEAR_H
 
-#include <sundials/sundials_linearsolver.h>
-#include <sundials/sundials_matrix.h>
-
+#include "sim/custom_linear.h"
 #include "sim/motion.h"
 
 typedef struct OwnLinear {
     Motion *motion;
-    SUNMatrix matrix;
-    SUNLinearSolver solver;
+    CustomLinear linear;
     long jacobians;
 } OwnLinear;
 
