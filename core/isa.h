@@ -5,9 +5,13 @@
 
 typedef enum Isa { ISA_GENERIC, ISA_AVX2, ISA_AVX512 } Isa;
 
-/* The best instruction set that this machine has and this build holds. */
+/* The instruction set that the kernels are taken from, the same for the whole life of a process: the one that the
+ * environment's HAWSER_ISA names (generic, avx2, avx512), otherwise the best that this machine has and this build
+ * holds. Results differ between sets by rounding alone. */
 Isa isa_best(void);
 const char *isa_name(Isa isa);
+/* What is wrong with HAWSER_ISA, in one line; NULL: nothing. A wrong one is not followed. */
+const char *isa_complaint(void);
 
 /* ISA_NAME(f) is f_generic, f_avx2 or f_avx512, by the instruction set that the file is being compiled for. */
 #ifdef HAWSER_ISA

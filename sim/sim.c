@@ -6,6 +6,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "core/isa.h"
 #include "sim/along.h"
 #include "sim/by_position.h"
 #include "sim/events.h"
@@ -96,6 +97,10 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
     Sim *s = calloc(1, sizeof *s);
     *out = NULL;
     if (!s) return error_memory(err);
+    if (isa_complaint()) {
+        free(s);
+        return error_set(err, HAWSER_ERR_INPUT, "%s", isa_complaint());
+    }
     SceneDef mine = *def; /* the scene makes its own deep copy */
     if (threads > 0) mine.solver.threads = mine.solver.linear.threads = threads;
     s->threads = mine.solver.threads;
