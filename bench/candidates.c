@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "bench/straight_scene.h"
-#include "core/clock.h"
+#include "core/base/clock.h"
 #include "sim/dynamics.h"
 
 static const double REACH = 1, EVERYTHING = 1e9; /* m */

@@ -11,13 +11,13 @@
 
 #include "bench/phases_plane.h"
 #include "bench/straight_scene.h"
-#include "core/isa.h"
+#include "core/base/isa.h"
 #include "sim/dynamics.h"
-#include "sim/newton.h"
-#include "sim/relax.h"
-#include "sim/sample.h"
-#include "sim/scales.h"
-#include "sim/vector.h"
+#include "sim/newton/newton.h"
+#include "sim/newton/relax.h"
+#include "sim/step/scales.h"
+#include "sim/step/vector.h"
+#include "sim/watch/sample.h"
 
 static const double GAMMA = 0.01; /* s, of a BDF step of order 2 in the steady pull */
 

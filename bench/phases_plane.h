@@ -4,8 +4,8 @@
 
 #include <sundials/sundials_nvector.h>
 
-#include "sim/planar.h"
-#include "sim/sample.h"
+#include "sim/planar/planar.h"
+#include "sim/watch/sample.h"
 
 typedef struct PlaneBench {
     Workspace ws;

@@ -1,6 +1,6 @@
 # hawser_folder(NAME LINKS...): the library of one folder, from every .c file in it.
 # Files named *_lanes.c hold kernels written in vector types; each is compiled once for every instruction set
-# (symbols end in HAWSER_ISA) and chosen at run time by core/isa.h.
+# (symbols end in HAWSER_ISA) and chosen at run time by core/base/isa.h.
 set(HAWSER_ISA_FLAGS_generic "")
 set(HAWSER_ISA_LIST generic)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -12,8 +12,8 @@ endif()
 
 # The targets whose objects make up libhawser (cmake/Install.cmake) are collected in the property HAWSER_OBJECTS.
 function(hawser_folder name)
-    file(GLOB sources CONFIGURE_DEPENDS *.c *.h)
-    file(GLOB kernels CONFIGURE_DEPENDS *_lanes.c)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.c *.h)
+    file(GLOB_RECURSE kernels CONFIGURE_DEPENDS *_lanes.c)
     list(REMOVE_ITEM sources ${kernels} "")
     if(NOT sources MATCHES "[.]c")
         add_library(${name} INTERFACE) # nothing to compile

@@ -3,11 +3,11 @@
 #ifndef HAWSER_CORE_BODY_H
 #define HAWSER_CORE_BODY_H
 
+#include "core/base/vec3.h"
 #include "core/block_chain.h"
 #include "core/bushing.h"
 #include "core/chain.h"
 #include "core/state.h"
-#include "core/vec3.h"
 
 /* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. from is a
  * multiple of LANES. Entries up to the next multiple of LANES after `to` are overwritten: set the head ghost

@@ -2,8 +2,8 @@
 #ifndef HAWSER_CORE_BODY_KERNELS_H
 #define HAWSER_CORE_BODY_KERNELS_H
 
+#include "core/base/isa.h"
 #include "core/chain.h"
-#include "core/isa.h"
 
 typedef struct BodyKernels {
     void (*kinematics)(int n, const double *y, int from, int to, Kinematics *kin);

@@ -2,9 +2,9 @@
 #ifndef HAWSER_CORE_BUSHING_KERNELS_H
 #define HAWSER_CORE_BUSHING_KERNELS_H
 
+#include "core/base/isa.h"
+#include "core/base/lanes.h"
 #include "core/chain.h"
-#include "core/isa.h"
-#include "core/lanes.h"
 
 /* Derivatives of LANES joints' force, moment on A and moment on B (9 rows) with respect to relative displacement,
  * rotation of A and rotation of B (9 columns), or to the rates of these; world. */

@@ -2,7 +2,7 @@
 #ifndef HAWSER_CORE_PUSH_H
 #define HAWSER_CORE_PUSH_H
 
-#include "core/vec3.h"
+#include "core/base/vec3.h"
 
 typedef struct Push {
     double power; /* W */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 /* Level part of a unit tangent below which it counts as vertical; rounding leaves about 1e-15 of it. */
 static const double LEVEL_MIN = 1e-9;

@@ -3,7 +3,7 @@
 #ifndef HAWSER_CORE_ROUTE_H
 #define HAWSER_CORE_ROUTE_H
 
-#include "core/vec3.h"
+#include "core/base/vec3.h"
 #include "hawser/hawser.h"
 
 typedef enum RoutePieceKind { ROUTE_STRAIGHT, ROUTE_BEND } RoutePieceKind;

@@ -3,8 +3,8 @@
 #ifndef HAWSER_CORE_SLIDER_LANES_H
 #define HAWSER_CORE_SLIDER_LANES_H
 
+#include "core/base/lane_math.h"
 #include "core/chain.h"
-#include "core/lane_math.h"
 
 /* One slider of LANES joints: the rotation of its spring as if it had not slipped since the last accepted step, and
  * what the slider lets it keep. */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "linsolve/backend.h"
-#include "linsolve/block_solver.h"
+#include "linsolve/block/block_solver.h"
 #include "linsolve/leaves.h"
 #include "linsolve/small_lu.h"
 

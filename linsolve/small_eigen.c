@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "linsolve/lapack.h"
 
 /* DSYGV: vectors come in s. */

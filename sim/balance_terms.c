@@ -2,9 +2,9 @@
 
 #include <string.h>
 
+#include "core/base/lanes.h"
 #include "core/body.h"
-#include "core/lanes.h"
-#include "sim/applied.h"
+#include "sim/loads.h"
 
 static Vec3 vector_at(double *const a[3], int i) { return v3(a[0][i], a[1][i], a[2][i]); }
 

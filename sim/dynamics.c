@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/clock.h"
-#include "core/lanes.h"
-#include "core/team.h"
-#include "sim/applied.h"
+#include "core/base/clock.h"
+#include "core/base/lanes.h"
+#include "core/base/team.h"
+#include "sim/loads.h"
 
 /* Segments from which light loops pay on two threads, and joints with the contacts of rollers. */
 enum { LONG_CHAIN = 1000, MIDDLE_CHAIN = 500 };

@@ -3,9 +3,9 @@
 #ifndef HAWSER_SIM_DYNAMICS_H
 #define HAWSER_SIM_DYNAMICS_H
 
+#include "core/base/team.h"
 #include "core/push.h"
-#include "core/team.h"
-#include "sim/equipment_work.h"
+#include "sim/equipment/roller_motion.h"
 #include "sim/scene.h"
 
 enum { PARTS = 2 }; /* into which the work is split, whatever the number of threads: results never depend on it */

@@ -2,8 +2,8 @@
 #ifndef HAWSER_SIM_HALVES_H
 #define HAWSER_SIM_HALVES_H
 
-#include "core/lanes.h"
-#include "core/team.h"
+#include "core/base/lanes.h"
+#include "core/base/team.h"
 
 enum { HALVES_LONG = 1000 }; /* segments from which loops of a few nanoseconds a segment pay on two threads */
 

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "sim/loading_curve.h"
 
 enum { AXIAL, SHEAR_Y, SHEAR_Z, TORSION, BENDING_Y, BENDING_Z, COMPONENTS };

@@ -4,7 +4,7 @@
 #define HAWSER_SIM_LOADING_CURVE_H
 
 #include "core/chain.h"
-#include "sim/scene_def.h"
+#include "sim/def/scene_def.h"
 
 /* Piece i has the compliance [i] up to moment[i]; the last piece goes on for ever. */
 typedef struct LoadingCurve {

@@ -1,5 +1,5 @@
 /* The scene: what is simulated, built once from a SceneDef and immutable while a run lasts, but for the winch's phase,
- * which changes between steps (sim/winch.h). */
+ * which changes between steps (sim/equipment/winch.h). */
 #ifndef HAWSER_SIM_SCENE_H
 #define HAWSER_SIM_SCENE_H
 
@@ -11,8 +11,8 @@ void scene_clear(Scene *scene);
 
 /* Entries of the state: 13 a segment, then the equipment's. */
 int scene_state_size(const Scene *scene);
-/* Writes the initial state of the whole chain, 13 total numbers and the equipment's (core/state.h, sim/equipment.h):
- * the chain lies on the route at rest, its joints closed. */
+/* Writes the initial state of the whole chain, 13 total numbers and the equipment's (core/state.h,
+ * sim/equipment/moving_rollers.h): the chain lies on the route at rest, its joints closed. */
 void scene_initial_state(const Scene *scene, double *y);
 /* Where the winch stands that takes the rope in, m along the route: as the definition says; otherwise the route's end,
  * or the head's place if that is farther. */

@@ -2,16 +2,16 @@
 #ifndef HAWSER_SIM_SCENE_DATA_H
 #define HAWSER_SIM_SCENE_DATA_H
 
-#include "contact/contact.h"
-#include "contact/self_contact.h"
+#include "contact/roller/contact.h"
+#include "contact/self/self_contact.h"
 #include "core/body.h"
-#include "sim/conveyor.h"
-#include "sim/drum.h"
-#include "sim/equipment.h"
-#include "sim/reel.h"
-#include "sim/rod.h"
-#include "sim/surfaces.h"
-#include "sim/take_in.h"
+#include "sim/equipment/conveyor.h"
+#include "sim/equipment/drum.h"
+#include "sim/equipment/moving_rollers.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/rod.h"
+#include "sim/equipment/surfaces.h"
+#include "sim/equipment/take_in.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
  * lead-in's hold on the cable across its line (F1). */
@@ -33,7 +33,7 @@ typedef struct Drag {
 } Drag;
 
 /* Numbers: segments and joints of the whole chain are 0..total from the tail. What is simulated may be a part of it
- * (sim/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
+ * (sim/run/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
 typedef struct Scene {
     Chain chain;
     int first, total;     /* 0 and chain.n if nothing is on a reel or past the winch */

@@ -2,7 +2,7 @@
 
 #include <assert.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 static const double HALF_PI = 1.57079632679489661923;
 

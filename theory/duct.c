@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 /* (T19): x = d / (D - d), the sine of half the angle between two touching cables on the duct's wall, seen
  * from its centre for the cradle, and of the whole angle from the vertical for a pair. */

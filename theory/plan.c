@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "theory/closed_form.h"
 
 void plan_defaults(PlanDef *def) { *def = (PlanDef){.reel_length = 15, .rope_length = 5}; }

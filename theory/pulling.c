@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <stdlib.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 /* Everything a user can get wrong in one pull, each with its reason. */
 static hawser_status check_def(const PullDef *def, hawser_error *err)

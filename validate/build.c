@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 /* One more than asked for, so that an empty array is one too. */
 static void *items(int count, size_t size) { return calloc((size_t)count + 1, size); }

@@ -2,7 +2,7 @@
 #ifndef HAWSER_VALIDATE_BUILD_H
 #define HAWSER_VALIDATE_BUILD_H
 
-#include "sim/sim.h"
+#include "sim/run/sim.h"
 
 /* How many of each there may be; the arrays are made for as many. */
 typedef struct SceneRoom {

@@ -3,8 +3,8 @@
  */
 #include <math.h>
 
-#include "sim/modes.h"
-#include "sim/statics.h"
+#include "sim/run/modes.h"
+#include "sim/run/statics.h"
 #include "validate/cases.h"
 #include "validate/motion.h"
 #include "validate/orders.h"

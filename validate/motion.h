@@ -2,9 +2,9 @@
 #ifndef HAWSER_VALIDATE_MOTION_H
 #define HAWSER_VALIDATE_MOTION_H
 
+#include "core/base/vec3.h"
 #include "core/state.h"
-#include "core/vec3.h"
-#include "sim/stage.h"
+#include "sim/run/stage.h"
 
 /* Builds the stage of t = 0 in space; the definition is taken apart. stage_free must follow if it returns OK. */
 hawser_status motion_start(SceneDef *def, Stage *stage, hawser_error *err);

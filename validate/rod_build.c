@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 hawser_status rod_start(SceneDef *def, CableDef cable, double length, int n, int steps, hawser_error *err)
 {

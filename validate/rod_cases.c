@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/error.h"
-#include "sim/statics.h"
+#include "core/base/error.h"
+#include "sim/run/statics.h"
 #include "validate/cases.h"
 #include "validate/motion.h"
 #include "validate/orders.h"

@@ -2,7 +2,7 @@
  * what the rollers bear. The cable's ends are free across. */
 #include <math.h>
 
-#include "sim/stats.h"
+#include "sim/watch/stats.h"
 #include "theory/closed_form.h"
 #include "validate/build.h"
 #include "validate/cases.h"

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "validate/cases.h"
 
 static const ValidationGroup *const groups[] = {&paper_group,  &row_group,       &duct_group,

@@ -2,8 +2,8 @@
 #ifndef HAWSER_BENCH_METHODS_OWN_LINEAR_H
 #define HAWSER_BENCH_METHODS_OWN_LINEAR_H
 
-#include "sim/custom_linear.h"
-#include "sim/motion.h"
+#include "sim/step/custom_linear.h"
+#include "sim/step/motion.h"
 
 typedef struct OwnLinear {
     Motion *motion;

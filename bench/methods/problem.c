@@ -6,7 +6,7 @@
 #include <time.h>
 
 #include "bench/straight_scene.h"
-#include "io/case_read.h"
+#include "io/case/case_read.h"
 
 double cpu_now(void)
 {

@@ -6,7 +6,7 @@
 
 #include "bench/peers/run.h"
 #include "bench/straight_scene.h"
-#include "sim/sim.h"
+#include "sim/run/sim.h"
 
 /* The straight scene is that of cases/straight.yaml; only the window differs. */
 static int define_straight(SceneDef *def, int n)

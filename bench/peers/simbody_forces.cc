@@ -7,7 +7,7 @@
 #include <cmath>
 
 extern "C" {
-#include "contact/contact_law.h"
+#include "contact/law/contact_law.h"
 }
 
 using namespace SimTK;

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "bench/straight_scene.h"
-#include "io/case_read.h"
+#include "io/case/case_read.h"
 
 typedef struct Pair {
     SceneDef code, file;

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/contact.h"
-#include "core/vec3.h"
+#include "contact/roller/contact.h"
+#include "core/base/vec3.h"
 
 enum { SCENE_ROLLERS_MAX = 4, SCENE_HITS_MAX = 64 };
 

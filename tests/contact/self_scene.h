@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#include "contact/self_contact.h"
+#include "contact/self/self_contact.h"
 
 static const double SELF_RADIUS = 0.04; /* m, of the cable */
 

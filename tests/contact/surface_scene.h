@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/surface.h"
-#include "core/vec3.h"
+#include "contact/surface/surface.h"
+#include "core/base/vec3.h"
 
 enum { SURFACES_MAX = 4, PATCHES_MAX = 64 };
 

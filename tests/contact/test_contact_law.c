@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include <math.h>
 
-#include "contact/contact_law.h"
+#include "contact/law/contact_law.h"
 #include "core/profile.h"
 
 static const ImpactLaw impact = {.k = 3e6, .e = 1.5, .c = 5e3, .d = 1e-3};

@@ -1,6 +1,6 @@
 /* Contact in the plane against contact in space: the same owners and forces for lines of every shape, where they touch
  * inside an arc, beyond an end, and where the radius changes; forces balance those on the rollers. */
-#include "contact/planar_contact.h"
+#include "contact/planar/planar_contact.h"
 #include "tests/contact/contact_scene.h"
 
 enum { N = 11 };

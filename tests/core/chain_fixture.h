@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
+#include "core/base/vec3.h"
 #include "core/chain.h"
-#include "core/vec3.h"
 
 /* Uniform in [-1, 1], from a 64-bit linear congruential generator (Knuth's MMIX constants). */
 static inline double fixture_random(uint64_t *seed)

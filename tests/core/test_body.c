@@ -8,8 +8,8 @@
 
 #include <cmocka.h>
 
+#include "core/base/lanes.h"
 #include "core/body.h"
-#include "core/lanes.h"
 #include "tests/core/chain_fixture.h"
 
 static const int SIZES[] = {1, 2, 7, 8, 9, 370};

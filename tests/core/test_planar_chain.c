@@ -7,8 +7,8 @@
 #include <cmocka.h>
 
 #include "core/bushing.h"
-#include "core/planar.h"
-#include "core/plane_lanes.h"
+#include "core/planar/planar.h"
+#include "core/planar/plane_lanes.h"
 #include "tests/core/chain_fixture.h"
 
 enum { N = 13, STRIDE = 16 };

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "core/team.h"
+#include "core/base/team.h"
 
 enum { VALUES = 1000 };
 

@@ -35,12 +35,12 @@ class Includes(unittest.TestCase):
                                          "core/e.h": '#include "hawser/hawser.h"\n'}))
 
     def test_upward(self):
-        found = self.check({"core/a.c": '#include "sim/sim.h"\n', "sim/sim.h": ""})
+        found = self.check({"core/a.c": '#include "sim/run/sim.h"\n', "sim/run/sim.h": ""})
         self.assertEqual(1, len(found))
         self.assertIn("core/a.c:1", found[0])
 
     def test_upward_within_a_level(self):
-        self.assertTrue(self.check({"theory/a.c": '#include "sim/sim.h"\n', "sim/sim.h": ""}))
+        self.assertTrue(self.check({"theory/a.c": '#include "sim/run/sim.h"\n', "sim/run/sim.h": ""}))
         self.assertTrue(self.check({"sim/a.c": '#include "io/io.h"\n', "io/io.h": ""}))
 
     def test_sideways(self):

@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "io/case_read.h"
+#include "io/case/case_read.h"
 
 #define NAME "pull.yaml"
 

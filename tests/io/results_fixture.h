@@ -4,8 +4,8 @@
 
 #define _GNU_SOURCE /* nftw */
 
-#include "io/results.h"
-#include "io/summary_json.h"
+#include "io/results/results.h"
+#include "io/results/summary_json.h"
 
 #include <ftw.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Facts and tables as text, JSON and CSV: the same content in each, and what is not known. */
-#include "io/api_document.h"
+#include "io/results/json_document.h"
 
 #include <math.h>
 #include <setjmp.h>

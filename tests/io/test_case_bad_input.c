@@ -3,9 +3,9 @@
 #include "tests/io/case_fixture.h"
 #include "tests/io/case_texts.h"
 
-#include "io/case_error.h"
-#include "io/case_fields.h"
-#include "io/case_schema.h"
+#include "io/schema/case_fields.h"
+#include "io/schema/case_schema.h"
+#include "io/yaml/case_error.h"
 
 enum { TEXT_MAX = 16384, VALUE_MAX = 64, KEYS_MAX = 1000 };
 

@@ -3,8 +3,8 @@
  * as they should be. */
 #include "tests/io/case_fixture.h"
 
-#include "io/case_fields.h"
-#include "io/case_schema.h"
+#include "io/schema/case_fields.h"
+#include "io/schema/case_schema.h"
 
 enum { CELL_MAX = 400, ROW_MAX = 2000 };
 

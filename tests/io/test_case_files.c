@@ -3,7 +3,7 @@
 
 #include <glob.h>
 
-#include "io/case_parts.h"
+#include "io/case/case_parts.h"
 
 static const double DEG = 3.14159265358979323846 / 180;
 

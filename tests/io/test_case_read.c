@@ -2,7 +2,7 @@
 #include "tests/io/case_fixture.h"
 #include "tests/io/case_texts.h"
 
-#include "io/case_parts.h"
+#include "io/case/case_parts.h"
 
 static const double DEG = 3.14159265358979323846 / 180;
 

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/case_error.h"
+#include "io/yaml/case_error.h"
 
 static CaseTree *tree_of(const char *text)
 {

@@ -2,12 +2,12 @@
 #ifndef HAWSER_TESTS_SIM_DRUM_FIXTURE_H
 #define HAWSER_TESTS_SIM_DRUM_FIXTURE_H
 
-#include "sim/drum.h"
+#include "sim/equipment/drum.h"
 
 #include "sim/dynamics.h"
-#include "sim/newton.h"
-#include "sim/newton_extra.h"
-#include "sim/sim.h"
+#include "sim/newton/newton.h"
+#include "sim/newton/newton_extra.h"
+#include "sim/run/sim.h"
 #include "tests/sim/scene_fixture.h"
 
 static const double D = 0.05, H = 0.125, TORQUE = 100, RIGIDITY = 5; /* m, m, N m, N m2 */

@@ -3,7 +3,7 @@
 #ifndef HAWSER_TESTS_SIM_PLANAR_FIXTURE_H
 #define HAWSER_TESTS_SIM_PLANAR_FIXTURE_H
 
-#include "sim/plane.h"
+#include "sim/planar/plane.h"
 #include "tests/sim/scene_fixture.h"
 
 /* fixture_pull, but the route's bend to the left becomes a sag, and all rollers lie below the route, some off centre.

@@ -3,8 +3,8 @@
 #ifndef HAWSER_TESTS_SIM_RIG_FIXTURE_H
 #define HAWSER_TESTS_SIM_RIG_FIXTURE_H
 
-#include "sim/integrator.h"
-#include "sim/spatial.h"
+#include "sim/step/integrator.h"
+#include "sim/step/spatial.h"
 #include "tests/sim/scene_fixture.h"
 
 typedef struct Rig {

@@ -2,7 +2,7 @@
 #ifndef HAWSER_TESTS_SIM_ROD_FIXTURE_H
 #define HAWSER_TESTS_SIM_ROD_FIXTURE_H
 
-#include "sim/statics.h"
+#include "sim/run/statics.h"
 #include "tests/sim/scene_fixture.h"
 
 /* Zeros: weightless, EA = GA = 1 MN, GJ = EI = 1 kN m2, straight along x, clamped at the tail. */

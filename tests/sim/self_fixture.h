@@ -4,9 +4,9 @@
 #define HAWSER_TESTS_SIM_SELF_FIXTURE_H
 
 #include "sim/dynamics.h"
-#include "sim/newton.h"
-#include "sim/newton_extra.h"
-#include "sim/spatial.h"
+#include "sim/newton/newton.h"
+#include "sim/newton/newton_extra.h"
+#include "sim/step/spatial.h"
 #include "tests/sim/scene_fixture.h"
 
 static const double SELF_DIAMETER = 0.08; /* m */

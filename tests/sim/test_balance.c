@@ -1,6 +1,6 @@
 /* Balances of energy and momentum of whole runs: they close, better the more accurate the run; the same in the plane,
  * in space and on two threads; and their terms are what can be said by hand. */
-#include "sim/sim.h"
+#include "sim/run/sim.h"
 #include "tests/sim/planar_fixture.h"
 
 /* A run to the definition's end, with its balance. */

@@ -1,9 +1,9 @@
 /* The pull by the place of the cable's front: theory along the way against sums done by hand, means against known
  * signals, and a short run from a reel against both. */
-#include "sim/by_position.h"
+#include "sim/watch/position_table.h"
 
-#include "sim/expected.h"
-#include "sim/sim.h"
+#include "sim/expected/expected.h"
+#include "sim/run/sim.h"
 #include "tests/sim/reel_fixture.h"
 
 static void scene_for(const ReelChoice *choice, Scene *scene)

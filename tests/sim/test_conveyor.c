@@ -1,6 +1,6 @@
 /* A conveyor by itself: how its grip is spread, which segments it finds, forces and their derivatives. */
 #include "core/state.h"
-#include "sim/conveyor.h"
+#include "sim/equipment/conveyor.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { N = 16 };

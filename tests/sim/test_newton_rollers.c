@@ -1,8 +1,8 @@
 /* Newton's matrix with rollers that spin and stand on mounts, as test_newton.c has it for the chain: newton_solve must
  * solve (1 - gamma J) x = b with J x by differences of the rates, whatever is leaf and whatever is border. */
 #include "sim/dynamics.h"
-#include "sim/newton.h"
-#include "sim/newton_leaves.h"
+#include "sim/newton/newton.h"
+#include "sim/newton/newton_leaves.h"
 #include "tests/sim/roller_fixture.h"
 
 static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */

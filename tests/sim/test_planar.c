@@ -1,8 +1,8 @@
 /* The planar equations: the same rates, derivative blocks and samples as those in space for every state in the plane;
  * derivatives against finite differences; the Newton solution against the definition. */
-#include "sim/newton.h"
-#include "sim/planar.h"
-#include "sim/spatial.h"
+#include "sim/newton/newton.h"
+#include "sim/planar/planar.h"
+#include "sim/step/spatial.h"
 #include "tests/sim/planar_fixture.h"
 
 enum { N = FIXTURE_SEGMENTS, STRIDE = (N + 7) / 8 * 8, SIZE = PLANAR_SIZE * STRIDE };

@@ -1,8 +1,8 @@
 /* Runs in the plane: the pull of the same scene solved in space, the same bits on two threads, what a free chain
  * conserves. */
-#include "sim/integrator.h"
-#include "sim/planar.h"
-#include "sim/sim.h"
+#include "sim/planar/planar.h"
+#include "sim/run/sim.h"
+#include "sim/step/integrator.h"
 #include "tests/sim/planar_fixture.h"
 
 /* A recorded pull of the planar scene; its samples are kept apart. */

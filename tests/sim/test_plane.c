@@ -1,5 +1,5 @@
 /* Which scenes lie in a plane, which do not and why; and what a case's `solver.planar` makes of it. */
-#include "sim/sim.h"
+#include "sim/run/sim.h"
 #include "tests/sim/planar_fixture.h"
 
 enum { N = FIXTURE_SEGMENTS };

@@ -1,7 +1,7 @@
 /* The drum's forces on the tail: derivatives against differences, limits of the brake laws, and the cable drawn from a
  * drum by a constant pull against the balance of angular momentum. */
-#include "sim/reel.h"
-#include "sim/stage.h"
+#include "sim/equipment/reel.h"
+#include "sim/run/stage.h"
 #include "tests/sim/reel_fixture.h"
 
 /* A scene whose window is made, with a drum of every choice. */

@@ -1,6 +1,6 @@
 /* Rods: their shapes, ground bodies, loads and masses, each against what it stands for. */
-#include "sim/rod_shape.h"
-#include "sim/sim.h"
+#include "sim/equipment/rod_shape.h"
+#include "sim/run/sim.h"
 #include "tests/sim/rod_fixture.h"
 
 /* A helix with loads of every kind, turned and shifted by a state that is shaken. */

@@ -1,5 +1,5 @@
 /* What errors are measured with: a norm that does not fade as the chain grows, weights from the accuracy. */
-#include "sim/scales.h"
+#include "sim/step/scales.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { LARGE = 16000 };

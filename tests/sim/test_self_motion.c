@@ -1,8 +1,8 @@
 /* Cables that move and touch each other: a strand that lies across two others presses on them by its weight, one that
  * falls on them comes to rest, strands that meet in flight keep their momentum and gain no energy, and two threads give
  * the bits of one. */
-#include "sim/integrator.h"
-#include "sim/relax.h"
+#include "sim/newton/relax.h"
+#include "sim/step/integrator.h"
 #include "tests/sim/self_fixture.h"
 
 enum { STRAND = 6, N = 3 * STRAND };

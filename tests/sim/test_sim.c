@@ -1,5 +1,5 @@
 /* A simulation as a whole: a short pull, the same one elsewhere, twice, side by side and on two threads. */
-#include "sim/sim.h"
+#include "sim/run/sim.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { N = FIXTURE_SEGMENTS, ROLLERS_MAX = 32 };

@@ -2,8 +2,8 @@
  * makes no difference to the pull. */
 #include <malloc.h>
 
-#include "sim/sim.h"
-#include "sim/stage.h"
+#include "sim/run/sim.h"
+#include "sim/run/stage.h"
 #include "tests/sim/reel_fixture.h"
 
 /* Fails with the message of a call that failed. */

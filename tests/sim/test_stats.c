@@ -1,6 +1,6 @@
 /* The statistics of a run on signals whose means, ripple and peaks are known. */
-#include "sim/sample.h"
-#include "sim/stats.h"
+#include "sim/watch/sample.h"
+#include "sim/watch/stats.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { N = FIXTURE_SEGMENTS, STATIONS = 3 };

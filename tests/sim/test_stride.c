@@ -1,6 +1,6 @@
 /* How far a step may carry the chain (N14), and what has turned too far to be followed (B16). */
-#include "sim/stride.h"
-#include "sim/turned.h"
+#include "sim/step/stride.h"
+#include "sim/watch/overturn.h"
 #include "tests/sim/rig_fixture.h"
 
 static Rig *pull(void)

@@ -1,5 +1,5 @@
 /* The winch by itself: motion by a profile, a set tension with its derivatives, and the trips as a machine. */
-#include "sim/winch.h"
+#include "sim/equipment/winch.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { LAST = 2, N = LAST + 1 };

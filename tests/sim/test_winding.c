@@ -1,5 +1,5 @@
 /* Cable on a drum: layers, capacity, inertia and angle against sums over the cable's length. */
-#include "sim/winding.h"
+#include "sim/equipment/winding.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* The part of a chain that is simulated: arrays copied out of the whole chain's, and vectors mapped as segments come
  * and go. */
-#include "sim/vector.h"
-#include "sim/window.h"
+#include "sim/run/window.h"
+#include "sim/step/vector.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

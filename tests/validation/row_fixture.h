@@ -3,7 +3,7 @@
 #ifndef HAWSER_TESTS_VALIDATION_ROW_FIXTURE_H
 #define HAWSER_TESTS_VALIDATION_ROW_FIXTURE_H
 
-#include "sim/sim.h"
+#include "sim/run/sim.h"
 #include "tests/sim/scene_fixture.h"
 
 typedef struct RowChoice {

@@ -1,7 +1,7 @@
 /* Cables in ducts and on floors against what is known exactly: the closed forms of bends in both planes, the reference
  * theory in three dimensions, the weight, a slope, rest. Bending stiffness and clearance are small, since the theory
  * knows neither (model: "Against the pulling theory"). */
-#include "sim/sim.h"
+#include "sim/run/sim.h"
 #include "tests/sim/scene_fixture.h"
 #include "theory/closed_form.h"
 

@@ -1,0 +1,38 @@
+/* Contact force laws with their derivatives: ADAMS' IMPACT and its two-speed friction, as functions of gap
+ * and speed. docs/model.md, "Contact". */
+#ifndef HAWSER_CONTACT_LAW_CONTACT_LAW_H
+#define HAWSER_CONTACT_LAW_CONTACT_LAW_H
+
+/* IMPACT: k p^e - STEP(p, 0, 0, d, c) gap', never negative, for penetration p = -gap > 0. */
+typedef struct ImpactLaw {
+    double k; /* N/m^e */
+    double e; /* >= 1 */
+    double c; /* N s/m, full damping */
+    double d; /* m, penetration at which the damping is full */
+} ImpactLaw;
+
+/* Friction coefficient over sliding speed: odd STEP from 0 to mu_s at v_s, STEP to mu_d at v_d, constant
+ * beyond. With d_s > 0 it sticks: docs/model.md, "Friction that sticks". */
+typedef struct FrictionLaw {
+    double mu_s, mu_d;
+    double v_s, v_d; /* m/s, 0 < v_s < v_d */
+    double d_s;      /* m, the displacement that calls up all of mu_s; 0: none, friction is of speed alone */
+} FrictionLaw;
+
+/* What a law asks of the kernels. */
+typedef enum FrictionKind { FRICTION_NONE, FRICTION_SPEED, FRICTION_STICK } FrictionKind;
+enum { FRICTION_KINDS = 3 };
+FrictionKind friction_kind(const FrictionLaw *law);
+
+/* Normal force N (>= 0) at `gap` (m, negative: penetration) and its rate (m/s). d_gap, d_rate get dN/dgap,
+ * dN/drate. */
+double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap, double *d_rate);
+
+/* The spring's part of the force, k p^e, N: what is lost where the damping cuts the force off at zero. */
+double impact_spring(const ImpactLaw *law, double gap);
+
+/* Friction coefficient at sliding speed v >= 0, divided by v: mu(v)/v (s/m), finite at 0. d_over_v gets
+ * (d/dv (mu/v)) / v, finite at 0 too, so that vector friction F = -N phi(v) v_t needs no branch at rest. */
+double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v);
+
+#endif

@@ -1,0 +1,69 @@
+#include "contact/law/stick.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Grows one of the two lists; 0 if there is no memory. */
+static int records_grow(StickRecord **list, int room)
+{
+    StickRecord *const grown = realloc(*list, (size_t)room * sizeof *grown);
+    if (grown) *list = grown;
+    return grown != NULL;
+}
+
+int stick_reserve(StickStore *store, int rollers, int room)
+{
+    if (!store->first) {
+        store->n_faces = 2 * rollers;
+        store->first = malloc((size_t)(store->n_faces + 1) * sizeof *store->first);
+        if (!store->first) return 0;
+        for (int f = 0; f < store->n_faces; ++f) store->first[f] = -1;
+    }
+    assert(store->n_faces == 2 * rollers);
+    if (room <= store->room) return 1;
+    if (!records_grow(&store->record, room) || !records_grow(&store->fresh, room)) return 0;
+    store->room = room;
+    return 1;
+}
+
+void stick_free(StickStore *store)
+{
+    free(store->record);
+    free(store->fresh);
+    free(store->first);
+    memset(store, 0, sizeof *store);
+}
+
+Vec3 stick_kept(const StickStore *store, int roller, int face, int element)
+{
+    int best = -1;
+    for (int i = store->first[2 * roller + face]; i >= 0 && i < store->n; ++i) {
+        const StickRecord *const r = &store->record[i];
+        if (r->roller != roller || r->face != face) break;
+        if (best < 0 || abs(r->element - element) < abs(store->record[best].element - element)) best = i;
+    }
+    return best < 0 ? v3(0, 0, 0) : store->record[best].lean;
+}
+
+void stick_carry(StickStore *old, StickStore *now, int joined)
+{
+    *now = *old;
+    memset(old, 0, sizeof *old);
+    for (int i = 0; i < now->n; ++i) now->record[i].element += joined;
+}
+
+void stick_accept(StickStore *store, double t, int n)
+{
+    /* only the faces that were or are touched are looked at */
+    for (int i = 0; i < store->n; ++i) store->first[2 * store->record[i].roller + store->record[i].face] = -1;
+    StickRecord *const old = store->record;
+    store->record = store->fresh;
+    store->fresh = old;
+    store->n = n;
+    for (int i = n - 1; i >= 0; --i) store->first[2 * store->record[i].roller + store->record[i].face] = i;
+    store->since = t;
+    store->elapsed = 0;
+}
+
+void stick_clock(StickStore *store, double t) { store->elapsed = t > store->since ? t - store->since : 0; }

@@ -1,0 +1,170 @@
+/* Which elements can touch which roller: a tree of spheres over the chain, asked once a refresh. The chain's
+ * own order is the spatial order, so the tree needs no sorting, and it knows nothing about shapes but their
+ * distance. */
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contact/roller/contact.h"
+#include "core/base/error.h"
+#include "core/base/lanes.h"
+
+int contact_pairs_alloc(ContactPairs *pairs, int n)
+{
+    memset(pairs, 0, sizeof *pairs);
+    pairs->n = n;
+    pairs->node = chain_array_new(n, 0);
+    int ok = sphere_tree_alloc(&pairs->tree, n) && pairs->node;
+    for (int c = 0; c < 3; ++c) {
+        pairs->at_p[c] = chain_array_new(n, 0);
+        pairs->at_a[c] = chain_array_new(n, 0);
+        ok = ok && pairs->at_p[c] && pairs->at_a[c];
+    }
+    if (!ok) contact_pairs_free(pairs);
+    return ok;
+}
+
+void contact_pairs_free(ContactPairs *pairs)
+{
+    sphere_tree_free(&pairs->tree);
+    free(pairs->range);
+    free(pairs->near);
+    free(pairs->hit);
+    stick_free(&pairs->stick);
+    chain_array_free(pairs->node);
+    for (int c = 0; c < 3; ++c) {
+        chain_array_free(pairs->at_p[c]);
+        chain_array_free(pairs->at_a[c]);
+    }
+    memset(pairs, 0, sizeof *pairs);
+}
+
+/* One more range; 0 if there is no memory. */
+static int range_add(ContactPairs *pairs, ContactRange range)
+{
+    if (pairs->n_ranges == pairs->ranges_allocated) {
+        const int more = 2 * pairs->ranges_allocated + 16;
+        ContactRange *const grown = realloc(pairs->range, (size_t)more * sizeof *grown);
+        if (grown) pairs->range = grown;
+        ContactRange *const near = realloc(pairs->near, (size_t)more * sizeof *near);
+        if (near) pairs->near = near;
+        if (!grown || !near) return 0;
+        pairs->ranges_allocated = more;
+    }
+    assert(pairs->range);
+    pairs->range[pairs->n_ranges++] = range;
+    return 1;
+}
+
+/* Element e is a candidate of this face of a roller: it lengthens the last range or begins a new one. */
+static int candidate_add(ContactPairs *pairs, int kind, int roller, int face, int e)
+{
+    ContactRange *last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
+    ++pairs->candidates;
+    if (last && last->roller == roller && last->face == face && last->first + last->count == e) {
+        ++last->count;
+        return 1;
+    }
+    return range_add(pairs, (ContactRange){kind, roller, face, e, 1});
+}
+
+/* Visits the tree below `node` from left to right, so that candidates come in order; 0 if there is no memory.
+ * Distances change at most as fast as points move, so a sphere that is too far rules out all that it holds.
+ */
+static int tree_visit(const ContactModel *model, ContactPairs *pairs, int roller, int face, int node)
+{
+    const Sphere *sphere = &pairs->tree.node[node];
+    if (sphere->radius < 0) return 1;
+    const ContactRoller *const r = &model->roller[roller];
+    const double distance = shape_face_distance(&r->shape, face, sphere->centre);
+    if (distance - sphere->radius > model->reach) return 1;
+    if (node >= pairs->tree.leaves) {
+        const int kind = contact_kind(r->shape.kind, friction_kind(&r->friction));
+        return candidate_add(pairs, kind, roller, face, node - pairs->tree.leaves);
+    }
+    return tree_visit(model, pairs, roller, face, 2 * node) && tree_visit(model, pairs, roller, face, 2 * node + 1);
+}
+
+/* The candidates of all rollers of one kind of shape and of friction, so that each batch of the kernels finds one kind
+ * only. */
+static int kind_visit(const ContactModel *model, ContactPairs *pairs, ShapeKind kind, FrictionKind friction)
+{
+    int ok = 1;
+    for (int r = 0; r < model->n_rollers && ok; ++r) {
+        const ContactRoller *const roller = &model->roller[r];
+        if (roller->shape.kind != kind || friction_kind(&roller->friction) != friction) continue;
+        for (int face = 0; face < shape_faces(kind) && ok; ++face) ok = tree_visit(model, pairs, r, face, 1);
+    }
+    return ok;
+}
+
+int contact_sticks(const ContactModel *model)
+{
+    for (int r = 0; r < model->n_rollers; ++r) {
+        if (friction_kind(&model->roller[r].friction) == FRICTION_STICK) return 1;
+    }
+    return 0;
+}
+
+/* Room for the largest number of hits that the candidates can give. */
+static int hits_reserve(ContactPairs *pairs)
+{
+    if (pairs->candidates <= pairs->hits_allocated) return 1;
+    assert(pairs->candidates > 0);
+    ContactHit *grown = realloc(pairs->hit, (size_t)pairs->candidates * sizeof *grown);
+    if (!grown) return 0;
+    pairs->hit = grown;
+    pairs->hits_allocated = pairs->candidates;
+    return 1;
+}
+
+void contact_widen(ContactPairs *pairs)
+{
+    pairs->n_near = pairs->n_ranges;
+    if (pairs->n_ranges > 0) memcpy(pairs->near, pairs->range, (size_t)pairs->n_ranges * sizeof *pairs->near);
+}
+
+hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
+                              hawser_error *err)
+{
+    assert(chain->n == pairs->n);
+    /* candidates, kind by kind and roller by roller */
+    pairs->n_ranges = pairs->candidates = 0;
+    sphere_tree_build(&pairs->tree, model->geometry, chain, kin);
+    for (int kind = 0; kind < SHAPE_KINDS * FRICTION_KINDS; ++kind) {
+        const ShapeKind shape = (ShapeKind)(kind / FRICTION_KINDS);
+        if (!kind_visit(model, pairs, shape, (FrictionKind)(kind % FRICTION_KINDS))) return error_memory(err);
+    }
+    contact_widen(pairs);
+    if (!hits_reserve(pairs)) return error_memory(err);
+    if (contact_sticks(model) && !stick_reserve(&pairs->stick, model->n_rollers, pairs->hits_allocated)) {
+        return error_memory(err);
+    }
+    /* where everything was, for contact_moved_too_far */
+    for (int c = 0; c < 3; ++c) {
+        memcpy(pairs->at_p[c], kin->p[c], (size_t)pairs->n * sizeof(double));
+        memcpy(pairs->at_a[c], kin->a[c], (size_t)pairs->n * sizeof(double));
+    }
+    return HAWSER_OK;
+}
+
+/* Length of the change of a vector of segment i since the refresh. */
+static double vector_moved(double *const now[3], double *const then[3], int i)
+{
+    const double x = now[0][i] - then[0][i], y = now[1][i] - then[1][i], z = now[2][i] - then[2][i];
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* (C20): no point of the line moves farther than the largest |dx_i| + |dr_i|. */
+int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                          const ContactPairs *pairs)
+{
+    const double limit = CONTACT_USABLE * model->reach;
+    int far = 0;
+    for (int i = 0; i < pairs->n; ++i) {
+        const double moved =
+            vector_moved(kin->p, pairs->at_p, i) + chain->half[i] * vector_moved(kin->a, pairs->at_a, i);
+        far |= !(moved <= limit); /* a NaN counts as far */
+    }
+    return far;
+}

@@ -1,0 +1,412 @@
+/* The corridor of a call: hits_find (cheap, over all candidates) -> batch_fill (gathers LANES hits) -> a
+ * kernel (nearest point, laws, derivatives) -> scatter, in the order of the hits. Nothing here allocates. */
+#include "contact/roller/contact.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "contact/law/tally_lanes.h"
+#include "contact/roller/contact_kernels.h"
+
+/* The kernels of the best instruction set. */
+static const ContactKernels *kernels(void)
+{
+    static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
+    return table[isa_best()];
+}
+
+/* Room was made by the refresh: a candidate is a hit at most once. */
+static void hit_add(ContactPairs *pairs, ContactRange range, int element)
+{
+    assert(pairs->n_hits < pairs->hits_allocated);
+    pairs->hit[pairs->n_hits++] = (ContactHit){range.kind, range.roller, range.face, element};
+}
+
+/* Smooth line (C11): element e owns a minimum if the slope of the gap is negative at its first node and not
+ * at its second. Beyond the line's ends the slope counts as -1 and +1: the ends are minima where the gap
+ * grows inward. */
+static void hits_smooth(const ContactKernels *kernel, const Shape *shape, const Kinematics *kin, ContactRange range,
+                        ContactPairs *pairs)
+{
+    double *const slope = pairs->node;
+    const int n = pairs->n, end = range.first + range.count;
+    const int from = range.first > 0 ? range.first - 1 : 0;
+    /* nodes first - 1 .. first + count - 1, as far as they exist */
+    kernel->slopes(shape, range.face, kin, from, end < n ? end : n, slope);
+    /* after the kernel, which may write past the last node */
+    slope[-1] = -1;
+    slope[n] = 1;
+    for (int e = range.first; e < end; ++e) {
+        if (slope[e - 1] < 0 && slope[e] >= 0) hit_add(pairs, range, e);
+    }
+}
+
+/* Capsules: every one has its own minimum, if it is near enough. */
+static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, const Chain *chain, const Kinematics *kin,
+                          ContactRange range, ContactPairs *pairs)
+{
+    const int end = range.first + range.count;
+    /* a capsule reaches no farther from its centre than half its length and its radius */
+    kernel->distances(shape, range.face, kin, range.first, end, pairs->node);
+    for (int e = range.first; e < end; ++e) {
+        if (pairs->node[e] < chain->half[e] + chain->radius[e]) hit_add(pairs, range, e);
+    }
+}
+
+/* All places worth a closer look, in the order of the candidates. */
+static void hits_find(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs)
+{
+    const ContactKernels *const kernel = kernels();
+    pairs->n_hits = 0;
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const ContactRange range = pairs->range[i];
+        const Shape *const shape = &model->roller[range.roller].shape;
+        if (model->geometry == GEOMETRY_SMOOTH) {
+            hits_smooth(kernel, shape, kin, range, pairs);
+        } else {
+            hits_cylinder(kernel, shape, chain, kin, range, pairs);
+        }
+    }
+}
+
+/* Segment i as body b of lane l; all zeros if there is no such segment. */
+static void batch_body(ContactBatch *batch, const Chain *chain, const Kinematics *kin, int b, int l, int i)
+{
+    const int present = i >= 0 && i < chain->n;
+    batch->body[b][l] = present ? i : -1;
+    batch->radius[b][l] = present ? chain->radius[i] : 0;
+    for (int c = 0; c < 3; ++c) {
+        batch->x[b][c][l] = present ? kin->p[c][i] : 0;
+        batch->r[b][c][l] = present ? chain->half[i] * kin->a[c][i] : 0;
+        batch->v[b][c][l] = present ? kin->v[c][i] : 0;
+        batch->w[b][c][l] = present ? kin->w[c][i] : 0;
+    }
+}
+
+/* The groove of lane l. */
+static void batch_groove(ContactBatch *batch, const Groove *g, int l)
+{
+    const double value[6] = {g->depth, g->lip, g->cosine, g->sine, g->radius, batch->face[l] == 0 ? 1 : -1};
+    for (int i = 0; i < 6; ++i) batch->groove[i][l] = value[i];
+}
+
+/* The roller of lane l: shape and friction law. */
+static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l)
+{
+    const Shape *const shape = &roller->shape;
+    const double centre[3] = {shape->centre.x, shape->centre.y, shape->centre.z};
+    const double axis[3] = {shape->axis.x, shape->axis.y, shape->axis.z};
+    for (int c = 0; c < 3; ++c) {
+        batch->centre[c][l] = centre[c];
+        batch->axis[c][l] = axis[c];
+    }
+    batch->shape_radius[l] = shape->radius;
+    batch->shape_half_width[l] = shape->half_width;
+    batch->friction[l] = &roller->friction;
+    if (shape->kind != SHAPE_CYLINDER) batch_groove(batch, &shape->groove, l);
+}
+
+/* Its motion, where rollers move. */
+static void batch_motion(ContactBatch *batch, const RollerMotion *motion, int l)
+{
+    const double v[3] = {motion->v.x, motion->v.y, motion->v.z}, w[3] = {motion->w.x, motion->w.y, motion->w.z};
+    for (int c = 0; c < 3; ++c) {
+        batch->roller_v[c][l] = v[c];
+        batch->roller_w[c][l] = w[c];
+    }
+}
+
+/* One hit into lane l: the weights of its element, its segments, its roller. */
+static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                      ContactHit hit, int l)
+{
+    const Element element = element_at(model->geometry, chain->n, hit.element);
+    batch->roller[l] = hit.roller;
+    batch->face[l] = hit.face;
+    batch->element[l] = hit.element;
+    batch->arc[l] = element.arc;
+    batch->alpha[l] = element.alpha;
+    for (int b = 0; b < 2; ++b) {
+        batch->beta[b][0][l] = element.beta[b][0];
+        batch->beta[b][1][l] = element.beta[b][1];
+        batch_body(batch, chain, kin, b, l, element.body[b]);
+    }
+    batch_roller(batch, &model->roller[hit.roller], l);
+    if (model->motion) batch_motion(batch, &model->motion[hit.roller], l);
+}
+
+/* What sticks remembers where it was. */
+static void batch_kept(ContactBatch *batch, const StickStore *store, ContactHit hit, int l)
+{
+    const Vec3 kept = stick_kept(store, hit.roller, hit.face, hit.element);
+    const double value[3] = {kept.x, kept.y, kept.z};
+    for (int c = 0; c < 3; ++c) batch->kept[c][l] = value[c];
+}
+
+/* Gathers hits from `first` on, of one kind of shape and of friction; returns the first that does not fit. Lanes are
+ * independent of each other, so how hits fall into batches changes nothing. */
+static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                      double friction_scale, const ContactPairs *pairs, int first)
+{
+    batch->impact = &model->impact;
+    batch->friction_scale = friction_scale;
+    const int kind = pairs->hit[first].kind;
+    batch->kind = (ShapeKind)(kind / FRICTION_KINDS);
+    batch->rubs = friction_scale > 0 ? (FrictionKind)(kind % FRICTION_KINDS) : FRICTION_NONE;
+    batch->elapsed = pairs->stick.elapsed;
+    batch->count = 1;
+    while (batch->count < LANES && first + batch->count < pairs->n_hits &&
+           pairs->hit[first + batch->count].kind == kind)
+        ++batch->count;
+    /* unused lanes repeat the last hit, so that the kernels see valid numbers; they are not scattered */
+    for (int l = 0; l < LANES; ++l) {
+        const int h = l < batch->count ? first + l : first + batch->count - 1;
+        batch_hit(batch, model, chain, kin, pairs->hit[h], l);
+        if (batch->rubs == FRICTION_STICK) batch_kept(batch, &pairs->stick, pairs->hit[h], l);
+    }
+    return first + batch->count;
+}
+
+/* The kernels that do for the batch no more than it needs. */
+static ContactVariant batch_variant(const ContactModel *model, const ContactBatch *batch)
+{
+    const int sticks = batch->rubs == FRICTION_STICK;
+    if (model->motion) return sticks ? VARIANT_MOVING_STICK : VARIANT_MOVING;
+    if (sticks) return VARIANT_STICK;
+    if (batch->kind != SHAPE_CYLINDER) return VARIANT_GENERAL;
+    return batch->rubs == FRICTION_NONE ? VARIANT_SMOOTH : VARIANT_PLAIN;
+}
+static void batch_push(const ContactModel *model, const ContactBatch *batch, ContactPush *push)
+{
+    kernels()->push[batch_variant(model, batch)](batch, push);
+}
+
+/* Adds one lane's wrench to its segments. */
+static void push_add(const ContactBatch *batch, const ContactPush *push, int l, Loads *loads)
+{
+    for (int b = 0; b < 2; ++b) {
+        const int i = batch->body[b][l];
+        if (i < 0) continue;
+        for (int c = 0; c < 3; ++c) {
+            loads->f[c][i] += push->force[b][c][l];
+            loads->m[c][i] += push->moment[b][c][l];
+        }
+    }
+}
+
+/* Adds one lane that is in the batch. */
+static void push_tally(TallyLanes *sum, const ContactPush *push, int l)
+{
+    tally_add(sum, push->friction, push->damping, push->energy, l);
+    for (int c = 0; c < 3; ++c) sum->force[c][l] += push->total[c][l];
+}
+
+void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
+{
+    ContactBatch batch;
+    ContactPush push;
+    hits_find(model, chain, kin, pairs);
+    pairs->active = 0;
+    TallyLanes tally = {0};
+    if (on_roller) memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        batch_push(model, &batch, &push);
+        for (int l = 0; l < batch.count; ++l) {
+            push_tally(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
+            if (!(push.normal[l] > 0)) continue;
+            /* only what carries force is added: the others' lanes are zeros */
+            ++pairs->active;
+            push_add(&batch, &push, l, loads);
+            if (!on_roller) continue;
+            Vec3 *const sum = &on_roller[batch.roller[l]];
+            *sum = v3_sub(*sum, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
+        }
+    }
+    pairs->tally = tally_total(&tally);
+}
+
+void contact_forces_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, Loads *loads, RollerLoad *on_roller)
+{
+    assert(model->motion);
+    ContactBatch batch;
+    ContactPush push;
+    hits_find(model, chain, kin, pairs);
+    pairs->active = 0;
+    TallyLanes tally = {0};
+    memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        batch_push(model, &batch, &push);
+        for (int l = 0; l < batch.count; ++l) {
+            push_tally(&tally, &push, l);
+            if (!(push.normal[l] > 0)) continue;
+            ++pairs->active;
+            push_add(&batch, &push, l, loads);
+            RollerLoad *const sum = &on_roller[batch.roller[l]];
+            const double(*const moment)[LANES] = push.roller_moment;
+            sum->force = v3_sub(sum->force, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
+            sum->moment = v3_add(sum->moment, v3(moment[0][l], moment[1][l], moment[2][l]));
+        }
+    }
+    pairs->tally = tally_total(&tally);
+}
+
+/* block += rows of body a by columns of body b of one lane. */
+static void part_add(double *block, const ContactMatrix *m, int l, int a, int b)
+{
+    for (int col = 0; col < 6; ++col) {
+        for (int row = 0; row < 6; ++row) block[6 * col + row] += m->entry[6 * b + col][6 * a + row][l];
+    }
+}
+
+/* Adds one lane's derivatives to the up to four blocks of its segments. */
+static void matrix_add(const ContactBatch *batch, const ContactMatrix *m, int l, BlockChain *out)
+{
+    const int j = batch->body[0][l], k = batch->body[1][l];
+    if (j >= 0) part_add(out->diag + 36 * j, m, l, 0, 0);
+    if (k >= 0) part_add(out->diag + 36 * k, m, l, 1, 1);
+    if (j < 0 || k < 0) return;
+    part_add(out->upper + 36 * j, m, l, 0, 1);
+    part_add(out->lower + 36 * k, m, l, 1, 0);
+}
+
+void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, BlockChain *k, BlockChain *d)
+{
+    assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
+    ContactBatch batch;
+    ContactMatrix by_shift, by_speed;
+    double normal[LANES];
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        const int done = kernels()->columns[batch_variant(model, &batch)](&batch, &by_shift, &by_speed, normal);
+        if (!done) continue;
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(normal[l] > 0)) continue;
+            matrix_add(&batch, &by_shift, l, k);
+            if (done == 1) matrix_add(&batch, &by_speed, l, d);
+        }
+    }
+}
+
+/* out = rows of body a by columns of body b of one lane; 2: the roller. */
+static void moving_part(const ContactMovingMatrix *m, int l, int a, int b, double out[36])
+{
+    for (int col = 0; col < 6; ++col) {
+        for (int row = 0; row < 6; ++row) out[6 * col + row] = m->entry[6 * b + col][6 * a + row][l];
+    }
+}
+
+/* to += from, 6x6 */
+static void block_add(double *to, const double from[36])
+{
+    for (int k = 0; k < 36; ++k) to[k] += from[k];
+}
+
+/* Adds one lane's derivatives by segments to the up to four blocks of its segments. */
+static void moving_add(const ContactBatch *batch, const ContactMovingMatrix *m, int l, BlockChain *out)
+{
+    double part[36];
+    for (int a = 0; a < 2; ++a) {
+        for (int b = 0; b < 2; ++b) {
+            const int i = batch->body[a][l], j = batch->body[b][l];
+            if (i < 0 || j < 0) continue;
+            moving_part(m, l, a, b, part);
+            block_add((j < i ? out->lower : j > i ? out->upper : out->diag) + 36 * i, part);
+        }
+    }
+}
+
+/* What involves the roller of lane l. */
+static RollerCoupling coupling_of(const ContactBatch *batch, const ContactMovingMatrix *const m[2], int l)
+{
+    RollerCoupling c = {.roller = batch->roller[l], .body = {batch->body[0][l], batch->body[1][l]}};
+    for (int kind = 0; kind < 2; ++kind) {
+        for (int b = 0; b < 2; ++b) {
+            moving_part(m[kind], l, b, 2, c.into[kind][b]);
+            moving_part(m[kind], l, 2, b, c.from[kind][b]);
+        }
+        moving_part(m[kind], l, 2, 2, c.own[kind]);
+    }
+    return c;
+}
+
+void contact_blocks_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, BlockChain *k, BlockChain *d,
+                           void (*take)(void *user, const RollerCoupling *coupling), void *user)
+{
+    assert(model->motion && k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
+    ContactBatch batch;
+    ContactMovingMatrix by_shift, by_speed;
+    const ContactMovingMatrix *const both[2] = {&by_shift, &by_speed};
+    double normal[LANES];
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        const int which = (int)batch_variant(model, &batch) - (int)VARIANT_MOVING;
+        if (!kernels()->moving[which](&batch, &by_shift, &by_speed, normal)) continue;
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(normal[l] > 0)) continue;
+            moving_add(&batch, &by_shift, l, k);
+            moving_add(&batch, &by_speed, l, d);
+            const RollerCoupling coupling = coupling_of(&batch, both, l);
+            take(user, &coupling);
+        }
+    }
+}
+
+/* One lane for the outside. */
+static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *push, int l)
+{
+    return (ContactDetail){.roller = batch->roller[l],
+                           .face = batch->face[l],
+                           .element = batch->element[l],
+                           .u = push->u[l],
+                           .gap = push->gap[l],
+                           .normal = push->normal[l],
+                           .point = v3(push->point[0][l], push->point[1][l], push->point[2][l]),
+                           .force = v3(push->total[0][l], push->total[1][l], push->total[2][l])};
+}
+
+int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, int room, ContactDetail *out)
+{
+    ContactBatch batch;
+    ContactPush push;
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0, at = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
+        batch_push(model, &batch, &push);
+        for (int l = 0; l < batch.count; ++l, ++at) {
+            if (at < room) out[at] = detail_of(&batch, &push, l);
+        }
+    }
+    return pairs->n_hits;
+}
+
+/* The contacts that carry force are looked at once more, for how far each leans. */
+void contact_accept(const ContactModel *model, const Chain *chain, const Kinematics *kin, double t, ContactPairs *pairs)
+{
+    StickStore *const store = &pairs->stick;
+    ContactBatch batch;
+    ContactPush push;
+    int n = 0;
+    stick_clock(store, t);
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, 1, pairs, next);
+        if (batch.rubs != FRICTION_STICK) continue;
+        batch_push(model, &batch, &push);
+        for (int l = 0; l < batch.count; ++l) {
+            if (!(push.normal[l] > 0)) continue;
+            store->fresh[n++] = (StickRecord){batch.roller[l], batch.face[l], batch.element[l],
+                                              v3(push.kept[0][l], push.kept[1][l], push.kept[2][l])};
+        }
+    }
+    stick_accept(store, t, n);
+}

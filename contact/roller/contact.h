@@ -1,0 +1,151 @@
+/* Contact between the cable's line and rollers, fixed or moving: which pairs can touch, their forces, and the
+ * derivatives of these. docs/model.md, "Contact".
+ *
+ * Life: contact_pairs_alloc -> contact_refresh -> forces and blocks, any number of times -> refresh again as
+ * soon as contact_moved_too_far says so (between steps) -> contact_pairs_free. Forces are pure functions of
+ * chain and kinematics as long as nothing has moved by `reach` since the refresh; the sums are taken in a
+ * fixed order. */
+#ifndef HAWSER_CONTACT_ROLLER_CONTACT_H
+#define HAWSER_CONTACT_ROLLER_CONTACT_H
+
+#include "contact/law/contact_law.h"
+#include "contact/law/contact_tally.h"
+#include "contact/law/stick.h"
+#include "contact/shape/element.h"
+#include "contact/shape/shape.h"
+#include "contact/shape/sphere_tree.h"
+#include "core/block_chain.h"
+#include "core/chain.h"
+#include "hawser/hawser.h"
+
+typedef struct ContactRoller {
+    Shape shape;
+    FrictionLaw friction;
+} ContactRoller;
+
+/* How a roller moves: velocity of its centre, m/s, and angular velocity, rad/s, world. */
+typedef struct RollerMotion {
+    Vec3 v, w;
+} RollerMotion;
+
+/* What the cable does to a roller: force, N, and moment about its centre, N m. */
+typedef struct RollerLoad {
+    Vec3 force, moment;
+} RollerLoad;
+
+/* What never changes during a run, but for the poses and motions of rollers that move. */
+typedef struct ContactModel {
+    ContactGeometry geometry;
+    ImpactLaw impact;
+    double reach; /* m: pairs closer than this at a refresh are candidates */
+    int n_rollers;
+    const ContactRoller *roller; /* [n_rollers], borrowed */
+    const RollerMotion *motion;  /* [n_rollers], borrowed; NULL: none of them moves, and nothing is paid for it */
+} ContactModel;
+
+/* What kernels ask about a roller: its kinds of shape and of friction. */
+static inline int contact_kind(ShapeKind shape, FrictionKind friction)
+{
+    return FRICTION_KINDS * (int)shape + (int)friction;
+}
+
+/* Candidates of one face of a roller: elements first .. first + count - 1. */
+typedef struct ContactRange {
+    int kind; /* contact_kind of the roller */
+    int roller, face, first, count;
+} ContactRange;
+
+/* One place where the line is nearest to a roller: looked at in detail. */
+typedef struct ContactHit {
+    int kind, roller, face, element;
+} ContactHit;
+
+typedef struct ContactPairs {
+    int n; /* segments */
+    /* by contact_refresh */
+    int n_ranges, ranges_allocated;
+    ContactRange *range; /* [n_ranges], by kinds of shape and of friction, roller, face, element */
+    int candidates;      /* pairs in all ranges */
+    /* by contact_refresh all ranges; by planar_contact_narrow what of them is near */
+    int n_near;
+    ContactRange *near; /* [n_near], room for ranges_allocated */
+    double *at_p[3];    /* chain arrays: centres, m, and axes at the refresh */
+    double *at_a[3];
+    SphereTree tree; /* spheres around runs of elements (C19) */
+    /* by contact_forces and contact_blocks */
+    int hits_allocated;
+    int n_hits;
+    ContactHit *hit;    /* [n_hits] */
+    double *node;       /* chain array: a quantity of the segments against one roller */
+    int active;         /* hits that carried force in the last call of contact_forces */
+    ContactTally tally; /* of the last call of contact_forces */
+    StickStore stick;   /* by contact_accept; nothing is allocated where nothing sticks */
+} ContactPairs;
+
+/* Allocates for chains of n segments; candidates are empty until the first refresh. Returns 0 without memory
+ * (nothing is left allocated). The free may be called on a zeroed struct. */
+int contact_pairs_alloc(ContactPairs *pairs, int n);
+void contact_pairs_free(ContactPairs *pairs);
+
+/* Finds the candidates: all elements whose sphere comes within reach of a roller's surface. O(n + (rollers +
+ * candidates) log n). Errors: HAWSER_ERR_MEMORY. The only call that may allocate. */
+hawser_status contact_refresh(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
+                              hawser_error *err);
+/* Takes all ranges for near. */
+void contact_widen(ContactPairs *pairs);
+/* Share of the reach that may be used up before candidates are renewed; the rest is for the motion within a step. */
+#define CONTACT_USABLE 0.75
+/* Whether a point of the line may have moved by more than that since the refresh (C20). */
+int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
+                          const ContactPairs *pairs);
+
+/* Adds forces (N) and moments (N m) on the segments to loads. friction_scale multiplies every friction
+ * coefficient (0: smooth rollers). on_roller[n_rollers] (NULL: not wanted) is overwritten by the force on
+ * each roller, N. */
+void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, Loads *loads, Vec3 *on_roller);
+/* The same with force and moment on every roller: model->motion is not NULL. */
+void contact_forces_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, Loads *loads, RollerLoad *on_roller);
+
+/* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv;
+ * dw] to d (6x6 blocks, world) (C15)-(C17). */
+void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, BlockChain *k, BlockChain *d);
+
+/* What one contact couples a roller by: derivatives with respect to configuration (first index 0) and velocities (1),
+ * column-major 6x6, rows [force; moment], columns [x; phi] or [v; w], about the roller's centre (SP4)-(SP6). */
+typedef struct RollerCoupling {
+    int roller, body[2];   /* segments; -1: none */
+    double into[2][2][36]; /* [kind][body]: rows of the body, columns of the roller */
+    double from[2][2][36]; /* [kind][body]: rows of the roller, columns of the body */
+    double own[2][36];     /* [kind]: rows and columns of the roller */
+} RollerCoupling;
+
+/* The derivatives as contact_blocks adds them, for rollers that move; what involves a roller is handed to `take`, one
+ * contact after the other in the order of summation. */
+void contact_blocks_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                           ContactPairs *pairs, BlockChain *k, BlockChain *d,
+                           void (*take)(void *user, const RollerCoupling *coupling), void *user);
+
+/* A step to (t, kin) has been accepted: contacts that stick remember how far they lean. To be called after every step
+ * if any roller's friction sticks (contact_sticks), before the next contact_refresh. */
+int contact_sticks(const ContactModel *model);
+void contact_accept(const ContactModel *model, const Chain *chain, const Kinematics *kin, double t,
+                    ContactPairs *pairs);
+
+/* One contact in detail, for tests, tools and reports. */
+typedef struct ContactDetail {
+    int roller, face, element;
+    double u;      /* parameter of the element */
+    double gap;    /* m */
+    double normal; /* N */
+    Vec3 point;    /* m, on the line */
+    Vec3 force;    /* N, on the cable */
+} ContactDetail;
+
+/* Writes up to `room` hits, touching or not, in the order of summation; returns how many there are. */
+int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, int room, ContactDetail *out);
+
+#endif

@@ -1,0 +1,240 @@
+/* Which stretches of the cable may touch each other before the next refresh, and which blocks of Newton's matrix that
+ * takes. The tree of spheres is asked for every element what comes near it farther along. */
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contact/self/self_contact.h"
+#include "core/base/error.h"
+
+enum { PIECES_MAX = 8 };
+
+int self_skip(const Chain *chain)
+{
+    /* bodies of the two elements must not be neighbours: three at least */
+    double radius = 0, shortest = INFINITY;
+    for (int i = 0; i < chain->n; ++i) {
+        radius = fmax(radius, chain->radius[i]);
+        shortest = fmin(shortest, 2 * chain->half[i]);
+    }
+    const double around = 3.14159265358979323846 * radius / shortest;
+    return around < chain->n ? (int)ceil(around) + 2 : chain->n + 2;
+}
+
+int self_pieces(const Chain *chain, int e)
+{
+    double length = 0, radius = INFINITY;
+    for (int i = e - 1; i <= e; ++i) {
+        if (i < 0 || i >= chain->n) continue;
+        length += chain->half[i];
+        radius = fmin(radius, chain->radius[i]);
+    }
+    const double pieces = ceil(length / (2 * radius));
+    return pieces > PIECES_MAX ? PIECES_MAX : pieces < 1 ? 1 : (int)pieces;
+}
+
+int self_pairs_alloc(SelfPairs *pairs, int n)
+{
+    memset(pairs, 0, sizeof *pairs);
+    pairs->n = n;
+    int ok = sphere_tree_alloc(&pairs->tree, n) & block_extras_alloc(&pairs->extras, n);
+    ok &= chain_arrays_new(pairs->at_p, 3, n, 0) & chain_arrays_new(pairs->at_a, 3, n, 0);
+    if (!ok) self_pairs_free(pairs);
+    return ok;
+}
+
+void self_pairs_free(SelfPairs *pairs)
+{
+    sphere_tree_free(&pairs->tree);
+    block_extras_free(&pairs->extras);
+    chain_arrays_free(pairs->at_p, 3);
+    chain_arrays_free(pairs->at_a, 3);
+    free(pairs->range);
+    for (int p = 0; p < SELF_PARTS; ++p) free(pairs->hit[p]);
+    memset(pairs, 0, sizeof *pairs);
+}
+
+double self_piece_length(const Chain *chain, int e)
+{
+    const double before = e > 0 ? chain->half[e - 1] : 0, behind = e < chain->n ? chain->half[e] : 0;
+    return (before + behind) / self_pieces(chain, e);
+}
+
+/* Element f is a candidate of element e: it lengthens the last range or begins a new one. A hole of one element is
+ * filled, so that the feet of neighbouring ends find each other. 0 if there is no memory. */
+static int candidate_add(SelfPairs *pairs, int e, int f)
+{
+    SelfRange *const last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
+    if (last && last->element == e && f <= last->first + last->count + 1) {
+        last->count = f - last->first + 1;
+        return 1;
+    }
+    if (pairs->n_ranges == pairs->ranges_allocated) {
+        const int more = 2 * pairs->ranges_allocated + 16;
+        SelfRange *const grown = realloc(pairs->range, (size_t)more * sizeof *grown);
+        if (!grown) return 0;
+        pairs->range = grown;
+        pairs->ranges_allocated = more;
+    }
+    pairs->range[pairs->n_ranges++] = (SelfRange){e, f, 1};
+    return 1;
+}
+
+/* The chord of an element and how far its arc bulges from it. */
+typedef struct Chord {
+    Vec3 from, along; /* m */
+    double bulge;     /* m */
+} Chord;
+
+static Chord chord_of(const Chain *chain, const Kinematics *kin, int e)
+{
+    const Vec3 a = line_spot(chain, kin, e, 0).p, b = line_spot(chain, kin, e, 1).p;
+    const Vec3 middle = line_spot(chain, kin, e, 0.5).p;
+    /* the arc is a parabola while its joint is closed; a tenth more for joints that are not */
+    return (Chord){a, v3_sub(b, a), 1.1 * v3_norm(v3_sub(middle, v3_scale(0.5, v3_add(a, b))))};
+}
+
+static double clamped(double x) { return fmin(1, fmax(0, x)); }
+
+/* Least distance of two chords: where both perpendiculars meet, or at an end of one of them. */
+static double chords_apart(const Chord *p, const Chord *q)
+{
+    const Vec3 between = v3_sub(p->from, q->from);
+    const double a = v3_dot(p->along, p->along), b = v3_dot(p->along, q->along), c = v3_dot(q->along, q->along);
+    const double d = v3_dot(p->along, between), e = v3_dot(q->along, between), area = a * c - b * b;
+    double s = area > 1e-12 * a * c ? clamped((b * e - c * d) / area) : 0;
+    const double t = clamped((b * s + e) / c);
+    s = clamped((b * t - d) / a);
+    const Vec3 apart = v3_sub(v3_axpy(between, s, p->along), v3_scale(t, q->along));
+    return v3_norm(apart);
+}
+
+/* What one walk through the tree asks for: elements from `from` on near element e. */
+typedef struct Walk {
+    SelfPairs *pairs;
+    const Chain *chain;
+    const Kinematics *kin;
+    int element, from;
+    double reach;
+    Chord chord;   /* of the element */
+    double radius; /* m, its contact radius, the larger */
+} Walk;
+
+/* The largest contact radius of an element. */
+static double element_radius_most(const Chain *chain, int e)
+{
+    return fmax(e > 0 ? chain->radius[e - 1] : 0, e < chain->n ? chain->radius[e] : 0);
+}
+
+/* Whether the surfaces of the walk's element and of f may be nearer than the reach. */
+static int element_near(const Walk *w, int f)
+{
+    const Chord other = chord_of(w->chain, w->kin, f);
+    const double bulges = w->chord.bulge + other.bulge, radii = w->radius + element_radius_most(w->chain, f);
+    return chords_apart(&w->chord, &other) - bulges - radii <= w->reach;
+}
+
+/* Visits the tree below `node`, which holds `width` leaves from `first` on; 0 if there is no memory. */
+static int walk(const Walk *w, int node, int first, int width)
+{
+    const SphereTree *const tree = &w->pairs->tree;
+    const Sphere *const sphere = &tree->node[node], *const mine = &tree->node[tree->leaves + w->element];
+    if (first + width <= w->from || sphere->radius < 0) return 1;
+    const double apart = v3_norm(v3_sub(sphere->centre, mine->centre)) - sphere->radius - mine->radius;
+    if (apart > w->reach) return 1;
+    if (width == 1) return !element_near(w, first) || candidate_add(w->pairs, w->element, first);
+    return walk(w, 2 * node, first, width / 2) && walk(w, 2 * node + 1, first + width / 2, width / 2);
+}
+
+/* Rooms for the hits of either half: a node of a piece has at most one foot on an element. */
+static int hits_reserve(const Chain *chain, SelfPairs *pairs)
+{
+    int most[SELF_PARTS] = {0, 0}, seen = 0;
+    pairs->candidates = 0;
+    for (int r = 0; r < pairs->n_ranges; ++r) pairs->candidates += pairs->range[r].count;
+    pairs->half = 0;
+    for (int r = 0; r < pairs->n_ranges; ++r) {
+        const SelfRange *const range = &pairs->range[r];
+        const int first = 2 * seen < pairs->candidates;
+        if (first) pairs->half = r + 1;
+        most[!first] += range->count * self_pieces(chain, range->element);
+        seen += range->count;
+    }
+    const int needed = most[0] > most[1] ? most[0] : most[1];
+    if (needed <= pairs->hits_allocated) return 1;
+    assert(needed > 0);
+    for (int p = 0; p < SELF_PARTS; ++p) {
+        SelfHit *const grown = realloc(pairs->hit[p], (size_t)needed * sizeof *grown);
+        if (!grown) return 0;
+        pairs->hit[p] = grown;
+    }
+    pairs->hits_allocated = needed;
+    return 1;
+}
+
+/* One coupling of two segments, if both exist and are not neighbours; returns the new count. */
+static int pair_add(BlockPair *pair, int count, int n, int i, int j)
+{
+    if (i < 0 || j >= n || j - i < 2) return count;
+    pair[count] = (BlockPair){i, j};
+    return count + 1;
+}
+
+/* All blocks that the candidates may fill: piece against feet, and one end's foot against the other's (CC19). */
+static int pattern_set(SelfPairs *pairs)
+{
+    BlockPair *const pair = malloc(((size_t)pairs->candidates * 5 + 1) * sizeof *pair);
+    if (!pair) return 0;
+    int count = 0;
+    for (int r = 0; r < pairs->n_ranges; ++r) {
+        const SelfRange *const range = &pairs->range[r];
+        for (int f = range->first; f < range->first + range->count; ++f) {
+            for (int b = 0; b < 4; ++b) {
+                count = pair_add(pair, count, pairs->n, range->element - 1 + b % 2, f - 1 + b / 2);
+            }
+            if (f > range->first) count = pair_add(pair, count, pairs->n, f - 2, f);
+        }
+    }
+    const int ok = block_extras_set(&pairs->extras, count, pair);
+    free(pair);
+    return ok;
+}
+
+hawser_status self_refresh(const SelfModel *model, const Chain *chain, const Kinematics *kin, SelfPairs *pairs,
+                           hawser_error *err)
+{
+    assert(chain->n == pairs->n);
+    const int skip = self_skip(chain), elements = element_count(GEOMETRY_SMOOTH, chain->n);
+    sphere_tree_build(&pairs->tree, GEOMETRY_SMOOTH, chain, kin);
+    pairs->n_ranges = 0;
+    for (int e = 0; e + skip < elements; ++e) {
+        /* the far end of a pressed piece has its foot within the piece's length of it */
+        const double reach = model->reach + 1.25 * self_piece_length(chain, e);
+        const Walk w = {pairs, chain, kin, e, e + skip, reach, chord_of(chain, kin, e), element_radius_most(chain, e)};
+        if (!walk(&w, 1, 0, pairs->tree.leaves)) return error_memory(err);
+    }
+    if (!hits_reserve(chain, pairs) || !pattern_set(pairs)) return error_memory(err);
+    for (int c = 0; c < 3; ++c) {
+        memcpy(pairs->at_p[c], kin->p[c], (size_t)pairs->n * sizeof(double));
+        memcpy(pairs->at_a[c], kin->a[c], (size_t)pairs->n * sizeof(double));
+    }
+    return HAWSER_OK;
+}
+
+/* Length of the change of a vector of segment i since the refresh. */
+static double vector_moved(double *const now[3], double *const then[3], int i)
+{
+    return v3_norm(v3(now[0][i] - then[0][i], now[1][i] - then[1][i], now[2][i] - then[2][i]));
+}
+
+/* Both lines may have moved, so each has half of the reach; a quarter is kept in hand for the motion within a step. */
+int self_moved_too_far(const SelfModel *model, const Chain *chain, const Kinematics *kin, const SelfPairs *pairs)
+{
+    const double limit = 0.75 * model->reach / 2;
+    for (int i = 0; i < pairs->n; ++i) {
+        const double moved =
+            vector_moved(kin->p, pairs->at_p, i) + chain->half[i] * vector_moved(kin->a, pairs->at_a, i);
+        if (!(moved <= limit)) return 1; /* a NaN counts as far */
+    }
+    return 0;
+}

@@ -1,0 +1,274 @@
+/* The corridor of a call: hits_find (feet of the pieces' ends, and which belong together) -> patch_at for each -> the
+ * segments, in the order of the hits. Nothing here allocates. */
+#include "contact/self/self_contact.h"
+
+#include <assert.h>
+
+/* At a right angle the bed gives 4/3 k_b sqrt(2 R) p^1.5 (CC5): the same force as the impact law, for every depth if
+ * its exponent is 1.5, else at its depth d. The damping takes as much there as the impact law's c. */
+PatchLaw self_law(const ImpactLaw *impact, const FrictionLaw *friction)
+{
+    const double d = impact->d, force = impact->k * pow(d, impact->e);
+    return (PatchLaw){.bed = 0.75 * impact->k * pow(d, impact->e - 1.5) / sqrt(2),
+                      .dissipation = impact->c / force,
+                      .friction = *friction};
+}
+
+enum { FEET_MAX = 64 }; /* strands about one point that are looked at; two layers around a strand have 18 */
+
+/* One point of the line against a range of elements: where that stretch comes nearest to it. */
+typedef struct Foot {
+    int element;
+    double v;
+    Vec3 w; /* from the foot to the point, m */
+} Foot;
+
+typedef struct Feet {
+    int count;
+    Foot foot[FEET_MAX];
+} Feet;
+
+static Vec3 centre_of(const Kinematics *kin, int i) { return v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]); }
+
+/* Whether element f is surely farther than `far` from p: its arc lies in the triangle of its two centres and the joint
+ * between them. */
+static int element_far(const Chain *chain, const Kinematics *kin, int f, Vec3 p, double far)
+{
+    const int i = f > 0 ? f - 1 : 0, j = f < chain->n ? f : chain->n - 1;
+    const Vec3 a = centre_of(kin, i), along = v3_sub(centre_of(kin, j), a), to = v3_sub(p, a);
+    const double length = v3_dot(along, along), share = length > 0 ? v3_dot(to, along) / length : 0;
+    const Vec3 off = v3_axpy(to, -fmin(1, fmax(0, share)), along);
+    const Vec3 front = v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]);
+    /* an end half sticks out of its centre by its own length */
+    const double out = i == j ? chain->half[i] : v3_norm(v3_axpy(v3_scale(-0.5, along), chain->half[i], front));
+    return v3_norm(off) > far + out;
+}
+
+/* All feet of p on a range that are not farther than `far` (CC1). Every change of the slope's sign from - to + belongs
+ * to one element; the ends of a range are no ends of the line. */
+static void feet_find(const Chain *chain, const Kinematics *kin, const SelfRange *range, Vec3 p, double far, Feet *out)
+{
+    out->count = 0;
+    double before = line_slope(chain, kin, range->first - 1, p);
+    for (int f = range->first; f < range->first + range->count; ++f) {
+        const double slope = line_slope(chain, kin, f, p);
+        const int owner = before < 0 && slope >= 0;
+        before = slope;
+        if (!owner || element_far(chain, kin, f, p, far) || out->count == FEET_MAX) continue;
+        int inside;
+        const double v = line_foot(chain, kin, f, p, &inside);
+        const Vec3 w = v3_sub(p, line_spot(chain, kin, f, v).p);
+        if (v3_norm(w) <= far) out->foot[out->count++] = (Foot){f, v, w};
+    }
+}
+
+/* The foot of `next` on the same strand as `foot`: less than an element away along the line; NULL if there is none. */
+static const Foot *foot_beside(const Feet *next, const Foot *foot)
+{
+    const Foot *best = NULL;
+    double nearest = 1;
+    for (int k = 0; k < next->count; ++k) {
+        const double away = fabs(next->foot[k].element + next->foot[k].v - foot->element - foot->v);
+        if (away >= nearest) continue;
+        nearest = away;
+        best = &next->foot[k];
+    }
+    return best;
+}
+
+/* Whether |w| falls below `radius` somewhere between the two ends. */
+static int may_press(Vec3 w0, Vec3 w1, double radius)
+{
+    const Vec3 along = v3_sub(w1, w0);
+    const double a = v3_dot(along, along), b = v3_dot(w0, along);
+    const double xi = b >= 0 || a <= 0 ? 0 : fmin(1, -b / a);
+    return v3_norm(v3_axpy(w0, xi, along)) < radius;
+}
+
+/* The largest contact radius of a run of segments, as far as they exist. */
+static double radius_most(const Chain *chain, int from, int to)
+{
+    double radius = 0;
+    for (int i = from < 0 ? 0 : from; i <= to && i < chain->n; ++i) radius = fmax(radius, chain->radius[i]);
+    return radius;
+}
+
+/* Whether the spheres of element e and of some element of its range meet now. */
+static int range_near(const Chain *chain, const Kinematics *kin, const SelfRange *range)
+{
+    const Element mine = element_at(GEOMETRY_SMOOTH, chain->n, range->element);
+    const Sphere a = element_sphere(&mine, chain, kin);
+    for (int f = range->first; f < range->first + range->count; ++f) {
+        const Element other = element_at(GEOMETRY_SMOOTH, chain->n, f);
+        const Sphere b = element_sphere(&other, chain, kin);
+        if (v3_norm(v3_sub(a.centre, b.centre)) < a.radius + b.radius) return 1;
+    }
+    return 0;
+}
+
+/* The pressed pieces of one element over one range. Returns the new count. */
+static int range_hits(const Chain *chain, const Kinematics *kin, const SelfRange *range, int count, SelfHit *hit)
+{
+    const int e = range->element, pieces = self_pieces(chain, e), end = range->first + range->count;
+    const double length = self_piece_length(chain, e);
+    const double radius = radius_most(chain, e - 1, e) + radius_most(chain, range->first - 1, end);
+    Feet feet[2];
+    for (int m = 0; m <= pieces; ++m) {
+        Feet *const now = &feet[m % 2], *const before = &feet[(m + 1) % 2];
+        /* an end that is farther belongs to no pressed piece: separations change no faster than the piece is long */
+        feet_find(chain, kin, range, line_spot(chain, kin, e, (double)m / pieces).p, radius + 1.25 * length, now);
+        for (int k = 0; m > 0 && k < before->count; ++k) {
+            const Foot *const a = &before->foot[k], *const b = foot_beside(now, a);
+            if (!b || !may_press(a->w, b->w, radius)) continue;
+            hit[count++] = (SelfHit){e, m - 1, {a->element, b->element}, {a->v, b->v}};
+        }
+    }
+    return count;
+}
+
+/* All hits of one half; returns how many. */
+static int hits_find(const Chain *chain, const Kinematics *kin, int part, SelfPairs *pairs)
+{
+    const int from = part == 0 ? 0 : pairs->half, to = part == 0 ? pairs->half : pairs->n_ranges;
+    int count = 0;
+    for (int r = from; r < to; ++r) {
+        if (!range_near(chain, kin, &pairs->range[r])) continue;
+        count = range_hits(chain, kin, &pairs->range[r], count, pairs->hit[part]);
+        assert(count <= pairs->hits_allocated);
+    }
+    return count;
+}
+
+/* The patch of one hit; 0 if it carries no force. */
+static int patch_of(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    const SelfHit *hit, Patch *patch)
+{
+    const double pieces = self_pieces(chain, hit->element);
+    const double u[2] = {hit->piece / pieces, (hit->piece + 1) / pieces};
+    return patch_at(chain, kin, &model->law, friction_scale, hit->element, u, self_piece_length(chain, hit->element),
+                    hit->foot, hit->v, patch);
+}
+
+/* What a patch does to the motion (BA5), (BA6); the feet run along the line square to the forces, at no cost. */
+static void work_add(const Patch *patch, ContactTally *work)
+{
+    const double elastic = v3_dot(patch->g[0], patch->speed[0]) + v3_dot(patch->g[1], patch->speed[1]);
+    work->friction -= v3_dot(patch->friction, patch->slide);
+    work->damping += (1 - patch->damped) * elastic;
+    work->energy += patch->energy;
+}
+
+void self_forces(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale, int part,
+                 SelfPairs *pairs, Loads *loads)
+{
+    const int hits = hits_find(chain, kin, part, pairs);
+    pairs->active[part] = 0;
+    pairs->work[part] = (ContactTally){0};
+    for (int h = 0; h < hits; ++h) {
+        Patch patch;
+        const int presses = patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch);
+        work_add(&patch, &pairs->work[part]);
+        if (!presses) continue;
+        ++pairs->active[part];
+        for (int s = 0; s < patch.slots; ++s) {
+            const PatchWrench wrench = patch_wrench(&patch, s);
+            const double f[3] = {wrench.force.x, wrench.force.y, wrench.force.z};
+            const double m[3] = {wrench.moment.x, wrench.moment.y, wrench.moment.z};
+            for (int c = 0; c < 3; ++c) {
+                loads->f[c][patch.slot[s].body] += f[c];
+                loads->m[c][patch.slot[s].body] += m[c];
+            }
+        }
+    }
+}
+
+/* Where block (row, col) is: in a chain of blocks, or off its diagonals in `extra`. */
+static double *block_at(const SelfPairs *pairs, BlockChain *chain, double *extra, int row, int col)
+{
+    if (row == col) return chain->diag + 36 * row;
+    if (row == col + 1) return chain->lower + 36 * row;
+    if (row == col - 1) return chain->upper + 36 * row;
+    const int e = block_extras_find(&pairs->extras, row, col);
+    assert(e >= 0);
+    return extra + 36 * e;
+}
+
+/* All twelve columns of one slot. */
+static void slot_blocks(const SelfModel *model, const Patch *patch, int s, const SelfPairs *pairs, BlockChain *k,
+                        BlockChain *d)
+{
+    double *block[2][PATCH_SLOTS];
+    const int col = patch->slot[s].body;
+    for (int t = 0; t < patch->slots; ++t) {
+        block[0][t] = block_at(pairs, k, pairs->extras.k, patch->slot[t].body, col);
+        block[1][t] = block_at(pairs, d, pairs->extras.d, patch->slot[t].body, col);
+    }
+    for (int c = 0; c < 12; ++c) {
+        PatchWrench out[PATCH_SLOTS];
+        patch_column(patch, &model->law, s, c, out);
+        for (int t = 0; t < patch->slots; ++t) {
+            double *const at = block[c / 6][t] + 6 * (c % 6);
+            const double rows[6] = {out[t].force.x,  out[t].force.y,  out[t].force.z,
+                                    out[t].moment.x, out[t].moment.y, out[t].moment.z};
+            for (int r = 0; r < 6; ++r) at[r] += rows[r];
+        }
+    }
+}
+
+void self_blocks(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                 SelfPairs *pairs, BlockChain *k, BlockChain *d)
+{
+    for (int part = 0; part < SELF_PARTS; ++part) {
+        const int hits = hits_find(chain, kin, part, pairs);
+        for (int h = 0; h < hits; ++h) {
+            Patch patch;
+            if (!patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch)) continue;
+            for (int s = 0; s < patch.slots; ++s) slot_blocks(model, &patch, s, pairs, k, d);
+        }
+    }
+}
+
+/* A patch for the outside; what carries no force has a depth and a place only. */
+static SelfDetail detail_of(const Chain *chain, const Kinematics *kin, const SelfHit *hit, const Patch *patch)
+{
+    const double pieces = self_pieces(chain, hit->element);
+    const Vec3 p0 = line_spot(chain, kin, hit->element, hit->piece / pieces).p;
+    const Vec3 p1 = line_spot(chain, kin, hit->element, (hit->piece + 1) / pieces).p;
+    return (SelfDetail){.element = hit->element,
+                        .foot = hit->foot[0],
+                        .depth = patch_depth(patch),
+                        .normal = patch->force,
+                        .friction = patch->friction,
+                        .direction = patch->normal,
+                        .point = v3_axpy(v3_scale(1 - patch->centre, p0), patch->centre, p1)};
+}
+
+int self_details(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                 SelfPairs *pairs, int room, SelfDetail *out)
+{
+    int count = 0;
+    for (int part = 0; part < SELF_PARTS; ++part) {
+        const int hits = hits_find(chain, kin, part, pairs);
+        for (int h = 0; h < hits; ++h, ++count) {
+            Patch patch;
+            patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch);
+            if (count < room) out[count] = detail_of(chain, kin, &pairs->hit[part][h], &patch);
+        }
+    }
+    return count;
+}
+
+SelfDetail self_deepest(const SelfModel *model, const Chain *chain, const Kinematics *kin, SelfPairs *pairs)
+{
+    SelfDetail deepest = {.depth = -INFINITY};
+    for (int part = 0; part < SELF_PARTS; ++part) {
+        const int hits = hits_find(chain, kin, part, pairs);
+        for (int h = 0; h < hits; ++h) {
+            Patch patch;
+            patch_of(model, chain, kin, 0, &pairs->hit[part][h], &patch);
+            const SelfDetail now = detail_of(chain, kin, &pairs->hit[part][h], &patch);
+            if (now.depth > deepest.depth) deepest = now;
+        }
+    }
+    return deepest;
+}

@@ -1,0 +1,39 @@
+/* The cable's contact line, cut into elements of at most two segments. docs/model.md, "Contact line".
+ *
+ * smooth:   n+1 elements, numbered like the joints: element j is the arc from the centre of segment j-1 to
+ * that of segment j; element 0 is the tail's half segment, element n the head's. cylinder: n elements:
+ * element i is the axis of segment i, from end to end. */
+#ifndef HAWSER_CONTACT_SHAPE_ELEMENT_H
+#define HAWSER_CONTACT_SHAPE_ELEMENT_H
+
+#include "core/base/vec3.h"
+#include "core/chain.h"
+
+typedef enum ContactGeometry { GEOMETRY_SMOOTH, GEOMETRY_CYLINDER } ContactGeometry;
+
+/* Which segments carry an element, and its weights (C2), (C3) as functions of its parameter u in [0, 1]:
+ *   alpha_1 = arc u^2 (3 - 2u) + alpha,             alpha_0 = 1 - alpha_1
+ *   beta_0  = arc 2 u (1-u)^2  + beta[0][0] + beta[0][1] u
+ *   beta_1  = -arc 2 u^2 (1-u) + beta[1][0] + beta[1][1] u */
+typedef struct Element {
+    int body[2]; /* segments; an index outside 0..n-1 means none (its weights are zero) */
+    double arc, alpha;
+    double beta[2][2];
+} Element;
+
+int element_count(ContactGeometry geometry, int n);
+/* Element e of a chain of n segments, 0 <= e < element_count. */
+Element element_at(ContactGeometry geometry, int n, int e);
+
+/* Point of the line (m) and contact radius there (m) at u (C1), (C4). */
+Vec3 element_point(const Element *element, const Chain *chain, const Kinematics *kin, double u);
+double element_radius(const Element *element, const Chain *chain, double u);
+
+/* A sphere that holds the element with its contact radius (C18): centre and radius, m. */
+typedef struct Sphere {
+    Vec3 centre;
+    double radius;
+} Sphere;
+Sphere element_sphere(const Element *element, const Chain *chain, const Kinematics *kin);
+
+#endif

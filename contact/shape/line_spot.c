@@ -1,0 +1,79 @@
+#include "contact/shape/line_spot.h"
+
+/* (C2), (C3) and two derivatives, in the form of Element. */
+static void weights_at(const Element *e, double u, LineWeights *w, LineWeights *w1, LineWeights *w2)
+{
+    const double v = 1 - u, arc = e->arc;
+    w->alpha[1] = arc * u * u * (3 - 2 * u) + e->alpha;
+    w->beta[0] = arc * 2 * u * v * v + e->beta[0][0] + e->beta[0][1] * u;
+    w->beta[1] = -arc * 2 * u * u * v + e->beta[1][0] + e->beta[1][1] * u;
+    w1->alpha[1] = arc * 6 * u * v;
+    w1->beta[0] = arc * 2 * v * (1 - 3 * u) + e->beta[0][1];
+    w1->beta[1] = arc * 2 * u * (3 * u - 2) + e->beta[1][1];
+    w2->alpha[1] = arc * (6 - 12 * u);
+    w2->beta[0] = arc * (12 * u - 8);
+    w2->beta[1] = arc * (12 * u - 4);
+    w->alpha[0] = 1 - w->alpha[1];
+    w1->alpha[0] = -w1->alpha[1];
+    w2->alpha[0] = -w2->alpha[1];
+}
+
+LineSpot line_spot(const Chain *chain, const Kinematics *kin, int e, double u)
+{
+    const Element element = element_at(GEOMETRY_SMOOTH, chain->n, e);
+    LineSpot at = {.body = {element.body[0], element.body[1]}};
+    LineWeights w2;
+    weights_at(&element, u, &at.weight, &at.weight1, &w2);
+    for (int b = 0; b < 2; ++b) {
+        const int i = at.body[b];
+        if (i < 0 || i >= chain->n) continue;
+        const Vec3 x = v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]);
+        const Vec3 r = v3_scale(chain->half[i], v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]));
+        at.p = v3_axpy(v3_axpy(at.p, at.weight.alpha[b], x), at.weight.beta[b], r);
+        at.p1 = v3_axpy(v3_axpy(at.p1, at.weight1.alpha[b], x), at.weight1.beta[b], r);
+        at.p2 = v3_axpy(v3_axpy(at.p2, w2.alpha[b], x), w2.beta[b], r);
+        at.radius += at.weight.alpha[b] * chain->radius[i];
+        at.radius1 += at.weight1.alpha[b] * chain->radius[i];
+    }
+    return at;
+}
+
+double line_slope(const Chain *chain, const Kinematics *kin, int i, Vec3 p)
+{
+    if (i < 0) return -1;
+    if (i >= chain->n) return 1;
+    return (kin->p[0][i] - p.x) * kin->a[0][i] + (kin->p[1][i] - p.y) * kin->a[1][i] +
+           (kin->p[2][i] - p.z) * kin->a[2][i];
+}
+
+/* (Q - p).Q' at u, and its derivative. */
+static double foot_slope(const Chain *chain, const Kinematics *kin, int e, double u, Vec3 p, double *derivative)
+{
+    const LineSpot at = line_spot(chain, kin, e, u);
+    const Vec3 to = v3_sub(at.p, p);
+    *derivative = v3_dot(at.p1, at.p1) + v3_dot(to, at.p2);
+    return v3_dot(to, at.p1);
+}
+
+/* Newton's method kept inside a shrinking bracket, with bisection where it would leave it. */
+double line_foot(const Chain *chain, const Kinematics *kin, int e, Vec3 p, int *inside)
+{
+    enum { NEWTON = 20, MOST = 80 };
+    double derivative;
+    const double first = foot_slope(chain, kin, e, 0, p, &derivative);
+    const double last = foot_slope(chain, kin, e, 1, p, &derivative);
+    *inside = first < 0 && last >= 0;
+    if (!*inside) return first < 0 ? 1 : 0;
+    double low = 0, high = 1, u = first / (first - last);
+    for (int i = 0; i < MOST; ++i) {
+        const double slope = foot_slope(chain, kin, e, u, p, &derivative);
+        if (slope < 0) low = u;
+        if (slope >= 0) high = u;
+        const double newton = u - slope / derivative;
+        const double next = i < NEWTON && newton >= low && newton <= high ? newton : (low + high) / 2;
+        const double moved = fabs(next - u);
+        u = next;
+        if (!(moved > 1e-13)) break;
+    }
+    return u;
+}

@@ -1,0 +1,57 @@
+/* Shapes that the cable can touch, as signed distance functions. docs/model.md, "Contact" and "Grooved rollers".
+ *
+ * All are solids of revolution about the roller's axis. A further kind needs: its data in Shape, its distance in
+ * shape_probe.c and its function over lanes in shape_lanes.h or beside it. Candidates are sorted by kind and a batch of
+ * contacts holds one kind only, so kinds never mix inside a kernel. */
+#ifndef HAWSER_CONTACT_SHAPE_SHAPE_H
+#define HAWSER_CONTACT_SHAPE_SHAPE_H
+
+#include "core/base/vec3.h"
+
+typedef enum ShapeKind { SHAPE_CYLINDER, SHAPE_V_GROOVE, SHAPE_U_GROOVE } ShapeKind;
+enum { SHAPE_KINDS = 3 };
+
+/* The groove around the middle of a roller; beyond its lips the roller is a cylinder of radius + depth (GR1). */
+typedef struct Groove {
+    double depth;        /* m, from the lips down to the bottom */
+    double lip;          /* m, half the groove's width between the lips */
+    double cosine, sine; /* V: of half the groove's angle. U: of the angle of the arc from bottom to lip */
+    double radius;       /* m, U: of the arc */
+} Groove;
+
+/* A finite solid of revolution: a cylinder, grooved or not. */
+typedef struct Shape {
+    ShapeKind kind;
+    Vec3 centre;       /* m */
+    Vec3 axis;         /* unit */
+    double radius;     /* m; of a grooved roller: at the groove's bottom */
+    double half_width; /* m, half the roller's length */
+    Groove groove;     /* of the grooved kinds */
+} Shape;
+
+/* Grooves by what a drawing says: a V by half its angle (rad, between 0 and pi/2), a U by the radius of its section
+ * (m), which is at least its depth (m). */
+Groove groove_v(double half_angle, double depth);
+Groove groove_u(double radius, double depth);
+
+/* A point's relation to a shape. */
+typedef struct ShapeProbe {
+    double distance; /* m to the surface, negative inside */
+    Vec3 normal;     /* its gradient: unit, away from the shape (zero on a cylinder's axis) */
+    Mat3 hessian;    /* its second derivatives, 1/m; one-sided where they jump */
+} ShapeProbe;
+
+/* How many faces a shape has that the cable touches one by one: the flanks of a V are two. Face 0 is the one toward
+ * +axis, or the only one. */
+int shape_faces(ShapeKind kind);
+/* Signed distance of point p to one face with all that is behind it, m (C7), (GR2)-(GR4). */
+double shape_face_distance(const Shape *shape, int face, Vec3 p);
+/* The same to the whole shape: to its nearest face. */
+double shape_distance(const Shape *shape, Vec3 p);
+/* Distance of a face with both derivatives (C7), (C8), (GR5), from the kernels' own function: for tests and tools. */
+ShapeProbe shape_probe(const Shape *shape, int face, Vec3 p);
+
+/* Distance from the axis at which a straight cable of this radius (m) lies across the middle of the shape, m (GR6). */
+double shape_seat(const Shape *shape, double cable_radius);
+
+#endif

@@ -1,0 +1,338 @@
+/* The corridor of a call: for every range of candidates, strips of LANES consecutive elements go through a kernel that
+ * adds to the loads itself; blocks are scattered here. Nothing allocates but surface_refresh. */
+#include "contact/surface/surface.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contact/surface/surface_kernels.h"
+#include "core/base/error.h"
+
+/* The kernels of the best instruction set. */
+static const SurfaceKernels *kernels(void)
+{
+    static const SurfaceKernels *const table[] = ISA_TABLE(surface_kernels);
+    return table[isa_best()];
+}
+
+SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p)
+{
+    SurfaceProbe out;
+    kernels()->probe(patch, p, &out);
+    return out;
+}
+
+/* Gauss points on [0, 1] and their weights, half the length each. */
+static const double gauss_u[SURFACE_POINTS] = {0.21132486540518712, 0.78867513459481288};
+
+static int points_arrays(SurfacePoints *points, int n)
+{
+    int ok = 1;
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        double **const array[5] = {&points->alpha[q], &points->beta[q][0], &points->beta[q][1], &points->length[q],
+                                   &points->radius[q]};
+        for (int k = 0; k < 5; ++k) ok &= chain_arrays_new(array[k], 1, n, 0);
+    }
+    return ok;
+}
+
+/* A segment's value, 0 for a segment that is not there. */
+static double segment_value(const double *array, int i, int n) { return i >= 0 && i < n ? array[i] : 0; }
+
+/* (DU1), (DU2): the weights of element.h at a fixed u. A capsule hangs on the body that has its number. */
+static void point_set(SurfacePoints *points, ContactGeometry geometry, const Chain *chain, int e, int q)
+{
+    const Element element = element_at(geometry, chain->n, e);
+    const double u = gauss_u[q], v = 1 - u;
+    const double beta0 = element.arc * 2 * u * v * v + element.beta[0][0] + element.beta[0][1] * u;
+    const double beta1 = -element.arc * 2 * u * u * v + element.beta[1][0] + element.beta[1][1] * u;
+    const int capsule = geometry == GEOMETRY_CYLINDER, n = chain->n;
+    points->alpha[q][e] = capsule ? 1 : element.arc * u * u * (3 - 2 * u) + element.alpha;
+    points->beta[q][0][e] = capsule ? 0 : beta0;
+    points->beta[q][1][e] = capsule ? beta0 : beta1;
+    points->radius[q][e] = element_radius(&element, chain, u);
+    const double length =
+        capsule ? 2 * chain->half[e] : segment_value(chain->half, e - 1, n) + segment_value(chain->half, e, n);
+    points->length[q][e] = length / SURFACE_POINTS;
+}
+
+int surface_points_alloc(SurfacePoints *points, ContactGeometry geometry, const Chain *chain)
+{
+    memset(points, 0, sizeof *points);
+    if (!points_arrays(points, chain->n)) {
+        surface_points_free(points);
+        return 0;
+    }
+    points->elements = element_count(geometry, chain->n);
+    for (int e = 0; e < points->elements; ++e) {
+        for (int q = 0; q < SURFACE_POINTS; ++q) point_set(points, geometry, chain, e, q);
+    }
+    return 1;
+}
+
+void surface_points_free(SurfacePoints *points)
+{
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        chain_arrays_free(&points->alpha[q], 1);
+        chain_arrays_free(points->beta[q], 2);
+        chain_arrays_free(&points->length[q], 1);
+        chain_arrays_free(&points->radius[q], 1);
+    }
+    memset(points, 0, sizeof *points);
+}
+
+void surface_pairs_init(SurfacePairs *pairs, int from, int to)
+{
+    memset(pairs, 0, sizeof *pairs);
+    pairs->from = from;
+    pairs->to = to;
+}
+
+void surface_pairs_free(SurfacePairs *pairs)
+{
+    free(pairs->range);
+    surface_stick_free(&pairs->stick);
+    memset(pairs, 0, sizeof *pairs);
+}
+
+int surface_sticks(const SurfaceModel *model)
+{
+    int any = 0;
+    for (int i = 0; i < model->n_surfaces; ++i) any |= friction_kind(&model->friction[i]) == FRICTION_STICK;
+    return any;
+}
+
+int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n)
+{
+    int *const sticks = calloc((size_t)model->n_surfaces + 1, sizeof *sticks);
+    if (!sticks) return 0;
+    for (int i = 0; i < model->n_surfaces; ++i) sticks[i] = friction_kind(&model->friction[i]) == FRICTION_STICK;
+    const int ok = surface_stick_alloc(&pairs->stick, n, model->n_surfaces, sticks);
+    free(sticks);
+    return ok;
+}
+
+/* Elements first .. first + count - 1 against a patch. */
+static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double scale,
+                             const SurfaceStick *stick, int patch, int first, int count)
+{
+    const SurfacePatch *const p = &model->patch[patch];
+    const SurfaceBed *const bed = stick->n_beds > 0 ? &stick->bed[SURFACE_FACES_MAX * p->surface + p->face] : NULL;
+    return (SurfaceStrip){.patch = p,
+                          .impact = &model->impact,
+                          .friction = &model->friction[p->surface],
+                          .friction_scale = scale,
+                          .points = model->points,
+                          .chain = chain,
+                          .kin = kin,
+                          .bed = bed && bed->lean[0][0] ? bed : NULL,
+                          .elapsed = stick->elapsed,
+                          .first = first,
+                          .count = count < LANES ? count : LANES};
+}
+
+/* One more range; 0 if there is no memory. */
+static int range_add(SurfacePairs *pairs, SurfaceRange range)
+{
+    if (pairs->n_ranges == pairs->ranges_allocated) {
+        const int more = 2 * pairs->ranges_allocated + 16;
+        SurfaceRange *const grown = realloc(pairs->range, (size_t)more * sizeof *grown);
+        if (!grown) return 0;
+        pairs->range = grown;
+        pairs->ranges_allocated = more;
+    }
+    assert(pairs->range);
+    pairs->range[pairs->n_ranges++] = range;
+    return 1;
+}
+
+/* Element e is a candidate of this patch: it lengthens the last range or begins a new one. */
+static int candidate_add(SurfacePairs *pairs, int patch, int e)
+{
+    SurfaceRange *const last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
+    ++pairs->candidates;
+    if (!last || last->patch != patch || last->first + last->count != e) {
+        return range_add(pairs, (SurfaceRange){patch, e, 1});
+    }
+    ++last->count;
+    return 1;
+}
+
+/* A sphere around segments from .. to-1, with their contact radii. */
+static Sphere run_sphere(const Chain *chain, const Kinematics *kin, int from, int to)
+{
+    Vec3 low = v3(INFINITY, INFINITY, INFINITY), high = v3(-INFINITY, -INFINITY, -INFINITY);
+    double most = 0;
+    for (int i = from; i < to; ++i) {
+        low = v3(fmin(low.x, kin->p[0][i]), fmin(low.y, kin->p[1][i]), fmin(low.z, kin->p[2][i]));
+        high = v3(fmax(high.x, kin->p[0][i]), fmax(high.y, kin->p[1][i]), fmax(high.z, kin->p[2][i]));
+        most = fmax(most, 2 * chain->half[i] + chain->radius[i]);
+    }
+    return (Sphere){v3_scale(0.5, v3_add(low, high)), v3_norm(v3_sub(high, low)) / 2 + most};
+}
+
+/* Whether a sphere comes within reach of the part of the way that a patch lies on (DU13). */
+static int way_reaches(const SurfacePatch *patch, Sphere sphere, double reach)
+{
+    if (!(patch->length > 0)) return 1;
+    const double margin = sphere.radius + reach;
+    return v3_dot(v3_sub(sphere.centre, patch->start), patch->tangent) >= -margin &&
+           v3_dot(v3_sub(sphere.centre, patch->end), patch->end_tangent) < margin;
+}
+
+enum { RUN = 32 }; /* elements under one sphere */
+
+/* Candidates of all patches in one run of elements, whose sphere rules most patches out. */
+static int run_refresh(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, int patch,
+                       SurfacePairs *pairs, int from, int to)
+{
+    for (int first = from; first < to; first += LANES) {
+        int near[LANES];
+        const SurfaceStrip strip = strip_of(model, chain, kin, 0, &pairs->stick, patch, first, to - first);
+        kernels()->near(&strip, model->reach, near);
+        for (int l = 0; l < strip.count; ++l) {
+            if (near[l] && !candidate_add(pairs, patch, first + l)) return 0;
+        }
+    }
+    return 1;
+}
+
+hawser_status surface_refresh(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, SurfacePairs *pairs,
+                              hawser_error *err)
+{
+    pairs->n_ranges = pairs->candidates = 0;
+    for (int patch = 0; patch < model->n_patches; ++patch) {
+        for (int from = pairs->from; from < pairs->to; from += RUN) {
+            const int to = from + RUN < pairs->to ? from + RUN : pairs->to;
+            /* an element hangs on the segment before it and its own */
+            const Sphere around = run_sphere(chain, kin, from > 0 ? from - 1 : 0, to < chain->n ? to : chain->n);
+            if (!way_reaches(&model->patch[patch], around, model->reach)) continue;
+            if (!run_refresh(model, chain, kin, patch, pairs, from, to)) return error_memory(err);
+        }
+    }
+    return HAWSER_OK;
+}
+
+SurfaceTally surface_tally_new(void) { return (SurfaceTally){.at = NAN}; }
+
+/* One element's forces on one face. */
+static void tally_element(const SurfaceStrip *strip, const SurfacePush *push, int l, SurfacePairs *pairs,
+                          SurfaceTally *tally)
+{
+    double normal = 0, length = 0, moment = 0;
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        const double load = push->normal[q][l];
+        length += strip->points->length[q][strip->first + l];
+        if (!(load > 0)) continue;
+        const Vec3 force = v3(push->force[q][0][l], push->force[q][1][l], push->force[q][2][l]);
+        tally->force = v3_sub(tally->force, force);
+        /* the force is N n minus the friction, square to n */
+        tally->friction += sqrt(fmax(0, v3_dot(force, force) - load * load));
+        normal += load;
+        moment += load * push->along[q][l];
+        ++pairs->active;
+    }
+    tally->normal += normal;
+    if (!(normal > tally->line_load * length)) return;
+    tally->line_load = normal / length;
+    tally->at = strip->patch->s0 + moment / normal;
+}
+
+void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    SurfacePairs *pairs, Loads *loads, SurfaceTally *tally)
+{
+    const SurfaceKernels *const kernel = kernels();
+    SurfacePush push;
+    if (tally) pairs->active = 0;
+    pairs->work = (ContactTally){0};
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const SurfaceRange r = pairs->range[i];
+        for (int done = 0; done < r.count; done += LANES) {
+            const SurfaceStrip strip =
+                strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, r.first + done, r.count - done);
+            const int any = kernel->push(&strip, loads, tally ? &push : NULL, &pairs->work);
+            if (!any || !tally) continue;
+            for (int l = 0; l < strip.count; ++l) {
+                tally_element(&strip, &push, l, pairs, &tally[strip.patch->surface]);
+            }
+        }
+    }
+}
+
+/* block += rows of body a by columns of body b of one lane. */
+static void part_add(double *block, const ContactMatrix *m, int l, int a, int b)
+{
+    for (int col = 0; col < 6; ++col) {
+        for (int row = 0; row < 6; ++row) block[6 * col + row] += m->entry[6 * b + col][6 * a + row][l];
+    }
+}
+
+/* Adds the derivatives of element e, in lane l, to the up to four blocks of its segments. */
+static void element_add(const ContactMatrix *m, int l, int e, BlockChain *out)
+{
+    const int before = e > 0, after = e < out->n;
+    if (before) part_add(out->diag + 36 * (e - 1), m, l, 0, 0);
+    if (after) part_add(out->diag + 36 * e, m, l, 1, 1);
+    if (!before || !after) return;
+    part_add(out->upper + 36 * (e - 1), m, l, 0, 1);
+    part_add(out->lower + 36 * e, m, l, 1, 0);
+}
+
+void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    const SurfacePairs *pairs, int from, int to, BlockChain *k, BlockChain *d)
+{
+    assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
+    const SurfaceKernels *const kernel = kernels();
+    ContactMatrix by_shift, by_speed;
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const SurfaceRange r = pairs->range[i];
+        const int first = r.first > from ? r.first : from;
+        const int end = r.first + r.count < to ? r.first + r.count : to;
+        for (int e = first; e < end; e += LANES) {
+            const SurfaceStrip strip = strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, e, end - e);
+            if (!kernel->columns(&strip, &by_shift, &by_speed)) continue;
+            for (int l = 0; l < strip.count; ++l) {
+                element_add(&by_shift, l, e + l, k);
+                element_add(&by_speed, l, e + l, d);
+            }
+        }
+    }
+}
+
+void surface_clock(SurfacePairs *pairs, double t)
+{
+    SurfaceStick *const stick = &pairs->stick;
+    stick->elapsed = t > stick->since ? t - stick->since : 0;
+}
+
+/* The points that touch are looked at once more, for how far each leans. */
+void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double t, SurfacePairs *pairs)
+{
+    surface_clock(pairs, t);
+    surface_stick_begin(&pairs->stick, pairs->from, pairs->to);
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const SurfaceRange r = pairs->range[i];
+        for (int done = 0; done < r.count; done += LANES) {
+            const SurfaceStrip strip =
+                strip_of(model, chain, kin, 1, &pairs->stick, r.patch, r.first + done, r.count - done);
+            if (strip.bed) kernels()->keep(&strip);
+        }
+    }
+    surface_stick_accept(&pairs->stick, t);
+}
+
+void surface_carry(const SurfacePairs *old, SurfacePairs *now, int joined)
+{
+    const int first = old->from + joined > now->from ? old->from + joined : now->from;
+    const int end = old->to + joined < now->to ? old->to + joined : now->to;
+    now->stick.since = old->stick.since;
+    now->stick.elapsed = old->stick.elapsed;
+    for (int b = 0; b < old->stick.n_beds && first < end; ++b) {
+        double *const *const from = &old->stick.bed[b].lean[0][0], *const *const to = &now->stick.bed[b].lean[0][0];
+        for (int k = 0; k < 3 * SURFACE_POINTS && from[0]; ++k) {
+            memcpy(to[k] + first, from[k] + first - joined, (size_t)(end - first) * sizeof(double));
+        }
+    }
+}

@@ -1,0 +1,57 @@
+/* The data of contact with surfaces, shared by surface.c and its kernels. docs/model.md, "Surfaces". */
+#ifndef HAWSER_CONTACT_SURFACE_SURFACE_DATA_H
+#define HAWSER_CONTACT_SURFACE_SURFACE_DATA_H
+
+#include "contact/law/contact_law.h"
+#include "contact/law/contact_tally.h"
+#include "contact/shape/element.h"
+#include "contact/surface/surface_patch.h"
+#include "contact/surface/surface_stick.h"
+#include "core/block_chain.h"
+#include "hawser/hawser.h"
+
+/* The points of a chain's line, by element e (chain arrays; bodies e-1 and e, a missing one has no weight) (DU2). */
+typedef struct SurfacePoints {
+    int elements;
+    double *alpha[SURFACE_POINTS];   /* of body e; that of body e-1 is 1 - alpha */
+    double *beta[SURFACE_POINTS][2]; /* of the arms of e-1 and e */
+    double *length[SURFACE_POINTS];  /* m of cable that the point stands for */
+    double *radius[SURFACE_POINTS];  /* contact radius there, m */
+} SurfacePoints;
+
+/* What never changes during a run. */
+typedef struct SurfaceModel {
+    ImpactLaw impact; /* for each metre of cable: k in N/m^e per m, c in N s/m per m */
+    double reach;     /* m: as in ContactModel */
+    int n_surfaces, n_patches;
+    const FrictionLaw *friction; /* [n_surfaces], borrowed */
+    const SurfacePatch *patch;   /* [n_patches], by surface, then along the way, borrowed */
+    const SurfacePoints *points; /* borrowed */
+} SurfaceModel;
+
+/* Candidates of one patch: elements first .. first + count - 1. */
+typedef struct SurfaceRange {
+    int patch, first, count;
+} SurfaceRange;
+
+/* The candidates among elements from .. to-1; by surface_refresh. */
+typedef struct SurfacePairs {
+    int from, to;
+    int n_ranges, ranges_allocated;
+    SurfaceRange *range; /* [n_ranges], by patch, then by element */
+    int candidates;      /* pairs of element and patch */
+    int active;          /* points that carried force in the last call of surface_forces with a tally */
+    ContactTally work;   /* of the last call of surface_forces */
+    SurfaceStick stick;  /* by surface_accept; beds by surface_pairs_sticks, none without friction that sticks */
+} SurfacePairs;
+
+/* What the cable does to one surface. */
+typedef struct SurfaceTally {
+    Vec3 force;       /* N, on the surface */
+    double normal;    /* N, sum of the normal forces' sizes */
+    double friction;  /* N, sum of the friction forces' sizes */
+    double line_load; /* N/m, the largest normal force of an element on a face over the element's length */
+    double at; /* m along the route, where that is; NAN: nothing touches, or the surface is not along the route */
+} SurfaceTally;
+
+#endif

@@ -1,0 +1,190 @@
+/* LANES points against one patch: their place along its way, distance, normal and weight. Derivation and equation
+ * numbers: docs/model.md, "Surfaces"; letters as there. */
+#ifndef HAWSER_CONTACT_SURFACE_SURFACE_PATCH_LANES_H
+#define HAWSER_CONTACT_SURFACE_SURFACE_PATCH_LANES_H
+
+#include "contact/shape/shape_lanes.h"
+#include "contact/surface/surface_patch.h"
+
+/* A point in a patch's own coordinates (DU3): s along the way, a to the side, b up, and the axes there. */
+typedef struct SurfacePlace {
+    LaneMask owned;
+    Lane3 axis[3];     /* T, A, B at s */
+    Lane s, a, b;      /* m; s is only set where something depends on it */
+    Lane m, curvature; /* m = 1 - a/R; 1/(R - a), 0 on a straight */
+    Lane cos, sin;     /* of the roll theta */
+    Lane roll1, roll2; /* theta', theta'', 1/m and 1/m2 */
+    Lane y, z;         /* m, of the section (DU5) */
+} SurfacePlace;
+
+/* The section's distance G and its derivatives (DU4): G'' = k t t^T with t = (-G_z, G_y). */
+typedef struct SurfaceSection {
+    Lane g, gy, gz, k;
+} SurfaceSection;
+
+/* A smooth weight and its slope along its coordinate. */
+typedef struct SurfaceShare {
+    Lane value;
+    Lane3 slope; /* gradient, 1/m */
+} SurfaceShare;
+
+LANE_INLINE Lane3 surface_spread(Vec3 a) { return (Lane3){lane_set(a.x), lane_set(a.y), lane_set(a.z)}; }
+
+/* Angle of each lane about a bend's axis; the library's function, and only where something depends on it. */
+LANE_INLINE Lane surface_angle(Lane sine, Lane cosine)
+{
+    double s[LANES], c[LANES];
+    lane_store(s, sine);
+    lane_store(c, cosine);
+    for (int l = 0; l < LANES; ++l) s[l] = atan2(s[l], c[l]);
+    return lane_load(s);
+}
+
+/* D = (x - x0)/(x1 - x0), clamped to 0..1. */
+LANE_INLINE Lane surface_ramp(Lane x, double x0, double x1)
+{
+    const Lane d = (x - x0) * (1 / (x1 - x0)), zero = lane_set(0), one = lane_set(1);
+    return lane_select(d > zero, lane_select(d < one, d, one), zero);
+}
+
+/* Straight: coordinates along three fixed axes. */
+LANE_INLINE void place_straight(const SurfacePatch *patch, Lane3 p, SurfacePlace *at)
+{
+    const Lane3 off = l3_sub(p, surface_spread(patch->start));
+    at->axis[0] = surface_spread(patch->tangent);
+    at->axis[1] = surface_spread(patch->side);
+    at->axis[2] = surface_spread(patch->up);
+    at->s = l3_dot(off, at->axis[0]);
+    at->a = l3_dot(off, at->axis[1]);
+    at->b = l3_dot(off, at->axis[2]);
+    at->m = lane_set(1);
+    at->curvature = lane_set(0);
+}
+
+/* Bend: cylindrical coordinates about its axis. */
+LANE_INLINE void place_bend(const SurfacePatch *patch, Lane3 p, SurfacePlace *at)
+{
+    const Lane3 off = l3_sub(p, surface_spread(patch->centre));
+    const Lane3 tangent = surface_spread(patch->tangent), side = surface_spread(patch->side);
+    const Lane x = -l3_dot(off, side), y = l3_dot(off, tangent);
+    const Lane rho = shape_root(shape_at_least(x * x + y * y, 1e-60)), inverse = 1 / rho;
+    const Lane c = x * inverse, s = y * inverse;
+    at->axis[0] = l3_axpy(l3_scale(c, tangent), s, side);
+    at->axis[1] = l3_axpy(l3_scale(c, side), -s, tangent);
+    at->axis[2] = surface_spread(patch->up);
+    at->a = patch->bend - rho;
+    at->b = l3_dot(off, at->axis[2]);
+    at->m = rho * (1 / patch->bend);
+    at->curvature = inverse;
+    at->s = patch->twisted || patch->along.used ? patch->bend * surface_angle(y, x) : lane_set(0);
+}
+
+/* s wherever the point is, for output. */
+LANE_INLINE Lane surface_along(const SurfacePatch *patch, Lane3 p, const SurfacePlace *at)
+{
+    if (!(patch->bend > 0)) return at->s;
+    const Lane3 off = l3_sub(p, surface_spread(patch->centre));
+    return patch->bend *
+           surface_angle(l3_dot(off, surface_spread(patch->tangent)), -l3_dot(off, surface_spread(patch->side)));
+}
+
+/* The roll of the section at s (DU6). */
+LANE_INLINE void place_roll(const SurfacePatch *patch, SurfacePlace *at)
+{
+    at->cos = lane_set(patch->roll_cos);
+    at->sin = lane_set(patch->roll_sin);
+    at->roll1 = at->roll2 = lane_set(0);
+    if (!patch->twisted) return;
+    const double by = patch->roll[1] - patch->roll[0], per = 1 / patch->length;
+    const Lane d = surface_ramp(at->s, 0, patch->length);
+    const Lane roll = patch->roll[0] + by * d * d * (3 - 2 * d);
+    for (int l = 0; l < LANES; ++l) {
+        at->cos[l] = cos(roll[l]);
+        at->sin[l] = sin(roll[l]);
+    }
+    at->roll1 = by * per * 6 * d * (1 - d);
+    /* beyond the ends the roll stays */
+    const LaneMask inside = (d > lane_set(0)) & (d < lane_set(1));
+    at->roll2 = lane_select(inside, by * per * per * (6 - 12 * d), lane_set(0));
+}
+
+/* (DU3), (DU5). */
+LANE_INLINE SurfacePlace surface_place(const SurfacePatch *patch, Lane3 p)
+{
+    SurfacePlace at;
+    if (patch->bend > 0) {
+        place_bend(patch, p, &at);
+    } else {
+        place_straight(patch, p, &at);
+    }
+    place_roll(patch, &at);
+    at.y = at.a * at.cos + at.b * at.sin;
+    at.z = at.b * at.cos - at.a * at.sin;
+    /* half open, by the same numbers as the neighbouring part: every point belongs to exactly one */
+    at.owned = ~(LaneMask){0};
+    if (patch->length > 0) {
+        const Lane after = l3_dot(l3_sub(p, surface_spread(patch->start)), surface_spread(patch->tangent));
+        const Lane before = l3_dot(l3_sub(p, surface_spread(patch->end)), surface_spread(patch->end_tangent));
+        const Lane zero = lane_set(0);
+        at.owned = (after >= zero) & (before < zero);
+    }
+    return at;
+}
+
+/* (DU4). */
+LANE_INLINE SurfaceSection surface_section(const SurfacePatch *patch, const SurfacePlace *at)
+{
+    const Lane zero = lane_set(0), one = lane_set(1);
+    if (patch->section == SECTION_FLAT) {
+        return (SurfaceSection){patch->ny * at->y + patch->nz * at->z + patch->offset, lane_set(patch->ny),
+                                lane_set(patch->nz), zero};
+    }
+    const Lane z = at->z - patch->lift;
+    const Lane r = shape_root(shape_at_least(at->y * at->y + z * z, 1e-60)), inverse = 1 / r;
+    const SurfaceSection tube = {patch->inner - r, -at->y * inverse, -z * inverse, -inverse};
+    if (patch->section == SECTION_TUBE) return tube;
+    /* above its centre a trough goes on upright */
+    const LaneMask above = z > zero, left = at->y > zero;
+    return (SurfaceSection){lane_select(above, patch->inner - lane_select(left, at->y, -at->y), tube.g),
+                            lane_select(above, lane_select(left, -one, one), tube.gy),
+                            lane_select(above, zero, tube.gz), lane_select(above, zero, tube.k)};
+}
+
+/* Gradient of the distance (DU7): along T, A, B. */
+LANE_INLINE void surface_gradient(const SurfacePlace *at, const SurfaceSection *g, Lane out[3])
+{
+    out[0] = at->roll1 * (g->gy * at->z - g->gz * at->y) / at->m;
+    out[1] = g->gy * at->cos - g->gz * at->sin;
+    out[2] = g->gy * at->sin + g->gz * at->cos;
+}
+
+LANE_INLINE Lane3 surface_vector(const SurfacePlace *at, const Lane c[3])
+{
+    return l3_axpy(l3_axpy(l3_scale(c[0], at->axis[0]), c[1], at->axis[1]), c[2], at->axis[2]);
+}
+
+/* One fade and its slope. */
+LANE_INLINE Lane surface_fade(const SurfaceFade *fade, Lane x, Lane *slope)
+{
+    const Lane d = surface_ramp(x, fade->in0, fade->in1), e = surface_ramp(x, fade->out0, fade->out1);
+    const Lane in = d * d * (3 - 2 * d), out = 1 - e * e * (3 - 2 * e);
+    const Lane in1 = 6 * d * (1 - d) * (1 / (fade->in1 - fade->in0));
+    const Lane out1 = -6 * e * (1 - e) * (1 / (fade->out1 - fade->out0));
+    *slope = in1 * out + in * out1;
+    return in * out;
+}
+
+/* The weight of (DU8) with its gradient. */
+LANE_INLINE SurfaceShare surface_share(const SurfacePatch *patch, const SurfacePlace *at)
+{
+    Lane along = lane_set(1), across = lane_set(1), along1 = lane_set(0), across1 = lane_set(0);
+    if (patch->along.used) along = surface_fade(&patch->along, at->s, &along1);
+    const double vy = patch->vy, vz = patch->vz;
+    if (patch->across.used) across = surface_fade(&patch->across, vy * at->y + vz * at->z, &across1);
+    const Lane by_v = along * across1;
+    const Lane slope[3] = {(along1 * across + by_v * at->roll1 * (vy * at->z - vz * at->y)) / at->m,
+                           by_v * (vy * at->cos - vz * at->sin), by_v * (vy * at->sin + vz * at->cos)};
+    return (SurfaceShare){along * across, surface_vector(at, slope)};
+}
+
+#endif

@@ -1,0 +1,19 @@
+/* Messages for users: a status with one line of text. Programmer errors are asserts, not statuses. */
+#ifndef HAWSER_CORE_BASE_ERROR_H
+#define HAWSER_CORE_BASE_ERROR_H
+
+#include "hawser/hawser.h"
+
+/* Writes status and message into err (NULL: dropped) and returns status, so that a caller can
+ * `return error_set(err, HAWSER_ERR_INPUT, "%s:%d: ...", file, line);`. */
+hawser_status error_set(hawser_error *err, hawser_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Out of memory, said the same way everywhere. */
+static inline hawser_status error_memory(hawser_error *err)
+{
+    error_set(err, HAWSER_ERR_MEMORY, "out of memory");
+    return HAWSER_ERR_MEMORY;
+}
+
+#endif

@@ -1,0 +1,24 @@
+/* A team of one or two threads that do the same function side by side. The second thread is started once; between jobs
+ * it spins briefly, then sleeps. A team of one calls the function and nothing else. */
+#ifndef HAWSER_CORE_BASE_TEAM_H
+#define HAWSER_CORE_BASE_TEAM_H
+
+typedef struct Team Team;
+
+/* A share of a job: rank 0 or 1. The shares must not wait for each other: where the second thread does not come in time
+ * (a busy machine), the caller does both, one after the other. */
+typedef void (*TeamJob)(void *arg, int rank);
+
+/* A team of `threads` (1 or 2); of one where the process may use a single core. NULL if there is no memory or no thread
+ * to be had. */
+Team *team_new(int threads);
+Team *team_free(Team *t);
+/* 1 or 2; NULL is a team of one. */
+int team_size(const Team *t);
+/* 1 if a second thread is there and has come in time lately. Otherwise a caller that knows a better way than both
+ * shares in a row may take it instead of team_run; it is to ask before every job. */
+int team_ready(Team *t);
+/* Runs both shares of a job and returns when they are done: what they wrote is visible. Not re-entrant. */
+void team_run(Team *t, TeamJob job, void *arg);
+
+#endif

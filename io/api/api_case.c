@@ -1,0 +1,85 @@
+/* A case behind the public handle: a tree of what the file says, and the definition read from it once somebody asks.
+ * Settings change the tree, and what was read is read again. */
+#include "core/base/error.h"
+#include "io/api/api_handles.h"
+#include "io/case/case_read.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A handle around a tree, which it takes over; name is copied. */
+static hawser_status wrap_tree(CaseTree *tree, const char *name, hawser_case **out, hawser_error *err)
+{
+    hawser_case *c = calloc(1, sizeof *c);
+    if (c) c->name = strdup(name);
+    if (!c || !c->name) {
+        free(c);
+        case_tree_free(tree);
+        return error_memory(err);
+    }
+    c->tree = tree;
+    *out = c;
+    return HAWSER_OK;
+}
+
+/* Only the YAML is read here; what its values mean is looked at when somebody asks, so that settings may follow. */
+hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err)
+{
+    CaseTree *tree;
+    *out = NULL;
+    const hawser_status status = case_tree_load(path, &tree, err);
+    return status ? status : wrap_tree(tree, path, out, err);
+}
+
+/* As above, from memory. */
+hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err)
+{
+    CaseTree *tree;
+    *out = NULL;
+    const hawser_status status = case_tree_parse(text, name, &tree, err);
+    return status ? status : wrap_tree(tree, name, out, err);
+}
+
+/* Forgets what was read from the tree. */
+static void drop_read(hawser_case *c)
+{
+    if (c->read) scene_def_clear(&c->def);
+    c->read = 0;
+}
+
+/* Whatever was read before may be different now. */
+hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err)
+{
+    drop_read(c);
+    return case_tree_set(c->tree, key, value, err);
+}
+
+/* Reading is done once for any number of checks, descriptions and simulations. */
+hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
+{
+    if (c->read) return HAWSER_OK;
+    const hawser_status status = case_read(c->tree, &c->def, err);
+    c->read = !status;
+    return status;
+}
+
+/* Errors of the reader carry file and line themselves; those of the scene only know the key. */
+hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err)
+{
+    if (status != HAWSER_ERR_INPUT || !err) return status;
+    const hawser_error found = *err;
+    /* room is left for the prefix: a message that long loses its end */
+    return error_set(err, status, "%.200s: %.800s", c->name, found.message);
+}
+
+hawser_status hawser_case_check(hawser_case *c, hawser_error *err) { return case_ensure_read(c, err); }
+
+/* NULL is fine, as for every free. */
+void hawser_case_free(hawser_case *c)
+{
+    if (!c) return;
+    drop_read(c);
+    case_tree_free(c->tree);
+    free(c->name);
+    free(c);
+}

@@ -1,0 +1,37 @@
+/* What is behind the two handles of the public interface. */
+#ifndef HAWSER_IO_API_API_HANDLES_H
+#define HAWSER_IO_API_API_HANDLES_H
+
+#include "hawser/hawser.h"
+#include "io/results/results.h"
+#include "io/yaml/yaml_tree.h"
+#include "sim/run/sim.h"
+
+struct hawser_case {
+    CaseTree *tree;
+    char *name;   /* of its file */
+    int read;     /* def holds what the tree says */
+    SceneDef def; /* cleared while not read */
+};
+
+struct hawser_sim {
+    Sim *sim;
+    char *case_name;
+    char *title;
+    int wants_relaxation, relaxed;
+    int running;                      /* inside hawser_sim_run */
+    hawser_status outcome;            /* of the last call that computed */
+    hawser_roller *roller;            /* [rollers] work of hawser_sim_rollers */
+    hawser_surface *surface;          /* [surfaces] work of hawser_sim_surfaces */
+    char message[HAWSER_MESSAGE_MAX]; /* why the run did not finish */
+};
+
+/* A surface of the simulation as the interface shows it. */
+hawser_surface api_surface(const SimSurface *surface);
+/* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
+hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
+/* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
+ * message. Returns status. */
+hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
+
+#endif

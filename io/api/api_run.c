@@ -1,0 +1,207 @@
+/* A run from the initial state to the case's end. The integrator takes its own steps; between them this file looks
+ * whether a row, a state or a word to the caller is due. What is written is a state that the integrator reached, not
+ * one between two: a row belongs to the first step that ends at its time or after, and no step is longer than the time
+ * between rows. */
+#include "core/base/clock.h"
+#include "core/base/error.h"
+#include "io/api/api_handles.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Wall time between two calls of the caller's progress function, s. */
+static const double progress_interval = 0.25;
+
+/* Something that happens at 0, interval, 2 interval ... of simulated time; interval 0: never. */
+typedef struct Beat {
+    double interval; /* s */
+    long count;      /* how often it happened */
+} Beat;
+
+typedef struct Run {
+    hawser_sim *s;
+    Results *results;         /* NULL: nothing is written */
+    hawser_progress progress; /* may be NULL */
+    void *user;
+    double started, last_progress; /* clock_now() */
+    Beat row, state;
+    double last_row, last_state; /* simulated time, s */
+    const hawser_sample *look;   /* the simulation's, brought up to date by sim_sample and sim_record */
+} Run;
+
+/* Counted, not summed: the thousandth beat is not late by rounding. */
+static double beat_next(const Beat *b) { return b->interval > 0 ? b->interval * (double)b->count : INFINITY; }
+
+/* Whether the beat is due at time t, up to rounding; counts it if so. */
+static int beat_due(Beat *b, double t)
+{
+    const double next = beat_next(b);
+    if (!(b->interval > 0) || t < next - 1e-9 * fmax(1, next)) return 0;
+    b->count = (long)floor(t / b->interval + 1e-9) + 1;
+    return 1;
+}
+
+/* Statistics with a row, and a state. */
+static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
+{
+    Sim *sim = run->s->sim;
+    if (row) run->last_row = sim_time(sim);
+    if (state) run->last_state = sim_time(sim);
+    if (row && state) sim_record(sim);
+    if (row && !state) sim_record_row(sim);
+    if (!run->results) return HAWSER_OK;
+    const double start = clock_now();
+    hawser_status status = row ? results_row(run->results, run->look, err) : HAWSER_OK;
+    if (!status && state) status = results_state(run->results, run->look, err);
+    if (!status) status = results_tick(run->results, err);
+    sim_add_output_time(sim, clock_now() - start);
+    return status;
+}
+
+/* What is due now. A state always has its row. */
+static hawser_status write_due(Run *run, hawser_error *err)
+{
+    const double t = sim_time(run->s->sim);
+    const int state = beat_due(&run->state, t), row = beat_due(&run->row, t) || state;
+    return row ? write_now(run, row, state, err) : HAWSER_OK;
+}
+
+/* The state in which a run ends, so far as the beats have not just written it. */
+static hawser_status write_last(Run *run, hawser_error *err)
+{
+    const double t = sim_time(run->s->sim);
+    const int row = t > run->last_row, state = run->state.interval > 0 && t > run->last_state;
+    if (state && !row) sim_sample(run->s->sim);
+    return row || state ? write_now(run, row, state, err) : HAWSER_OK;
+}
+
+/* Tells the caller every quarter of a second (or now); STOPPED if he wants no more. */
+static hawser_status tell_progress(Run *run, int now, hawser_error *err)
+{
+    const double wall = clock_now();
+    if (!run->progress || (!now && wall - run->last_progress < progress_interval)) return HAWSER_OK;
+    run->last_progress = wall;
+    Sim *sim = run->s->sim;
+    const int stop = run->progress(run->user, sim_sample(sim), wall - run->started, sim_end_time(sim));
+    return stop ? error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s", sim_time(sim)) : HAWSER_OK;
+}
+
+/* Only once, and only before anything has moved; the case may forbid it. */
+static hawser_status run_relaxation(Run *run, hawser_error *err)
+{
+    hawser_sim *s = run->s;
+    if (!s->wants_relaxation || s->relaxed || sim_time(s->sim) > 0) return HAWSER_OK;
+    return hawser_sim_relax(s, NULL, err);
+}
+
+/* From the state of now to the end of the case. */
+static hawser_status run_steps(Run *run, hawser_error *err)
+{
+    Sim *sim = run->s->sim;
+    hawser_status status = run_relaxation(run, err);
+    if (!status) status = write_due(run, err);
+    if (!status) status = tell_progress(run, 1, err);
+    while (!status && sim_time(sim) < sim_end_time(sim)) { /* a trip may bring the end nearer */
+        status = sim_advance(sim, sim_end_time(sim), 1, err);
+        if (!status) status = write_due(run, err);
+        if (!status) status = tell_progress(run, 0, err);
+    }
+    /* the caller sees the end; there is nothing left to stop */
+    if (!status) tell_progress(run, 1, NULL);
+    return status;
+}
+
+/* Sizes, names and wishes for the results folder. */
+static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
+{
+    hawser_sim *s = run->s;
+    const OutputDef *output = sim_output(s->sim);
+    ResultsDef def = {.title = s->title,
+                      .segments = run->look->segments,
+                      .reel = !isnan(run->look->paid_out),
+                      .front = !isnan(run->look->head_at),
+                      .n_watched = output->n_speed_segments,
+                      .watched = output->speed_segments,
+                      .n_loads = output->n_load_rollers,
+                      .loads = output->load_rollers,
+                      .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};
+    def.probes = run->look->probes;
+    def.probe = run->look->probe;
+    def.rollers = hawser_sim_rollers(s, &def.roller);
+    def.conveyors = hawser_sim_conveyors(s, &def.conveyor);
+    char *summary;
+    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    if (status) return status;
+    status = results_open(&run->results, dir, &def, summary, err);
+    hawser_text_free(summary);
+    return status;
+}
+
+/* The tables and the summary, whatever the outcome. */
+static hawser_status finish_results(Run *run, hawser_error *err)
+{
+    hawser_sim *s = run->s;
+    ResultsTables tables = {0};
+    char *summary;
+    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    if (status) return status;
+    tables.n_stations = sim_stations(s->sim, &tables.station);
+    tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
+    tables.n_modes = sim_modes(s->sim, &tables.mode);
+    tables.segments = run->look->segments;
+    tables.summary = summary;
+    status = results_finish(run->results, &tables, err);
+    hawser_text_free(summary);
+    return status;
+}
+
+/* Beats that go on from time t (0 unless the caller has advanced before). */
+static void start_beats(Run *run, double t)
+{
+    const OutputDef *output = sim_output(run->s->sim);
+    run->row.interval = output->interval;
+    run->state.interval = output->state_interval;
+    Beat *beats[] = {&run->row, &run->state};
+    for (int i = 0; i < 2; i++) {
+        if (beats[i]->interval > 0) beats[i]->count = (long)ceil(t / beats[i]->interval - 1e-9);
+    }
+}
+
+/* Why it ended, for the summary and the caller. A result that could not be written weighs more than a stop.
+ */
+static hawser_status settle(hawser_sim *s, hawser_status status, hawser_error *err)
+{
+    s->running = 0;
+    s->outcome = status;
+    if (status) memcpy(s->message, err->message, sizeof s->message);
+    return status;
+}
+
+/* Folder, steps, tables: the tables are written whatever ended the steps. The first error counts, except that a result
+ * that could not be written is worse than a stop, which was the caller's wish. */
+hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+{
+    hawser_error local = {HAWSER_OK, ""}, late = {HAWSER_OK, ""};
+    hawser_error *e = err ? err : &local;
+    Run run = {
+        .s = s, .progress = progress, .user = user, .started = clock_now(), .last_row = -1, .look = sim_sample(s->sim)};
+    s->running = 1;
+    s->outcome = HAWSER_OK;
+    start_beats(&run, sim_time(s->sim));
+    hawser_status status = dir ? open_results(&run, dir, e) : HAWSER_OK;
+    if (status) return settle(s, status, e);
+    status = run_steps(&run, e);
+    hawser_status written = write_last(&run, &late);
+    settle(s, status ? status : written, status ? e : &late);
+    if (run.results) {
+        const hawser_status finished = finish_results(&run, written ? NULL : &late);
+        if (!written) written = finished;
+        results_free(run.results);
+    }
+    if (written && (!status || status == HAWSER_STOPPED)) {
+        *e = late;
+        return settle(s, written, e);
+    }
+    return status;
+}

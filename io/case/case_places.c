@@ -1,0 +1,160 @@
+/* Where the rollers of a row stand: all along at even steps, or in stretches of the route of one sort. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "io/case/case_parts.h"
+#include "io/yaml/case_error.h"
+
+enum { WHERE_ALL, WHERE_BENDS, WHERE_STRAIGHTS, WHERE_SIDEWAYS, WHERE_RANGES };
+
+/* The places found so far. */
+typedef struct Places {
+    const CaseReader *r;
+    const CaseNode *node; /* of the row */
+    const RollerRowRecord *row;
+    double *s;
+    int n;
+} Places;
+
+hawser_status case_stretch_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double ends[2])
+{
+    const CaseKey *const keys[2] = {key, key};
+    const hawser_status status = case_numbers_read(r, node, 2, keys, ends);
+    if (!status && ends[1] < ends[0]) return case_value_error(r->err, node, ": expected [from, to] with to >= from");
+    return status;
+}
+
+double case_sideways(const CaseReader *r, double s)
+{
+    return v3_dot(route_at(&r->route, s).curvature, route_left(&r->route, s));
+}
+
+/* n more places, `step` apart. */
+static hawser_status places_add(Places *p, double first, double step, double n)
+{
+    if (n > CASE_ROLLERS_MAX - p->n) {
+        return case_key_error(p->r->err, p->node, "spacing", "too many rollers: at most %d", CASE_ROLLERS_MAX);
+    }
+    double *const grown = realloc(p->s, ((size_t)p->n + (size_t)n + 1) * sizeof *grown);
+    if (!grown) return error_memory(p->r->err);
+    p->s = grown;
+    for (int i = 0; i < (int)n; i++) p->s[p->n++] = first + i * step;
+    return HAWSER_OK;
+}
+
+/* The whole row at even steps, ends included. */
+static hawser_status places_all(Places *p)
+{
+    const RollerRowRecord *d = p->row;
+    const double length = d->to - d->from;
+    const int spaced = !isnan(d->spacing);
+    if (spaced == (d->count > 0)) {
+        return case_key_error(p->r->err, p->node, spaced ? "spacing" : "count", "%s: give either 'count' or 'spacing'",
+                              spaced ? "given beside count" : "missing");
+    }
+    const double n = spaced ? floor(length / d->spacing + 1e-9) + 1 : d->count;
+    return places_add(p, d->from, spaced ? d->spacing : length / fmax(1, n - 1), n);
+}
+
+/* One stretch: equal parts no longer than the spacing, a roller in the middle of each, so that stretches that follow
+ * each other never share a place. */
+static hawser_status places_stretch(Places *p, double from, double to)
+{
+    from = fmax(from, p->row->from);
+    to = fmin(to, p->row->to);
+    if (to - from < 1e-9) return HAWSER_OK;
+    const double n = ceil((to - from) / p->row->spacing - 1e-9), step = (to - from) / n;
+    return places_add(p, from + step / 2, step, n);
+}
+
+static int is_wanted(const Places *p, const RoutePiece *piece, int where)
+{
+    const int bend = piece && piece->kind == ROUTE_BEND;
+    if (where == WHERE_STRAIGHTS) return !bend;
+    return bend && (where == WHERE_BENDS || fabs(case_sideways(p->r, piece->s0 + piece->length / 2)) > 1e-9);
+}
+
+/* Neighbouring pieces of the sort make one stretch; before its start and past its end the route is straight. */
+static hawser_status places_pieces(Places *p, int where)
+{
+    const Route *const route = &p->r->route;
+    hawser_status status = HAWSER_OK;
+    double from = p->row->from; /* of the stretch that is open */
+    int open = is_wanted(p, NULL, where);
+    for (int i = 0; i <= route->n && !status; i++) {
+        const RoutePiece *const piece = i < route->n ? &route->piece[i] : NULL;
+        const double at = piece ? piece->s0 : route->length;
+        const int wanted = is_wanted(p, piece, where);
+        if (open && !wanted) status = places_stretch(p, from, at);
+        if (!open && wanted) from = at;
+        open = wanted;
+    }
+    if (open && !status) status = places_stretch(p, from, p->row->to);
+    return status;
+}
+
+static hawser_status places_ranges(Places *p)
+{
+    hawser_status status = HAWSER_OK;
+    for (const CaseNode *range = p->row->where->first; range && !status; range = range->next) {
+        double ends[2];
+        status = case_stretch_read(p->r, range, case_key_of(&case_roller_row, "where"), ends);
+        if (!status) status = places_stretch(p, ends[0], ends[1]);
+    }
+    return status;
+}
+
+/* What `where` says; guides stand in bends to the side unless told otherwise. */
+static hawser_status where_read(const Places *p, int *where)
+{
+    static const char *const word[] = {"all", "bends", "straights"};
+    const CaseNode *node = p->row->where;
+    const int guide = p->row->guide != GUIDE_NONE;
+    *where = WHERE_RANGES;
+    if (node && node->kind == NODE_LIST) return HAWSER_OK;
+    *where = -1;
+    for (int k = 0; k < 3; k++) {
+        if (!node || (node->kind == NODE_TEXT && strcmp(node->text, word[k]) == 0)) {
+            *where = k;
+            break;
+        }
+    }
+    if (*where < 0) {
+        return case_value_error(p->r->err, node, ": expected all, bends, straights, or a list such as [[4 m, 20 m]]");
+    }
+    if (guide && *where != WHERE_STRAIGHTS) *where = WHERE_SIDEWAYS;
+    return HAWSER_OK;
+}
+
+static hawser_status places_fill(Places *p)
+{
+    const RollerRowRecord *d = p->row;
+    int where;
+    const hawser_status status = where_read(p, &where);
+    if (status) return status;
+    if (d->to < d->from)
+        return case_key_error(p->r->err, p->node, "to", "out of range: must be at least 'from', %g m", d->from);
+    if (where == WHERE_ALL) return places_all(p);
+    if (isnan(d->spacing) || d->count > 0) {
+        return case_key_error(p->r->err, p->node, d->count > 0 ? "count" : "spacing",
+                              "%s: rows of guides, and rows with 'where', need 'spacing' alone",
+                              d->count > 0 ? "given" : "missing");
+    }
+    return where == WHERE_RANGES ? places_ranges(p) : places_pieces(p, where);
+}
+
+hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RollerRowRecord *row, double **s,
+                               int *n)
+{
+    Places p = {.r = r, .node = node, .row = row};
+    const hawser_status status = places_fill(&p);
+    if (status) {
+        free(p.s);
+        p = (Places){0};
+    }
+    *s = p.s;
+    *n = p.n;
+    return status;
+}

@@ -1,0 +1,187 @@
+/* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns,
+ * lists of objects or CSV. */
+#include "io/results/json_document.h"
+
+#include "core/base/error.h"
+
+#include <jansson.h>
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CELL_MAX = 160 };
+
+/* A cell as people read it. */
+static const char *say_cell(Cell cell, int decimals, char *text)
+{
+    if (cell.text) return cell.text;
+    if (!isfinite(cell.value)) return "-";
+    if (decimals < 0) snprintf(text, CELL_MAX, "%.8g", cell.value);
+    if (decimals >= 0) snprintf(text, CELL_MAX, "%.*f", decimals, cell.value);
+    return text;
+}
+
+/* Cells lie row by row. */
+static const Cell *cell_at(const Table *t, int row, int column) { return &t->cell[row * t->n_columns + column]; }
+
+/* Wide enough for the label and for every cell, counted in bytes (names with accents come out a little narrow). */
+static int column_width(const Table *t, int c)
+{
+    char text[CELL_MAX];
+    size_t width = strlen(t->column[c].label);
+    for (int r = 0; r < t->n_rows; r++) {
+        const size_t w = strlen(say_cell(*cell_at(t, r, c), t->column[c].decimals, text));
+        if (w > width) width = w;
+    }
+    return (int)width;
+}
+
+/* Columns in line: text to the left, numbers to the right. */
+static void print_table(FILE *f, const Table *t)
+{
+    char text[CELL_MAX];
+    int width[TABLE_COLUMNS_MAX];
+    fprintf(f, "\n%s\n", t->heading);
+    for (int c = 0; c < t->n_columns; c++) {
+        width[c] = column_width(t, c);
+        const int left = t->n_rows > 0 && cell_at(t, 0, c)->text;
+        fprintf(f, "  %*s", left ? -width[c] : width[c], t->column[c].label);
+    }
+    for (int r = 0; r < t->n_rows; r++) {
+        fputc('\n', f);
+        for (int c = 0; c < t->n_columns; c++) {
+            const Cell *cell = cell_at(t, r, c);
+            fprintf(f, "  %*s", cell->text ? -width[c] : width[c], say_cell(*cell, t->column[c].decimals, text));
+        }
+    }
+    fputc('\n', f);
+}
+
+/* Label, value, unit; the values stand under each other. */
+static void print_facts(FILE *f, const Document *doc)
+{
+    char text[CELL_MAX];
+    int width = 0;
+    for (int i = 0; i < doc->n_facts; i++) {
+        const int w = (int)strlen(doc->fact[i].label);
+        if (w > width) width = w;
+    }
+    fprintf(f, "%s\n", doc->title);
+    for (int i = 0; i < doc->n_facts; i++) {
+        const Fact *fact = &doc->fact[i];
+        const char *space = fact->unit[0] ? " " : "";
+        fprintf(f, "  %-*s  %s%s%s\n", width, fact->label, say_cell(fact->cell, -1, text), space, fact->unit);
+    }
+}
+
+/* RFC 4180: texts in quotes where they need them. */
+static void print_csv_cell(FILE *f, Cell cell)
+{
+    if (!cell.text) {
+        if (isfinite(cell.value)) fprintf(f, "%.10g", cell.value);
+        return;
+    }
+    if (!strpbrk(cell.text, ",\"\r\n")) {
+        fputs(cell.text, f);
+        return;
+    }
+    fputc('"', f);
+    for (const char *p = cell.text; *p; p++) fprintf(f, *p == '"' ? "\"%c" : "%c", *p);
+    fputc('"', f);
+}
+
+/* Keys in the first row, then the rows. */
+static void print_csv_table(FILE *f, const Table *t)
+{
+    for (int c = 0; c < t->n_columns; c++) fprintf(f, "%s%s", c ? "," : "", t->column[c].key);
+    fputc('\n', f);
+    for (int r = 0; r < t->n_rows; r++) {
+        for (int c = 0; c < t->n_columns; c++) {
+            if (c) fputc(',', f);
+            print_csv_cell(f, *cell_at(t, r, c));
+        }
+        fputc('\n', f);
+    }
+}
+
+/* A fact a row. */
+static void print_csv_facts(FILE *f, const Document *doc)
+{
+    fprintf(f, "key,value,unit\n");
+    for (int i = 0; i < doc->n_facts; i++) {
+        fprintf(f, "%s,", doc->fact[i].key);
+        print_csv_cell(f, doc->fact[i].cell);
+        fprintf(f, ",%s\n", doc->fact[i].unit);
+    }
+}
+
+/* Text that is not UTF-8 becomes null, like a number that is not finite. */
+static json_t *json_cell(Cell cell)
+{
+    json_t *value = cell.text ? json_string(cell.text) : isfinite(cell.value) ? json_real(cell.value) : NULL;
+    return value ? value : json_null();
+}
+
+/* A table is a list of objects, one a row. */
+static json_t *json_table(const Table *t)
+{
+    json_t *rows = json_array();
+    for (int r = 0; r < t->n_rows; r++) {
+        json_t *row = json_object();
+        for (int c = 0; c < t->n_columns; c++) {
+            json_object_set_new(row, t->column[c].key, json_cell(*cell_at(t, r, c)));
+        }
+        json_array_append_new(rows, row);
+    }
+    return rows;
+}
+
+/* The whole document as text, NULL without memory. */
+static char *json_document(const Document *doc)
+{
+    json_t *o = json_object();
+    json_object_set_new(o, "title", json_cell(cell_text(doc->title)));
+    for (int i = 0; i < doc->n_facts; i++) json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
+    for (int i = 0; i < doc->n_tables; i++) json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
+    char *body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
+    json_decref(o);
+    return body;
+}
+
+/* The same content in each form; CSV can hold one table only. */
+static void print_document(FILE *f, const Document *doc, hawser_format format)
+{
+    if (format == HAWSER_CSV) {
+        if (doc->csv) print_csv_table(f, doc->csv);
+        if (!doc->csv) print_csv_facts(f, doc);
+    } else if (format == HAWSER_JSON) {
+        char *body = json_document(doc);
+        if (body) fprintf(f, "%s\n", body);
+        free(body);
+    } else {
+        print_facts(f, doc);
+        for (int i = 0; i < doc->n_tables; i++) print_table(f, &doc->table[i]);
+    }
+}
+
+/* Written under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
+hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err)
+{
+    size_t size = 0;
+    *text = NULL;
+    const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    FILE *f = c ? open_memstream(text, &size) : NULL;
+    if (f) {
+        const locale_t before = uselocale(c);
+        print_document(f, doc, format);
+        uselocale(before);
+        fclose(f);
+    }
+    if (c) freelocale(c);
+    if (*text && size > 0) return HAWSER_OK;
+    free(*text);
+    *text = NULL;
+    return error_memory(err);
+}

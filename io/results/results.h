@@ -1,0 +1,38 @@
+/* A results folder, written while the run goes on: series.csv, results.h5 and results.xdmf grow;
+ * stations.csv, rollers.csv and summary.json are filled at the end (until then summary.json says "running").
+ * Memory stays constant. docs/results.md describes every file. */
+#ifndef HAWSER_IO_RESULTS_RESULTS_H
+#define HAWSER_IO_RESULTS_RESULTS_H
+
+#include "io/results/results_def.h"
+
+typedef struct Results Results;
+
+/* What is known at the end; borrowed. */
+typedef struct ResultsTables {
+    int n_stations;
+    const hawser_station *station; /* [n_stations] */
+    int n_rollers;
+    const hawser_roller *roller; /* [n_rollers] */
+    int n_modes, segments;
+    const hawser_mode *mode; /* [n_modes], of `segments` segments; none: no modes.csv */
+    const char *summary;     /* the text of summary.json */
+} ResultsTables;
+
+/* Makes the folder and opens all its files, so that what cannot be written shows before anything is computed.
+ * `summary`: summary.json until the end. Errors: OUTPUT, MEMORY. */
+hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
+                           hawser_error *err);
+/* A row of series.csv. Errors: OUTPUT. */
+hawser_status results_row(Results *r, const hawser_sample *sample, hawser_error *err);
+/* A state of results.h5; nothing if no states are wanted. Errors: OUTPUT. */
+hawser_status results_state(Results *r, const hawser_sample *sample, hawser_error *err);
+/* Brings the files up to date for their readers if the last time was a while ago (half a second). Errors:
+ * OUTPUT. */
+hawser_status results_tick(Results *r, hawser_error *err);
+/* Writes the tables and closes everything; what can still be written is, and the first error is returned.
+ * Only results_free may follow. Errors: OUTPUT. */
+hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_error *err);
+Results *results_free(Results *r);
+
+#endif

@@ -1,0 +1,107 @@
+/* Text output with nothing left to chance: paths that are too long, folders that are files, disks that fill up, locales
+ * with decimal commas. The system's reason is always passed on. */
+#include "io/results/results_file.h"
+
+#include "core/base/error.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* One form for every file, so that a user always learns the same three things: what, where, why. */
+hawser_status out_error(const char *path, int number, hawser_error *err)
+{
+    const char *reason = number ? strerror(number) : "the write failed";
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': %s", path, reason);
+}
+
+/* mkdir of one level; an existing directory is fine, anything else in its place is ENOTDIR. */
+static int make_level(const char *path)
+{
+    struct stat info;
+    if (mkdir(path, 0777) == 0) return 0;
+    if (errno != EEXIST) return errno;
+    if (stat(path, &info) != 0) return errno;
+    return S_ISDIR(info.st_mode) ? 0 : ENOTDIR;
+}
+
+/* Levels are made one after the other; one that somebody else makes at the same moment is as good. */
+hawser_status out_make_dir(const char *dir, hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    if (!dir[0]) return out_error(dir, ENOENT, err);
+    if (strlen(dir) >= sizeof path) return out_error(dir, ENAMETOOLONG, err);
+    strcpy(path, dir);
+    /* every prefix that ends before a slash, then the whole */
+    for (char *p = path + 1; *p; p++) {
+        if (*p != '/') continue;
+        *p = 0;
+        const int number = make_level(path);
+        if (number) return out_error(path, number, err);
+        *p = '/';
+    }
+    const int number = make_level(path);
+    return number ? out_error(path, number, err) : HAWSER_OK;
+}
+
+/* A doubled slash does no harm. */
+hawser_status out_join(char *path, const char *dir, const char *name, hawser_error *err)
+{
+    const int n = snprintf(path, OUT_PATH_MAX, "%s/%s", dir, name);
+    return n < OUT_PATH_MAX ? HAWSER_OK : out_error(dir, ENAMETOOLONG, err);
+}
+
+/* The locale is made for each file: there is no place for a shared one. */
+hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
+{
+    memset(out, 0, sizeof *out);
+    const hawser_status status = out_join(out->path, dir, name, err);
+    if (status) return status;
+    out->c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (!out->c) return error_memory(err);
+    out->f = fopen(out->path, "w");
+    if (out->f) return HAWSER_OK;
+    const int number = errno;
+    freelocale(out->c);
+    out->c = (locale_t)0;
+    return out_error(out->path, number, err);
+}
+
+/* The locale is the thread's, and only for the duration of the call. */
+hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...)
+{
+    assert(out->f);
+    va_list args;
+    va_start(args, format);
+    errno = 0;
+    const locale_t before = uselocale(out->c);
+    const int n = vfprintf(out->f, format, args);
+    uselocale(before);
+    va_end(args);
+    return n < 0 ? out_error(out->path, errno, err) : HAWSER_OK;
+}
+
+/* As far as the system's cache: it survives the program, not the machine. */
+hawser_status out_flush(OutFile *out, hawser_error *err)
+{
+    errno = 0;
+    /* an error of an earlier write stays in the stream, so that none is lost */
+    if (fflush(out->f) || ferror(out->f)) return out_error(out->path, errno, err);
+    return HAWSER_OK;
+}
+
+/* Closing is the last chance to learn that a write failed. */
+hawser_status out_close(OutFile *out, hawser_error *err)
+{
+    if (!out->f) return HAWSER_OK;
+    errno = 0;
+    const int bad = ferror(out->f);
+    const int closed = fclose(out->f);
+    const int number = errno;
+    freelocale(out->c);
+    out->f = NULL;
+    out->c = (locale_t)0;
+    return bad || closed ? out_error(out->path, number, err) : HAWSER_OK;
+}

@@ -1,0 +1,324 @@
+/* Every set is a row of the table `infos`: name, unit, description, and what a row of it holds. Sets grow by one row a
+ * state; a chunk is one row, so that each state is written once and nothing is read back. Beside them, a group a state
+ * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
+ * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
+#include "io/results/results_h5.h"
+
+#include "core/base/error.h"
+#include "io/results/results_disk.h"
+#include "io/results/results_file.h"
+
+#include <hdf5.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
+/* Bytes of states from which on they are compressed. */
+static const double deflate_above = 32e6;
+
+/* How many values a row has: a number of them for each of these. */
+typedef enum PerItem { PER_RUN, PER_SEGMENT, PER_JOINT, PER_ROLLER } PerItem;
+
+typedef struct SetInfo {
+    const char *name, *unit, *about;
+    PerItem per;
+    int width; /* values an item; 0: one, without a dimension of its own */
+} SetInfo;
+
+enum { SET_TIME, SET_WINCH, SET_TAIL, SET_POSITION, SET_QUATERNION, SET_VELOCITY, SET_OMEGA, SET_TENSION, SET_ROLLER };
+enum { SET_COUNT = SET_ROLLER + 1 };
+
+static const SetInfo infos[SET_COUNT] = {
+    {"time", "s", "time of every state", PER_RUN, 0},
+    {"winch_force", "N", "pull on the rope's end", PER_RUN, 0},
+    {"tail_tension", "N", "back tension at the tail", PER_RUN, 0},
+    {"position", "m", "segment centres, x y z", PER_SEGMENT, 3},
+    {"quaternion", "1", "segment orientations, w x y z; turns the x axis onto the segment", PER_SEGMENT, 4},
+    {"velocity", "m/s", "of the segment centres", PER_SEGMENT, 3},
+    {"omega", "rad/s", "angular velocity in world components", PER_SEGMENT, 3},
+    {"tension", "N", "axial force of joint j, between segments j-1 and j", PER_JOINT, 0},
+    {"roller_load", "N", "size of the contact force on each roller", PER_ROLLER, 0},
+};
+
+struct H5File {
+    hid_t file, frames;
+    hid_t set[SET_COUNT]; /* 0: not there (a scene without rollers) */
+    int segments, rollers;
+    int deflate; /* sets are compressed */
+    hsize_t rows;
+    int disk_error; /* errno of the first write that failed, see results_disk.h */
+    float *frame;   /* [3*segments] scratch of the frames */
+    char path[OUT_PATH_MAX];
+};
+
+/* The result of a call: what HDF5 says and what the disk said. */
+static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
+{
+    return ok && !h->disk_error ? HAWSER_OK : out_error(h->path, h->disk_error, err);
+}
+
+/* How many items a row of this kind has in this scene. */
+static hsize_t item_count(const H5File *h, PerItem per)
+{
+    const hsize_t n = (hsize_t)h->segments;
+    return per == PER_RUN ? 1 : per == PER_SEGMENT ? n : per == PER_JOINT ? n + 1 : (hsize_t)h->rollers;
+}
+
+/* Dimensions of a set with `rows` rows; returns the rank. */
+static int set_dims(const H5File *h, const SetInfo *info, hsize_t rows, hsize_t dims[3])
+{
+    dims[0] = rows;
+    dims[1] = item_count(h, info->per);
+    dims[2] = (hsize_t)info->width;
+    return info->per == PER_RUN ? 1 : info->width ? 3 : 2;
+}
+
+/* A text attribute of an object. */
+static int write_text(hid_t object, const char *name, const char *text)
+{
+    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+    H5Tset_size(type, strlen(text) + 1);
+    const hid_t a = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok = a >= 0 && H5Awrite(a, type, text) >= 0;
+    if (a >= 0) H5Aclose(a);
+    H5Sclose(space);
+    H5Tclose(type);
+    return ok;
+}
+
+/* Chunks of one row (many, for single numbers); if wanted, shuffled and lightly deflated. */
+static hid_t make_chunks(const H5File *h, int rank, const hsize_t *dims)
+{
+    hsize_t chunk[3] = {rank == 1 ? TIME_CHUNK : 1, dims[1], dims[2]};
+    const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(plist, rank, chunk);
+    if (h->deflate) {
+        H5Pset_shuffle(plist);
+        H5Pset_deflate(plist, 1);
+    }
+    return plist;
+}
+
+/* Whether the states are worth compressing: it halves them, but takes longer than writing a small file
+ * plainly. */
+static int wants_deflate(const ResultsDef *def)
+{
+    const double bytes = def->states * 14 * 8 * def->segments;
+    return bytes > deflate_above && H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0;
+}
+
+/* An empty set that grows row by row. */
+static int make_set(H5File *h, int k)
+{
+    const SetInfo *info = &infos[k];
+    hsize_t dims[3], max[3];
+    if (item_count(h, info->per) == 0) return 1;
+    const int rank = set_dims(h, info, 0, dims);
+    set_dims(h, info, H5S_UNLIMITED, max);
+    const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(h, rank, dims);
+    const hid_t set = H5Dcreate2(h->file, info->name, H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+    H5Pclose(plist);
+    H5Sclose(space);
+    if (set < 0) return 0;
+    h->set[k] = set;
+    return write_text(set, "unit", info->unit) && write_text(set, "description", info->about);
+}
+
+/* Which points every line element of the polyline joins: [segments-1][2]. */
+static int write_connectivity(H5File *h)
+{
+    const hsize_t dims[2] = {(hsize_t)h->segments - 1, 2};
+    int *pairs = malloc(2 * sizeof *pairs * (size_t)(h->segments));
+    if (!pairs) return 0;
+    for (int i = 0; i + 1 < h->segments; i++) {
+        pairs[2 * i] = i;
+        pairs[2 * i + 1] = i + 1;
+    }
+    const hid_t space = H5Screate_simple(2, dims, NULL);
+    const hid_t set = H5Dcreate2(h->file, "connectivity", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, pairs) >= 0;
+    if (set >= 0) H5Dclose(set);
+    H5Sclose(space);
+    free(pairs);
+    return ok;
+}
+
+/* A one-dimensional set that does not grow. */
+static int write_fixed(H5File *h, const char *name, hid_t file_type, hid_t type, int n, const void *values)
+{
+    const hsize_t dims[1] = {(hsize_t)n};
+    const hid_t space = H5Screate_simple(1, dims, NULL);
+    const hid_t set = H5Dcreate2(h->file, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
+    if (set >= 0) H5Dclose(set);
+    H5Sclose(space);
+    return ok;
+}
+
+/* Names (padded text) and places of the rollers. */
+static int write_rollers(H5File *h, const ResultsDef *def)
+{
+    const int n = def->rollers;
+    if (!n) return 1;
+    char(*name)[FRAMES_NAME] = calloc((size_t)n, sizeof *name);
+    double *s = malloc(sizeof *s * (size_t)n);
+    int ok = name && s;
+    for (int i = 0; i < n && ok; i++) {
+        strncpy(name[i], def->roller[i].name, FRAMES_NAME - 1);
+        s[i] = def->roller[i].s;
+    }
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, FRAMES_NAME);
+    ok = ok && write_fixed(h, "roller_name", type, type, n, name) &&
+         write_fixed(h, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, n, s);
+    H5Tclose(type);
+    free(name);
+    free(s);
+    return ok;
+}
+
+/* A file on the driver that never fails in HDF5's eyes; < 0 if there is none. */
+static hid_t create_file(H5File *h)
+{
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, &h->disk_error);
+    H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+    const hid_t file = driver < 0 ? -1 : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    H5Pclose(access);
+    if (driver >= 0) H5FDunregister(driver);
+    return file;
+}
+
+/* The empty file, with everything that does not change. */
+static int make_file(H5File *h, const ResultsDef *def)
+{
+    const hid_t file = create_file(h);
+    if (file < 0) return 0;
+    h->file = file;
+    int ok = write_text(file, "title", def->title) && write_text(file, "hawser_version", hawser_version());
+    for (int k = 0; k < SET_COUNT && ok; k++) ok = make_set(h, k);
+    const hid_t frames = ok ? H5Gcreate2(file, "frames", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1;
+    if (frames < 0) return 0;
+    h->frames = frames;
+    ok = write_text(frames, "description", "single precision copies for results.xdmf, one group a state");
+    return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) &&
+           H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
+}
+
+/* Flushed at once, so that a full disk shows before anything is computed. */
+hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err)
+{
+    *out = NULL;
+    H5File *h = calloc(1, sizeof *h);
+    if (!h) return error_memory(err);
+    h->segments = def->segments;
+    h->rollers = def->rollers;
+    h->deflate = wants_deflate(def);
+    h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
+    hawser_status status = h->frame ? out_join(h->path, dir, "results.h5", err) : error_memory(err);
+    if (!status) {
+        int ok = 0;
+        H5E_BEGIN_TRY { ok = make_file(h, def); }
+        H5E_END_TRY
+        status = h5_result(h, ok, err);
+    }
+    if (status) {
+        h5_close(&h, NULL);
+        return status;
+    }
+    *out = h;
+    return HAWSER_OK;
+}
+
+/* Row `rows` of one set. */
+static int append_row(H5File *h, int k, const double *values)
+{
+    hsize_t dims[3], start[3] = {h->rows, 0, 0}, count[3];
+    if (!h->set[k]) return 1;
+    const int rank = set_dims(h, &infos[k], h->rows + 1, dims);
+    set_dims(h, &infos[k], 1, count);
+    if (H5Dset_extent(h->set[k], dims) < 0) return 0;
+    const hid_t there = H5Dget_space(h->set[k]), here = H5Screate_simple(rank, count, NULL);
+    H5Sselect_hyperslab(there, H5S_SELECT_SET, start, NULL, count, NULL);
+    const int ok = H5Dwrite(h->set[k], H5T_NATIVE_DOUBLE, here, there, H5P_DEFAULT, values) >= 0;
+    H5Sclose(here);
+    H5Sclose(there);
+    return ok;
+}
+
+/* One array of a frame in single precision: n x width (width 1: n). */
+static int write_frame_set(H5File *h, hid_t group, const char *name, int n, int width, const double *values)
+{
+    const hsize_t dims[2] = {(hsize_t)n, (hsize_t)width};
+    for (int i = 0; i < n * width; i++) h->frame[i] = (float)values[i];
+    const hid_t space = H5Screate_simple(width > 1 ? 2 : 1, dims, NULL);
+    const hid_t set = H5Dcreate2(group, name, H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, h->frame) >= 0;
+    if (set >= 0) H5Dclose(set);
+    H5Sclose(space);
+    return ok;
+}
+
+/* The copy that results.xdmf points to; the tensions are those of the joints between two segments. */
+static int write_frame(H5File *h, const hawser_sample *s)
+{
+    char name[FRAMES_NAME];
+    if (h->segments < 2) return 1;
+    snprintf(name, sizeof name, "%06ld", (long)h->rows);
+    const hid_t group = H5Gcreate2(h->frames, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    if (group < 0) return 0;
+    const int ok = write_frame_set(h, group, "position", h->segments, 3, s->position) &&
+                   write_frame_set(h, group, "axial_speed", h->segments, 1, s->axial_speed) &&
+                   write_frame_set(h, group, "tension", h->segments - 1, 1, s->tension + 1);
+    H5Gclose(group);
+    return ok;
+}
+
+/* The time comes last: a state is there once it has one. */
+static int append_state(H5File *h, const hawser_sample *s)
+{
+    return append_row(h, SET_WINCH, &s->winch_force) && append_row(h, SET_TAIL, &s->tail_tension) &&
+           append_row(h, SET_POSITION, s->position) && append_row(h, SET_QUATERNION, s->quaternion) &&
+           append_row(h, SET_VELOCITY, s->velocity) && append_row(h, SET_OMEGA, s->omega) &&
+           append_row(h, SET_TENSION, s->tension) && append_row(h, SET_ROLLER, s->roller_load) && write_frame(h, s) &&
+           append_row(h, SET_TIME, &s->t);
+}
+
+/* All sets grow by one row; if the disk says no, the rows before stay. */
+hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err)
+{
+    int ok = 0;
+    H5E_BEGIN_TRY { ok = append_state(h, sample); }
+    H5E_END_TRY
+    h->rows++;
+    return h5_result(h, ok, err);
+}
+
+/* HDF5 keeps chunks and metadata back until this. */
+hawser_status h5_flush(H5File *h, hawser_error *err)
+{
+    herr_t code = -1;
+    H5E_BEGIN_TRY { code = H5Fflush(h->file, H5F_SCOPE_LOCAL); }
+    H5E_END_TRY
+    return h5_result(h, code >= 0, err);
+}
+
+/* NULL is fine. The handle is gone afterwards, also after an error. */
+hawser_status h5_close(H5File **file, hawser_error *err)
+{
+    H5File *h = *file;
+    hawser_status status = HAWSER_OK;
+    *file = NULL;
+    if (!h) return HAWSER_OK;
+    if (h->file > 0) {
+        herr_t code = -1;
+        /* the strong close degree takes the sets and the group along */
+        H5E_BEGIN_TRY { code = H5Fclose(h->file); }
+        H5E_END_TRY
+        status = h5_result(h, code >= 0, err);
+        /* a file that HDF5 would not close may still ask for disk_error: better lost than read after free */
+        if (code < 0) return status;
+    }
+    free(h->frame);
+    free(h);
+    return status;
+}

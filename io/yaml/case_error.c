@@ -1,0 +1,122 @@
+#include "io/yaml/case_error.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "core/base/error.h"
+
+/* A file's name may be of any length: it is cut so that the line still shows. */
+const char *case_place(const char *origin, int line, char *place)
+{
+    if (line > 0) {
+        snprintf(place, CASE_PLACE_MAX, "%.*s:%d", CASE_PLACE_MAX - 16, origin, line);
+    } else {
+        snprintf(place, CASE_PLACE_MAX, "%s", origin);
+    }
+    return place;
+}
+
+/* Control characters become blanks, so that a message stays one line whatever the user wrote. */
+const char *case_shown(const char *text, char *shown)
+{
+    const size_t room = CASE_SHOWN_MAX - 8;
+    size_t n = 0;
+    shown[n++] = '\'';
+    for (; *text && n < room; text++) shown[n++] = (unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text;
+    if (*text) {
+        /* Not in the middle of a character of several bytes. */
+        while (n > 1 && ((unsigned char)shown[n - 1] & 0x80)) n--;
+        n += (size_t)snprintf(shown + n, 4, "...");
+    }
+    shown[n++] = '\'';
+    shown[n] = 0;
+    return shown;
+}
+
+/* From the root down: the parents' path first, then the node's own key or number, then the child's. */
+const char *case_path(const CaseNode *node, const char *key, char *path)
+{
+    char before[CASE_PATH_MAX] = "", own[CASE_SHOWN_MAX] = "";
+    path[0] = 0;
+    if (node && node->parent) case_path(node->parent, NULL, before);
+    if (node && node->key) snprintf(own, sizeof own, "%s", node->key);
+    if (node && node->parent && !node->key) snprintf(own, sizeof own, "%d", node->index);
+    const char *const part[3] = {before, own, key ? key : ""};
+    size_t n = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!*part[k] || n >= CASE_PATH_MAX) continue;
+        n += (size_t)snprintf(path + n, CASE_PATH_MAX - n, "%s%s", n ? "." : "", part[k]);
+    }
+    return path;
+}
+
+/* A map or list is not shown, only named: it may be long. */
+hawser_status case_value_error(hawser_error *err, const CaseNode *node, const char *what, ...)
+{
+    char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], shown[CASE_SHOWN_MAX], text[HAWSER_MESSAGE_MAX / 2];
+    va_list args;
+    va_start(args, what);
+    vsnprintf(text, sizeof text, what, args);
+    va_end(args);
+    case_place(node->origin, node->line, place);
+    case_path(node, NULL, path);
+    if (node->kind != NODE_TEXT) {
+        return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': the value is a %s%s", place, path,
+                         node->kind == NODE_MAP ? "map" : "list", text);
+    }
+    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': value %s%s", place, path, case_shown(node->text, shown),
+                     text);
+}
+
+/* The line is the node's, also where the child is missing. */
+hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char *key, const char *what, ...)
+{
+    char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], text[HAWSER_MESSAGE_MAX / 2];
+    va_list args;
+    va_start(args, what);
+    vsnprintf(text, sizeof text, what, args);
+    va_end(args);
+    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': %s", case_place(node->origin, node->line, place),
+                     case_path(node, key, path), text);
+}
+
+static int least(int a, int b) { return a < b ? a : b; }
+
+/* How many letters must be changed, added, dropped or swapped with their neighbour to make b of a (optimal
+ * string alignment); words of up to 31 letters. */
+static int word_distance(const char *a, const char *b)
+{
+    enum { LETTERS = 31 };
+    int d[LETTERS + 1][LETTERS + 1];
+    const int n = (int)strlen(a), m = (int)strlen(b);
+    if (n > LETTERS || m > LETTERS) return LETTERS;
+    for (int i = 0; i <= n; i++) {
+        for (int j = 0; j <= m; j++) {
+            d[i][j] = i + j;
+            if (!i || !j) continue;
+            d[i][j] = least(d[i - 1][j], d[i][j - 1]) + 1;
+            d[i][j] = least(d[i][j], d[i - 1][j - 1] + (a[i - 1] != b[j - 1]));
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                d[i][j] = least(d[i][j], d[i - 2][j - 2] + 1);
+            }
+        }
+    }
+    return d[n][m];
+}
+
+/* Up to a third of the letters may be wrong; a word that differs in capitals alone is always near. */
+const char *case_nearest(const char *word, const char *const *name, int n)
+{
+    const char *best = NULL;
+    int best_distance = least(3, 1 + (int)strlen(word) / 3);
+    for (int k = 0; k < n; k++) {
+        if (strcasecmp(word, name[k]) == 0) return name[k];
+        const int distance = word_distance(word, name[k]);
+        if (distance >= best_distance) continue;
+        best = name[k];
+        best_distance = distance;
+    }
+    return best;
+}

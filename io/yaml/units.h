@@ -1,0 +1,59 @@
+/* Numbers with units, as users write them: "500 mm", "115 GPa", "6 m/min". A bare number is SI.
+ * docs/case-format.md lists the units; the algebra of units is the udunits library's. */
+#ifndef HAWSER_IO_YAML_UNITS_H
+#define HAWSER_IO_YAML_UNITS_H
+
+typedef enum Dimension {
+    DIM_NONE, /* a pure number */
+    DIM_LENGTH,
+    DIM_AREA,
+    DIM_TIME,
+    DIM_SPEED,
+    DIM_ACCELERATION,
+    DIM_ANGLE,
+    DIM_ANGULAR_SPEED,
+    DIM_FORCE,
+    DIM_PRESSURE,
+    DIM_RIGIDITY, /* torsion and bending: force times area */
+    DIM_MOMENT,
+    DIM_DENSITY,
+    DIM_LINE_MASS,
+    DIM_MASS,
+    DIM_INERTIA,     /* moment of inertia */
+    DIM_SPRING,      /* force per length */
+    DIM_TURN_SPRING, /* moment per angle */
+    DIM_DASHPOT,     /* force per speed */
+    DIM_CURVATURE,
+    DIM_FREQUENCY,
+    DIM_STIFFNESS, /* force per length to a power: units_read_stiffness alone */
+    DIM_COUNT
+} Dimension;
+
+enum { UNITS_WHY_MAX = 200 };
+
+/* The units that cases may use, and how to read numbers. Not shared between threads. */
+typedef struct Units Units;
+
+/* NULL if there is no memory. */
+Units *units_new(void);
+Units *units_free(Units *units);
+
+/* Reads text as a number of the given dimension: 1 and *value in SI, or 0 and `why` (UNITS_WHY_MAX bytes),
+ * which goes on after the value: "is not a number: ...". NaN, infinities, hexadecimals and anything behind
+ * number and unit are not accepted, whatever the locale. */
+int units_read(const Units *units, const char *text, Dimension dimension, double *value, char *why);
+/* Reads a stiffness per power of a length, "3.4e8 N/m^1.5" or a bare number of N/m^e; the power must be e. */
+int units_read_stiffness(const Units *units, const char *text, double e, double *value, char *why);
+
+/* "a length", its SI unit "m" (which a bare number has), and an example "500 mm". */
+const char *dimension_name(Dimension dimension);
+const char *dimension_unit(Dimension dimension);
+const char *dimension_example(Dimension dimension);
+
+/* The names of the units, 0 <= i < units_count(), and of the prefixes that may stand before any of them, NULL
+ * behind the last. */
+int units_count(void);
+const char *units_name(int i);
+const char *const *units_prefixes(void);
+
+#endif

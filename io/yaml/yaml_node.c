@@ -1,0 +1,78 @@
+#include "io/yaml/yaml_node.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+CaseNode *node_new(NodeKind kind, const char *origin, int line)
+{
+    CaseNode *node = calloc(1, sizeof *node);
+    if (!node) return NULL;
+    node->kind = kind;
+    node->origin = origin;
+    node->line = line;
+    return node;
+}
+
+/* Recursion is as deep as the tree, which yaml_read and case_tree_set limit. */
+CaseNode *node_free(CaseNode *node)
+{
+    if (!node) return NULL;
+    for (CaseNode *child = node->first; child;) {
+        CaseNode *next = child->next;
+        node_free(child);
+        child = next;
+    }
+    free(node->key);
+    free(node->text);
+    free(node);
+    return NULL;
+}
+
+/* In constant time, by the pointer to the last child. */
+void node_append(CaseNode *parent, CaseNode *child)
+{
+    assert(parent->kind != NODE_TEXT && !child->parent && !child->next);
+    child->parent = parent;
+    child->index = parent->count++;
+    if (parent->last) {
+        parent->last->next = child;
+    } else {
+        parent->first = child;
+    }
+    parent->last = child;
+}
+
+/* Key and number pass to the new node, so that the old one's place in the tree is unchanged. */
+void node_replace(CaseNode *old, CaseNode *by)
+{
+    CaseNode *parent = old->parent;
+    CaseNode **link = &parent->first;
+    while (*link != old) link = &(*link)->next;
+    *link = by;
+    if (parent->last == old) parent->last = by;
+    by->parent = parent;
+    by->next = old->next;
+    by->index = old->index;
+    by->key = old->key;
+    old->key = NULL;
+    node_free(old);
+}
+
+/* Maps have 500 keys at most. */
+const CaseNode *case_node_key(const CaseNode *node, const char *key)
+{
+    if (!node || node->kind != NODE_MAP) return NULL;
+    const CaseNode *child = node->first;
+    while (child && strcmp(child->key, key) != 0) child = child->next;
+    return child;
+}
+
+/* From the first on; readers that need all items walk along `next` instead. */
+const CaseNode *case_node_item(const CaseNode *node, int index)
+{
+    if (!node || node->kind != NODE_LIST) return NULL;
+    const CaseNode *child = node->first;
+    while (child && child->index != index) child = child->next;
+    return child;
+}

@@ -1,0 +1,238 @@
+#include "io/yaml/yaml_tree.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "io/yaml/case_error.h"
+#include "io/yaml/yaml_read.h"
+
+enum { FILE_MAX = 32 << 20, KEY_MAX = 200, STEPS_MAX = 16 };
+
+/* A place that text came from: kept for as long as the tree, since nodes point at the name. */
+typedef struct CaseOrigin {
+    char *name;
+    struct CaseOrigin *next;
+} CaseOrigin;
+
+/* Remembers a name in the tree and returns the tree's copy; NULL if there is no memory. */
+static const char *tree_origin(CaseTree *tree, const char *name)
+{
+    CaseOrigin *origin = calloc(1, sizeof *origin);
+    if (!origin) return NULL;
+    origin->name = strdup(name);
+    if (!origin->name) {
+        free(origin);
+        return NULL;
+    }
+    origin->next = tree->origins;
+    tree->origins = origin;
+    return origin->name;
+}
+
+CaseTree *case_tree_free(CaseTree *tree)
+{
+    if (!tree) return NULL;
+    node_free(tree->root);
+    for (CaseOrigin *origin = tree->origins; origin;) {
+        CaseOrigin *next = origin->next;
+        free(origin->name);
+        free(origin);
+        origin = next;
+    }
+    free(tree);
+    return NULL;
+}
+
+/* A tree from `size` bytes of text. */
+static hawser_status tree_new(const char *text, size_t size, const char *name, CaseTree **out, hawser_error *err)
+{
+    CaseTree *tree = calloc(1, sizeof *tree);
+    const char *origin = tree ? tree_origin(tree, name) : NULL;
+    *out = NULL;
+    if (!origin) {
+        case_tree_free(tree);
+        return error_memory(err);
+    }
+    hawser_status status = yaml_read(text, size, origin, 1, &tree->root, err);
+    if (!status && tree->root && tree->root->kind != NODE_MAP) {
+        char place[CASE_PLACE_MAX];
+        status = error_set(err, HAWSER_ERR_INPUT, "%s: a case is a map: lines of 'key: value'",
+                           case_place(origin, tree->root->line, place));
+    }
+    *out = status ? case_tree_free(tree) : tree;
+    return status;
+}
+
+/* The text's length is up to its NUL. */
+hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out, hawser_error *err)
+{
+    return tree_new(text, strlen(text), name, out, err);
+}
+
+/* All of a stream, malloc'ed, with a NUL behind it; NULL with errno, EFBIG if it is larger than a case can
+ * be. */
+static char *stream_read(FILE *f, size_t *size)
+{
+    size_t room = 1 << 16;
+    char *text = malloc(room + 1);
+    *size = 0;
+    while (text) {
+        *size += fread(text + *size, 1, room - *size, f);
+        if (*size < room) break;
+        room *= 2;
+        char *more = room <= FILE_MAX ? realloc(text, room + 1) : NULL;
+        if (!more) {
+            errno = room <= FILE_MAX ? ENOMEM : EFBIG;
+            free(text);
+        }
+        text = more;
+    }
+    if (text && ferror(f)) {
+        free(text);
+        return NULL;
+    }
+    if (text) text[*size] = 0;
+    return text;
+}
+
+/* All of the file is in memory before anything is looked at; a pipe is as good as a file. */
+hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err)
+{
+    *out = NULL;
+    FILE *f = fopen(path, "rb");
+    if (!f) return error_set(err, HAWSER_ERR_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
+    size_t size;
+    char *text = stream_read(f, &size);
+    const int reason = errno;
+    fclose(f);
+    if (!text && reason == ENOMEM) return error_memory(err);
+    if (!text) return error_set(err, HAWSER_ERR_INPUT, "%s: cannot be read: %s", path, strerror(reason));
+    const hawser_status status = tree_new(text, size, path, out, err);
+    free(text);
+    return status;
+}
+
+/* One setting being made: where it comes from, and its key cut at the dots. */
+typedef struct Setting {
+    CaseTree *tree;
+    const char *origin; /* "--set KEY" */
+    char key[KEY_MAX];  /* with NULs for dots */
+    const char *step[STEPS_MAX];
+    int n;
+    hawser_error *err;
+} Setting;
+
+/* Settings have no line; their key says where. */
+static hawser_status complain(const Setting *s, const char *what, const char *detail)
+{
+    char shown[CASE_SHOWN_MAX];
+    return error_set(s->err, HAWSER_ERR_INPUT, "%s: %s%s", s->origin, what, detail ? case_shown(detail, shown) : "");
+}
+
+/* The parts stay where they are, with the dots turned into ends. */
+static hawser_status key_cut(Setting *s, const char *key)
+{
+    snprintf(s->key, sizeof s->key, "%s", key);
+    for (char *p = s->key; p; s->n++) {
+        if (s->n == STEPS_MAX) return complain(s, "the key has too many parts", NULL);
+        s->step[s->n] = p;
+        p = strchr(p, '.');
+        if (p) *p++ = 0;
+        if (!*s->step[s->n]) return complain(s, "a part of the key is empty", NULL);
+    }
+    return HAWSER_OK;
+}
+
+/* The item of a list that `step` numbers. */
+static hawser_status item_find(const Setting *s, const CaseNode *list, const char *step, CaseNode **out)
+{
+    char *end;
+    const long index = isdigit((unsigned char)*step) ? strtol(step, &end, 10) : LONG_MAX;
+    const int whole = index != LONG_MAX && !*end;
+    *out = whole && index < list->count ? (CaseNode *)(size_t)case_node_item(list, (int)index) : NULL;
+    if (*out) return HAWSER_OK;
+    char shown[CASE_SHOWN_MAX];
+    return error_set(s->err, HAWSER_ERR_INPUT, "%s: no item %s: the list has %d, numbered from 0", s->origin,
+                     case_shown(step, shown), list->count);
+}
+
+/* Goes down the key as far as the tree has it: *node is the last that exists, *depth how many steps lead
+ * there. */
+static hawser_status path_follow(const Setting *s, CaseNode **node, int *depth)
+{
+    *node = s->tree->root;
+    for (*depth = 0; *depth < s->n; ++*depth) {
+        const char *step = s->step[*depth];
+        CaseNode *next = NULL;
+        if ((*node)->kind == NODE_TEXT) return complain(s, "a value, not a map, comes before ", step);
+        if ((*node)->kind == NODE_LIST) {
+            const hawser_status status = item_find(s, *node, step, &next);
+            if (status) return status;
+        } else {
+            next = (CaseNode *)(size_t)case_node_key(*node, step);
+        }
+        if (!next) break;
+        *node = next;
+    }
+    return HAWSER_OK;
+}
+
+/* `value` inside maps for the steps from `depth` on; frees it without memory. */
+static CaseNode *branch_new(const Setting *s, int depth, CaseNode *value)
+{
+    for (int k = s->n - 1; value && k >= depth; k--) {
+        value->key = strdup(s->step[k]);
+        if (k == depth && value->key) return value;
+        CaseNode *map = value->key ? node_new(NODE_MAP, s->origin, 0) : NULL;
+        if (map) {
+            node_append(map, value);
+        } else {
+            node_free(value);
+        }
+        value = map;
+    }
+    return value;
+}
+
+/* Replaces what is there, or adds what is missing on the way. The value is placed or freed. */
+static hawser_status value_place(const Setting *s, CaseNode *value)
+{
+    CaseNode *node;
+    int depth;
+    const hawser_status status = path_follow(s, &node, &depth);
+    if (status) {
+        node_free(value);
+        return status;
+    }
+    if (depth == s->n) {
+        node_replace(node, value);
+        return HAWSER_OK;
+    }
+    value = branch_new(s, depth, value);
+    if (!value) return error_memory(s->err);
+    node_append(node, value);
+    return HAWSER_OK;
+}
+
+/* The value is read before the tree is touched, so that a mistake leaves the tree as it was. */
+hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err)
+{
+    char shown[CASE_SHOWN_MAX], origin[KEY_MAX + 16];
+    if (strlen(key) >= KEY_MAX) {
+        return error_set(err, HAWSER_ERR_INPUT, "--set %s: the key is too long", case_shown(key, shown));
+    }
+    snprintf(origin, sizeof origin, "--set %s", key);
+    Setting s = {.tree = tree, .origin = tree_origin(tree, origin), .err = err};
+    if (!s.origin) return error_memory(err);
+    hawser_status status = key_cut(&s, key);
+    CaseNode *node = NULL;
+    /* An empty value is an empty text, which the reader will refuse where a value is wanted. */
+    if (!status) status = yaml_read(*value ? value : "''", strlen(*value ? value : "''"), s.origin, 0, &node, err);
+    if (!status) status = value_place(&s, node);
+    return status;
+}

@@ -1,0 +1,35 @@
+/* What is asked about a scene and what is written of it: parts of SceneDef (sim/def/scene_def.h). */
+#ifndef HAWSER_SIM_DEF_OUTPUT_DEF_H
+#define HAWSER_SIM_DEF_OUTPUT_DEF_H
+
+enum { PROBE_NAME_MAX = 64 };
+
+typedef enum AnalysisKind { ANALYSIS_DYNAMICS, ANALYSIS_STATIC, ANALYSIS_MODES } AnalysisKind;
+
+/* What is asked about the scene. */
+typedef struct AnalysisDef {
+    AnalysisKind kind;
+    int load_steps;   /* static and modes: equilibria on the way to the end of the run */
+    double tolerance; /* unbalanced force as a share of the largest force */
+    int modes;        /* how many are wanted */
+} AnalysisDef;
+
+/* A place of the chain whose motion and forces are wanted. */
+typedef struct ProbeDef {
+    char name[PROBE_NAME_MAX];
+    double at;
+} ProbeDef;
+
+typedef struct OutputDef {
+    double interval;       /* s between rows of series.csv and samples of statistics */
+    double state_interval; /* s between states in results.h5; 0: none */
+    double steady_from;    /* s; the steady window is steady_from .. end */
+    int n_speed_segments;
+    int *speed_segments; /* whose speeds are columns of series.csv */
+    int n_load_rollers;
+    int *load_rollers; /* whose loads are columns of series.csv: places in `rollers` */
+    int n_probes;
+    ProbeDef *probes; /* owned */
+} OutputDef;
+
+#endif

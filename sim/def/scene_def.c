@@ -1,0 +1,112 @@
+#include "sim/def/scene_def.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm
+ * (0.066 m) and E* = 1 GPa, a polyethylene sheath on steel; c damps half a metre of heavy cable on it at
+ * about half of critical. */
+static void contact_defaults(SceneDef *def)
+{
+    def->geometry = GEOMETRY_SMOOTH;
+    def->impact = (ImpactLaw){.k = 3.4e8, .e = 1.5, .c = 1e4, .d = 1e-4};
+    def->line_impact = def->impact; /* 200 N/m of cable lie 0.07 mm deep, 5 kN/m in a bend press 0.6 mm */
+    def->friction = (FrictionLaw){.mu_s = 0.2, .mu_d = 0.2, .v_s = 1e-3, .v_d = 2e-3};
+    def->cable_friction = def->friction;
+    def->contact_reach = 1;
+}
+
+static void drive_defaults(SceneDef *def)
+{
+    def->winch.speed = def->winch.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
+    def->winch.band = 0.05;
+    def->winch.trip = (TripDef){.brake = 0.5, .pause = 5, .ramp = 2};
+    def->tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 1};
+    def->winch.at = NAN;
+    def->reel = (ReelDef){.distance = 5, .over = 0.01, .v_s = 1e-3, .speed = {.kind = PROFILE_STEP, .t1 = 1}};
+    def->drag = (RopeDragDef){.v_s = 1e-3, .v_d = 2e-3, .ratio = 1};
+}
+
+static void solver_defaults(SolverDef *s)
+{
+    s->accuracy = 1e-3;
+    s->max_order = 2;
+    s->relax = 1;
+    s->relax_tolerance = 1e-6;
+    s->relax_iterations = 200;
+    s->threads = 1;
+    s->linear = (LinOptions){.kind = LIN_AUTO, .ordering = ORDER_AUTO, .threads = 1};
+}
+
+void scene_def_defaults(SceneDef *def)
+{
+    memset(def, 0, sizeof *def);
+    def->gravity = v3(0, 0, -9.81);
+    def->frame = FRAME_SYMMETRIC;
+    def->lead_in = (LeadInDef){.carries_weight = 1, .blend = 0.5};
+    contact_defaults(def);
+    drive_defaults(def);
+    solver_defaults(&def->solver);
+    def->theory.cables = 1;
+    limits_defaults(&def->limits);
+    def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};
+    def->rod.stress_free = 1;
+    def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
+}
+
+Shape roller_def_shape(const RollerDef *roller)
+{
+    return (Shape){.kind = roller->profile,
+                   .centre = roller->centre,
+                   .axis = v3_unit(roller->axis),
+                   .radius = roller->radius,
+                   .half_width = roller->width / 2,
+                   .groove = roller->groove};
+}
+
+static void profile_clear(RodProfile *by)
+{
+    free(by->table_time);
+    free(by->table_value);
+}
+
+static void rod_def_clear(RodDef *rod)
+{
+    for (int e = 0; e < 2; ++e) {
+        RodEndDef *const end = &rod->end[e];
+        for (int m = 0; end->motions && m < end->n_motions; ++m) profile_clear(&end->motions[m].by);
+        free(end->motions);
+    }
+    for (int l = 0; rod->loads && l < rod->n_loads; ++l) profile_clear(&rod->loads[l].by);
+    free(rod->loads);
+    free(rod->masses);
+    free(rod->points);
+}
+
+void scene_def_clear(SceneDef *def)
+{
+    rod_def_clear(&def->rod);
+    free(def->cables);
+    free(def->pieces);
+    free(def->route);
+    free(def->rollers);
+    free(def->surfaces);
+    free(def->winch.table_time);
+    free(def->winch.table_value);
+    free(def->winch.tension_time);
+    free(def->winch.tension_value);
+    free(def->tail.table_time);
+    free(def->tail.table_value);
+    for (int i = 0; i < def->n_conveyors && def->conveyors; ++i) {
+        free(def->conveyors[i].table_time);
+        free(def->conveyors[i].table_value);
+    }
+    free(def->conveyors);
+    free(def->stations);
+    free(def->paper);
+    free(def->output.speed_segments);
+    free(def->output.probes);
+    free(def->output.load_rollers);
+    memset(def, 0, sizeof *def);
+}

@@ -1,0 +1,241 @@
+/* What a case says, as plain data with defaults: the case reader fills it, scene_build() turns it into a Scene.
+ * SI units. Arrays are malloc'ed and owned by the SceneDef; scene_def_clear() frees them. */
+#ifndef HAWSER_SIM_DEF_SCENE_DEF_H
+#define HAWSER_SIM_DEF_SCENE_DEF_H
+
+#include "contact/law/contact_law.h"
+#include "contact/shape/element.h"
+#include "contact/shape/shape.h"
+#include "contact/surface/surface_patch.h"
+#include "core/chain.h"
+#include "core/profile.h"
+#include "core/route.h"
+#include "linsolve/linsolve.h"
+#include "sim/def/output_def.h"
+#include "sim/def/reel_def.h"
+#include "sim/def/rod_def.h"
+#include "sim/def/theory_def.h"
+
+enum { NAME_MAX_LENGTH = 64 };
+
+/* Moment by curvature at first bending, in straight pieces from the origin, concave; the last piece goes on. Unbending
+ * and bending again follow the same curve doubled (HY3). */
+enum { BENDING_ROWS_MAX = 8 };
+typedef struct BendingTable {
+    int rows;                           /* 0: none, bending is elastic; otherwise 2 at least */
+    double curvature[BENDING_ROWS_MAX]; /* 1/m, rising, above 0 */
+    double moment[BENDING_ROWS_MAX];    /* N m, above 0 and not falling */
+} BendingTable;
+
+/* A kind of cable or rope, per unit length. */
+typedef struct CableDef {
+    char name[NAME_MAX_LENGTH];
+    double ea, ga;            /* N */
+    double gj;                /* N m2 */
+    double ei_y, ei_z;        /* N m2; with a table of bending, its first slope */
+    double mass;              /* kg/m */
+    double diameter;          /* m, outside: contact and rotary inertia */
+    double damping;           /* s: C = damping * factor * K */
+    double damping_factor[6]; /* axial, shear y, shear z, torsion, bending y, bending z */
+    double damping_ratio[6];  /* above 0: takes the place of damping * factor in this component (HY10), (HY12) */
+    double damping_ratio_at;  /* Hz, where the ratios hold; 0: in each bushing's own mode */
+    double preload[6];        /* N, N m: the wrench of an undeformed bushing, the same components (eq. 1) */
+    BendingTable bending;
+} CableDef;
+
+/* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */
+typedef struct ChainPieceDef {
+    int cable; /* index into cables */
+    double length;
+    int segments; /* >= 1 */
+    int swivel;   /* the joint to the piece before is an eye with a swivel: it transmits no torsion */
+} ChainPieceDef;
+
+/* A roller that spins: inertia about its axis, bearing (sim/equipment/bearing.h). */
+typedef struct SpinDef {
+    double inertia;                          /* kg m2; 0: it does not spin */
+    double friction, journal, torque, speed; /* 1, m, N m, rad/s */
+} SpinDef;
+
+/* A roller on a bushing mount; components along the roller's axis, along the route, up, then rotations about these. */
+typedef struct MountDef {
+    int present;
+    double stiffness[6];  /* N/m, N m/rad */
+    double damping;       /* s: C = damping * K */
+    double mass, inertia; /* kg; kg m2 about every axis (a spinning roller's own axis: without its spin.inertia) */
+} MountDef;
+
+typedef struct RollerDef {
+    char name[NAME_MAX_LENGTH];
+    Vec3 centre, axis;    /* m, unit */
+    double radius, width; /* m; at the groove's bottom, if it has one; width is its whole length */
+    ShapeKind profile;
+    Groove groove; /* unless the profile is a cylinder's */
+    double rating; /* N; 0: none given */
+    double s;      /* m along the route, for tables; NAN if listed by coordinates */
+    int hold_down;
+    FrictionLaw friction;
+    SpinDef spin;
+    MountDef mount;
+} RollerDef;
+
+/* A duct, tray, floor or wall. Those along the route share no stretch of it. */
+typedef struct SurfaceDef {
+    char name[NAME_MAX_LENGTH];
+    SurfaceShape shape;
+    FrictionLaw friction;
+} SurfaceDef;
+
+typedef struct LeadInDef {
+    int present;
+    int carries_weight; /* the lead-in carries the cable's weight along the slope too, as a reel would */
+    double blend;       /* m over which the weight comes in at the route's start */
+} LeadInDef;
+
+/* What a winch does when the force is too large: brakes, and perhaps starts again. */
+typedef struct TripDef {
+    double force;  /* N; 0: by the factor */
+    double factor; /* times the reference theory's winch force; both 0: it never trips */
+    double hold;   /* s for which the force must stay above before it counts */
+    double brake;  /* s from full speed to rest */
+    double pause;  /* s at rest before a restart */
+    double ramp;   /* s from rest back to the speed before */
+    int restarts;  /* how many; after the next trip it stays */
+    int ends_run;  /* a winch that stays ends the run */
+} TripDef;
+
+typedef enum WinchMode { WINCH_SPEED, WINCH_TENSION } WinchMode;
+
+typedef struct WinchDef {
+    int present;
+    int axial_only; /* holds the head along the pull only; otherwise it clamps it (a rope that runs on in the air) */
+    WinchMode mode;
+    Profile speed;                    /* m/s along the route's end direction */
+    double *table_time, *table_value; /* owned, for PROFILE_TABLE */
+    Profile tension;                  /* N, WINCH_TENSION */
+    double *tension_time, *tension_value;
+    double speed_limit; /* m/s, WINCH_TENSION; 0: none */
+    double band;        /* share of the limit over which the force falls off */
+    double drum_mass;   /* kg, WINCH_TENSION: inertia of the drum over its radius squared */
+    TripDef trip;       /* WINCH_SPEED */
+    int take_in;        /* segments past the winch leave the chain */
+    double at;          /* m along the route: where it stands, for take_in; NAN: see scene_take_in_place */
+} WinchDef;
+
+typedef struct TailDef {
+    Profile tension; /* N, back along the route's start direction */
+    double *table_time, *table_value;
+} TailDef;
+
+/* A drum on which the cable behind the route is wound, touched by every turn. */
+typedef struct DrumDef {
+    int present;
+    double distance;              /* m from where the cable leaves the drum to the route's start */
+    double barrel, flange, width; /* m: diameters of the bare drum and of its flanges, length between these */
+    double lay;                   /* m from turn to turn; 0: 2.5 diameters of the cable */
+    double inertia;               /* kg m2, of the empty drum */
+    double torque;                /* N m: brake and bearing */
+} DrumDef;
+
+/* A caterpillar conveyor: two belts that clamp the cable over a stretch of the route. */
+typedef struct ConveyorDef {
+    char name[NAME_MAX_LENGTH];
+    double from, to; /* m along the route; the machine is straight */
+    double edge;     /* m at both ends over which the grip rises from nothing */
+    int sync;        /* the belt runs with the winch, at `factor` times its speed */
+    double factor;
+    Profile speed; /* m/s, of the belt otherwise */
+    double *table_time, *table_value;
+    double clamp;           /* N, by which each belt is pressed on the cable */
+    double mu;              /* of belt on cable: the grip is 2 mu clamp */
+    double limit;           /* N, of the drive; 0: none */
+    double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
+    int hold;               /* holds the cable on the machine's line */
+} ConveyorDef;
+
+typedef struct StationDef {
+    char name[NAME_MAX_LENGTH];
+    double s; /* m along the route */
+} StationDef;
+
+/* Whether a scene that lies in one plane is solved there (sim/planar/plane.h): where it can be; or else it is an error;
+ * never.
+ */
+typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
+
+typedef struct SolverDef {
+    double accuracy;                                                /* one number for all tolerances */
+    double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
+    int max_order;                                                  /* BDF, 1..5 */
+    double max_step;                                                /* s, 0: none */
+    double first_step;                                              /* s, 0: CVODE's choice */
+    long max_steps;                                                 /* 0: none */
+    int relax;                                                      /* bring to equilibrium before t = 0 */
+    double relax_tolerance;                                         /* fraction of the largest segment weight or load */
+    int relax_iterations;
+    LinOptions linear;
+    PlanarChoice planar;
+    int threads;
+} SolverDef;
+
+typedef struct SceneDef {
+    char title[256];
+    Vec3 gravity; /* m/s2 */
+    BushingFrame frame;
+
+    int n_cables;
+    CableDef *cables;
+    int n_pieces;
+    ChainPieceDef *pieces;
+
+    int n_route;
+    RoutePieceDef *route;
+    Vec3 route_start;
+    double route_heading, route_slope;
+    double head_at; /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
+    LeadInDef lead_in;
+
+    ContactGeometry geometry;
+    ImpactLaw impact;
+    FrictionLaw friction;       /* default of every roller, and the theory's mu (mu_d) */
+    double contact_reach;       /* m: candidates are refreshed after this much motion */
+    int cable_on_cable;         /* the cable touches itself */
+    FrictionLaw cable_friction; /* there */
+    int n_rollers;
+    RollerDef *rollers;
+    ImpactLaw line_impact; /* for each metre of cable on a surface */
+    int n_surfaces;
+    SurfaceDef *surfaces;
+
+    WinchDef winch;
+    TailDef tail;
+    ReelDef reel;
+    DrumDef drum;
+    RopeDragDef drag;
+
+    int n_conveyors;
+    ConveyorDef *conveyors;
+    RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */
+
+    int n_stations;
+    StationDef *stations;
+    int n_paper;
+    PaperTermDef *paper; /* 0 terms: taken from the route */
+    TheoryDef theory;
+    LimitsDef limits;
+
+    AnalysisDef analysis;
+    SolverDef solver;
+    OutputDef output;
+    double duration; /* s */
+} SceneDef;
+
+/* Every default there is; docs/case-format.md lists them. */
+void scene_def_defaults(SceneDef *def);
+void scene_def_clear(SceneDef *def);
+/* What the cable touches of a roller. */
+Shape roller_def_shape(const RollerDef *roller);
+/* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
+hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
+
+#endif

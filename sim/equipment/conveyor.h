@@ -1,0 +1,61 @@
+/* Caterpillar conveyors: straight machines whose two belts clamp the cable and drive it along, and hold it on their
+ * line. docs/model.md, "Winch and conveyors" (WI13)-(WI19).
+ *
+ * Which segments are near a machine is found between steps, conveyor_find(); in a step only those are looked at. */
+#ifndef HAWSER_SIM_EQUIPMENT_CONVEYOR_H
+#define HAWSER_SIM_EQUIPMENT_CONVEYOR_H
+
+#include "sim/equipment/winch.h"
+
+typedef struct Conveyor {
+    Vec3 origin, direction; /* where the cable enters, m; unit, along the pull */
+    double length, edge;    /* m; over `edge` at both ends the grip rises from nothing */
+    double grip;            /* N, largest force: 2 mu clamp, or the drive's limit */
+    FrictionLaw law;        /* of the slip, with mu_s = 1 */
+    int sync;               /* the belt runs at `factor` times the winch's speed; otherwise by `speed` */
+    double factor;
+    Profile speed;             /* m/s */
+    double hold, hold_damping; /* 1/s2, 1/s: stiffness and damping across the line over the mass held; 0: does not */
+} Conveyor;
+
+/* The segments that are near a conveyor, as of the last conveyor_find(), and one by which their motion is judged. */
+typedef struct ConveyorRange {
+    int first, count;
+    int watched;
+    Vec3 at;     /* m, where the watched one was */
+    double free; /* m, how far it may move before the range must be found again */
+} ConveyorRange;
+
+/* What a conveyor does at one moment. */
+typedef struct ConveyorNow {
+    double force; /* N, on the cable along the direction */
+    double belt;  /* m/s */
+    double slip;  /* m/s, cable less belt, mean over the grip; 0 where there is no cable */
+    double cover; /* share of the grip that has cable, 0..1 */
+    Push push;    /* what belts and hold do to the cable */
+    double lost;  /* W, in the slip */
+} ConveyorNow;
+
+/* The conveyors of a scene, malloc'ed, [def->n_conveyors]. gravity: m/s2, for the hold. NULL if there is no memory. */
+Conveyor *conveyors_new(const SceneDef *def, const Route *route);
+
+/* Speed of the belt (m/s). */
+double conveyor_belt(const Conveyor *c, const Winch *w, double t);
+/* Share of the grip between a machine's entry and x (m along its line), (WI14): 0 before it, 1 behind it; *slope gets
+ * d/dx. */
+double conveyor_share(const Conveyor *c, double x, double *slope);
+
+/* Finds the segments within `reach` (m) of the conveyor in the state y [13 n] (core/state.h): O(n). */
+void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, double reach, ConveyorRange *range);
+/* Whether they may have moved too far since. */
+int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double *y);
+
+/* Adds the forces on the segments of the range, the grip times `friction` (WI15)-(WI17); returns what there is to say.
+ * loads may be NULL. */
+ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
+                           const Kinematics *kin, double t, double friction, Loads *loads);
+/* Adds their derivatives to the diagonal blocks of k and d (WI18), (WI19). */
+void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
+                     const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d);
+
+#endif

@@ -1,0 +1,65 @@
+/* Rollers that move, spinning or on mounts: what they are, their part of the state, and what drives them.
+ * docs/model.md, "Rollers that spin and rollers on mounts". A scene without them has n = 0 and does nothing here.
+ *
+ * Their part of the state, e below, follows the chain's 13 n numbers: first every spin's angular speed (rad/s, about
+ * the roller's axis, its mount's turning included), then 13 arrays over the mounts as core/state.h has them over
+ * segments. */
+#ifndef HAWSER_SIM_EQUIPMENT_MOVING_ROLLERS_H
+#define HAWSER_SIM_EQUIPMENT_MOVING_ROLLERS_H
+
+#include "contact/roller/contact.h"
+#include "core/state.h"
+#include "sim/def/scene_def.h"
+#include "sim/equipment/bearing.h"
+
+enum { ROLLER_UNKNOWNS = 7 }; /* of velocity, at most: 3 + 3 of a mount, 1 of a spin, in this order */
+
+typedef struct MovingRoller {
+    int roller;      /* which of the scene's */
+    int spin, mount; /* which spin and which mount of the state; -1: none */
+    int size;        /* 1, 6 or 7 unknowns of velocity */
+    double inertia;  /* kg m2 about its axis, of a spin */
+    Bearing bearing;
+    double mass;    /* kg, on a mount */
+    double turning; /* kg m2 about every axis through the centre, on a mount; without `inertia` about its own */
+} MovingRoller;
+
+typedef struct Equipment {
+    int n, spins, mounts;
+    MovingRoller *item; /* [n], in the order of the scene's rollers */
+    Chain bushings;     /* 2 mounts bodies: ground, mount, ground, ...; joint 2 m + 1 holds mount m */
+    Kinematics ground;  /* of that chain: where everything stands when nothing pulls */
+} Equipment;
+
+/* From the rollers of a definition, whose shapes are roller[n_rollers]. Errors: MEMORY. */
+hawser_status equipment_build(const SceneDef *def, const ContactRoller *roller, Equipment *q, hawser_error *err);
+void equipment_clear(Equipment *q);
+
+/* Entries of e; of the velocities among them. */
+int equipment_size(const Equipment *q);
+/* Where component c (core/state.h) of mount m is in e. */
+static inline int equipment_at(const Equipment *q, int c, int m) { return q->spins + c * q->mounts + m; }
+/* e at rest where the case puts everything. */
+void equipment_initial(const Equipment *q, double *e);
+
+/* weight = 1 / absolute tolerance of every entry of e; `velocity` is that of the chain's velocities, the others
+ * likewise; m, rad, m/s, rad/s (SP14). */
+typedef struct EquipmentTolerances {
+    double position, rotation, velocity, omega;
+} EquipmentTolerances;
+void equipment_weights(const Equipment *q, const ContactRoller *roller, const EquipmentTolerances *t, double *weight);
+/* For the relaxation, in which spins stand still. Largest unbalanced force on a mount by its rates, N; moments count
+ * over the roller's radius. */
+double equipment_residual(const Equipment *q, const ContactRoller *roller, const double *rate);
+/* Largest share of a motion for dt (s) at the velocities of u in which no mount moves by more than `move` (m) or turns
+ * by more than `turn` (rad); at most 1. */
+double equipment_move_share(const Equipment *q, const double *u, double dt, double move, double turn);
+/* e after a motion for `dt` at the velocities of u; the velocities of e stay. */
+void equipment_move(const Equipment *q, double *e, const double *u, double dt);
+/* Every velocity of e to zero. */
+void equipment_halt(const Equipment *q, double *e);
+
+/* The moving roller with the largest sum of squares of x w, which goes to *largest; -1 if there is none. */
+int equipment_worst(const Equipment *q, const double *x, const double *w, double *largest);
+
+#endif

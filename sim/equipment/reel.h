@@ -1,0 +1,70 @@
+/* The reel that pays the cable out. Its drum is no body of its own: the chain's tail segment stands for the end of the
+ * cable that is just leaving it, moves on the straight line from the drum to the route's start, and carries the drum's
+ * inertia and the forces of brake, bearing and back tension. docs/model.md, "Reel and take-in" (RL6)-(RL15).
+ *
+ * Segments join behind the tail between two steps (sim/run/stage.h); within a step all here is a function of (t, y). */
+#ifndef HAWSER_SIM_EQUIPMENT_REEL_H
+#define HAWSER_SIM_EQUIPMENT_REEL_H
+
+#include "core/block_chain.h"
+#include "core/chain.h"
+#include "core/push.h"
+#include "sim/def/scene_def.h"
+#include "sim/equipment/winding.h"
+
+/* The line on which the cable leaves, and what is on the drum behind the tail segment of now. */
+typedef struct Reel {
+    int present; /* 0: none, or the cable has left it */
+    /* of the case */
+    Winding winding;
+    Vec3 drum, direction; /* where the cable leaves the drum, m; the line toward the route */
+    Quat attitude;        /* of an untwisted segment on that line */
+    Vec3 downhill;        /* m/s2, gravity along the line as far as the lead-in leaves it to the cable */
+    double total;         /* m, the whole cable */
+    BrakeLaw brake;
+    double torque;    /* N m: constant, or the most that a speed-matched brake gives */
+    double viscous;   /* N m s/rad, proportional brake */
+    double bearing;   /* N m */
+    double over;      /* m/s above the set speed at which a speed-matched brake is fully on */
+    Profile speed;    /* m/s, set speed */
+    Profile tension;  /* N, back tension */
+    FrictionLaw rest; /* how brake and bearing fade at rest, mu = 1 */
+    int fixed;        /* the cable's end stays fastened to the drum */
+    /* of the tail segment that is leaving it now: reel_hold */
+    double wound;       /* m, behind the segment when its rear end leaves the drum */
+    double half;        /* m, of the segment */
+    double mass;        /* kg, the drum's inertia over the radius squared; part of chain.mass[0] (RL7) */
+    int last;           /* nothing is wound behind it */
+    double rigidity[3]; /* N m2: torsion, bending about y and z */
+    double damping[3];  /* s */
+    double catch;       /* N/m, stiffness of the fastened end (RL15) */
+} Reel;
+
+/* What a reel looks like from outside. */
+typedef struct ReelLook {
+    double speed;    /* rad/s */
+    double paid_out; /* m */
+    double wound;    /* m */
+    double tension;  /* N, in the cable where it leaves the drum */
+} ReelLook;
+
+/* Sets what the case says and the place of the drum: on the line through `origin` along `direction`. */
+void reel_init(Reel *r, const SceneDef *def, Vec3 origin, Vec3 direction, Quat attitude);
+/* The tail is now segment `first` of the whole chain, whose cable is given. */
+void reel_hold(Reel *r, const Chain *whole, int first, const CableDef *cable);
+
+/* Length of cable from the drum to the centre of segment 0, m (RL6). */
+double reel_free_length(const Reel *r, const Kinematics *kin);
+/* Force of the drum's brake, bearing and back tension against the pull, at free length l (m) and cable speed v (m/s),
+ * N (RL8); friction scales brake and bearing. The derivatives by l and v may be NULL. */
+double reel_resistance(const Reel *r, double l, double v, double t, double friction, double *by_l, double *by_v);
+/* What the drum does to the motion: brake, bearing, back tension, and the cable that bends as it comes off. */
+Push reel_push(const Reel *r, const Kinematics *kin, double t);
+/* Adds force and moment on segment 0, and their derivatives. */
+void reel_loads(const Reel *r, const Kinematics *kin, double t, double friction, Loads *loads);
+void reel_blocks(const Reel *r, const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d);
+
+/* What to report, from the kinematics and joint 1's load. */
+ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t);
+
+#endif

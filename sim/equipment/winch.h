@@ -1,0 +1,100 @@
+/* The winch: what it does to the chain's head. It moves a ghost at a speed profile, or pulls with a set tension; it
+ * trips, stands and starts again. docs/model.md, "Winch and conveyors" (WI1)-(WI12).
+ *
+ * Between two events the winch is a function of time (and, with a set tension, of the head's motion) like everything
+ * else in the right-hand side. Its `phase` changes between accepted steps only, in winch_accept(). */
+#ifndef HAWSER_SIM_EQUIPMENT_WINCH_H
+#define HAWSER_SIM_EQUIPMENT_WINCH_H
+
+#include "core/block_chain.h"
+#include "core/push.h"
+#include "sim/def/scene_def.h"
+
+typedef enum WinchDoing { WINCH_FOLLOWS, WINCH_BRAKES, WINCH_STANDS, WINCH_RESTARTS } WinchDoing;
+
+/* What the winch does now: speed(t) = value of `speed` at t - since, travel(t) = offset + its integral there (WI1). */
+typedef struct WinchPhase {
+    WinchDoing doing;
+    Profile speed; /* m/s, over t - since */
+    double since;  /* s */
+    double offset; /* m */
+    double until;  /* s, when the phase ends by itself; INFINITY: never */
+    double resume; /* s, on the case's profile: where the speed was when the brake fell in */
+    double over;   /* s, since when the force has been above the trip's; INFINITY: it is not */
+    int trips;     /* so far */
+    int held;      /* set tension: the brake is on, as before t = 0 */
+    double ended;  /* s, when a last trip ended the run; INFINITY: it did not */
+} WinchPhase;
+
+/* The winch of a scene; all but `phase` and `trip_force` is fixed when the scene is built. */
+typedef struct Winch {
+    int present;
+    WinchMode mode;
+    Profile speed;  /* m/s, of WINCH_SPEED */
+    Vec3 origin;    /* where the head's end is at t = 0, m */
+    Vec3 direction; /* unit */
+    Quat attitude;
+    /* WINCH_TENSION */
+    Profile tension;    /* N */
+    double speed_limit; /* m/s; INFINITY: none */
+    double band;        /* share of the limit over which the force falls off */
+    double drum_mass;   /* kg, inertia of the drum at the rope: moves with the last segment, weighs nothing */
+    double guide[2];    /* N/m, N s/m: holds the head's end on the pull's line, across it */
+    double brake[2];    /* N/m, N s/m: holds it along the line while the brake is on */
+    /* trips */
+    TripDef trip;
+    double trip_force; /* N; 0: never trips */
+    WinchPhase phase;
+} Winch;
+
+/* Travel along the pull (m) and its rate (m/s). */
+typedef struct WinchMotion {
+    double travel, speed;
+} WinchMotion;
+
+/* Sets what the definition says, at rest before t = 0; the place, the guide and the brake are left to the scene. */
+void winch_init(Winch *w, const WinchDef *def);
+
+/* A winch with a speed profile: functions of time alone. */
+double winch_speed(const Winch *w, double t);
+double winch_travel(const Winch *w, double t);
+/* Either kind: a winch of set tension goes where the head's end is, which kin tells. */
+WinchMotion winch_motion(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
+/* Writes pose and velocity of the ghost at the chain's head (segment n). That of a set tension stays where it is: it
+ * holds no more than the head's attitude. */
+void winch_ghost(const Winch *w, double t, int n, Kinematics *kin);
+/* The next time after t at which the winch's motion or force is not smooth, or its phase ends; INFINITY if none. */
+double winch_next_stop(const Winch *w, double t);
+/* The largest speed of the profile, or the limit; 0 if there is none, m/s. */
+double winch_largest_speed(const Winch *w);
+
+/* Set tension: what it pulls with at time t when the head's end moves at `speed` along the pull (WI2); *slope (may be
+ * NULL) gets d/d(speed). */
+double winch_tension(const Winch *w, double t, double speed, double *slope);
+/* Set tension: force on the last segment along the pull, N: the tension, or what the brake holds (WI5). */
+double winch_pull(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
+/* Set tension: adds force and moment on the last segment (WI3), (WI4); nothing for a winch with a speed profile. */
+void winch_loads(const Winch *w, const Chain *chain, const Kinematics *kin, double t, Loads *loads);
+/* What these do to the motion; nothing likewise. */
+Push winch_push(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
+/* Adds their derivatives to the last diagonal blocks of k and d (WI6), (WI7). */
+void winch_blocks(const Winch *w, const Chain *chain, const Kinematics *kin, double t, BlockChain *k, BlockChain *d);
+
+/* What happens to a winch. */
+typedef enum WinchEvent {
+    WINCH_NOTHING,
+    WINCH_TRIPPED,     /* the force was too large: the brake falls in */
+    WINCH_STOPPED,     /* it stands */
+    WINCH_STARTED,     /* it starts again */
+    WINCH_RUNNING,     /* it is back at the speed at which it tripped */
+    WINCH_STAYS,       /* it has stopped for good */
+    WINCH_ENDS_THE_RUN /* the same, and the run ends with it */
+} WinchEvent;
+
+/* A step to time t was accepted, with this pull on the head (N). Changes the phase if something happens (WI8)-(WI12);
+ * call again until NOTHING. */
+WinchEvent winch_accept(Winch *w, double t, double pull);
+/* The event in words, for logs. */
+const char *winch_event_name(WinchEvent event);
+
+#endif

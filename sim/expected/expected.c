@@ -1,0 +1,219 @@
+#include "sim/expected/expected.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "sim/expected/stretches.h"
+#include "theory/paper.h"
+
+/* The winch's travel at time t, m; with a set tension, if it moves at its limit. */
+static double travel_at(const Scene *scene, double t)
+{
+    if (!scene->winch.present) return 0;
+    return scene->winch.mode == WINCH_TENSION ? t * winch_largest_speed(&scene->winch) : winch_travel(&scene->winch, t);
+}
+
+int expected_follows(const Scene *scene) { return scene->reel.winding.turns > 0 || scene->take_in.present; }
+
+/* How far rope lies on the route ahead of a front that has moved by `moved`. */
+static double rope_end(const Scene *scene, double moved)
+{
+    if (scene->eye == scene->total) return -1e9; /* no rope */
+    if (scene->take_in.present) return scene_winch_place(scene);
+    return fmin(scene->route.length, scene->joint_s[scene->total] + moved);
+}
+
+/* What the reel's brake and bearing hold back with at full speed, and the back tension, with the front at s. */
+static double reel_tension(const Scene *scene, double front, double back)
+{
+    Reel r = scene->reel;
+    const double wound = r.total - front - scene->def.reel.distance;
+    if (wound <= 0 && !r.fixed) return 0;
+    r.wound = fmax(wound, 0);
+    r.last = 0;
+    r.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = back};
+    return reel_resistance(&r, r.half, scene->largest_speed, scene->def.duration, 1, NULL, NULL);
+}
+
+/* What pulls the cable off a drum on which it is wound, in steady motion: the brake, and the work of straightening
+ * (CC25). */
+static double drum_tension(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    const double radius = def->drum.barrel / 2 + scene->chain.radius[0];
+    return def->drum.torque / radius + def->cables[def->pieces[0].cable].ei_z / (2 * radius * radius);
+}
+
+/* The cable from the route's start (behind it the lead-in is frictionless) or the tail to its front, and the rope. */
+static void front_set(const Scene *scene, double front, double back, Expected *out)
+{
+    const double moved = front - scene->joint_s[scene->eye];
+    out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + moved;
+    out->to = front;
+    out->rope_to = fmax(front, rope_end(scene, moved));
+    out->start_tension = scene->reel.winding.turns > 0 ? reel_tension(scene, front, back) : back;
+}
+
+/* The counted stretch: up to where the cable's front was at t = 0, unless theory follows it. Without a lead-in the
+ * whole cable moves along. */
+static void stretch_of(const Scene *scene, Expected *out)
+{
+    const double from = scene->def.output.steady_from, to = scene->def.duration;
+    const double moved = (travel_at(scene, from) + travel_at(scene, to)) / 2, front = scene->joint_s[scene->eye];
+    if (expected_follows(scene)) {
+        const double end = scene->take_in.present ? scene_winch_place(scene) : scene->route.length;
+        front_set(scene, fmin(front + moved, end), expected_back(scene, (from + to) / 2), out);
+        out->passed = fmin(front + travel_at(scene, from), end);
+        return;
+    }
+    const double shift = scene->weight.lead_in ? 0 : moved;
+    out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
+    out->to = out->rope_to = out->passed = front + shift;
+    out->start_tension = profile_value(&scene->tail, scene->def.duration);
+    if (scene->drum.present) out->start_tension = drum_tension(scene);
+}
+
+/* Rope lies on the route from the cable's front on: its weight instead. */
+static hawser_status rope_ahead(const Scene *scene, const Expected *e, Stretches *s, hawser_error *err)
+{
+    if (!(e->rope_to > e->to)) return HAWSER_OK;
+    const SceneDef *const def = &scene->def;
+    const double weight = def->cables[def->pieces[def->n_pieces - 1].cable].mass * v3_norm(def->gravity);
+    PullStretch *const longer = realloc(s->stretch, ((size_t)s->n + 1) * sizeof *longer);
+    if (!longer) return error_memory(err);
+    s->stretch = longer;
+    int at = s->n; /* the first stretch that begins at the front or ahead of it */
+    while (at > 0 && longer[at - 1].from >= e->to) --at;
+    if (at == s->n || longer[at].from > e->to) {
+        for (int i = s->n++; i > at; --i) longer[i] = longer[i - 1];
+        longer[at] = longer[at - 1];
+        longer[at].from = e->to;
+    }
+    for (int i = at; i < s->n; ++i) longer[i].weight = weight;
+    return HAWSER_OK;
+}
+
+hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
+{
+    Stretches stretches;
+    hawser_status status = stretches_find(scene, &stretches, err);
+    if (!status) status = rope_ahead(scene, e, &stretches, err);
+    if (status) {
+        stretches_free(&stretches);
+        return status;
+    }
+    const PullDef def = {.route = &scene->route,
+                         .law = law,
+                         .from = e->from,
+                         .to = e->rope_to,
+                         .start_tension = e->start_tension,
+                         .n_stretches = stretches.n,
+                         .stretch = stretches.stretch,
+                         .n_steps = e->n_steps,
+                         .step = e->step};
+    status = pull_solve(&def, pull, err);
+    stretches_free(&stretches);
+    return status;
+}
+
+/* A belt that is faster than the winch slips and pushes with all it has, a slower one brakes; one that keeps the
+ * winch's speed takes over what arrives, up to its grip. */
+double expected_push_at(const Scene *scene, const Conveyor *c, double arriving)
+{
+    const double end = scene->def.duration;
+    const double speed = scene->winch.mode == WINCH_SPEED ? winch_speed(&scene->winch, end) : scene->largest_speed;
+    const double slip = scene->winch.present ? speed - conveyor_belt(c, &scene->winch, end) : 0;
+    if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;
+    return fmin(fmax(arriving, 0), c->grip);
+}
+
+/* Sets the steps one by one along the route: each needs the tension that the ones before it leave. */
+static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error *err)
+{
+    const int n = scene->n_conveyors;
+    if (n == 0) return HAWSER_OK;
+    out->step = calloc((size_t)n, sizeof *out->step);
+    if (!out->step) return error_memory(err);
+    for (int i = 0; i < n; ++i) {
+        const ConveyorDef *const def = &scene->def.conveyors[i];
+        const double at = (def->from + def->to) / 2;
+        Pull pull;
+        const hawser_status status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
+        if (status) return status;
+        const int there = at > out->from && at < out->rope_to;
+        const double push = there ? expected_push_at(scene, &scene->conveyor[i], pull_at(&pull, at).tension) : 0;
+        out->step[out->n_steps++] = (PullStep){.at = at, .force = -push};
+        pull_clear(&pull);
+    }
+    return HAWSER_OK;
+}
+
+double expected_push(const Expected *e, int i) { return -e->step[i].force; }
+
+double expected_back(const Scene *scene, double t)
+{
+    return profile_value(scene->reel.winding.turns > 0 ? &scene->reel.tension : &scene->tail, t);
+}
+
+hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err)
+{
+    *out = (Expected){0};
+    front_set(scene, front, back, out);
+    return steps_fill(scene, out, err);
+}
+
+int expected_range(const Scene *scene, double *from, double *to)
+{
+    const double end = scene->take_in.present ? scene_winch_place(scene) : scene->route.length;
+    *from = scene->joint_s[scene->eye];
+    *to = fmin(*from + travel_at(scene, scene->def.duration), end);
+    return *to > *from;
+}
+
+void expected_free(Expected *e)
+{
+    free(e->step);
+    *e = (Expected){0};
+}
+
+static int on_stretch(const Expected *e, double s) { return s >= e->from - 1e-9 && s <= e->passed + 1e-9; }
+
+/* The paper's formulas of the case, or the same theory without capstan terms along the route. */
+static hawser_status paper_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    const double g = v3_norm(def->gravity), mu = def->friction.mu_d;
+    if (def->n_paper > 0) {
+        const double W = scene->cable_weight / g;
+        out->paper_total = paper_total(def->n_paper, def->paper, W, mu, g);
+        for (int i = 0; i < n; ++i)
+            station[i].paper_N = paper_tension(def->n_paper, def->paper, W, mu, g, station[i].s);
+        return HAWSER_OK;
+    }
+    Pull pull;
+    const hawser_status status = expected_pull(scene, out, PULL_NO_CAPSTAN, &pull, err);
+    if (status) return status;
+    out->paper_total = pull.end_tension + def->drag.force;
+    for (int i = 0; i < n; ++i) station[i].paper_N = pull_at(&pull, station[i].s).tension;
+    pull_clear(&pull);
+    return HAWSER_OK;
+}
+
+hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err)
+{
+    stretch_of(scene, out);
+    hawser_status status = steps_fill(scene, out, err);
+    if (!status) status = paper_fill(scene, n, station, out, err);
+    if (status) return status;
+    Pull pull;
+    status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
+    if (status) return status;
+    out->reference_total = pull.end_tension + scene->def.drag.force;
+    for (int i = 0; i < n; ++i) {
+        station[i].reference_N = pull_at(&pull, station[i].s).tension;
+        if (!on_stretch(out, station[i].s)) station[i].reference_N = station[i].paper_N = NAN;
+    }
+    pull_clear(&pull);
+    return HAWSER_OK;
+}

@@ -1,0 +1,44 @@
+/* What theory says of the scene: the tension at the stations and the winch's force, by the paper's formulas and by the
+ * bend ODE. docs/model.md, "Pulling theory". */
+#ifndef HAWSER_SIM_EXPECTED_EXPECTED_H
+#define HAWSER_SIM_EXPECTED_EXPECTED_H
+
+#include "sim/scene.h"
+#include "theory/pulling.h"
+
+typedef struct Expected {
+    double from, to;        /* m along the route: the stretch of cable that theory counts, in mid steady window */
+    double rope_to;         /* m: up to there rope lies ahead of it on the route and counts; `to` if it does not */
+    double passed;          /* m: cable passes all stations before this during the whole window */
+    double start_tension;   /* N, at `from` */
+    int n_steps;            /* conveyors */
+    PullStep *step;         /* [n_steps] owned, by the route's order: their pushes, negative */
+    double paper_total;     /* N, winch force: eq. 10, or without capstan terms along the route if the case has none */
+    double reference_total; /* N, winch force by the bend ODE, rope drag included */
+} Expected;
+
+/* Fills `out` (to be given back by expected_free, also after an error), and paper_N and reference_N of the n stations
+ * (their s must be set; those off the cable get NAN). Errors: as pull_solve. */
+hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err);
+
+/* What theory says with the cable's front at `front` m along the route and the back tension `back` (N) at the tail or
+ * of the reel, which turns at the winch's full speed; the rope ahead counts as far as it lies on the route. Only the
+ * stretch, the start tension and the steps are set. Errors: as pull_solve. */
+hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err);
+/* Whether theory follows the cable's front, as it does where the chain begins at a reel or ends at a winch. */
+int expected_follows(const Scene *scene);
+/* The case's back tension at time t, N. */
+double expected_back(const Scene *scene, double t);
+/* Where the front may be for that, as far as the definition goes: from..to m; 0 if it does not move along the route. */
+int expected_range(const Scene *scene, double *from, double *to);
+
+/* The pull behind those figures by one of the laws, each duct and tray with its own friction, separate supports where
+ * sim/expected/stretches.h finds them. Errors: as pull_solve. */
+hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
+/* What conveyor i (the case's order) is reckoned to push with, N. */
+double expected_push(const Expected *e, int i);
+/* What a conveyor pushes with in steady motion where the tension before it is `arriving`, N (WI20). */
+double expected_push_at(const Scene *scene, const Conveyor *c, double arriving);
+void expected_free(Expected *e);
+
+#endif

@@ -1,0 +1,147 @@
+#include "sim/expected/stretches.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+
+/* Where the first stretch begins, m along the route: behind any lead-in. */
+static const double FAR_BEHIND = -1e9;
+
+/* A length of route whose guide rollers hold the cable sideways. */
+typedef struct Guided {
+    double from, to; /* m; none if from >= to */
+} Guided;
+
+int roller_is_guide(const Route *route, const RollerDef *roller)
+{
+    if (isnan(roller->s)) return 0;
+    const Vec3 up = v3_cross(route_at(route, roller->s).tangent, route_left(route, roller->s));
+    return fabs(v3_dot(roller->axis, up)) > 0.7;
+}
+
+/* The part of a piece along which guides stand: from the first to the last and half their spacing beyond. One that
+ * comes within its own half spacing of the piece's end reaches it. */
+static Guided guided_part(const Scene *scene, int p)
+{
+    const SceneDef *const def = &scene->def;
+    const RoutePiece *const piece = &scene->route.piece[p];
+    const double end = piece->s0 + piece->length;
+    double first = INFINITY, last = -INFINITY;
+    int n = 0;
+    for (int i = 0; i < def->n_rollers; ++i) {
+        const RollerDef *const r = &def->rollers[i];
+        if (!(r->s >= piece->s0 && r->s <= end) || !roller_is_guide(&scene->route, r)) continue;
+        if (r->s > last) ++n; /* a pair counts once */
+        first = fmin(first, r->s);
+        last = fmax(last, r->s);
+    }
+    if (n == 0) return (Guided){0};
+    const double half = n > 1 ? (last - first) / (n - 1) / 2 : piece->length;
+    return (Guided){first - piece->s0 > 1.01 * half ? first - half : piece->s0,
+                    end - last > 1.01 * half ? last + half : end};
+}
+
+/* Bends that turn to a side at all. */
+static int is_sideways(const RoutePiece *piece)
+{
+    return piece->kind == ROUTE_BEND && fabs(v3_cross(piece->tangent, piece->centre).z) > 1e-9;
+}
+
+const SurfaceDef *surface_at(const SceneDef *def, double s)
+{
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        const SurfaceDef *const d = &def->surfaces[i];
+        if (surface_along_route(d) && s >= d->shape.from && s < d->shape.to) return d;
+    }
+    return NULL;
+}
+
+/* Every place at which something changes, and the guided parts, one a piece. */
+typedef struct Corners {
+    int n;
+    double *s;      /* [n] m */
+    Guided *guided; /* [pieces] */
+} Corners;
+
+static void corners_free(Corners *c)
+{
+    free(c->s);
+    free(c->guided);
+}
+
+static int compare_places(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    const int pieces = scene->route.n;
+    c->s = malloc((size_t)(2 * def->n_surfaces + 2 * pieces + 1) * sizeof *c->s);
+    c->guided = calloc((size_t)pieces, sizeof *c->guided);
+    if (!c->s || !c->guided) return error_memory(err);
+    c->s[c->n++] = FAR_BEHIND;
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        if (!surface_along_route(&def->surfaces[i])) continue;
+        c->s[c->n++] = def->surfaces[i].shape.from;
+        c->s[c->n++] = def->surfaces[i].shape.to;
+    }
+    for (int p = 0; p < pieces; ++p) {
+        if (!is_sideways(&scene->route.piece[p])) continue;
+        c->guided[p] = guided_part(scene, p);
+        if (!(c->guided[p].from < c->guided[p].to)) continue;
+        c->s[c->n++] = c->guided[p].from;
+        c->s[c->n++] = c->guided[p].to;
+    }
+    qsort(c->s, (size_t)c->n, sizeof *c->s, compare_places);
+    return HAWSER_OK;
+}
+
+/* Whether the supports at s are separate: guides, or a floor with upright sides. */
+static int is_separate(const Scene *scene, const Corners *c, const SurfaceDef *surface, double s)
+{
+    for (int p = 0; p < scene->route.n; ++p) {
+        if (s >= c->guided[p].from && s < c->guided[p].to) return 1;
+    }
+    return surface && surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0;
+}
+
+/* The stretch that begins at c->s[i]. Friction is the surface's where there is one. */
+static PullStretch stretch_make(const Scene *scene, const Corners *c, int i)
+{
+    const double middle = i + 1 < c->n ? (c->s[i] + c->s[i + 1]) / 2 : c->s[i] + 1;
+    const SurfaceDef *const surface = surface_at(&scene->def, middle);
+    const FrictionLaw *const law = surface ? &surface->friction : &scene->def.friction;
+    const double mu = surface ? surface_theory_friction(surface) : law->mu_d;
+    return (PullStretch){.from = c->s[i],
+                         .weight = scene->cable_weight,
+                         .mu = mu,
+                         .mu_static = law->mu_d > 0 ? mu * law->mu_s / law->mu_d : law->mu_s,
+                         .separate = is_separate(scene, c, surface, middle)};
+}
+
+hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *err)
+{
+    Corners c = {0};
+    *out = (Stretches){0};
+    hawser_status status = corners_find(scene, &c, err);
+    if (!status) {
+        out->stretch = calloc((size_t)c.n + 1, sizeof *out->stretch);
+        if (!out->stretch) status = error_memory(err);
+    }
+    for (int i = 0; i < c.n && !status; ++i) {
+        if (i + 1 < c.n && !(c.s[i + 1] > c.s[i])) continue; /* two corners in one place */
+        out->stretch[out->n++] = stretch_make(scene, &c, i);
+    }
+    corners_free(&c);
+    return status;
+}
+
+void stretches_free(Stretches *s)
+{
+    free(s->stretch);
+    *s = (Stretches){0};
+}

@@ -1,0 +1,25 @@
+/* What theory reckons with along a scene's route: the friction of the case and that of its ducts and trays, and where
+ * weight and turning force rest on supports of their own. docs/model.md, "Separate supports". */
+#ifndef HAWSER_SIM_EXPECTED_STRETCHES_H
+#define HAWSER_SIM_EXPECTED_STRETCHES_H
+
+#include "sim/scene.h"
+#include "theory/pulling.h"
+
+typedef struct Stretches {
+    int n;
+    PullStretch *stretch; /* [n] owned, by rising `from`; the first one begins far behind the route */
+} Stretches;
+
+/* Of one cable. Supports are separate where guide rollers stand in a bend to the side and in trays with upright sides.
+ * Errors: MEMORY. */
+hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *err);
+void stretches_free(Stretches *s);
+
+/* Whether a roller of a row stands upright beside the cable: its axis is nearer to the route's upward normal than to
+ * the level. */
+int roller_is_guide(const Route *route, const RollerDef *roller);
+/* The surface along the route at s, NULL if there is none. */
+const SurfaceDef *surface_at(const SceneDef *def, double s);
+
+#endif

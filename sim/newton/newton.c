@@ -1,0 +1,193 @@
+#include "sim/newton/newton.h"
+
+#include <string.h>
+
+#include "core/base/error.h"
+#include "core/base/lanes.h"
+#include "sim/newton/newton_extra.h"
+#include "sim/newton/newton_full.h"
+#include "sim/newton/newton_kernels.h"
+#include "sim/newton/newton_leaves.h"
+
+static const NewtonKernels *kernels(void)
+{
+    static const NewtonKernels *const table[] = ISA_TABLE(newton_kernels);
+    return table[isa_best()];
+}
+
+/* The solver that the options ask for, for the present pattern. */
+static hawser_status solver_new(Newton *nw, hawser_error *err)
+{
+    hawser_error mine = {0};
+    if (nw->options.kind == LIN_KLU_FULL) {
+        newton_full_new(nw, &nw->options, &nw->full, &mine);
+    } else {
+        nw->solver = linsolver_new_newton(&nw->matrix, &nw->options, &mine);
+    }
+    if (nw->solver || nw->full) return HAWSER_OK;
+    return error_set(err, mine.status ? mine.status : HAWSER_ERR_MEMORY, "%s", mine.message);
+}
+
+static hawser_status equipment_new(Newton *nw, const Scene *scene, hawser_error *err)
+{
+    if (nw->options.kind != LIN_KLU_FULL) return newton_leaves_new(nw, &scene->equipment, err);
+    return error_set(
+        err, HAWSER_ERR_INPUT,
+        "key 'solver.linear_solver': 'klu-full' cannot hold rollers that spin or stand on mounts: expected "
+        "auto, bordered or klu");
+}
+
+hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err)
+{
+    memset(nw, 0, sizeof *nw);
+    nw->n = scene->chain.n;
+    nw->team = options->team;
+    nw->middle = nw->n / 2 / LANES * LANES;
+    if (!newton_parts_new(nw, scene->equipment.spins + 6 * scene->equipment.mounts)) {
+        newton_free(nw);
+        return error_memory(err);
+    }
+    for (int i = 0; i < nw->n; ++i) nw->mass[i] = scene->chain.mass[i];
+    nw->matrix.chain = nw->a;
+    nw->options = *options;
+    hawser_status status = HAWSER_OK;
+    if (scene->equipment.n > 0) status = equipment_new(nw, scene, err);
+    if (!status) status = solver_new(nw, err);
+    if (status) newton_free(nw);
+    return status;
+}
+
+void newton_free(Newton *nw)
+{
+    newton_parts_free(nw);
+    nw->leaves = newton_leaves_free(nw->leaves);
+    nw->solver = linsolver_free(nw->solver);
+    nw->full = newton_full_free(nw->full);
+    nw->extra = newton_extra_free(nw->extra);
+    memset(nw, 0, sizeof *nw);
+}
+
+void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const double *y)
+{
+    const int n = nw->n;
+    const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int c = 0; c < 4; ++c) memcpy(nw->q[c], y + (STATE_Q + c) * n, (size_t)n * sizeof(double));
+    for (int c = 0; c < 3; ++c) memcpy(nw->w[c], y + (STATE_W + c) * n, (size_t)n * sizeof(double));
+    for (int i = 0; i < n; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const Vec3 column = body_inertia_times(&scene->chain, kin, i, unit[c]);
+            nw->inertia[c][i] = column.x;
+            nw->inertia[3 + c][i] = column.y;
+            nw->inertia[6 + c][i] = column.z;
+        }
+    }
+}
+
+/* A loop over segments and the half of it that one of two threads does. */
+typedef struct Split {
+    Newton *nw;
+    double *b;
+} Split;
+
+static int split_from(const Newton *nw, int rank) { return rank == 0 ? 0 : nw->middle; }
+static int split_to(const Newton *nw, int rank) { return rank == 0 ? nw->middle : nw->n; }
+
+static void form_job(void *arg, int rank)
+{
+    Newton *const nw = ((Split *)arg)->nw;
+    kernels()->form(nw, split_from(nw, rank), split_to(nw, rank));
+}
+
+/* Rows that are eliminated, then coupled, while what the first wrote for the second is in the nearest cache; whole
+ * lanes. */
+enum { TILE = 128 };
+
+/* Eliminates in one half and couples its rows, but for the one at the middle, which needs the other half's z too. A row
+ * needs its neighbours' z: coupling follows one row behind. */
+static void reduce_job(void *arg, int rank)
+{
+    const Split *const s = arg;
+    Newton *const nw = s->nw;
+    const int from = split_from(nw, rank), to = split_to(nw, rank);
+    int coupled = rank == 0 ? from : from + 1;
+    for (int i = from; i < to; i += TILE) {
+        const int end = i + TILE < to ? i + TILE : to, last = end == to && rank == 1 ? to : end - 1;
+        kernels()->eliminate(nw, s->b, i, end);
+        if (last > coupled) kernels()->couple(nw, coupled, last);
+        if (last > coupled) coupled = last;
+    }
+}
+
+static void expand_job(void *arg, int rank)
+{
+    const Split *const s = arg;
+    kernels()->expand(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
+}
+
+enum { LONG_CHAIN = 1000 }; /* segments from which these loops pay on two threads */
+
+/* Both halves, on two threads or in a row. */
+static void both(TeamJob job, Split *split)
+{
+    if (team_size(split->nw->team) == 2 && split->nw->n >= LONG_CHAIN) {
+        team_run(split->nw->team, job, split);
+    } else {
+        job(split, 0);
+        job(split, 1);
+    }
+}
+
+void newton_form(Newton *nw, double gamma)
+{
+    Split split = {.nw = nw};
+    nw->gamma = gamma;
+    if (nw->full) {
+        newton_full_form(nw->full, nw);
+    } else {
+        both(form_job, &split);
+        if (nw->leaves) newton_leaves_form(nw);
+    }
+    if (nw->extra) newton_extra_form(nw);
+}
+
+int newton_factor(Newton *nw)
+{
+    if (nw->extra) return newton_extra_factor(nw);
+    return nw->full ? newton_full_factor(nw->full) : linsolver_factor_newton(nw->solver, &nw->matrix);
+}
+
+void newton_stats(const Newton *nw, LinStats *stats)
+{
+    linsolver_stats(nw->full ? newton_full_solver(nw->full) : nw->solver, stats);
+    if (nw->extra) newton_extra_stats(nw->extra, stats);
+}
+
+int newton_solve(Newton *nw, double *b)
+{
+    if (nw->full) return newton_full_solve(nw->full, nw, b);
+    Split split = {.nw = nw, .b = b};
+    both(reduce_job, &split);
+    kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
+    if (nw->extra) newton_extra_couple(nw);
+    double *const equipment = b + STATE_SIZE * nw->n;
+    if (nw->leaves) newton_leaves_reduce(nw, equipment);
+    const int status = linsolver_solve(nw->solver, nw->x);
+    if (!status) both(expand_job, &split);
+    if (!status && nw->leaves) newton_leaves_expand(nw, equipment);
+    return status;
+}
+
+void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction)
+{
+    if (nw->leaves) newton_leaves_point(nw->leaves, w, y + STATE_SIZE * nw->n, friction);
+}
+
+hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err)
+{
+    const int changed = nw->leaves ? newton_leaves_widen(nw, w) : 0;
+    if (changed < 0) return error_memory(err);
+    if (changed == 0) return HAWSER_OK;
+    if (nw->extra) return newton_extra_renew(nw) ? HAWSER_OK : error_memory(err);
+    nw->solver = linsolver_free(nw->solver);
+    return solver_new(nw, err);
+}

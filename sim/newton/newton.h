@@ -1,0 +1,30 @@
+/* Newton's matrix reduced to the velocities. CVODE asks for delta in (1 - gamma J) delta = b over all 13n rates;
+ * positions and quaternions are eliminated exactly, which leaves (M - gamma D - gamma^2 K S) du = r, block tridiagonal
+ * with 6x6 blocks. docs/model.md, "Newton matrix" (N1)-(N8). */
+#ifndef HAWSER_SIM_NEWTON_NEWTON_H
+#define HAWSER_SIM_NEWTON_NEWTON_H
+
+#include "sim/equipment/roller_motion.h"
+#include "sim/newton/newton_data.h"
+#include "sim/scene.h"
+
+hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);
+void newton_free(Newton *nw);
+
+/* Takes over the linearisation point: inertias, quaternions and spins. k and d are filled by dynamics_blocks. */
+void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const double *y);
+/* The same for rollers that move, from what dynamics_blocks left in w with that friction. */
+void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction);
+/* Between steps: rollers that were found to touch more than a leaf may get another place in the matrix, and the matrix
+ * a new solver, which has factored nothing yet. Errors: MEMORY. */
+hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err);
+/* Forms a for gamma (s) from k and d (N5). */
+void newton_form(Newton *nw, double gamma);
+/* Factors a: see linsolver_factor. */
+int newton_factor(Newton *nw);
+/* What is being solved with, and how it went. */
+void newton_stats(const Newton *nw, LinStats *stats);
+/* b [scene_state_size] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */
+int newton_solve(Newton *nw, double *b);
+
+#endif

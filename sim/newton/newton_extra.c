@@ -1,0 +1,149 @@
+#include "sim/newton/newton_extra.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { BLOCK = 36 };
+
+hawser_status newton_extra_attach(Newton *nw, const BlockExtras *from, const LinOptions *options, hawser_error *err)
+{
+    const LinKind kind = options->kind;
+    if (kind != LIN_AUTO && kind != LIN_KLU && kind != LIN_DENSE) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "solver.linear_solver '%s' cannot hold contact.cable_on_cable: take 'auto' or 'klu'",
+                         linsolver_kind_name(kind));
+    }
+    NewtonExtra *const extra = calloc(1, sizeof *extra);
+    if (!extra) return error_memory(err);
+    extra->from = from;
+    extra->options = *options;
+    extra->version = -1;
+    nw->extra = extra;
+    return HAWSER_OK;
+}
+
+NewtonExtra *newton_extra_free(NewtonExtra *extra)
+{
+    if (!extra) return NULL;
+    free(extra->a);
+    free(extra->block);
+    free(extra);
+    return NULL;
+}
+
+/* Room and places for the pattern that there is now; 0 if there is no memory. */
+static int pattern_follow(NewtonExtra *extra)
+{
+    const BlockExtras *const from = extra->from;
+    double *const a = realloc(extra->a, ((size_t)from->count * BLOCK + 8) * sizeof *a);
+    if (a) extra->a = a;
+    ExtraBlock *const block = realloc(extra->block, ((size_t)from->count + 1) * sizeof *block);
+    if (block) extra->block = block;
+    if (!a || !block) return 0;
+    for (int e = 0; e < from->count; ++e) {
+        block[e] = (ExtraBlock){.row = from->row[e], .col = from->col[e], .block = a + BLOCK * e};
+    }
+    extra->count = from->count;
+    extra->version = from->version;
+    extra->stale = 1;
+    return 1;
+}
+
+/* S of segment i, row-major (N4). */
+static void turn_matrix(const Newton *nw, int i, double s[9])
+{
+    const double g = nw->gamma / 2, x = g * nw->w[0][i], y = g * nw->w[1][i], z = g * nw->w[2][i];
+    const double scale = 1 / (1 + x * x + y * y + z * z);
+    const double m[9] = {1, -z, y, z, 1, -x, -y, x, 1};
+    for (int c = 0; c < 9; ++c) s[c] = scale * m[c];
+}
+
+/* out = -gamma D - gamma^2 K diag(1, S), S that of the block's column. */
+static void block_form(const double *k, const double *d, const double s[9], double gamma, double *out)
+{
+    for (int c = 0; c < 6; ++c) {
+        for (int r = 0; r < 6; ++r) {
+            double turned = k[6 * c + r];
+            if (c >= 3) {
+                turned = 0;
+                for (int e = 0; e < 3; ++e) turned += k[6 * (3 + e) + r] * s[3 * e + c - 3];
+            }
+            out[6 * c + r] = -gamma * d[6 * c + r] - gamma * gamma * turned;
+        }
+    }
+}
+
+void newton_extra_form(Newton *nw)
+{
+    NewtonExtra *const extra = nw->extra;
+    const BlockExtras *const from = extra->from;
+    if (from->version != extra->version) extra->failed = !pattern_follow(extra);
+    if (extra->failed) return;
+    for (int e = 0; e < from->count; ++e) {
+        double s[9];
+        turn_matrix(nw, from->col[e], s);
+        block_form(from->k + BLOCK * e, from->d + BLOCK * e, s, nw->gamma, extra->a + BLOCK * e);
+    }
+}
+
+/* The ordering that the first solver chose by measuring serves the next patterns too: they are much alike. */
+static void ordering_keep(NewtonExtra *extra, const LinStats *stats)
+{
+    if (extra->options.ordering != ORDER_AUTO || !stats->ordering || strcmp(stats->name, "klu") != 0) return;
+    if (strcmp(stats->ordering, "amd") == 0) extra->options.ordering = ORDER_AMD;
+    if (strcmp(stats->ordering, "colamd") == 0) extra->options.ordering = ORDER_COLAMD;
+    if (strcmp(stats->ordering, "metis") == 0) extra->options.ordering = ORDER_METIS;
+}
+
+static void counts_add(LinStats *sum, const LinStats *more)
+{
+    sum->analyses += more->analyses;
+    sum->factors += more->factors;
+    sum->refactors += more->refactors;
+    sum->fallbacks += more->fallbacks;
+    sum->solves += more->solves;
+}
+
+/* A solver for the pattern of m in place of the one before. */
+static int solver_renew(Newton *nw, const NewtonMatrix *m)
+{
+    NewtonExtra *const extra = nw->extra;
+    LinStats before;
+    linsolver_stats(nw->solver, &before);
+    ordering_keep(extra, &before);
+    LinSolver *const next = linsolver_new_newton(m, &extra->options, NULL);
+    if (!next) return 0;
+    counts_add(&extra->retired, &before);
+    linsolver_free(nw->solver);
+    nw->solver = next;
+    extra->stale = 0;
+    return 1;
+}
+
+/* The chain with what the equipment and the extra blocks add. */
+static NewtonMatrix matrix_of(const Newton *nw)
+{
+    NewtonMatrix m = nw->matrix;
+    m.extras = nw->extra->count;
+    m.extra = nw->extra->block;
+    return m;
+}
+
+int newton_extra_renew(Newton *nw)
+{
+    const NewtonMatrix m = matrix_of(nw);
+    return nw->extra->failed ? 0 : solver_renew(nw, &m);
+}
+
+int newton_extra_factor(Newton *nw)
+{
+    NewtonExtra *const extra = nw->extra;
+    if (extra->failed) return -1;
+    const NewtonMatrix m = matrix_of(nw);
+    if (extra->stale && !solver_renew(nw, &m)) return -1;
+    return linsolver_factor_newton(nw->solver, &m);
+}
+
+void newton_extra_couple(Newton *nw) { block_extras_gemv(nw->extra->from, 1, nw->z, nw->x); }
+
+void newton_extra_stats(const NewtonExtra *extra, LinStats *stats) { counts_add(stats, &extra->retired); }

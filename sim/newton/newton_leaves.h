@@ -1,0 +1,36 @@
+/* The moving rollers' share of Newton's matrix: leaves and border around the chain. docs/model.md, "Rollers that spin
+ * and rollers on mounts", (SP11)-(SP13). Called by newton.c alone, but for newton_leaves_point. */
+#ifndef HAWSER_SIM_NEWTON_NEWTON_LEAVES_H
+#define HAWSER_SIM_NEWTON_NEWTON_LEAVES_H
+
+#include "sim/newton/newton_data.h"
+#include "sim/newton/roller_blocks.h"
+
+enum { BORDER_MOST = 64 }; /* unknowns of rollers that may be in the border: its columns are dense */
+
+typedef struct NewtonLeaves {
+    const Equipment *q; /* borrowed */
+    RollerLeaf *item;   /* [q->n] */
+    Newton mounts;      /* the mounts as segments, for the elimination of their positions; without a solver */
+    NewtonMatrix *matrix;
+    Leaf *leaf; /* [q->n], of the matrix */
+    double *right, *bottom, *corner;
+} NewtonLeaves;
+
+/* Around nw->a, into nw->matrix. Errors: MEMORY. */
+hawser_status newton_leaves_new(Newton *nw, const Equipment *q, hawser_error *err);
+NewtonLeaves *newton_leaves_free(NewtonLeaves *l);
+/* Takes over the linearisation point from what dynamics_blocks left in the workspace; friction as there. */
+void newton_leaves_point(NewtonLeaves *l, const EquipmentWork *w, const double *e, double friction);
+/* After the chain's: leaves and border for nw->gamma. */
+void newton_leaves_form(Newton *nw);
+/* After the chain's elimination: the equipment's rows of nw->x, and what its positions do to the chain's; b: the
+ * equipment's part of the right-hand side. */
+void newton_leaves_reduce(Newton *nw, const double *b);
+/* Before or after the chain's: b from nw->x. */
+void newton_leaves_expand(Newton *nw, double *b);
+/* Moves rollers that keep touching too much into the border; 1 if the pattern is another one now, for which the caller
+ * makes a new solver, 0 if not, -1 without memory. */
+int newton_leaves_widen(Newton *nw, EquipmentWork *w);
+
+#endif

@@ -1,0 +1,48 @@
+/* Static equilibrium before t = 0 by pseudo-transient continuation. docs/model.md, "Relaxation" (E1)-(E3). */
+#ifndef HAWSER_SIM_NEWTON_RELAX_H
+#define HAWSER_SIM_NEWTON_RELAX_H
+
+#include "sim/dynamics.h"
+#include "sim/newton/newton.h"
+
+/* Moves y [13 n] to where all forces of time t balance, friction off, and leaves it at rest. `out` says how far it got;
+ * not reaching equilibrium is not an error. Errors: MEMORY. */
+hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
+                                   hawser_relaxation *out, hawser_error *err);
+
+/* The same by Newton's method alone, for loads that have grown a little since y was an equilibrium (RD8): `share` is
+ * the largest unbalanced force as a share of the largest force in the scene, though not below rounding. Adds to
+ * out->iterations and sets the rest; y is of no use if it is not reached. Errors: MEMORY. */
+hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
+                           hawser_relaxation *out, hawser_error *err);
+
+/* The continuation itself (E3)-(E5), for any chain that can do these things; `self` is handed to them. */
+typedef struct RelaxOps {
+    /* Largest unbalanced force, N; moments count over half a segment. *where gets the segment. */
+    double (*residual)(void *self, int *where);
+    /* One linearly implicit Euler step of dt (s) from rest (E1), after residual; returns as linsolver_solve. */
+    int (*implicit_step)(void *self, double dt);
+    /* What a move of dt times the velocities found must be shortened by (E2), see relax_shorten. */
+    double (*move_scale)(void *self, double dt);
+    /* Moves by dt times the velocities found. */
+    void (*move)(void *self, double dt);
+    /* Renews the contact candidates if need be, or always. Errors: MEMORY. */
+    hawser_status (*refresh)(void *self, int always, hawser_error *err);
+    /* Gives the rollers' contacts `share` of their stiffness. */
+    void (*soften)(void *self, double share);
+} RelaxOps;
+
+/* y [size] is the chain's state; out->tolerance_N is given. Errors: MEMORY. */
+hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int size, double *y,
+                        hawser_relaxation *out, hawser_error *err);
+/* What counts as balanced, N: the tolerance times the largest of the segments' weights and the loads of t, but never
+ * less than what rounding of coordinates as large as `far` (m) does to the stiffest bushing. */
+double relax_tolerance(const Scene *scene, double t, double far);
+/* What rounding of coordinates as large as `far` (m), and of rotations, does to the stiffest bushing, N; moments count
+ * over half a segment (E6). */
+double relax_rounding(const Scene *scene, double far);
+/* `scale`, or less, so that a segment that would move by `move` (m) and turn by `turn` (rad) does not go too far (E2).
+ */
+double relax_shorten(double scale, double move, double turn);
+
+#endif

@@ -1,0 +1,200 @@
+#include "sim/planar/planar_dynamics.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/clock.h"
+#include "sim/halves.h"
+#include "sim/planar/planar_kernels.h"
+
+static const PlanarSimKernels *kernels(void)
+{
+    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
+    return table[isa_best()];
+}
+
+static int segments(const Planar *p) { return p->ps.chain.n; }
+
+/* One evaluation, as both threads see it. */
+typedef struct Evaluation {
+    Planar *p;
+    double t, friction;
+    const double *y;
+    double *ydot;
+    int finite[PARTS];
+} Evaluation;
+
+static int share_from(const Planar *p, int rank) { return rank == 0 ? 0 : p->middle; }
+static int share_to(const Planar *p, int rank, int end) { return rank == 0 ? p->middle : end; }
+
+/* Kinematics of one half, with its weight, and nothing yet in the second set of loads. */
+static void kinematics_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Planar *const p = e->p;
+    const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
+    planar_kinematics(&p->ps.chain, e->y, from, to, &p->kin);
+    p->ws->lead_in[rank] = planar_weight(&p->ps, &p->kin, from, to, &p->loads[0]);
+    double *const second[3] = {p->loads[1].f[0], p->loads[1].f[1], p->loads[1].m};
+    for (int c = 0; c < 3; ++c) memset(second[c] + from, 0, (size_t)(to - from) * sizeof(double));
+}
+
+/* Wrenches of half of the joints, contacts of half of the rollers; the first half brings the loads at the ends. */
+static void loads_job(void *arg, int rank)
+{
+    const Evaluation *const e = arg;
+    Planar *const p = e->p;
+    p->ws->joint_power[rank].damping =
+        planar_joint_loads(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->joints);
+    if (rank == 0) planar_ends(&p->ps, &p->kin, e->t, e->friction, &p->loads[0]);
+    if (p->model[rank].n_rollers == 0) return;
+    ContactPart *const part = &p->ws->contact[rank];
+    const double start = clock_now();
+    planar_contact_forces(&p->model[rank], &p->ps.chain, &p->kin, e->friction, &part->pairs, &p->loads[rank], NULL);
+    part->seconds += clock_now() - start;
+}
+
+static void motion_job(void *arg, int rank)
+{
+    Evaluation *const e = arg;
+    Planar *const p = e->p;
+    e->finite[rank] = planar_rates(&p->ps.chain, &p->kin, &p->joints, p->loads, share_from(p, rank),
+                                   share_to(p, rank, segments(p)), e->ydot);
+}
+
+static void both(Planar *p, TeamJob job, Evaluation *e) { halves_run(p->ws->team, segments(p) >= HALVES_LONG, job, e); }
+
+void planar_place(Planar *p, double t, const double *y)
+{
+    planar_kinematics(&p->ps.chain, y, 0, segments(p), &p->kin);
+    planar_scene_ghosts(&p->ps, t, &p->kin);
+}
+
+/* NOLINTNEXTLINE(readability-non-const-parameter): the jobs write it */
+int planar_evaluate(Planar *p, double t, const double *y, double friction, double *ydot)
+{
+    Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};
+    both(p, kinematics_job, &e);
+    planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
+    both(p, loads_job, &e);
+    both(p, motion_job, &e);
+    ++p->ws->rhs_evals;
+    return !(e.finite[0] && e.finite[1]);
+}
+
+static void joint_blocks_job(void *arg, int rank)
+{
+    Planar *const p = ((Evaluation *)arg)->p;
+    planar_joint_blocks(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->newton.k,
+                        &p->newton.d);
+}
+
+static void join_job(void *arg, int rank)
+{
+    Planar *const p = ((Evaluation *)arg)->p;
+    const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
+    planar_blocks_join(&p->newton.k, from, to);
+    planar_blocks_join(&p->newton.d, from, to);
+}
+
+void planar_blocks(Planar *p, double t, const double *y, double friction)
+{
+    const PlanarChain *const chain = &p->ps.chain;
+    PlanarBlocks *const k = &p->newton.k, *const d = &p->newton.d;
+    const int n = chain->n;
+    Evaluation e = {.p = p};
+    planar_place(p, t, y);
+    both(p, joint_blocks_job, &e);
+    both(p, join_job, &e);
+    planar_blocks_trim(k, n);
+    planar_blocks_trim(d, n);
+    planar_applied_blocks(&p->ps, &p->kin, t, friction, k, d);
+    for (int half = 0; half < PARTS; ++half) {
+        if (p->model[half].n_rollers == 0) continue;
+        planar_contact_blocks(&p->model[half], chain, &p->kin, friction, &p->ws->contact[half].pairs, k, d);
+    }
+}
+
+/* --------------------------------------------------------------------------------------- what steps renew, and looks
+ */
+
+/* Shares of the reach: within what candidates are near; what a step may move so that they suffice for the next. */
+static const double NEAR = 1. / 4, NEAR_STEP = 1. / 128;
+
+static double moved_since(const Planar *p, double *const at_p[2], double *const at_a[2])
+{
+    return planar_contact_moved(&p->ps.chain, &p->kin, at_p, at_a);
+}
+
+/* Keeps centres and axes of now. */
+static void stand(const Planar *p, double *at_p[2], double *at_a[2])
+{
+    const size_t bytes = (size_t)segments(p) * sizeof(double);
+    for (int c = 0; c < 2; ++c) {
+        memcpy(at_p[c], p->kin.p[c], bytes);
+        memcpy(at_a[c], p->kin.a[c], bytes);
+    }
+}
+
+/* Chooses what is near the kinematics of now, of candidates since whose search points have moved by `spent`, m. */
+static void near_choose(Planar *p, double spent, int wide)
+{
+    const double reach = p->motion.scene->contact.reach, left = CONTACT_USABLE * reach - spent;
+    for (int half = 0; half < PARTS; ++half) {
+        ContactPairs *const pairs = &p->ws->contact[half].pairs;
+        if (wide) {
+            contact_widen(pairs);
+        } else {
+            planar_contact_narrow(&p->model[half], &p->ps.chain, &p->kin, NEAR * reach, pairs);
+        }
+    }
+    stand(p, p->near_p, p->near_a);
+    p->near_usable = wide ? left : fmin(left, CONTACT_USABLE * NEAR * reach);
+    p->near_moved = 0;
+    p->wide = wide;
+}
+
+void planar_widen(Planar *p)
+{
+    if (p->motion.scene->contact.n_rollers > 0) near_choose(p, moved_since(p, p->at_p, p->at_a), 1);
+}
+
+void planar_narrow(Planar *p, double t, const double *y)
+{
+    if (p->motion.scene->contact.n_rollers == 0) return;
+    planar_place(p, t, y);
+    near_choose(p, moved_since(p, p->at_p, p->at_a), 0);
+}
+
+/* (PL19), with the last evaluation for y as below. */
+hawser_status planar_accept(Planar *p, double t, const double *y, hawser_error *err)
+{
+    const Scene *const scene = p->motion.scene;
+    const double reach = scene->contact.reach;
+    if (scene->contact.n_rollers == 0) return HAWSER_OK;
+    const double moved = moved_since(p, p->near_p, p->near_a), step = fabs(moved - p->near_moved);
+    const int fast = !(step <= NEAR_STEP * reach);
+    p->near_moved = moved;
+    if (moved <= p->near_usable && (p->wide || !fast)) return HAWSER_OK;
+    const double spent = moved_since(p, p->at_p, p->at_a);
+    if (spent <= CONTACT_USABLE * reach) {
+        near_choose(p, spent, fast);
+        return HAWSER_OK;
+    }
+    const hawser_status status = planar_refresh(p, t, y, 1, err);
+    if (!status) near_choose(p, 0, fast);
+    return status;
+}
+
+hawser_status planar_refresh(Planar *p, double t, const double *y, int always, hawser_error *err)
+{
+    const Scene *const scene = p->motion.scene;
+    if (scene->contact.n_rollers == 0) return HAWSER_OK;
+    /* (C20), with the last evaluation for y, which is nearer to it than the reach's reserve */
+    const double moved = always ? 0 : moved_since(p, p->at_p, p->at_a);
+    if (!always && moved <= CONTACT_USABLE * scene->contact.reach) return HAWSER_OK;
+    planar_place(p, t, y);
+    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    stand(p, p->at_p, p->at_a);
+    return dynamics_find_candidates(scene, p->ws, err);
+}

@@ -1,0 +1,250 @@
+#include "sim/planar/planar_scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/planar/planar_kernels.h"
+
+static const PlanarSimKernels *kernels(void)
+{
+    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
+    return table[isa_best()];
+}
+
+/* ------------------------------------------------------------------------------------------------- building */
+
+static void pair_set(const Plane *plane, Vec3 v, double out[2])
+{
+    out[0] = plane_1(plane, v);
+    out[1] = plane_2(plane, v);
+}
+
+static void segments_set(PlanarScene *ps)
+{
+    const Chain *const from = &ps->scene->chain;
+    const Plane *const p = &ps->plane;
+    PlanarChain *const to = &ps->chain;
+    for (int i = 0; i < from->n; ++i) {
+        const double j = from->inertia[1][i] * p->turn_y * p->turn_y + from->inertia[2][i] * p->turn_z * p->turn_z;
+        to->half[i] = from->half[i];
+        to->radius[i] = from->radius[i];
+        to->mass[i] = from->mass[i];
+        to->inertia[i] = j;
+        to->inverse_mass[i] = 1 / from->mass[i];
+        to->inverse_inertia[i] = 1 / j;
+    }
+}
+
+/* The components of the law that act in the plane: one of the shears and one of the bendings, or what both give
+ * together where they are equal (PL16). */
+static void joints_set(PlanarScene *ps)
+{
+    const Chain *const from = &ps->scene->chain;
+    const Plane *const p = &ps->plane;
+    PlanarChain *const to = &ps->chain;
+    const double yy = p->in_y * p->in_y, zz = p->in_z * p->in_z, ty = p->turn_y * p->turn_y, tz = p->turn_z * p->turn_z;
+    to->share = from->frame == FRAME_SYMMETRIC ? 0.5 : 1;
+    for (int j = 0; j <= from->n; ++j) {
+        double *const *const k = from->stiffness, *const *const c = from->damping, *const *const f = from->preload;
+        to->stiffness[0][j] = k[0][j];
+        to->stiffness[1][j] = yy * k[1][j] + zz * k[2][j];
+        to->stiffness[2][j] = ty * k[4][j] + tz * k[5][j];
+        to->damping[0][j] = c[0][j];
+        to->damping[1][j] = yy * c[1][j] + zz * c[2][j];
+        to->damping[2][j] = ty * c[4][j] + tz * c[5][j];
+        to->preload[0][j] = f[0][j];
+        to->preload[1][j] = p->in_y * f[1][j] + p->in_z * f[2][j];
+        to->preload[2][j] = p->turn_y * f[4][j] + p->turn_z * f[5][j];
+    }
+}
+
+static void weight_set(PlanarScene *ps)
+{
+    const Weight *const from = &ps->scene->weight;
+    PlanarWeight *const to = &ps->weight;
+    *to = (PlanarWeight){
+        .lead_in = from->lead_in, .blend = from->blend, .hold = from->hold, .hold_damping = from->hold_damping};
+    pair_set(&ps->plane, from->gravity, to->gravity);
+    pair_set(&ps->plane, v3_sub(from->behind, from->gravity), to->lost);
+    pair_set(&ps->plane, v3_sub(from->origin, ps->plane.origin), to->origin);
+    pair_set(&ps->plane, from->direction, to->direction);
+}
+
+static void winch_set(PlanarScene *ps)
+{
+    const Winch *const w = &ps->scene->winch;
+    pair_set(&ps->plane, v3_sub(w->origin, ps->plane.origin), ps->winch_origin);
+    pair_set(&ps->plane, w->direction, ps->winch_direction);
+    ps->winch_angle = atan2(ps->winch_direction[1], ps->winch_direction[0]);
+}
+
+static void rollers_set(PlanarScene *ps)
+{
+    for (int r = 0; r < ps->scene->contact.n_rollers; ++r) {
+        const ContactRoller *const from = &ps->scene->contact.roller[r];
+        PlanarRoller *const to = &ps->roller[r];
+        *to = (PlanarRoller){.radius = from->shape.radius, .friction = from->friction};
+        pair_set(&ps->plane, v3_sub(from->shape.centre, ps->plane.origin), to->centre);
+    }
+}
+
+int planar_scene_new(PlanarScene *ps, const Scene *scene, const Plane *plane)
+{
+    *ps = (PlanarScene){.scene = scene, .plane = *plane};
+    ps->roller = calloc((size_t)scene->contact.n_rollers + 1, sizeof *ps->roller);
+    if (!ps->roller || !planar_chain_alloc(&ps->chain, scene->chain.n)) {
+        planar_scene_free(ps);
+        return 0;
+    }
+    segments_set(ps);
+    joints_set(ps);
+    weight_set(ps);
+    winch_set(ps);
+    rollers_set(ps);
+    return 1;
+}
+
+void planar_scene_free(PlanarScene *ps)
+{
+    planar_chain_free(&ps->chain);
+    free(ps->roller);
+    memset(ps, 0, sizeof *ps);
+}
+
+void planar_scene_unwind(PlanarScene *ps, double last_angle)
+{
+    ps->winch_angle += 2 * M_PI * nearbyint((last_angle - ps->winch_angle) / (2 * M_PI));
+}
+
+void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
+{
+    const Winch *const w = &ps->scene->winch;
+    if (!w->present) return;
+    const int n = ps->chain.n;
+    const double travel = winch_travel(w, t), speed = winch_speed(w, t);
+    for (int c = 0; c < 2; ++c) {
+        kin->p[c][n] = ps->winch_origin[c] + travel * ps->winch_direction[c];
+        kin->v[c][n] = speed * ps->winch_direction[c];
+        kin->a[c][n] = ps->winch_direction[c];
+    }
+    kin->angle[n] = ps->winch_angle;
+    kin->h[0][n] = cos(ps->winch_angle / 2);
+    kin->h[1][n] = sin(ps->winch_angle / 2);
+    kin->w[n] = 0;
+}
+
+/* --------------------------------------------------------------------------------------------------- loads */
+
+Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads)
+{
+    const PlanarPower by = kernels()->weight(&ps->weight, &ps->chain, kin, from, to, loads);
+    return (Push){by.power, plane_vector(&ps->plane, by.force[0], by.force[1])};
+}
+
+static double cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
+
+/* The tail's dead force (F2) and its lever. */
+static void tail_of(const PlanarScene *ps, const PlanarKinematics *kin, double t, double force[2], double arm[2])
+{
+    const double tension = profile_value(&ps->scene->tail, t);
+    for (int c = 0; c < 2; ++c) {
+        force[c] = -tension * ps->weight.direction[c];
+        arm[c] = -ps->chain.half[0] * kin->a[c][0];
+    }
+}
+
+/* The rope's drag over the axial speed (F3): its size, and the slope of that. */
+static double drag_of(const PlanarScene *ps, const PlanarKinematics *kin, double *slope)
+{
+    const Drag *const drag = &ps->scene->drag;
+    const int i = drag->segment;
+    const double speed = kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i];
+    double curve;
+    const double over_speed = friction_over_speed(&drag->law, fabs(speed), &curve);
+    *slope = -drag->force * (over_speed + curve * speed * speed);
+    return -drag->force * over_speed * speed;
+}
+
+Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t)
+{
+    double force[2], arm[2];
+    tail_of(ps, kin, t, force, arm);
+    const double v[2] = {kin->v[0][0] - kin->w[0] * arm[1], kin->v[1][0] + kin->w[0] * arm[0]};
+    return (Push){force[0] * v[0] + force[1] * v[1], plane_vector(&ps->plane, force[0], force[1])};
+}
+
+Push planar_drag(const PlanarScene *ps, const PlanarKinematics *kin)
+{
+    const int i = ps->scene->drag.segment;
+    if (i < 0) return (Push){0};
+    double slope;
+    const double a[2] = {kin->a[0][i], kin->a[1][i]}, size = drag_of(ps, kin, &slope);
+    return (Push){size * (kin->v[0][i] * a[0] + kin->v[1][i] * a[1]),
+                  plane_vector(&ps->plane, size * a[0], size * a[1])};
+}
+
+void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, PlanarLoads *loads)
+{
+    const int i = ps->scene->drag.segment;
+    double force[2], arm[2], slope;
+    tail_of(ps, kin, t, force, arm);
+    loads->f[0][0] += force[0];
+    loads->f[1][0] += force[1];
+    loads->m[0] += cross(arm, force);
+    if (i < 0) return;
+    const double size = friction * drag_of(ps, kin, &slope);
+    loads->f[0][i] += size * kin->a[0][i];
+    loads->f[1][i] += size * kin->a[1][i];
+}
+
+/* Share of the weight, and the lead-in's hold (F1): derivatives, segment by segment from the tail to the start. */
+static void weight_blocks(const PlanarScene *ps, const PlanarKinematics *kin, PlanarBlocks *k, PlanarBlocks *d)
+{
+    const PlanarWeight *const w = &ps->weight;
+    if (!w->lead_in) return;
+    const double *const along = w->direction, across[2] = {-along[1], along[0]};
+    for (int i = 0; i < ps->chain.n; ++i) {
+        const double off[2] = {kin->p[0][i] - w->origin[0], kin->p[1][i] - w->origin[1]};
+        double slope;
+        const double share =
+            step_cubic(off[0] * along[0] + off[1] * along[1], -w->blend / 2, 0, w->blend / 2, 1, &slope);
+        if (share >= 1) break;
+        const double m = ps->chain.mass[i], beside = off[0] * across[0] + off[1] * across[1];
+        const double rate = kin->v[0][i] * across[0] + kin->v[1][i] * across[1];
+        const double hold = -w->hold * beside - w->hold_damping * rate;
+        for (int column = 0; column < 2; ++column) {
+            for (int row = 0; row < 2; ++row) {
+                const double entering = -slope * along[column] * m * (w->lost[row] + hold * across[row]);
+                const double held = (1 - share) * m * across[row] * across[column];
+                k->diag[3 * column + row][i] += entering - held * w->hold;
+                d->diag[3 * column + row][i] -= held * w->hold_damping;
+            }
+        }
+    }
+}
+
+static void drag_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double friction, PlanarBlocks *k,
+                        PlanarBlocks *d)
+{
+    const int i = ps->scene->drag.segment;
+    if (i < 0) return;
+    double slope;
+    const double size = drag_of(ps, kin, &slope);
+    const double a[2] = {kin->a[0][i], kin->a[1][i]}, turned[2] = {-a[1], a[0]};
+    const double swing = kin->v[0][i] * turned[0] + kin->v[1][i] * turned[1];
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 2; ++column)
+            d->diag[3 * column + row][i] += friction * slope * a[column] * a[row];
+        k->diag[6 + row][i] += friction * (size * turned[row] + slope * swing * a[row]);
+    }
+}
+
+void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction,
+                           PlanarBlocks *k, PlanarBlocks *d)
+{
+    double force[2], arm[2];
+    weight_blocks(ps, kin, k, d);
+    tail_of(ps, kin, t, force, arm);
+    k->diag[8][0] -= arm[0] * force[0] + arm[1] * force[1]; /* the arm turns: (J arm) x f */
+    drag_blocks(ps, kin, friction, k, d);
+}

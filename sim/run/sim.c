@@ -1,0 +1,401 @@
+#include "sim/run/sim.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/clock.h"
+#include "core/base/error.h"
+#include "core/base/isa.h"
+#include "sim/expected/expected.h"
+#include "sim/run/modes.h"
+#include "sim/run/stage.h"
+#include "sim/run/statics.h"
+#include "sim/watch/arc_length.h"
+#include "sim/watch/events.h"
+#include "sim/watch/overturn.h"
+#include "sim/watch/peaks.h"
+#include "sim/watch/position_table.h"
+#include "sim/watch/probes.h"
+#include "sim/watch/sample.h"
+#include "sim/watch/stats.h"
+
+struct Sim {
+    Stage stage; /* scene, state, integrator */
+    SampleBuffers look;
+    Probes probes;
+    Modes modes;
+    Stats stats;
+    Peaks peaks;
+    Expected expected;
+    ByPosition by_position;
+    EventLog events;
+    hawser_relaxation relaxation;
+    LinStats lin;                                /* what was chosen, and why */
+    double build_s, relax_s, output_s, record_s; /* s */
+    int threads;
+    Team *team;     /* of two, or NULL */
+    int active_max; /* contacts */
+    int turned;     /* what has turned too far, and was said */
+};
+
+/* A trip at a factor of what theory expects needs an expectation. */
+static hawser_status trip_set(Sim *s, hawser_error *err)
+{
+    Winch *const w = &s->stage.scene.winch;
+    if (!(w->trip.factor > 0) || w->trip_force > 0) return HAWSER_OK;
+    w->trip_force = w->trip.factor * s->expected.reference_total;
+    if (w->trip_force > 0) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "key 'drive.winch.trip.factor': the reference theory expects a winch force of %g N, which is no "
+                     "measure for a trip: give 'force'",
+                     s->expected.reference_total);
+}
+
+/* Whether the cable begins outside itself. Where lines meet no contact can tell on which side of each other they are.
+ */
+static hawser_status start_check(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->stage.ws.kin, &s->stage.ws.self);
+    const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
+    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "contact.cable_on_cable: the cable begins %.1f mm inside itself near (%.3f, %.3f, %.3f) m, at "
+                     "segments %d and %d: lead the route past itself with a cable's diameter between",
+                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
+                     deepest.foot);
+}
+
+static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    if (s->threads > 1) s->team = team_new(s->threads);
+    if (s->threads > 1 && !s->team) return error_memory(err);
+    hawser_status status = stage_new(&s->stage, def, s->team, err);
+    if (status) return status;
+    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
+    if (!sample_alloc(&s->look, scene)) return error_memory(err);
+    status = probes_new(&s->probes, scene, err);
+    if (!status) status = stats_new(&s->stats, scene, err);
+    if (!status) status = peaks_new(&s->peaks, scene, err);
+    if (!status && !scene->rod.present) {
+        status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
+    }
+    if (!status && !scene->rod.present) status = by_position_new(&s->by_position, scene, err);
+    for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
+        s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, i);
+    }
+    if (!status) status = trip_set(s, err);
+    if (!status && scene->self.present) status = start_check(s, err);
+    return status;
+}
+
+hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err)
+{
+    const double start = clock_now();
+    Sim *s = calloc(1, sizeof *s);
+    *out = NULL;
+    if (!s) return error_memory(err);
+    if (isa_complaint()) {
+        free(s);
+        return error_set(err, HAWSER_ERR_INPUT, "%s", isa_complaint());
+    }
+    SceneDef mine = *def; /* the scene makes its own deep copy */
+    if (threads > 0) mine.solver.threads = mine.solver.linear.threads = threads;
+    s->threads = mine.solver.threads;
+    const hawser_status status = parts_new(s, &mine, err);
+    if (status) {
+        sim_free(s);
+        return status;
+    }
+    s->build_s = clock_now() - start;
+    *out = s;
+    return HAWSER_OK;
+}
+
+Sim *sim_free(Sim *s)
+{
+    if (!s) return NULL;
+    stats_free(&s->stats);
+    peaks_free(&s->peaks);
+    events_free(&s->events);
+    expected_free(&s->expected);
+    by_position_free(&s->by_position);
+    sample_free(&s->look);
+    probes_free(&s->probes);
+    modes_free(&s->modes);
+    stage_free(&s->stage);
+    team_free(s->team);
+    free(s);
+    return NULL;
+}
+
+hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
+{
+    const double start = clock_now();
+    const Scene *const scene = &s->stage.scene;
+    hawser_status status;
+    if (scene->rod.present) {
+        const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
+                                                                           : scene->def.analysis.tolerance;
+        s->relaxation = (hawser_relaxation){0};
+        status = statics_settle(&s->stage, share, &s->relaxation, err);
+    } else {
+        status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
+    }
+    s->relax_s += clock_now() - start;
+    if (out) *out = s->relaxation;
+    return status;
+}
+
+/* Where the integrator must stop next: a corner of a profile, a change of the winch's phase, or `stop`. */
+static double next_stop(const Sim *s, double stop)
+{
+    const double after = s->stage.t + 1e-9, next = winch_next_stop(&s->stage.scene.winch, after);
+    const Scene *const scene = &s->stage.scene;
+    const Profile *const profile[] = {&scene->tail, &scene->reel.tension, &scene->reel.speed};
+    if (next < stop) stop = next;
+    for (int i = 0; i < scene->n_conveyors; ++i) {
+        double corner;
+        const Conveyor *const c = &scene->conveyor[i];
+        if (!c->sync && profile_next_corner(&c->speed, after, &corner) && corner < stop) stop = corner;
+    }
+    for (int p = 0; p < (scene->reel.present ? 3 : 1); ++p) {
+        double corner;
+        if (profile_next_corner(profile[p], after, &corner) && corner < stop) stop = corner;
+    }
+    return scene->rod.present ? rod_next_corner(&scene->rod, after, stop) : stop;
+}
+
+/* What a step may have brought about at the winch. */
+static hawser_status winch_watch(Sim *s, hawser_error *err)
+{
+    Winch *const w = &s->stage.scene.winch;
+    if (!(w->trip_force > 0)) return HAWSER_OK;
+    const double pull = s->stage.motion->ops->winch_pull(s->stage.motion, s->stage.t, s->stage.y);
+    hawser_status status = HAWSER_OK;
+    for (WinchEvent event; !status && (event = winch_accept(w, s->stage.t, pull)) != WINCH_NOTHING;) {
+        status = events_add(&s->events, s->stage.t, winch_event_name(event), pull, err);
+    }
+    return status;
+}
+
+/* Load steps in place of time steps. */
+static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
+{
+    const SceneDef *const def = &s->stage.scene.def;
+    const double step = def->duration / def->analysis.load_steps, start = clock_now();
+    hawser_status status = HAWSER_OK;
+    while (s->stage.t < t && !status) {
+        const double next = step * (floor(s->stage.t / step + 1e-6) + 1);
+        status = statics_advance(&s->stage, next > t - 1e-6 * step ? t : next, &s->relaxation, err);
+        if (one_step) break;
+    }
+    if (!status && def->analysis.kind == ANALYSIS_MODES && s->stage.t >= def->duration) {
+        modes_free(&s->modes);
+        status = modes_find(&s->stage, def->analysis.modes, &s->modes, err);
+    }
+    s->relax_s += clock_now() - start;
+    return status;
+}
+
+hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
+    s->stage.scene.winch.phase.held = 0; /* the brake that held a winch of set tension is let off */
+    while (s->stage.t < t && !status) {
+        status = stage_step(&s->stage, next_stop(s, t), err);
+        if (!status) status = winch_watch(s, err);
+        if (one_step) break;
+    }
+    return status;
+}
+
+double sim_time(const Sim *s) { return s->stage.t; }
+double sim_end_time(const Sim *s) { return fmin(s->stage.scene.def.duration, s->stage.scene.winch.phase.ended); }
+int sim_tripped(const Sim *s) { return s->stage.scene.winch.phase.ended < s->stage.scene.def.duration; }
+const OutputDef *sim_output(const Sim *s) { return &s->stage.scene.def.output; }
+const char *sim_title(const Sim *s) { return s->stage.scene.def.title; }
+
+static const hawser_sample *look_now(Sim *s, SampleParts parts)
+{
+    const double start = clock_now();
+    const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    if (s->stage.scene.reel.present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
+    const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
+    if (s->by_position.n_grid > 0) {
+        s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
+        s->look.sample.reference =
+            by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
+    }
+    probes_look(&s->probes, &s->stage.scene, &s->stage.ws);
+    s->look.sample.probes = s->probes.n;
+    s->look.sample.probe = s->probes.out;
+    if (s->stage.integrator) {
+        IntegratorStats stats;
+        integrator_stats(s->stage.integrator, &stats);
+        s->look.sample.step_size = stats.last_step;
+    }
+    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
+    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the ordering is known after the first factorisation */
+    s->record_s += clock_now() - start;
+    return look;
+}
+
+const hawser_sample *sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
+
+/* Says once that the run has left what its model can do. */
+static void turned_watch(Sim *s, const hawser_sample *look)
+{
+    Stage *const st = &s->stage;
+    const int now = turned(&st->scene, st->motion == &st->planar.motion, &st->ws.kin) & ~s->turned;
+    hawser_error only_a_note;
+    if (now & TURNED_JOINT) events_add(&s->events, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_HEAD) events_add(&s->events, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
+    s->turned |= now;
+}
+
+static void record_now(Sim *s, SampleParts parts)
+{
+    const hawser_sample *const look = look_now(s, parts);
+    const double start = clock_now();
+    turned_watch(s, look);
+    stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
+    const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
+    const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
+    if (look->t - dt >= s->stats.steady_from - 1e-9) by_position_window(&s->by_position, look->reference, dt);
+    by_position_record(&s->by_position, look->t, look->head_at, look->winch_force, look->reference, steady);
+    peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws.kin, look);
+    s->record_s += clock_now() - start;
+}
+
+void sim_record(Sim *s) { record_now(s, SAMPLE_ALL); }
+void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
+
+void sim_add_output_time(Sim *s, double seconds) { s->output_s += seconds; }
+
+static void integration_fill(const Sim *s, hawser_summary *out)
+{
+    if (!s->stage.integrator) return;
+    IntegratorStats i;
+    integrator_stats(s->stage.integrator, &i);
+    out->steps = i.steps;
+    out->rhs_evals = i.rhs_evals;
+    out->newton_iters = i.newton_iters;
+    out->jac_evals = i.jac_evals;
+    out->lin_setups = i.lin_setups;
+    out->error_test_fails = i.error_fails;
+    out->newton_fails = i.newton_fails;
+    const double other = i.rhs + i.jacobian + i.factor + i.solve, balance = s->stage.balance_s;
+    const double contacts = dynamics_contact_seconds(&s->stage.ws);
+    out->phases = (hawser_phases){.rhs = i.rhs - contacts,
+                                  .contacts = contacts,
+                                  .jacobian = i.jacobian,
+                                  .factor = i.factor,
+                                  .solve = i.solve,
+                                  .vector = i.total + balance - other};
+    out->wall_time_s = i.total + balance;
+    out->steps_per_second = i.total > 0 ? (double)i.steps / (i.total + balance) : 0;
+    out->balance = balance_close(s->stage.balance, s->stage.motion, s->stage.t, s->stage.y);
+}
+
+void sim_summary(const Sim *s, hawser_summary *out)
+{
+    static const char *const analyses[] = {"dynamics", "static", "modes"};
+    const Scene *const scene = &s->stage.scene;
+    *out = (hawser_summary){.segments = scene->total,
+                            .bushings = scene->total - 1 + (scene->winch.present ? 1 : 0) + rod_ends_held(&scene->rod),
+                            .rollers = scene->contact.n_rollers,
+                            .surfaces = scene->surfaces.model.n_surfaces,
+                            .contact_candidates = s->stage.ws.candidates_max,
+                            .contact_active_max = s->active_max,
+                            .contact_refreshes = s->stage.ws.refreshes,
+                            .sim_time_s = s->stage.t,
+                            .linear_solver = s->lin.name,
+                            .linear_solver_why = s->lin.why,
+                            .ordering = s->lin.ordering,
+                            .threads = s->threads,
+                            .planar = s->stage.motion == &s->stage.planar.motion,
+                            .planar_why = s->stage.plane_why,
+                            .paper_total_N = s->expected.paper_total,
+                            .reference_total_N = s->expected.reference_total,
+                            .relaxation = s->relaxation,
+                            .n_positions = by_position_table(&s->by_position),
+                            .positions = s->by_position.out,
+                            .rod = scene->rod.present,
+                            .analysis = analyses[scene->def.analysis.kind],
+                            .n_modes = s->modes.n,
+                            .modes = s->modes.out,
+                            .n_probes = s->probes.n,
+                            .probes = s->probes.out,
+                            .n_events = s->events.n,
+                            .events = s->events.event,
+                            .n_conveyors = s->stats.n_conveyors,
+                            .conveyors = s->stats.conveyor_out};
+    const double mean = by_position_mean(&s->by_position);
+    if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
+    integration_fill(s, out);
+    out->phases.other = s->build_s;
+    out->phases.relax = s->relax_s;
+    out->phases.output = s->output_s + s->record_s;
+    out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
+    out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
+    stats_summary(&s->stats, out);
+}
+
+int sim_stations(const Sim *s, const hawser_station **out)
+{
+    *out = s->stats.station_out;
+    return s->stats.n_stations;
+}
+
+int sim_rollers(const Sim *s, const SimRoller **out)
+{
+    *out = s->stats.roller_out;
+    return s->stats.n_rollers;
+}
+
+int sim_positions(const Sim *s, const hawser_position **out)
+{
+    *out = s->by_position.out;
+    return by_position_table(&s->by_position);
+}
+
+int sim_modes(const Sim *s, const hawser_mode **out)
+{
+    *out = s->modes.out;
+    return s->modes.n;
+}
+
+int sim_events(const Sim *s, const hawser_event **out)
+{
+    *out = s->events.event;
+    return s->events.n;
+}
+
+int sim_surfaces(const Sim *s, const SimSurface **out)
+{
+    *out = s->stats.surface_out;
+    return s->stats.n_surfaces;
+}
+
+int sim_conveyors(const Sim *s, const hawser_conveyor **out)
+{
+    *out = s->stats.conveyor_out;
+    return s->stats.n_conveyors;
+}
+
+int sim_limits(const Sim *s, hawser_limit *out)
+{
+    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
+}
+
+int sim_overload(const Sim *s, Overload **out) { return peaks_overload(&s->peaks, &s->stage.scene, &s->expected, out); }
+
+double sim_trip_force(const Sim *s)
+{
+    const LimitsDef *const limits = &s->stage.scene.def.limits;
+    return limits->present ? limits->alpha * s->expected.reference_total : NAN;
+}

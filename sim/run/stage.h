@@ -1,0 +1,42 @@
+/* What is simulated now: the scene's chain as far as it has left the reel and not yet passed the winch, with everything
+ * that is made for it. Between two steps segments join behind the tail and leave at the head; the integrator goes on
+ * from where it was. docs/model.md, "Reel and take-in" (RL10)-(RL17). */
+#ifndef HAWSER_SIM_RUN_STAGE_H
+#define HAWSER_SIM_RUN_STAGE_H
+
+#include "sim/planar/planar.h"
+#include "sim/run/window.h"
+#include "sim/step/integrator.h"
+#include "sim/step/spatial.h"
+#include "sim/watch/balance.h"
+
+typedef struct Stage {
+    Scene scene; /* its chain is the window */
+    Chain whole; /* the whole chain's arrays; nothing if no segment ever joins or leaves */
+    Workspace ws;
+    Motion *motion; /* one of the two: */
+    Spatial spatial;
+    Newton newton; /* of the motion in space */
+    Planar planar;
+    char plane_why[PLANE_WHY_MAX]; /* why the motion is planar, or why not */
+    Integrator *integrator;        /* made at the first step */
+    Balance *balance;              /* made at the first step too */
+    double balance_s;              /* s, spent on it */
+    double t, *y;                  /* s; [motion->size] */
+    LinOptions options;
+    long joined, left; /* segments so far */
+    int forget;        /* for tests: start the integrator anew at every event */
+} Stage;
+
+/* Builds the scene and all that goes with it, the state of t = 0 included; team: borrowed, NULL for one thread. Errors:
+ * INPUT (the scene cannot be built: says which key), MEMORY, RUN. stage_free may follow either way. */
+hawser_status stage_new(Stage *stage, const SceneDef *def, Team *team, hawser_error *err);
+void stage_free(Stage *stage);
+
+/* One step of the integrator's, not beyond `stop`, and what is due after it. Errors: MEMORY, RUN. */
+hawser_status stage_step(Stage *stage, double stop, hawser_error *err);
+/* The two parts of that. */
+hawser_status stage_integrate(Stage *stage, double stop, hawser_error *err);
+hawser_status stage_settle(Stage *stage, hawser_error *err);
+
+#endif

@@ -1,0 +1,453 @@
+#include "sim/step/integrator.h"
+
+#include <assert.h>
+#include <cvode/cvode.h>
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+
+#include "core/base/clock.h"
+#include "core/base/error.h"
+#include "sim/step/custom_linear.h"
+#include "sim/step/stride.h"
+#include "sim/step/vector.h"
+
+enum { STALLED_MOST = 20 };
+/* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
+ * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
+ * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
+static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
+
+/* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
+ * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
+ * poor one. */
+static const double GAMMA_CHANGE = 0.05;
+/* Iterations before a step is taken back for a new matrix (CVODE's default: 3, made for a convergence a hundred times
+ * looser). */
+enum { ITERATIONS_MOST = 4 };
+
+struct Integrator {
+    Motion *motion;
+    double *y;
+    double *weight;         /* [size] 1 / absolute tolerance */
+    const double *weighted; /* CVODE's array that holds them already; NULL: none does */
+    double way;             /* m, that a step may move the chain by; INFINITY: any */
+    double stop;            /* s, the stop time that CVODE knows */
+    double gamma;           /* s, of the matrix that is factored */
+    int stalled;            /* steps in a row that were too small to change t */
+    void *cvode;
+    SUNContext context;
+    VectorFamily family; /* every vector that CVODE has made */
+    N_Vector state;
+    N_Vector good;   /* the state of the last good step */
+    N_Vector newest; /* of CVODE's history: the state at the last step; see history_find */
+    CustomLinear linear;
+    IntegratorStats stats;
+    IntegratorStats before; /* counts of CVODE's from before it was started anew */
+    char complaint[256];    /* what CVODE said last */
+};
+
+/* ---------------------------------------------------------------- CVODE's call-backs; `user` is the Integrator */
+
+static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
+{
+    Integrator *const in = user;
+    const double start = clock_now();
+    const int bad = in->motion->ops->rates(in->motion, t, N_VGetArrayPointer(y), N_VGetArrayPointer(ydot));
+    in->stats.rhs += clock_now() - start;
+    return bad; /* > 0: a smaller step may do */
+}
+
+static int call_weights(N_Vector y, N_Vector weight, void *user)
+{
+    (void)y;
+    Integrator *const in = user;
+    double *const data = NV_DATA_S(weight); /* nothing waits to be done with it */
+    if (data != in->weighted) memcpy(data, in->weight, (size_t)in->motion->size * sizeof(double));
+    in->weighted = data;
+    return 0;
+}
+
+/* CVODE's setup: new blocks when asked for, the matrix for this gamma always. */
+static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, booleantype jok, booleantype *jcur,
+                       realtype gamma, void *user, N_Vector t1, N_Vector t2, N_Vector t3)
+{
+    (void)a, (void)t1, (void)t2, (void)t3;
+    Integrator *const in = user;
+    const double start = clock_now();
+    if (!jok) {
+        in->motion->ops->linearise(in->motion, t, N_VGetArrayPointer(y), N_VGetArrayPointer(fy));
+        ++in->stats.jac_evals;
+    }
+    *jcur = !jok;
+    in->gamma = gamma;
+    in->motion->ops->form(in->motion, gamma);
+    in->stats.jacobian += clock_now() - start;
+    return 0;
+}
+
+static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype tolerance, N_Vector error, void *user)
+{
+    (void)t, (void)tolerance;
+    const Integrator *const in = user;
+    in->motion->ops->project(in->motion, N_VGetArrayPointer(y), N_VGetArrayPointer(correction),
+                             error ? N_VGetArrayPointer(error) : NULL);
+    return 0;
+}
+
+static double call_norm(const void *owner, const double *x, const double *w)
+{
+    const Motion *const motion = owner;
+    return motion->ops->norm(motion, x, w);
+}
+
+static void call_complaint(int code, const char *module, const char *function, char *message, void *user)
+{
+    (void)code, (void)module, (void)function;
+    Integrator *const in = user;
+    snprintf(in->complaint, sizeof in->complaint, "%s", message);
+}
+
+/* ----------------------------------------------------------- the Newton matrix in SUNDIALS' clothes (SUNDIALS custom)
+ */
+
+static int solver_setup(SUNLinearSolver s, SUNMatrix a)
+{
+    (void)a;
+    Integrator *const in = s->content;
+    const double start = clock_now();
+    const int status = in->motion->ops->factor(in->motion);
+    in->stats.factor += clock_now() - start;
+    return status;
+}
+
+static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, realtype tolerance)
+{
+    (void)a, (void)tolerance;
+    Integrator *const in = s->content;
+    const double start = clock_now();
+    if (x != b) vector_take(x, b); /* CVODE goes on by copying x to b */
+    const int status = in->motion->ops->solve(in->motion, N_VGetArrayPointer(x));
+    in->stats.solve += clock_now() - start;
+    return status;
+}
+
+static int linear_attach(Integrator *in)
+{
+    if (!custom_linear_new(&in->linear, in, solver_setup, solver_solve, in->context)) return 0;
+    return CVodeSetLinearSolver(in->cvode, in->linear.solver, in->linear.matrix) == CV_SUCCESS &&
+           CVodeSetLinSysFn(in->cvode, call_system) == CV_SUCCESS;
+}
+
+/* ------------------------------------------------------------------------------------------------- life */
+
+/* (N13) */
+static double newton_share(double accuracy)
+{
+    return fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / accuracy, NEWTON_SHARE_MOST));
+}
+
+static int cvode_set(Integrator *in)
+{
+    const SolverDef *const def = &in->motion->scene->def.solver;
+    void *const c = in->cvode;
+    int bad = CVodeSetErrHandlerFn(c, call_complaint, in);
+    bad |= CVodeSetUserData(c, in);
+    bad |= CVodeWFtolerances(c, call_weights);
+    bad |= CVodeSetMaxOrd(c, def->max_order);
+    bad |= CVodeSetMaxNumSteps(c, -1);
+    bad |= CVodeSetNonlinConvCoef(c, newton_share(def->accuracy));
+    bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
+    bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
+    if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
+    const double longest = def->max_step > 0 ? def->max_step : in->motion->scene->def.output.interval;
+    if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
+    if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
+    return !bad && linear_attach(in);
+}
+
+/* The state of now is one that can be gone back to. */
+static void state_keep(Integrator *in)
+{
+    N_VScale(1.0, in->state, in->good);
+    vector_family_settle(&in->family); /* from here on numbers are looked at */
+}
+
+/* CVODE keeps its history to itself, but in vectors of ours. Just after its start all of them are zero but one, which
+ * is the first of the history: a copy of the state. NULL if that is not so (another version of CVODE). */
+static N_Vector history_find(Integrator *in)
+{
+    const size_t bytes = (size_t)in->motion->size * sizeof(double);
+    N_Vector found = NULL;
+    vector_family_settle(&in->family);
+    for (int k = 0; k < in->family.n; ++k) {
+        N_Vector v = in->family.member[k];
+        if (v == in->state || memcmp(NV_DATA_S(v), in->y, bytes) != 0) continue;
+        if (found) return NULL;
+        found = v;
+    }
+    return found;
+}
+
+static int integrator_start(Integrator *in, double t)
+{
+    const int length = in->motion->size;
+    in->weight = malloc((size_t)length * sizeof(double));
+    if (!in->weight || SUNContext_Create(NULL, &in->context)) return 0;
+    in->motion->ops->weights(in->motion, in->weight);
+    in->family.queue.team = in->motion->team;
+    in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
+    if (!in->state) return 0;
+    in->cvode = CVodeCreate(CV_BDF, in->context);
+    if (!in->cvode || CVodeInit(in->cvode, call_rates, t, in->state) != CV_SUCCESS) return 0;
+    in->newest = history_find(in);
+    in->good = N_VClone(in->state);
+    if (!in->good) return 0;
+    state_keep(in);
+    return cvode_set(in);
+}
+
+/* NOLINTNEXTLINE(readability-non-const-parameter): every step writes it */
+hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err)
+{
+    Integrator *in = calloc(1, sizeof *in);
+    *out = in;
+    if (!in) return error_memory(err);
+    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1};
+    if (integrator_start(in, t)) return HAWSER_OK;
+    *out = integrator_free(in);
+    return error_memory(err);
+}
+
+Integrator *integrator_free(Integrator *in)
+{
+    if (!in) return NULL;
+    if (in->cvode) CVodeFree(&in->cvode);
+    custom_linear_free(&in->linear);
+    if (in->good) N_VDestroy(in->good);
+    if (in->state) N_VDestroy(in->state);
+    if (in->context) SUNContext_Free(&in->context);
+    vector_family_clear(&in->family);
+    free(in->weight);
+    free(in);
+    return NULL;
+}
+
+/* ------------------------------------------------------------------------------------------------ stepping */
+
+/* The segment whose weighted local error is largest: where to look when a step fails. */
+static int worst_segment(Integrator *in)
+{
+    N_Vector error = N_VClone(in->state);
+    int worst = 0;
+    if (error && CVodeGetEstLocalErrors(in->cvode, error) == CV_SUCCESS) {
+        worst = in->motion->ops->worst(in->motion, N_VGetArrayPointer(error), in->weight);
+    }
+    if (error) N_VDestroy(error);
+    return worst;
+}
+
+/* What is known of scenes whose steps become too small at segment i. The head of a limp cable does not keep its
+ * direction on an axial grip: the pull follows it. A limp cable on a roller as bent as itself has no point that is
+ * nearest, see (C6): said where a roller may take the cable over more than two segments. */
+static const char *hint_for(const Scene *scene, int i)
+{
+    double largest = 0;
+    const int at_head = i >= scene->chain.n - 3;
+    if (at_head && scene->winch.present && scene->def.winch.axial_only)
+        return " (the head of a limp cable needs drive.winch.grip: clamp)";
+    if (scene->contact.geometry != GEOMETRY_SMOOTH) return "";
+    for (int r = 0; r < scene->contact.n_rollers; ++r) largest = fmax(largest, scene->contact.roller[r].shape.radius);
+    if (!(largest > 2 * scene->chain.half[0])) return "";
+    return " (a limp cable bent around a roller over more than two segments needs contact.geometry: cylinder)";
+}
+
+static const char *advice_for(int flag)
+{
+    switch (flag) {
+    case CV_CONV_FAILURE:
+        return "Newton's iteration did not converge: try a smaller solver.max_step, a softer contact.k or a larger "
+               "friction.v_s";
+    case CV_ERR_FAILURE:
+        return "the error test failed again and again: try a larger solver.accuracy, or a gentler drive";
+    case CV_LSETUP_FAIL:
+    case CV_LSOLVE_FAIL:
+        return "the Newton matrix could not be factored: try --set solver.linear_solver=klu";
+    case CV_TOO_CLOSE:
+        return "the steps have become too small to move on: try a softer contact.k, less stiffness or a larger "
+               "friction.v_s";
+    case CV_REPTD_RHSFUNC_ERR:
+    case CV_FIRST_RHSFUNC_ERR:
+    case CV_RHSFUNC_FAIL:
+        return "the forces became infinite: check stiffnesses, masses and the contact law";
+    default:
+        return "try a smaller solver.max_step or another solver.accuracy";
+    }
+}
+
+static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
+{
+    const int i = worst_segment(in);
+    const Vec3 p = in->motion->ops->place(in->motion, N_VGetArrayPointer(in->good), i);
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    N_VScale(1.0, in->good, in->state);
+    vector_family_settle(&in->family);
+    return error_set(
+        err, HAWSER_ERR_RUN,
+        "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
+        "%s%s (CVODE flag %d: %s)",
+        t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
+        hint_for(in->motion->scene, i), flag, in->complaint);
+}
+
+/* solver.max_steps, if given, is used up. */
+static int steps_spent(const Integrator *in)
+{
+    const long limit = in->motion->scene->def.solver.max_steps;
+    long steps = 0;
+    CVodeGetNumSteps(in->cvode, &steps);
+    return limit > 0 && in->before.steps + steps >= limit;
+}
+
+static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
+{
+    double step = 0;
+    const int i = worst_segment(in);
+    CVodeGetCurrentStep(in->cvode, &step);
+    return error_set(
+        err, HAWSER_ERR_RUN,
+        "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
+        "raise it or solver.accuracy, or soften what is stiff there%s",
+        in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
+        hint_for(in->motion->scene, i));
+}
+
+/* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14). */
+static double stride_end(const Integrator *in, double t, double stop)
+{
+    if (!(in->way < INFINITY)) return stop;
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    const double longest = in->way / in->motion->ops->speed(in->motion, in->y);
+    return step > longest && t + longest > t ? fmin(stop, t + longest) : stop;
+}
+
+hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
+{
+    if (steps_spent(in)) return steps_failed(in, *t, err);
+    const double end = stride_end(in, *t, stop);
+    if (end > in->stop || end < in->stop) {
+        CVodeSetStopTime(in->cvode, end);
+        in->stop = end;
+    }
+    const double start = clock_now();
+    double reached = *t;
+    const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
+    if (flag < 0) return step_failed(in, flag, *t, err);
+    in->stalled = reached > *t ? 0 : in->stalled + 1;
+    if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
+    *t = reached;
+    state_keep(in);
+    const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
+    in->stats.total += clock_now() - start;
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------- a new shape */
+
+typedef struct ReshapeCall {
+    const Reshape *reshape;
+    N_Vector newest;
+} ReshapeCall;
+
+static void call_map(const void *user, N_Vector which, const double *from, double *to)
+{
+    const ReshapeCall *const call = user;
+    call->reshape->map(call->reshape->user, which == call->newest, from, to);
+}
+
+/* What is kept beside CVODE's vectors; 0 if there is no memory. */
+static int arrays_renew(Integrator *in, const Reshape *reshape)
+{
+    double *const weight = malloc((size_t)reshape->size * sizeof(double));
+    if (!weight) return 0;
+    free(in->weight);
+    in->weight = weight;
+    in->weighted = NULL;
+    in->y = reshape->y;
+    state_keep(in);
+    in->motion->ops->weights(in->motion, weight);
+    return 1;
+}
+
+/* Newton's matrix at (t, y) with the step that CVODE believes it to be made for: CVODE does not know that it is new. */
+static int matrix_renew(Integrator *in, double t)
+{
+    const double start = clock_now();
+    double *const rates = malloc((size_t)in->motion->size * sizeof(double));
+    if (!rates) return -1;
+    int bad = in->motion->ops->rates(in->motion, t, in->y, rates);
+    if (!bad) {
+        in->motion->ops->linearise(in->motion, t, in->y, rates);
+        in->motion->ops->form(in->motion, in->gamma);
+        bad = in->motion->ops->factor(in->motion);
+        ++in->stats.jac_evals;
+    }
+    free(rates);
+    in->stats.jacobian += clock_now() - start;
+    return bad;
+}
+
+hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err)
+{
+    const ReshapeCall call = {reshape, in->newest};
+    const double start = clock_now();
+    assert(in->motion->size == reshape->size);
+    if (!vector_family_resize(&in->family, reshape->size, reshape->y, call_map, &call) || !arrays_renew(in, reshape))
+        return error_memory(err);
+    /* without its history the method has to start again; so it must before its first step, where it has none */
+    long steps = 0;
+    CVodeGetNumSteps(in->cvode, &steps);
+    double last = 0;
+    CVodeGetLastStep(in->cvode, &last);
+    int bad = 0;
+    if (reshape->forget || !in->newest || steps == 0) {
+        IntegratorStats so_far;
+        integrator_stats(in, &so_far);
+        in->before = so_far;
+        bad = CVodeReInit(in->cvode, t, in->state) != CV_SUCCESS;
+        if (last > 0) bad |= CVodeSetInitStep(in->cvode, last / 10) != CV_SUCCESS;
+        in->stop = -1;
+    } else {
+        bad = matrix_renew(in, t);
+    }
+    in->stats.total += clock_now() - start;
+    if (bad < 0) return error_memory(err);
+    return bad ? error_set(err, HAWSER_ERR_RUN, "no equations of motion at t = %.6g s, where the chain has changed", t)
+               : HAWSER_OK;
+}
+
+void integrator_stats(const Integrator *in, IntegratorStats *stats)
+{
+    const IntegratorStats *const before = &in->before;
+    *stats = in->stats;
+    long iterations = 0;
+    CVodeGetNumSteps(in->cvode, &stats->steps);
+    CVodeGetNumRhsEvals(in->cvode, &stats->rhs_evals);
+    CVodeGetNumNonlinSolvIters(in->cvode, &iterations);
+    CVodeGetNumLinSolvSetups(in->cvode, &stats->lin_setups);
+    CVodeGetNumErrTestFails(in->cvode, &stats->error_fails);
+    CVodeGetNumNonlinSolvConvFails(in->cvode, &stats->newton_fails);
+    CVodeGetLastStep(in->cvode, &stats->last_step);
+    stats->steps += before->steps;
+    stats->rhs_evals += before->rhs_evals;
+    stats->newton_iters = before->newton_iters + iterations;
+    stats->lin_setups += before->lin_setups;
+    stats->error_fails += before->error_fails;
+    stats->newton_fails += before->newton_fails;
+}

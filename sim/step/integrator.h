@@ -1,0 +1,40 @@
+/* CVODE (BDF) on the equations of motion: with its .c and vector.[ch] all that knows SUNDIALS. docs/model.md,
+ * "Integration". */
+#ifndef HAWSER_SIM_STEP_INTEGRATOR_H
+#define HAWSER_SIM_STEP_INTEGRATOR_H
+
+#include "sim/step/motion.h"
+
+typedef struct Integrator Integrator;
+
+typedef struct IntegratorStats {
+    long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_fails, newton_fails;
+    double rhs, jacobian, factor, solve, total; /* s */
+    double last_step;                           /* s */
+} IntegratorStats;
+
+/* Starts at (t, y). The motion and y [motion->size] are borrowed; y always holds the latest state. */
+hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err);
+Integrator *integrator_free(Integrator *in);
+/* Takes one step, but not beyond `stop` (s). On failure y and *t hold the last good step and err says when, where
+ * and what to try (HAWSER_ERR_RUN). */
+hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err);
+
+/* A change of the state vector between two steps: entries come and go, and the motion that remains goes on smoothly. */
+typedef struct Reshape {
+    int size;  /* of the new state */
+    double *y; /* [size] the new state, borrowed from now on in place of the old one */
+    /* Writes a vector of the new size from one of the old: the state itself, or one that is linear in changes of it (a
+     * derivative, a difference). */
+    void (*map)(const void *user, int is_state, const double *from, double *to);
+    const void *user;
+    int forget; /* the history is of no use: start the method anew */
+} Reshape;
+
+/* Goes on from the same time with the motion's new size: the history of the method is mapped like the state, so that
+ * order and step stay, and Newton's matrix is made anew at once. Motion->size is the new one already. Errors: MEMORY
+ * (the integrator can only be freed then), RUN. */
+hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err);
+void integrator_stats(const Integrator *in, IntegratorStats *stats);
+
+#endif

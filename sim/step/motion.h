@@ -1,0 +1,68 @@
+/* The equations of motion as the integrator sees them: a state vector, its rates, and the Newton matrix of the rates.
+ * The integrator knows nothing else of the scene, so that the same chain can be moved in several ways:
+ * sim/step/spatial.h is the chain in three dimensions, sim/planar/planar.h the one in a plane. */
+#ifndef HAWSER_SIM_STEP_MOTION_H
+#define HAWSER_SIM_STEP_MOTION_H
+
+#include "core/base/team.h"
+#include "core/base/vec3.h"
+#include "sim/balance_data.h"
+#include "sim/scene.h"
+
+typedef struct Motion Motion;
+
+/* y, ydot, b, error and weight have `size` entries; t in s. */
+typedef struct MotionOps {
+    /* ydot from (t, y). 0: done; > 0: not finite, a smaller step may do. */
+    int (*rates)(Motion *m, double t, const double *y, double *ydot);
+    /* Takes (t, y) with its rates as the point at which Newton's matrix is taken. */
+    void (*linearise)(Motion *m, double t, const double *y, const double *ydot);
+    /* Forms 1 - gamma J at that point, in whatever reduced shape it is solved; gamma in s. */
+    void (*form)(Motion *m, double gamma);
+    /* Factors it; b becomes the solution of (1 - gamma J) x = b. Both return as linsolver_factor and linsolver_solve.
+     */
+    int (*factor)(Motion *m);
+    int (*solve)(Motion *m, double *b);
+    /* weight = 1 / absolute tolerance of every entry. */
+    void (*weights)(const Motion *m, double *weight);
+    /* The norm of x weighted by w, which are those weights, in which errors are judged (N11): one number a component
+     * of the chain, of which the first segment's are read. */
+    double (*norm)(const Motion *m, const double *x, const double *w);
+    /* Largest speed of a point of the chain, m/s: stride_speed. */
+    double (*speed)(const Motion *m, const double *y);
+    /* Correction of y to what its constraints ask for (unit quaternions) and projection of its error (NULL: none).
+     * NULL where y has no such constraint. */
+    void (*project)(const Motion *m, const double *y, double *correction, double *error);
+    /* A step to (t, y) was accepted: what is renewed between steps (contact candidates). Errors: MEMORY. */
+    hawser_status (*accept)(Motion *m, double t, const double *y, hawser_error *err);
+    /* The same for a state that no evaluation has been near: renews in any case. Errors: MEMORY. */
+    hawser_status (*renew)(Motion *m, double t, const double *y, hawser_error *err);
+    /* The segment whose weighted error is largest, and where it is, m. */
+    int (*worst)(const Motion *m, const double *error, const double *weight);
+    Vec3 (*place)(const Motion *m, const double *y, int segment);
+    /* Puts what a sample of (t, y) reads into the workspace: kinematics, tensions (law[0]), the winch's pull, forces on
+     * the rollers. Returns how many contacts carry force. */
+    int (*look)(Motion *m, double t, const double *y);
+    /* The winch's pull at (t, y), N: dynamics_winch_pull_at. */
+    double (*winch_pull)(Motion *m, double t, const double *y);
+    /* What works on the motion at (t, y), a state whose rates were evaluated last or close by (balance_terms.h). */
+    void (*work)(Motion *m, double t, const double *y, BalanceRates *out);
+    /* What is stored at (t, y), whose rates were the last evaluated. */
+    void (*stock)(Motion *m, double t, const double *y, BalanceStock *out);
+    /* Moves y to equilibrium under the loads of t; see relax_to_equilibrium. */
+    hawser_status (*relax)(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err);
+    /* y from the state in space (core/state.h), and back. */
+    void (*pack)(Motion *m, const double *full, double *y);
+    void (*unpack)(const Motion *m, const double *y, double *full);
+    /* What is being solved with, and how it went. */
+    void (*lin_stats)(const Motion *m, LinStats *stats);
+} MotionOps;
+
+struct Motion {
+    const MotionOps *ops;
+    const Scene *scene; /* borrowed */
+    int size;           /* of y */
+    Team *team;         /* borrowed; NULL: one thread */
+};
+
+#endif

@@ -1,0 +1,111 @@
+#include "sim/step/scales.h"
+
+#include <string.h>
+
+#include "sim/halves.h"
+#include "sim/step/vector_kernels.h"
+
+static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */
+
+/* Tolerances are accuracy times these (N10); a case may give its own instead. */
+static double chosen(double given, double otherwise) { return given > 0 ? given : otherwise; }
+
+Tolerances scales_tolerances(const Scene *scene)
+{
+    const SolverDef *const s = &scene->def.solver;
+    const double speed = scene->largest_speed;
+    return (Tolerances){.position = chosen(s->atol_position, s->accuracy * LENGTH),
+                        .rotation = chosen(s->atol_rotation, s->accuracy * TURN),
+                        .velocity = chosen(s->atol_velocity, s->accuracy * speed),
+                        .omega = chosen(s->atol_omega, s->accuracy * speed * TURN / LENGTH)};
+}
+
+void scales_weights(const Scene *scene, double *weight)
+{
+    const Tolerances tol = scales_tolerances(scene);
+    const int n = scene->chain.n;
+    for (int c = 0; c < STATE_SIZE; ++c) {
+        const double atol = c < STATE_Q   ? tol.position
+                            : c < STATE_V ? tol.rotation / 2
+                            : c < STATE_W ? tol.velocity
+                                          : tol.omega;
+        for (int i = 0; i < n; ++i) weight[c * n + i] = 1 / atol;
+    }
+    const EquipmentTolerances equipment = {tol.position, tol.rotation, tol.velocity, tol.omega};
+    equipment_weights(&scene->equipment, scene->rollers, &equipment, weight + STATE_SIZE * n);
+}
+
+static const VectorKernels *kernels(void)
+{
+    static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
+    return table[isa_best()];
+}
+
+double scales_norm(int n, const double *x, const double *weight)
+{
+    return sqrt(kernels()->window_square(n, 0, n, x, weight));
+}
+
+/* The windows of half of a chain. */
+typedef struct NormHalf {
+    int n, middle;
+    const double *x, *weight;
+    double square[2];
+} NormHalf;
+
+static void norm_half(void *arg, int rank)
+{
+    NormHalf *const h = arg;
+    const int from = rank ? h->middle : 0, to = rank ? h->n : h->middle;
+    h->square[rank] = kernels()->window_square_even(h->n, from, to, h->x, h->weight);
+}
+
+double scales_chain_norm(Team *team, int n, const double *x, const double *weight)
+{
+    NormHalf h = {.n = n, .middle = n / 2 / SCALES_WINDOW * SCALES_WINDOW, .x = x, .weight = weight};
+    if (n < HALVES_LONG) return sqrt(kernels()->window_square_even(n, 0, n, x, weight));
+    halves_run(team, 1, norm_half, &h);
+    return sqrt(scales_larger(h.square[0], h.square[1]));
+}
+
+void scales_project(int n, const double *y, double *correction, double *error)
+{
+    kernels()->project(n, y, correction, error);
+}
+
+double scales_equipment_norm(const Equipment *q, const double *x, const double *weight)
+{
+    double largest = q->mounts > 0 ? scales_norm(q->mounts, x + q->spins, weight + q->spins) : 0;
+    for (int from = 0; from < q->spins; from += SCALES_WINDOW) {
+        const int to = from + SCALES_WINDOW < q->spins ? from + SCALES_WINDOW : q->spins;
+        double sum = 0;
+        for (int i = from; i < to; ++i) sum += x[i] * weight[i] * x[i] * weight[i];
+        const double mean = sqrt(sum / (to - from));
+        if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays */
+    }
+    return largest;
+}
+
+void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error)
+{
+    memset(correction, 0, (size_t)q->spins * sizeof *correction);
+    scales_project(q->mounts, e + q->spins, correction + q->spins, error ? error + q->spins : NULL);
+}
+
+int scales_all_finite(const double *x, int count) { return kernels()->all_finite(count, x); }
+
+int scales_worst_segment(int n, const double *x, const double *weight)
+{
+    int worst = 0;
+    double largest = -1;
+    for (int i = 0; i < n; ++i) {
+        double sum = 0;
+        for (int c = 0; c < STATE_SIZE; ++c) sum += x[c * n + i] * weight[c * n + i] * x[c * n + i] * weight[c * n + i];
+        if (isnan(sum)) return i;
+        if (sum > largest) {
+            largest = sum;
+            worst = i;
+        }
+    }
+    return worst;
+}

@@ -1,0 +1,44 @@
+/* What an error of the state is measured with: physical scales, the weights that follow from `accuracy`, and a norm
+ * that does not dilute a local event in a long chain. docs/model.md, "Integration" (N10), (N11). */
+#ifndef HAWSER_SIM_STEP_SCALES_H
+#define HAWSER_SIM_STEP_SCALES_H
+
+#include <math.h>
+
+#include "core/base/team.h"
+#include "sim/scene.h"
+
+/* Absolute tolerances: m, rad, m/s, rad/s (N10). */
+typedef struct Tolerances {
+    double position, rotation, velocity, omega;
+} Tolerances;
+Tolerances scales_tolerances(const Scene *scene);
+
+/* weight [scene_state_size] = 1 / absolute tolerance of every component of the state. */
+void scales_weights(const Scene *scene, double *weight);
+
+/* Largest over windows of SCALES_WINDOW neighbouring segments of the RMS of x w over the window's 13 components each.
+ */
+enum { SCALES_WINDOW = 16 };
+double scales_norm(int n, const double *x, const double *weight);
+/* The same for weights that are one number a component, those of scales_weights; only their first is read. team: NULL,
+ * or who does it for long chains. */
+double scales_chain_norm(Team *team, int n, const double *x, const double *weight);
+/* The larger of two norms; a NaN wins. */
+static inline double scales_larger(double a, double b) { return b > a || isnan(b) ? b : a; }
+
+/* The segment with the largest sum of squares of x w; the first with a NaN, if any. */
+int scales_worst_segment(int n, const double *x, const double *weight);
+
+/* Correction of the quaternions of y [13 n] to unit length, zero elsewhere; error (NULL: none) loses its part along
+ * them (N9). */
+void scales_project(int n, const double *y, double *correction, double *error);
+
+/* The same for the part of the state that belongs to rollers that move (SP14). */
+double scales_equipment_norm(const Equipment *q, const double *x, const double *weight);
+void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error);
+
+/* 1 if all of x[count] is finite. */
+int scales_all_finite(const double *x, int count);
+
+#endif

@@ -1,0 +1,163 @@
+#include "sim/step/spatial.h"
+
+#include <string.h>
+
+#include "sim/balance_terms.h"
+#include "sim/newton/relax.h"
+#include "sim/step/scales.h"
+#include "sim/step/stride.h"
+
+static Spatial *spatial_of(Motion *m) { return (Spatial *)m; }
+
+static int spatial_rates(Motion *m, double t, const double *y, double *ydot)
+{
+    dynamics_rates(m->scene, spatial_of(m)->ws, t, y, 1.0, ydot);
+    return !scales_all_finite(ydot, m->size);
+}
+
+static void spatial_linearise(Motion *m, double t, const double *y, const double *ydot)
+{
+    Spatial *const s = spatial_of(m);
+    dynamics_blocks(m->scene, s->ws, t, y, ydot, 1.0, &s->newton->k, &s->newton->d);
+    newton_point(s->newton, m->scene, &s->ws->kin, y);
+    newton_point_equipment(s->newton, &s->ws->equipment, y, 1.0);
+}
+
+static void spatial_form(Motion *m, double gamma) { newton_form(spatial_of(m)->newton, gamma); }
+
+static int spatial_factor(Motion *m) { return newton_factor(spatial_of(m)->newton); }
+
+static int spatial_solve(Motion *m, double *b) { return newton_solve(spatial_of(m)->newton, b); }
+
+static void spatial_weights(const Motion *m, double *weight) { scales_weights(m->scene, weight); }
+
+static double spatial_norm(const Motion *m, const double *x, const double *w)
+{
+    const int n = m->scene->chain.n;
+    const double chain = scales_chain_norm(m->team, n, x, w);
+    if (m->scene->equipment.n == 0) return chain;
+    const double beside = scales_equipment_norm(&m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
+    return scales_larger(chain, beside);
+}
+
+static double spatial_speed(const Motion *m, const double *y)
+{
+    const Chain *const chain = &m->scene->chain;
+    return stride_speed(chain, chain->n, 3, y + STATE_V * chain->n, 3, y + STATE_W * chain->n);
+}
+
+/* Keeps the quaternions of unit length (N9). */
+static void spatial_project(const Motion *m, const double *y, double *correction, double *error)
+{
+    const int n = m->scene->chain.n, chain = STATE_SIZE * n;
+    scales_project(n, y, correction, error);
+    if (m->scene->equipment.n == 0) return;
+    scales_equipment_project(&m->scene->equipment, y + chain, correction + chain, error ? error + chain : NULL);
+}
+
+static hawser_status spatial_accept(Motion *m, double t, const double *y, hawser_error *err)
+{
+    Spatial *const s = spatial_of(m);
+    dynamics_accept(m->scene, s->ws, t, y);
+    const hawser_status status = newton_renew(s->newton, &s->ws->equipment, err);
+    return status ? status : dynamics_refresh(m->scene, s->ws, t, y, 0, err);
+}
+
+/* The segment that is nearest to a moving roller: where to look for what ails it. */
+static int nearest_segment(const Workspace *ws, int n, int moving)
+{
+    const Vec3 at = ws->equipment.roller[ws->equipment.q->item[moving].roller].shape.centre;
+    int nearest = 0;
+    double least = INFINITY;
+    for (int i = 0; i < n; ++i) {
+        const double away = v3_norm(v3_sub(v3(ws->kin.p[0][i], ws->kin.p[1][i], ws->kin.p[2][i]), at));
+        if (away < least) {
+            least = away;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+static hawser_status spatial_renew(Motion *m, double t, const double *y, hawser_error *err)
+{
+    return dynamics_refresh(m->scene, spatial_of(m)->ws, t, y, 1, err);
+}
+
+static int spatial_worst(const Motion *m, const double *error, const double *weight)
+{
+    const int n = m->scene->chain.n, worst = scales_worst_segment(n, error, weight);
+    double sum = 0, beside;
+    for (int c = 0; c < STATE_SIZE; ++c) sum += pow(error[c * n + worst] * weight[c * n + worst], 2);
+    const int roller = equipment_worst(&m->scene->equipment, error + STATE_SIZE * n, weight + STATE_SIZE * n, &beside);
+    return roller < 0 || !(beside > sum) ? worst : nearest_segment(spatial_of((Motion *)m)->ws, n, roller);
+}
+
+static Vec3 spatial_place(const Motion *m, const double *y, int segment)
+{
+    const int n = m->scene->chain.n;
+    return v3(y[segment], y[n + segment], y[2 * n + segment]);
+}
+
+static int spatial_look(Motion *m, double t, const double *y)
+{
+    return dynamics_look(m->scene, spatial_of(m)->ws, t, y);
+}
+
+static double spatial_winch_pull(Motion *m, double t, const double *y)
+{
+    return dynamics_winch_pull_at(m->scene, spatial_of(m)->ws, t, y);
+}
+
+static void spatial_work(Motion *m, double t, const double *y, BalanceRates *out)
+{
+    balance_spatial(m->scene, spatial_of(m)->ws, t, y, out);
+}
+
+static void spatial_stock(Motion *m, double t, const double *y, BalanceStock *out)
+{
+    (void)t;
+    balance_stock(m->scene, spatial_of(m)->ws, y + STATE_SIZE * m->scene->chain.n, out);
+}
+
+static hawser_status spatial_relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
+{
+    Spatial *const s = spatial_of(m);
+    return relax_to_equilibrium(m->scene, s->ws, s->newton, t, y, out, err);
+}
+
+static void spatial_pack(Motion *m, const double *full, double *y) { memcpy(y, full, (size_t)m->size * sizeof *y); }
+
+static void spatial_unpack(const Motion *m, const double *y, double *full)
+{
+    memcpy(full, y, (size_t)m->size * sizeof *y);
+}
+
+static void spatial_lin_stats(const Motion *m, LinStats *stats) { newton_stats(((const Spatial *)m)->newton, stats); }
+
+Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newton)
+{
+    static const MotionOps ops = {.rates = spatial_rates,
+                                  .linearise = spatial_linearise,
+                                  .form = spatial_form,
+                                  .factor = spatial_factor,
+                                  .solve = spatial_solve,
+                                  .weights = spatial_weights,
+                                  .norm = spatial_norm,
+                                  .speed = spatial_speed,
+                                  .project = spatial_project,
+                                  .accept = spatial_accept,
+                                  .renew = spatial_renew,
+                                  .worst = spatial_worst,
+                                  .place = spatial_place,
+                                  .look = spatial_look,
+                                  .winch_pull = spatial_winch_pull,
+                                  .work = spatial_work,
+                                  .stock = spatial_stock,
+                                  .relax = spatial_relax,
+                                  .pack = spatial_pack,
+                                  .unpack = spatial_unpack,
+                                  .lin_stats = spatial_lin_stats};
+    *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene), ws->team}, .ws = ws, .newton = newton};
+    return &s->motion;
+}

@@ -1,0 +1,42 @@
+/* CVODE's vector: a serial one whose operations that a run spends its time in are the project's kernels, and whose norm
+ * is its owner's. */
+#ifndef HAWSER_SIM_STEP_VECTOR_H
+#define HAWSER_SIM_STEP_VECTOR_H
+
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_nvector.h>
+
+#include "sim/step/vector_queue.h"
+
+/* The norm of x weighted by w, for the owner of the vector. */
+typedef double (*VectorNorm)(const void *owner, const double *x, const double *w);
+
+/* All vectors that live and were cloned, directly or not, from one: they can change their length together, and what is
+ * to be done with them waits in one queue. */
+typedef struct VectorFamily {
+    int n, room;
+    N_Vector *member; /* [n] */
+    VectorQueue queue;
+} VectorFamily;
+
+/* A vector around data [length], borrowed as are the owner and the family (NULL: none); its clones have data of their
+ * own, the same norm and the same family. NULL if there is no memory. N_VDestroy frees it. Numbers of a vector with a
+ * family are read and written through N_VGetArrayPointer, which does what waits, or after vector_family_settle. */
+N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
+                     SUNContext context);
+/* Moves b's numbers to x, a clone of the same vector: x has them, and what b holds is not to be read before it is
+ * written. Nothing is copied unless one of them wraps borrowed data. */
+void vector_take(N_Vector x, N_Vector b);
+
+/* Does what waits to be done with the family's vectors. */
+void vector_family_settle(VectorFamily *family);
+/* After the family's vectors are destroyed. */
+void vector_family_clear(VectorFamily *family);
+
+/* Writes a vector's entries of the new length from those of the old one. */
+typedef void (*VectorMap)(const void *user, N_Vector which, const double *from, double *to);
+/* Gives every vector of the family the length `length`, through the map. The one that wraps borrowed data gets `data`
+ * [length], already filled. Returns 0 if there is no memory; then nothing has changed. */
+int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user);
+
+#endif

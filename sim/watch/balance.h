@@ -1,0 +1,26 @@
+/* The balances of energy and momentum of a run: what was done to the motion since t = 0 against what is there.
+ * docs/model.md, "Balances". */
+#ifndef HAWSER_SIM_WATCH_BALANCE_H
+#define HAWSER_SIM_WATCH_BALANCE_H
+
+#include "hawser/hawser.h"
+#include "sim/step/motion.h"
+
+typedef struct Balance Balance;
+
+/* Begins at the state (t, y): evaluates it. Errors: MEMORY. */
+hawser_status balance_new(Motion *motion, double t, const double *y, Balance **out, hawser_error *err);
+Balance *balance_free(Balance *b);
+
+/* A step to (t, y) was accepted, of which the motion has evaluated the last iterate (BA9). Allocates nothing. */
+void balance_step(Balance *b, Motion *motion, double t, const double *y);
+
+/* Segments join or leave at (t, y): around the change, which may bring another motion; what it changes is carried in
+ * or out by them (BA3). Errors: MEMORY. */
+void balance_leave(Balance *b, Motion *motion, double t, const double *y);
+hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *y, hawser_error *err);
+
+/* The balances from the beginning to (t, y), which is evaluated; *out stays the balance's. */
+const hawser_balance *balance_close(Balance *b, Motion *motion, double t, const double *y);
+
+#endif

@@ -1,0 +1,87 @@
+#include "sim/watch/peaks.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+
+hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
+{
+    *peaks = (Peaks){.present = scene->def.limits.present, .n_rollers = scene->def.n_rollers};
+    if (!peaks->present) return HAWSER_OK;
+    peaks->roller = malloc(((size_t)peaks->n_rollers + 1) * sizeof *peaks->roller);
+    if (!peaks->roller) return error_memory(err);
+    for (int i = 0; i < peaks->n_rollers; ++i) peaks->roller[i] = NAN;
+    return HAWSER_OK;
+}
+
+void peaks_free(Peaks *peaks)
+{
+    free(peaks->roller);
+    *peaks = (Peaks){0};
+}
+
+static void take(Peak *peak, double value, double at)
+{
+    if (value > peak->value) *peak = (Peak){value, at};
+}
+
+/* Joint j's place if nothing stretched, m along the route; j counts from the tail of what is simulated. */
+static double joint_place(const Scene *scene, const hawser_sample *sample, int j)
+{
+    return scene->joint_s[scene->first + j] + sample->winch_travel;
+}
+
+static Vec3 axis_of(const Kinematics *kin, int i)
+{
+    const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+    return quat_rotate(q, v3(1, 0, 0));
+}
+
+/* Tension and the pressure that it brings in a bend of the route. */
+static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample *sample, int eye)
+{
+    const double *const tension = sample->tension + scene->first;
+    for (int j = 0; j <= eye; ++j) {
+        const double s = joint_place(scene, sample, j);
+        take(&peaks->tension, tension[j], s);
+        take(&peaks->sidewall, tension[j] * v3_norm(route_at(&scene->route, s).curvature), s);
+    }
+    for (int j = eye + 1; j <= scene->chain.n; ++j) take(&peaks->rope, tension[j], joint_place(scene, sample, j));
+    take(&peaks->rope, sample->winch_force, joint_place(scene, sample, scene->chain.n));
+}
+
+/* (LI6): the angle between neighbouring axes over the length between their middles. The cable's own, before the eye. */
+static void curvature_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
+                             int eye)
+{
+    Vec3 before = axis_of(kin, 0);
+    for (int i = 1; i < eye; ++i) {
+        const Vec3 axis = axis_of(kin, i);
+        const double angle = 2 * asin(fmin(1, v3_norm(v3_sub(axis, before)) / 2));
+        take(&peaks->curvature, angle / (scene->chain.half[i - 1] + scene->chain.half[i]),
+             joint_place(scene, sample, i));
+        before = axis;
+    }
+}
+
+static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const double front = joint_place(scene, sample, scene->eye - scene->first);
+    for (int r = 0; r < peaks->n_rollers; ++r) {
+        const double s = scene->def.rollers[r].s;
+        if (isnan(s) || s > front) continue; /* there is rope */
+        peaks->roller[r] = fmax(peaks->roller[r], stats_tension_at(scene, kin, sample, s));
+    }
+}
+
+void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    if (!peaks->present) return;
+    int eye = scene->eye - scene->first;
+    if (eye > scene->chain.n) eye = scene->chain.n; /* it has passed the winch */
+    peaks->recorded++;
+    joints_record(peaks, scene, sample, eye);
+    curvature_record(peaks, scene, kin, sample, eye);
+    rollers_record(peaks, scene, kin, sample);
+}

@@ -1,0 +1,40 @@
+/* The worst of a run that limits ask for and statistics do not keep: tension, sidewall pressure and bend radius of the
+ * cable, pull of the rope, tension over each roller. Empty unless the case has limits: then nothing is computed. */
+#ifndef HAWSER_SIM_WATCH_PEAKS_H
+#define HAWSER_SIM_WATCH_PEAKS_H
+
+#include "sim/expected/expected.h"
+#include "sim/watch/overload.h"
+#include "sim/watch/stats.h"
+
+/* A largest value and where it was, m along the route. */
+typedef struct Peak {
+    double value, at;
+} Peak;
+
+typedef struct Peaks {
+    int present;
+    int recorded;   /* samples so far */
+    Peak tension;   /* N, of the cable, eye included */
+    Peak sidewall;  /* N/m, T/R of the route's bends */
+    Peak curvature; /* 1/m, of the cable between neighbouring segments */
+    Peak rope;      /* N, of the rope, or at the winch */
+    int n_rollers;
+    double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
+} Peaks;
+
+/* Errors: MEMORY. */
+hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err);
+void peaks_free(Peaks *peaks);
+/* Takes a sample in; as stats_record. */
+void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+
+/* The run so far against the case's limits, (LI5); as hawser_sim_limits. */
+int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected,
+                hawser_limit *out);
+
+/* The rollers over which cable has passed and theory has a tension, by the case's order: *out is malloc'ed. Returns how
+ * many, -1 without memory. */
+int peaks_overload(const Peaks *peaks, const Scene *scene, const Expected *expected, Overload **out);
+
+#endif

@@ -1,0 +1,124 @@
+/* What a run found, put before the limits. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "sim/watch/peaks.h"
+
+/* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
+ * newtons would make any ratio. */
+static const double MEASURE = 0.1;
+
+static void place_text(const Scene *scene, double s, char *text, size_t size)
+{
+    const Route *const route = &scene->route;
+    const RoutePiece *const piece = &route->piece[route_at(route, s).piece];
+    const char *const where = s < 0 ? "before the route" : s > route->length ? "beyond the route" : piece->name;
+    snprintf(text, size, "%.1f m%s%s%s", s, *where ? " (" : "", where, *where ? ")" : "");
+}
+
+static Finding of_peak(const Scene *scene, Peak peak)
+{
+    Finding f = {.value = peak.value};
+    place_text(scene, peak.at, f.where, sizeof f.where);
+    return f;
+}
+
+/* The route's bends by T/R, surfaces by the force per length that was found on them. */
+static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Scene *scene)
+{
+    Finding f = of_peak(scene, peaks->sidewall);
+    for (int i = 0; i < stats->n_surfaces; ++i) {
+        const SimSurface *const s = &stats->surface_out[i];
+        if (!(s->line_load > f.value)) continue;
+        f.value = s->line_load;
+        snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->at, s->name);
+    }
+    if (!(f.value > 0)) *f.where = 0;
+    return f;
+}
+
+static Finding bend_finding(const Peaks *peaks, const Scene *scene)
+{
+    Finding f = of_peak(scene, peaks->curvature);
+    f.value = 1 / peaks->curvature.value; /* a cable that is straight has no radius that could be too small */
+    if (!isfinite(f.value)) *f.where = 0;
+    return f;
+}
+
+/* The rated roller with the largest load for its rating; steady or peak. */
+static Finding roller_finding(const Stats *stats, int steady)
+{
+    Finding worst = {.value = NAN};
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        const SimRoller *const roller = &stats->roller_out[r];
+        const double load = steady ? roller->steady : roller->peak;
+        if (!(roller->rating > 0) || (!isnan(worst.value) && !(load / roller->rating > worst.value / worst.rating)))
+            continue;
+        worst.value = load;
+        worst.rating = roller->rating;
+        snprintf(worst.where, sizeof worst.where, "%.75s", roller->name);
+    }
+    return worst;
+}
+
+/* The tension of the reference theory at a roller, N; NAN off the cable that theory counts. */
+static double reference_at(const Expected *e, const Pull *pull, double s)
+{
+    if (!(s >= e->from - 1e-9 && s <= e->to + 1e-9)) return NAN;
+    const double reference = pull_at(pull, s).tension;
+    return reference >= MEASURE * pull->max_tension ? reference : NAN;
+}
+
+int peaks_overload(const Peaks *peaks, const Scene *scene, const Expected *expected, Overload **out)
+{
+    Pull pull;
+    int n = 0;
+    *out = malloc(((size_t)peaks->n_rollers + 1) * sizeof **out);
+    if (*out && !peaks->present) return 0; /* a rod has no theory to ask */
+    if (!*out || expected_pull(scene, expected, PULL_REFERENCE, &pull, NULL)) return -1;
+    for (int r = 0; r < peaks->n_rollers && peaks->present; ++r) {
+        const RollerDef *const roller = &scene->def.rollers[r];
+        const double reference = reference_at(expected, &pull, roller->s), peak = peaks->roller[r];
+        if (isnan(reference) || isnan(peak)) continue;
+        (*out)[n++] = (Overload){roller->name, roller->s, peak, reference, peak / reference};
+    }
+    pull_clear(&pull);
+    return n;
+}
+
+static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const Expected *expected)
+{
+    Overload *all;
+    Finding worst = {.value = NAN, .why = "no roller along the route has cable and a tension by theory"};
+    const int n = peaks_overload(peaks, scene, expected, &all);
+    for (int i = 0; i < n; ++i) {
+        if (!isnan(worst.value) && !(all[i].alpha > worst.value)) continue;
+        worst.value = all[i].alpha;
+        snprintf(worst.where, sizeof worst.where, "%.75s", all[i].name);
+    }
+    free(all);
+    return worst;
+}
+
+int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, hawser_limit *out)
+{
+    const CableDef *const cable = &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
+    Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}};
+    if (!peaks->present) return 0;
+    if (peaks->recorded > 0) {
+        f[LIMIT_PULL] = of_peak(scene, peaks->tension);
+        f[LIMIT_SIDEWALL] = sidewall_finding(peaks, stats, scene);
+        f[LIMIT_BEND] = bend_finding(peaks, scene);
+        f[LIMIT_ROLLER_STEADY] = roller_finding(stats, 1);
+        f[LIMIT_ROLLER_PEAK] = roller_finding(stats, 0);
+        f[LIMIT_ROPE] = of_peak(scene, peaks->rope);
+        f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
+    } else {
+        for (int k = 0; k < LIMIT_KINDS; ++k) {
+            f[k].value = NAN;
+            snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
+        }
+    }
+    return limits_judge(&scene->def.limits, cable->diameter, 1, f, out);
+}

@@ -1,0 +1,117 @@
+#include "sim/watch/position_table.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/expected/expected.h"
+
+enum { GRID_MOST = 400, BINS_MOST = 200 };
+static const double GRID = 0.5, BIN = 2; /* m, at least */
+static const double SHIFT = 100;         /* N, of the back tension for its gain */
+
+/* The winch's force with the front at s; NAN if theory has none. */
+static double theory_at(const Scene *scene, double s, double back)
+{
+    Expected e;
+    Pull pull;
+    hawser_error quiet;
+    double force = NAN;
+    if (!expected_at(scene, s, back, &e, &quiet) && !expected_pull(scene, &e, PULL_REFERENCE, &pull, &quiet)) {
+        force = pull.end_tension + scene->def.drag.force;
+        pull_clear(&pull);
+    }
+    expected_free(&e);
+    return force;
+}
+
+/* How many parts of at least `length` m, but no more than `most`. */
+static int parts_of(const ByPosition *b, double length, int most)
+{
+    const double parts = ceil((b->to - b->from) / length);
+    return parts < most ? (int)fmax(parts, 1) : most;
+}
+
+hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *err)
+{
+    memset(b, 0, sizeof *b);
+    b->last_t = -1;
+    if (!expected_range(scene, &b->from, &b->to)) return HAWSER_OK;
+    b->n_grid = parts_of(b, GRID, GRID_MOST) + 1;
+    b->n_bins = parts_of(b, BIN, BINS_MOST);
+    b->theory = calloc((size_t)b->n_grid, sizeof(double));
+    b->gain = calloc((size_t)b->n_grid, sizeof(double));
+    b->time = calloc((size_t)b->n_bins, sizeof(double));
+    b->out = calloc((size_t)b->n_bins, sizeof *b->out);
+    int ok = b->theory && b->gain && b->time && b->out;
+    for (int k = 0; k < 3; ++k) {
+        b->sum[k] = calloc((size_t)b->n_bins, sizeof(double));
+        ok = ok && b->sum[k];
+    }
+    if (!ok) {
+        by_position_free(b);
+        return error_memory(err);
+    }
+    b->back = expected_back(scene, scene->def.duration);
+    for (int i = 0; i < b->n_grid; ++i) {
+        const double s = b->from + (b->to - b->from) * i / (b->n_grid - 1);
+        b->theory[i] = theory_at(scene, s, b->back);
+        b->gain[i] = (theory_at(scene, s, b->back + SHIFT) - b->theory[i]) / SHIFT;
+    }
+    return HAWSER_OK;
+}
+
+void by_position_free(ByPosition *b)
+{
+    free(b->theory);
+    free(b->gain);
+    free(b->time);
+    free(b->out);
+    for (int k = 0; k < 3; ++k) free(b->sum[k]);
+    memset(b, 0, sizeof *b);
+}
+
+double by_position_reference(const ByPosition *b, double s, double back)
+{
+    if (b->n_grid == 0 || !(s >= b->from - 1e-6) || !(s <= b->to + 1e-6)) return NAN;
+    const double x = fmin(fmax((s - b->from) / (b->to - b->from), 0), 1) * (b->n_grid - 1);
+    const int i = x < b->n_grid - 2 ? (int)x : b->n_grid - 2;
+    const double theory = b->theory[i] + (x - i) * (b->theory[i + 1] - b->theory[i]);
+    return theory + (back - b->back) * (b->gain[i] + (x - i) * (b->gain[i + 1] - b->gain[i]));
+}
+
+void by_position_record(ByPosition *b, double t, double s, double force, double reference, int steady)
+{
+    const double dt = b->last_t >= 0 ? t - b->last_t : 0;
+    b->last_t = t;
+    if (!steady || !(dt > 0) || isnan(reference)) return;
+    const double x = (s - b->from) / (b->to - b->from) * b->n_bins;
+    const int i = x < 0 ? 0 : x < b->n_bins ? (int)x : b->n_bins - 1;
+    const double value[3] = {s, force, reference};
+    for (int k = 0; k < 3; ++k) b->sum[k][i] += value[k] * dt;
+    b->time[i] += dt;
+}
+
+void by_position_window(ByPosition *b, double reference, double dt)
+{
+    if (isnan(reference) || !(dt > 0)) return;
+    b->mean[0] += reference * dt;
+    b->mean[1] += dt;
+}
+
+double by_position_mean(const ByPosition *b) { return b->mean[1] > 0 ? b->mean[0] / b->mean[1] : NAN; }
+
+int by_position_table(const ByPosition *b)
+{
+    int n = 0;
+    for (int i = 0; i < b->n_bins; ++i) {
+        if (!(b->time[i] > 0)) continue;
+        const double force = b->sum[1][i] / b->time[i], reference = b->sum[2][i] / b->time[i];
+        b->out[n++] = (hawser_position){.head_m = b->sum[0][i] / b->time[i],
+                                        .pull_N = force,
+                                        .reference_N = reference,
+                                        .error_pct = 100 * (force / reference - 1)};
+    }
+    return n;
+}

@@ -1,0 +1,193 @@
+#include "sim/watch/sample.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/watch/off_window.h"
+
+/* Spin and shift of every roller, not known until a look, and never for those that do not move. */
+static int moving_alloc(SampleBuffers *b, int rollers)
+{
+    for (int k = 0; k < 2; ++k) {
+        b->moving[k] = malloc((size_t)rollers * sizeof(double));
+        for (int r = 0; b->moving[k] && r < rollers; ++r) b->moving[k][r] = NAN;
+    }
+    return b->moving[0] && b->moving[1];
+}
+
+int sample_alloc(SampleBuffers *b, const Scene *scene)
+{
+    const size_t n = (size_t)scene->total;
+    memset(b, 0, sizeof *b);
+    b->position = calloc(3 * n, sizeof(double));
+    b->quaternion = calloc(4 * n, sizeof(double));
+    b->velocity = calloc(3 * n, sizeof(double));
+    b->omega = calloc(3 * n, sizeof(double));
+    b->tension = calloc(n + 1, sizeof(double));
+    b->axial_speed = calloc(n, sizeof(double));
+    b->roller_load = calloc((size_t)scene->contact.n_rollers + 1, sizeof(double));
+    const int surfaces = scene->surfaces.model.n_surfaces;
+    int ok = scene->equipment.n == 0 || moving_alloc(b, scene->contact.n_rollers);
+    for (int k = 0; k < 4; ++k) {
+        b->surface[k] = calloc((size_t)surfaces + 1, sizeof(double));
+        ok = ok && b->surface[k];
+    }
+    b->conveyor_force = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
+    b->conveyor_slip = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
+    ok = ok && b->conveyor_force && b->conveyor_slip;
+    b->sample = (hawser_sample){.segments = scene->total,
+                                .joints = scene->total + 1,
+                                .rollers = scene->contact.n_rollers,
+                                .position = b->position,
+                                .quaternion = b->quaternion,
+                                .velocity = b->velocity,
+                                .omega = b->omega,
+                                .tension = b->tension,
+                                .axial_speed = b->axial_speed,
+                                .roller_load = b->roller_load,
+                                .roller_spin = b->moving[0],
+                                .roller_shift = b->moving[1],
+                                .head_at = NAN,
+                                .reference = NAN,
+                                .surfaces = surfaces,
+                                .surface_normal = b->surface[0],
+                                .surface_friction = b->surface[1],
+                                .surface_line_load = b->surface[2],
+                                .surface_at = b->surface[3],
+                                .conveyors = scene->n_conveyors,
+                                .conveyor_force = b->conveyor_force,
+                                .conveyor_slip = b->conveyor_slip};
+    return ok && b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed &&
+           b->roller_load;
+}
+
+void sample_free(SampleBuffers *b)
+{
+    free(b->position);
+    free(b->quaternion);
+    free(b->velocity);
+    free(b->omega);
+    free(b->tension);
+    free(b->axial_speed);
+    free(b->roller_load);
+    for (int k = 0; k < 4; ++k) free(b->surface[k]);
+    free(b->conveyor_force);
+    free(b->conveyor_slip);
+    for (int k = 0; k < 2; ++k) free(b->moving[k]);
+    memset(b, 0, sizeof *b);
+}
+
+/* Structure of arrays to one row a segment. */
+static void rows_from(int n, int width, double *const *column, double *row)
+{
+    for (int c = 0; c < width; ++c) {
+        for (int i = 0; i < n; ++i) row[width * i + c] = column[c][i];
+    }
+}
+
+static void state_take(SampleBuffers *b, const Kinematics *kin, int first, int n)
+{
+    rows_from(n, 3, kin->p, b->position + 3 * first);
+    rows_from(n, 4, kin->q, b->quaternion + 4 * first);
+    rows_from(n, 3, kin->v, b->velocity + 3 * first);
+    rows_from(n, 3, kin->w, b->omega + 3 * first);
+}
+
+static void speed_take(SampleBuffers *b, const Kinematics *kin, int first, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        b->axial_speed[first + i] =
+            kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i] + kin->v[2][i] * kin->a[2][i];
+    }
+}
+
+static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *ws)
+{
+    const int n = scene->chain.n, first = scene->first;
+    hawser_sample *const s = &b->sample;
+    double *const tension = b->tension + first;
+    memcpy(tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
+    if (!scene->rod.present) tension[0] = s->tail_tension;
+    if (scene->winch.mode == WINCH_TENSION) tension[n] = s->winch_force; /* no bushing carries it */
+    s->max_tension_joint = first;
+    for (int j = 1; j <= n; ++j) {
+        if (tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = first + j;
+    }
+    s->max_tension = b->tension[s->max_tension_joint];
+}
+
+static void winch_take(hawser_sample *s, const Scene *scene, const Workspace *ws, double t)
+{
+    const Winch *const w = &scene->winch;
+    if (!w->present) return;
+    const WinchMotion motion = winch_motion(w, &scene->chain, &ws->kin, t);
+    s->winch_force = ws->winch_pull;
+    s->winch_speed = motion.speed;
+    s->winch_travel = motion.travel;
+}
+
+static void surfaces_take(SampleBuffers *b, const Workspace *ws)
+{
+    hawser_sample *const s = &b->sample;
+    for (int i = 0; i < s->surfaces; ++i) {
+        const SurfaceTally *const tally = &ws->on_surface[i];
+        b->surface[0][i] = tally->normal;
+        b->surface[1][i] = tally->friction;
+        b->surface[2][i] = tally->line_load;
+        b->surface[3][i] = tally->at;
+    }
+}
+
+/* The reel, and the back tension that it gives. */
+static void reel_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t)
+{
+    hawser_sample *const s = &b->sample;
+    s->tail_tension = profile_value(&scene->tail, t);
+    s->reel_speed = s->paid_out = s->wound = NAN;
+    if (scene->reel.winding.turns > 0) { /* empty, once its cable has left it */
+        s->reel_speed = s->wound = 0;
+        s->paid_out = scene->reel.total;
+    }
+    if (!scene->reel.present) return;
+    const ReelLook look = reel_look(&scene->reel, &scene->chain, &ws->kin, &ws->joints, t);
+    s->tail_tension = look.tension;
+    s->reel_speed = look.speed;
+    s->paid_out = look.paid_out;
+    s->wound = look.wound;
+}
+
+static void moving_take(SampleBuffers *b, const EquipmentWork *w)
+{
+    for (int k = 0; k < w->q->n; ++k) {
+        const MovingRoller *const item = &w->q->item[k];
+        const int r = item->roller;
+        if (item->spin >= 0) b->moving[0][r] = v3_dot(w->motion[r].w, w->roller[r].shape.axis);
+        if (item->mount >= 0) b->moving[1][r] = equipment_shift(w, item);
+    }
+}
+
+const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t, int active,
+                                 SampleParts parts)
+{
+    hawser_sample *const s = &b->sample;
+    const int n = scene->chain.n;
+    s->t = t;
+    s->first = scene->first;
+    s->active = n;
+    s->active_contacts = active;
+    if (parts == SAMPLE_ALL) state_take(b, &ws->kin, scene->first, n);
+    speed_take(b, &ws->kin, scene->first, n);
+    winch_take(s, scene, ws, t);
+    reel_take(b, scene, ws, t);
+    tension_take(b, scene, ws);
+    if (n < scene->total) absent_take(b, scene, s, parts);
+    for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
+    surfaces_take(b, ws);
+    for (int i = 0; i < s->conveyors; ++i) {
+        const ConveyorNow now = dynamics_conveyor(scene, ws, i, t);
+        b->conveyor_force[i] = now.force;
+        b->conveyor_slip[i] = now.slip;
+    }
+    moving_take(b, &ws->equipment);
+    return s;
+}

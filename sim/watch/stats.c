@@ -1,0 +1,273 @@
+#include "sim/watch/stats.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/watch/arc_length.h"
+#include "theory/duct.h"
+
+/* A sample of `value`, dt after the last one; it counts for the mean if `steady`. */
+static void mean_add(TimeMean *m, double value, double dt, int steady)
+{
+    if (steady && m->started) {
+        const double middle = (value + m->last) / 2;
+        m->sum += middle * dt;
+        m->square += middle * middle * dt;
+        m->time += dt;
+    }
+    if (!m->started || value > m->peak) m->peak = value;
+    m->last = value;
+    m->started = 1;
+}
+
+static double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : m->last; }
+
+/* Root mean square deviation from the mean. */
+static double ripple_of(const TimeMean *m)
+{
+    const double mean = mean_of(m);
+    return m->time > 0 ? sqrt(fmax(0, m->square / m->time - mean * mean)) : 0;
+}
+
+/* Clearance and jam ratio of a duct with one cable in it; the sizes were checked when the case was read. */
+static void duct_fill(const SurfaceDef *def, SimSurface *out)
+{
+    const DuctDef duct = {
+        .duct_diameter = 2 * def->shape.radius, .cable_diameter = 2 * def->shape.cable_radius, .cables = 1};
+    DuctLoad load;
+    out->clearance = out->jam_ratio = NAN;
+    if (def->shape.kind != SURFACE_DUCT || duct_load(&duct, &load, NULL)) return;
+    out->clearance = load.clearance;
+    out->jam_ratio = load.jam_ratio;
+}
+
+/* The tables of the surfaces; 0 if there is no memory. */
+static int surfaces_new(Stats *stats, const SceneDef *def)
+{
+    const size_t n = (size_t)def->n_surfaces + 1;
+    stats->n_surfaces = def->n_surfaces;
+    stats->surface[0] = calloc(n, sizeof(TimeMean));
+    stats->surface[1] = calloc(n, sizeof(TimeMean));
+    stats->surface_out = calloc(n, sizeof *stats->surface_out);
+    if (!stats->surface[0] || !stats->surface[1] || !stats->surface_out) return 0;
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        SimSurface *const out = &stats->surface_out[i];
+        memcpy(out->name, def->surfaces[i].name, sizeof out->name);
+        out->def = &def->surfaces[i];
+        out->at = NAN;
+        duct_fill(out->def, out);
+    }
+    return 1;
+}
+
+/* Names and places; the names are the scene's. 0 if there is no memory. */
+static int conveyors_new_stats(Stats *stats, const Scene *scene)
+{
+    const int n = stats->n_conveyors = scene->n_conveyors;
+    stats->conveyor = calloc((size_t)n + 1, sizeof *stats->conveyor);
+    stats->conveyor_out = calloc((size_t)n + 1, sizeof *stats->conveyor_out);
+    if (!stats->conveyor || !stats->conveyor_out) return 0;
+    for (int i = 0; i < n; ++i) {
+        const ConveyorDef *const def = &scene->def.conveyors[i];
+        stats->conveyor[i].v_s = def->v_s;
+        stats->conveyor_out[i] =
+            (hawser_conveyor){.name = def->name, .from = def->from, .to = def->to, .grip_N = scene->conveyor[i].grip};
+    }
+    return 1;
+}
+
+hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    memset(stats, 0, sizeof *stats);
+    stats->last_t = -1;
+    stats->steady_from = def->output.steady_from;
+    stats->n_stations = def->n_stations;
+    stats->n_rollers = def->n_rollers;
+    const size_t ns = (size_t)def->n_stations + 1, nr = (size_t)def->n_rollers + 1;
+    stats->station = calloc(ns, sizeof *stats->station);
+    stats->roller = calloc(nr, sizeof *stats->roller);
+    stats->station_out = calloc(ns, sizeof *stats->station_out);
+    stats->roller_out = calloc(nr, sizeof *stats->roller_out);
+    stats->moving[0] = calloc(nr, sizeof *stats->roller);
+    stats->moving[1] = calloc(nr, sizeof *stats->roller);
+    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !stats->moving[0] ||
+        !stats->moving[1] || !surfaces_new(stats, def) || !conveyors_new_stats(stats, scene)) {
+        stats_free(stats);
+        return error_memory(err);
+    }
+    for (int i = 0; i < def->n_stations; ++i) {
+        stats->station_out[i].name = def->stations[i].name;
+        stats->station_out[i].s = def->stations[i].s;
+    }
+    for (int r = 0; r < def->n_rollers; ++r) {
+        SimRoller *const out = &stats->roller_out[r];
+        snprintf(out->name, sizeof out->name, "%s", def->rollers[r].name);
+        out->s = def->rollers[r].s;
+        out->rating = def->rollers[r].rating;
+        out->spin = out->shift = out->peak_shift = NAN;
+    }
+    return HAWSER_OK;
+}
+
+void stats_free(Stats *stats)
+{
+    free(stats->station);
+    free(stats->roller);
+    free(stats->station_out);
+    free(stats->roller_out);
+    free(stats->moving[0]);
+    free(stats->moving[1]);
+    free(stats->surface[0]);
+    free(stats->surface[1]);
+    free(stats->surface_out);
+    free(stats->conveyor);
+    free(stats->conveyor_out);
+    memset(stats, 0, sizeof *stats);
+}
+
+double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
+{
+    const int n = scene->chain.n;
+    const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
+    int low = 0, high = n;
+    while (high - low > 1) { /* by the unstretched places */
+        const int mid = (low + high) / 2;
+        if (joint_s[mid] + sample->winch_travel <= s) {
+            low = mid;
+        } else {
+            high = mid;
+        }
+    }
+    double a = along_joint(scene, kin, sample->winch_travel, low),
+           b = along_joint(scene, kin, sample->winch_travel, high);
+    while (s < a && low > 0) {
+        high = low--;
+        b = a;
+        a = along_joint(scene, kin, sample->winch_travel, low);
+    }
+    while (s > b && high < n) {
+        low = high++;
+        a = b;
+        b = along_joint(scene, kin, sample->winch_travel, high);
+    }
+    if (s < a || s > b) return NAN;
+    const double u = (s - a) / (b - a);
+    return (1 - u) * tension[low] + u * tension[high];
+}
+
+static void stations_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
+                            double dt, int steady)
+{
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const double tension = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
+        if (!isnan(tension)) mean_add(&stats->station[i], tension, dt, steady);
+    }
+}
+
+static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
+{
+    for (int i = 0; i < stats->n_surfaces; ++i) {
+        SimSurface *const out = &stats->surface_out[i];
+        mean_add(&stats->surface[0][i], sample->surface_normal[i], dt, steady);
+        mean_add(&stats->surface[1][i], sample->surface_friction[i], dt, steady);
+        out->normal = mean_of(&stats->surface[0][i]);
+        out->friction = mean_of(&stats->surface[1][i]);
+        if (!(sample->surface_line_load[i] > out->line_load)) continue;
+        out->line_load = sample->surface_line_load[i];
+        out->at = sample->surface_at[i];
+    }
+}
+
+static void tables_update(Stats *stats)
+{
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const TimeMean *const m = &stats->station[i];
+        stats->station_out[i].mean_N = m->started ? mean_of(m) : NAN;
+        stats->station_out[i].peak_N = m->started ? m->peak : NAN;
+    }
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        stats->roller_out[r].steady = mean_of(&stats->roller[r]);
+        stats->roller_out[r].peak = stats->roller[r].peak;
+        if (!stats->moving[0][r].started) continue;
+        stats->roller_out[r].spin = mean_of(&stats->moving[0][r]);
+        stats->roller_out[r].shift = mean_of(&stats->moving[1][r]);
+        stats->roller_out[r].peak_shift = stats->moving[1][r].peak;
+    }
+}
+
+/* The conveyors' means, and their table. */
+static void conveyors_record(Stats *stats, const Scene *scene, const hawser_sample *sample, double dt, int steady)
+{
+    for (int i = 0; i < stats->n_conveyors; ++i) {
+        ConveyorMeans *const m = &stats->conveyor[i];
+        hawser_conveyor *const out = &stats->conveyor_out[i];
+        const double slip = sample->conveyor_slip[i];
+        mean_add(&m->force, sample->conveyor_force[i], dt, steady);
+        mean_add(&m->slip, slip, dt, steady);
+        mean_add(&m->belt, conveyor_belt(&scene->conveyor[i], &scene->winch, sample->t), dt, steady);
+        mean_add(&m->slipping, fabs(slip) > m->v_s, dt, steady);
+        out->mean_N = mean_of(&m->force);
+        out->peak_N = m->force.peak;
+        out->slip_m_per_s = mean_of(&m->slip);
+        out->belt_m_per_s = mean_of(&m->belt);
+        out->slipping = mean_of(&m->slipping);
+    }
+}
+
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const double dt = stats->last_t >= 0 ? sample->t - stats->last_t : 0;
+    const int steady = stats->last_t >= stats->steady_from - 1e-9;
+    if (stats->last_t >= 0 && dt <= 0) return;
+    mean_add(&stats->pull, sample->winch_force, dt, steady);
+    mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
+    if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
+        stats->settled_at = sample->t;
+    stations_record(stats, scene, kin, sample, dt, steady);
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
+        if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];
+        if (!sample->roller_spin) continue;
+        mean_add(&stats->moving[0][r], sample->roller_spin[r], dt, steady);
+        mean_add(&stats->moving[1][r], sample->roller_shift[r], dt, steady);
+    }
+    surfaces_record(stats, sample, dt, steady);
+    conveyors_record(stats, scene, sample, dt, steady);
+    stats->last_t = sample->t;
+    tables_update(stats);
+}
+
+static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */
+
+/* Largest and mean error of the stations against one of the two theories, %. */
+static void errors_of(const Stats *stats, int paper, double *largest, double *mean)
+{
+    int count = 0;
+    *largest = *mean = 0;
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const hawser_station *const s = &stats->station_out[i];
+        const double theory = paper ? s->paper_N : s->reference_N;
+        if (!stats->station[i].started || !(fabs(theory) > NO_TENSION)) continue;
+        const double error = 100 * fabs(s->mean_N / theory - 1);
+        *largest = fmax(*largest, error);
+        *mean += error;
+        ++count;
+    }
+    if (count > 0) *mean /= count;
+}
+
+void stats_summary(const Stats *stats, hawser_summary *out)
+{
+    out->pull_mean_N = mean_of(&stats->pull);
+    out->pull_peak_N = stats->pull.peak;
+    out->pull_ripple_N = ripple_of(&stats->pull);
+    out->steady_speed_m_per_s = mean_of(&stats->speed);
+    out->settle_time_s = stats->settled_at;
+    out->steady_from_s = stats->steady_from;
+    out->steady_to_s = fmax(stats->last_t, 0);
+    errors_of(stats, 0, &out->error_max_pct, &out->error_mean_pct);
+    errors_of(stats, 1, &out->error_max_paper_pct, &out->error_mean_paper_pct);
+}

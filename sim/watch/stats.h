@@ -1,0 +1,68 @@
+/* What a run is judged by: time-weighted means over the steady window, peaks, and the tension at stations of the route.
+ * Memory does not grow with the run. */
+#ifndef HAWSER_SIM_WATCH_STATS_H
+#define HAWSER_SIM_WATCH_STATS_H
+
+#include "sim/scene.h"
+
+/* Mean and mean square of a value over time, by the trapezoidal rule, with its peak. */
+typedef struct TimeMean {
+    double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
+    int started;
+} TimeMean;
+
+typedef struct SimRoller {
+    char name[NAME_MAX_LENGTH];
+    double s;                 /* m along the route, NAN if listed by coordinates */
+    double rating;            /* N, 0: none */
+    double steady;            /* N, mean load in the steady window */
+    double peak;              /* N, of the run */
+    double initial;           /* N, at equilibrium before t = 0 */
+    double spin;              /* rad/s, mean of the steady window; NAN: it does not spin */
+    double shift, peak_shift; /* m, mean of the steady window and largest of the run; NAN: it is not on a mount */
+} SimRoller;
+
+typedef struct SimSurface {
+    char name[NAME_MAX_LENGTH];
+    const SurfaceDef *def;       /* the scene's */
+    double normal, friction;     /* N, means of the steady window */
+    double line_load, at;        /* N/m, the largest of the run; m along the route, where that was */
+    double clearance, jam_ratio; /* ducts: m; 1; NAN for others */
+} SimSurface;
+/* What is averaged of a conveyor. */
+typedef struct ConveyorMeans {
+    TimeMean force, slip, belt, slipping; /* N, m/s, m/s, 0 or 1 */
+    double v_s;                           /* m/s: more slip is slipping */
+} ConveyorMeans;
+
+typedef struct Stats {
+    double last_t;      /* s, of the last sample; < 0: none */
+    double steady_from; /* s */
+    TimeMean pull;      /* N, winch force */
+    TimeMean speed;     /* m/s, axial speed of the cable's first segment that is simulated */
+    double settled_at;  /* s, last time the speed was more than 2 % off the winch's final speed */
+    int n_stations, n_rollers, n_surfaces;
+    TimeMean *station;    /* [n_stations], N */
+    TimeMean *roller;     /* [n_rollers], N */
+    TimeMean *moving[2];  /* [n_rollers], rad/s, m: spin, shift; filled where rollers move */
+    TimeMean *surface[2]; /* [n_surfaces], N: normal force, friction */
+    hawser_station *station_out;
+    SimRoller *roller_out;
+    SimSurface *surface_out;
+    int n_conveyors;
+    ConveyorMeans *conveyor; /* [n_conveyors] */
+    hawser_conveyor *conveyor_out;
+} Stats;
+
+hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
+void stats_free(Stats *stats);
+/* Takes a sample in, of which it reads no positions and attitudes: those are kin's. The tables station_out,
+ * roller_out and surface_out are up to date afterwards. */
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
+ * there. */
+double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s);
+/* Fills what the statistics know into the summary; paper_N and reference_N must be in station_out. */
+void stats_summary(const Stats *stats, hawser_summary *out);
+
+#endif
