@@ -9,6 +9,7 @@
 #include "bench/straight_scene.h"
 #include "core/base/clock.h"
 #include "sim/dynamics.h"
+#include "tests/sim/room_fixture.h"
 
 static const double REACH = 1, EVERYTHING = 1e9; /* m */
 
@@ -65,7 +66,7 @@ static void bench_free(Bench *b)
 
 static void refresh(Bench *b) { dynamics_refresh(&b->scene, &b->ws, 0, b->y, 1, NULL); }
 static void question(Bench *b) { dynamics_refresh(&b->scene, &b->ws, 0, b->y, 0, NULL); }
-static void forces(Bench *b) { dynamics_roller_forces(&b->scene, &b->ws); }
+static void forces(Bench *b) { room_look(&ROLLERS_ROOM, &b->scene, &b->ws); }
 
 /* Least time of a call, us. */
 static double least(Bench *b, void (*call)(Bench *b), int repetitions)
@@ -85,11 +86,11 @@ static void row_print(int segments, int rollers, int repetitions)
     bench_new(&b, segments, rollers, REACH);
     const double search = least(&b, refresh, repetitions), ask = least(&b, question, repetitions);
     const double push = least(&b, forces, repetitions);
-    const int candidates = dynamics_candidates(&b.ws), active = dynamics_roller_forces(&b.scene, &b.ws);
+    const int candidates = dynamics_candidates(&b.ws), active = room_look(&ROLLERS_ROOM, &b.scene, &b.ws);
     bench_free(&b);
     bench_new(&b, segments, rollers, EVERYTHING);
     const double all = least(&b, forces, repetitions < 3 ? repetitions : 3);
-    check(dynamics_roller_forces(&b.scene, &b.ws) == active, "the reach has changed the contacts");
+    check(room_look(&ROLLERS_ROOM, &b.scene, &b.ws) == active, "the reach has changed the contacts");
     printf("| %d | %d | %d | %d | %.1f | %.1f | %.1f | %d | %.1f |\n", segments, rollers, candidates, active, search,
            ask, push, dynamics_candidates(&b.ws), all);
     bench_free(&b);

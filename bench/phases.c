@@ -13,6 +13,7 @@
 #include "bench/straight_scene.h"
 #include "core/base/isa.h"
 #include "sim/dynamics.h"
+#include "sim/equipment/winch.h"
 #include "sim/newton/newton.h"
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
@@ -175,8 +176,8 @@ static void state_move(Bench *b)
 {
     const int n = b->scene.chain.n;
     b->t = 1.5;
-    const double travel = profile_integral(&b->scene.winch.speed, b->t),
-                 speed = profile_value(&b->scene.winch.speed, b->t);
+    const double travel = profile_integral(&b->scene.winch->speed, b->t),
+                 speed = profile_value(&b->scene.winch->speed, b->t);
     for (int i = 0; i < n; ++i) {
         b->y[STATE_P * n + i] += travel;
         b->y[STATE_V * n + i] = speed;

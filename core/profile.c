@@ -144,3 +144,9 @@ int profile_next_corner(const Profile *p, double t, double *corner)
     *corner = next;
     return 1;
 }
+
+double profile_corner_before(const Profile *p, double t, double next)
+{
+    double corner;
+    return profile_next_corner(p, t, &corner) && corner < next ? corner : next;
+}

@@ -2,6 +2,7 @@
 #ifndef HAWSER_SIM_BALANCE_DATA_H
 #define HAWSER_SIM_BALANCE_DATA_H
 
+#include "contact/law/contact_tally.h"
 #include "core/push.h"
 
 /* Who works on the motion: chain, drum of the reel, rollers. */
@@ -62,5 +63,19 @@ typedef struct BalanceStock {
     Vec3 momentum;                 /* N s */
     Vec3 weight;                   /* N, of what is simulated */
 } BalanceStock;
+
+/* Adds what a worker does. */
+static inline void balance_work(BalanceRates *out, BalanceWork who, Push by)
+{
+    out->work[who] += by.power;
+    out->push[who] = v3_add(out->push[who], by.force);
+}
+/* Adds what contacts of a kind do: friction, then damping in the row behind it; their push. */
+static inline void balance_contact(BalanceRates *out, BalanceLoss friction, int who, const ContactTally *by)
+{
+    out->loss[friction] += by->friction;
+    out->loss[friction + 1] += by->damping;
+    out->push[who] = v3_add(out->push[who], v3(by->force[0], by->force[1], by->force[2]));
+}
 
 #endif

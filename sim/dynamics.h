@@ -5,7 +5,6 @@
 
 #include "core/base/team.h"
 #include "core/push.h"
-#include "sim/equipment/roller_motion.h"
 #include "sim/scene.h"
 
 enum { PARTS = 2 }; /* into which the work is split, whatever the number of threads: results never depend on it */
@@ -20,29 +19,29 @@ typedef struct ContactPart {
     double seconds;       /* s spent in forces, summed */
 } ContactPart;
 
-/* Scratch of one evaluation, grouped by what computes it; discardable but for kin.slip. */
-typedef struct Workspace {
-    Team *team;         /* borrowed; NULL: one thread */
-    int middle;         /* segments before it are the first part's; a multiple of LANES */
-    Kinematics kin;     /* body_kinematics, scene_ghosts */
-    JointLoads joints;  /* bushing_loads */
-    Loads loads[PARTS]; /* on segments: weight, tail, drag and the first half's contacts; the second half's contacts */
+/* Scratch of one evaluation, grouped by what computes it; discardable but for what rooms carry over and kin.slip. */
+struct Workspace {
+    const Scene *scene;    /* borrowed */
+    Team *team;            /* borrowed; NULL: one thread */
+    int middle;            /* segments before it are the first part's; a multiple of LANES */
+    Kinematics kin;        /* body_kinematics, scene_ghosts */
+    JointLoads joints;     /* bushing_loads */
+    Loads loads[PARTS];    /* on segments: weight and what acts in part 0; what acts in part 1 */
+    double *law[6];        /* bushing_law: [n+1] */
+    void *room[ROOMS_MAX]; /* the rooms' own; and what others ask for too: */
     ContactPart contact[PARTS];
-    ConveyorRange *in_conveyor; /* [conveyors] dynamics_refresh */
-    SelfPairs self;           /* cable on cable: self_refresh, self_forces, self_blocks; nothing allocated without it */
-    Vec3 *on_roller;          /* [rollers] contact_forces, where asked for, N */
-    EquipmentWork equipment;  /* rollers that move */
-    SurfaceModel surfaces;    /* the scene's; the relaxation softens it */
-    SurfaceTally *on_surface; /* [surfaces] dynamics_surface_forces */
-    double *law[6];           /* bushing_law: [n+1] */
-    double winch_pull;        /* N, of the last look */
+    SelfPairs self;                  /* cable on cable */
+    struct EquipmentWork *equipment; /* rollers that move (sim/equipment/roller_motion.h); NULL without rollers */
+    Vec3 *on_roller;                 /* [rollers] their room's look, N */
+    SurfaceModel surfaces;           /* the scene's; the relaxation softens it */
+    SurfaceTally *on_surface;        /* [surfaces] their room's look */
+    double winch_pull;               /* N, of the last look */
     /* what the last evaluation found to be done to the motion, beside the sums of the contacts */
     JointPower joint_power[PARTS];
     Push lead_in[PARTS];
-    Push drum_hold;
     long rhs_evals, refreshes;
     int candidates_max;
-} Workspace;
+};
 
 /* 0 if there is no memory. */
 int workspace_alloc(Workspace *ws, const Scene *scene, Team *team);
@@ -51,45 +50,34 @@ void workspace_free(Workspace *ws);
  * but what is not scratch stays, and the counters. 0 if there is no memory; then nothing has changed. */
 int workspace_renew(Workspace *ws, const Scene *scene, int joined);
 
-/* kin from (t, y). */
+/* kin from (t, y), and the rooms' poses. */
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
 /* ydot [scene_state_size] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot);
 /* k and d (6x6 blocks, and those off their diagonals in ws->self.extras) at (t, y): the derivatives of force and moment
- * minus inertia times ydot, see body_blocks. Leaves
- * the kinematics of y in the workspace. */
+ * minus inertia times ydot, see body_blocks. Leaves the kinematics of y in the workspace. */
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,
                      BlockChain *k, BlockChain *d);
-/* Force of the cable on every roller, into ws->on_roller, for the kinematics in the workspace; returns how many
- * contacts carry force. Overwrites ws->loads. */
-int dynamics_roller_forces(const Scene *scene, Workspace *ws);
-/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without one.
- */
-double dynamics_winch_pull(const Scene *scene, Workspace *ws, double t);
-/* The same from (t, y); brings the kinematics of the head's last segments up to date, no others. */
-double dynamics_winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y);
+/* What the ground before the tail (joint 0) or behind the head (joint n) does through that joint (BA2), for the
+ * kinematics and joint loads in the workspace. */
+Push dynamics_ghost_push(const Moment *m, int joint);
 /* Force of the cable ahead on segment 0, into ws->joints of joint 1, for the kinematics in the workspace. */
 void dynamics_tail_pull(const Scene *scene, Workspace *ws);
-/* Gives the rollers' contacts `share` of their stiffness, for the relaxation; 1: the scene's again. */
+/* Gives contacts `share` of their stiffness, for the relaxation; 1: the scene's again. */
 void dynamics_soften(const Scene *scene, Workspace *ws, double share);
-/* What the cable does to every surface, into ws->on_surface, likewise. */
-int dynamics_surface_forces(const Scene *scene, Workspace *ws);
-/* Puts what a sample of (t, y) reads into the workspace: kinematics, the joints' law, the winch's pull, the forces on
- * rollers and surfaces. Returns how many contacts carry force. */
+/* Puts what a sample of (t, y) reads into the workspace: kinematics, the joints' law, what rooms look at. Returns how
+ * many contacts carry force. Overwrites ws->loads. */
 int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y);
-/* What conveyor i does at time t, for the kinematics in the workspace. */
-ConveyorNow dynamics_conveyor(const Scene *scene, const Workspace *ws, int i, double t);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);
 /* Candidate pairs in the workspace now. */
 int dynamics_candidates(const Workspace *ws);
 /* A step to (t, y) has been accepted: the sliders of bending follow (bushing_slip), and so does the friction that
- * sticks (contact_accept). What they keep, ws->kin.slip and the pairs' stick, is not scratch but part of the state,
- * beside y. Leaves the kinematics of y in the workspace if there is any of that. */
+ * sticks. What they keep is not scratch but part of the state, beside y. Leaves the kinematics of y in the workspace if
+ * there is any of that. */
 void dynamics_accept(const Scene *scene, Workspace *ws, double t, const double *y);
 /* New candidate pairs for the position y if `always`, or if something has moved too far since the last ones by the
- * kinematics in the workspace, which must be of y or of an iterate close to it.
- * Errors: MEMORY. */
+ * kinematics in the workspace, which must be of y or of an iterate close to it. Errors: MEMORY. */
 hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, const double *y, int always,
                                hawser_error *err);
 /* New candidate pairs for the kinematics in the workspace. Errors: MEMORY. */

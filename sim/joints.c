@@ -5,8 +5,6 @@
 #include "core/base/error.h"
 #include "sim/loading_curve.h"
 
-enum { AXIAL, SHEAR_Y, SHEAR_Z, TORSION, BENDING_Y, BENDING_Z, COMPONENTS };
-
 /* One side of a bushing: half a segment of a cable. */
 typedef struct Side {
     const CableDef *cable;
@@ -27,11 +25,6 @@ static Side side_of(const Scene *scene, int segment)
                                 cable->ei_y / half, cable->ei_z / half},
                   .mobility = {light, light + arm2 * turn[2], light + arm2 * turn[1], turn[0], turn[1], turn[2]}};
 }
-
-/* What a bushing is made of, six components. */
-typedef struct Bushing {
-    double stiffness[COMPONENTS], damping[COMPONENTS], preload[COMPONENTS];
-} Bushing;
 
 /* The damping time of a cable in component c of a bushing, s: as given, or from a ratio at a frequency (HY10) or of the
  * bushing's own mode (HY12). */
@@ -58,9 +51,9 @@ static Bushing series(const Side *a, const Side *b)
     return out;
 }
 
-/* A clamp: the half-spring of the segment alone. */
-static Bushing clamp(const Side *a)
+Bushing joints_clamp(const Scene *scene, int segment)
 {
+    const Side side = side_of(scene, segment), *const a = &side;
     Bushing out;
     for (int c = 0; c < COMPONENTS; ++c) {
         out.stiffness[c] = a->stiffness[c];
@@ -70,8 +63,7 @@ static Bushing clamp(const Side *a)
     return out;
 }
 
-/* Components from..to-1 of joint j. */
-static void joint_set(Chain *chain, int j, const Bushing *b, int from, int to)
+void joint_set(Chain *chain, int j, const Bushing *b, int from, int to)
 {
     for (int c = from; c < to; ++c) {
         chain->stiffness[c][j] = b->stiffness[c];
@@ -80,83 +72,16 @@ static void joint_set(Chain *chain, int j, const Bushing *b, int from, int to)
     }
 }
 
-/* The head of a winch with a set tension: its end slides along the pull, guided and braked by the last segment's
- * half-spring; a clamp holds its attitude too. The drum moves with the last segment (WI3)-(WI5). */
-static void head_guide(Scene *scene, const Bushing *b)
-{
-    Winch *const w = &scene->winch;
-    const int n = scene->chain.n, clamp = !scene->def.winch.axial_only;
-    if (clamp) joint_set(&scene->chain, n, b, TORSION, COMPONENTS);
-    w->guide[0] = clamp ? b->stiffness[SHEAR_Y] : 0;
-    w->guide[1] = clamp ? b->damping[SHEAR_Y] : 0;
-    w->brake[0] = b->stiffness[AXIAL];
-    w->brake[1] = b->damping[AXIAL];
-    scene->chain.mass[n - 1] += w->drum_mass;
-}
-
-/* Whether the winch's joint bends. */
-static int head_clamped(const Scene *scene) { return scene->winch.present && !scene->def.winch.axial_only; }
-
-/* A rod's end: the half-spring of its segment in the components that are held; a pivot's three are the axial one. */
-static void rod_end_fill(Scene *scene, int j, int segment, const RodEndDef *end)
-{
-    const Side side = side_of(scene, segment);
-    Bushing held = clamp(&side);
-    for (int c = SHEAR_Y; end->pivot && c <= SHEAR_Z; ++c) {
-        held.stiffness[c] = held.stiffness[AXIAL];
-        held.damping[c] = held.damping[AXIAL];
-        held.preload[c] = 0;
-    }
-    for (int c = 0; c < COMPONENTS; ++c) {
-        if (end->held[c]) joint_set(&scene->chain, j, &held, c, c + 1);
-    }
-}
-
-/* The relative rotation of the segments at joint j at t = 0 (B2), as a vector. */
-static Vec3 rest_rotation(const Rod *rod, int n, int j)
-{
-    Quat q = quat_mul(quat_conj(rod_attitude(rod, n, j - 1)), rod_attitude(rod, n, j));
-    if (q.w < 0) q = (Quat){-q.w, -q.x, -q.y, -q.z};
-    const Vec3 u = v3(q.x, q.y, q.z);
-    const double size = v3_norm(u);
-    return v3_scale(size > 0 ? 2 * atan2(size, q.w) / size : 2, u);
-}
-
-/* A rod's ends; and in a rod that rests in its shape the preloads that take its rotations as zero (RD7). */
-static void rod_joints(Scene *scene)
+void joints_springs(Scene *scene)
 {
     Chain *const c = &scene->chain;
-    const Rod *const rod = &scene->rod;
-    rod_end_fill(scene, 0, 0, rod->end[ROD_TAIL].def);
-    rod_end_fill(scene, c->n, c->n - 1, rod->end[ROD_HEAD].def);
-    for (int j = 0; scene->def.rod.stress_free && j <= c->n; ++j) {
-        const Vec3 rest = rest_rotation(rod, c->n, j);
-        const double theta[3] = {rest.x, rest.y, rest.z};
-        for (int k = 0; k < 3; ++k) c->preload[TORSION + k][j] -= c->stiffness[TORSION + k][j] * theta[k];
-    }
-}
-
-/* Joint j between segments; the head's joint to the winch is the half-spring of the last segment alone. */
-static void springs_fill(Scene *scene)
-{
-    Chain *const c = &scene->chain;
-    const SceneDef *const def = &scene->def;
     for (int j = 1; j < c->n; ++j) {
         const Side a = side_of(scene, j - 1), b = side_of(scene, j);
         const int pa = scene->piece[j - 1], pb = scene->piece[j];
         Bushing both = series(&a, &b);
-        if (pa != pb && def->pieces[pb].swivel)
+        if (pa != pb && scene->def.pieces[pb].swivel)
             both.stiffness[TORSION] = both.damping[TORSION] = both.preload[TORSION] = 0;
         joint_set(c, j, &both, 0, COMPONENTS);
-    }
-    if (scene->rod.present) rod_joints(scene);
-    if (!scene->winch.present) return;
-    const Side last = side_of(scene, c->n - 1);
-    const Bushing head = clamp(&last);
-    if (def->winch.mode == WINCH_TENSION) {
-        head_guide(scene, &head);
-    } else {
-        joint_set(c, c->n, &head, 0, head_clamped(scene) ? COMPONENTS : 1);
     }
 }
 
@@ -171,8 +96,11 @@ static LoadingCurve joint_curve(const Scene *scene, int j)
     return loading_curve_series(&before, &after);
 }
 
-/* The last joint that transmits moments. */
-static int last_bent(const Scene *scene) { return scene->chain.n - !head_clamped(scene); }
+/* The last joint that transmits moments: the head's, if the winch clamps it. */
+static int last_bent(const Scene *scene)
+{
+    return scene->chain.n - !(scene->def.winch.present && !scene->def.winch.axial_only);
+}
 
 /* The sliders that the joint with most of them needs. */
 static int sliders_needed(const Scene *scene)
@@ -186,8 +114,7 @@ static int sliders_needed(const Scene *scene)
     return most;
 }
 
-/* Where a joint has sliders, its elastic bending springs keep only what the curve's last piece has (HY4). */
-static hawser_status sliders_fill(Scene *scene, hawser_error *err)
+hawser_status joints_sliders(Scene *scene, hawser_error *err)
 {
     Chain *const c = &scene->chain;
     const int count = sliders_needed(scene);
@@ -204,11 +131,4 @@ static hawser_status sliders_fill(Scene *scene, hawser_error *err)
         if (curve.corners > 0) c->stiffness[BENDING_Y][j] = c->stiffness[BENDING_Z][j] = elastic;
     }
     return HAWSER_OK;
-}
-
-hawser_status joints_fill(Scene *scene, hawser_error *err)
-{
-    springs_fill(scene);
-    chain_find_lacks(&scene->chain);
-    return sliders_fill(scene, err);
 }

@@ -1,24 +1,92 @@
-/* The scene: what is simulated, built once from a SceneDef and immutable while a run lasts, but for the winch's phase,
- * which changes between steps (sim/equipment/winch.h). */
+/* The scene: what is simulated, built once from a SceneDef and immutable while a run lasts, but for what changes
+ * between steps: the winch's phase, and which segments of the chain are simulated. Everything that acts on the cable is
+ * a room of it (sim/room.h). */
 #ifndef HAWSER_SIM_SCENE_H
 #define HAWSER_SIM_SCENE_H
 
-#include "sim/scene_data.h"
+#include "contact/roller/contact.h"
+#include "contact/self/self_contact.h"
+#include "contact/surface/surface.h"
+#include "core/body.h"
+#include "sim/def/scene_def.h"
+#include "sim/room.h"
+
+/* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
+ * lead-in's hold on the cable across its line (F1). */
+typedef struct Weight {
+    Vec3 gravity;        /* m/s2 */
+    int lead_in;         /* 0: full gravity everywhere */
+    Vec3 behind;         /* gravity that acts behind the start, m/s2: none, or its part along the lead-in */
+    Vec3 origin;         /* the route's start, m */
+    Vec3 direction;      /* the route's first tangent */
+    double blend;        /* m, over which the weight comes in */
+    double hold;         /* 1/s2: the lead-in's stiffness across its line over the mass it holds */
+    double hold_damping; /* 1/s: its damping over mass */
+    double weightless;   /* kg of the last segment's mass that has inertia alone: a winch's drum */
+} Weight;
+
+/* The rope's drag on the first segment behind the eye (F3). */
+typedef struct Drag {
+    int segment;     /* of those simulated; -1: none */
+    double force;    /* N */
+    FrictionLaw law; /* mu_s = 1 */
+} Drag;
+
+/* What the surface model borrows. All zeros if there is no surface. */
+typedef struct Surfaces {
+    SurfaceModel model;
+    SurfacePatch *patch;
+    FrictionLaw *friction; /* [surfaces] */
+    SurfacePoints points;
+} Surfaces;
+
+/* Numbers: segments and joints of the whole chain are 0..total from the tail. What is simulated may be a part of it
+ * (sim/run/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
+struct Scene {
+    Chain chain;
+    int first, total;     /* 0 and chain.n if nothing is on a reel or past the winch */
+    int *piece;           /* [total] the chain piece of each segment */
+    double *joint_s;      /* [total+1] route coordinate of each joint at t = 0, if all the chain lay there, m */
+    int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
+    double cable_weight;  /* N/m, of the piece before the eye */
+    double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
+    Route route;
+    Weight weight;
+    /* where the chain begins, if not on the route; borrowed from the room that says so */
+    const double *start;     /* [13 total] the state at t = 0; NULL: along the route */
+    const Vec3 *joint_start; /* [joints_off] the first joints' places, m */
+    int joints_off;
+    int n_rooms;
+    Room room[ROOMS_MAX]; /* in the order in which they act */
+    /* what is asked for by others than the rooms to which it belongs; never NULL once the scene is built */
+    struct Winch *winch;         /* sim/equipment/winch.h */
+    struct Reel *reel;           /* sim/equipment/reel.h */
+    struct Drum *drum;           /* sim/equipment/drum.h: with the cable wound on it */
+    struct Rod *rod;             /* sim/equipment/rod.h: a chain without a route */
+    struct Equipment *equipment; /* sim/equipment/moving_rollers.h */
+    Profile tail;                /* N; nothing where a reel brings the back tension */
+    Drag drag;
+    ContactRoller *rollers; /* owned by their room; the contact model borrows them */
+    ContactModel contact;
+    Surfaces surfaces;
+    SelfModel self; /* cable on cable */
+    SceneDef def;   /* a deep copy of what this was built from */
+};
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err);
 void scene_clear(Scene *scene);
 
-/* Entries of the state: 13 a segment, then the equipment's. */
+/* Entries of the state: 13 a segment, then the rooms' own. */
 int scene_state_size(const Scene *scene);
-/* Writes the initial state of the whole chain, 13 total numbers and the equipment's (core/state.h,
- * sim/equipment/moving_rollers.h): the chain lies on the route at rest, its joints closed. */
+/* Writes the initial state of the whole chain, 13 total numbers (core/state.h): it lies on the route at rest, its
+ * joints closed, but for what begins elsewhere. */
+void scene_initial_chain(const Scene *scene, double *y);
+/* The same, and the rooms' own part behind it. */
 void scene_initial_state(const Scene *scene, double *y);
-/* Where the winch stands that takes the rope in, m along the route: as the definition says; otherwise the route's end,
- * or the head's place if that is farther. */
-double scene_winch_place(const Scene *scene);
-/* The drag acts on the first segment of the rope, as long as that is simulated. */
-void scene_drag_place(Scene *scene);
+
+/* What pushes the cable along, by the route's order: *out is malloc'ed. How many; -1 without memory. */
+int scene_pushers(const Scene *scene, Pusher **out);
 
 /* Sets the ghosts of kin (segments -1 and n) to what the ground does at time t. */
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin);

@@ -13,7 +13,7 @@ static int is_length(double x) { return x >= 0 && isfinite(x); }
 
 static hawser_status check_def(const PlanDef *def, hawser_error *err)
 {
-    assert(def->route && def->n_stretches >= 1 && def->n_conveyors >= 0);
+    assert(def->route && def->n_stretches >= 1 && def->n_pushes >= 0);
     if (!is_length(def->reel_length) || !is_length(def->rope_length) || !is_length(def->roller_spacing)) {
         return error_set(err, HAWSER_ERR_INPUT, "reel %g m, rope %g m and roller spacing %g m must not be negative",
                          def->reel_length, def->rope_length, def->roller_spacing);
@@ -21,20 +21,20 @@ static hawser_status check_def(const PlanDef *def, hawser_error *err)
     if (!is_length(def->back_tension)) {
         return error_set(err, HAWSER_ERR_INPUT, "the back tension of %g N must not be negative", def->back_tension);
     }
-    for (int i = 0; i < def->n_conveyors; i++) {
-        const PullStep *c = &def->conveyor[i];
-        if (!isfinite(c->force) || (def->conveyor_back && !isfinite(def->conveyor_back[i].force))) {
-            return error_set(err, HAWSER_ERR_INPUT, "the push of conveyor %d is not a number", i);
+    for (int i = 0; i < def->n_pushes; i++) {
+        const PullStep *c = &def->push[i];
+        if (!isfinite(c->force) || (def->push_back && !isfinite(def->push_back[i].force))) {
+            return error_set(err, HAWSER_ERR_INPUT, "push %d is not a number", i);
         }
         if (!(c->at >= 0 && c->at <= def->route->length)) {
-            return error_set(err, HAWSER_ERR_INPUT, "conveyor %d at %g m is off the route of %g m", i, c->at,
+            return error_set(err, HAWSER_ERR_INPUT, "push %d at %g m is off the route of %g m", i, c->at,
                              def->route->length);
         }
     }
     return HAWSER_OK;
 }
 
-/* What pull_solve is given: friction times the duct's weight factor (T20), conveyors as negative steps (T26).
+/* What pull_solve is given: friction times the duct's weight factor (T20), pushes as negative steps (T26).
  */
 typedef struct Inputs {
     PullStretch *stretch;
@@ -47,21 +47,21 @@ static void inputs_clear(Inputs *in)
     for (int k = 0; k < PLAN_WAYS; k++) free(in->step[k]);
 }
 
-/* The conveyors of one direction; NULL without memory. */
-static PullStep *steps_new(int n, const PullStep *conveyor)
+/* The pushes of one direction; NULL without memory. */
+static PullStep *steps_new(int n, const PullStep *push)
 {
     PullStep *step = malloc((size_t)(n + 1) * sizeof *step);
-    for (int i = 0; step && i < n; i++) step[i] = (PullStep){.at = conveyor[i].at, .force = -conveyor[i].force};
+    for (int i = 0; step && i < n; i++) step[i] = (PullStep){.at = push[i].at, .force = -push[i].force};
     return step;
 }
 
 /* With a duct the worst loaded cable's share of T/R is the duct's. */
 static hawser_status inputs_set(const PlanDef *def, const DuctLoad *duct, Inputs *in, hawser_error *err)
 {
-    const int n = def->n_conveyors;
+    const int n = def->n_pushes;
     in->stretch = malloc((size_t)def->n_stretches * sizeof *in->stretch);
-    in->step[PLAN_FORWARD] = steps_new(n, def->conveyor);
-    in->step[PLAN_BACKWARD] = steps_new(n, def->conveyor_back ? def->conveyor_back : def->conveyor);
+    in->step[PLAN_FORWARD] = steps_new(n, def->push);
+    in->step[PLAN_BACKWARD] = steps_new(n, def->push_back ? def->push_back : def->push);
     if (!in->stretch || !in->step[PLAN_FORWARD] || !in->step[PLAN_BACKWARD]) return error_memory(err);
     for (int i = 0; i < def->n_stretches; i++) {
         in->stretch[i] = def->stretch[i];
@@ -86,7 +86,7 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
     const RoutePiece *p = &route->piece[span->piece];
     hawser_error why = {.message = ""};
     if (fabs(fabs(span->s1 - span->s0) - p->length) > 1e-9 * p->length) {
-        snprintf(piece->reason, sizeof piece->reason, "friction, weight or a conveyor changes on the piece");
+        snprintf(piece->reason, sizeof piece->reason, "friction, weight or a push changes on the piece");
         return;
     }
     double T2 = 0;
@@ -133,7 +133,7 @@ static hawser_status solve_way(const PlanDef *def, const Inputs *in, int backwar
                     .start_tension = way->start,
                     .n_stretches = def->n_stretches,
                     .stretch = in->stretch,
-                    .n_steps = def->n_conveyors,
+                    .n_steps = def->n_pushes,
                     .step = in->step[backward],
                     .restart = 1};
     Pull restart;

@@ -21,14 +21,14 @@ typedef struct PlanDef {
     double roller_spacing; /* m; 0: no roller loads asked for */
     const double *spacing; /* [pieces] m, in its place; NULL: roller_spacing everywhere */
     const double *guides;  /* [pieces] m, of the rollers beside the cable; NULL: as the others */
-    int n_conveyors;
-    const PullStep *conveyor;      /* force > 0: push along the pull; < 0: brake */
-    const PullStep *conveyor_back; /* the same when pulled back, by the same order; NULL: as conveyor */
+    int n_pushes;
+    const PullStep *push;      /* conveyors and the like; force > 0: along the pull; < 0: brake */
+    const PullStep *push_back; /* the same when pulled back, by the same order; NULL: as push */
 } PlanDef;
 
 /* One piece of the route, pulled one way. */
 typedef struct PlanPiece {
-    double t_in, t_out;           /* N, where the pull enters and leaves; a conveyor exactly at an end counts to the
+    double t_in, t_out;           /* N, where the pull enters and leaves; a push exactly at an end counts to the
                                    * piece that the pull enters there */
     double max_tension;           /* N */
     double sidewall;              /* N/m, the worst loaded cable's T/R; 0 on straights */
@@ -58,8 +58,8 @@ typedef struct Plan {
 } Plan;
 
 void plan_defaults(PlanDef *def);
-/* Errors: INPUT as pull_solve and duct_load give them, negative lengths, spacings, conveyor
- * forces that are no numbers, conveyors off the route; MEMORY. Nothing is left allocated then. The plan borrows
+/* Errors: INPUT as pull_solve and duct_load give them, negative lengths, spacings, pushes
+ * that are no numbers or off the route; MEMORY. Nothing is left allocated then. The plan borrows
  * nothing. */
 hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err);
 void plan_clear(Plan *plan);

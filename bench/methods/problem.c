@@ -7,6 +7,8 @@
 
 #include "bench/straight_scene.h"
 #include "io/case/case_read.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/winch.h"
 
 double cpu_now(void)
 {
@@ -69,7 +71,7 @@ int problem_new(Problem *p, const char *path, int segments, const char *const *s
     p->motion = p->stage.motion;
     if (!status) status = p->motion->ops->relax(p->motion, 0, p->stage.y, &relaxation, &err);
     if (status) return failed(&err);
-    if (p->stage.scene.equipment.n > 0 || p->stage.scene.reel.present || p->stage.scene.take_in.present) {
+    if (p->stage.scene.equipment->n > 0 || p->stage.scene.reel->present || p->stage.scene.winch->take_in.present) {
         fprintf(stderr, "bench_methods: only chains over rollers that do not move, of a length that does not change\n");
         return 0;
     }
@@ -88,10 +90,12 @@ void problem_free(Problem *p)
 
 double problem_stop(const Problem *p, double t)
 {
-    double stop = p->to, corner;
-    const double next = winch_next_stop(&p->stage.scene.winch, t + 1e-9);
-    if (next < stop) stop = next;
-    if (profile_next_corner(&p->stage.scene.tail, t + 1e-9, &corner) && corner < stop) stop = corner;
+    const Scene *const scene = &p->stage.scene;
+    double stop = p->to;
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->next_stop) stop = fmin(stop, room->kind->next_stop(room, scene, t + 1e-9));
+    }
     return stop;
 }
 
@@ -166,7 +170,7 @@ int problem_converge(Problem *p, double accuracy, double from, double to, const 
     solver->accuracy = accuracy;
     solver->max_step = 1e-3;
     solver->max_order = 5;
-    st->scene.winch.phase.held = 0;
+    st->scene.winch->phase.held = 0;
     p->to = p->from = from;
     if (!reference_walk(p, 0)) return 0;
     double *const start = malloc(bytes);
@@ -187,7 +191,7 @@ int problem_load(Problem *p, const char *file)
     Reference *const ref = &p->reference;
     for (int k = 0; k < ref->rows; ++k) ref->largest = fmax(ref->largest, fabs(ref->pull[k]));
     p->stage.t = p->from;
-    p->stage.scene.winch.phase.held = 0;
+    p->stage.scene.winch->phase.held = 0;
     if (p->motion->ops->renew(p->motion, p->from, p->stage.y, &err)) return failed(&err);
     return 1;
 }

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
 #include "io/yaml/case_error.h"
-#include "sim/equipment/rod_shape.h"
+#include "sim/def/rod_shape.h"
 
 /* Keys that a shape needs (bit of the shape in `needs`), may have or must not have. */
 static hawser_status shape_keys_check(const CaseReader *r, const CaseNode *node, int shape)

@@ -170,9 +170,9 @@ static int ducts_add(const Calculator *c, TheoryTables *t)
     return t->cell[t->n - 1] != NULL;
 }
 
-static int pushes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+static int pushes_add(const Calculator *c, TheoryTables *t)
 {
-    const int n = scene->n_conveyors;
+    const int n = c->n_pushers;
     if (n == 0) return 1;
     Cell *cell = table_add(t, (Table){"conveyors",
                                       "Conveyors",
@@ -184,7 +184,7 @@ static int pushes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
                                        {"backward_N", "back, N", 1}},
                                       NULL});
     for (int i = 0; cell && i < n; ++i, cell += PUSH_COLUMNS) {
-        cell[0] = cell_text(scene->def.conveyors[i].name);
+        cell[0] = cell_text(c->pusher[i].name);
         cell[1] = cell_number(c->push[PLAN_FORWARD][i].at);
         cell[2] = cell_number(c->push[PLAN_FORWARD][i].force);
         cell[3] = cell_number(c->push[PLAN_BACKWARD][i].force);
@@ -225,7 +225,7 @@ static int limits_add(const Calculator *c, TheoryTables *t)
 hawser_status theory_tables_make(const Scene *scene, const Calculator *c, TheoryTables *out, hawser_error *err)
 {
     *out = (TheoryTables){0};
-    const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(c, out) && pushes_add(scene, c, out) &&
+    const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(c, out) && pushes_add(c, out) &&
                      limits_add(c, out) && notes_add(scene, c, out);
     if (fine && out->table[out->n - 1].n_rows == 0) free(out->cell[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;

@@ -168,7 +168,7 @@ static const CaseKey groove_keys[] = {
 };
 SECTION(case_groove, "rollers.along.groove", groove_keys);
 
-/* A plain bush on a steel pin, greased; sim/equipment/bearing.h. */
+/* A plain bush on a steel pin, greased; sim/equipment/moving_rollers.h. */
 static const CaseKey bearing_keys[] = {
     {"friction", KEY_NUMBER, .fallback = "0.1", FROM(0, 10), AT(BearingRecord, friction)},
     {"journal", KEY_NUMBER, DIM_LENGTH, .fallback = "10 mm", ABOVE(0, 1e3), AT(BearingRecord, journal)},

@@ -65,6 +65,15 @@ Shape roller_def_shape(const RollerDef *roller)
                    .groove = roller->groove};
 }
 
+int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind != SURFACE_PLANE; }
+
+/* (DU15). */
+double surface_theory_friction(const SurfaceDef *surface)
+{
+    const double mu = surface->friction.mu_d;
+    return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
+}
+
 static void profile_clear(RodProfile *by)
 {
     free(by->table_time);

@@ -51,7 +51,7 @@ typedef struct ChainPieceDef {
     int swivel;   /* the joint to the piece before is an eye with a swivel: it transmits no torsion */
 } ChainPieceDef;
 
-/* A roller that spins: inertia about its axis, bearing (sim/equipment/bearing.h). */
+/* A roller that spins: inertia about its axis, bearing (sim/equipment/moving_rollers.h). */
 typedef struct SpinDef {
     double inertia;                          /* kg m2; 0: it does not spin */
     double friction, journal, torque, speed; /* 1, m, N m, rad/s */
@@ -235,6 +235,9 @@ void scene_def_defaults(SceneDef *def);
 void scene_def_clear(SceneDef *def);
 /* What the cable touches of a roller. */
 Shape roller_def_shape(const RollerDef *roller);
+/* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides. */
+int surface_along_route(const SurfaceDef *surface);
+double surface_theory_friction(const SurfaceDef *surface);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
 

@@ -3,7 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/base/error.h"
 #include "core/state.h"
+#include "sim/equipment/rooms.h"
 
 /* How far from a machine's line a cable can be and still count as passing through it, m. */
 static const double ASIDE_MAX = 1;
@@ -14,7 +16,8 @@ static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g
 {
     const Vec3 in = route_at(route, def->from).position, out = route_at(route, def->to).position;
     const double most = 2 * def->mu * def->clamp;
-    Conveyor c = {.origin = in,
+    Conveyor c = {.def = def,
+                  .origin = in,
                   .direction = v3_unit(v3_sub(out, in)),
                   .length = v3_norm(v3_sub(out, in)),
                   .edge = def->edge,
@@ -28,15 +31,6 @@ static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g
         c.hold_damping = sqrt(c.hold);
     }
     return c;
-}
-
-Conveyor *conveyors_new(const SceneDef *def, const Route *route)
-{
-    Conveyor *const all = calloc((size_t)def->n_conveyors + 1, sizeof *all);
-    for (int i = 0; all && i < def->n_conveyors; ++i) {
-        all[i] = conveyor_of(&def->conveyors[i], route, v3_norm(def->gravity));
-    }
-    return all;
 }
 
 double conveyor_belt(const Conveyor *c, const Winch *w, double t)
@@ -72,8 +66,6 @@ double conveyor_share(const Conveyor *c, double x, double *slope)
 /* ------------------------------------------------------------------------------------------- which segments are near
  */
 
-static Vec3 state_position(const double *y, int n, int i) { return v3(y[i], y[n + i], y[2 * n + i]); }
-
 /* Distance of a segment's extent from the machine's, along its line; a segment that is far aside is as far away. */
 static double distance_of(const Conveyor *c, Vec3 p, double half)
 {
@@ -90,7 +82,7 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
     int last = -1;
     *range = (ConveyorRange){0};
     for (int i = 0; i < n; ++i) {
-        const double distance = distance_of(c, state_position(y, n, i), chain->half[i]);
+        const double distance = distance_of(c, state_vector(y, n, STATE_P, i), chain->half[i]);
         if (distance < nearest) {
             nearest = distance;
             range->watched = i;
@@ -100,14 +92,14 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
         last = i;
     }
     range->count = last < 0 ? 0 : last - range->first + 1;
-    range->at = state_position(y, n, range->watched);
+    range->at = state_vector(y, n, STATE_P, range->watched);
     /* a quarter of it is kept in hand for the motion within a step; far away, half of the way will do */
     range->free = fmax(0.75 * reach, 0.5 * nearest);
 }
 
 int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double *y)
 {
-    const Vec3 moved = v3_sub(state_position(y, chain->n, range->watched), range->at);
+    const Vec3 moved = v3_sub(state_vector(y, chain->n, STATE_P, range->watched), range->at);
     return !(v3_dot(moved, moved) <= range->free * range->free);
 }
 
@@ -125,8 +117,8 @@ typedef struct Held {
 static int held_at(const Conveyor *c, double belt, const Chain *chain, const Kinematics *kin, int i, Held *out)
 {
     const double h = chain->half[i];
-    const Vec3 off = v3_sub(v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]), c->origin);
-    const Vec3 v = v3(kin->v[0][i], kin->v[1][i], kin->v[2][i]);
+    const Vec3 off = v3_sub(v3_load(kin->p, i), c->origin);
+    const Vec3 v = v3_load(kin->v, i);
     const double x = v3_dot(off, c->direction), along = v3_dot(v, c->direction);
     double ahead, behind;
     if (x + h <= 0 || x - h >= c->length) return 0;
@@ -156,13 +148,6 @@ static Vec3 hold_force(const Conveyor *c, const Held *held)
     return v3_axpy(v3_scale(-c->hold, held->off), -c->hold_damping, held->v_off);
 }
 
-static void force_add(Loads *loads, int i, Vec3 f)
-{
-    loads->f[0][i] += f.x;
-    loads->f[1][i] += f.y;
-    loads->f[2][i] += f.z;
-}
-
 ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
                            const Kinematics *kin, double t, double friction, Loads *loads)
 {
@@ -176,36 +161,28 @@ ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const 
         now.slip += held.share * held.slip;
         now.cover += held.share;
         const Vec3 hold = v3_scale(held.cover * chain->mass[i], hold_force(c, &held));
-        const Vec3 force = v3_axpy(hold, push, c->direction), v = v3(kin->v[0][i], kin->v[1][i], kin->v[2][i]);
+        const Vec3 force = v3_axpy(hold, push, c->direction), v = v3_load(kin->v, i);
         now.push = push_sum(now.push, (Push){v3_dot(force, v), force});
         now.lost -= push * held.slip;
-        if (loads) force_add(loads, i, force);
+        if (loads) v3_gather(loads->f, i, force);
     }
     if (now.cover > 0) now.slip /= now.cover;
     return now;
 }
 
-/* Adds a force's change to a column of a 6x6 block; there are no moments. */
-static void column_add(double *block, int column, Vec3 f)
-{
-    block[6 * column] += f.x;
-    block[6 * column + 1] += f.y;
-    block[6 * column + 2] += f.z;
-}
-
 /* (WI18) into k, (WI19) into d, both 6x6 blocks of one segment. */
 static void held_blocks(const Conveyor *c, const Held *held, double mass, double friction, double *k, double *d)
 {
-    const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double slope;
     const double push = friction * held->d_share * grip_force(c, held->slip, &slope);
     const double drag = friction * held->share * slope, m = held->cover * mass;
     const Vec3 by_x = v3_axpy(v3_scale(held->d_cover * mass, hold_force(c, held)), push, c->direction);
     for (int column = 0; column < 3; ++column) {
-        const double x = v3_dot(unit[column], c->direction);
-        const Vec3 across = v3_axpy(unit[column], -x, c->direction);
-        column_add(k, column, v3_axpy(v3_scale(x, by_x), -m * c->hold, across));
-        column_add(d, column, v3_axpy(v3_scale(x * drag, c->direction), -m * c->hold_damping, across));
+        const Vec3 e = v3_axis(column);
+        const double x = v3_dot(e, c->direction);
+        const Vec3 across = v3_axpy(e, -x, c->direction);
+        block6_add(k, column, v3_axpy(v3_scale(x, by_x), -m * c->hold, across), V3_ZERO);
+        block6_add(d, column, v3_axpy(v3_scale(x * drag, c->direction), -m * c->hold_damping, across), V3_ZERO);
     }
 }
 
@@ -219,3 +196,131 @@ void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Winch 
         held_blocks(c, &held, chain->mass[i], friction, k->diag + 36 * (size_t)i, d->diag + 36 * (size_t)i);
     }
 }
+
+/* ------------------------------------------------------------------------------------------------------- the room */
+
+static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    Conveyors *const all = room->self = calloc(1, sizeof *all);
+    if (!all) return error_memory(err);
+    all->n = room->present = def->n_conveyors;
+    all->item = calloc((size_t)def->n_conveyors + 1, sizeof *all->item);
+    if (!all->item) return error_memory(err);
+    for (int i = 0; i < def->n_conveyors; ++i)
+        all->item[i] = conveyor_of(&def->conveyors[i], &scene->route, v3_norm(def->gravity));
+    return HAWSER_OK;
+}
+
+static void conveyors_clear(Room *room)
+{
+    Conveyors *const all = room->self;
+    if (all) free(all->item);
+}
+
+const Conveyors *conveyors_of(const Scene *scene) { return room_of((Scene *)scene, &CONVEYOR_ROOM)->self; }
+
+static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene;
+    const Conveyors *const all = room->self;
+    return (ws->room[room->number] = calloc((size_t)all->n + 1, sizeof(ConveyorRange))) != NULL;
+}
+
+/* Few segments, and their loads come in the order of the machines: no work for two. */
+static void conveyors_loads(const Room *room, const Moment *m, int part)
+{
+    const Conveyors *const all = room->self;
+    const ConveyorRange *const range = m->ws->room[room->number];
+    for (int i = 0; part == 0 && i < all->n; ++i) {
+        conveyor_loads(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, m->friction,
+                       &m->ws->loads[0]);
+    }
+}
+
+static void conveyors_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
+{
+    const Conveyors *const all = room->self;
+    const ConveyorRange *const range = m->ws->room[room->number];
+    for (int i = 0; i < all->n; ++i) {
+        conveyor_blocks(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, m->friction, k,
+                        d);
+    }
+}
+
+/* Finds again what is in those past which the cable has moved on. */
+static void conveyors_follow(const Room *room, const Moment *m, const double *y, int always)
+{
+    const Conveyors *const all = room->self;
+    ConveyorRange *const range = m->ws->room[room->number];
+    const Chain *const chain = &m->scene->chain;
+    for (int i = 0; i < all->n; ++i) {
+        if (!always && !conveyor_stale(&range[i], chain, y)) continue;
+        conveyor_find(&all->item[i], chain, y, m->scene->contact.reach, &range[i]);
+    }
+}
+
+static double conveyors_next_stop(const Room *room, const Scene *scene, double t)
+{
+    (void)scene;
+    const Conveyors *const all = room->self;
+    double next = INFINITY;
+    for (int i = 0; i < all->n; ++i) {
+        if (!all->item[i].sync) next = profile_corner_before(&all->item[i].speed, t, next);
+    }
+    return next;
+}
+
+ConveyorNow conveyor_now(const Scene *scene, const Workspace *ws, int i, double t)
+{
+    const Room *const room = room_of((Scene *)scene, &CONVEYOR_ROOM);
+    const Conveyors *const all = room->self;
+    const ConveyorRange *const range = ws->room[room->number];
+    return conveyor_loads(&all->item[i], &range[i], scene->winch, &scene->chain, &ws->kin, t, 1, NULL);
+}
+
+static void conveyors_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    const Conveyors *const all = room->self;
+    for (int i = 0; i < all->n; ++i) {
+        const ConveyorNow now = conveyor_now(m->scene, m->ws, i, m->t);
+        balance_work(out, BY_CONVEYORS, (Push){now.push.power + now.lost, now.push.force});
+        out->loss[LOST_BELTS] += now.lost;
+    }
+}
+
+static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
+{
+    (void)scene;
+    const Conveyors *const all = room->self;
+    for (int i = 0; out && i < all->n; ++i) {
+        const ConveyorDef *const def = all->item[i].def;
+        out[i] = (Pusher){.name = def->name, .at = (def->from + def->to) / 2, .room = room, .item = i};
+    }
+    return all->n;
+}
+
+/* A belt that is faster than the winch slips and pushes with all it has, a slower one brakes; one that keeps the
+ * winch's speed takes over what arrives, up to its grip (WI20). */
+static double conveyors_push(const Room *room, const Scene *scene, int item, double arriving)
+{
+    const Conveyor *const c = &((const Conveyors *)room->self)->item[item];
+    const Winch *const w = scene->winch;
+    const double end = scene->def.duration, speed = w->mode == WINCH_SPEED ? winch_speed(w, end) : scene->largest_speed;
+    const double slip = w->present ? speed - conveyor_belt(c, w, end) : 0;
+    if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;
+    return fmin(fmax(arriving, 0), c->grip);
+}
+
+const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
+                                .build = conveyors_build,
+                                .clear = conveyors_clear,
+                                .work_alloc = conveyors_work_alloc,
+                                .loads = conveyors_loads,
+                                .blocks = conveyors_blocks,
+                                .follow = conveyors_follow,
+                                .next_stop = conveyors_next_stop,
+                                .work = conveyors_work,
+                                .pushers = conveyors_pushers,
+                                .push = conveyors_push,
+                                .in_space = "conveyors hold the cable"};

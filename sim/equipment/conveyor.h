@@ -8,6 +8,7 @@
 #include "sim/equipment/winch.h"
 
 typedef struct Conveyor {
+    const ConveyorDef *def; /* the scene's */
     Vec3 origin, direction; /* where the cable enters, m; unit, along the pull */
     double length, edge;    /* m; over `edge` at both ends the grip rises from nothing */
     double grip;            /* N, largest force: 2 mu clamp, or the drive's limit */
@@ -36,8 +37,14 @@ typedef struct ConveyorNow {
     double lost;  /* W, in the slip */
 } ConveyorNow;
 
-/* The conveyors of a scene, malloc'ed, [def->n_conveyors]. gravity: m/s2, for the hold. NULL if there is no memory. */
-Conveyor *conveyors_new(const SceneDef *def, const Route *route);
+/* The conveyors of a scene. */
+typedef struct Conveyors {
+    int n;
+    Conveyor *item; /* [n], in the case's order */
+} Conveyors;
+const Conveyors *conveyors_of(const Scene *scene);
+/* What conveyor i does at time t, for the kinematics in the workspace. */
+ConveyorNow conveyor_now(const Scene *scene, const Workspace *ws, int i, double t);
 
 /* Speed of the belt (m/s). */
 double conveyor_belt(const Conveyor *c, const Winch *w, double t);

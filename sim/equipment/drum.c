@@ -6,6 +6,9 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/dynamics.h"
+#include "sim/equipment/roller_motion.h"
+#include "sim/equipment/rooms.h"
 
 static const double HOLD = 1e7;     /* N s/m: 1 kN drags the cable's end along by 0.1 mm/s */
 static const double HOLD_ARM = 0.1; /* m: lever at which turning is held as moving is */
@@ -169,8 +172,8 @@ static hawser_status fit_check(const SceneDef *def, const Lay *lay, double turns
                      d->flange / 2);
 }
 
-hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *joint_s, Vec3 origin, Vec3 direction, Vec3 left,
-                       Drum *drum, hawser_error *err)
+static hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *joint_s, Vec3 origin, Vec3 direction,
+                              Vec3 left, Drum *drum, hawser_error *err)
 {
     const Lay lay = lay_of(&def->drum, 2 * chain->radius[0]);
     int free_joint = 0; /* the last one on or behind the place where the cable leaves */
@@ -209,39 +212,98 @@ hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *joint_s,
     return status ? status : shapes_add(def, v3_axpy(centre, -aside, left), left, direction, drum, err);
 }
 
-void drum_clear(Drum *drum)
+/* ------------------------------------------------------------------------------------------------------- the room */
+
+/* Lays the cable on the drum, whose barrel and flanges become rollers and surfaces of the scene. */
+static hawser_status drum_prepare(Room *room, Scene *scene, hawser_error *err)
 {
-    free(drum->joint);
-    memset(drum, 0, sizeof *drum);
+    Drum *const drum = room->self = scene->drum = calloc(1, sizeof *drum);
+    if (!drum) return error_memory(err);
+    if (!scene->def.drum.present) return HAWSER_OK;
+    const RoutePoint start = route_at(&scene->route, 0);
+    return drum_lay(&scene->def, &scene->chain, scene->joint_s, start.position, start.tangent,
+                    route_left(&scene->route, 0), drum, err);
 }
 
-static Vec3 vector_at(double *const a[3], int i) { return v3(a[0][i], a[1][i], a[2][i]); }
-
-/* (CC26): the end's motion against the drum at its place, resisted. */
-Push drum_hold(const Drum *drum, const Kinematics *kin, EquipmentWork *work, double friction, Loads *loads)
+/* The cable behind the route lies on the drum, which carries its weight: nothing holds it across the route's line. */
+static hawser_status drum_build(Room *room, Scene *scene, hawser_error *err)
 {
-    const double c = friction * drum->hold, turning = c * HOLD_ARM * HOLD_ARM;
-    const Vec3 w = work->motion[drum->roller].w;
-    const Vec3 arm = v3_sub(vector_at(kin->p, 0), work->roller[drum->roller].shape.centre);
-    const Vec3 force = v3_scale(-c, v3_sub(vector_at(kin->v, 0), v3_cross(w, arm)));
-    const Vec3 moment = v3_scale(-turning, v3_sub(vector_at(kin->w, 0), w));
-    const double f[3] = {force.x, force.y, force.z}, m[3] = {moment.x, moment.y, moment.z};
-    for (int k = 0; k < 3; ++k) {
-        loads->f[k][0] += f[k];
-        loads->m[k][0] += m[k];
+    (void)err;
+    const Drum *const drum = room->self;
+    room->present = drum->present;
+    if (!drum->present) return HAWSER_OK;
+    scene->weight.lead_in = 1;
+    scene->weight.behind = V3_ZERO;
+    scene->weight.hold = scene->weight.hold_damping = 0;
+    scene->joint_start = drum->joint;
+    scene->joints_off = drum->joints;
+    return HAWSER_OK;
+}
+
+/* The wound cable has taken the drum's shape: its joints rest as they lie (CC25). */
+static hawser_status drum_finish(Room *room, Scene *scene, hawser_error *err)
+{
+    const Drum *const drum = room->self;
+    Chain *const c = &scene->chain;
+    const int n = c->n;
+    double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y);
+    if (!y) return error_memory(err);
+    scene_initial_chain(scene, y);
+    for (int j = 1; j < drum->joints; ++j) {
+        const double *const a = y + STATE_Q * n + j - 1, *const b = a + 1;
+        const Quat before = {a[0], a[n], a[2 * n], a[3 * n]}, behind = {b[0], b[n], b[2 * n], b[3 * n]};
+        const Vec3 turn = quat_log(quat_mul(quat_conj(before), behind));
+        const double by[3] = {turn.x, turn.y, turn.z};
+        for (int k = 0; k < 3; ++k) c->preload[3 + k][j] -= c->stiffness[3 + k][j] * by[k];
     }
-    RollerLoad *const on = &work->load[drum->roller];
-    on->force = v3_sub(on->force, force);
-    on->moment = v3_sub(v3_sub(on->moment, v3_cross(arm, force)), moment);
-    const double lost = (v3_dot(force, force) + v3_dot(moment, moment) / (HOLD_ARM * HOLD_ARM)) / fmax(c, DBL_MIN);
-    return (Push){-lost, force};
+    chain_find_lacks(c);
+    free(y);
+    return HAWSER_OK;
 }
 
-/* Adds a column [force; moment] to a 6x6 block. */
-static void column_add(double *block, int column, Vec3 force, Vec3 moment)
+static void drum_clear(Room *room)
 {
-    const double rows[6] = {force.x, force.y, force.z, moment.x, moment.y, moment.z};
-    for (int r = 0; r < 6; ++r) block[6 * column + r] += rows[r];
+    Drum *const drum = room->self;
+    if (drum) free(drum->joint);
+}
+
+static int drum_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene;
+    return (ws->room[room->number] = calloc(1, sizeof(Push))) != NULL;
+}
+
+/* What holds segment 0 to the drum (CC26): the end's motion against the drum at its place, resisted. */
+typedef struct Hold {
+    double c, turning;  /* N s/m, N m s */
+    Vec3 arm, spin;     /* m, from the drum's centre; rad/s, of the drum */
+    Vec3 force, moment; /* N, N m, on the segment */
+} Hold;
+
+static Hold hold_of(const Drum *drum, const Moment *m)
+{
+    const Kinematics *const kin = &m->ws->kin;
+    const EquipmentWork *const work = m->ws->equipment;
+    Hold h = {.c = m->friction * drum->hold, .spin = work->motion[drum->roller].w};
+    h.turning = h.c * HOLD_ARM * HOLD_ARM;
+    h.arm = v3_sub(v3_load(kin->p, 0), work->roller[drum->roller].shape.centre);
+    h.force = v3_scale(-h.c, v3_sub(v3_load(kin->v, 0), v3_cross(h.spin, h.arm)));
+    h.moment = v3_scale(-h.turning, v3_sub(v3_load(kin->w, 0), h.spin));
+    return h;
+}
+
+/* Onto the segment and onto the barrel; notes what that takes out of the motion of both. */
+static void drum_hold(const Room *room, const Moment *m)
+{
+    const Drum *const drum = room->self;
+    const Hold h = hold_of(drum, m);
+    loads_add(&m->ws->loads[0], 0, h.force, h.moment);
+    RollerLoad *const on = &m->ws->equipment->load[drum->roller];
+    on->force = v3_sub(on->force, h.force);
+    on->moment = v3_sub(v3_sub(on->moment, v3_cross(h.arm, h.force)), h.moment);
+    const double lost =
+        (v3_dot(h.force, h.force) + v3_dot(h.moment, h.moment) / (HOLD_ARM * HOLD_ARM)) / fmax(h.c, DBL_MIN);
+    *(Push *)m->ws->room[room->number] = (Push){-lost, h.force};
 }
 
 /* One coordinate's share: df, dm on the segment, the opposite about the drum's centre, where the arm may change too. */
@@ -254,29 +316,45 @@ static HoldColumn hold_column(Vec3 arm, Vec3 force, Vec3 df, Vec3 dm, Vec3 darm)
     return (HoldColumn){df, dm, v3_scale(-1, v3_add(v3_add(v3_cross(arm, df), v3_cross(darm, force)), dm))};
 }
 
-void drum_hold_blocks(const Drum *drum, const Kinematics *kin, EquipmentWork *work, double friction, BlockChain *k,
-                      BlockChain *d)
+static void drum_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
-    const double c = friction * drum->hold, turning = c * HOLD_ARM * HOLD_ARM;
-    const Vec3 w = work->motion[drum->roller].w, none = v3(0, 0, 0);
-    const Vec3 arm = v3_sub(vector_at(kin->p, 0), work->roller[drum->roller].shape.centre);
-    const Vec3 force = v3_scale(-c, v3_sub(vector_at(kin->v, 0), v3_cross(w, arm)));
+    const Drum *const drum = room->self;
+    const Hold h = hold_of(drum, m);
     RollerCoupling coupling = {.roller = drum->roller, .body = {0, -1}};
     for (int axis = 0; axis < 3; ++axis) {
-        const Vec3 e = v3(axis == 0, axis == 1, axis == 2);
+        const Vec3 e = v3_axis(axis);
         /* the segment moves, or the drum's centre the other way; velocities; angular velocities of both */
-        const HoldColumn shift = hold_column(arm, force, v3_scale(c, v3_cross(w, e)), none, e);
-        const HoldColumn speed = hold_column(arm, force, v3_scale(-c, e), none, none);
-        const HoldColumn spin = hold_column(arm, force, none, v3_scale(-turning, e), none);
-        const HoldColumn run = hold_column(arm, force, v3_scale(c, v3_cross(e, arm)), v3_scale(turning, e), none);
-        column_add(k->diag, axis, shift.force, shift.moment);
-        column_add(d->diag, axis, speed.force, speed.moment);
-        column_add(d->diag, 3 + axis, spin.force, spin.moment);
-        column_add(coupling.into[1][0], 3 + axis, run.force, run.moment);
-        column_add(coupling.from[0][0], axis, v3_scale(-1, shift.force), shift.drum);
-        column_add(coupling.from[1][0], axis, v3_scale(-1, speed.force), speed.drum);
-        column_add(coupling.from[1][0], 3 + axis, v3_scale(-1, spin.force), spin.drum);
-        column_add(coupling.own[1], 3 + axis, v3_scale(-1, run.force), run.drum);
+        const HoldColumn shift = hold_column(h.arm, h.force, v3_scale(h.c, v3_cross(h.spin, e)), V3_ZERO, e);
+        const HoldColumn speed = hold_column(h.arm, h.force, v3_scale(-h.c, e), V3_ZERO, V3_ZERO);
+        const HoldColumn spin = hold_column(h.arm, h.force, V3_ZERO, v3_scale(-h.turning, e), V3_ZERO);
+        const HoldColumn run =
+            hold_column(h.arm, h.force, v3_scale(h.c, v3_cross(e, h.arm)), v3_scale(h.turning, e), V3_ZERO);
+        block6_add(k->diag, axis, shift.force, shift.moment);
+        block6_add(d->diag, axis, speed.force, speed.moment);
+        block6_add(d->diag, 3 + axis, spin.force, spin.moment);
+        block6_add(coupling.into[1][0], 3 + axis, run.force, run.moment);
+        block6_add(coupling.from[0][0], axis, v3_scale(-1, shift.force), shift.drum);
+        block6_add(coupling.from[1][0], axis, v3_scale(-1, speed.force), speed.drum);
+        block6_add(coupling.from[1][0], 3 + axis, v3_scale(-1, spin.force), spin.drum);
+        block6_add(coupling.own[1], 3 + axis, v3_scale(-1, run.force), run.drum);
     }
-    equipment_blocks_take(work, 0, &coupling);
+    equipment_blocks_take(m->ws->equipment, 0, &coupling);
 }
+
+static void drum_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    const Push *const hold = m->ws->room[room->number];
+    out->loss[LOST_ROLLERS] -= hold->power;
+    out->push[PUSH_ROLLERS] = v3_add(out->push[PUSH_ROLLERS], hold->force);
+}
+
+const RoomKind DRUM_ROOM = {.name = "drum",
+                            .prepare = drum_prepare,
+                            .build = drum_build,
+                            .finish = drum_finish,
+                            .clear = drum_clear,
+                            .work_alloc = drum_work_alloc,
+                            .after_loads = drum_hold,
+                            .blocks = drum_blocks,
+                            .work = drum_work,
+                            .in_space = "the cable is wound on a drum"};

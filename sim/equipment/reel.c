@@ -1,10 +1,11 @@
 #include "sim/equipment/reel.h"
 
-#include <stddef.h>
+#include <math.h>
+#include <stdlib.h>
 
-static Vec3 body_position(const Kinematics *kin, int i) { return v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]); }
-static Vec3 body_velocity(const Kinematics *kin, int i) { return v3(kin->v[0][i], kin->v[1][i], kin->v[2][i]); }
-static Vec3 body_spin(const Kinematics *kin, int i) { return v3(kin->w[0][i], kin->w[1][i], kin->w[2][i]); }
+#include "core/base/error.h"
+#include "sim/dynamics.h"
+#include "sim/equipment/rooms.h"
 
 static void winding_init(Winding *w, const ReelDef *def, const CableDef *cable)
 {
@@ -23,7 +24,7 @@ static double cable_length(const SceneDef *def)
     return length;
 }
 
-void reel_init(Reel *r, const SceneDef *def, Vec3 origin, Vec3 direction, Quat attitude)
+static void reel_init(Reel *r, const SceneDef *def, Vec3 origin, Vec3 direction, Quat attitude)
 {
     const ReelDef *const d = &def->reel;
     *r = (Reel){.present = 1,
@@ -65,7 +66,7 @@ void reel_hold(Reel *r, const Chain *whole, int first, const CableDef *cable)
 
 double reel_free_length(const Reel *r, const Kinematics *kin)
 {
-    return v3_dot(v3_sub(body_position(kin, 0), r->drum), r->direction);
+    return v3_dot(v3_sub(v3_load(kin->p, 0), r->drum), r->direction);
 }
 
 /* Share of the drum's hold on the cable: it lets a free end go over the last segment's length (RL14). */
@@ -173,63 +174,57 @@ static Vec3 held_moment(const Reel *r, const Held *h, Vec3 spin)
 /* Force and moment on segment 0; the drum rests on its stand. */
 static void tail_wrench(const Reel *r, const Kinematics *kin, double t, double friction, Vec3 *f, Vec3 *m)
 {
-    const double l = reel_free_length(r, kin), v = v3_dot(body_velocity(kin, 0), r->direction);
+    const double l = reel_free_length(r, kin), v = v3_dot(v3_load(kin->v, 0), r->direction);
     const Held h = held_of(r, kin, l);
     const double resistance = reel_resistance(r, l, v, t, friction, NULL, NULL);
     *f = v3_axpy(v3_scale(-resistance, r->direction), -r->mass, r->downhill);
-    *m = v3_scale(h.share, held_moment(r, &h, body_spin(kin, 0)));
+    *m = v3_scale(h.share, held_moment(r, &h, v3_load(kin->w, 0)));
 }
 
-Push reel_push(const Reel *r, const Kinematics *kin, double t)
+static void reel_loads(const Room *room, const Moment *m, int part)
 {
-    Vec3 f, m;
-    tail_wrench(r, kin, t, 1, &f, &m);
-    return (Push){v3_dot(f, body_velocity(kin, 0)) + v3_dot(m, body_spin(kin, 0)), f};
+    const Reel *const r = room->self;
+    if (!r->present || part != 0) return;
+    Vec3 force, moment;
+    tail_wrench(r, &m->ws->kin, m->t, m->friction, &force, &moment);
+    loads_add(&m->ws->loads[0], 0, force, moment);
 }
 
-void reel_loads(const Reel *r, const Kinematics *kin, double t, double friction, Loads *loads)
+static void reel_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
-    Vec3 f, m;
-    tail_wrench(r, kin, t, friction, &f, &m);
-    const double force[3] = {f.x, f.y, f.z}, moment[3] = {m.x, m.y, m.z};
-    for (int c = 0; c < 3; ++c) {
-        loads->f[c][0] += force[c];
-        loads->m[c][0] += moment[c];
-    }
-}
-
-/* Adds `value` to rows row..row+2 of a column of a 6x6 block. */
-static void column_add(double *block, int column, int row, Vec3 value)
-{
-    double *const at = block + 6 * column + row;
-    at[0] += value.x;
-    at[1] += value.y;
-    at[2] += value.z;
-}
-
-void reel_blocks(const Reel *r, const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d)
-{
-    const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const double l = reel_free_length(r, kin), v = v3_dot(body_velocity(kin, 0), r->direction);
+    const Reel *const r = room->self;
+    const Kinematics *const kin = &m->ws->kin;
+    if (!r->present) return;
+    const double l = reel_free_length(r, kin), v = v3_dot(v3_load(kin->v, 0), r->direction);
     const Held h = held_of(r, kin, l);
-    const Vec3 moment = held_moment(r, &h, body_spin(kin, 0));
+    const Vec3 moment = held_moment(r, &h, v3_load(kin->w, 0));
     double by_l, by_v;
-    reel_resistance(r, l, v, t, friction, &by_l, &by_v);
+    reel_resistance(r, l, v, m->t, m->friction, &by_l, &by_v);
     for (int c = 0; c < 3; ++c) {
-        const double along = v3_dot(unit[c], r->direction);
-        column_add(k->diag, c, 0, v3_scale(-by_l * along, r->direction));
-        column_add(k->diag, c, 3, v3_scale(h.by_l * along, moment));
-        column_add(d->diag, c, 0, v3_scale(-by_v * along, r->direction));
-        /* theta = 2 u turns by s phi + phi x u */
-        const Vec3 turned = v3_axpy(v3_cross(unit[c], h.u), h.s, unit[c]);
-        column_add(k->diag, 3 + c, 3, v3_scale(-h.share, rigid_times(r, PLAIN, turned)));
-        column_add(d->diag, 3 + c, 3, v3_scale(-h.share, rigid_times(r, r->damping, unit[c])));
+        const Vec3 e = v3_axis(c),
+                   turned = v3_axpy(v3_cross(e, h.u), h.s, e); /* theta = 2 u turns by s phi + phi x u */
+        const double along = v3_dot(e, r->direction);
+        block6_add(k->diag, c, v3_scale(-by_l * along, r->direction), v3_scale(h.by_l * along, moment));
+        block6_add(d->diag, c, v3_scale(-by_v * along, r->direction), V3_ZERO);
+        block6_add(k->diag, 3 + c, V3_ZERO, v3_scale(-h.share, rigid_times(r, PLAIN, turned)));
+        block6_add(d->diag, 3 + c, V3_ZERO, v3_scale(-h.share, rigid_times(r, r->damping, e)));
     }
+}
+
+/* Brake, bearing, back tension, and the cable that bends as it comes off. */
+static void reel_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    const Reel *const r = room->self;
+    const Kinematics *const kin = &m->ws->kin;
+    if (!r->present) return;
+    Vec3 force, moment;
+    tail_wrench(r, kin, m->t, 1, &force, &moment);
+    balance_work(out, BY_REEL, (Push){v3_dot(force, v3_load(kin->v, 0)) + v3_dot(moment, v3_load(kin->w, 0)), force});
 }
 
 ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t)
 {
-    const double l = reel_free_length(r, kin), v = v3_dot(body_velocity(kin, 0), r->direction);
+    const double l = reel_free_length(r, kin), v = v3_dot(v3_load(kin->v, 0), r->direction);
     const double resistance = reel_resistance(r, l, v, t, 1, NULL, NULL), mass = chain->mass[0];
     const double wound = fmax(r->wound - (l - r->half), 0), radius = winding_radius(&r->winding, wound, NULL);
     const Vec3 ahead = v3(joints->force[0][1], joints->force[1][1], joints->force[2][1]);
@@ -239,3 +234,34 @@ ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, con
                       .wound = wound,
                       .tension = resistance + r->mass / mass * (pull - resistance)}; /* (RL11) */
 }
+
+static double reel_next_stop(const Room *room, const Scene *scene, double t)
+{
+    (void)scene;
+    const Reel *const r = room->self;
+    if (!r->present) return INFINITY;
+    return profile_corner_before(&r->speed, t, profile_corner_before(&r->tension, t, INFINITY));
+}
+
+/* It stands behind the route's start, on the lead-in's line, and brings the back tension. */
+static hawser_status reel_build(Room *room, Scene *scene, hawser_error *err)
+{
+    Reel *const r = room->self = scene->reel = calloc(1, sizeof *r);
+    if (!r) return error_memory(err);
+    if (scene->def.reel.model != REEL_PAYOUT) return HAWSER_OK;
+    const Weight *const w = &scene->weight;
+    const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, -scene->def.reel.distance), w->direction));
+    const Quat attitude = quat_from_axes(w->direction, left, v3_cross(w->direction, left));
+    reel_init(r, &scene->def, w->origin, w->direction, attitude);
+    scene->tail = (Profile){.kind = PROFILE_CONSTANT};
+    room->present = 1;
+    return HAWSER_OK;
+}
+
+const RoomKind REEL_ROOM = {.name = "reel",
+                            .build = reel_build,
+                            .loads = reel_loads,
+                            .blocks = reel_blocks,
+                            .next_stop = reel_next_stop,
+                            .work = reel_work,
+                            .in_space = "segments join and leave the chain"};

@@ -6,9 +6,7 @@
 #ifndef HAWSER_SIM_EQUIPMENT_REEL_H
 #define HAWSER_SIM_EQUIPMENT_REEL_H
 
-#include "core/block_chain.h"
 #include "core/chain.h"
-#include "core/push.h"
 #include "sim/def/scene_def.h"
 #include "sim/equipment/winding.h"
 
@@ -48,8 +46,6 @@ typedef struct ReelLook {
     double tension;  /* N, in the cable where it leaves the drum */
 } ReelLook;
 
-/* Sets what the case says and the place of the drum: on the line through `origin` along `direction`. */
-void reel_init(Reel *r, const SceneDef *def, Vec3 origin, Vec3 direction, Quat attitude);
 /* The tail is now segment `first` of the whole chain, whose cable is given. */
 void reel_hold(Reel *r, const Chain *whole, int first, const CableDef *cable);
 
@@ -58,12 +54,6 @@ double reel_free_length(const Reel *r, const Kinematics *kin);
 /* Force of the drum's brake, bearing and back tension against the pull, at free length l (m) and cable speed v (m/s),
  * N (RL8); friction scales brake and bearing. The derivatives by l and v may be NULL. */
 double reel_resistance(const Reel *r, double l, double v, double t, double friction, double *by_l, double *by_v);
-/* What the drum does to the motion: brake, bearing, back tension, and the cable that bends as it comes off. */
-Push reel_push(const Reel *r, const Kinematics *kin, double t);
-/* Adds force and moment on segment 0, and their derivatives. */
-void reel_loads(const Reel *r, const Kinematics *kin, double t, double friction, Loads *loads);
-void reel_blocks(const Reel *r, const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d);
-
 /* What to report, from the kinematics and joint 1's load. */
 ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t);
 

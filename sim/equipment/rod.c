@@ -4,19 +4,14 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "core/bushing.h"
 #include "core/state.h"
-#include "sim/equipment/rod_shape.h"
+#include "sim/def/rod_shape.h"
+#include "sim/dynamics.h"
+#include "sim/equipment/rooms.h"
+#include "sim/joints.h"
 
 /* ------------------------------------------------------------------------------------------ shape at t = 0 */
-
-/* The smallest rotation that takes unit vector a to b, applied after q: the frame is carried without twist. */
-static Quat carried(Quat q, Vec3 a, Vec3 b)
-{
-    const Vec3 axis = v3_cross(a, b);
-    const double c = v3_dot(a, b);
-    if (c < -0.999999) return q;
-    return quat_unit(quat_mul((Quat){1 + c, axis.x, axis.y, axis.z}, q));
-}
 
 /* The frame that is carried along, turned about its own axis by the roll of place s (RD2). */
 static Quat rolled(const RodDef *def, Quat q, double s)
@@ -39,20 +34,20 @@ static void shape_lay(const RodDef *def, const RodLine *line, const Chain *chain
     Quat q = quat_from_axes(line->forward, line->left, line->up);
     Vec3 axis = first.tangent, joint = first.position;
     double on_line = 0, s = 0;
-    q = carried(q, line->forward, axis);
+    q = quat_carry(q, line->forward, axis);
     rod->end[ROD_TAIL] = (RodEnd){&def->end[ROD_TAIL], joint, rolled(def, q, 0)};
     for (int i = 0; i < n; ++i) {
         const double half = chain->half[i], next = rod_line_chord(line, on_line, 2 * half);
         const Vec3 from = rod_line_at(line, on_line).position, to = rod_line_at(line, next).position;
         const Vec3 before = axis;
         axis = v3_unit(v3_sub(to, from));
-        q = carried(q, before, axis);
+        q = quat_carry(q, before, axis);
         state_put(rod->start, n, i, v3_axpy(joint, half, axis), rolled(def, q, s + half));
         joint = v3_axpy(joint, 2 * half, axis);
         on_line = next;
         s += 2 * half;
     }
-    const Quat last = carried(q, axis, rod_line_at(line, on_line).tangent);
+    const Quat last = quat_carry(q, axis, rod_line_at(line, on_line).tangent);
     rod->end[ROD_HEAD] = (RodEnd){&def->end[ROD_HEAD], joint, rolled(def, last, s)};
 }
 
@@ -93,28 +88,70 @@ static void load_place(const Chain *chain, const RodLoadDef *def, const Rod *rod
     load->direction = quat_rotate(quat_conj(rod_attitude(rod, chain->n, load->segment)), def->by.direction);
 }
 
-hawser_status rod_build(const RodDef *def, Vec3 start, double heading, double slope, Chain *chain, Rod *rod,
-                        hawser_error *err)
+static hawser_status rod_build(Room *room, Scene *scene, hawser_error *err)
 {
-    const RodLine line = rod_line(def, start, heading, slope);
-    *rod = (Rod){.present = 1, .n_loads = def->n_loads};
+    const RodDef *const def = &scene->def.rod;
+    Chain *const chain = &scene->chain;
+    Rod *const rod = room->self = scene->rod = calloc(1, sizeof *rod);
+    if (!rod) return error_memory(err);
+    if (!def->present) return HAWSER_OK;
+    const RodLine line = rod_line(def, scene->def.route_start, scene->def.route_heading, scene->def.route_slope);
+    room->present = rod->present = 1;
+    rod->n_loads = def->n_loads;
     rod->start = calloc((size_t)(STATE_SIZE * chain->n), sizeof *rod->start);
     rod->load = calloc((size_t)def->n_loads + 1, sizeof *rod->load);
-    if (!rod->start || !rod->load) {
-        rod_clear(rod);
-        return error_memory(err);
-    }
+    if (!rod->start || !rod->load) return error_memory(err);
     shape_lay(def, &line, chain, rod);
     for (int i = 0; i < def->n_masses; ++i) mass_add(chain, &def->masses[i]);
     for (int i = 0; i < def->n_loads; ++i) load_place(chain, &def->loads[i], rod, &rod->load[i]);
+    scene->start = rod->start;
     return HAWSER_OK;
 }
 
-void rod_clear(Rod *rod)
+static void rod_clear(Room *room)
 {
+    Rod *const rod = room->self;
+    if (!rod) return;
     free(rod->start);
     free(rod->load);
-    *rod = (Rod){0};
+}
+
+/* An end: the half-spring of its segment in the components that are held; a pivot's three are the axial one. */
+static void end_join(Scene *scene, int j, int segment, const RodEndDef *end)
+{
+    Bushing held = joints_clamp(scene, segment);
+    for (int c = SHEAR_Y; end->pivot && c <= SHEAR_Z; ++c) {
+        held.stiffness[c] = held.stiffness[AXIAL];
+        held.damping[c] = held.damping[AXIAL];
+        held.preload[c] = 0;
+    }
+    for (int c = 0; c < COMPONENTS; ++c) {
+        if (end->held[c]) joint_set(&scene->chain, j, &held, c, c + 1);
+    }
+}
+
+/* The relative rotation of the segments at joint j at t = 0 (B2), as a vector. */
+static Vec3 rest_rotation(const Rod *rod, int n, int j)
+{
+    Quat q = quat_mul(quat_conj(rod_attitude(rod, n, j - 1)), rod_attitude(rod, n, j));
+    if (q.w < 0) q = (Quat){-q.w, -q.x, -q.y, -q.z};
+    const Vec3 u = v3(q.x, q.y, q.z);
+    const double size = v3_norm(u);
+    return v3_scale(size > 0 ? 2 * atan2(size, q.w) / size : 2, u);
+}
+
+/* A rod that rests in its shape has preloads that take its rotations as zero (RD7). */
+static void rod_join(Room *room, Scene *scene)
+{
+    Chain *const c = &scene->chain;
+    const Rod *const rod = room->self;
+    end_join(scene, 0, 0, rod->end[ROD_TAIL].def);
+    end_join(scene, c->n, c->n - 1, rod->end[ROD_HEAD].def);
+    for (int j = 0; scene->def.rod.stress_free && j <= c->n; ++j) {
+        const Vec3 rest = rest_rotation(rod, c->n, j);
+        const double theta[3] = {rest.x, rest.y, rest.z};
+        for (int k = 0; k < 3; ++k) c->preload[TORSION + k][j] -= c->stiffness[TORSION + k][j] * theta[k];
+    }
 }
 
 /* ---------------------------------------------------------------------------------------- what leads the ends */
@@ -151,25 +188,21 @@ static Vec3 spin_of(Vec3 r, Vec3 rate)
 static void ghost_set(const RodEnd *end, double t, int i, Kinematics *kin)
 {
     const Lead lead = lead_at(end->def, t);
-    const Vec3 p = v3_add(end->place, lead.move), w = spin_of(lead.turn, lead.turn_rate);
     const Quat q = quat_unit(quat_mul(quat_exp(lead.turn), end->attitude));
-    const Vec3 a = quat_rotate(q, v3(1, 0, 0));
-    const double vectors[4][3] = {
-        {p.x, p.y, p.z}, {lead.velocity.x, lead.velocity.y, lead.velocity.z}, {w.x, w.y, w.z}, {a.x, a.y, a.z}};
     const double turn[4] = {q.w, q.x, q.y, q.z};
-    for (int c = 0; c < 3; ++c) {
-        kin->p[c][i] = vectors[0][c];
-        kin->v[c][i] = vectors[1][c];
-        kin->w[c][i] = vectors[2][c];
-        kin->a[c][i] = vectors[3][c];
-    }
+    v3_store(kin->p, i, v3_add(end->place, lead.move));
+    v3_store(kin->v, i, lead.velocity);
+    v3_store(kin->w, i, spin_of(lead.turn, lead.turn_rate));
+    v3_store(kin->a, i, quat_rotate(q, v3(1, 0, 0)));
     for (int c = 0; c < 4; ++c) kin->q[c][i] = turn[c];
 }
 
-void rod_ghosts(const Rod *rod, double t, int n, Kinematics *kin)
+/* What leads the ends at time t (RD3). */
+static void rod_ghosts(const Room *room, const Scene *scene, double t, Kinematics *kin)
 {
+    const Rod *const rod = room->self;
     ghost_set(&rod->end[ROD_TAIL], t, -1, kin);
-    ghost_set(&rod->end[ROD_HEAD], t, n, kin);
+    ghost_set(&rod->end[ROD_HEAD], t, scene->chain.n, kin);
 }
 
 /* --------------------------------------------------------------------------------------------------- loads */
@@ -187,7 +220,7 @@ static Wrench wrench_of(const RodLoad *load, const Kinematics *kin, double t)
     if (load->def->follower) {
         along = quat_rotate((Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]}, along);
     }
-    Wrench w = {.arm = v3_scale(load->arm, v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]))};
+    Wrench w = {.arm = v3_scale(load->arm, v3_load(kin->a, i))};
     if (load->def->moment) {
         w.moment = v3_scale(size, along);
     } else {
@@ -197,53 +230,48 @@ static Wrench wrench_of(const RodLoad *load, const Kinematics *kin, double t)
     return w;
 }
 
-Push rod_push(const Rod *rod, const Kinematics *kin, double t)
+static void rod_loads(const Room *room, const Moment *m, int part)
 {
-    Push sum = {0};
-    for (int l = 0; l < rod->n_loads; ++l) {
-        const int i = rod->load[l].segment;
-        const Wrench w = wrench_of(&rod->load[l], kin, t);
-        const Vec3 v = v3(kin->v[0][i], kin->v[1][i], kin->v[2][i]),
-                   spin = v3(kin->w[0][i], kin->w[1][i], kin->w[2][i]);
-        sum = push_sum(sum, (Push){v3_dot(w.force, v) + v3_dot(w.moment, spin), w.force});
+    const Rod *const rod = room->self;
+    for (int l = 0; part == 0 && l < rod->n_loads; ++l) {
+        const Wrench w = wrench_of(&rod->load[l], &m->ws->kin, m->t);
+        loads_add(&m->ws->loads[0], rod->load[l].segment, w.force, w.moment);
     }
-    return sum;
-}
-
-void rod_loads(const Rod *rod, const Kinematics *kin, double t, Loads *loads)
-{
-    for (int l = 0; l < rod->n_loads; ++l) {
-        const int i = rod->load[l].segment;
-        const Wrench w = wrench_of(&rod->load[l], kin, t);
-        const double force[3] = {w.force.x, w.force.y, w.force.z}, moment[3] = {w.moment.x, w.moment.y, w.moment.z};
-        for (int c = 0; c < 3; ++c) {
-            loads->f[c][i] += force[c];
-            loads->m[c][i] += moment[c];
-        }
-    }
-}
-
-/* Adds a column of [force; moment] to a 6x6 block. */
-static void column_add(double *block, int column, Vec3 f, Vec3 m)
-{
-    const double value[6] = {f.x, f.y, f.z, m.x, m.y, m.z};
-    for (int row = 0; row < 6; ++row) block[6 * column + row] += value[row];
 }
 
 /* Only rotations matter: a dead force keeps its direction while its arm turns, a follower turns as a whole (RD6). */
-void rod_blocks(const Rod *rod, const Kinematics *kin, double t, BlockChain *k)
+static void rod_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
-    const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    (void)d;
+    const Rod *const rod = room->self;
     for (int l = 0; l < rod->n_loads; ++l) {
         const RodLoad *const load = &rod->load[l];
-        const Wrench w = wrench_of(load, kin, t);
+        const Wrench w = wrench_of(load, &m->ws->kin, m->t);
         for (int c = 0; c < 3; ++c) {
-            const Vec3 zero = {0, 0, 0}, turned = v3_cross(v3_cross(unit[c], w.arm), w.force);
+            const Vec3 e = v3_axis(c), turned = v3_cross(v3_cross(e, w.arm), w.force);
             const int follows = load->def->follower;
-            column_add(k->diag + 36 * (size_t)load->segment, 3 + c, follows ? v3_cross(unit[c], w.force) : zero,
-                       follows ? v3_cross(unit[c], w.moment) : turned);
+            block6_add(k->diag + 36 * (size_t)load->segment, 3 + c, follows ? v3_cross(e, w.force) : V3_ZERO,
+                       follows ? v3_cross(e, w.moment) : turned);
         }
     }
+}
+
+/* The ground at both ends, and the loads. */
+static void rod_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    const Rod *const rod = room->self;
+    const Kinematics *const kin = &m->ws->kin;
+    bushing_loads(&m->scene->chain, kin, 0, 1, &m->ws->joints);
+    balance_work(out, BY_ENDS, dynamics_ghost_push(m, 0));
+    balance_work(out, BY_ENDS, dynamics_ghost_push(m, m->scene->chain.n));
+    Push sum = {0};
+    for (int l = 0; l < rod->n_loads; ++l) {
+        const int i = rod->load[l].segment;
+        const Wrench w = wrench_of(&rod->load[l], kin, m->t);
+        const double power = v3_dot(w.force, v3_load(kin->v, i)) + v3_dot(w.moment, v3_load(kin->w, i));
+        sum = push_sum(sum, (Push){power, w.force});
+    }
+    balance_work(out, BY_LOADS, sum);
 }
 
 double rod_load_size(const Rod *rod, const Chain *chain, double t)
@@ -268,20 +296,26 @@ int rod_ends_held(const Rod *rod)
     return ends;
 }
 
-static double corner_before(const Profile *p, double t, double next)
+static double rod_next_stop(const Room *room, const Scene *scene, double t)
 {
-    double corner;
-    return profile_next_corner(p, t, &corner) && corner < next ? corner : next;
-}
-
-double rod_next_corner(const Rod *rod, double t, double next)
-{
-    for (int l = 0; l < rod->n_loads; ++l) next = corner_before(&rod->load[l].def->by.size, t, next);
+    (void)scene;
+    const Rod *const rod = room->self;
+    double next = INFINITY;
+    for (int l = 0; l < rod->n_loads; ++l) next = profile_corner_before(&rod->load[l].def->by.size, t, next);
     for (int e = 0; e < 2; ++e) {
         const RodEndDef *const end = rod->end[e].def;
-        for (int m = 0; rod->present && m < end->n_motions; ++m) {
-            next = corner_before(&end->motions[m].by.size, t, next);
-        }
+        for (int i = 0; i < end->n_motions; ++i) next = profile_corner_before(&end->motions[i].by.size, t, next);
     }
     return next;
 }
+
+const RoomKind ROD_ROOM = {.name = "rod",
+                           .build = rod_build,
+                           .join = rod_join,
+                           .clear = rod_clear,
+                           .ghosts = rod_ghosts,
+                           .loads = rod_loads,
+                           .blocks = rod_blocks,
+                           .next_stop = rod_next_stop,
+                           .work = rod_work,
+                           .in_space = "the case describes a rod"};

@@ -4,9 +4,7 @@
 #define HAWSER_SIM_EQUIPMENT_ROD_H
 
 #include "core/base/vec3.h"
-#include "core/block_chain.h"
 #include "core/chain.h"
-#include "core/push.h"
 #include "hawser/hawser.h"
 #include "sim/def/rod_def.h"
 
@@ -32,28 +30,11 @@ typedef struct Rod {
     RodLoad *load; /* [n_loads], owned */
 } Rod;
 
-/* The rod of a definition, whose arrays it borrows, for the chain's lengths and masses; point masses are added to the
- * chain's. Errors: MEMORY. */
-hawser_status rod_build(const RodDef *def, Vec3 start, double heading, double slope, Chain *chain, Rod *rod,
-                        hawser_error *err);
-void rod_clear(Rod *rod);
-
 /* The attitude of segment i at t = 0; -1 and n: of the ends' ground bodies. */
 Quat rod_attitude(const Rod *rod, int n, int i);
 
-/* Sets the ghosts of kin (segments -1 and n) to what leads the ends at time t (RD3). */
-void rod_ghosts(const Rod *rod, double t, int n, Kinematics *kin);
-
-/* What the loads of time t do to the motion. */
-Push rod_push(const Rod *rod, const Kinematics *kin, double t);
-/* Adds the loads of time t (RD5), and their derivatives to the diagonal blocks of k (RD6). */
-void rod_loads(const Rod *rod, const Kinematics *kin, double t, Loads *loads);
-void rod_blocks(const Rod *rod, const Kinematics *kin, double t, BlockChain *k);
 /* The largest of the loads at time t, N; moments count over half a segment. */
 double rod_load_size(const Rod *rod, const Chain *chain, double t);
-/* The first corner of any of the rod's profiles after t; `next` if that comes first. */
-double rod_next_corner(const Rod *rod, double t, double next);
-
 /* How many of the two ends are held in some way. */
 int rod_ends_held(const Rod *rod);
 

@@ -8,13 +8,6 @@
 enum { ROOM = 4 }; /* segments that a roller of the usual size can touch at a time: two contacts' */
 
 static int body_of(int m) { return 2 * m + 1; }
-static Vec3 vector_at(double *const a[3], int i) { return v3(a[0][i], a[1][i], a[2][i]); }
-static void vector_put(double *const a[3], int i, Vec3 v)
-{
-    a[0][i] = v.x;
-    a[1][i] = v.y;
-    a[2][i] = v.z;
-}
 
 /* ------------------------------------------------------------------------------------------------- life */
 
@@ -119,9 +112,9 @@ static void mount_pose(EquipmentWork *w, const double *e, int m, Shape *shape)
     }
     for (int c = 0; c < 4; ++c) w->kin.q[c][i] = turn[c] / sqrt(square);
     const Quat unit = {w->kin.q[0][i], w->kin.q[1][i], w->kin.q[2][i], w->kin.q[3][i]};
-    shape->centre = vector_at(w->kin.p, i);
+    shape->centre = v3_load(w->kin.p, i);
     shape->axis = quat_rotate(unit, v3(1, 0, 0));
-    vector_put(w->kin.a, i, shape->axis);
+    v3_store(w->kin.a, i, shape->axis);
 }
 
 void equipment_pose(EquipmentWork *w, const double *e)
@@ -132,8 +125,8 @@ void equipment_pose(EquipmentWork *w, const double *e)
         RollerMotion motion = {v3(0, 0, 0), v3(0, 0, 0)};
         if (item->mount >= 0) {
             mount_pose(w, e, item->mount, shape);
-            motion.v = vector_at(w->kin.v, body_of(item->mount));
-            motion.w = vector_at(w->kin.w, body_of(item->mount));
+            motion.v = v3_load(w->kin.v, body_of(item->mount));
+            motion.w = v3_load(w->kin.w, body_of(item->mount));
         }
         if (item->spin >= 0) { /* (SP1) */
             const Vec3 b = shape->axis;
@@ -145,7 +138,7 @@ void equipment_pose(EquipmentWork *w, const double *e)
 
 double equipment_shift(const EquipmentWork *w, const MovingRoller *item)
 {
-    const Vec3 stands = vector_at(w->q->ground.p, body_of(item->mount));
+    const Vec3 stands = v3_load(w->q->ground.p, body_of(item->mount));
     return v3_norm(v3_sub(w->roller[item->roller].shape.centre, stands));
 }
 
@@ -154,7 +147,7 @@ static double axis_moment(EquipmentWork *w, const MovingRoller *item, double s, 
 {
     const RollerLoad *const load = &w->load[item->roller];
     const Vec3 b = w->roller[item->roller].shape.axis;
-    const Vec3 turning = item->mount >= 0 ? vector_at(w->kin.w, body_of(item->mount)) : v3(0, 0, 0);
+    const Vec3 turning = item->mount >= 0 ? v3_load(w->kin.w, body_of(item->mount)) : v3(0, 0, 0);
     double d_om, d_load;
     const double om = s - v3_dot(turning, b);
     const double held = friction * bearing_torque(&item->bearing, v3_norm(load->force), om, &d_om, &d_load);
@@ -169,7 +162,7 @@ static void mount_rates(const EquipmentWork *w, const MovingRoller *item, const 
     const int m = item->mount, i = body_of(m);
     const Quat turn = {e[equipment_at(q, STATE_Q, m)], e[equipment_at(q, STATE_Q + 1, m)],
                        e[equipment_at(q, STATE_Q + 2, m)], e[equipment_at(q, STATE_Q + 3, m)]};
-    const Vec3 v = vector_at(w->kin.v, i), half = v3_scale(0.5, vector_at(w->kin.w, i));
+    const Vec3 v = v3_load(w->kin.v, i), half = v3_scale(0.5, v3_load(w->kin.w, i));
     const Quat turning = quat_mul((Quat){0, half.x, half.y, half.z}, turn);
     const Vec3 a = v3_scale(1 / item->mass, on.force), spin = v3_scale(1 / item->turning, on.moment);
     const double out[STATE_SIZE] = {v.x, v.y, v.z, turning.w, turning.x, turning.y, turning.z,
@@ -194,11 +187,11 @@ void equipment_rates(EquipmentWork *w, const double *e, double friction, double 
         const int i = body_of(item->mount);
         const Vec3 b = w->roller[item->roller].shape.axis;
         if (item->spin >= 0) { /* the roller keeps what acts about its axis, and its spin resists turning (SP10) */
-            const Vec3 gyro = v3_cross(vector_at(w->kin.w, i), b);
+            const Vec3 gyro = v3_cross(v3_load(w->kin.w, i), b);
             on.moment = v3_axpy(v3_axpy(on.moment, -about, b), -item->inertia * e[item->spin], gyro);
         }
-        on.force = v3_sub(on.force, vector_at(w->joints.force, i));
-        on.moment = v3_add(on.moment, vector_at(w->joints.torque_b, i));
+        on.force = v3_sub(on.force, v3_load(w->joints.force, i));
+        on.moment = v3_add(on.moment, v3_load(w->joints.torque_b, i));
         if (w->held) on = (RollerLoad){v3(0, 0, 0), v3(0, 0, 0)};
         mount_rates(w, item, e, on, rate);
     }
@@ -284,4 +277,22 @@ double equipment_moved(const EquipmentWork *w)
         farthest = fmax(farthest, moved);
     }
     return farthest;
+}
+
+/* ------------------------------------------------------------------------------------------------- balances */
+
+double equipment_energy(const EquipmentWork *work, const double *e)
+{
+    const Equipment *const q = work->q;
+    double sum = 0;
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        if (item->spin >= 0) sum += item->inertia * e[item->spin] * e[item->spin] / 2;
+        for (int c = 0; c < 3 && item->mount >= 0; ++c) {
+            const double v = e[equipment_at(q, STATE_V + c, item->mount)];
+            const double w = e[equipment_at(q, STATE_W + c, item->mount)];
+            sum += (item->mass * v * v + item->turning * w * w) / 2;
+        }
+    }
+    return q->mounts ? sum + bushing_energy(&q->bushings, &work->kin, 0, 2 * q->mounts).elastic : sum;
 }

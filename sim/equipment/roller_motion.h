@@ -56,4 +56,7 @@ void equipment_bushing_blocks(EquipmentWork *w);
 void equipment_stand(EquipmentWork *w);
 double equipment_moved(const EquipmentWork *w);
 
+/* Energy of rollers that spin or stand on mounts, J (BA8), for the poses in w and the state e. */
+double equipment_energy(const EquipmentWork *w, const double *e);
+
 #endif

@@ -1,24 +1,27 @@
-#include "sim/equipment/surfaces.h"
-
+/* The ducts, trays, floors and walls of a scene. docs/model.md, "Surfaces". */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/base/error.h"
+#include "sim/dynamics.h"
+#include "sim/equipment/rooms.h"
+#include "sim/halves.h"
 
-hawser_status surfaces_fill(Surfaces *s, const SceneDef *def, const Route *route, const Chain *chain, hawser_error *err)
+static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
 {
-    memset(s, 0, sizeof *s);
-    if (def->n_surfaces == 0) return HAWSER_OK;
+    const SceneDef *const def = &scene->def;
+    const Route *const route = &scene->route;
+    Surfaces *const s = &scene->surfaces;
+    room->present = def->n_surfaces > 0;
+    if (!room->present) return HAWSER_OK;
     int patches = 0;
     for (int i = 0; i < def->n_surfaces; ++i) patches += surface_patch_count(&def->surfaces[i].shape, route);
-    s->patch = calloc((size_t)patches + 1, sizeof *s->patch);
+    SurfacePatch *next = s->patch = calloc((size_t)patches + 1, sizeof *s->patch);
     s->friction = calloc((size_t)def->n_surfaces, sizeof *s->friction);
-    if (!s->patch || !s->friction || !surface_points_alloc(&s->points, def->geometry, chain)) {
-        surfaces_clear(s);
+    room->self = s; /* the scene's own member, for the clearing */
+    if (!s->patch || !s->friction || !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
         return error_memory(err);
     }
-    SurfacePatch *next = s->patch;
     for (int i = 0; i < def->n_surfaces; ++i) {
         surface_patches(&def->surfaces[i].shape, route, i, next);
         next += surface_patch_count(&def->surfaces[i].shape, route);
@@ -34,19 +37,172 @@ hawser_status surfaces_fill(Surfaces *s, const SceneDef *def, const Route *route
     return HAWSER_OK;
 }
 
-void surfaces_clear(Surfaces *s)
+static void surfaces_clear(Room *room)
 {
+    Surfaces *const s = room->self;
+    if (!s) return;
     free(s->patch);
     free(s->friction);
     surface_points_free(&s->points);
-    memset(s, 0, sizeof *s);
+    room->self = NULL;
 }
 
-int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind != SURFACE_PLANE; }
-
-/* (DU15). */
-double surface_theory_friction(const SurfaceDef *surface)
+/* Half of the elements each; the element before segment `middle` is the second half's. */
+static int surfaces_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
-    const double mu = surface->friction.mu_d;
-    return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
+    (void)room;
+    const int elements = scene->surfaces.points.elements, middle = elements > 0 ? ws->middle : 0;
+    ws->surfaces = scene->surfaces.model;
+    surface_pairs_init(&ws->contact[0].surface, 0, middle);
+    surface_pairs_init(&ws->contact[1].surface, middle, elements);
+    ws->on_surface = calloc((size_t)scene->surfaces.model.n_surfaces + 1, sizeof *ws->on_surface);
+    int ok = ws->on_surface != NULL;
+    for (int p = 0; surface_sticks(&ws->surfaces) && p < PARTS; ++p) {
+        ok &= surface_pairs_sticks(&ws->contact[p].surface, &ws->surfaces, scene->chain.n);
+    }
+    return ok;
 }
+
+static void surfaces_work_free(const Room *room, Workspace *ws)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) surface_pairs_free(&ws->contact[p].surface);
+    free(ws->on_surface);
+}
+
+/* The leans of friction that sticks: elements may have changed their half. */
+static void surfaces_carry(const Room *room, Workspace *from, Workspace *to, int joined)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        for (int q = 0; q < PARTS && to->contact[p].surface.stick.n_beds > 0; ++q)
+            surface_carry(&from->contact[q].surface, &to->contact[p].surface, joined);
+    }
+}
+
+/* Friction that sticks leans by what has been slid since the last accepted step (GR11). */
+static void surfaces_begin(const Room *room, const Moment *m)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        if (m->ws->contact[p].surface.stick.n_beds > 0) surface_clock(&m->ws->contact[p].surface, m->t);
+    }
+}
+
+static void surfaces_loads(const Room *room, const Moment *m, int part)
+{
+    (void)room;
+    surface_forces(&m->ws->surfaces, &m->scene->chain, &m->ws->kin, m->friction, &m->ws->contact[part].surface,
+                   &m->ws->loads[part], NULL);
+}
+
+/* Derivatives, as two threads see them. */
+typedef struct SurfaceJob {
+    const Moment *m;
+    BlockChain *k, *d;
+} SurfaceJob;
+
+/* Under one half, without the element at the middle, which hangs on segments of both. */
+static void blocks_job(void *arg, int rank)
+{
+    const SurfaceJob *const job = arg;
+    Workspace *const ws = job->m->ws;
+    const Chain *const chain = &job->m->scene->chain;
+    const int from = rank == 0 ? 0 : ws->middle + 1, to = rank == 0 ? ws->middle : chain->n + 1;
+    surface_blocks(&ws->surfaces, chain, &ws->kin, job->m->friction, &ws->contact[rank].surface, from, to, job->k,
+                   job->d);
+}
+
+static void surfaces_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
+{
+    (void)room;
+    Workspace *const ws = m->ws;
+    SurfaceJob job = {m, k, d};
+    halves_run(ws->team, 1, blocks_job, &job);
+    surface_blocks(&ws->surfaces, &m->scene->chain, &ws->kin, m->friction, &ws->contact[1].surface, ws->middle,
+                   ws->middle + 1, k, d);
+}
+
+static hawser_status surfaces_refresh(const Room *room, const Moment *m, hawser_error *err)
+{
+    (void)room;
+    Workspace *const ws = m->ws;
+    hawser_status status = HAWSER_OK;
+    for (int p = 0; p < PARTS && !status; ++p) {
+        status = surface_refresh(&ws->surfaces, &m->scene->chain, &ws->kin, &ws->contact[p].surface, err);
+    }
+    return status;
+}
+
+static int surfaces_candidates(const Room *room, const Workspace *ws)
+{
+    (void)room;
+    return ws->contact[0].surface.candidates + ws->contact[1].surface.candidates;
+}
+
+static int surfaces_remember(const Room *room, const Workspace *ws)
+{
+    (void)room;
+    return ws->contact[0].surface.stick.n_beds + ws->contact[1].surface.stick.n_beds > 0;
+}
+
+static void surfaces_accept(const Room *room, const Moment *m)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        SurfacePairs *const pairs = &m->ws->contact[p].surface;
+        if (pairs->stick.n_beds > 0) surface_accept(&m->ws->surfaces, &m->scene->chain, &m->ws->kin, m->t, pairs);
+    }
+}
+
+static void surfaces_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        const ContactTally *const tally = &m->ws->contact[p].surface.work;
+        balance_contact(out, LOST_SURFACES, PUSH_SURFACES, tally);
+        out->work[BY_EDGES] += tally->edges;
+    }
+}
+
+static void surfaces_stock(const Room *room, const Moment *m, const double *own, BalanceStock *out)
+{
+    (void)room;
+    (void)own;
+    for (int p = 0; p < PARTS; ++p) out->energy[IN_SURFACES] += m->ws->contact[p].surface.work.energy;
+}
+
+static int surfaces_look(const Room *room, const Moment *m)
+{
+    (void)room;
+    Workspace *const ws = m->ws;
+    int active = 0;
+    for (int i = 0; i < ws->surfaces.n_surfaces; ++i) ws->on_surface[i] = surface_tally_new();
+    for (int p = 0; p < PARTS && ws->surfaces.n_patches > 0; ++p) {
+        SurfacePairs *const pairs = &ws->contact[p].surface;
+        loads_zero(&ws->loads[p], m->scene->chain.n);
+        surface_forces(&ws->surfaces, &m->scene->chain, &ws->kin, 1.0, pairs, &ws->loads[p], ws->on_surface);
+        active += pairs->active;
+    }
+    return active;
+}
+
+const RoomKind SURFACES_ROOM = {.name = "surfaces",
+                                .build = surfaces_build,
+                                .clear = surfaces_clear,
+                                .work_alloc = surfaces_work_alloc,
+                                .work_free = surfaces_work_free,
+                                .carry = surfaces_carry,
+                                .begin = surfaces_begin,
+                                .loads = surfaces_loads,
+                                .blocks = surfaces_blocks,
+                                .touches = 1,
+                                .heavy = 1,
+                                .refresh = surfaces_refresh,
+                                .candidates = surfaces_candidates,
+                                .remembers = surfaces_remember,
+                                .accept = surfaces_accept,
+                                .work = surfaces_work,
+                                .stock = surfaces_stock,
+                                .look = surfaces_look,
+                                .in_space = "the cable lies in ducts or trays or on planes"};

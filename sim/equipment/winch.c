@@ -1,26 +1,14 @@
 #include "sim/equipment/winch.h"
 
-#include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 
-void winch_init(Winch *w, const WinchDef *def)
-{
-    w->present = def->present;
-    w->mode = def->mode;
-    w->speed = def->speed;
-    w->tension = def->tension;
-    w->speed_limit = def->speed_limit > 0 ? def->speed_limit : INFINITY;
-    w->band = def->band;
-    w->drum_mass = def->mode == WINCH_TENSION ? def->drum_mass : 0;
-    w->trip = def->trip;
-    w->trip_force = def->mode == WINCH_SPEED ? def->trip.force : 0;
-    w->phase = (WinchPhase){.doing = WINCH_FOLLOWS,
-                            .speed = def->speed,
-                            .until = INFINITY,
-                            .over = INFINITY,
-                            .held = def->mode == WINCH_TENSION,
-                            .ended = INFINITY};
-}
+#include "core/base/error.h"
+#include "core/base/lanes.h"
+#include "core/body.h"
+#include "core/bushing.h"
+#include "sim/equipment/rooms.h"
+#include "sim/joints.h"
 
 /* ------------------------------------------------------------------------------------ a winch with a speed (WI1) */
 
@@ -43,37 +31,53 @@ double winch_largest_speed(const Winch *w)
     return v;
 }
 
-void winch_ghost(const Winch *w, double t, int n, Kinematics *kin)
+static const double FADE = 0.2; /* s, over which a taken segment's own motion dies out */
+
+void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin)
 {
-    const int moves = w->mode == WINCH_SPEED;
+    w->take_in.since = t;
+    w->take_in.drift = drift;
+    w->take_in.spin = spin;
+}
+
+/* The ghost at the chain's head (segment n). That of a set tension stays where it is: it holds no more than the head's
+ * attitude. A segment that was taken in keeps its own motion for a moment (RL16). */
+static void winch_ghost(const Room *room, const Scene *scene, double t, Kinematics *kin)
+{
+    const Winch *const w = room->self;
+    const int n = scene->chain.n, moves = w->mode == WINCH_SPEED;
     const double speed = moves ? winch_speed(w, t) : 0;
-    const Vec3 p = moves ? v3_axpy(w->origin, winch_travel(w, t), w->direction) : w->origin;
-    const double position[3] = {p.x, p.y, p.z}, along[3] = {w->direction.x, w->direction.y, w->direction.z};
-    for (int c = 0; c < 3; ++c) {
-        kin->p[c][n] = position[c];
-        kin->v[c][n] = speed * along[c];
-        kin->w[c][n] = 0;
-        kin->a[c][n] = along[c];
+    Vec3 p = moves ? v3_axpy(w->origin, winch_travel(w, t), w->direction) : w->origin;
+    Vec3 v = v3_scale(speed, w->direction), spin = V3_ZERO, axis = w->direction;
+    Quat q = w->attitude;
+    if (w->take_in.present) {
+        const Profile left = {.kind = PROFILE_STEP, .v0 = 1, .t1 = FADE};
+        const double x = fmax(t - w->take_in.since, 0);
+        const double rate = profile_value(&left, x), gone = profile_integral(&left, x);
+        q = quat_mul(quat_exp(v3_scale(gone, w->take_in.spin)), q);
+        p = v3_axpy(p, gone, w->take_in.drift);
+        v = v3_axpy(v, rate, w->take_in.drift);
+        spin = v3_scale(rate, w->take_in.spin);
+        axis = quat_rotate(q, v3(1, 0, 0));
     }
-    const double q[4] = {w->attitude.w, w->attitude.x, w->attitude.y, w->attitude.z};
-    for (int c = 0; c < 4; ++c) kin->q[c][n] = q[c];
+    const double attitude[4] = {q.w, q.x, q.y, q.z};
+    v3_store(kin->p, n, p);
+    v3_store(kin->v, n, v);
+    v3_store(kin->w, n, spin);
+    v3_store(kin->a, n, axis);
+    for (int c = 0; c < 4; ++c) kin->q[c][n] = attitude[c];
 }
 
-/* The profile's next corner, or `next` if that comes first. */
-static double corner_before(const Profile *p, double since, double t, double next)
+/* Corners of its motion or force, and the ends of its phases. */
+static double winch_next_stop(const Room *room, const Scene *scene, double t)
 {
-    double corner;
-    return profile_next_corner(p, t - since, &corner) && since + corner < next ? since + corner : next;
-}
-
-double winch_next_stop(const Winch *w, double t)
-{
+    (void)scene;
+    const Winch *const w = room->self;
     const WinchPhase *const now = &w->phase;
     double next = now->until > t ? now->until : INFINITY;
-    if (!w->present) return INFINITY;
-    if (w->mode == WINCH_TENSION) return corner_before(&w->tension, 0, t, next);
+    if (w->mode == WINCH_TENSION) return profile_corner_before(&w->tension, t, next);
     if (now->over + w->trip.hold > t) next = fmin(next, now->over + w->trip.hold);
-    return corner_before(&now->speed, now->since, t, next);
+    return fmin(next, now->since + profile_corner_before(&now->speed, t - now->since, INFINITY));
 }
 
 /* --------------------------------------------------------------------------------- a winch with a tension (WI2) */
@@ -154,54 +158,285 @@ static Vec3 head_force(const Winch *w, const HeadLaw *law, const HeadEnd *e)
     return v3_axpy(across, law->along, w->direction);
 }
 
-void winch_loads(const Winch *w, const Chain *chain, const Kinematics *kin, double t, Loads *loads)
+static void winch_loads(const Room *room, const Moment *m, int part)
 {
-    if (!w->present || w->mode != WINCH_TENSION) return;
-    const int i = chain->n - 1;
-    const HeadEnd e = head_end(w, chain, kin);
-    const HeadLaw law = head_law(w, &e, t);
-    const Vec3 f = head_force(w, &law, &e), m = v3_cross(e.arm, f);
-    const double force[3] = {f.x, f.y, f.z}, moment[3] = {m.x, m.y, m.z};
-    for (int c = 0; c < 3; ++c) {
-        loads->f[c][i] += force[c];
-        loads->m[c][i] += moment[c];
-    }
-}
-
-Push winch_push(const Winch *w, const Chain *chain, const Kinematics *kin, double t)
-{
-    if (!w->present || w->mode != WINCH_TENSION) return (Push){0};
-    const HeadEnd e = head_end(w, chain, kin);
-    const HeadLaw law = head_law(w, &e, t);
+    const Winch *const w = room->self;
+    if (w->mode != WINCH_TENSION || part != 0) return;
+    const HeadEnd e = head_end(w, &m->scene->chain, &m->ws->kin);
+    const HeadLaw law = head_law(w, &e, m->t);
     const Vec3 f = head_force(w, &law, &e);
-    return (Push){v3_dot(f, e.velocity), f};
+    loads_add(&m->ws->loads[0], m->scene->chain.n - 1, f, v3_cross(e.arm, f));
 }
 
-/* Adds a column of [force; moment] to a 6x6 block. */
-static void column_add(double *block, int column, Vec3 f, Vec3 m)
+/* (WI6), (WI7) */
+static void winch_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
-    const double value[6] = {f.x, f.y, f.z, m.x, m.y, m.z};
-    for (int row = 0; row < 6; ++row) block[6 * column + row] += value[row];
-}
-
-void winch_blocks(const Winch *w, const Chain *chain, const Kinematics *kin, double t, BlockChain *k, BlockChain *d)
-{
-    if (!w->present || w->mode != WINCH_TENSION) return;
-    const size_t last = 36 * (size_t)(chain->n - 1);
-    const HeadEnd e = head_end(w, chain, kin);
-    const HeadLaw law = head_law(w, &e, t);
+    const Winch *const w = room->self;
+    if (w->mode != WINCH_TENSION) return;
+    const size_t last = 36 * (size_t)(m->scene->chain.n - 1);
+    const HeadEnd e = head_end(w, &m->scene->chain, &m->ws->kin);
+    const HeadLaw law = head_law(w, &e, m->t);
     const Vec3 f = head_force(w, &law, &e);
-    const Vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int c = 0; c < 3; ++c) {
-        const Vec3 turned = v3_cross(unit[c], e.arm); /* the arm's change by dphi, the end's velocity by dw */
-        const Vec3 by_x = head_change(w, law.k_along, law.k_across, unit[c]);
-        const Vec3 by_v = head_change(w, law.c_along, law.c_across, unit[c]);
+        const Vec3 unit = v3_axis(c);
+        const Vec3 turned = v3_cross(unit, e.arm); /* the arm's change by dphi, the end's velocity by dw */
+        const Vec3 by_x = head_change(w, law.k_along, law.k_across, unit);
+        const Vec3 by_v = head_change(w, law.c_along, law.c_across, unit);
         const Vec3 by_w = head_change(w, law.c_along, law.c_across, turned);
         const Vec3 by_phi = v3_add(head_change(w, law.k_along, law.k_across, turned),
                                    head_change(w, law.c_along, law.c_across, v3_cross(e.spin, turned)));
-        column_add(k->diag + last, c, by_x, v3_cross(e.arm, by_x));
-        column_add(k->diag + last, 3 + c, by_phi, v3_add(v3_cross(turned, f), v3_cross(e.arm, by_phi)));
-        column_add(d->diag + last, c, by_v, v3_cross(e.arm, by_v));
-        column_add(d->diag + last, 3 + c, by_w, v3_cross(e.arm, by_w));
+        block6_add(k->diag + last, c, by_x, v3_cross(e.arm, by_x));
+        block6_add(k->diag + last, 3 + c, by_phi, v3_add(v3_cross(turned, f), v3_cross(e.arm, by_phi)));
+        block6_add(d->diag + last, c, by_v, v3_cross(e.arm, by_v));
+        block6_add(d->diag + last, 3 + c, by_w, v3_cross(e.arm, by_w));
     }
 }
+
+/* ---------------------------------------------------------------------------------------------------- the pull */
+
+double winch_pull_now(const Scene *scene, Workspace *ws, double t)
+{
+    const Winch *const w = scene->winch;
+    const int n = scene->chain.n;
+    if (!w->present) return 0;
+    if (w->mode == WINCH_TENSION) return winch_pull(w, &scene->chain, &ws->kin, t);
+    bushing_loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints); /* the last lane holds the head's */
+    return v3_dot(v3_load(ws->joints.force, n), w->direction);
+}
+
+double winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y)
+{
+    const int n = scene->chain.n;
+    body_kinematics(n, y, (n - 1) / LANES * LANES, n, &ws->kin);
+    scene_ghosts(scene, t, &ws->kin);
+    return winch_pull_now(scene, ws, t);
+}
+
+/* At the ghost, whose joint holds the head; and what a set tension does to the head's end (BA2). */
+static void winch_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    const Winch *const w = room->self;
+    balance_work(out, BY_WINCH, dynamics_ghost_push(m, m->scene->chain.n));
+    if (w->mode != WINCH_TENSION) return;
+    const HeadEnd e = head_end(w, &m->scene->chain, &m->ws->kin);
+    const HeadLaw law = head_law(w, &e, m->t);
+    const Vec3 f = head_force(w, &law, &e);
+    balance_work(out, BY_WINCH, (Push){v3_dot(f, e.velocity), f});
+}
+
+static int winch_look(const Room *room, const Moment *m)
+{
+    (void)room;
+    m->ws->winch_pull = winch_pull_now(m->scene, m->ws, m->t);
+    return 0;
+}
+
+/* ------------------------------------------------------------------------------------------------------- trips */
+
+/* The trip as a small machine between accepted steps:
+ *
+ *     follows --force too large--> brakes --at rest--> stands --pause over--> restarts --at speed--> follows
+ *
+ * A restart can trip too. Every change keeps travel and speed continuous (WI8)-(WI12). */
+
+static const double ON_TIME = 1e-9; /* s: the integrator stops at a phase's end up to rounding */
+
+/* Another profile from time t on, where the travel is what it was. */
+static void phase_begin(Winch *w, WinchDoing doing, double t, Profile speed, double clock)
+{
+    WinchPhase *const now = &w->phase;
+    const double travel = winch_travel(w, t);
+    now->doing = doing;
+    now->speed = speed;
+    now->since = t - clock;
+    now->offset = travel - profile_integral(&speed, clock);
+    now->over = INFINITY;
+    now->until = INFINITY;
+}
+
+/* (WI9). The brake falls in: from the speed of now to rest. A restart that trips keeps what it was to come back to. */
+static WinchEvent brake(Winch *w, double t)
+{
+    WinchPhase *const now = &w->phase;
+    const Profile down = {.kind = PROFILE_STEP, .v0 = winch_speed(w, t), .t1 = w->trip.brake};
+    if (now->doing == WINCH_FOLLOWS) now->resume = t - now->since;
+    phase_begin(w, WINCH_BRAKES, t, down, 0);
+    now->until = t + w->trip.brake;
+    ++now->trips;
+    return WINCH_TRIPPED;
+}
+
+/* At rest, for a while or for good (WI10). The brake's profile stays: it is 0 from here on. */
+static WinchEvent stand(Winch *w)
+{
+    WinchPhase *const now = &w->phase;
+    const double since = now->until;
+    now->doing = WINCH_STANDS;
+    now->until = now->trips <= w->trip.restarts ? since + w->trip.pause : INFINITY;
+    if (isfinite(now->until)) return WINCH_STOPPED;
+    if (!w->trip.ends_run) return WINCH_STAYS;
+    now->ended = since;
+    return WINCH_ENDS_THE_RUN;
+}
+
+/* (WI11). From rest to the speed at which the brake fell in. */
+static WinchEvent restart(Winch *w)
+{
+    WinchPhase *const now = &w->phase;
+    const double start = now->until;
+    const Profile up = {.kind = PROFILE_STEP, .v1 = profile_value(&w->speed, now->resume), .t1 = w->trip.ramp};
+    phase_begin(w, WINCH_RESTARTS, start, up, 0);
+    now->until = start + w->trip.ramp;
+    return WINCH_STARTED;
+}
+
+/* (WI12). The case's profile goes on where it was left. */
+static WinchEvent follow(Winch *w)
+{
+    phase_begin(w, WINCH_FOLLOWS, w->phase.until, w->speed, w->phase.resume);
+    return WINCH_RUNNING;
+}
+
+/* Whether the force has been above the limit for as long as it takes (WI8). */
+static int too_large(Winch *w, double t, double pull)
+{
+    WinchPhase *const now = &w->phase;
+    if (!(pull > w->trip_force)) {
+        now->over = INFINITY;
+        return 0;
+    }
+    now->over = fmin(now->over, t);
+    return t - now->over >= w->trip.hold - ON_TIME;
+}
+
+WinchEvent winch_accept(Winch *w, double t, double pull)
+{
+    const int moving = w->phase.doing == WINCH_FOLLOWS || w->phase.doing == WINCH_RESTARTS;
+    if (!(w->trip_force > 0)) return WINCH_NOTHING;
+    if (moving && too_large(w, t, pull)) return brake(w, t);
+    if (t < w->phase.until - ON_TIME) return WINCH_NOTHING;
+    switch (w->phase.doing) {
+    case WINCH_BRAKES:
+        return stand(w);
+    case WINCH_STANDS:
+        return restart(w);
+    case WINCH_RESTARTS:
+        return follow(w);
+    case WINCH_FOLLOWS:
+        break;
+    }
+    return WINCH_NOTHING;
+}
+
+const char *winch_event_name(WinchEvent event)
+{
+    static const char *const name[] = {"",
+                                       "the winch trips",
+                                       "the winch has stopped",
+                                       "the winch starts again",
+                                       "the winch is back at speed",
+                                       "the winch has stopped for good",
+                                       "the winch has stopped for good: the run ends"};
+    return name[event];
+}
+
+/* ---------------------------------------------------------------------------------------------------- building */
+
+double winch_place(const Scene *scene)
+{
+    const double at = scene->def.winch.at;
+    return isnan(at) ? fmax(scene->joint_s[scene->total], scene->route.length) : at;
+}
+
+void winch_init(Winch *w, const WinchDef *def)
+{
+    w->present = def->present;
+    w->mode = def->mode;
+    w->speed = def->speed;
+    w->tension = def->tension;
+    w->speed_limit = def->speed_limit > 0 ? def->speed_limit : INFINITY;
+    w->band = def->band;
+    w->drum_mass = def->mode == WINCH_TENSION ? def->drum_mass : 0;
+    w->trip = def->trip;
+    w->trip_force = def->mode == WINCH_SPEED ? def->trip.force : 0;
+    w->phase = (WinchPhase){.doing = WINCH_FOLLOWS,
+                            .speed = def->speed,
+                            .until = INFINITY,
+                            .over = INFINITY,
+                            .held = def->mode == WINCH_TENSION,
+                            .ended = INFINITY};
+}
+
+/* It stands where the head's end is and pulls along the route's end direction; its ghost carries on the frame of the
+ * last segment. Errors: MEMORY. */
+static hawser_status winch_stand(Winch *w, const Scene *scene, hawser_error *err)
+{
+    const int n = scene->chain.n;
+    const double end = fmax(scene->joint_s[n], scene->route.length);
+    w->origin = route_at(&scene->route, scene->joint_s[n]).position;
+    w->direction = route_at(&scene->route, end).tangent;
+    if (scene->def.winch.take_in) {
+        const RoutePoint at = route_at(&scene->route, winch_place(scene));
+        w->take_in = (TakeIn){.present = 1, .place = at.position};
+        w->direction = at.tangent;
+    }
+    double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y);
+    if (!y) return error_memory(err);
+    scene_initial_chain(scene, y);
+    const double *const last = y + n - 1;
+    const Quat q = {last[3 * n], last[4 * n], last[5 * n], last[6 * n]};
+    w->attitude = quat_carry(q, quat_rotate(q, v3(1, 0, 0)), w->direction);
+    free(y);
+    return HAWSER_OK;
+}
+
+static hawser_status winch_build(Room *room, Scene *scene, hawser_error *err)
+{
+    Winch *const w = room->self = scene->winch = calloc(1, sizeof *w);
+    if (!w) return error_memory(err);
+    winch_init(w, &scene->def.winch);
+    room->present = w->present;
+    scene->weight.weightless = w->drum_mass;
+    const double speed = winch_largest_speed(w);
+    if (w->present && speed > 0) scene->largest_speed = speed;
+    return winch_stand(w, scene, err);
+}
+
+/* The head's joint is the half-spring of the last segment alone. With a set tension its end slides along the pull,
+ * guided and braked by that spring; a clamp holds its attitude too, and the drum moves with the last segment
+ * (WI3)-(WI5). */
+static void winch_join(Room *room, Scene *scene)
+{
+    Winch *const w = room->self;
+    const int n = scene->chain.n, clamp = !scene->def.winch.axial_only;
+    const Bushing b = joints_clamp(scene, n - 1);
+    if (w->mode != WINCH_TENSION) {
+        joint_set(&scene->chain, n, &b, 0, clamp ? COMPONENTS : 1);
+        return;
+    }
+    if (clamp) joint_set(&scene->chain, n, &b, TORSION, COMPONENTS);
+    w->guide[0] = clamp ? b.stiffness[SHEAR_Y] : 0;
+    w->guide[1] = clamp ? b.damping[SHEAR_Y] : 0;
+    w->brake[0] = b.stiffness[AXIAL];
+    w->brake[1] = b.damping[AXIAL];
+    scene->chain.mass[n - 1] += w->drum_mass;
+}
+
+static const char *winch_not_planar(const Room *room, const Scene *scene)
+{
+    (void)scene;
+    const Winch *const w = room->self;
+    if (w->take_in.present) return "segments join and leave the chain";
+    return w->mode == WINCH_SPEED ? NULL : "the winch pulls with a set tension";
+}
+
+const RoomKind WINCH_ROOM = {.name = "winch",
+                             .build = winch_build,
+                             .join = winch_join,
+                             .ghosts = winch_ghost,
+                             .loads = winch_loads,
+                             .blocks = winch_blocks,
+                             .next_stop = winch_next_stop,
+                             .work = winch_work,
+                             .look = winch_look,
+                             .not_planar = winch_not_planar};

@@ -6,9 +6,8 @@
 #ifndef HAWSER_SIM_EQUIPMENT_WINCH_H
 #define HAWSER_SIM_EQUIPMENT_WINCH_H
 
-#include "core/block_chain.h"
 #include "core/push.h"
-#include "sim/def/scene_def.h"
+#include "sim/dynamics.h"
 
 typedef enum WinchDoing { WINCH_FOLLOWS, WINCH_BRAKES, WINCH_STANDS, WINCH_RESTARTS } WinchDoing;
 
@@ -25,6 +24,16 @@ typedef struct WinchPhase {
     int held;      /* set tension: the brake is on, as before t = 0 */
     double ended;  /* s, when a last trip ended the run; INFINITY: it did not */
 } WinchPhase;
+
+/* A winch that takes the rope in: a segment that has passed it leaves the chain and becomes the ghost that holds the
+ * next one, a whole rigid segment whose pose moves on along the pull as the rope does (RL16). */
+typedef struct TakeIn {
+    int present;
+    Vec3 place; /* m, where the winch stands */
+    /* of the segment that was taken last: how it moved besides following the winch */
+    double since;     /* s */
+    Vec3 drift, spin; /* m/s, rad/s; they die out over a fifth of a second */
+} TakeIn;
 
 /* The winch of a scene; all but `phase` and `trip_force` is fixed when the scene is built. */
 typedef struct Winch {
@@ -45,6 +54,7 @@ typedef struct Winch {
     TripDef trip;
     double trip_force; /* N; 0: never trips */
     WinchPhase phase;
+    TakeIn take_in;
 } Winch;
 
 /* Travel along the pull (m) and its rate (m/s). */
@@ -54,17 +64,17 @@ typedef struct WinchMotion {
 
 /* Sets what the definition says, at rest before t = 0; the place, the guide and the brake are left to the scene. */
 void winch_init(Winch *w, const WinchDef *def);
+/* Where the winch stands that takes the rope in, m along the route: as the definition says; otherwise the route's end,
+ * or the head's place if that is farther. */
+double winch_place(const Scene *scene);
+/* A segment that moved on by itself with this drift (m/s) and spin (rad/s) becomes the ghost at time t. */
+void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin);
 
 /* A winch with a speed profile: functions of time alone. */
 double winch_speed(const Winch *w, double t);
 double winch_travel(const Winch *w, double t);
 /* Either kind: a winch of set tension goes where the head's end is, which kin tells. */
 WinchMotion winch_motion(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
-/* Writes pose and velocity of the ghost at the chain's head (segment n). That of a set tension stays where it is: it
- * holds no more than the head's attitude. */
-void winch_ghost(const Winch *w, double t, int n, Kinematics *kin);
-/* The next time after t at which the winch's motion or force is not smooth, or its phase ends; INFINITY if none. */
-double winch_next_stop(const Winch *w, double t);
 /* The largest speed of the profile, or the limit; 0 if there is none, m/s. */
 double winch_largest_speed(const Winch *w);
 
@@ -73,12 +83,11 @@ double winch_largest_speed(const Winch *w);
 double winch_tension(const Winch *w, double t, double speed, double *slope);
 /* Set tension: force on the last segment along the pull, N: the tension, or what the brake holds (WI5). */
 double winch_pull(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
-/* Set tension: adds force and moment on the last segment (WI3), (WI4); nothing for a winch with a speed profile. */
-void winch_loads(const Winch *w, const Chain *chain, const Kinematics *kin, double t, Loads *loads);
-/* What these do to the motion; nothing likewise. */
-Push winch_push(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
-/* Adds their derivatives to the last diagonal blocks of k and d (WI6), (WI7). */
-void winch_blocks(const Winch *w, const Chain *chain, const Kinematics *kin, double t, BlockChain *k, BlockChain *d);
+/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without one.
+ */
+double winch_pull_now(const Scene *scene, Workspace *ws, double t);
+/* The same from (t, y); brings the kinematics of the head's last segments up to date, no others. */
+double winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y);
 
 /* What happens to a winch. */
 typedef enum WinchEvent {

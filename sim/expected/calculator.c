@@ -11,7 +11,7 @@ static const CableDef *cable_of(const Scene *scene)
     return &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
 }
 
-/* --------------------------------------------------------------------------------- cables, ducts, conveyors */
+/* --------------------------------------------------------------------------------- cables, ducts, pushes */
 
 /* How the cables lie in a duct; an error names it. */
 static hawser_status duct_fill(const Scene *scene, const SurfaceDef *surface, CalculatorDuct *out, hawser_error *err)
@@ -59,16 +59,16 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     return status;
 }
 
-/* The conveyors' pushes one by one along the pull: each takes what the ones before it leave. */
-static hawser_status pushes_find(const Scene *scene, const PlanDef *plan, int way, PullStep *push, hawser_error *err)
+/* The pushes one by one along the pull: each takes what the ones before it leave. */
+static hawser_status pushes_find(const Scene *scene, const PlanDef *plan, const Pusher *by, int way, PullStep *push,
+                                 hawser_error *err)
 {
-    const int n = scene->n_conveyors, back = way == PLAN_BACKWARD;
+    const int n = plan->n_pushes, back = way == PLAN_BACKWARD;
     PullStep *const step = calloc((size_t)n + 1, sizeof *step);
     if (!step) return error_memory(err);
     hawser_status status = HAWSER_OK;
     for (int k = 0; k < n && !status; ++k) {
         const int i = back ? n - 1 - k : k;
-        const ConveyorDef *const machine = &scene->def.conveyors[i];
         const double w = plan->stretch[0].weight;
         const PullDef def = {.route = plan->route,
                              .from = back ? plan->route->length : 0,
@@ -79,10 +79,10 @@ static hawser_status pushes_find(const Scene *scene, const PlanDef *plan, int wa
                              .n_steps = k,
                              .step = step};
         Pull pull;
-        push[i] = (PullStep){.at = (machine->from + machine->to) / 2};
+        push[i] = (PullStep){.at = by[i].at};
         status = pull_solve(&def, &pull, err);
         if (status) break;
-        push[i].force = expected_push_at(scene, &scene->conveyor[i], pull_at(&pull, push[i].at).tension);
+        push[i].force = by[i].room->kind->push(by[i].room, scene, by[i].item, pull_at(&pull, push[i].at).tension);
         step[k] = (PullStep){.at = push[i].at, .force = -push[i].force};
         pull_clear(&pull);
     }
@@ -226,13 +226,14 @@ static hawser_status plan_fill(const Scene *scene, double start_tension, Calcula
                     .spacing = c->spacing,
                     .guides = c->guides};
     hawser_status status = HAWSER_OK;
+    c->n_pushers = plan.n_pushes = scene_pushers(scene, &c->pusher);
+    if (c->n_pushers < 0) return error_memory(err);
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
-        c->push[k] = calloc((size_t)scene->n_conveyors + 1, sizeof *c->push[k]);
-        status = c->push[k] ? pushes_find(scene, &plan, k, c->push[k], err) : error_memory(err);
+        c->push[k] = calloc((size_t)c->n_pushers + 1, sizeof *c->push[k]);
+        status = c->push[k] ? pushes_find(scene, &plan, c->pusher, k, c->push[k], err) : error_memory(err);
     }
-    plan.n_conveyors = scene->n_conveyors;
-    plan.conveyor = c->push[PLAN_FORWARD];
-    plan.conveyor_back = c->push[PLAN_BACKWARD];
+    plan.push = c->push[PLAN_FORWARD];
+    plan.push_back = c->push[PLAN_BACKWARD];
     return status ? status : plan_build(&plan, &c->plan, err);
 }
 
@@ -252,6 +253,7 @@ void calculator_free(Calculator *c)
     plan_clear(&c->plan);
     stretches_free(&c->stretches);
     for (int k = 0; k < PLAN_WAYS; ++k) free(c->push[k]);
+    free(c->pusher);
     free(c->spacing);
     free(c->guides);
     free(c->rule);

@@ -20,8 +20,10 @@ typedef enum SupportRule { SUPPORT_RESULTANT, SUPPORT_SEPARATE, SUPPORT_MIXED } 
 typedef struct Calculator {
     Plan plan;
     int cables;
-    Stretches stretches;       /* of all cables together */
-    PullStep *push[PLAN_WAYS]; /* [conveyors] at the machines' middles; N along the pull */
+    Stretches stretches; /* of all cables together */
+    int n_pushers;
+    Pusher *pusher;            /* [n_pushers] conveyors and whatever else pushes */
+    PullStep *push[PLAN_WAYS]; /* [n_pushers] N along the pull */
     double *spacing, *guides;  /* [pieces] m, the largest gap between carriers there, and between guides; 0: none */
     SupportRule *rule;         /* [pieces] */
     int n_ducts;

@@ -4,30 +4,33 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/drum.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/winch.h"
 #include "sim/expected/stretches.h"
 #include "theory/paper.h"
 
 /* The winch's travel at time t, m; with a set tension, if it moves at its limit. */
 static double travel_at(const Scene *scene, double t)
 {
-    if (!scene->winch.present) return 0;
-    return scene->winch.mode == WINCH_TENSION ? t * winch_largest_speed(&scene->winch) : winch_travel(&scene->winch, t);
+    if (!scene->winch->present) return 0;
+    return scene->winch->mode == WINCH_TENSION ? t * winch_largest_speed(scene->winch) : winch_travel(scene->winch, t);
 }
 
-int expected_follows(const Scene *scene) { return scene->reel.winding.turns > 0 || scene->take_in.present; }
+int expected_follows(const Scene *scene) { return scene->reel->winding.turns > 0 || scene->winch->take_in.present; }
 
 /* How far rope lies on the route ahead of a front that has moved by `moved`. */
 static double rope_end(const Scene *scene, double moved)
 {
     if (scene->eye == scene->total) return -1e9; /* no rope */
-    if (scene->take_in.present) return scene_winch_place(scene);
+    if (scene->winch->take_in.present) return winch_place(scene);
     return fmin(scene->route.length, scene->joint_s[scene->total] + moved);
 }
 
 /* What the reel's brake and bearing hold back with at full speed, and the back tension, with the front at s. */
 static double reel_tension(const Scene *scene, double front, double back)
 {
-    Reel r = scene->reel;
+    Reel r = *scene->reel;
     const double wound = r.total - front - scene->def.reel.distance;
     if (wound <= 0 && !r.fixed) return 0;
     r.wound = fmax(wound, 0);
@@ -52,7 +55,7 @@ static void front_set(const Scene *scene, double front, double back, Expected *o
     out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + moved;
     out->to = front;
     out->rope_to = fmax(front, rope_end(scene, moved));
-    out->start_tension = scene->reel.winding.turns > 0 ? reel_tension(scene, front, back) : back;
+    out->start_tension = scene->reel->winding.turns > 0 ? reel_tension(scene, front, back) : back;
 }
 
 /* The counted stretch: up to where the cable's front was at t = 0, unless theory follows it. Without a lead-in the
@@ -62,7 +65,7 @@ static void stretch_of(const Scene *scene, Expected *out)
     const double from = scene->def.output.steady_from, to = scene->def.duration;
     const double moved = (travel_at(scene, from) + travel_at(scene, to)) / 2, front = scene->joint_s[scene->eye];
     if (expected_follows(scene)) {
-        const double end = scene->take_in.present ? scene_winch_place(scene) : scene->route.length;
+        const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
         front_set(scene, fmin(front + moved, end), expected_back(scene, (from + to) / 2), out);
         out->passed = fmin(front + travel_at(scene, from), end);
         return;
@@ -71,7 +74,7 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
     out->to = out->rope_to = out->passed = front + shift;
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
-    if (scene->drum.present) out->start_tension = drum_tension(scene);
+    if (scene->drum->present) out->start_tension = drum_tension(scene);
 }
 
 /* Rope lies on the route from the cable's front on: its weight instead. */
@@ -117,43 +120,38 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
     return status;
 }
 
-/* A belt that is faster than the winch slips and pushes with all it has, a slower one brakes; one that keeps the
- * winch's speed takes over what arrives, up to its grip. */
-double expected_push_at(const Scene *scene, const Conveyor *c, double arriving)
-{
-    const double end = scene->def.duration;
-    const double speed = scene->winch.mode == WINCH_SPEED ? winch_speed(&scene->winch, end) : scene->largest_speed;
-    const double slip = scene->winch.present ? speed - conveyor_belt(c, &scene->winch, end) : 0;
-    if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;
-    return fmin(fmax(arriving, 0), c->grip);
-}
-
 /* Sets the steps one by one along the route: each needs the tension that the ones before it leave. */
 static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error *err)
 {
-    const int n = scene->n_conveyors;
+    const int n = scene_pushers(scene, &out->pusher);
     if (n == 0) return HAWSER_OK;
-    out->step = calloc((size_t)n, sizeof *out->step);
-    if (!out->step) return error_memory(err);
+    out->step = calloc((size_t)n + 1, sizeof *out->step);
+    if (n < 0 || !out->step) return error_memory(err);
     for (int i = 0; i < n; ++i) {
-        const ConveyorDef *const def = &scene->def.conveyors[i];
-        const double at = (def->from + def->to) / 2;
+        const Pusher *const by = &out->pusher[i];
         Pull pull;
         const hawser_status status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
         if (status) return status;
-        const int there = at > out->from && at < out->rope_to;
-        const double push = there ? expected_push_at(scene, &scene->conveyor[i], pull_at(&pull, at).tension) : 0;
-        out->step[out->n_steps++] = (PullStep){.at = at, .force = -push};
+        const int there = by->at > out->from && by->at < out->rope_to;
+        const double arriving = pull_at(&pull, by->at).tension;
+        const double push = there ? by->room->kind->push(by->room, scene, by->item, arriving) : 0;
+        out->step[out->n_steps++] = (PullStep){.at = by->at, .force = -push};
         pull_clear(&pull);
     }
     return HAWSER_OK;
 }
 
-double expected_push(const Expected *e, int i) { return -e->step[i].force; }
+double expected_push(const Expected *e, const Room *room, int item)
+{
+    for (int i = 0; i < e->n_steps; ++i) {
+        if (e->pusher[i].room == room && e->pusher[i].item == item) return -e->step[i].force;
+    }
+    return NAN;
+}
 
 double expected_back(const Scene *scene, double t)
 {
-    return profile_value(scene->reel.winding.turns > 0 ? &scene->reel.tension : &scene->tail, t);
+    return profile_value(scene->reel->winding.turns > 0 ? &scene->reel->tension : &scene->tail, t);
 }
 
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err)
@@ -165,7 +163,7 @@ hawser_status expected_at(const Scene *scene, double front, double back, Expecte
 
 int expected_range(const Scene *scene, double *from, double *to)
 {
-    const double end = scene->take_in.present ? scene_winch_place(scene) : scene->route.length;
+    const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
     *from = scene->joint_s[scene->eye];
     *to = fmin(*from + travel_at(scene, scene->def.duration), end);
     return *to > *from;
@@ -174,6 +172,7 @@ int expected_range(const Scene *scene, double *from, double *to)
 void expected_free(Expected *e)
 {
     free(e->step);
+    free(e->pusher);
     *e = (Expected){0};
 }
 

@@ -7,12 +7,13 @@
 #include "theory/pulling.h"
 
 typedef struct Expected {
-    double from, to;        /* m along the route: the stretch of cable that theory counts, in mid steady window */
-    double rope_to;         /* m: up to there rope lies ahead of it on the route and counts; `to` if it does not */
-    double passed;          /* m: cable passes all stations before this during the whole window */
-    double start_tension;   /* N, at `from` */
-    int n_steps;            /* conveyors */
-    PullStep *step;         /* [n_steps] owned, by the route's order: their pushes, negative */
+    double from, to;      /* m along the route: the stretch of cable that theory counts, in mid steady window */
+    double rope_to;       /* m: up to there rope lies ahead of it on the route and counts; `to` if it does not */
+    double passed;        /* m: cable passes all stations before this during the whole window */
+    double start_tension; /* N, at `from` */
+    int n_steps;
+    Pusher *pusher;         /* [n_steps] owned, by the route's order: what pushes the cable */
+    PullStep *step;         /* [n_steps] owned: their pushes, negative */
     double paper_total;     /* N, winch force: eq. 10, or without capstan terms along the route if the case has none */
     double reference_total; /* N, winch force by the bend ODE, rope drag included */
 } Expected;
@@ -35,10 +36,8 @@ int expected_range(const Scene *scene, double *from, double *to);
 /* The pull behind those figures by one of the laws, each duct and tray with its own friction, separate supports where
  * sim/expected/stretches.h finds them. Errors: as pull_solve. */
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
-/* What conveyor i (the case's order) is reckoned to push with, N. */
-double expected_push(const Expected *e, int i);
-/* What a conveyor pushes with in steady motion where the tension before it is `arriving`, N (WI20). */
-double expected_push_at(const Scene *scene, const Conveyor *c, double arriving);
+/* What a room's item is reckoned to push with, N; NAN if it is no pusher. */
+double expected_push(const Expected *e, const Room *room, int item);
 void expected_free(Expected *e);
 
 #endif

@@ -30,7 +30,7 @@ static hawser_status solver_new(Newton *nw, hawser_error *err)
 
 static hawser_status equipment_new(Newton *nw, const Scene *scene, hawser_error *err)
 {
-    if (nw->options.kind != LIN_KLU_FULL) return newton_leaves_new(nw, &scene->equipment, err);
+    if (nw->options.kind != LIN_KLU_FULL) return newton_leaves_new(nw, scene->equipment, err);
     return error_set(
         err, HAWSER_ERR_INPUT,
         "key 'solver.linear_solver': 'klu-full' cannot hold rollers that spin or stand on mounts: expected "
@@ -43,7 +43,7 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     nw->n = scene->chain.n;
     nw->team = options->team;
     nw->middle = nw->n / 2 / LANES * LANES;
-    if (!newton_parts_new(nw, scene->equipment.spins + 6 * scene->equipment.mounts)) {
+    if (!newton_parts_new(nw, scene->equipment->spins + 6 * scene->equipment->mounts)) {
         newton_free(nw);
         return error_memory(err);
     }
@@ -51,7 +51,7 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     nw->matrix.chain = nw->a;
     nw->options = *options;
     hawser_status status = HAWSER_OK;
-    if (scene->equipment.n > 0) status = equipment_new(nw, scene, err);
+    if (scene->equipment->n > 0) status = equipment_new(nw, scene, err);
     if (!status) status = solver_new(nw, err);
     if (status) newton_free(nw);
     return status;

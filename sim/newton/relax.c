@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/rod.h"
 
 /* The largest change that one iteration may make. */
 static const double MOVE_MAX = 0.05, TURN_MAX = 0.1;                   /* m, rad */
@@ -41,7 +42,7 @@ double relax_shorten(double scale, double move, double turn)
 double relax_rounding(const Scene *scene, double far)
 {
     const Chain *const chain = &scene->chain;
-    const int joints = chain->n + scene->rod.present; /* the head's end of a rod counts as its tail's does */
+    const int joints = chain->n + scene->rod->present; /* the head's end of a rod counts as its tail's does */
     double force = 0;
     for (int j = 0; j < joints; ++j) {
         const double half = chain->half[j < chain->n ? j : chain->n - 1];
@@ -54,7 +55,7 @@ double relax_rounding(const Scene *scene, double far)
 double relax_tolerance(const Scene *scene, double t, double far)
 {
     const Chain *const chain = &scene->chain;
-    double load = fmax(fabs(profile_value(&scene->tail, t)), rod_load_size(&scene->rod, chain, t));
+    double load = fmax(fabs(profile_value(&scene->tail, t)), rod_load_size(scene->rod, chain, t));
     for (int i = 0; i < chain->n; ++i) load = fmax(load, chain->mass[i] * v3_norm(scene->weight.gravity));
     return fmax(scene->def.solver.relax_tolerance * load, relax_rounding(scene, far));
 }
@@ -204,7 +205,7 @@ static double residual(void *self, int *where)
             *where = i;
         }
     }
-    const double mounts = equipment_residual(&r->scene->equipment, r->scene->rollers, r->rate + STATE_SIZE * n);
+    const double mounts = equipment_residual(r->scene->equipment, r->scene->rollers, r->rate + STATE_SIZE * n);
     return mounts > largest || isnan(mounts) ? mounts : largest;
 }
 
@@ -216,15 +217,15 @@ static int implicit_step(void *self, double dt)
     const int n = r->scene->chain.n;
     dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, 0.0, &r->newton->k, &r->newton->d);
     newton_point(r->newton, r->scene, &r->ws->kin, r->y);
-    newton_point_equipment(r->newton, &r->ws->equipment, r->y, 0.0);
+    newton_point_equipment(r->newton, r->ws->equipment, r->y, 0.0);
     newton_form(r->newton, dt);
     const int status = newton_factor(r->newton);
     if (status) return status;
     memset(r->rate, 0, (size_t)(STATE_V * n) * sizeof(double));
     for (int k = STATE_V * n; k < r->size; ++k) r->rate[k] *= dt;
     /* the mounts' positions and quaternions have no residual either */
-    const int mounts = STATE_SIZE * n + r->scene->equipment.spins;
-    memset(r->rate + mounts, 0, (size_t)(STATE_V * r->scene->equipment.mounts) * sizeof(double));
+    const int mounts = STATE_SIZE * n + r->scene->equipment->spins;
+    memset(r->rate + mounts, 0, (size_t)(STATE_V * r->scene->equipment->mounts) * sizeof(double));
     return newton_solve(r->newton, r->rate);
 }
 
@@ -240,7 +241,7 @@ static double move_scale(void *self, double dt)
         scale = relax_shorten(scale, dt * v3_norm(u), dt * v3_norm(w));
     }
     const double *const beside = r->rate + STATE_SIZE * n;
-    return fmin(scale, equipment_move_share(&r->scene->equipment, beside, dt, MOVE_MAX, TURN_MAX));
+    return fmin(scale, equipment_move_share(r->scene->equipment, beside, dt, MOVE_MAX, TURN_MAX));
 }
 
 /* Moves the state by dt times the velocities found. */
@@ -248,7 +249,7 @@ static void move(void *self, double dt)
 {
     Relaxation *const r = self;
     const int n = r->scene->chain.n;
-    equipment_move(&r->scene->equipment, r->y + STATE_SIZE * n, r->rate + STATE_SIZE * n, dt);
+    equipment_move(r->scene->equipment, r->y + STATE_SIZE * n, r->rate + STATE_SIZE * n, dt);
     for (int i = 0; i < n; ++i) {
         double *const y = r->y + i;
         for (int c = 0; c < 3; ++c) y[c * n] += dt * r->rate[(STATE_V + c) * n + i];
@@ -286,7 +287,7 @@ static hawser_status refresh(void *self, int always, hawser_error *err)
 {
     Relaxation *const r = self;
     if (!always) dynamics_kinematics(r->scene, r->ws, r->t, r->y);
-    const hawser_status status = always ? HAWSER_OK : newton_renew(r->newton, &r->ws->equipment, err);
+    const hawser_status status = always ? HAWSER_OK : newton_renew(r->newton, r->ws->equipment, err);
     return status ? status : dynamics_refresh(r->scene, r->ws, r->t, r->y, always, err);
 }
 
@@ -301,10 +302,10 @@ static void soften(void *self, double share)
 static hawser_status stages(Relaxation *r, const RelaxOps *ops, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
-    if (r->scene->equipment.mounts > 0) {
-        r->ws->equipment.held = 1;
+    if (r->scene->equipment->mounts > 0) {
+        r->ws->equipment->held = 1;
         status = relax_run(r->scene, ops, r, r->size, r->y, out, err);
-        r->ws->equipment.held = 0;
+        r->ws->equipment->held = 0;
     }
     return status ? status : relax_run(r->scene, ops, r, r->size, r->y, out, err);
 }
@@ -314,7 +315,7 @@ static double largest_force(const Relaxation *r)
 {
     const Chain *const chain = &r->scene->chain;
     const JointLoads *const joints = &r->ws->joints;
-    double largest = rod_load_size(&r->scene->rod, chain, r->t);
+    double largest = rod_load_size(r->scene->rod, chain, r->t);
     for (int i = 0; i < chain->n; ++i) largest = fmax(largest, chain->mass[i] * v3_norm(r->scene->weight.gravity));
     for (int j = 0; j <= chain->n; ++j) {
         largest = fmax(largest, v3_norm(v3(joints->force[0][j], joints->force[1][j], joints->force[2][j])));
@@ -364,7 +365,7 @@ hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, do
     if (!status) {
         memcpy(r.start, y, 3 * n * sizeof(double));
         memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
-        equipment_halt(&scene->equipment, y + STATE_SIZE * n);
+        equipment_halt(scene->equipment, y + STATE_SIZE * n);
         status = newton_iterate(&r, share, relax_rounding(scene, farthest_place(&r)), out, err);
         out->moved_m = fmax(out->moved_m, farthest_move(&r));
     }
@@ -386,7 +387,7 @@ hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *ne
     if (r.rate && r.start) {
         memcpy(r.start, y, 3 * n * sizeof(double));
         memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
-        equipment_halt(&scene->equipment, y + STATE_SIZE * n);
+        equipment_halt(scene->equipment, y + STATE_SIZE * n);
         out->tolerance_N = relax_tolerance(scene, t, farthest_place(&r));
         status = stages(&r, &ops, out, err);
         out->moved_m = farthest_move(&r);

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/lanes.h"
 #include "sim/balance_terms.h"
+#include "sim/equipment/winch.h"
 #include "sim/halves.h"
 #include "sim/planar/planar_kernels.h"
 #include "sim/planar/planar_relax.h"
@@ -43,7 +44,7 @@ static int roller_forces(Planar *p)
 static double head_pull(Planar *p)
 {
     const int n = segments(p);
-    if (!p->motion.scene->winch.present) return 0;
+    if (!p->motion.scene->winch->present) return 0;
     planar_joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
     return p->joints.force[0][n] * p->ps.winch_direction[0] + p->joints.force[1][n] * p->ps.winch_direction[1];
 }
@@ -52,7 +53,7 @@ static double head_pull(Planar *p)
 static Push winch_push_now(Planar *p, double t, const double *y)
 {
     const int n = segments(p);
-    if (!p->motion.scene->winch.present) return (Push){0};
+    if (!p->motion.scene->winch->present) return (Push){0};
     planar_kinematics(&p->ps.chain, y, (n - 1) / LANES * LANES, n, &p->kin);
     planar_scene_ghosts(&p->ps, t, &p->kin);
     planar_joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
@@ -66,6 +67,8 @@ static void planar_work(Motion *m, double t, const double *y, BalanceRates *out)
     const int n = segments(p);
     memset(out, 0, sizeof *out);
     balance_gather(p->ws, out);
+    for (int half = 0; half < PARTS; ++half)
+        balance_contact(out, LOST_ROLLERS, PUSH_ROLLERS, &p->ws->contact[half].pairs.tally);
     const Vec3 flat = out->push[PUSH_ROLLERS];
     out->push[PUSH_ROLLERS] = plane_vector(&p->ps.plane, flat.x, flat.y);
     planar_kinematics(&p->ps.chain, y, 0, LANES < n ? LANES : n, &p->kin);

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/equipment/ends.h"
+#include "sim/equipment/winch.h"
 #include "sim/planar/planar_kernels.h"
 
 static const PlanarSimKernels *kernels(void)
@@ -72,7 +74,7 @@ static void weight_set(PlanarScene *ps)
 
 static void winch_set(PlanarScene *ps)
 {
-    const Winch *const w = &ps->scene->winch;
+    const Winch *const w = ps->scene->winch;
     pair_set(&ps->plane, v3_sub(w->origin, ps->plane.origin), ps->winch_origin);
     pair_set(&ps->plane, w->direction, ps->winch_direction);
     ps->winch_angle = atan2(ps->winch_direction[1], ps->winch_direction[0]);
@@ -118,7 +120,7 @@ void planar_scene_unwind(PlanarScene *ps, double last_angle)
 
 void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
 {
-    const Winch *const w = &ps->scene->winch;
+    const Winch *const w = ps->scene->winch;
     if (!w->present) return;
     const int n = ps->chain.n;
     const double travel = winch_travel(w, t), speed = winch_speed(w, t);
@@ -153,16 +155,11 @@ static void tail_of(const PlanarScene *ps, const PlanarKinematics *kin, double t
     }
 }
 
-/* The rope's drag over the axial speed (F3): its size, and the slope of that. */
+/* The rope's drag (F3): its size, and the slope of that over the axial speed. */
 static double drag_of(const PlanarScene *ps, const PlanarKinematics *kin, double *slope)
 {
-    const Drag *const drag = &ps->scene->drag;
-    const int i = drag->segment;
-    const double speed = kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i];
-    double curve;
-    const double over_speed = friction_over_speed(&drag->law, fabs(speed), &curve);
-    *slope = -drag->force * (over_speed + curve * speed * speed);
-    return -drag->force * over_speed * speed;
+    const int i = ps->scene->drag.segment;
+    return drag_size(&ps->scene->drag, kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i], slope);
 }
 
 Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t)

@@ -1,5 +1,5 @@
 /* A planar scene: what sim/scene.h holds, in the plane's coordinates; and the loads that it applies by itself.
- * docs/model.md, "Planar chain" (PL14); the laws are those of sim/loads.h. */
+ * docs/model.md, "Planar chain" (PL14); the laws are those of sim/weight.h and sim/equipment/ends.h. */
 #ifndef HAWSER_SIM_PLANAR_PLANAR_SCENE_H
 #define HAWSER_SIM_PLANAR_PLANAR_SCENE_H
 
@@ -14,7 +14,7 @@ void planar_scene_unwind(PlanarScene *ps, double last_angle);
 /* Sets the head's ghost to what the winch does at time t. */
 void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin);
 
-/* As applied_weight, applied_tail, applied_drag, applied_ends and applied_blocks. Weight is written, not added; `from`
+/* As weight_loads, and the ends' room (sim/equipment/ends.c). Weight is written, not added; `from`
  * is a multiple of LANES, and entries up to the next one after `to` are overwritten. */
 Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads);
 Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t);

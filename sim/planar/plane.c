@@ -4,23 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What was known to the planar equations when plane_find was written. A definition that has grown since holds something
- * that may need the third dimension, or a law that the plane's kernels do not have: ask about it below (refuse it if in
- * doubt), then put the new size here. */
-#define KNOWN_SIZE(type, size)                                                                                         \
-    _Static_assert(sizeof(void *) != 8 || sizeof(type) == (size),                                                      \
-                   #type " has changed: does sim/planar/plane.c know it?")
-KNOWN_SIZE(CableDef, 416);
-KNOWN_SIZE(ChainPieceDef, 24);
-KNOWN_SIZE(RollerDef, 360);
-KNOWN_SIZE(LeadInDef, 16);
-KNOWN_SIZE(WinchDef, 272);
-KNOWN_SIZE(TailDef, 80);
-KNOWN_SIZE(RopeDragDef, 32);
-/* the sections that no motion depends on are left out */
-KNOWN_SIZE(char[sizeof(SceneDef) - sizeof(SolverDef) - sizeof(OutputDef) - sizeof(TheoryDef) - sizeof(LimitsDef)],
-           1456);
-
 /* How far from the plane counts as in it: unit vectors, and metres. */
 static const double CLOSE = 1e-9;
 
@@ -140,29 +123,25 @@ static int preloads_fit(const Scene *scene, const Plane *plane)
     return 1;
 }
 
-/* What the planar kernels do not have, wherever it lies; NULL if the scene asks for nothing of that kind. */
-static const char *unknown_feature(const Scene *scene)
+/* What the planar equations do not have, wherever it lies; 0 if the scene asks for nothing of that kind. */
+static int unknown_feature(const Scene *scene, char why[PLANE_WHY_MAX])
 {
-    if (scene->rod.present) return "the case describes a rod";
-    if (scene->def.output.n_probes > 0) return "probes look at the chain in space";
-    if (scene->chain.sliders.count > 0) return "the cable bends with hysteresis";
-    if (scene->surfaces.model.n_surfaces > 0) return "the cable lies in ducts or trays or on planes";
-    if (scene->self.present) return "the cable may touch itself";
-    if (scene->drum.present) return "the cable is wound on a drum";
-    if (scene->reel.present || scene->take_in.present) return "segments join and leave the chain";
-    if (contact_sticks(&scene->contact)) return "friction sticks";
-    if (scene->equipment.n > 0) return "rollers spin or stand on mounts";
-    if (scene->winch.present && scene->winch.mode != WINCH_SPEED) return "the winch pulls with a set tension";
-    if (scene->n_conveyors > 0) return "conveyors hold the cable";
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (!room->present) continue;
+        const char *const reason = room->kind->not_planar ? room->kind->not_planar(room, scene) : room->kind->in_space;
+        if (reason) return !refuse(why, reason);
+    }
+    if (scene->def.output.n_probes > 0) return !refuse(why, "probes look at the chain in space");
+    if (scene->chain.sliders.count > 0) return !refuse(why, "the cable bends with hysteresis");
     if (scene->def.solver.linear.kind == LIN_KLU_FULL)
-        return "solver.linear_solver klu-full takes the unreduced system in space";
-    return NULL;
+        return !refuse(why, "solver.linear_solver klu-full takes the unreduced system in space");
+    return 0;
 }
 
 int plane_find(const Scene *scene, Plane *plane, char why[PLANE_WHY_MAX])
 {
-    const char *const unknown = unknown_feature(scene);
-    if (unknown) return refuse(why, unknown);
+    if (unknown_feature(scene, why)) return 0;
     plane_axes(scene, plane);
     if (!route_fits(scene, plane)) return refuse(why, "the route does not lie in one plane");
     if (!gravity_fits(scene, plane)) return refuse(why, "gravity is not in the route's plane");

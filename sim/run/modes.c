@@ -353,7 +353,7 @@ hawser_status modes_find(Stage *stage, int wanted, Modes *modes, hawser_error *e
 {
     const int n = stage->scene.chain.n, size = 6 * n;
     *modes = (Modes){.segments = n};
-    if (stage->scene.equipment.n > 0)
+    if (stage->scene.equipment->n > 0)
         return error_set(err, HAWSER_ERR_INPUT, "key 'run.analysis': modes need rollers that neither spin nor move");
     if (wanted > size) wanted = size;
     Subspace sp = {.st = stage, .newton = &stage->newton, .n = n, .size = size};

@@ -7,6 +7,11 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/isa.h"
+#include "sim/equipment/conveyor.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/rod.h"
+#include "sim/equipment/rooms.h"
+#include "sim/equipment/winch.h"
 #include "sim/expected/expected.h"
 #include "sim/run/modes.h"
 #include "sim/run/stage.h"
@@ -42,7 +47,7 @@ struct Sim {
 /* A trip at a factor of what theory expects needs an expectation. */
 static hawser_status trip_set(Sim *s, hawser_error *err)
 {
-    Winch *const w = &s->stage.scene.winch;
+    Winch *const w = s->stage.scene.winch;
     if (!(w->trip.factor > 0) || w->trip_force > 0) return HAWSER_OK;
     w->trip_force = w->trip.factor * s->expected.reference_total;
     if (w->trip_force > 0) return HAWSER_OK;
@@ -79,12 +84,12 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
-    if (!status && !scene->rod.present) {
+    if (!status && !scene->rod->present) {
         status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     }
-    if (!status && !scene->rod.present) status = by_position_new(&s->by_position, scene, err);
+    if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
     for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
-        s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, i);
+        s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, room_of(&s->stage.scene, &CONVEYOR_ROOM), i);
     }
     if (!status) status = trip_set(s, err);
     if (!status && scene->self.present) status = start_check(s, err);
@@ -136,7 +141,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
-    if (scene->rod.present) {
+    if (scene->rod->present) {
         const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
                                                                            : scene->def.analysis.tolerance;
         s->relaxation = (hawser_relaxation){0};
@@ -149,29 +154,22 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     return status;
 }
 
-/* Where the integrator must stop next: a corner of a profile, a change of the winch's phase, or `stop`. */
+/* Where the integrator must stop next: where a room is not smooth, or at `stop`. */
 static double next_stop(const Sim *s, double stop)
 {
-    const double after = s->stage.t + 1e-9, next = winch_next_stop(&s->stage.scene.winch, after);
     const Scene *const scene = &s->stage.scene;
-    const Profile *const profile[] = {&scene->tail, &scene->reel.tension, &scene->reel.speed};
-    if (next < stop) stop = next;
-    for (int i = 0; i < scene->n_conveyors; ++i) {
-        double corner;
-        const Conveyor *const c = &scene->conveyor[i];
-        if (!c->sync && profile_next_corner(&c->speed, after, &corner) && corner < stop) stop = corner;
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->next_stop)
+            stop = fmin(stop, room->kind->next_stop(room, scene, s->stage.t + 1e-9));
     }
-    for (int p = 0; p < (scene->reel.present ? 3 : 1); ++p) {
-        double corner;
-        if (profile_next_corner(profile[p], after, &corner) && corner < stop) stop = corner;
-    }
-    return scene->rod.present ? rod_next_corner(&scene->rod, after, stop) : stop;
+    return stop;
 }
 
 /* What a step may have brought about at the winch. */
 static hawser_status winch_watch(Sim *s, hawser_error *err)
 {
-    Winch *const w = &s->stage.scene.winch;
+    Winch *const w = s->stage.scene.winch;
     if (!(w->trip_force > 0)) return HAWSER_OK;
     const double pull = s->stage.motion->ops->winch_pull(s->stage.motion, s->stage.t, s->stage.y);
     hawser_status status = HAWSER_OK;
@@ -204,7 +202,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
-    s->stage.scene.winch.phase.held = 0; /* the brake that held a winch of set tension is let off */
+    s->stage.scene.winch->phase.held = 0; /* the brake that held a winch of set tension is let off */
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = winch_watch(s, err);
@@ -214,8 +212,8 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 }
 
 double sim_time(const Sim *s) { return s->stage.t; }
-double sim_end_time(const Sim *s) { return fmin(s->stage.scene.def.duration, s->stage.scene.winch.phase.ended); }
-int sim_tripped(const Sim *s) { return s->stage.scene.winch.phase.ended < s->stage.scene.def.duration; }
+double sim_end_time(const Sim *s) { return fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended); }
+int sim_tripped(const Sim *s) { return s->stage.scene.winch->phase.ended < s->stage.scene.def.duration; }
 const OutputDef *sim_output(const Sim *s) { return &s->stage.scene.def.output; }
 const char *sim_title(const Sim *s) { return s->stage.scene.def.title; }
 
@@ -223,7 +221,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
     const double start = clock_now();
     const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
-    if (s->stage.scene.reel.present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
+    if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
     if (s->by_position.n_grid > 0) {
         s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
@@ -306,7 +304,7 @@ void sim_summary(const Sim *s, hawser_summary *out)
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
     *out = (hawser_summary){.segments = scene->total,
-                            .bushings = scene->total - 1 + (scene->winch.present ? 1 : 0) + rod_ends_held(&scene->rod),
+                            .bushings = scene->total - 1 + (scene->winch->present ? 1 : 0) + rod_ends_held(scene->rod),
                             .rollers = scene->contact.n_rollers,
                             .surfaces = scene->surfaces.model.n_surfaces,
                             .contact_candidates = s->stage.ws.candidates_max,
@@ -324,7 +322,7 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .relaxation = s->relaxation,
                             .n_positions = by_position_table(&s->by_position),
                             .positions = s->by_position.out,
-                            .rod = scene->rod.present,
+                            .rod = scene->rod->present,
                             .analysis = analyses[scene->def.analysis.kind],
                             .n_modes = s->modes.n,
                             .modes = s->modes.out,

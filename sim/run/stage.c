@@ -6,6 +6,9 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "sim/equipment/ends.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/winch.h"
 #include "sim/newton/newton_extra.h"
 
 static const double NEAR = 1e-9; /* m: a joint this close before its place counts as being there */
@@ -16,7 +19,7 @@ static const double NEAR = 1e-9; /* m: a joint this close before its place count
 static hawser_status first_segment(const Scene *scene, int *first, hawser_error *err)
 {
     *first = 0;
-    if (!scene->reel.present) return HAWSER_OK;
+    if (!scene->reel->present) return HAWSER_OK;
     const double drum = -scene->def.reel.distance;
     if (scene->joint_s[0] > drum + NEAR) {
         return error_set(
@@ -35,8 +38,8 @@ static hawser_status first_segment(const Scene *scene, int *first, hawser_error 
 static hawser_status last_segment(const Scene *scene, int first, int *end, hawser_error *err)
 {
     *end = scene->total;
-    if (!scene->take_in.present) return HAWSER_OK;
-    const double place = scene_winch_place(scene);
+    if (!scene->winch->take_in.present) return HAWSER_OK;
+    const double place = winch_place(scene);
     int i = first;
     while (i < scene->total && scene->joint_s[i] < place - NEAR) ++i;
     *end = i;
@@ -57,33 +60,21 @@ static int window_open(Stage *st, int first, int n)
     Scene *const scene = &st->scene;
     Chain chain;
     if (!window_chain(&st->whole, first, n, &chain)) return 0;
-    if (scene->winch.mode == WINCH_TENSION && first + n < scene->total) {
+    if (scene->winch->mode == WINCH_TENSION && first + n < scene->total) {
         window_end(&st->whole, &chain);
-        chain.mass[n - 1] += scene->winch.drum_mass;
+        chain.mass[n - 1] += scene->winch->drum_mass;
     }
     chain_free(&scene->chain);
     scene->chain = chain;
     scene->first = first;
-    if (scene->reel.present) {
-        reel_hold(&scene->reel, &st->whole, first, cable_of(scene, first));
-        scene->chain.mass[0] += scene->reel.mass; /* (RL7) */
+    if (scene->reel->present) {
+        reel_hold(scene->reel, &st->whole, first, cable_of(scene, first));
+        scene->chain.mass[0] += scene->reel->mass; /* (RL7) */
     }
-    scene_drag_place(scene);
+    drag_place(scene);
     if (scene->surfaces.points.elements == 0) return 1;
     surface_points_free(&scene->surfaces.points);
     return surface_points_alloc(&scene->surfaces.points, scene->def.geometry, &scene->chain);
-}
-
-static Vec3 state_vector(const double *y, int n, int part, int i)
-{
-    const double *const from = y + part * n + i;
-    return v3(from[0], from[n], from[2 * n]);
-}
-
-static Quat state_attitude(const double *y, int n, int i)
-{
-    const double *const q = y + STATE_Q * n + i;
-    return quat_unit((Quat){q[0], q[n], q[2 * n], q[3 * n]});
 }
 
 /* Front end of segment i of a state of n. */
@@ -97,7 +88,7 @@ static Vec3 state_front(const double *y, int n, int i, double half)
  * segment i - 1 now as it did that of i, and has hauled in no more by that. */
 static void ghost_take(Stage *st, const double *y, int n, int i, int global)
 {
-    Winch *const w = &st->scene.winch;
+    Winch *const w = st->scene.winch;
     if (w->mode == WINCH_TENSION) {
         const double *const half = st->whole.half + global;
         const Quat held = quat_mul(w->attitude, quat_conj(state_attitude(y, n, i)));
@@ -108,7 +99,7 @@ static void ghost_take(Stage *st, const double *y, int n, int i, int global)
     const double travel = winch_travel(w, st->t), speed = winch_speed(w, st->t);
     w->origin = v3_axpy(state_vector(y, n, STATE_P, i), -travel, w->direction);
     w->attitude = state_attitude(y, n, i);
-    take_in_begin(&st->scene.take_in, st->t, v3_axpy(state_vector(y, n, STATE_V, i), -speed, w->direction),
+    winch_take_in(w, st->t, v3_axpy(state_vector(y, n, STATE_V, i), -speed, w->direction),
                   state_vector(y, n, STATE_W, i));
 }
 
@@ -189,7 +180,7 @@ hawser_status stage_new(Stage *st, const SceneDef *def, Team *team, hawser_error
     st->y = aligned_array_new(scene_state_size(scene));
     if (!st->y) return error_memory(err);
     scene_initial_state(scene, st->y);
-    if (scene->reel.present || scene->take_in.present) status = window_first(st, err);
+    if (scene->reel->present || scene->winch->take_in.present) status = window_first(st, err);
     if (!status && !workspace_alloc(&st->ws, scene, team)) status = error_memory(err);
     st->options = scene->def.solver.linear;
     st->options.threads = team_size(team);
@@ -219,7 +210,7 @@ static Quat attitude_of(const Stage *st, int i) { return state_attitude(st->y, s
 /* Free length behind the tail's centre (RL6). */
 static double free_length(const Stage *st)
 {
-    const Reel *const r = &st->scene.reel;
+    const Reel *const r = st->scene.reel;
     return v3_dot(v3_sub(position_of(st, 0), r->drum), r->direction);
 }
 
@@ -227,26 +218,26 @@ static double free_length(const Stage *st)
 static int join_due(const Stage *st)
 {
     const Scene *const s = &st->scene;
-    if (!s->reel.present || s->first == 0) return 0;
+    if (!s->reel->present || s->first == 0) return 0;
     return free_length(st) >= s->chain.half[0] + 2 * st->whole.half[s->first - 1];
 }
 
 /* The drum has let the free end go (RL14). */
 static int release_due(const Stage *st)
 {
-    const Reel *const r = &st->scene.reel;
+    const Reel *const r = st->scene.reel;
     return r->present && r->last && !r->fixed && free_length(st) >= 3 * r->half;
 }
 
 /* The head's segment has its rear end at the winch or beyond (RL16). */
 static int leave_due(const Stage *st)
 {
-    const TakeIn *const take_in = &st->scene.take_in;
+    const TakeIn *const take_in = &st->scene.winch->take_in;
     const int i = st->scene.chain.n - 1;
     if (!take_in->present || i < 2) return 0;
     const Vec3 axis = quat_rotate(attitude_of(st, i), v3(1, 0, 0));
     const Vec3 rear = v3_axpy(position_of(st, i), -st->scene.chain.half[i], axis);
-    return v3_dot(v3_sub(rear, take_in->place), st->scene.winch.direction) >= 0;
+    return v3_dot(v3_sub(rear, take_in->place), st->scene.winch->direction) >= 0;
 }
 
 /* Tension of the cable where it leaves the drum, N: what slows the drum down and what turns it (RL11). */
@@ -256,7 +247,7 @@ static double drum_tension(Stage *st)
     Workspace *const ws = &st->ws;
     dynamics_kinematics(scene, ws, st->t, st->y);
     dynamics_tail_pull(scene, ws);
-    return reel_look(&scene->reel, &scene->chain, &ws->kin, &ws->joints, st->t).tension;
+    return reel_look(scene->reel, &scene->chain, &ws->kin, &ws->joints, st->t).tension;
 }
 
 /* The row of a segment that joins behind the tail: it hangs on at the tension that the drum gave, and its attitude is
@@ -264,7 +255,7 @@ static double drum_tension(Stage *st)
 static WindowMove join_move(Stage *st)
 {
     const Scene *const scene = &st->scene;
-    const Reel *const r = &scene->reel;
+    const Reel *const r = scene->reel;
     WindowMove m = window_move(scene->chain.n, 1, 0);
     const double l = free_length(st), half = scene->chain.half[0], behind = st->whole.half[scene->first - 1];
     const double rest = st->whole.preload[0][scene->first], k = st->whole.stiffness[0][scene->first];
@@ -310,7 +301,7 @@ static hawser_status parts_renew(Stage *st, int joined, hawser_error *err)
     newton_free(&st->newton);
     hawser_status status = spatial_new(st, err);
     if (!status) status = st->motion->ops->renew(st->motion, st->t, st->y, err);
-    return status ? status : newton_renew(&st->newton, &st->ws.equipment, err);
+    return status ? status : newton_renew(&st->newton, st->ws.equipment, err);
 }
 
 /* Everything follows the move: window, state, workspace, matrix, integrator. */
@@ -350,7 +341,7 @@ hawser_status stage_settle(Stage *st, hawser_error *err)
     const int n = st->scene.chain.n;
     if (release_due(st)) {
         event_begins(st);
-        st->scene.reel.present = 0;
+        st->scene.reel->present = 0;
         const WindowMove m = window_move(n, 0, 0);
         status = move_make(st, &m, err);
     }

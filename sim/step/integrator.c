@@ -12,6 +12,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "sim/equipment/winch.h"
 #include "sim/step/custom_linear.h"
 #include "sim/step/stride.h"
 #include "sim/step/vector.h"
@@ -258,7 +259,7 @@ static const char *hint_for(const Scene *scene, int i)
 {
     double largest = 0;
     const int at_head = i >= scene->chain.n - 3;
-    if (at_head && scene->winch.present && scene->def.winch.axial_only)
+    if (at_head && scene->winch->present && scene->def.winch.axial_only)
         return " (the head of a limp cable needs drive.winch.grip: clamp)";
     if (scene->contact.geometry != GEOMETRY_SMOOTH) return "";
     for (int r = 0; r < scene->contact.n_rollers; ++r) largest = fmax(largest, scene->contact.roller[r].shape.radius);

@@ -43,7 +43,7 @@ typedef struct MotionOps {
     /* Puts what a sample of (t, y) reads into the workspace: kinematics, tensions (law[0]), the winch's pull, forces on
      * the rollers. Returns how many contacts carry force. */
     int (*look)(Motion *m, double t, const double *y);
-    /* The winch's pull at (t, y), N: dynamics_winch_pull_at. */
+    /* The winch's pull at (t, y), N: winch_pull_at. */
     double (*winch_pull)(Motion *m, double t, const double *y);
     /* What works on the motion at (t, y), a state whose rates were evaluated last or close by (balance_terms.h). */
     void (*work)(Motion *m, double t, const double *y, BalanceRates *out);

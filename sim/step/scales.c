@@ -32,7 +32,7 @@ void scales_weights(const Scene *scene, double *weight)
         for (int i = 0; i < n; ++i) weight[c * n + i] = 1 / atol;
     }
     const EquipmentTolerances equipment = {tol.position, tol.rotation, tol.velocity, tol.omega};
-    equipment_weights(&scene->equipment, scene->rollers, &equipment, weight + STATE_SIZE * n);
+    equipment_weights(scene->equipment, scene->rollers, &equipment, weight + STATE_SIZE * n);
 }
 
 static const VectorKernels *kernels(void)

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "core/base/team.h"
+#include "sim/equipment/moving_rollers.h"
 #include "sim/scene.h"
 
 /* Absolute tolerances: m, rad, m/s, rad/s (N10). */

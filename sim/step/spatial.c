@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "sim/balance_terms.h"
+#include "sim/equipment/roller_motion.h"
+#include "sim/equipment/winch.h"
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
 #include "sim/step/stride.h"
@@ -20,7 +22,7 @@ static void spatial_linearise(Motion *m, double t, const double *y, const double
     Spatial *const s = spatial_of(m);
     dynamics_blocks(m->scene, s->ws, t, y, ydot, 1.0, &s->newton->k, &s->newton->d);
     newton_point(s->newton, m->scene, &s->ws->kin, y);
-    newton_point_equipment(s->newton, &s->ws->equipment, y, 1.0);
+    newton_point_equipment(s->newton, s->ws->equipment, y, 1.0);
 }
 
 static void spatial_form(Motion *m, double gamma) { newton_form(spatial_of(m)->newton, gamma); }
@@ -35,8 +37,8 @@ static double spatial_norm(const Motion *m, const double *x, const double *w)
 {
     const int n = m->scene->chain.n;
     const double chain = scales_chain_norm(m->team, n, x, w);
-    if (m->scene->equipment.n == 0) return chain;
-    const double beside = scales_equipment_norm(&m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
+    if (m->scene->equipment->n == 0) return chain;
+    const double beside = scales_equipment_norm(m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
     return scales_larger(chain, beside);
 }
 
@@ -51,22 +53,22 @@ static void spatial_project(const Motion *m, const double *y, double *correction
 {
     const int n = m->scene->chain.n, chain = STATE_SIZE * n;
     scales_project(n, y, correction, error);
-    if (m->scene->equipment.n == 0) return;
-    scales_equipment_project(&m->scene->equipment, y + chain, correction + chain, error ? error + chain : NULL);
+    if (m->scene->equipment->n == 0) return;
+    scales_equipment_project(m->scene->equipment, y + chain, correction + chain, error ? error + chain : NULL);
 }
 
 static hawser_status spatial_accept(Motion *m, double t, const double *y, hawser_error *err)
 {
     Spatial *const s = spatial_of(m);
     dynamics_accept(m->scene, s->ws, t, y);
-    const hawser_status status = newton_renew(s->newton, &s->ws->equipment, err);
+    const hawser_status status = newton_renew(s->newton, s->ws->equipment, err);
     return status ? status : dynamics_refresh(m->scene, s->ws, t, y, 0, err);
 }
 
 /* The segment that is nearest to a moving roller: where to look for what ails it. */
 static int nearest_segment(const Workspace *ws, int n, int moving)
 {
-    const Vec3 at = ws->equipment.roller[ws->equipment.q->item[moving].roller].shape.centre;
+    const Vec3 at = ws->equipment->roller[ws->equipment->q->item[moving].roller].shape.centre;
     int nearest = 0;
     double least = INFINITY;
     for (int i = 0; i < n; ++i) {
@@ -89,7 +91,7 @@ static int spatial_worst(const Motion *m, const double *error, const double *wei
     const int n = m->scene->chain.n, worst = scales_worst_segment(n, error, weight);
     double sum = 0, beside;
     for (int c = 0; c < STATE_SIZE; ++c) sum += pow(error[c * n + worst] * weight[c * n + worst], 2);
-    const int roller = equipment_worst(&m->scene->equipment, error + STATE_SIZE * n, weight + STATE_SIZE * n, &beside);
+    const int roller = equipment_worst(m->scene->equipment, error + STATE_SIZE * n, weight + STATE_SIZE * n, &beside);
     return roller < 0 || !(beside > sum) ? worst : nearest_segment(spatial_of((Motion *)m)->ws, n, roller);
 }
 
@@ -106,7 +108,7 @@ static int spatial_look(Motion *m, double t, const double *y)
 
 static double spatial_winch_pull(Motion *m, double t, const double *y)
 {
-    return dynamics_winch_pull_at(m->scene, spatial_of(m)->ws, t, y);
+    return winch_pull_at(m->scene, spatial_of(m)->ws, t, y);
 }
 
 static void spatial_work(Motion *m, double t, const double *y, BalanceRates *out)

@@ -2,6 +2,9 @@
 
 #include <string.h>
 
+#include "sim/equipment/reel.h"
+#include "sim/equipment/winch.h"
+
 /* One row of the sample. */
 static void row_set(SampleBuffers *b, int i, Vec3 p, Quat q, Vec3 v, Vec3 w)
 {
@@ -30,7 +33,7 @@ static void wound_row(SampleBuffers *b, const Reel *r, int i, const WindingPoint
 
 static void wound_take(SampleBuffers *b, const Scene *scene, const hawser_sample *sample, SampleParts parts)
 {
-    const Reel *const r = &scene->reel;
+    const Reel *const r = scene->reel;
     const WindingPoint leaving = winding_point(&r->winding, sample->wound);
     /* from the tail's rear end inward; the cable between that and the drum is not part of any segment yet */
     double length = r->wound;
@@ -49,7 +52,7 @@ static void wound_take(SampleBuffers *b, const Scene *scene, const hawser_sample
 
 static void taken_take(SampleBuffers *b, const Scene *scene, const hawser_sample *sample)
 {
-    const Winch *const w = &scene->winch;
+    const Winch *const w = scene->winch;
     const Vec3 place = v3_axpy(w->origin, sample->winch_travel, w->direction);
     for (int i = scene->first + scene->chain.n; i < scene->total; ++i) {
         row_set(b, i, place, w->attitude, v3_scale(sample->winch_speed, w->direction), v3(0, 0, 0));

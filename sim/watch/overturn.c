@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "sim/equipment/winch.h"
+
 /* cos(150 deg / 2): of the angle between two orientations q and p the half has the cosine |q.p|; cos 30 deg. */
 static const double HALF_FAR = 0.25881904510252076, HEAD_FAR = 0.8660254037844386;
 
@@ -17,7 +19,7 @@ static int joint_turned(const Chain *chain, const Kinematics *kin)
 
 static int head_turned(const Scene *scene, const Kinematics *kin)
 {
-    const Winch *const w = &scene->winch;
+    const Winch *const w = scene->winch;
     const int i = scene->chain.n - 1;
     if (!w->present || !scene->def.winch.axial_only || w->mode != WINCH_SPEED) return 0;
     const double along = v3_dot(w->direction, v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]));

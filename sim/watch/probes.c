@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/rod.h"
 
 static Quat attitude_in(const double *y, int n, int i)
 {

@@ -3,6 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/equipment/conveyor.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/rod.h"
+#include "sim/equipment/roller_motion.h"
+#include "sim/equipment/winch.h"
 #include "sim/watch/off_window.h"
 
 /* Spin and shift of every roller, not known until a look, and never for those that do not move. */
@@ -27,13 +32,13 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
     b->axial_speed = calloc(n, sizeof(double));
     b->roller_load = calloc((size_t)scene->contact.n_rollers + 1, sizeof(double));
     const int surfaces = scene->surfaces.model.n_surfaces;
-    int ok = scene->equipment.n == 0 || moving_alloc(b, scene->contact.n_rollers);
+    int ok = scene->equipment->n == 0 || moving_alloc(b, scene->contact.n_rollers);
     for (int k = 0; k < 4; ++k) {
         b->surface[k] = calloc((size_t)surfaces + 1, sizeof(double));
         ok = ok && b->surface[k];
     }
-    b->conveyor_force = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
-    b->conveyor_slip = calloc((size_t)scene->n_conveyors + 1, sizeof(double));
+    b->conveyor_force = calloc((size_t)conveyors_of(scene)->n + 1, sizeof(double));
+    b->conveyor_slip = calloc((size_t)conveyors_of(scene)->n + 1, sizeof(double));
     ok = ok && b->conveyor_force && b->conveyor_slip;
     b->sample = (hawser_sample){.segments = scene->total,
                                 .joints = scene->total + 1,
@@ -54,7 +59,7 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .surface_friction = b->surface[1],
                                 .surface_line_load = b->surface[2],
                                 .surface_at = b->surface[3],
-                                .conveyors = scene->n_conveyors,
+                                .conveyors = conveyors_of(scene)->n,
                                 .conveyor_force = b->conveyor_force,
                                 .conveyor_slip = b->conveyor_slip};
     return ok && b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed &&
@@ -107,8 +112,8 @@ static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *
     hawser_sample *const s = &b->sample;
     double *const tension = b->tension + first;
     memcpy(tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
-    if (!scene->rod.present) tension[0] = s->tail_tension;
-    if (scene->winch.mode == WINCH_TENSION) tension[n] = s->winch_force; /* no bushing carries it */
+    if (!scene->rod->present) tension[0] = s->tail_tension;
+    if (scene->winch->mode == WINCH_TENSION) tension[n] = s->winch_force; /* no bushing carries it */
     s->max_tension_joint = first;
     for (int j = 1; j <= n; ++j) {
         if (tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = first + j;
@@ -118,7 +123,7 @@ static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *
 
 static void winch_take(hawser_sample *s, const Scene *scene, const Workspace *ws, double t)
 {
-    const Winch *const w = &scene->winch;
+    const Winch *const w = scene->winch;
     if (!w->present) return;
     const WinchMotion motion = winch_motion(w, &scene->chain, &ws->kin, t);
     s->winch_force = ws->winch_pull;
@@ -144,12 +149,12 @@ static void reel_take(SampleBuffers *b, const Scene *scene, const Workspace *ws,
     hawser_sample *const s = &b->sample;
     s->tail_tension = profile_value(&scene->tail, t);
     s->reel_speed = s->paid_out = s->wound = NAN;
-    if (scene->reel.winding.turns > 0) { /* empty, once its cable has left it */
+    if (scene->reel->winding.turns > 0) { /* empty, once its cable has left it */
         s->reel_speed = s->wound = 0;
-        s->paid_out = scene->reel.total;
+        s->paid_out = scene->reel->total;
     }
-    if (!scene->reel.present) return;
-    const ReelLook look = reel_look(&scene->reel, &scene->chain, &ws->kin, &ws->joints, t);
+    if (!scene->reel->present) return;
+    const ReelLook look = reel_look(scene->reel, &scene->chain, &ws->kin, &ws->joints, t);
     s->tail_tension = look.tension;
     s->reel_speed = look.speed;
     s->paid_out = look.paid_out;
@@ -184,10 +189,10 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Wor
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
     surfaces_take(b, ws);
     for (int i = 0; i < s->conveyors; ++i) {
-        const ConveyorNow now = dynamics_conveyor(scene, ws, i, t);
+        const ConveyorNow now = conveyor_now(scene, ws, i, t);
         b->conveyor_force[i] = now.force;
         b->conveyor_slip[i] = now.slip;
     }
-    moving_take(b, &ws->equipment);
+    if (ws->equipment) moving_take(b, ws->equipment);
     return s;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/conveyor.h"
 #include "sim/watch/arc_length.h"
 #include "theory/duct.h"
 
@@ -65,15 +66,15 @@ static int surfaces_new(Stats *stats, const SceneDef *def)
 /* Names and places; the names are the scene's. 0 if there is no memory. */
 static int conveyors_new_stats(Stats *stats, const Scene *scene)
 {
-    const int n = stats->n_conveyors = scene->n_conveyors;
+    const int n = stats->n_conveyors = conveyors_of(scene)->n;
     stats->conveyor = calloc((size_t)n + 1, sizeof *stats->conveyor);
     stats->conveyor_out = calloc((size_t)n + 1, sizeof *stats->conveyor_out);
     if (!stats->conveyor || !stats->conveyor_out) return 0;
     for (int i = 0; i < n; ++i) {
         const ConveyorDef *const def = &scene->def.conveyors[i];
         stats->conveyor[i].v_s = def->v_s;
-        stats->conveyor_out[i] =
-            (hawser_conveyor){.name = def->name, .from = def->from, .to = def->to, .grip_N = scene->conveyor[i].grip};
+        stats->conveyor_out[i] = (hawser_conveyor){
+            .name = def->name, .from = def->from, .to = def->to, .grip_N = conveyors_of(scene)->item[i].grip};
     }
     return 1;
 }
@@ -207,7 +208,7 @@ static void conveyors_record(Stats *stats, const Scene *scene, const hawser_samp
         const double slip = sample->conveyor_slip[i];
         mean_add(&m->force, sample->conveyor_force[i], dt, steady);
         mean_add(&m->slip, slip, dt, steady);
-        mean_add(&m->belt, conveyor_belt(&scene->conveyor[i], &scene->winch, sample->t), dt, steady);
+        mean_add(&m->belt, conveyor_belt(&conveyors_of(scene)->item[i], scene->winch, sample->t), dt, steady);
         mean_add(&m->slipping, fabs(slip) > m->v_s, dt, steady);
         out->mean_N = mean_of(&m->force);
         out->peak_N = m->force.peak;

@@ -2,6 +2,7 @@
 #ifndef HAWSER_TESTS_SIM_ROLLER_FIXTURE_H
 #define HAWSER_TESTS_SIM_ROLLER_FIXTURE_H
 
+#include "sim/equipment/moving_rollers.h"
 #include "tests/sim/scene_fixture.h"
 
 static inline void roller_spin(RollerDef *roller)
@@ -45,7 +46,7 @@ static inline void fixture_sheave(SceneDef *def, double depth)
 static inline void equipment_shake(const Scene *scene, double *y, double shift, double turn, double speed, double spin,
                                    uint64_t *seed)
 {
-    const Equipment *const q = &scene->equipment;
+    const Equipment *const q = scene->equipment;
     double *const e = y + STATE_SIZE * scene->chain.n;
     for (int i = 0; i < q->spins; ++i) e[i] = spin * fixture_random(seed);
     if (q->mounts) state_shake(e + q->spins, q->mounts, shift, turn, speed, spin, seed);

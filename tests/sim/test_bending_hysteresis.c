@@ -1,5 +1,6 @@
 /* Cables with a table of bending in whole scenes: the area of a cantilever's loop in a dynamic run, what a free chain
  * may lose and must keep, the start from a relaxed bend, threads. The law at one joint: tests/core/test_sliders.c. */
+#include "sim/equipment/winch.h"
 #include "sim/newton/relax.h"
 #include "sim/run/sim.h"
 #include "tests/sim/rig_fixture.h"
@@ -57,7 +58,7 @@ static Rig *cantilever_new(void)
     def.solver.accuracy = 1e-4;
     def.solver.max_step = 0.1;
     Rig *const r = rig_make(&def, NULL);
-    r->scene.winch.direction = v3(0, 0, 1);
+    r->scene.winch->direction = v3(0, 0, 1);
     for (int c = 1; c < 3; ++c) {
         r->scene.chain.stiffness[c][0] = 1e6;
         r->scene.chain.damping[c][0] = 1e3;
@@ -100,10 +101,10 @@ static double work_until(Rig *r, double to, double *force)
     *force = 0;
     while (r->t < to) {
         double corner = to;
-        profile_next_corner(&r->scene.winch.speed, r->t + 1e-9, &corner);
+        profile_next_corner(&r->scene.winch->speed, r->t + 1e-9, &corner);
         rig_step(r, fmin(corner, to));
         rig_evaluate(r);
-        const double now = r->ws.joints.force[2][n] * profile_value(&r->scene.winch.speed, r->t);
+        const double now = r->ws.joints.force[2][n] * profile_value(&r->scene.winch->speed, r->t);
         work += (now + power) / 2 * (r->t - t);
         power = now;
         t = r->t;

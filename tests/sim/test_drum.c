@@ -1,6 +1,7 @@
 /* A drum with the cable wound on it: the lay keeps turns and layers apart, the hold of the end has the derivatives that
  * differences give and keeps angular momentum, Newton's matrix holds drum and layers together, and a cable that is
  * pulled off has the brake's torque over the radius as its tension. */
+#include "sim/equipment/roller_motion.h"
 #include "tests/sim/drum_fixture.h"
 
 /* Turns and layers that are not neighbours along the cable do not press on each other, whatever the layers. */
@@ -19,8 +20,9 @@ static void test_lay(void **state)
         scene_initial_state(&scene, y);
         assert_int_equal(dynamics_refresh(&scene, &ws, 0, y, 1, NULL), HAWSER_OK);
         const SelfDetail deepest = self_deepest(&scene.self, &scene.chain, &ws.kin, &ws.self);
-        print_message("%d turns a layer, %.2f in all: deepest %.3g mm\n", turns, scene.drum.turns, 1e3 * deepest.depth);
-        assert_true(scene.drum.turns > 1.5 * turns);
+        print_message("%d turns a layer, %.2f in all: deepest %.3g mm\n", turns, scene.drum->turns,
+                      1e3 * deepest.depth);
+        assert_true(scene.drum->turns > 1.5 * turns);
         /* where the cable leaves, it leaves square and the turn before it does not; a start may be so deep (sim.c) */
         assert_true(deepest.depth < D / 8);
         for (int i = 0; i + 1 < n; ++i) { /* the joints are closed */
@@ -82,7 +84,7 @@ static void test_newton(void **state)
     def.cables[0].ea = def.cables[0].ga = 5e4;
     fixture_build(&def, &scene);
     /* the hold is far stiffer than all else: as it is, differences would see nothing else */
-    scene.drum.hold = 1e3;
+    scene.drum->hold = 1e3;
     assert_true(workspace_alloc(&ws, &scene, NULL));
     if (newton_new(&nw, &scene, &options, &err)) fail_msg("%s", err.message);
     if (newton_extra_attach(&nw, &ws.self.extras, &options, &err)) fail_msg("%s", err.message);
@@ -99,8 +101,8 @@ static void test_newton(void **state)
         dynamics_rates(&scene, &ws, 0.5, y, 1, rate);
         dynamics_blocks(&scene, &ws, 0.5, y, rate, 1, &nw.k, &nw.d);
         newton_point(&nw, &scene, &ws.kin, y);
-        newton_point_equipment(&nw, &ws.equipment, y, 1);
-        if (newton_renew(&nw, &ws.equipment, &err)) fail_msg("%s", err.message);
+        newton_point_equipment(&nw, ws.equipment, y, 1);
+        if (newton_renew(&nw, ws.equipment, &err)) fail_msg("%s", err.message);
         newton_form(&nw, gamma);
         assert_int_equal(newton_factor(&nw), 0);
     }

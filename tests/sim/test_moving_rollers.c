@@ -4,6 +4,7 @@
 #include "sim/run/sim.h"
 #include "tests/sim/rig_fixture.h"
 #include "tests/sim/roller_fixture.h"
+#include "tests/sim/room_fixture.h"
 
 static Rig *rig_new(SceneDef *def)
 {
@@ -16,7 +17,7 @@ static Rig *rig_new(SceneDef *def)
 static double *rig_equipment(const Rig *r) { return r->y + STATE_SIZE * r->n; }
 
 /* Entry of mount 0, component as in core/state.h. */
-static double *mount_entry(Rig *r, int c) { return rig_equipment(r) + equipment_at(&r->scene.equipment, c, 0); }
+static double *mount_entry(Rig *r, int c) { return rig_equipment(r) + equipment_at(r->scene.equipment, c, 0); }
 
 /* A free chain far from one roller at the origin, axis along y, that spins, stands on a mount, or both. */
 static void lonely_roller(SceneDef *def, int spins, int mounted, double accuracy)
@@ -106,8 +107,8 @@ static void test_deflection(void **state)
     print_message("%d iterations, residual %.2g of %.2g N\n", out.iterations, out.residual_N, out.tolerance_N);
     assert_true(out.reached);
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
-    dynamics_roller_forces(&r->scene, &r->ws);
-    const Equipment *const q = &r->scene.equipment;
+    room_look(&ROLLERS_ROOM, &r->scene, &r->ws);
+    const Equipment *const q = r->scene.equipment;
     double farthest = 0;
     for (int m = 0; m < q->mounts; ++m) {
         const Quat from = {q->ground.q[0][2 * m], q->ground.q[1][2 * m], q->ground.q[2][2 * m], q->ground.q[3][2 * m]};
@@ -140,8 +141,8 @@ static void test_frequencies(void **state)
         const double stiffness = mount->stiffness[c], inertia = c < 3 ? mount->mass : mount->inertia;
         const double period = 2 * pi * sqrt(inertia / stiffness), size = 1e-3;
         Rig *const r = rig_new(&def);
-        const Quat at = {r->scene.equipment.ground.q[0][0], r->scene.equipment.ground.q[1][0],
-                         r->scene.equipment.ground.q[2][0], r->scene.equipment.ground.q[3][0]};
+        const Quat at = {r->scene.equipment->ground.q[0][0], r->scene.equipment->ground.q[1][0],
+                         r->scene.equipment->ground.q[2][0], r->scene.equipment->ground.q[3][0]};
         const Vec3 way = quat_rotate(at, v3(c % 3 == 0, c % 3 == 1, c % 3 == 2));
         const double along[3] = {way.x, way.y, way.z};
         /* set off from the middle with the speed of an amplitude of 1e-3 */
@@ -166,14 +167,14 @@ static void test_frequencies(void **state)
 /* Potential of the bushing and kinetic energy of a roller that spins on a mount, J. */
 static double energy_of(Rig *r)
 {
-    const MovingRoller *const item = &r->scene.equipment.item[0];
+    const MovingRoller *const item = &r->scene.equipment->item[0];
     double v2 = 0, w2 = 0, p2 = 0;
     for (int k = 0; k < 3; ++k) {
         v2 += pow(*mount_entry(r, STATE_V + k), 2);
         w2 += pow(*mount_entry(r, STATE_W + k), 2);
         p2 += pow(*mount_entry(r, STATE_P + k), 2);
     }
-    const Equipment *const q = &r->scene.equipment;
+    const Equipment *const q = r->scene.equipment;
     const Quat from = {q->ground.q[0][0], q->ground.q[1][0], q->ground.q[2][0], q->ground.q[3][0]};
     const Quat to = {*mount_entry(r, STATE_Q), *mount_entry(r, STATE_Q + 1), *mount_entry(r, STATE_Q + 2),
                      *mount_entry(r, STATE_Q + 3)};
@@ -282,7 +283,7 @@ static void test_objectivity(void **state)
         rate[k] = fixture_array(scene_state_size(&r[k]->scene), sizeof(double));
     }
     Scene *const scene = &r[1]->scene;
-    const Equipment *const q = &scene->equipment;
+    const Equipment *const q = scene->equipment;
     const int n = r[0]->n, size = scene_state_size(scene), m = q->mounts;
     state_shake(r[0]->y, n, 2e-3, 0.02, 0.05, 0.5, &seed);
     equipment_shake(&r[0]->scene, r[0]->y, 1e-3, 0.02, 0.05, 2, &seed);

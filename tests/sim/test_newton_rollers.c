@@ -26,7 +26,7 @@ static void rig_linearise(Rig *r)
     dynamics_rates(&r->scene, &r->ws, T, r->y, 1, r->rate);
     dynamics_blocks(&r->scene, &r->ws, T, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
     newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
-    newton_point_equipment(&r->newton, &r->ws.equipment, r->y, 1);
+    newton_point_equipment(&r->newton, r->ws.equipment, r->y, 1);
 }
 
 static Rig *rig_new(const RigChoice *choice, uint64_t seed)
@@ -71,9 +71,9 @@ static void rig_free(Rig *r)
 /* Position, quaternion, velocity, angular velocity of segments 0..3 and mounts 4..7; 8: a spin. */
 static int kind_of(const Rig *r, int k)
 {
-    const int chain = STATE_SIZE * r->scene.chain.n, spins = r->scene.equipment.spins;
+    const int chain = STATE_SIZE * r->scene.chain.n, spins = r->scene.equipment->spins;
     if (k >= chain && k < chain + spins) return 8;
-    const int c = k < chain ? k / r->scene.chain.n : (k - chain - spins) / r->scene.equipment.mounts;
+    const int c = k < chain ? k / r->scene.chain.n : (k - chain - spins) / r->scene.equipment->mounts;
     return (k < chain ? 0 : 4) + (c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3);
 }
 
@@ -170,15 +170,15 @@ static void test_border(void **state)
         for (int i = 0; i < 2; ++i) { /* and once when the rig was made */
             assert_int_equal(r->newton.matrix.border, 0);
             rig_linearise(r);
-            assert_int_equal(newton_renew(&r->newton, &r->ws.equipment, &err), HAWSER_OK);
+            assert_int_equal(newton_renew(&r->newton, r->ws.equipment, &err), HAWSER_OK);
         }
         assert_int_equal(r->newton.matrix.border, 7);
         rig_linearise(r);
         const double after = gammas_error(r);
         newton_stats(&r->newton, &stats);
         print_message("%s: %.2g as a leaf, %.2g in the border (touches %d)\n", stats.why, before, after,
-                      r->newton.leaves->item[r->scene.equipment.n - 1].touched);
-        assert_true(r->newton.leaves->item[r->scene.equipment.n - 1].touched > 2);
+                      r->newton.leaves->item[r->scene.equipment->n - 1].touched);
+        assert_true(r->newton.leaves->item[r->scene.equipment->n - 1].touched > 2);
         assert_true(before > 1e-3 && after < 3e-6); /* the 20 m of the sheave cost differences a digit */
         rig_free(r);
     }

@@ -1,5 +1,6 @@
 /* Turning the whole world, gravity, route, winch and rollers included, turns the rates and changes nothing else. */
 #include "sim/dynamics.h"
+#include "sim/equipment/winch.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { N = FIXTURE_SEGMENTS, SIZE = STATE_SIZE * N };
@@ -19,9 +20,9 @@ static void scene_move(Scene *scene, const Motion *m)
     w->behind = quat_rotate(m->turn, w->behind);
     w->direction = quat_rotate(m->turn, w->direction);
     w->origin = point_moved(m, w->origin);
-    scene->winch.origin = point_moved(m, scene->winch.origin);
-    scene->winch.direction = quat_rotate(m->turn, scene->winch.direction);
-    scene->winch.attitude = quat_mul(m->turn, scene->winch.attitude);
+    scene->winch->origin = point_moved(m, scene->winch->origin);
+    scene->winch->direction = quat_rotate(m->turn, scene->winch->direction);
+    scene->winch->attitude = quat_mul(m->turn, scene->winch->attitude);
     for (int k = 0; k < scene->contact.n_rollers; ++k) {
         Shape *const shape = &scene->rollers[k].shape;
         shape->centre = point_moved(m, shape->centre);

@@ -1,8 +1,10 @@
 /* The drum's forces on the tail: derivatives against differences, limits of the brake laws, and the cable drawn from a
  * drum by a constant pull against the balance of angular momentum. */
 #include "sim/equipment/reel.h"
+#include "sim/equipment/winch.h"
 #include "sim/run/stage.h"
 #include "tests/sim/reel_fixture.h"
+#include "tests/sim/room_fixture.h"
 
 /* A scene whose window is made, with a drum of every choice. */
 static Stage *stage_for(const ReelChoice *choice)
@@ -37,7 +39,7 @@ static void test_resistance_slopes(void **state)
                                                   .tension = 900,
                                                   .fixed = k >= 9,
                                                   .cable = 40});
-        Reel r = st->scene.reel;
+        Reel r = *st->scene.reel;
         r.last = k >= 6;
         if (k >= 6) r.wound = 0.3;
         if (k >= 3 && k < 6) r.wound = winding_capacity(&r.winding, 0.68) + 1; /* on the climb to the second layer */
@@ -66,7 +68,7 @@ static void tail_load(Stage *st, const double *y, double load[6])
     Loads *const loads = &st->ws.loads[0];
     loads_zero(loads, st->scene.chain.n);
     dynamics_kinematics(&st->scene, &st->ws, 0.8, y);
-    reel_loads(&st->scene.reel, &st->ws.kin, 0.8, 1, loads);
+    room_loads(&REEL_ROOM, &st->scene, &st->ws, 0.8, 1);
     for (int c = 0; c < 3; ++c) {
         load[c] = loads->f[c][0];
         load[3 + c] = loads->m[c][0];
@@ -89,7 +91,7 @@ static void test_blocks(void **state)
     uint64_t seed = 5;
     state_shake(st->y, n, 0.1, 0.3, 0.2, 0.3, &seed);
     dynamics_kinematics(&st->scene, &st->ws, 0.8, st->y);
-    reel_blocks(&st->scene.reel, &st->ws.kin, 0.8, 1, &k, &d);
+    room_blocks(&REEL_ROOM, &st->scene, &st->ws, 0.8, 1, &k, &d);
     for (int c = 0; c < 12; ++c) {
         double plus[6], minus[6];
         memcpy(y, st->y, sizeof *y * (size_t)(STATE_SIZE * n));
@@ -116,7 +118,7 @@ static void test_laws(void **state)
     (void)state;
     for (int k = 0; k < 3; ++k) {
         Stage *const st = stage_for(&(ReelChoice){.payout = 1, .brake = LAWS[k], .torque = 300, .bearing = 50});
-        const Reel *const r = &st->scene.reel;
+        const Reel *const r = st->scene.reel;
         const double radius = winding_radius(&r->winding, r->wound, NULL);
         const double full = winding_radius(&r->winding, r->total, NULL);
         const double expected[3] = {350 / radius, (50 + 300 * full / radius) / radius, 350 / radius};
@@ -147,15 +149,15 @@ static void test_momentum(void **state)
         def.winch.mode = WINCH_TENSION;
         def.winch.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = F};
         assert_int_equal(stage_new(&st, &def, NULL, &err), HAWSER_OK);
-        st.scene.winch.phase.held = 0;
-        const Reel *const r = &st.scene.reel;
+        st.scene.winch->phase.held = 0;
+        const Reel *const r = st.scene.reel;
         const double R = winding_radius(&r->winding, r->wound, NULL), c = r->viscous / (R * R);
         const double mass = r->winding.inertia / (R * R) + 12 * 20 + 1.5 * 10;
         while (st.t < t_end && !err.status) stage_step(&st, t_end, &err);
         if (err.status) fail_msg("%s", err.message);
         const int n = st.scene.chain.n;
         const double expected = braked ? F / c * (1 - exp(-c * t_end / mass)) : F * t_end / mass;
-        double momentum = st.y[STATE_V * n] * st.scene.reel.mass, v;
+        double momentum = st.y[STATE_V * n] * st.scene.reel->mass, v;
         for (int i = 0; i < n; ++i) momentum += st.y[STATE_V * n + i] * (st.scene.chain.mass[i] - (i ? 0 : r->mass));
         v = momentum / (r->mass + 12 * 20 + 1.5 * 10 - r->wound * 12);
         print_message("%ld segments joined; speed %.6f, %.6f m/s expected\n", st.joined, v, expected);
@@ -166,7 +168,7 @@ static void test_momentum(void **state)
             kinetic += st.scene.chain.mass[i] * v3_dot(u, u) / 2;
         }
         dynamics_kinematics(&st.scene, &st.ws, st.t, st.y);
-        const double work = F * winch_motion(&st.scene.winch, &st.scene.chain, &st.ws.kin, st.t).travel;
+        const double work = F * winch_motion(st.scene.winch, &st.scene.chain, &st.ws.kin, st.t).travel;
         if (!braked) assert_true(fabs(kinetic / work - 1) < 5e-3);
         assert_true(st.joined >= 5);
         assert_true(fabs(v / expected - 1) < 2e-3);

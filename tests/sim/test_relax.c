@@ -2,6 +2,7 @@
  */
 #include "sim/newton/relax.h"
 #include "tests/sim/rig_fixture.h"
+#include "tests/sim/room_fixture.h"
 
 static Rig *rig_new(SceneDef *def)
 {
@@ -71,7 +72,7 @@ static void test_total_balance(void **state)
     Vec3 sum = vec_load(r->ws.joints.force, n);
     for (int i = 0; i < n; ++i) sum = v3_axpy(sum, r->scene.chain.mass[i], r->scene.weight.gravity);
     sum = v3_axpy(sum, -profile_value(&r->scene.tail, 0), r->scene.weight.direction);
-    dynamics_roller_forces(&r->scene, &r->ws);
+    room_look(&ROLLERS_ROOM, &r->scene, &r->ws);
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) sum = v3_sub(sum, r->ws.on_roller[k]);
     print_message("forces on the whole chain add up to %.2g N\n", v3_norm(sum));
     assert_true(v3_norm(sum) < n * out.tolerance_N);
@@ -118,7 +119,7 @@ static void test_light_rope(void **state)
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
     bushing_loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
     double load = r->ws.joints.force[2][n];
-    dynamics_roller_forces(&r->scene, &r->ws);
+    room_look(&ROLLERS_ROOM, &r->scene, &r->ws);
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) load -= r->ws.on_roller[k].z;
     print_message("carried %.2f N of %.2f N\n", load, 0.7 * 9.81 * 150);
     assert_true(fabs(load / (0.7 * 9.81 * 150) - 1) < 1e-6);

@@ -1,7 +1,9 @@
 /* Rods: their shapes, ground bodies, loads and masses, each against what it stands for. */
-#include "sim/equipment/rod_shape.h"
+#include "sim/def/rod_shape.h"
+#include "sim/equipment/rod.h"
 #include "sim/run/sim.h"
 #include "tests/sim/rod_fixture.h"
+#include "tests/sim/room_fixture.h"
 
 /* A helix with loads of every kind, turned and shifted by a state that is shaken. */
 static RodFixture loaded_helix(void)
@@ -22,12 +24,13 @@ static RodFixture loaded_helix(void)
 }
 
 /* What the loads of t = 0.7 s do to segment i, force and moment. */
-static void loads_on(const Scene *scene, const double *y, int i, Kinematics *kin, Loads *loads, double out[6])
+static void loads_on(Scene *scene, const double *y, int i, Workspace *ws, double out[6])
 {
     const int n = scene->chain.n;
-    body_kinematics(n, y, 0, n, kin);
-    loads_zero(loads, n);
-    rod_loads(&scene->rod, kin, 0.7, loads);
+    const Loads *const loads = &ws->loads[0];
+    body_kinematics(n, y, 0, n, &ws->kin);
+    loads_zero(&ws->loads[0], n);
+    room_loads(&ROD_ROOM, scene, ws, 0.7, 1);
     for (int c = 0; c < 3; ++c) {
         out[c] = loads->f[c][i];
         out[3 + c] = loads->m[c][i];
@@ -40,28 +43,27 @@ static void load_blocks_against_differences(void **state)
     RodFixture f = loaded_helix();
     SceneDef def;
     Scene scene;
-    Kinematics kin;
-    Loads loads;
-    BlockChain k;
+    Workspace ws;
+    BlockChain k, d;
     rod_define(&def, &f);
     fixture_build(&def, &scene);
     const int n = scene.chain.n;
-    assert_true(kinematics_alloc(&kin, n) && loads_alloc(&loads, n) && block_chain_alloc(&k, n, 6));
+    assert_true(workspace_alloc(&ws, &scene, NULL) && block_chain_alloc(&k, n, 6) && block_chain_alloc(&d, n, 6));
     double *const y = fixture_array(STATE_SIZE * n, sizeof *y);
     scene_initial_state(&scene, y);
     uint64_t seed = 5;
     state_shake(y, n, 0.1, 0.8, 0, 0, &seed);
-    body_kinematics(n, y, 0, n, &kin);
-    rod_blocks(&scene.rod, &kin, 0.7, &k);
+    body_kinematics(n, y, 0, n, &ws.kin);
+    room_blocks(&ROD_ROOM, &scene, &ws, 0.7, 1, &k, &d);
     const double e = 1e-6;
     double largest = 0;
     for (int i = 0; i < n; ++i) {
         for (int c = 0; c < 6; ++c) {
             double plus[6], minus[6];
             state_nudge(y, n, i, c, e);
-            loads_on(&scene, y, i, &kin, &loads, plus);
+            loads_on(&scene, y, i, &ws, plus);
             state_nudge(y, n, i, c, -2 * e);
-            loads_on(&scene, y, i, &kin, &loads, minus);
+            loads_on(&scene, y, i, &ws, minus);
             state_nudge(y, n, i, c, e);
             for (int r = 0; r < 6; ++r) {
                 const double found = k.diag[36 * i + 6 * c + r];
@@ -73,8 +75,8 @@ static void load_blocks_against_differences(void **state)
     assert_true(largest > 50);
     free(y);
     block_chain_free(&k);
-    loads_free(&loads);
-    kinematics_free(&kin);
+    block_chain_free(&d);
+    workspace_free(&ws);
     scene_clear(&scene);
 }
 
@@ -90,6 +92,8 @@ static void ghosts_move_as_they_say(void **state)
     }
     const RodEndDef end = {.n_motions = 4, .motions = motion}, still = {.pivot = 0};
     Rod rod = {.present = 1, .end = {{&end, {1, 2, 3}, {0.6, 0, 0.8, 0}}, {&still, {0, 0, 0}, {1, 0, 0, 0}}}};
+    const Room room = {.kind = &ROD_ROOM, .present = 1, .self = &rod};
+    const Scene scene = {.chain.n = 2};
     Kinematics kin;
     assert_true(kinematics_alloc(&kin, 2));
     const double e = 1e-5;
@@ -97,11 +101,11 @@ static void ghosts_move_as_they_say(void **state)
         Vec3 p[2];
         Quat q[2];
         for (int side = 0; side < 2; ++side) {
-            rod_ghosts(&rod, side ? t + e : t - e, 2, &kin);
+            ROD_ROOM.ghosts(&room, &scene, side ? t + e : t - e, &kin);
             p[side] = v3(kin.p[0][-1], kin.p[1][-1], kin.p[2][-1]);
             q[side] = (Quat){kin.q[0][-1], kin.q[1][-1], kin.q[2][-1], kin.q[3][-1]};
         }
-        rod_ghosts(&rod, t, 2, &kin);
+        ROD_ROOM.ghosts(&room, &scene, t, &kin);
         const Quat turned = quat_mul(q[1], quat_conj(q[0]));
         const Vec3 v = v3_scale(0.5 / e, v3_sub(p[1], p[0])), w = v3_scale(1 / e, v3(turned.x, turned.y, turned.z));
         for (int c = 0; c < 3; ++c) {
@@ -178,13 +182,13 @@ static void arcs_lie_on_their_circle(void **state)
     rod_define(&def, &f);
     def.route_start = v3(1, 1, 1);
     fixture_build(&def, &scene);
-    Stage stage = {.y = scene.rod.start};
+    Stage stage = {.y = scene.rod->start};
     stage.scene.chain = scene.chain;
     const Vec3 centre = v3(1, 1, 3);
     for (int i = 0; i < 10; ++i) assert_near(v3_norm(v3_sub(rod_front(&stage, i), centre)), 2, 1e-12);
-    assert_near(v3_dot(quat_rotate(rod_attitude(&scene.rod, 10, -1), v3(0, 1, 0)), v3(0, 0, 1)), sin(0.3), 1e-12);
+    assert_near(v3_dot(quat_rotate(rod_attitude(scene.rod, 10, -1), v3(0, 1, 0)), v3(0, 0, 1)), sin(0.3), 1e-12);
     const Vec3 out = v3_sub(rod_front(&stage, 9), centre);
-    assert_near(v3_dot(out, quat_rotate(rod_attitude(&scene.rod, 10, 10), v3(1, 0, 0))), 0, 1e-12);
+    assert_near(v3_dot(out, quat_rotate(rod_attitude(scene.rod, 10, 10), v3(1, 0, 0))), 0, 1e-12);
     scene_clear(&scene);
 }
 

@@ -1,5 +1,6 @@
 /* Equilibria of rods against closed forms and published figures. */
 #include "tests/sim/rod_fixture.h"
+#include "tests/sim/room_fixture.h"
 
 /* A cantilever along x with one load at its head. */
 static void cantilever(Stage *stage, RodFixture f, int moment, int follower, Vec3 direction, double size)
@@ -195,7 +196,7 @@ static void reactions_balance_the_loads(void **state)
     dynamics_look(&stage.scene, ws, 1, stage.y);
     bushing_loads(&stage.scene.chain, &ws->kin, 0, 13, &ws->joints);
     loads_zero(&ws->loads[0], 12);
-    rod_loads(&stage.scene.rod, &ws->kin, 1, &ws->loads[0]);
+    room_loads(&ROD_ROOM, &stage.scene, ws, 1, 1);
     Vec3 force = v3(0, 0, 0), moment = v3(0, 0, 0);
     for (int i = 0; i < 12; ++i) {
         const Vec3 p = state_vec(stage.y, 12, STATE_P, i), weight = v3(0, 0, -20.0 / 6);

@@ -3,6 +3,7 @@
  * the bits of one. */
 #include "sim/newton/relax.h"
 #include "sim/step/integrator.h"
+#include "tests/sim/room_fixture.h"
 #include "tests/sim/self_fixture.h"
 
 enum { STRAND = 6, N = 3 * STRAND };
@@ -44,7 +45,7 @@ static void loads_of(SelfRig *r, double *between, double *rollers)
         const Vec3 f = v3_axpy(detail[k].friction, detail[k].normal, detail[k].direction);
         *between += f.z; /* on the lower strand: the piece belongs to the lower number */
     }
-    dynamics_roller_forces(&r->scene, &r->ws);
+    room_look(&ROLLERS_ROOM, &r->scene, &r->ws);
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) *rollers += r->ws.on_roller[k].z;
 }
 

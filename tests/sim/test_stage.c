@@ -2,6 +2,7 @@
  * makes no difference to the pull. */
 #include <malloc.h>
 
+#include "sim/equipment/winch.h"
 #include "sim/run/sim.h"
 #include "sim/run/stage.h"
 #include "tests/sim/reel_fixture.h"
@@ -138,7 +139,7 @@ static void test_history(void **state)
         st.forget = forget;
         while (st.t < 12) must(stage_step(&st, 12, &err), &err);
         integrator_stats(st.integrator, &stats);
-        pull[forget] = dynamics_winch_pull_at(&st.scene, &st.ws, st.t, st.y);
+        pull[forget] = winch_pull_at(&st.scene, &st.ws, st.t, st.y);
         steps[forget] = stats.steps;
         if (!forget) assert_true(st.joined >= 3 && st.left >= 3);
         stage_free(&st);

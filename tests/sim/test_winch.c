@@ -1,8 +1,15 @@
 /* The winch by itself: motion by a profile, a set tension with its derivatives, and the trips as a machine. */
+#include "sim/equipment/rooms.h"
 #include "sim/equipment/winch.h"
 #include "tests/sim/scene_fixture.h"
 
 enum { LAST = 2, N = LAST + 1 };
+
+static double next_stop(Winch *w, double t)
+{
+    const Room room = {.kind = &WINCH_ROOM, .present = 1, .self = w};
+    return WINCH_ROOM.next_stop(&room, NULL, t);
+}
 
 /* ------------------------------------------------------------------------------------------------ speed and trips */
 
@@ -24,7 +31,7 @@ static void test_profile(void **state)
         assert_true(winch_speed(&w, t) - profile_value(&def.speed, t) == 0);
         assert_true(winch_travel(&w, t) - profile_integral(&def.speed, t) == 0);
     }
-    assert_true(winch_next_stop(&w, 0) == 1 && winch_next_stop(&w, 1) == 5 && isinf(winch_next_stop(&w, 5)));
+    assert_true(next_stop(&w, 0) == 1 && next_stop(&w, 1) == 5 && isinf(next_stop(&w, 5)));
     assert_true(fabs(winch_largest_speed(&w) - 0.1) < 1e-15);
 }
 
@@ -41,7 +48,7 @@ static int winch_run(Winch *w, PullOf pull, double dt, double to, Happening *out
 {
     int n = 0;
     for (double t = 0; t < to;) {
-        t = fmin(t + dt, winch_next_stop(w, t + 1e-9));
+        t = fmin(t + dt, next_stop(w, t + 1e-9));
         for (;;) {
             const double speed = winch_speed(w, t), travel = winch_travel(w, t);
             const WinchEvent event = winch_accept(w, t, pull(t));
@@ -100,7 +107,7 @@ static void test_trip_on_the_ramp(void **state)
     for (double t = 0; t < 5; t += 0.3) {
         assert_true(fabs(winch_speed(&w, 8.5 + t) - profile_value(&def.speed, 2 + t)) < 1e-15);
     }
-    assert_true(fabs(winch_next_stop(&w, 8.5) - 11.5) < 1e-12); /* the profile's corner at 5 s, 6.5 s late */
+    assert_true(fabs(next_stop(&w, 8.5) - 11.5) < 1e-12); /* the profile's corner at 5 s, 6.5 s late */
 }
 
 /* When no restart is left it stays, or ends the run. */
@@ -118,7 +125,7 @@ static void test_trip_for_good(void **state)
         assert_int_equal(h[n - 1].event, ends ? WINCH_ENDS_THE_RUN : WINCH_STAYS);
         assert_true(fabs(winch_speed(&w, 60)) < 1e-15);
         assert_true(ends ? fabs(w.phase.ended - h[n - 1].t) < 1e-12 : isinf(w.phase.ended));
-        assert_true(isinf(winch_next_stop(&w, 60)));
+        assert_true(isinf(next_stop(&w, 60)));
     }
 }
 
@@ -218,7 +225,10 @@ static void head_wrench(Head *h, double out[6])
 {
     Loads loads;
     assert_true(loads_alloc(&loads, N));
-    winch_loads(&h->winch, &h->chain, &h->kin, 3, &loads);
+    const Room room = {.kind = &WINCH_ROOM, .present = 1, .self = &h->winch};
+    const Scene scene = {.chain = h->chain};
+    Workspace ws = {.kin = h->kin, .loads = {loads}};
+    WINCH_ROOM.loads(&room, &(Moment){&scene, &ws, 3, 1}, 0);
     for (int c = 0; c < 3; ++c) {
         out[c] = loads.f[c][LAST];
         out[3 + c] = loads.m[c][LAST];
@@ -251,7 +261,10 @@ static void test_blocks(void **state)
         BlockChain k, d;
         head_new(&h, trial % 2, 100 + (uint64_t)trial);
         assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
-        winch_blocks(&h.winch, &h.chain, &h.kin, 3, &k, &d);
+        const Room room = {.kind = &WINCH_ROOM, .present = 1, .self = &h.winch};
+        const Scene scene = {.chain = h.chain};
+        Workspace ws = {.kin = h.kin};
+        WINCH_ROOM.blocks(&room, &(Moment){&scene, &ws, 3, 1}, &k, &d);
         for (int c = 0; c < 12; ++c) {
             const double e = 1e-6;
             double plus[6], minus[6];

@@ -97,8 +97,8 @@ static void conveyors(void **state)
     PlanDef def = hill_def(&route, &cable);
     Plan without, with;
     assert_int_equal(plan_build(&def, &without, NULL), HAWSER_OK);
-    def.n_conveyors = 1;
-    def.conveyor = &conveyor;
+    def.n_pushes = 1;
+    def.push = &conveyor;
     assert_int_equal(plan_build(&def, &with, NULL), HAWSER_OK);
     const PlanWay *a = &without.way[PLAN_FORWARD], *b = &with.way[PLAN_FORWARD];
     near(pull_at(&b->pull, 80).tension, pull_at(&a->pull, 80).tension, 1e-9);
@@ -106,7 +106,7 @@ static void conveyors(void **state)
     assert_true(b->force < a->force - 3000); /* the bends beyond multiply what it takes off */
     /* The other way only the crest and the slope lie beyond it. */
     near(with.way[PLAN_BACKWARD].force, without.way[PLAN_BACKWARD].force - 3000 * exp(MU * 0.2), 1e-7);
-    assert_non_null(strstr(b->piece[2].reason, "conveyor"));
+    assert_non_null(strstr(b->piece[2].reason, "a push"));
     near(b->piece[2].t_out, pull_at(&b->pull, route.piece[3].s0).tension, 0);
     plan_clear(&without);
     plan_clear(&with);
@@ -124,9 +124,9 @@ static void ways_of_their_own(void **state)
     PlanDef def = hill_def(&route, &cable);
     Plan without, with;
     assert_int_equal(plan_build(&def, &without, NULL), HAWSER_OK);
-    def.n_conveyors = 1;
-    def.conveyor = &there;
-    def.conveyor_back = &back;
+    def.n_pushes = 1;
+    def.push = &there;
+    def.push_back = &back;
     def.spacing = spacing;
     def.rope_force = 70;
     assert_int_equal(plan_build(&def, &with, NULL), HAWSER_OK);
@@ -188,10 +188,10 @@ static void refusals(void **state)
     refuse(&def, "must not be negative");
     def = good, def.back_tension = NAN;
     refuse(&def, "back tension");
-    def = good, def.n_conveyors = 1, def.conveyor = &conveyor;
-    refuse(&def, "conveyor 0");
+    def = good, def.n_pushes = 1, def.push = &conveyor;
+    refuse(&def, "push 0");
     const PullStep far = {.at = route.length + 1, .force = 5};
-    def.conveyor = &far;
+    def.push = &far;
     refuse(&def, "off the route");
     def = good, def.duct = &duct;
     refuse(&def, "do not fit");

@@ -1,6 +1,6 @@
 /* The line in which a rod lies at t = 0: straight, arc, helix or polyline. docs/model.md, "Rods" (RD1), (RD2). */
-#ifndef HAWSER_SIM_EQUIPMENT_ROD_SHAPE_H
-#define HAWSER_SIM_EQUIPMENT_ROD_SHAPE_H
+#ifndef HAWSER_SIM_DEF_ROD_SHAPE_H
+#define HAWSER_SIM_DEF_ROD_SHAPE_H
 
 #include "core/base/vec3.h"
 #include "sim/def/rod_def.h"

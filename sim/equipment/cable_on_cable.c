@@ -1,0 +1,102 @@
+/* The cable touches itself. docs/model.md, "Cable on cable". */
+#include "core/block_extras.h"
+#include "sim/dynamics.h"
+#include "sim/equipment/rooms.h"
+
+/* Candidates hold for a motion of the order of the cable's own radius, so that a wound cable has its neighbours as
+ * candidates and not the whole drum: they are the blocks of the matrix. */
+static hawser_status self_build(Room *room, Scene *scene, hawser_error *err)
+{
+    (void)err;
+    const Chain *const c = &scene->chain;
+    const SceneDef *const def = &scene->def;
+    double thickest = 0;
+    for (int i = 0; i < c->n; ++i) thickest = fmax(thickest, c->radius[i]);
+    scene->self = (SelfModel){.present = def->cable_on_cable,
+                              .law = self_law(&def->impact, &def->cable_friction),
+                              .reach = fmin(thickest, def->contact_reach)};
+    room->present = def->cable_on_cable;
+    return HAWSER_OK;
+}
+
+static int self_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)room;
+    return self_pairs_alloc(&ws->self, scene->chain.n);
+}
+
+static void self_work_free(const Room *room, Workspace *ws)
+{
+    (void)room;
+    self_pairs_free(&ws->self);
+}
+
+static void self_loads(const Room *room, const Moment *m, int part)
+{
+    (void)room;
+    self_forces(&m->scene->self, &m->scene->chain, &m->ws->kin, m->friction, part, &m->ws->self, &m->ws->loads[part]);
+}
+
+static void self_extra_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
+{
+    (void)room;
+    block_extras_zero(&m->ws->self.extras);
+    self_blocks(&m->scene->self, &m->scene->chain, &m->ws->kin, m->friction, &m->ws->self, k, d);
+}
+
+static int self_stale(const Room *room, const Moment *m)
+{
+    (void)room;
+    return self_moved_too_far(&m->scene->self, &m->scene->chain, &m->ws->kin, &m->ws->self);
+}
+
+static hawser_status self_renew(const Room *room, const Moment *m, hawser_error *err)
+{
+    (void)room;
+    return self_refresh(&m->scene->self, &m->scene->chain, &m->ws->kin, &m->ws->self, err);
+}
+
+static int self_candidates(const Room *room, const Workspace *ws)
+{
+    (void)room;
+    return ws->self.candidates;
+}
+
+static void self_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        out->loss[LOST_CABLE] += m->ws->self.work[p].friction;
+        out->loss[LOST_CABLE_DAMPING] += m->ws->self.work[p].damping;
+    }
+}
+
+static void self_stock(const Room *room, const Moment *m, const double *own, BalanceStock *out)
+{
+    (void)room;
+    (void)own;
+    for (int p = 0; p < PARTS; ++p) out->energy[IN_CABLE] += m->ws->self.work[p].energy;
+}
+
+/* By the last evaluation. */
+static int self_look(const Room *room, const Moment *m)
+{
+    (void)room;
+    return m->ws->self.active[0] + m->ws->self.active[1];
+}
+
+const RoomKind SELF_ROOM = {.name = "cable on cable",
+                            .build = self_build,
+                            .work_alloc = self_work_alloc,
+                            .work_free = self_work_free,
+                            .loads = self_loads,
+                            .extra_blocks = self_extra_blocks,
+                            .touches = 1,
+                            .heavy = 1,
+                            .stale = self_stale,
+                            .refresh = self_renew,
+                            .candidates = self_candidates,
+                            .work = self_work,
+                            .stock = self_stock,
+                            .look = self_look,
+                            .in_space = "the cable may touch itself"};

@@ -1,0 +1,275 @@
+/* Rollers, fixed and moving: what the cable touches at single places. docs/model.md, "Contact", "Rollers that spin and
+ * rollers on mounts". What moves them is in sim/equipment/moving_rollers.h and roller_motion.h. */
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "sim/dynamics.h"
+#include "sim/equipment/roller_motion.h"
+#include "sim/equipment/rooms.h"
+
+typedef struct Rollers {
+    ContactRoller *roller; /* [n], as the case puts them */
+    Equipment equipment;   /* those that move */
+} Rollers;
+
+/* ---------------------------------------------------------------------------------------------------- building */
+
+/* Surfaces need it too: where the chain was at the last refresh is kept with the rollers' candidates. */
+static hawser_status rollers_build(Room *room, Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    Rollers *const all = room->self = calloc(1, sizeof *all);
+    if (!all) return error_memory(err);
+    scene->equipment = &all->equipment;
+    scene->rollers = all->roller = calloc((size_t)def->n_rollers + 1, sizeof *all->roller);
+    if (!all->roller) return error_memory(err);
+    for (int r = 0; r < def->n_rollers; ++r) {
+        const RollerDef *const d = &def->rollers[r];
+        all->roller[r] = (ContactRoller){.shape = roller_def_shape(d), .friction = d->friction};
+    }
+    scene->contact = (ContactModel){.geometry = def->geometry,
+                                    .impact = def->impact,
+                                    .n_rollers = def->n_rollers,
+                                    .roller = all->roller,
+                                    .reach = def->contact_reach};
+    room->present = def->n_rollers > 0 || def->n_surfaces > 0;
+    const hawser_status status = equipment_build(def, all->roller, &all->equipment, err);
+    room->states = equipment_size(&all->equipment);
+    return status;
+}
+
+static void rollers_clear(Room *room)
+{
+    Rollers *const all = room->self;
+    if (!all) return;
+    equipment_clear(&all->equipment);
+    free(all->roller);
+}
+
+static void rollers_start(const Room *room, double *own)
+{
+    const Rollers *const all = room->self;
+    equipment_initial(&all->equipment, own);
+}
+
+/* In two halves by number, which is mostly their order along the route. */
+static int rollers_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
+{
+    const Rollers *const all = room->self;
+    const int n = scene->contact.n_rollers, half = n / 2;
+    EquipmentWork *const moving = ws->equipment = calloc(1, sizeof *moving);
+    ws->on_roller = calloc((size_t)n + 1, sizeof *ws->on_roller);
+    int ok = moving && ws->on_roller && equipment_work_alloc(moving, &all->equipment, n, all->roller);
+    for (int p = 0; ok && p < PARTS; ++p) {
+        ContactPart *const part = &ws->contact[p];
+        part->model = scene->contact;
+        part->model.roller = scene->contact.roller + (p == 0 ? 0 : half);
+        part->model.n_rollers = p == 0 ? half : n - half;
+        part->first = p == 0 ? 0 : half;
+        part->sticks = contact_sticks(&part->model);
+        if (all->equipment.n > 0) {
+            part->model.roller = moving->roller + part->first;
+            part->model.motion = moving->motion + part->first;
+        }
+        ok = contact_pairs_alloc(&part->pairs, scene->chain.n);
+    }
+    return ok;
+}
+
+static void rollers_work_free(const Room *room, Workspace *ws)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) contact_pairs_free(&ws->contact[p].pairs);
+    if (ws->equipment) equipment_work_free(ws->equipment);
+    free(ws->equipment);
+    free(ws->on_roller);
+}
+
+/* The leans of friction that sticks: rollers keep their half. */
+static void rollers_carry(const Room *room, Workspace *from, Workspace *to, int joined)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        if (to->contact[p].sticks) stick_carry(&from->contact[p].pairs.stick, &to->contact[p].pairs.stick, joined);
+        to->contact[p].seconds = from->contact[p].seconds;
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------ in a step */
+
+static void rollers_pose(const Room *room, const Moment *m, const double *own)
+{
+    if (room->states > 0) equipment_pose(m->ws->equipment, own);
+}
+
+/* Friction that sticks leans by what has been slid since the last accepted step (GR11). */
+static void rollers_begin(const Room *room, const Moment *m)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &m->ws->contact[p];
+        if (part->sticks) stick_clock(&part->pairs.stick, m->t);
+    }
+}
+
+/* Contact forces of one half of the rollers; on_roller (NULL: not wanted) gets those on them. */
+static void part_forces(const Moment *m, int part, double friction, Vec3 *on_roller)
+{
+    Workspace *const ws = m->ws;
+    const Chain *const chain = &m->scene->chain;
+    ContactPart *const p = &ws->contact[part];
+    if (p->model.n_rollers == 0) return;
+    if (!p->model.motion) {
+        contact_forces(&p->model, chain, &ws->kin, friction, &p->pairs, &ws->loads[part], on_roller);
+        return;
+    }
+    RollerLoad *const load = ws->equipment->load + p->first;
+    contact_forces_moving(&p->model, chain, &ws->kin, friction, &p->pairs, &ws->loads[part], load);
+    for (int r = 0; on_roller && r < p->model.n_rollers; ++r) on_roller[r] = load[r].force;
+}
+
+static void rollers_loads(const Room *room, const Moment *m, int part)
+{
+    (void)room;
+    part_forces(m, part, m->friction, NULL);
+}
+
+static void rollers_rates(const Room *room, const Moment *m, const double *own, double *rate)
+{
+    if (room->states > 0) equipment_rates(m->ws->equipment, own, m->friction, rate);
+}
+
+/* What a part's contacts couple its rollers by. */
+typedef struct Taker {
+    EquipmentWork *work;
+    int first;
+} Taker;
+static void coupling_take(void *user, const RollerCoupling *coupling)
+{
+    const Taker *const to = user;
+    equipment_blocks_take(to->work, to->first, coupling);
+}
+
+/* Where rollers move, their loads and couplings too. */
+static void rollers_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
+{
+    Workspace *const ws = m->ws;
+    const Chain *const chain = &m->scene->chain;
+    if (room->states > 0) equipment_blocks_begin(ws->equipment);
+    for (int half = 0; half < PARTS; ++half) {
+        ContactPart *const p = &ws->contact[half];
+        if (p->model.n_rollers == 0) continue;
+        if (!p->model.motion) {
+            contact_blocks(&p->model, chain, &ws->kin, m->friction, &p->pairs, k, d);
+            continue;
+        }
+        Taker taker = {ws->equipment, p->first};
+        part_forces(m, half, m->friction, NULL);
+        contact_blocks_moving(&p->model, chain, &ws->kin, m->friction, &p->pairs, k, d, coupling_take, &taker);
+    }
+    if (room->states > 0) equipment_bushing_blocks(ws->equipment);
+}
+
+/* -------------------------------------------------------------------------------------------------- between steps */
+
+/* Both parts were refreshed at the same positions; what rollers have moved is spent of the share of the reach (C20). */
+static int rollers_stale(const Room *room, const Moment *m)
+{
+    const ContactPart *const part = &m->ws->contact[PARTS - 1];
+    const Rollers *const all = room->self;
+    ContactModel model = part->model;
+    if (all->equipment.mounts > 0) model.reach -= equipment_moved(m->ws->equipment) / CONTACT_USABLE;
+    return contact_moved_too_far(&model, &m->scene->chain, &m->ws->kin, &part->pairs);
+}
+
+static hawser_status rollers_refresh(const Room *room, const Moment *m, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int p = 0; p < PARTS && !status; ++p) {
+        ContactPart *const part = &m->ws->contact[p];
+        status = contact_refresh(&part->model, &m->scene->chain, &m->ws->kin, &part->pairs, err);
+    }
+    if (room->states > 0) equipment_stand(m->ws->equipment);
+    return status;
+}
+
+static int rollers_candidates(const Room *room, const Workspace *ws)
+{
+    (void)room;
+    return ws->contact[0].pairs.candidates + ws->contact[1].pairs.candidates;
+}
+
+static int rollers_remember(const Room *room, const Workspace *ws)
+{
+    (void)room;
+    return ws->contact[0].sticks | ws->contact[1].sticks;
+}
+
+static void rollers_accept(const Room *room, const Moment *m)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &m->ws->contact[p];
+        if (part->sticks) contact_accept(&part->model, &m->scene->chain, &m->ws->kin, m->t, &part->pairs);
+    }
+}
+
+/* ----------------------------------------------------------------------------------------------------- to look at */
+
+static void rollers_work(const Room *room, const Moment *m, BalanceRates *out)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) balance_contact(out, LOST_ROLLERS, PUSH_ROLLERS, &m->ws->contact[p].pairs.tally);
+    out->loss[LOST_BEARINGS] += m->ws->equipment->lost_bearings;
+    out->loss[LOST_MOUNTS] += m->ws->equipment->lost_mounts;
+}
+
+static void rollers_stock(const Room *room, const Moment *m, const double *own, BalanceStock *out)
+{
+    for (int p = 0; p < PARTS; ++p) out->energy[IN_ROLLERS] += m->ws->contact[p].pairs.tally.energy;
+    if (room->states > 0) out->energy[IN_EQUIPMENT] = equipment_energy(m->ws->equipment, own);
+}
+
+static int rollers_look(const Room *room, const Moment *m)
+{
+    (void)room;
+    int active = 0;
+    for (int p = 0; p < PARTS; ++p) {
+        ContactPart *const part = &m->ws->contact[p];
+        if (part->model.n_rollers == 0) continue;
+        loads_zero(&m->ws->loads[p], m->scene->chain.n);
+        part_forces(m, p, 1.0, m->ws->on_roller + part->first);
+        active += part->pairs.active;
+    }
+    return active;
+}
+
+/* Whether they cross the plane square, its own geometry asks (sim/planar/plane.c). */
+static const char *rollers_not_planar(const Room *room, const Scene *scene)
+{
+    if (contact_sticks(&scene->contact)) return "friction sticks";
+    return room->states > 0 ? "rollers spin or stand on mounts" : NULL;
+}
+
+const RoomKind ROLLERS_ROOM = {.name = "rollers",
+                               .build = rollers_build,
+                               .clear = rollers_clear,
+                               .start = rollers_start,
+                               .work_alloc = rollers_work_alloc,
+                               .work_free = rollers_work_free,
+                               .carry = rollers_carry,
+                               .pose = rollers_pose,
+                               .begin = rollers_begin,
+                               .loads = rollers_loads,
+                               .rates = rollers_rates,
+                               .blocks = rollers_blocks,
+                               .touches = 1,
+                               .stale = rollers_stale,
+                               .refresh = rollers_refresh,
+                               .candidates = rollers_candidates,
+                               .remembers = rollers_remember,
+                               .accept = rollers_accept,
+                               .work = rollers_work,
+                               .stock = rollers_stock,
+                               .look = rollers_look,
+                               .not_planar = rollers_not_planar};

@@ -1,0 +1,129 @@
+/* A room: one kind of thing that acts on the cable (rollers, a reel, conveyors, ...), as the corridor of a step sees
+ * it.
+ *
+ * A kind of equipment is one file in sim/equipment/ that ends in its RoomKind: functions of which each is called at one
+ * point of a scene's life or of a step, and NULL where the kind has nothing to do there. The list of kinds stands once,
+ * in sim/equipment/rooms.c, and its order is the order in which they act. docs/architecture.md, "Rooms". */
+#ifndef HAWSER_SIM_ROOM_H
+#define HAWSER_SIM_ROOM_H
+
+#include "core/base/error.h"
+#include "core/block_chain.h"
+#include "core/chain.h"
+#include "sim/balance_data.h"
+
+typedef struct Scene Scene;
+typedef struct Workspace Workspace;
+typedef struct RoomKind RoomKind;
+
+enum { ROOMS_MAX = 16 };
+
+/* A kind in one scene. */
+typedef struct Room {
+    const RoomKind *kind;
+    int number;  /* its place in the scene's rooms and in the workspace's */
+    int present; /* 0: the scene has nothing of the kind */
+    int states;  /* numbers of the state that are its own, behind the chain's and those of the rooms before it */
+    void *self;  /* what was built from the definition; owned */
+} Room;
+
+/* A force along the pull at a place of the route, as theory reckons with it. */
+typedef struct Pusher {
+    const char *name;
+    double at; /* m along the route */
+    const Room *room;
+    int item; /* which of the room's */
+} Pusher;
+
+/* One evaluation of the equations of motion. */
+typedef struct Moment {
+    const Scene *scene;
+    Workspace *ws;
+    double t;        /* s */
+    double friction; /* scales every friction and drag force: 1, or 0 for the relaxation */
+} Moment;
+
+struct RoomKind {
+    const char *name;
+
+    /* ---- life. Errors: INPUT with the key to change, MEMORY. */
+    /* Before anything is built: what the kind adds to the scene's definition. */
+    hawser_status (*prepare)(Room *room, Scene *scene, hawser_error *err);
+    /* From scene->def, whose chain has its masses and lengths but no springs yet. Sets room->self and room->present. */
+    hawser_status (*build)(Room *room, Scene *scene, hawser_error *err);
+    /* When the springs between segments stand: those at the chain's ends. */
+    void (*join)(Room *room, Scene *scene);
+    /* Last, when everything else is built. */
+    hawser_status (*finish)(Room *room, Scene *scene, hawser_error *err);
+    void (*clear)(Room *room);
+    /* Its own part of the initial state, [room->states]. */
+    void (*start)(const Room *room, double *own);
+    /* Its scratch in ws (ws->room[number], or typed members); 0 without memory. */
+    int (*work_alloc)(const Room *room, const Scene *scene, Workspace *ws);
+    void (*work_free)(const Room *room, Workspace *ws);
+    /* The chain's window has changed, with `joined` segments more behind the tail: what is no scratch goes over. */
+    void (*carry)(const Room *room, Workspace *from, Workspace *to, int joined);
+
+    /* ---- in a step: functions of (t, y) alone */
+    /* Sets the ghosts of kin (segments -1 and n) to what the ground does at time t. */
+    void (*ghosts)(const Room *room, const Scene *scene, double t, Kinematics *kin);
+    /* Sets what else follows from the state; own: its part of it. */
+    void (*pose)(const Room *room, const Moment *m, const double *own);
+    /* Before loads or blocks are evaluated. */
+    void (*begin)(const Room *room, const Moment *m);
+    /* Adds forces and moments on the chain to m->ws->loads[part]. Called for part 0 and part 1, perhaps on two threads:
+     * what is not worth splitting is done in part 0. */
+    void (*loads)(const Room *room, const Moment *m, int part);
+    /* What needs the loads of both parts. */
+    void (*after_loads)(const Room *room, const Moment *m);
+    /* Rates of its own part of the state. */
+    void (*rates)(const Room *room, const Moment *m, const double *own, double *rate);
+    /* Adds the derivatives of loads to k and d. */
+    void (*blocks)(const Room *room, const Moment *m, BlockChain *k, BlockChain *d);
+    /* The same for a kind with blocks off the diagonals: after all others. */
+    void (*extra_blocks)(const Room *room, const Moment *m, BlockChain *k, BlockChain *d);
+    int touches; /* its loads are contacts: their time is told apart */
+    int heavy;   /* its loads are worth a second thread at any length of the chain */
+
+    /* ---- between steps */
+    /* A step to y was accepted (or y is new, if `always`): what changes along the way, without any evaluation. */
+    void (*follow)(const Room *room, const Moment *m, const double *y, int always);
+    /* Whether candidates for contact no longer cover what can touch, by the kinematics in the workspace; and new ones,
+     * for all rooms together. Errors of refresh: MEMORY. */
+    int (*stale)(const Room *room, const Moment *m);
+    hawser_status (*refresh)(const Room *room, const Moment *m, hawser_error *err);
+    int (*candidates)(const Room *room, const Workspace *ws);
+    /* Whether its laws remember the last accepted step, and that one to the kinematics of now was accepted. */
+    int (*remembers)(const Room *room, const Workspace *ws);
+    void (*accept)(const Room *room, const Moment *m);
+    /* The first time after t at which it is not smooth, s; INFINITY: never. */
+    double (*next_stop)(const Room *room, const Scene *scene, double t);
+
+    /* ---- to look at */
+    /* Adds what it does to the motion at m->t, for the kinematics in the workspace, which are of now at the chain's
+     * ends and of the last evaluation elsewhere. */
+    void (*work)(const Room *room, const Moment *m, BalanceRates *out);
+    /* Adds what it holds, by the last evaluation; own: its part of that state. */
+    void (*stock)(const Room *room, const Moment *m, const double *own, BalanceStock *out);
+    /* Puts what a sample reads into the workspace, for the kinematics there; returns how many contacts carry force. */
+    int (*look)(const Room *room, const Moment *m);
+
+    /* ---- for theory: its pushers by the route's order, and how many (out may be NULL); what one of them pushes with
+     * where the tension before it is `arriving`, N, in steady motion at the run's end. */
+    int (*pushers)(const Room *room, const Scene *scene, Pusher *out);
+    double (*push)(const Room *room, const Scene *scene, int item, double arriving);
+
+    /* ---- in the plane. NULL: the planar equations know nothing of the kind, and a scene that has it is solved in
+     * space because `in_space`. Otherwise why this one cannot be there, or NULL if it can (sim/planar/plane.h asks
+     * where things lie). */
+    const char *(*not_planar)(const Room *room, const Scene *scene);
+    const char *in_space;
+};
+
+/* Every kind there is, in the order in which they act; NULL ends the list. */
+extern const RoomKind *const ROOM_KINDS[];
+
+/* The scene's room of a kind. */
+Room *room_of(Scene *scene, const RoomKind *kind);
+
+#endif

@@ -1,0 +1,165 @@
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/joints.h"
+#include "sim/scene.h"
+
+/* Segments of the whole chain. */
+static int segments_of(const SceneDef *def)
+{
+    int n = 0;
+    for (int p = 0; p < def->n_pieces; ++p) n += def->pieces[p].segments;
+    return n;
+}
+
+static const CableDef *cable_of(const SceneDef *def, int piece) { return &def->cables[def->pieces[piece].cable]; }
+
+/* Mass, inertia of a solid cylinder of the outside diameter, contact radius (S5). */
+static void segments_fill(Scene *scene)
+{
+    Chain *const c = &scene->chain;
+    int i = 0;
+    for (int p = 0; p < scene->def.n_pieces; ++p) {
+        const ChainPieceDef *const piece = &scene->def.pieces[p];
+        const CableDef *const cable = cable_of(&scene->def, p);
+        const double h = piece->length / piece->segments, r = cable->diameter / 2;
+        for (int k = 0; k < piece->segments; ++k, ++i) {
+            const double m = cable->mass * h;
+            scene->piece[i] = p;
+            c->half[i] = h / 2;
+            c->mass[i] = m;
+            c->inertia[0][i] = m * r * r / 2;
+            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + r * r / 4);
+            c->radius[i] = r;
+        }
+    }
+}
+
+/* The route coordinate at distance `chord` from the point at s, ahead or behind (sign), by Newton's method. */
+static double chord_step(const Route *route, double s, double chord, int sign)
+{
+    const Vec3 from = route_at(route, s).position;
+    double next = s + sign * chord;
+    for (int it = 0; it < 20; ++it) {
+        const RoutePoint at = route_at(route, next);
+        const Vec3 link = v3_sub(at.position, from);
+        const double length = v3_norm(link), error = length - chord;
+        next -= error * length / v3_dot(link, at.tangent);
+        if (fabs(error) < 1e-15 * (1 + fabs(next))) break;
+    }
+    return next;
+}
+
+/* Route coordinates of the joints, from the eye outward. */
+static void joints_place(Scene *scene)
+{
+    const Chain *const c = &scene->chain;
+    scene->joint_s[scene->eye] = scene->def.head_at;
+    for (int j = scene->eye; j > 0; --j) {
+        scene->joint_s[j - 1] = chord_step(&scene->route, scene->joint_s[j], 2 * c->half[j - 1], -1);
+    }
+    for (int j = scene->eye; j < c->n; ++j) {
+        scene->joint_s[j + 1] = chord_step(&scene->route, scene->joint_s[j], 2 * c->half[j], +1);
+    }
+}
+
+static void weight_fill(Scene *scene)
+{
+    const RoutePoint start = route_at(&scene->route, 0);
+    const LeadInDef *const lead = &scene->def.lead_in;
+    const Vec3 g = scene->def.gravity;
+    scene->weight = (Weight){.gravity = g,
+                             .lead_in = lead->present || scene->def.reel.model == REEL_PAYOUT,
+                             .origin = start.position,
+                             .direction = start.tangent,
+                             .blend = lead->blend};
+    /* The lead-in gives way by 1 mm under the cable's weight, half critically damped. */
+    scene->weight.hold = v3_norm(g) / 1e-3;
+    scene->weight.hold_damping = sqrt(scene->weight.hold);
+    if (!lead->carries_weight) {
+        scene->weight.behind = v3_scale(v3_dot(g, start.tangent), start.tangent);
+    }
+}
+
+static hawser_status rooms_build(Scene *scene, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; ROOM_KINDS[k]; ++k) {
+        assert(k < ROOMS_MAX);
+        scene->room[k] = (Room){.kind = ROOM_KINDS[k], .number = k};
+        scene->n_rooms = k + 1;
+        if (!status && ROOM_KINDS[k]->prepare) status = ROOM_KINDS[k]->prepare(&scene->room[k], scene, err);
+    }
+    for (int r = 0; !status && r < scene->n_rooms; ++r) {
+        Room *const room = &scene->room[r];
+        status = room->kind->build(room, scene, err);
+    }
+    return status;
+}
+
+/* The springs: between segments, then at the ends; sliders where bending has hysteresis. */
+static hawser_status springs_build(Scene *scene, hawser_error *err)
+{
+    joints_springs(scene);
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        Room *const room = &scene->room[r];
+        if (room->present && room->kind->join) room->kind->join(room, scene);
+    }
+    chain_find_lacks(&scene->chain);
+    return joints_sliders(scene, err);
+}
+
+static hawser_status scene_fill(Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    segments_fill(scene);
+    scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
+    scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
+    scene->largest_speed = 0.1;
+    joints_place(scene);
+    weight_fill(scene);
+    hawser_status status = rooms_build(scene, err);
+    if (!status) status = springs_build(scene, err);
+    for (int r = 0; !status && r < scene->n_rooms; ++r) {
+        Room *const room = &scene->room[r];
+        if (room->present && room->kind->finish) status = room->kind->finish(room, scene, err);
+    }
+    return status;
+}
+
+hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
+{
+    memset(scene, 0, sizeof *scene);
+    hawser_status status = scene_def_copy(def, &scene->def, err);
+    if (status) return status;
+    const int n = scene->total = segments_of(def);
+    scene->piece = calloc((size_t)n + 1, sizeof *scene->piece);
+    scene->joint_s = calloc((size_t)n + 1, sizeof *scene->joint_s);
+    if (!chain_alloc(&scene->chain, n) || !scene->piece || !scene->joint_s) {
+        status = error_memory(err);
+    } else {
+        scene->chain.frame = def->frame;
+        status = route_build(&scene->route, def->n_route, def->route, def->route_start, def->route_heading,
+                             def->route_slope, err);
+    }
+    if (!status) status = scene_fill(scene, err);
+    if (status) scene_clear(scene);
+    return status;
+}
+
+void scene_clear(Scene *scene)
+{
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        Room *const room = &scene->room[r];
+        if (room->kind->clear) room->kind->clear(room);
+        free(room->self);
+    }
+    chain_free(&scene->chain);
+    free(scene->piece);
+    free(scene->joint_s);
+    route_clear(&scene->route);
+    scene_def_clear(&scene->def);
+    memset(scene, 0, sizeof *scene);
+}
