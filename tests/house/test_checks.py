@@ -3,6 +3,7 @@ import os
 import tempfile
 import unittest
 
+import check_documents
 import check_equations
 import check_includes
 import check_sizes
@@ -71,9 +72,11 @@ class Includes(unittest.TestCase):
 
 class Equations(unittest.TestCase):
     MODEL = "# Bushing\n```\nd = x - y        (B1)\n```\nIt follows (B1) that\n- (C2) f = 0\n"
+    INDEX = "# The model\n| [bushing](model/20-bushing.md) | springs | B, C |\n"
 
-    def check(self, code, model=MODEL):
-        return Tree({"docs/model.md": model, "core/a.c": code}).complaints(check_equations.check)
+    def check(self, code, model=MODEL, index=INDEX):
+        return Tree({"docs/model.md": index, "docs/model/20-bushing.md": model, "core/a.c": code}).complaints(
+            check_equations.check)
 
     def test_cited_and_given(self):
         self.assertEqual([], self.check('/* docs/model.md, "Bushing", (B1) and (C2) */ int f(void);\n'))
@@ -89,6 +92,27 @@ class Equations(unittest.TestCase):
 
     def test_missing_section(self):
         self.assertTrue(self.check('/* docs/model.md, "Cable" */\n'))
+
+    def test_the_index_names_chapters_and_letters(self):
+        self.assertEqual(["docs/model.md: wants a row for docs/model/20-bushing.md with the letters: B, C"],
+                         self.check("", index="# The model\n| [bushing](model/20-bushing.md) | springs | B |\n"))
+        self.assertEqual(1, len(self.check("", index="# The model\n")))
+        self.assertEqual(1, len(self.check("", index=self.INDEX + "| [cable](model/30-cable.md) | gone | C |\n")))
+
+
+class Documents(unittest.TestCase):
+    def check(self, text):
+        return Tree({"README.md": "", "docs/a.md": text, "docs/b.md": "", "core/a.c": "", "core/a.h": "",
+                     "cases/one.yaml": ""}).complaints(check_documents.check)
+
+    def test_what_is_there(self):
+        self.assertEqual([], self.check("[b](b.md) ![top](../README.md) [far](https://a.b/c.md) [here](#part)\n"
+                                        "`core/` `core/a.c` `core/a.{c,h}` `cases/NAME.yaml` `core/*.h` `sim` `a/b.c`\n"))
+
+    def test_what_is_not(self):
+        self.assertEqual(["docs/a.md:2: links to c.md, which is not there"], self.check("\n[c](c.md)\n"))
+        self.assertEqual(["docs/a.md:1: names core/b.c, which is not there"], self.check("`core/b.c`"))
+        self.assertEqual(1, len(self.check("`core/a.{c,cc}`")))
 
 
 class Sizes(unittest.TestCase):
