@@ -1,5 +1,6 @@
 """The checks catch what they are for: each test writes a small tree with one fault and looks for the complaint."""
 import os
+import sys
 import tempfile
 import unittest
 
@@ -8,6 +9,9 @@ import check_documents
 import check_equations
 import check_includes
 import check_sizes
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
+import architecture  # noqa: E402
 
 
 class Tree:
@@ -149,6 +153,34 @@ class Adding(unittest.TestCase):
             self.assertEqual("# Adding\n<!-- files with belt -->\n- `io/keys.c`\n- `sim/belt.c`: the belt\n<!-- end -->\nmore\n",
                              file.read())
         tree.folder.cleanup()
+
+
+class Architecture(unittest.TestCase):
+    TABLE = "| `sim/` | scene |\n| `sim/belt/` | belts |\n| `core/` | chain |\n"
+
+    def tree(self, table=TABLE, belt='#include "core/a.h"\n'):
+        return Tree({"docs/architecture.md": table, "docs/img/architecture.svg": "", "core/a.h": "",
+                     "sim/s.c": '#include "sim/belt/b.h"\n', "sim/belt/b.h": belt})
+
+    def test_a_picture_is_drawn_and_then_held(self):
+        tree = self.tree()
+        self.assertEqual(1, len(architecture.check(tree.folder.name, False)))
+        self.assertEqual([], architecture.check(tree.folder.name, True))
+        self.assertEqual([], architecture.check(tree.folder.name, False))
+        with open(os.path.join(tree.folder.name, "docs/img/architecture.svg"), encoding="utf-8") as file:
+            picture = file.read()
+        self.assertEqual((3, 1), (picture.count('class="box"'), picture.count('class="arrow"')))
+        tree.folder.cleanup()
+
+    def test_the_table_is_the_trees(self):
+        self.assertEqual(["docs/architecture.md: sim/belt/ is missing from the table"],
+                         self.tree("| `sim/` | scene |\n| `core/` | chain |\n").complaints(lambda r: architecture.check(r, False)))
+        self.assertEqual(["docs/architecture.md: sim/drum/ is not a folder with sources"],
+                         self.tree(self.TABLE + "| `sim/drum/` | drums |\n").complaints(lambda r: architecture.check(r, False)))
+
+    def test_includes_go_down_the_table(self):
+        self.assertEqual(["docs/architecture.md: sim/belt/ includes sim/, which the table has above it"],
+                         self.tree(belt='#include "sim/s.h"\n').complaints(lambda r: architecture.check(r, False)))
 
 
 class Sizes(unittest.TestCase):
