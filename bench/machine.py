@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes what the machine is, and how long each part took, into RESULTS/README.md, and the verdicts over the goals of all
-parts into docs/performance.md, each between its markers.
+parts into docs/performance.md if that page is about this machine, each between its markers; and prints them.
 
 Usage: machine.py [RESULTS [DOCUMENT]]     (without them: prints what the machine is)
 """
@@ -101,13 +101,18 @@ def verdicts_text(results):
 
 
 def main():
+    print(machine_text())
     if len(sys.argv) > 1:
         results = sys.argv[1]
         document = sys.argv[2] if len(sys.argv) > 2 else os.path.join(ROOT, "docs/performance.md")
         write_document(os.path.join(results, "README.md"), "machine",
                        "\n\n".join(filter(None, (machine_text(), seconds_text(results)))))
-        write_document(document, "verdicts", verdicts_text(results))
-    print(machine_text())
+        verdicts = verdicts_text(results)
+        print(verdicts)
+        with open(document, encoding="utf-8") as file:
+            about = os.path.basename(os.path.normpath(results)) + "/" in file.read()
+        if about:
+            write_document(document, "verdicts", verdicts)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,8 @@
 # Usage: sh scripts/bench.sh [--quick] [PART...]
 #   --quick   does everything work? Under three minutes; results go to build/bench/results
 #   PART      linsolve, steps, precision, methods, peers, scale, stress or long
-# Writes bench/results/MACHINE (rows, pictures, tables) and the verdicts in docs/performance.md.
+# Writes bench/results/MACHINE (rows, pictures, tables) and, on the machine that it is about, the verdicts in
+# docs/performance.md.
 # Status: 0; 1 if a part missed a condition that does not depend on time; 2 wrong usage.
 set -eu
 
@@ -35,6 +36,7 @@ status=0
 for part in ${wanted:-$parts}; do
     echo "== $part"
     start=$(date +%s)
+    # shellcheck disable=SC2086 # no option or one
     python3 -B "bench/$part.py" --build build/bench --results "$results" $options || status=1
     seconds=$(($(date +%s) - start))
     echo "== $part: $seconds s"
@@ -42,6 +44,6 @@ for part in ${wanted:-$parts}; do
     echo "$part,$seconds" >>"$results/seconds.new"
     mv "$results/seconds.new" "$results/seconds.csv"
 done
-[ $quick = yes ] || python3 -B bench/machine.py "$results" >/dev/null
+[ $quick = yes ] || python3 -B bench/machine.py "$results"
 echo "Results: $results"
 exit $status

@@ -147,18 +147,23 @@ class Machine(unittest.TestCase):
             document = os.path.join(folder, "performance.md")
             results = os.path.join(folder, "results")
             os.mkdir(results)
-            for path, text in ((document, "a\n<!-- verdicts: begin -->\n<!-- verdicts: end -->\nb\n"),
+            other = os.path.join(folder, "other.md")  # about another machine
+            marks = "<!-- verdicts: begin -->\n<!-- verdicts: end -->\n"
+            for path, text in ((document, "a results/README.md\n" + marks), (other, "a\n" + marks),
                                (os.path.join(results, "steps.md"), self.STEPS),
                                (os.path.join(results, "long.md"), "| goal | reached |\n|---|---|\n| holds | yes |\n"),
                                (os.path.join(results, "seconds.csv"), "part,seconds\nsteps,90\nscale,150\n")):
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
-            subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/machine.py"), results, document], check=True,
-                           stdout=subprocess.DEVNULL)
+            for page in (document, other):
+                subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/machine.py"), results, page], check=True,
+                               stdout=subprocess.DEVNULL)
             with open(os.path.join(results, "README.md"), encoding="utf-8") as file:
                 machine = file.read()
             with open(document, encoding="utf-8") as file:
                 verdicts = file.read()
+            with open(other, encoding="utf-8") as file:
+                self.assertEqual(file.read(), "a\n" + marks)
         self.assertIn(f"`{common.machine_name(common.processor(), os.cpu_count())}`", machine)
         self.assertIn("`steps` 90 s, `scale` 150 s; together 4 min.", machine)
         self.assertRegex(verdicts, r"\| \[long\]\(.*/long.md\) \| 1 of 1 \| - \|\n")
