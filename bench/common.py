@@ -1,8 +1,7 @@
 """What the parts of the benchmark suite share: the machine's name, runs of the program, statistics, tables, documents.
 
-A part is a script bench/NAME.py with the options of `arguments`. It writes DIR/NAME.csv, one row a measurement, and its
-pictures beside it, puts its tables between the markers `<!-- NAME: begin -->` and `<!-- NAME: end -->` of its document, and
-fails (status 1) if a condition is missed that does not depend on time: results that are wrong or differ. Conditions on
+A part is a script bench/NAME.py with the options of `arguments`. It writes DIR/NAME.csv, one row a measurement, its pictures,
+and its tables between the markers `<!-- NAME: begin -->` and `<!-- NAME: end -->` of DIR/NAME.md, and fails (status 1) if a condition is missed that does not depend on time: results that are wrong or differ. Conditions on
 times and ratios of times are judged in the tables alone.
 """
 import argparse
@@ -19,7 +18,8 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-sys.path.insert(0, os.path.join(ROOT, "scripts"))  # svgplot
+sys.path.insert(0, os.path.join(ROOT, "scripts"))  # document, svgplot
+from document import replace_between  # noqa: E402
 
 
 def processor():
@@ -40,8 +40,7 @@ def arguments(description):
     """The options that every part has; a part may add its own before it parses."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--build", required=True, help="a build with the benchmarks, such as build/bench")
-    parser.add_argument("--results", help="folder for the rows and pictures (default: written nowhere)")
-    parser.add_argument("--document", help="file whose tables are replaced (default: they are only printed)")
+    parser.add_argument("--results", help="folder for rows, pictures and tables (default: tables are printed, no more)")
     parser.add_argument("--quick", action="store_true", help="does everything work? About twenty seconds, no true figures")
     return parser
 
@@ -159,28 +158,14 @@ def heading(load, note=""):
     return text
 
 
-def replace_between(text, name, new):
-    """The text with what stands between the markers of the part replaced."""
-    begin, end = f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
-    if text.count(begin) != 1 or text.count(end) != 1 or text.index(begin) > text.index(end):
-        raise ValueError(f"needs the lines {begin} and {end}, once each")
-    return text[:text.index(begin) + len(begin)] + "\n\n" + new + "\n\n" + text[text.index(end):]
-
-
-def pictures_at(text, name, folder):
-    """The text with the part's pictures, ../bench/results/MACHINE/NAME*.svg, taken from another machine's folder."""
-    return re.sub(rf"\.\./bench/results/[\w.-]+/({re.escape(name)}[\w-]*\.svg)", rf"../{folder}/\1", text)
-
-
-def write_document(path, name, new, results=None):
-    """replace_between in a file, in place; its pictures are those in `results`, a folder bench/results/MACHINE."""
-    with open(path, encoding="utf-8") as file:
-        text = replace_between(file.read(), name, new)
-    folder = os.path.relpath(results, ROOT) if results else ""
-    if re.fullmatch(r"bench/results/[\w.-]+", folder):
-        text = pictures_at(text, name, folder)
+def write_document(path, name, new):
+    """replace_between in a file, in place. On a machine that has no such file yet it is a new one."""
+    text = f"# {name.capitalize()}\n\nHow it is measured: `bench/README.md`.\n\n<!-- {name}: begin -->\n<!-- {name}: end -->\n"
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
     with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
+        file.write(replace_between(text, name, new))
 
 
 def write_rows(path, rows, columns=None):
@@ -196,6 +181,5 @@ def publish(args, name, rows, text, columns=None):
     """What a part ends with: its rows, its tables, and the tables on the terminal."""
     if args.results:
         write_rows(os.path.join(args.results, name + ".csv"), rows, columns)
-    if args.document:
-        write_document(args.document, name, text, args.results)
+        write_document(os.path.join(args.results, name + ".md"), name, text)
     print(text)

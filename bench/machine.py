@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""Writes what the machine is, and how long each part took, between the markers `<!-- machine: begin -->` and
-`<!-- machine: end -->` of a document.
+"""Writes what the machine is, and how long each part took, into RESULTS/README.md, and the verdicts over the goals of all
+parts into docs/performance.md if that page is about this machine, each between its markers; and prints them.
 
-Usage: machine.py [DOCUMENT RESULTS]     (without them: prints it)
+Usage: machine.py [RESULTS [DOCUMENT]]     (without them: prints what the machine is)
 """
 import csv
+import glob
 import os
 import re
 import subprocess
 import sys
 
-from common import machine_name, processor, write_document
+from common import ROOT, machine_name, processor, write_document
 
 PACKAGES = {"SUNDIALS": "libsundials-dev", "SuiteSparse": "libsuitesparse-dev", "HDF5": "libhdf5-dev",
             "LAPACK": "liblapacke-dev", "glibc": "libc6"}
@@ -62,11 +63,56 @@ def seconds_text(results):
     return f"The parts took, when each was last run here: {parts}; together {sum(int(row['seconds']) for row in rows) / 60:.0f} min."
 
 
+def goals(text):
+    """[({header: cell}, reached?)] of every row of a part's tables whose last column is called `reached`."""
+    found = []
+    for table in re.findall(r"(?:^\|.*\n)+", text, re.M):
+        lines = [[cell.strip() for cell in line.strip("|").split(" | ")] for line in table.splitlines()]
+        if lines[0][-1].strip() == "reached":
+            found += [(dict(zip(lines[0][:-1], line)), line[-1] == "yes") for line in lines[2:]]
+    return found
+
+
+def missed_text(rows):
+    """The goals that were missed, each with its goal and what was found; a table's heading stands before its first."""
+    notes, heading = [], ""
+    for row in rows:
+        (what, name), *rest = row.items()
+        found = [f"{header} {cell}" for header, cell in rest if header.startswith("goal")]
+        found.append("measured " + row["measured"] if "measured" in row else " ".join(rest[-1]))
+        tells = what != heading and what.split(",")[0] not in ("goal", "condition")
+        heading = what
+        notes.append(f"{what + ': ' if tells else ''}{name} ({', '.join(found)})")
+    return "; ".join(notes)
+
+
+def verdicts_text(results):
+    """A row for every part that has goals: how many are reached, and which are not."""
+    lines = ["| part | goals reached | missed |", "|---|---:|---|"]
+    for path in sorted(glob.glob(os.path.join(results, "*.md"))):
+        with open(path, encoding="utf-8") as file:
+            found = goals(file.read())
+        missed = missed_text(row for row, reached in found if not reached)
+        link = os.path.relpath(path, os.path.join(ROOT, "docs"))
+        if found:
+            name = os.path.basename(path).removesuffix(".md")
+            lines.append(f"| [{name}]({link}) | {sum(reached for _, reached in found)} of {len(found)} | {missed or '-'} |")
+    return "\n".join(lines)
+
+
 def main():
-    if len(sys.argv) == 3:
-        document, results = sys.argv[1:]
-        write_document(document, "machine", "\n\n".join(filter(None, (machine_text(), seconds_text(results)))))
     print(machine_text())
+    if len(sys.argv) > 1:
+        results = sys.argv[1]
+        document = sys.argv[2] if len(sys.argv) > 2 else os.path.join(ROOT, "docs/performance.md")
+        write_document(os.path.join(results, "README.md"), "machine",
+                       "\n\n".join(filter(None, (machine_text(), seconds_text(results)))))
+        verdicts = verdicts_text(results)
+        print(verdicts)
+        with open(document, encoding="utf-8") as file:
+            about = os.path.basename(os.path.normpath(results)) + "/" in file.read()
+        if about:
+            write_document(document, "verdicts", verdicts)
 
 
 if __name__ == "__main__":

@@ -217,15 +217,6 @@ def aside_table(rows, peers):
                   "times"], body)
 
 
-def sweep_table(rows, peer):
-    """Every setting of the sweep, problem by problem."""
-    body = [[PROBLEMS[row["problem"]], str(row["n"]), f"`{row['settings'] or 'default'}`", row["outcome"],
-             number(row["error_pct"]), number(row["ripple"]), number(row["cost"])]
-            for problem in PROBLEMS for row in rows
-            if row["program"] == peer.name and row["problem"] == problem and row["stage"] == "sweep"]
-    return table([f"{peer.title}: all runs", "segments", "settings", "outcome", "error %", "ripple N", "CPU s per s"], body)
-
-
 def cost_plot(path, rows, peers):
     panels = []
     for problem in ("straight", "swing"):
@@ -273,7 +264,6 @@ def main():
     goals = [] if args.quick else [table(["goal", "segments", "times", "reached"], goal_rows(rows, peers))]
     text = [heading(load), *notes, *goals, *(comparison_table(rows, peers, problem) for problem in PROBLEMS)]
     text += [] if args.quick else [growth_table(rows, peers), aside_table(rows, peers)]
-    text += [sweep_table(rows, peer) for peer in peers]
     if args.results:
         os.makedirs(args.results, exist_ok=True)
         cost_plot(os.path.join(args.results, "peers.svg"), rows, peers)

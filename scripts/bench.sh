@@ -1,10 +1,11 @@
 #!/bin/sh
-# Runs the benchmarks of docs/performance.md, all of them or the parts that are named, one after the other. Wants a machine
+# Runs the benchmarks of bench/README.md, all of them or the parts that are named, one after the other. Wants a machine
 # that does nothing else.
 # Usage: sh scripts/bench.sh [--quick] [PART...]
-#   --quick   does everything work? Under three minutes; changes no document, results go to build/bench/results
+#   --quick   does everything work? Under three minutes; results go to build/bench/results
 #   PART      linsolve, steps, precision, methods, peers, scale, stress or long
-# Writes bench/results/MACHINE (rows, pictures), the tables in docs/performance.d, and docs/performance.md.
+# Writes bench/results/MACHINE (rows, pictures, tables) and, on the machine that it is about, the verdicts in
+# docs/performance.md.
 # Status: 0; 1 if a part missed a condition that does not depend on time; 2 wrong usage.
 set -eu
 
@@ -27,33 +28,22 @@ sh scripts/setup.sh --bench
 sh scripts/build.sh bench
 results=bench/results/$(python3 -c 'import sys; sys.path.insert(0, "bench")
 import os, common; print(common.machine_name(common.processor(), os.cpu_count()))')
-[ $quick = no ] || results=build/bench/results
+options=
+[ $quick = no ] || results=build/bench/results options=--quick
 mkdir -p "$results"
-
-# run_part NAME: one part; its document is the fragment docs/performance.d/NN-NAME.md.
-run_part() {
-    document=$(ls docs/performance.d/[0-9][0-9]-"$1".md)
-    if [ $quick = yes ]; then
-        python3 -B "bench/$1.py" --build build/bench --results "$results" --quick
-    else
-        python3 -B "bench/$1.py" --build build/bench --results "$results" --document "$document"
-    fi
-}
 
 status=0
 for part in ${wanted:-$parts}; do
     echo "== $part"
     start=$(date +%s)
-    run_part "$part" || status=1
+    # shellcheck disable=SC2086 # no option or one
+    python3 -B "bench/$part.py" --build build/bench --results "$results" $options || status=1
     seconds=$(($(date +%s) - start))
     echo "== $part: $seconds s"
     { grep -v "^$part," "$results/seconds.csv" 2>/dev/null || echo part,seconds; } >"$results/seconds.new"
     echo "$part,$seconds" >>"$results/seconds.new"
     mv "$results/seconds.new" "$results/seconds.csv"
 done
-if [ $quick = no ]; then
-    python3 -B bench/machine.py docs/performance.d/00-method.md "$results" >/dev/null
-    sh scripts/model.sh
-fi
+[ $quick = yes ] || python3 -B bench/machine.py "$results"
 echo "Results: $results"
 exit $status

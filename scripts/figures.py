@@ -11,9 +11,9 @@ import bisect
 import csv
 import math
 import os
-import sys
 import tempfile
 
+from document import replace_in_file
 from figures_runs import EXPERIMENTS, FIGURE_RUNS, ROPE, SECTIONS, WATCHED, run_case
 from svgplot import Panel, write_svg
 
@@ -260,15 +260,6 @@ def experiments(program, group):
     return table_rows(EXPERIMENT_HEAD, rows)
 
 
-def fill(document, name, words):
-    """The document with what stands between the marks of that name replaced."""
-    begin, end = f"<!-- begin: {name} -->\n", f"<!-- end: {name} -->"
-    if begin not in document or end not in document:
-        sys.exit(f"figures.py: the document has no marks for '{name}'")
-    head, rest = document.split(begin, 1)
-    return head + begin + words + end + rest.split(end, 1)[1]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--hawser", required=True, metavar="PROGRAM")
@@ -292,13 +283,8 @@ def main():
         figure(runs, out)
     if args.quick:
         return
-    with open(args.document, encoding="utf-8") as file:
-        document = file.read()
-    document = fill(fill(document, "table 2", table_2(runs)), "table 3", table_3(runs))
-    for group in EXPERIMENTS:
-        document = fill(document, group, experiments(args.hawser, group))
-    with open(args.document, "w", encoding="utf-8") as file:
-        file.write(document)
+    replace_in_file(args.document, {"table 2": table_2(runs), "table 3": table_3(runs),
+                                    **{group: experiments(args.hawser, group) for group in EXPERIMENTS}})
 
 
 if __name__ == "__main__":

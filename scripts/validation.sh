@@ -13,6 +13,5 @@ trap 'rm -f "$results"' EXIT
 status=0
 "$program" validate --format csv >"$results" || status=$?
 [ "$status" -le 1 ] || exit "$status"
-python3 scripts/validation_tables.py "$results" docs/validation.d
-sh scripts/model.sh
+python3 scripts/validation_tables.py "$results" docs/validation.md
 exit "$status"

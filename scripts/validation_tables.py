@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/validation.d from what `hawser validate --format csv` printed.
+"""Writes what `hawser validate --format csv` printed into a document, between the markers `variants` (the paper's case and
+its variants, one a line) and `results` (every quantity of every case), and draws the errors of the cases of convergence
+into img/convergence.svg beside it.
 
-Usage: validation_tables.py RESULTS.csv FOLDER
-  40-paper.md    the paper's case and its variants, one a line
-  50-results.md  every quantity of every case
-and draws the errors of the cases of convergence into FOLDER/../img/convergence.svg.
+Usage: validation_tables.py RESULTS.csv DOCUMENT
 """
 import csv
 import math
 import os
 import sys
+
+from document import replace_in_file
 
 CAUSES = [
     ("paper", "as it is: the solid bar of table 1"),
@@ -109,21 +110,16 @@ def draw(path, rows):
         file.write("\n".join(lines + ["</svg>"]) + "\n")
 
 
-def write(folder, name, heading, lines):
-    with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-        file.write(heading + "\n\n" + "\n".join(lines) + "\n")
-
-
-def main(results, folder):
+def main(results, document):
     with open(results, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     outside = sum(r["verdict"] == "OUTSIDE" for r in rows)
     cases = len({r["case"] for r in rows})
-    write(folder, "40-paper.md", "### The variants", paper_table(rows))
-    write(folder, "50-results.md",
-          f"## Results\n\n{cases} cases, {len(rows)} quantities, {outside} outside their tolerance. "
-          "Written by `sh scripts/validation.sh`.", result_table(rows))
-    draw(os.path.join(folder, "..", "img", "convergence.svg"), rows)
+    replace_in_file(document, {
+        "variants": "\n".join(paper_table(rows)),
+        "results": "\n".join([f"{cases} cases, {len(rows)} quantities, {outside} outside their tolerance.", "",
+                              *result_table(rows)])})
+    draw(os.path.join(os.path.dirname(document), "img", "convergence.svg"), rows)
     return 0
 
 

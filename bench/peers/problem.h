@@ -1,5 +1,5 @@
 /* The problems on which hawser and other programs are compared, in numbers and closed forms: those of
- * cases/straight.yaml and a hanging chain. SI. For C and C++. docs/performance.d/65-peers.md describes them.
+ * cases/straight.yaml and a hanging chain. SI. For C and C++. bench/results/xeon-2core/peers.md describes them.
  *
  * straight  A cable of n rigid segments along x, tail at x = 2.5 m, on rollers across it every 2 m; a winch takes its
  * head to 0.1 m/s within 1 s. Judged by the winch force, mean over WINDOW: exactly mu m g n. hang      A chain of n

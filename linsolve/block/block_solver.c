@@ -7,7 +7,7 @@
 #include "linsolve/backend.h"
 
 /* From how many blocks, and from how many entries in the diagonal ones, the second thread pays: measured,
- * docs/performance.md. */
+ * bench/results/xeon-2core/linsolve.md. */
 enum { TEAM_FACTOR_MIN = 600, TEAM_SOLVE_ENTRIES = 30000, ALIGNMENT = 64 };
 
 static const BlockKernels *kernels_for(int b, Isa isa)

@@ -124,12 +124,12 @@ class Names(unittest.TestCase):
         self.assertEqual(len(names), len(methods.METHODS))
 
     def test_pictures_of_the_document_are_made(self):
-        with open(os.path.join(ROOT, "docs/performance.d/60-methods.md"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "bench/results/xeon-2core/methods.md"), encoding="utf-8") as file:
             text = file.read()
         replace_between(text, "methods", "new")
         for name in ("huangjiahu", "straight", "straight, light"):
             self.assertIn(name, methods.SCENES)
-            self.assertIn(f"core/{methods.picture_name(name)})", text)
+            self.assertIn(f"({methods.picture_name(name)})", text)
 
 
 class Whole(unittest.TestCase):

@@ -155,7 +155,7 @@ class Report(unittest.TestCase):
         self.assertEqual(len(precision.failures([], {"chain": {"time smooth": 1e-3, "space": 1.0}})), 1)
 
     def test_the_document_has_its_markers(self):
-        with open(os.path.join(ROOT, "docs/performance.d/50-precision.md"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "bench/results/xeon-2core/precision.md"), encoding="utf-8") as file:
             common.replace_between(file.read(), "precision", "new")
 
 

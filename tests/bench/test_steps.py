@@ -16,6 +16,7 @@ ROOT = os.path.abspath(sys.argv.pop(1))
 sys.path.insert(0, os.path.join(ROOT, "bench"))
 import common  # noqa: E402
 import linsolve  # noqa: E402
+import machine  # noqa: E402
 
 # Answers `hawser run CASE ... -o DIR --linear-solver S --threads N` with a summary; logs the order of the calls. The time
 # of the first call of a configuration is wild, as of a program that is not in memory yet.
@@ -106,20 +107,15 @@ class Document(unittest.TestCase):
             with self.assertRaises(ValueError):
                 common.replace_between(text, "steps", "new")
 
-    def test_pictures_are_those_of_the_machine(self):
-        text = "![a](../bench/results/old-2core/steps-history.svg) ![b](../bench/results/old-2core/scale.svg)"
-        self.assertEqual(common.pictures_at(text, "steps", "bench/results/new-4core"),
-                         "![a](../bench/results/new-4core/steps-history.svg) ![b](../bench/results/old-2core/scale.svg)")
-
     def test_the_contents_name_every_part(self):
         with open(os.path.join(ROOT, "scripts/bench.sh"), encoding="utf-8") as file:
             parts = re.search(r'^parts="(.*)"$', file.read(), re.M).group(1).split()
-        with open(os.path.join(ROOT, "docs/performance.d/00-method.md"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "bench/README.md"), encoding="utf-8") as file:
             named = re.findall(r"^\| `(\w+)` \| .*\?", file.read(), re.M)
         self.assertTrue(set(parts) <= set(named) and len(parts) > 1, f"{parts}, but the contents have {named}")
 
     def test_the_document_has_them(self):
-        with open(os.path.join(ROOT, "docs/performance.d/20-steps.md"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "bench/results/xeon-2core/steps.md"), encoding="utf-8") as file:
             common.replace_between(file.read(), "steps", "new")
 
 
@@ -143,19 +139,40 @@ class Linsolve(unittest.TestCase):
 
 
 class Machine(unittest.TestCase):
-    def test_the_machine_and_the_time_of_the_parts_are_written(self):
+    STEPS = ("# Steps\n\n| goal, auto | measured | reached |\n|---|---:|---:|\n| fast: at least 9 | 11 | yes |\n"
+             "| straight, space: at least 8 | 6 | no |\n\n| case | GB/s reached |\n|---|---:|\n| a | no |\n")
+
+    def test_machine_times_of_parts_and_verdicts_are_written(self):
         with tempfile.TemporaryDirectory() as folder:
-            document = os.path.join(folder, "m.md")
-            for path, text in ((document, "a\n<!-- machine: begin -->\n<!-- machine: end -->\nb\n"),
-                               (os.path.join(folder, "seconds.csv"), "part,seconds\nsteps,90\nscale,150\n")):
+            document = os.path.join(folder, "performance.md")
+            results = os.path.join(folder, "results")
+            os.mkdir(results)
+            other = os.path.join(folder, "other.md")  # about another machine
+            marks = "<!-- verdicts: begin -->\n<!-- verdicts: end -->\n"
+            for path, text in ((document, "a results/README.md\n" + marks), (other, "a\n" + marks),
+                               (os.path.join(results, "steps.md"), self.STEPS),
+                               (os.path.join(results, "long.md"), "| goal | reached |\n|---|---|\n| holds | yes |\n"),
+                               (os.path.join(results, "seconds.csv"), "part,seconds\nsteps,90\nscale,150\n")):
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
-            subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/machine.py"), document, folder], check=True,
-                           stdout=subprocess.DEVNULL)
+            for page in (document, other):
+                subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/machine.py"), results, page], check=True,
+                               stdout=subprocess.DEVNULL)
+            with open(os.path.join(results, "README.md"), encoding="utf-8") as file:
+                machine = file.read()
             with open(document, encoding="utf-8") as file:
-                text = file.read()
-        self.assertIn(f"`{common.machine_name(common.processor(), os.cpu_count())}`", text)
-        self.assertIn("`steps` 90 s, `scale` 150 s; together 4 min.", text)
+                verdicts = file.read()
+            with open(other, encoding="utf-8") as file:
+                self.assertEqual(file.read(), "a\n" + marks)
+        self.assertIn(f"`{common.machine_name(common.processor(), os.cpu_count())}`", machine)
+        self.assertIn("`steps` 90 s, `scale` 150 s; together 4 min.", machine)
+        self.assertRegex(verdicts, r"\| \[long\]\(.*/long.md\) \| 1 of 1 \| - \|\n")
+        self.assertRegex(verdicts, r"\| \[steps\]\(.*\) \| 1 of 2 \| straight, space: at least 8 \(measured 6\) \|\n")
+
+    def test_the_page_says_what_the_tables_say(self):
+        with open(os.path.join(ROOT, "docs/performance.md"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertIn(machine.verdicts_text(os.path.join(ROOT, "bench/results/xeon-2core")), page)
 
 
 class Commit(unittest.TestCase):
@@ -198,7 +215,6 @@ class Whole(unittest.TestCase):
                            ("bin/callgrind_annotate", ANNOTATE)):
             self.place(path, text)
             os.chmod(self.path(path), 0o755)
-        self.place("steps.md", f"# Steps\n{Document.BEGIN}\n{Document.END}\n")
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -211,7 +227,7 @@ class Whole(unittest.TestCase):
     def bench(self, *words):
         path = self.path("bin") + os.pathsep + os.environ["PATH"]
         return subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/steps.py"), "--build", self.folder.name,
-                               "--results", self.path("results"), "--document", self.path("steps.md"), "--load", "0", *words],
+                               "--results", self.path("results"), "--load", "0", *words],
                               capture_output=True, text=True, env={**os.environ, "PATH": path})
 
     def read(self, name):
@@ -229,7 +245,7 @@ class Whole(unittest.TestCase):
                 ("straight", "plane", "auto", "2", "whole")]
         self.assertAlmostEqual(statistics.median(float(row["wall_time_s"]) for row in mine), 0.6)
         self.assertEqual({row["solver"] for row in rows}, {"auto", "block", "bordered", "klu", "klu-full", "band", "dense"})
-        self.check_tables(self.read("steps.md"))
+        self.check_tables(self.read("results/steps.md"))
 
     def check_tables(self, text):
         self.assertIn("| straight, plane | 2 | 600.0 |", text)

@@ -140,7 +140,7 @@ class Whole(unittest.TestCase):
             self.assertEqual([row["outcome"] for row in rows], ["ok", "ok", "ok", "failed", "failed", "ok"])
 
     def test_the_document_has_its_markers(self):
-        with open(os.path.join(ROOT, "docs/performance.d/80-stress.md"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "bench/results/xeon-2core/stress.md"), encoding="utf-8") as file:
             common.replace_between(file.read(), "stress", "new")
 
 

@@ -1,11 +1,17 @@
 """The checks catch what they are for: each test writes a small tree with one fault and looks for the complaint."""
 import os
+import sys
 import tempfile
 import unittest
 
+import check_adding
+import check_documents
 import check_equations
 import check_includes
 import check_sizes
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
+import architecture  # noqa: E402
 
 
 class Tree:
@@ -71,9 +77,11 @@ class Includes(unittest.TestCase):
 
 class Equations(unittest.TestCase):
     MODEL = "# Bushing\n```\nd = x - y        (B1)\n```\nIt follows (B1) that\n- (C2) f = 0\n"
+    INDEX = "# The model\n| [bushing](model/20-bushing.md) | springs | B, C |\n"
 
-    def check(self, code, model=MODEL):
-        return Tree({"docs/model.md": model, "core/a.c": code}).complaints(check_equations.check)
+    def check(self, code, model=MODEL, index=INDEX):
+        return Tree({"docs/model.md": index, "docs/model/20-bushing.md": model, "core/a.c": code}).complaints(
+            check_equations.check)
 
     def test_cited_and_given(self):
         self.assertEqual([], self.check('/* docs/model.md, "Bushing", (B1) and (C2) */ int f(void);\n'))
@@ -89,6 +97,90 @@ class Equations(unittest.TestCase):
 
     def test_missing_section(self):
         self.assertTrue(self.check('/* docs/model.md, "Cable" */\n'))
+
+    def test_the_index_names_chapters_and_letters(self):
+        self.assertEqual(["docs/model.md: wants a row for docs/model/20-bushing.md with the letters: B, C"],
+                         self.check("", index="# The model\n| [bushing](model/20-bushing.md) | springs | B |\n"))
+        self.assertEqual(1, len(self.check("", index="# The model\n")))
+        self.assertEqual(1, len(self.check("", index=self.INDEX + "| [cable](model/30-cable.md) | gone | C |\n")))
+
+
+class Documents(unittest.TestCase):
+    def check(self, text):
+        return Tree({"README.md": "", "docs/a.md": text, "docs/b.md": "", "core/a.c": "", "core/a.h": "",
+                     "cases/one.yaml": ""}).complaints(check_documents.check)
+
+    def test_what_is_there(self):
+        self.assertEqual([], self.check("[b](b.md) ![top](../README.md) [far](https://a.b/c.md) [here](#part)\n"
+                                        "`core/` `core/a.c` `core/a.{c,h}` `cases/NAME.yaml` `core/*.h` `sim` `a/b.c`\n"))
+
+    def test_what_is_not(self):
+        self.assertEqual(["docs/a.md:2: links to c.md, which is not there"], self.check("\n[c](c.md)\n"))
+        self.assertEqual(["docs/a.md:1: names core/b.c, which is not there"], self.check("`core/b.c`"))
+        self.assertEqual(1, len(self.check("`core/a.{c,cc}`")))
+
+
+class Adding(unittest.TestCase):
+    FILES = {"sim/belt.c": "int belt_force;\n", "io/keys.c": 'int k = "Belt";\n', "core/a.c": "/* no belt */\n"}
+    LIST = "- `io/keys.c`: its keys\n- `sim/belt.c`: the belt\n"
+
+    def tree(self, rows, word="belt"):
+        return Tree({**self.FILES, "docs/adding.md": f"# Adding\n<!-- files with {word} -->\n{rows}<!-- end -->\nmore\n"})
+
+    def check(self, rows, word="belt"):
+        return self.tree(rows, word).complaints(check_adding.check)
+
+    def test_the_list_of_the_tree(self):
+        self.assertEqual([], self.check(self.LIST))
+
+    def test_missing_and_too_many(self):
+        found = self.check("- `core/a.c`: nothing\n- `sim/belt.c`: the belt\n")
+        self.assertEqual(["docs/adding.md: belt: io/keys.c is missing", "docs/adding.md: belt: core/a.c does not belong there",
+                          "the list expected:\n- `io/keys.c`\n- `sim/belt.c`: the belt\n"], found)
+
+    def test_each_file_says_what_goes_there(self):
+        self.assertEqual(["docs/adding.md: belt: says nothing about io/keys.c"],
+                         self.check("- `io/keys.c`\n- `sim/belt.c`: the belt\n"))
+
+    def test_an_example_that_is_gone(self):
+        self.assertEqual(1, len(self.check("", word="drum")))
+        self.assertEqual(1, len(Tree({"docs/adding.md": "# Adding\n"}).complaints(check_adding.check)))
+
+    def test_update_keeps_what_is_told(self):
+        tree = self.tree("- `core/a.c`: nothing\n- `sim/belt.c`: the belt\n")
+        check_adding.update(tree.folder.name)
+        with open(os.path.join(tree.folder.name, "docs/adding.md"), encoding="utf-8") as file:
+            self.assertEqual("# Adding\n<!-- files with belt -->\n- `io/keys.c`\n- `sim/belt.c`: the belt\n<!-- end -->\nmore\n",
+                             file.read())
+        tree.folder.cleanup()
+
+
+class Architecture(unittest.TestCase):
+    TABLE = "| `sim/` | scene |\n| `sim/belt/` | belts |\n| `core/` | chain |\n"
+
+    def tree(self, table=TABLE, belt='#include "core/a.h"\n'):
+        return Tree({"docs/architecture.md": table, "docs/img/architecture.svg": "", "core/a.h": "",
+                     "sim/s.c": '#include "sim/belt/b.h"\n', "sim/belt/b.h": belt})
+
+    def test_a_picture_is_drawn_and_then_held(self):
+        tree = self.tree()
+        self.assertEqual(1, len(architecture.check(tree.folder.name, False)))
+        self.assertEqual([], architecture.check(tree.folder.name, True))
+        self.assertEqual([], architecture.check(tree.folder.name, False))
+        with open(os.path.join(tree.folder.name, "docs/img/architecture.svg"), encoding="utf-8") as file:
+            picture = file.read()
+        self.assertEqual((3, 1), (picture.count('class="box"'), picture.count('class="arrow"')))
+        tree.folder.cleanup()
+
+    def test_the_table_is_the_trees(self):
+        self.assertEqual(["docs/architecture.md: sim/belt/ is missing from the table"],
+                         self.tree("| `sim/` | scene |\n| `core/` | chain |\n").complaints(lambda r: architecture.check(r, False)))
+        self.assertEqual(["docs/architecture.md: sim/drum/ is not a folder with sources"],
+                         self.tree(self.TABLE + "| `sim/drum/` | drums |\n").complaints(lambda r: architecture.check(r, False)))
+
+    def test_includes_go_down_the_table(self):
+        self.assertEqual(["docs/architecture.md: sim/belt/ includes sim/, which the table has above it"],
+                         self.tree(belt='#include "sim/s.h"\n').complaints(lambda r: architecture.check(r, False)))
 
 
 class Sizes(unittest.TestCase):
