@@ -11,6 +11,7 @@
 #include "core/block_chain.h"
 #include "core/chain.h"
 #include "sim/balance_data.h"
+#include "sim/time_mean.h"
 
 typedef struct Scene Scene;
 typedef struct Workspace Workspace;
@@ -35,13 +36,33 @@ typedef struct Pusher {
     int item; /* which of the room's */
 } Pusher;
 
+typedef struct Moment Moment;
+
+/* What a run keeps of each machine of a kind. */
+enum { MACHINE_KEPT_MAX = 4, MACHINE_FIGURES_MAX = 12 };
+typedef struct MachineKind {
+    const char *key; /* of their list in summary.json: "conveyors" */
+    int (*count)(const Room *room);
+    const char *(*name)(const Room *room, int i);
+    /* What is looked at in every row of output, for the kinematics in the workspace; the first n_now of it are columns
+     * of series.csv, NAME_KEY. */
+    int n_now, n_kept;
+    const char *now[MACHINE_KEPT_MAX];
+    void (*keep)(const Room *room, const Moment *m, int i, double value[MACHINE_KEPT_MAX]);
+    /* The figures of the run so far, from what was kept; expected: N, what theory reckons that it pushes with, or NAN.
+     */
+    int n_figures;
+    const char *figure[MACHINE_FIGURES_MAX];
+    void (*figures)(const Room *room, int i, const TimeMean *kept, double expected, double value[MACHINE_FIGURES_MAX]);
+} MachineKind;
+
 /* One evaluation of the equations of motion. */
-typedef struct Moment {
+struct Moment {
     const Scene *scene;
     Workspace *ws;
     double t;        /* s */
     double friction; /* scales every friction and drag force: 1, or 0 for the relaxation */
-} Moment;
+};
 
 struct RoomKind {
     const char *name;
@@ -107,6 +128,7 @@ struct RoomKind {
     void (*stock)(const Room *room, const Moment *m, const double *own, BalanceStock *out);
     /* Puts what a sample reads into the workspace, for the kinematics there; returns how many contacts carry force. */
     int (*look)(const Room *room, const Moment *m);
+    const MachineKind *machines; /* NULL: no figures of its own */
 
     /* ---- for theory: its pushers by the route's order, and how many (out may be NULL); what one of them pushes with
      * where the tension before it is `arriving`, N, in steady motion at the run's end. */

@@ -126,9 +126,8 @@ typedef struct hawser_sample {
     const double *surface_friction;  /* [surfaces], N, sum of the friction forces on it */
     const double *surface_line_load; /* [surfaces], N/m, the largest normal force per length of cable */
     const double *surface_at;        /* [surfaces], m along the route, where that is; NAN: nowhere, or not along it */
-    int conveyors;
-    const double *conveyor_force; /* [conveyors], N, on the cable along the pull */
-    const double *conveyor_slip;  /* [conveyors], m/s, cable less belt; 0 where there is no cable */
+    int machines;
+    const hawser_machine *machine; /* [machines], as hawser_sim_machines gives them */
     int probes;
     const hawser_probe *probe; /* [probes] */
 } hawser_sample;
@@ -151,8 +150,10 @@ void hawser_sim_record(hawser_sim *s);
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 
-/* The conveyors in the case's order; *out stays the simulation's. Returns how many. */
-int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out);
+/* The machines (conveyors and the like), kind by kind; *out stays the simulation's. Returns how many. */
+int hawser_sim_machines(const hawser_sim *s, const hawser_machine **out);
+/* The figure of that key (now or of the run); NAN: the machine has none. */
+double hawser_machine_figure(const hawser_machine *machine, const char *key);
 
 /* The modes, by rising omega squared; none before the run's end. *out stays the simulation's. Returns how many. */
 int hawser_sim_modes(const hawser_sim *s, const hawser_mode **out);
@@ -199,9 +200,9 @@ typedef struct hawser_summary {
     const hawser_mode *modes; /* [n_modes], as hawser_sim_modes gives them */
     int n_probes;
     const hawser_probe *probes; /* [n_probes], as the last sample has them */
-    int n_conveyors;
-    const hawser_conveyor *conveyors; /* [n_conveyors], as hawser_sim_conveyors gives them */
-    const hawser_balance *balance;    /* from t = 0 until now; NULL where nothing has moved */
+    int n_machines;
+    const hawser_machine *machines; /* [n_machines], as hawser_sim_machines gives them */
+    const hawser_balance *balance;  /* from t = 0 until now; NULL where nothing has moved */
 } hawser_summary;
 
 void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);

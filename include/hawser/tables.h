@@ -1,5 +1,5 @@
 /* Rows of the tables that a simulation hands out (hawser/hawser.h): what is known of each station, roller, surface,
- * conveyor and event, and of the pull by position. Strings stay the library's. */
+ * machine and event, and of the pull by position. Strings stay the library's. */
 #ifndef HAWSER_TABLES_H
 #define HAWSER_TABLES_H
 
@@ -7,17 +7,20 @@
 extern "C" {
 #endif
 
-/* One caterpillar conveyor. */
-typedef struct hawser_conveyor {
+/* A figure and its name, which ends in its unit and lives for ever: "force_N". */
+typedef struct hawser_figure {
+    const char *key;
+    double value;
+} hawser_figure;
+
+/* A machine of which a run keeps figures; docs/results.md says which, by kind. */
+typedef struct hawser_machine {
+    const char *kind; /* "conveyors"; machines of a kind stand together */
     const char *name;
-    double from, to;       /* m along the route */
-    double grip_N;         /* largest force: 2 mu clamp, or the drive's limit */
-    double reference_N;    /* what the reference theory reckons with */
-    double mean_N, peak_N; /* force on the cable along the pull: mean of the steady window, largest of the run */
-    double slip_m_per_s;   /* mean of cable less belt in the steady window */
-    double belt_m_per_s;   /* mean speed of the belt in the steady window */
-    double slipping;       /* share of the steady window with more slip than the law sticks at, 0..1 */
-} hawser_conveyor;
+    int n_now, n_figures;
+    const hawser_figure *now;    /* [n_now] at the last sample: the columns NAME_KEY of series.csv */
+    const hawser_figure *figure; /* [n_figures] of the run so far */
+} hawser_machine;
 
 /* One mode of vibration about the equilibrium that a run with `analysis: modes` ends in, undamped. */
 typedef struct hawser_mode {

@@ -199,6 +199,12 @@ void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Winch 
 
 /* ------------------------------------------------------------------------------------------------------- the room */
 
+/* The conveyors of a scene. */
+typedef struct Conveyors {
+    int n;
+    Conveyor *item; /* [n], in the case's order */
+} Conveyors;
+
 static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -217,8 +223,6 @@ static void conveyors_clear(Room *room)
     Conveyors *const all = room->self;
     if (all) free(all->item);
 }
-
-const Conveyors *conveyors_of(const Scene *scene) { return room_of((Scene *)scene, &CONVEYOR_ROOM)->self; }
 
 static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
@@ -271,23 +275,66 @@ static double conveyors_next_stop(const Room *room, const Scene *scene, double t
     return next;
 }
 
-ConveyorNow conveyor_now(const Scene *scene, const Workspace *ws, int i, double t)
+/* What conveyor i does, for the kinematics in the workspace. */
+static ConveyorNow now_of(const Room *room, const Moment *m, int i)
 {
-    const Room *const room = room_of((Scene *)scene, &CONVEYOR_ROOM);
     const Conveyors *const all = room->self;
-    const ConveyorRange *const range = ws->room[room->number];
-    return conveyor_loads(&all->item[i], &range[i], scene->winch, &scene->chain, &ws->kin, t, 1, NULL);
+    const ConveyorRange *const range = m->ws->room[room->number];
+    return conveyor_loads(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, 1, NULL);
 }
 
 static void conveyors_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     const Conveyors *const all = room->self;
     for (int i = 0; i < all->n; ++i) {
-        const ConveyorNow now = conveyor_now(m->scene, m->ws, i, m->t);
+        const ConveyorNow now = now_of(room, m, i);
         balance_work(out, BY_CONVEYORS, (Push){now.push.power + now.lost, now.push.force});
         out->loss[LOST_BELTS] += now.lost;
     }
 }
+
+/* ------------------------------------------------------------------------------------------------------- figures */
+
+static int conveyors_count(const Room *room) { return ((const Conveyors *)room->self)->n; }
+
+static const char *conveyors_name(const Room *room, int i)
+{
+    return ((const Conveyors *)room->self)->item[i].def->name;
+}
+
+/* Force on the cable, slip, speed of the belt, and whether it slips more than its law sticks at. */
+static void conveyors_keep(const Room *room, const Moment *m, int i, double value[MACHINE_KEPT_MAX])
+{
+    const Conveyor *const c = &((const Conveyors *)room->self)->item[i];
+    const ConveyorNow now = now_of(room, m, i);
+    value[0] = now.force;
+    value[1] = now.slip;
+    value[2] = now.belt;
+    value[3] = fabs(now.slip) > c->law.v_s;
+}
+
+static void conveyors_figures(const Room *room, int i, const TimeMean *kept, double expected,
+                              double value[MACHINE_FIGURES_MAX])
+{
+    const Conveyor *const c = &((const Conveyors *)room->self)->item[i];
+    const double figure[] = {c->def->from, c->def->to,        c->grip,           expected,         mean_of(&kept[0]),
+                             kept[0].peak, mean_of(&kept[2]), mean_of(&kept[1]), mean_of(&kept[3])};
+    for (size_t k = 0; k < sizeof figure / sizeof *figure; ++k) value[k] = figure[k];
+}
+
+static const MachineKind CONVEYORS = {.key = "conveyors",
+                                      .count = conveyors_count,
+                                      .name = conveyors_name,
+                                      .n_now = 2,
+                                      .n_kept = 4,
+                                      .now = {"force_N", "slip_m_per_s"},
+                                      .keep = conveyors_keep,
+                                      .n_figures = 9,
+                                      .figure = {"from_m", "to_m", "grip_N", "reference_N", "steady_mean_N", "peak_N",
+                                                 "belt_m_per_s", "slip_m_per_s", "slipping"},
+                                      .figures = conveyors_figures};
+
+/* -------------------------------------------------------------------------------------------------------- theory */
 
 static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
 {
@@ -321,6 +368,7 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .follow = conveyors_follow,
                                 .next_stop = conveyors_next_stop,
                                 .work = conveyors_work,
+                                .machines = &CONVEYORS,
                                 .pushers = conveyors_pushers,
                                 .push = conveyors_push,
                                 .in_space = "conveyors hold the cable"};

@@ -37,15 +37,6 @@ typedef struct ConveyorNow {
     double lost;  /* W, in the slip */
 } ConveyorNow;
 
-/* The conveyors of a scene. */
-typedef struct Conveyors {
-    int n;
-    Conveyor *item; /* [n], in the case's order */
-} Conveyors;
-const Conveyors *conveyors_of(const Scene *scene);
-/* What conveyor i does at time t, for the kinematics in the workspace. */
-ConveyorNow conveyor_now(const Scene *scene, const Workspace *ws, int i, double t);
-
 /* Speed of the belt (m/s). */
 double conveyor_belt(const Conveyor *c, const Winch *w, double t);
 /* Share of the grip between a machine's entry and x (m along its line), (WI14): 0 before it, 1 behind it; *slope gets

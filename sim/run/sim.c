@@ -7,10 +7,8 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/isa.h"
-#include "sim/equipment/conveyor.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
-#include "sim/equipment/rooms.h"
 #include "sim/equipment/winch.h"
 #include "sim/expected/expected.h"
 #include "sim/run/modes.h"
@@ -18,6 +16,7 @@
 #include "sim/run/statics.h"
 #include "sim/watch/arc_length.h"
 #include "sim/watch/events.h"
+#include "sim/watch/machines.h"
 #include "sim/watch/overturn.h"
 #include "sim/watch/peaks.h"
 #include "sim/watch/position_table.h"
@@ -31,6 +30,7 @@ struct Sim {
     Probes probes;
     Modes modes;
     Stats stats;
+    Machines machines;
     Peaks peaks;
     Expected expected;
     ByPosition by_position;
@@ -88,9 +88,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
         status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     }
     if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
-    for (int i = 0; !status && i < s->stats.n_conveyors; ++i) {
-        s->stats.conveyor_out[i].reference_N = expected_push(&s->expected, room_of(&s->stage.scene, &CONVEYOR_ROOM), i);
-    }
+    if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
     if (!status) status = trip_set(s, err);
     if (!status && scene->self.present) status = start_check(s, err);
     return status;
@@ -123,6 +121,7 @@ Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
     stats_free(&s->stats);
+    machines_free(&s->machines);
     peaks_free(&s->peaks);
     events_free(&s->events);
     expected_free(&s->expected);
@@ -228,6 +227,9 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         s->look.sample.reference =
             by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
     }
+    machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);
+    s->look.sample.machines = s->machines.n;
+    s->look.sample.machine = s->machines.out;
     probes_look(&s->probes, &s->stage.scene, &s->stage.ws);
     s->look.sample.probes = s->probes.n;
     s->look.sample.probe = s->probes.out;
@@ -260,7 +262,7 @@ static void record_now(Sim *s, SampleParts parts)
     const hawser_sample *const look = look_now(s, parts);
     const double start = clock_now();
     turned_watch(s, look);
-    stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
+    stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look, &s->machines);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
     const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
     if (look->t - dt >= s->stats.steady_from - 1e-9) by_position_window(&s->by_position, look->reference, dt);
@@ -330,8 +332,8 @@ void sim_summary(const Sim *s, hawser_summary *out)
                             .probes = s->probes.out,
                             .n_events = s->events.n,
                             .events = s->events.event,
-                            .n_conveyors = s->stats.n_conveyors,
-                            .conveyors = s->stats.conveyor_out};
+                            .n_machines = s->machines.n,
+                            .machines = s->machines.out};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -379,10 +381,10 @@ int sim_surfaces(const Sim *s, const SimSurface **out)
     return s->stats.n_surfaces;
 }
 
-int sim_conveyors(const Sim *s, const hawser_conveyor **out)
+int sim_machines(const Sim *s, const hawser_machine **out)
 {
-    *out = s->stats.conveyor_out;
-    return s->stats.n_conveyors;
+    *out = s->machines.out;
+    return s->machines.n;
 }
 
 int sim_limits(const Sim *s, hawser_limit *out)

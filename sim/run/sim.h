@@ -41,8 +41,8 @@ int sim_rollers(const Sim *s, const SimRoller **out);
 /* The same of the surfaces. */
 int sim_surfaces(const Sim *s, const SimSurface **out);
 
-/* The conveyors' table; the array is the simulation's. Returns how many. */
-int sim_conveyors(const Sim *s, const hawser_conveyor **out);
+/* The machines, kind by kind; the array is the simulation's. Returns how many. */
+int sim_machines(const Sim *s, const hawser_machine **out);
 /* The winch's force by the place of the cable's front; the array is the simulation's. Returns how many. */
 int sim_positions(const Sim *s, const hawser_position **out);
 

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/equipment/conveyor.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/roller_motion.h"
@@ -37,9 +36,6 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
         b->surface[k] = calloc((size_t)surfaces + 1, sizeof(double));
         ok = ok && b->surface[k];
     }
-    b->conveyor_force = calloc((size_t)conveyors_of(scene)->n + 1, sizeof(double));
-    b->conveyor_slip = calloc((size_t)conveyors_of(scene)->n + 1, sizeof(double));
-    ok = ok && b->conveyor_force && b->conveyor_slip;
     b->sample = (hawser_sample){.segments = scene->total,
                                 .joints = scene->total + 1,
                                 .rollers = scene->contact.n_rollers,
@@ -58,10 +54,7 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .surface_normal = b->surface[0],
                                 .surface_friction = b->surface[1],
                                 .surface_line_load = b->surface[2],
-                                .surface_at = b->surface[3],
-                                .conveyors = conveyors_of(scene)->n,
-                                .conveyor_force = b->conveyor_force,
-                                .conveyor_slip = b->conveyor_slip};
+                                .surface_at = b->surface[3]};
     return ok && b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed &&
            b->roller_load;
 }
@@ -76,8 +69,6 @@ void sample_free(SampleBuffers *b)
     free(b->axial_speed);
     free(b->roller_load);
     for (int k = 0; k < 4; ++k) free(b->surface[k]);
-    free(b->conveyor_force);
-    free(b->conveyor_slip);
     for (int k = 0; k < 2; ++k) free(b->moving[k]);
     memset(b, 0, sizeof *b);
 }
@@ -188,11 +179,6 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Wor
     if (n < scene->total) absent_take(b, scene, s, parts);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
     surfaces_take(b, ws);
-    for (int i = 0; i < s->conveyors; ++i) {
-        const ConveyorNow now = conveyor_now(scene, ws, i, t);
-        b->conveyor_force[i] = now.force;
-        b->conveyor_slip[i] = now.slip;
-    }
     if (ws->equipment) moving_take(b, ws->equipment);
     return s;
 }

@@ -10,7 +10,6 @@ typedef struct SampleBuffers {
     double *tension, *axial_speed, *roller_load;      /* [n+1], [n], [rollers]; n: segments of the whole chain */
     double *moving[2];                                /* [rollers]: spin, shift; NULL where no roller moves */
     double *surface[4];                               /* [surfaces]: normal force, friction, largest line load, where */
-    double *conveyor_force, *conveyor_slip;           /* [conveyors] */
 } SampleBuffers;
 
 /* What of a sample is wanted. */

@@ -5,32 +5,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/equipment/conveyor.h"
 #include "sim/watch/arc_length.h"
 #include "theory/duct.h"
-
-/* A sample of `value`, dt after the last one; it counts for the mean if `steady`. */
-static void mean_add(TimeMean *m, double value, double dt, int steady)
-{
-    if (steady && m->started) {
-        const double middle = (value + m->last) / 2;
-        m->sum += middle * dt;
-        m->square += middle * middle * dt;
-        m->time += dt;
-    }
-    if (!m->started || value > m->peak) m->peak = value;
-    m->last = value;
-    m->started = 1;
-}
-
-static double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : m->last; }
-
-/* Root mean square deviation from the mean. */
-static double ripple_of(const TimeMean *m)
-{
-    const double mean = mean_of(m);
-    return m->time > 0 ? sqrt(fmax(0, m->square / m->time - mean * mean)) : 0;
-}
 
 /* Clearance and jam ratio of a duct with one cable in it; the sizes were checked when the case was read. */
 static void duct_fill(const SurfaceDef *def, SimSurface *out)
@@ -63,22 +39,6 @@ static int surfaces_new(Stats *stats, const SceneDef *def)
     return 1;
 }
 
-/* Names and places; the names are the scene's. 0 if there is no memory. */
-static int conveyors_new_stats(Stats *stats, const Scene *scene)
-{
-    const int n = stats->n_conveyors = conveyors_of(scene)->n;
-    stats->conveyor = calloc((size_t)n + 1, sizeof *stats->conveyor);
-    stats->conveyor_out = calloc((size_t)n + 1, sizeof *stats->conveyor_out);
-    if (!stats->conveyor || !stats->conveyor_out) return 0;
-    for (int i = 0; i < n; ++i) {
-        const ConveyorDef *const def = &scene->def.conveyors[i];
-        stats->conveyor[i].v_s = def->v_s;
-        stats->conveyor_out[i] = (hawser_conveyor){
-            .name = def->name, .from = def->from, .to = def->to, .grip_N = conveyors_of(scene)->item[i].grip};
-    }
-    return 1;
-}
-
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -95,7 +55,7 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
     stats->moving[0] = calloc(nr, sizeof *stats->roller);
     stats->moving[1] = calloc(nr, sizeof *stats->roller);
     if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !stats->moving[0] ||
-        !stats->moving[1] || !surfaces_new(stats, def) || !conveyors_new_stats(stats, scene)) {
+        !stats->moving[1] || !surfaces_new(stats, def)) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -124,8 +84,6 @@ void stats_free(Stats *stats)
     free(stats->surface[0]);
     free(stats->surface[1]);
     free(stats->surface_out);
-    free(stats->conveyor);
-    free(stats->conveyor_out);
     memset(stats, 0, sizeof *stats);
 }
 
@@ -199,26 +157,8 @@ static void tables_update(Stats *stats)
     }
 }
 
-/* The conveyors' means, and their table. */
-static void conveyors_record(Stats *stats, const Scene *scene, const hawser_sample *sample, double dt, int steady)
-{
-    for (int i = 0; i < stats->n_conveyors; ++i) {
-        ConveyorMeans *const m = &stats->conveyor[i];
-        hawser_conveyor *const out = &stats->conveyor_out[i];
-        const double slip = sample->conveyor_slip[i];
-        mean_add(&m->force, sample->conveyor_force[i], dt, steady);
-        mean_add(&m->slip, slip, dt, steady);
-        mean_add(&m->belt, conveyor_belt(&conveyors_of(scene)->item[i], scene->winch, sample->t), dt, steady);
-        mean_add(&m->slipping, fabs(slip) > m->v_s, dt, steady);
-        out->mean_N = mean_of(&m->force);
-        out->peak_N = m->force.peak;
-        out->slip_m_per_s = mean_of(&m->slip);
-        out->belt_m_per_s = mean_of(&m->belt);
-        out->slipping = mean_of(&m->slipping);
-    }
-}
-
-void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
+                  Machines *machines)
 {
     const double dt = stats->last_t >= 0 ? sample->t - stats->last_t : 0;
     const int steady = stats->last_t >= stats->steady_from - 1e-9;
@@ -236,7 +176,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
         mean_add(&stats->moving[1][r], sample->roller_shift[r], dt, steady);
     }
     surfaces_record(stats, sample, dt, steady);
-    conveyors_record(stats, scene, sample, dt, steady);
+    machines_record(machines, dt, steady);
     stats->last_t = sample->t;
     tables_update(stats);
 }
@@ -264,7 +204,7 @@ void stats_summary(const Stats *stats, hawser_summary *out)
 {
     out->pull_mean_N = mean_of(&stats->pull);
     out->pull_peak_N = stats->pull.peak;
-    out->pull_ripple_N = ripple_of(&stats->pull);
+    out->pull_ripple_N = mean_ripple(&stats->pull);
     out->steady_speed_m_per_s = mean_of(&stats->speed);
     out->settle_time_s = stats->settled_at;
     out->steady_from_s = stats->steady_from;

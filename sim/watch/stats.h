@@ -3,13 +3,8 @@
 #ifndef HAWSER_SIM_WATCH_STATS_H
 #define HAWSER_SIM_WATCH_STATS_H
 
-#include "sim/scene.h"
-
-/* Mean and mean square of a value over time, by the trapezoidal rule, with its peak. */
-typedef struct TimeMean {
-    double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
-    int started;
-} TimeMean;
+#include "sim/time_mean.h"
+#include "sim/watch/machines.h"
 
 typedef struct SimRoller {
     char name[NAME_MAX_LENGTH];
@@ -29,11 +24,6 @@ typedef struct SimSurface {
     double line_load, at;        /* N/m, the largest of the run; m along the route, where that was */
     double clearance, jam_ratio; /* ducts: m; 1; NAN for others */
 } SimSurface;
-/* What is averaged of a conveyor. */
-typedef struct ConveyorMeans {
-    TimeMean force, slip, belt, slipping; /* N, m/s, m/s, 0 or 1 */
-    double v_s;                           /* m/s: more slip is slipping */
-} ConveyorMeans;
 
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
@@ -49,16 +39,14 @@ typedef struct Stats {
     hawser_station *station_out;
     SimRoller *roller_out;
     SimSurface *surface_out;
-    int n_conveyors;
-    ConveyorMeans *conveyor; /* [n_conveyors] */
-    hawser_conveyor *conveyor_out;
 } Stats;
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
 void stats_free(Stats *stats);
-/* Takes a sample in, of which it reads no positions and attitudes: those are kin's. The tables station_out,
- * roller_out and surface_out are up to date afterwards. */
-void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* Takes a sample in, and the machines' figures with it; of the sample it reads no positions and attitudes: those are
+ * kin's. The tables station_out, roller_out and surface_out are up to date afterwards. */
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
+                  Machines *machines);
 /* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
  * there. */
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s);

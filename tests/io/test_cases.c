@@ -153,10 +153,11 @@ static void test_conveyors(void **state)
 {
     (void)state;
     Outcome o = example_run("conveyors", NULL);
-    const hawser_conveyor *c;
-    assert_int_equal(hawser_sim_conveyors(o.sim, &c), 2);
-    assert_share(c[0].mean_N, 900, 1e-4);
-    assert_share(c[1].mean_N, 500, 5e-3);
+    const hawser_machine *m;
+    assert_int_equal(hawser_sim_machines(o.sim, &m), 2);
+    assert_string_equal(m[0].kind, "conveyors");
+    assert_share(hawser_machine_figure(&m[0], "steady_mean_N"), 900, 1e-4);
+    assert_share(hawser_machine_figure(&m[1], "steady_mean_N"), 500, 5e-3);
     assert_share(o.summary.reference_total_N, 0.2 * 14 * 9.81 * 80 - 1400, 1e-3);
     assert_share(o.summary.pull_mean_N, o.summary.reference_total_N, 0.02);
     hawser_sim_free(o.sim);

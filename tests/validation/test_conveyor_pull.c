@@ -7,10 +7,15 @@ static const RowChoice ROW = {.segments = 80, .pitch = 1, .mu = 0.2};
 
 enum { CONVEYORS_MOST = 3 };
 
+/* What a run says of a conveyor. */
+typedef struct ConveyorFigures {
+    double mean_N, grip_N, reference_N, slip_m_per_s, slipping;
+} ConveyorFigures;
+
 /* What a run ends with. */
 typedef struct Shared {
     hawser_summary summary;
-    hawser_conveyor conveyor[CONVEYORS_MOST];
+    ConveyorFigures conveyor[CONVEYORS_MOST];
 } Shared;
 
 /* n machines of 2 m from 10 m on, every 10 m; each grips with 2 * 0.3 * clamp. */
@@ -51,15 +56,18 @@ static Shared shared_run(SceneDef *def, double duration, int threads)
         sim_record(s);
     }
     sim_summary(s, &out.summary);
-    assert_in_range(out.summary.n_conveyors, 0, CONVEYORS_MOST);
-    for (int i = 0; i < out.summary.n_conveyors; ++i) {
-        out.conveyor[i] = out.summary.conveyors[i];
-        out.conveyor[i].name = NULL; /* the simulation's, as are those below */
+    assert_in_range(out.summary.n_machines, 0, CONVEYORS_MOST);
+    for (int i = 0; i < out.summary.n_machines; ++i) {
+        const hawser_machine *const m = &out.summary.machines[i];
+        out.conveyor[i] = (ConveyorFigures){
+            hawser_machine_figure(m, "steady_mean_N"), hawser_machine_figure(m, "grip_N"),
+            hawser_machine_figure(m, "reference_N"), hawser_machine_figure(m, "slip_m_per_s"),
+            hawser_machine_figure(m, "slipping")};
         print_message("conveyor %d: mean %.2f N of %.2f N, slip %.3g m/s, slipping %.2f\n", i, out.conveyor[i].mean_N,
                       out.conveyor[i].grip_N, out.conveyor[i].slip_m_per_s, out.conveyor[i].slipping);
     }
     out.summary.linear_solver = out.summary.linear_solver_why = out.summary.ordering = NULL;
-    out.summary.conveyors = NULL;
+    out.summary.machines = NULL; /* the simulation's */
     out.summary.events = NULL;
     sim_free(s);
     return out;
@@ -137,7 +145,7 @@ static void test_several(void **state)
         r[threads - 1] = shared_run(&def, 4, threads);
     }
     const double exact = ROW.mu * row_weight(&ROW) - 1200 - 700;
-    const hawser_conveyor *const c = r[0].conveyor;
+    const ConveyorFigures *const c = r[0].conveyor;
     assert_true(fabs(c[0].mean_N - 1200) < 1e-3 && fabs(c[1].mean_N - 700) < 1e-3 && fabs(c[2].mean_N) < 1e-9);
     assert_true(fabs(c[0].reference_N - 1200) < 1e-9 && fabs(c[1].reference_N - 700) < 1e-9);
     /* the last one carries the weight of its 2 m of cable, which therefore does not rub */
