@@ -5,7 +5,78 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+/* A surface being read: a duct's place (centred or resting), a tray's section, beside the definition. */
+typedef struct Surface {
+    SurfaceDef def;
+    int choice;
+} Surface;
+
+static const char *const places[] = {"centred", "resting", NULL};
+static const char *const tray_sections[] = {"flat", "v", "u", NULL};
+
+/* Stretches: off the route is an error, which stretch_check finds. */
+static const CaseKey duct_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(Surface, def.shape.to)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 1e3), AT(Surface, def.shape.radius)},
+    {"place", KEY_CHOICE, .fallback = "centred", .choices = places, AT(Surface, choice)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(Surface, def.shape.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+};
+static SECTION(duct, "surfaces.ducts.N", duct_keys);
+
+/* Which keys belong to which section tray_read says. */
+static const CaseKey tray_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(Surface, def.shape.to)},
+    {"section", KEY_CHOICE, .fallback = "flat", .choices = tray_sections, AT(Surface, choice)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "400 mm", ABOVE(0, 1e3), AT(Surface, def.shape.width)},
+    {"height", KEY_NUMBER, DIM_LENGTH, .otherwise = "`flat` 0 m, `v` two cable diameters, `u` the radius", FROM(0, 1e3),
+     AT(Surface, def.shape.height)},
+    {"angle", KEY_NUMBER, DIM_ANGLE, .otherwise = "90 deg", FROM(DEGREES(10), DEGREES(160)),
+     AT(Surface, def.shape.angle)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `u` needs it", ABOVE(0, 1e3), AT(Surface, def.shape.radius)},
+    {"depth", KEY_NUMBER, DIM_LENGTH, .otherwise = "the largest cable's radius", ABOVE(0, 1e3),
+     AT(Surface, def.shape.depth)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(Surface, def.shape.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+};
+static SECTION(tray, "surfaces.trays.N", tray_keys);
+
+/* By coordinates. A length or width of 0 has no end. */
+static const CaseKey plane_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
+    {"point", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(Surface, def.shape.point)},
+    {"normal", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(Surface, def.shape.normal)},
+    {"along", KEY_POINT, .fallback = "[0, 0, 0]", FROM(-1e6, 1e6), AT(Surface, def.shape.along)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.length)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.width)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, LONG), AT(Surface, def.shape.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+};
+static SECTION(plane, "surfaces.planes.N", plane_keys);
+
+/* No fallbacks: what is absent is the rollers' number. */
+static const CaseKey line_contact_keys[] = {
+    {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "the rollers'", .form = "a force per length to the power e",
+     ABOVE(0, 1e18)},
+    {"e", KEY_NUMBER, .otherwise = "the rollers'", FROM(1, 5), AT(ImpactLaw, e)},
+    {"c", KEY_NUMBER, DIM_DASHPOT, .otherwise = "the rollers'", FROM(0, 1e12), AT(ImpactLaw, c)},
+    {"d", KEY_NUMBER, DIM_LENGTH, .otherwise = "the rollers'", ABOVE(0, 1), AT(ImpactLaw, d)},
+};
+static SECTION(line_contact, "surfaces.contact", line_contact_keys);
+
+/* What the cable lies on along a length. */
+static const CaseKey surfaces_keys[] = {
+    {"ducts", KEY_LIST, .otherwise = "none", .form = "ducts one by one", .section = &duct},
+    {"trays", KEY_LIST, .otherwise = "none", .form = "trays, troughs and floors one by one", .section = &tray},
+    {"planes", KEY_LIST, .otherwise = "none", .form = "floors and walls one by one", .section = &plane},
+    {"contact", KEY_MAP, .otherwise = "as section `contact`", .section = &line_contact},
+};
+SECTION(case_surfaces, "surfaces", surfaces_keys);
 
 /* How far a surface may press into the cable at the start before it counts as a mistake, and how densely planes are
  * looked at for it, m. */
@@ -17,14 +88,15 @@ static const double SLACK = 1e-6;
 static hawser_status line_contact_read(const CaseReader *r, const CaseNode *node)
 {
     ImpactLaw *const law = &r->def->line_impact;
-    LineContactRecord record = {0};
+    const CaseNode *const k = case_node_key(node, "k");
+    ImpactLaw given = {0};
     *law = r->def->impact;
-    const hawser_status status = case_section_read(r, node, &case_line_contact, &record);
+    const hawser_status status = case_section_read(r, node, &line_contact, &given);
     if (status) return status;
-    if (!isnan(record.e)) law->e = record.e;
-    if (!isnan(record.c)) law->c = record.c;
-    if (!isnan(record.d)) law->d = record.d;
-    return record.k ? case_stiffness_read(r, record.k, law->e, &law->k) : HAWSER_OK;
+    if (!isnan(given.e)) law->e = given.e;
+    if (!isnan(given.c)) law->c = given.c;
+    if (!isnan(given.d)) law->d = given.d;
+    return k ? case_stiffness_read(r, k, law->e, &law->k) : HAWSER_OK;
 }
 
 /* An exponent of its own makes the rollers' stiffness a number of another kind. */
@@ -36,11 +108,12 @@ static hawser_status line_exponent_check(const CaseReader *r, const CaseNode *no
                           r->def->impact.e);
 }
 
-/* The name that was given, or a letter and a number. */
-static void surface_name(SurfaceDef *out, const char *given, const char *letter, const CaseNode *node)
+/* What all surfaces share: friction, and the name that was given or a letter and a number. */
+static hawser_status surface_complete(const CaseReader *r, const CaseNode *node, const char *letter, SurfaceDef *out)
 {
-    strcpy(out->name, given);
     if (!*out->name) snprintf(out->name, sizeof out->name, "%s%d", letter, node->index + 1);
+    out->shape.cable_radius = case_largest_diameter(r->def) / 2;
+    return case_friction_read(r, case_node_key(node, "friction"), &r->def->friction, &out->friction);
 }
 
 /* Whether a stretch lies on the route, has room for its ends' fades and is free. */
@@ -92,37 +165,31 @@ static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, con
     return HAWSER_OK;
 }
 
-/* What ducts and trays share: name, stretch, friction. */
-static hawser_status stretch_read(const CaseReader *r, const CaseNode *node, const StretchRecord *record,
-                                  const char *letter, SurfaceDef *out)
+/* What ducts and trays share beside. */
+static hawser_status stretch_read(const CaseReader *r, const CaseNode *node, const char *letter, SurfaceDef *out)
 {
-    SurfaceShape *const s = &out->shape;
-    surface_name(out, record->name, letter, node);
-    s->from = record->from;
-    s->to = isnan(record->to) ? r->route.length : record->to;
-    s->fade = record->fade;
-    s->cable_radius = case_largest_diameter(r->def) / 2;
-    const hawser_status status = case_friction_read(r, record->friction, &r->def->friction, &out->friction);
+    if (isnan(out->shape.to)) out->shape.to = r->route.length;
+    const hawser_status status = surface_complete(r, node, letter, out);
     return status ? status : stretch_check(r, node, out);
 }
 
 static hawser_status duct_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
 {
-    DuctRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_duct, &record);
-    if (!status) status = stretch_read(r, node, &record.at, "D", out);
+    Surface record = {0};
+    hawser_status status = case_section_read(r, node, &duct, &record);
+    *out = record.def;
+    if (!status) status = stretch_read(r, node, "D", out);
     if (status) return status;
     SurfaceShape *const s = &out->shape;
     s->kind = SURFACE_DUCT;
-    s->radius = record.radius;
     if (s->radius <= s->cable_radius) {
         return case_key_error(r->err, node, "radius",
                               "%g m is too small: must be above the largest cable's radius, %g m", s->radius,
                               s->cable_radius);
     }
-    if (record.place) s->lift = s->radius - s->cable_radius;
+    if (record.choice) s->lift = s->radius - s->cable_radius;
     status = bends_check(r, node, s, s->radius + s->lift, "radius");
-    return status || !record.place ? status : slopes_check(r, node, s);
+    return status || !record.choice ? status : slopes_check(r, node, s);
 }
 
 /* A key that trays of this section have, or have not. */
@@ -156,27 +223,27 @@ static hawser_status u_check(const CaseReader *r, const CaseNode *node, const Su
     return bends_check(r, node, s, s->radius, "radius");
 }
 
-/* Numbers that depend on the section. */
-static void tray_fill(const TrayRecord *record, SurfaceShape *s)
+/* Numbers that were not given depend on the section. */
+static void tray_fill(int section, SurfaceShape *s)
 {
     static const SurfaceKind kinds[] = {SURFACE_FLAT, SURFACE_V, SURFACE_U};
-    const double heights[] = {0, 4 * s->cable_radius, record->radius};
-    s->kind = kinds[record->section];
-    s->radius = record->radius;
-    s->width = isnan(record->width) ? 0.4 : record->width;
-    s->angle = isnan(record->angle) ? 3.14159265358979323846 / 2 : record->angle;
-    s->depth = isnan(record->depth) ? s->cable_radius : record->depth;
-    s->height = isnan(record->height) ? heights[record->section] : record->height;
+    const double heights[] = {0, 4 * s->cable_radius, s->radius};
+    s->kind = kinds[section];
+    if (isnan(s->width)) s->width = 0.4;
+    if (isnan(s->angle)) s->angle = 3.14159265358979323846 / 2;
+    if (isnan(s->depth)) s->depth = s->cable_radius;
+    if (isnan(s->height)) s->height = heights[section];
 }
 
 static hawser_status tray_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
 {
-    TrayRecord record = {0};
+    Surface record = {0};
     SurfaceShape *const s = &out->shape;
-    hawser_status status = case_section_read(r, node, &case_tray, &record);
-    if (!status) status = stretch_read(r, node, &record.at, "T", out);
+    hawser_status status = case_section_read(r, node, &tray, &record);
+    *out = record.def;
+    if (!status) status = stretch_read(r, node, "T", out);
     if (status) return status;
-    tray_fill(&record, s);
+    tray_fill(record.choice, s);
     status = tray_key(r, node, "width", s->kind == SURFACE_FLAT);
     if (!status) status = tray_key(r, node, "angle", s->kind == SURFACE_V);
     if (!status) status = tray_key(r, node, "radius", s->kind == SURFACE_U);
@@ -193,12 +260,12 @@ static hawser_status tray_read(const CaseReader *r, const CaseNode *node, Surfac
 }
 
 /* Whether the cable begins on the free side of a plane, wherever it lies over it. */
-static hawser_status plane_check(const CaseReader *r, const CaseNode *node, const SurfaceDef *plane)
+static hawser_status plane_check(const CaseReader *r, const CaseNode *node, const SurfaceDef *surface)
 {
     const SceneDef *const def = r->def;
     SurfacePatch patch;
     if (def->rod.present) return HAWSER_OK; /* it lies on no route */
-    surface_patches(&plane->shape, &r->route, 0, &patch);
+    surface_patches(&surface->shape, &r->route, 0, &patch);
     for (int p = 0; p < def->n_pieces; p++) {
         const double radius = def->cables[def->pieces[p].cable].diameter / 2;
         double from, to;
@@ -212,7 +279,7 @@ static hawser_status plane_check(const CaseReader *r, const CaseNode *node, cons
                 r->err, node, "point",
                 "plane '%s' is inside the cable: %.4g m along the route it is %.4g m from the line, must "
                 "be at least the cable's radius, %.4g m",
-                plane->name, s, at.distance, radius);
+                surface->name, s, at.distance, radius);
         }
     }
     return HAWSER_OK;
@@ -228,27 +295,22 @@ static Vec3 along_of(Vec3 given, Vec3 normal)
 
 static hawser_status plane_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
 {
-    PlaneRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_plane, &record);
-    if (!status) status = case_friction_read(r, record.friction, &r->def->friction, &out->friction);
+    Surface record = {0};
+    SurfaceShape *const s = &out->shape;
+    hawser_status status = case_section_read(r, node, &plane, &record);
+    *out = record.def;
+    if (!status) status = surface_complete(r, node, "P", out);
     if (status) return status;
-    if (v3_norm(record.normal) < 1e-9) {
+    if (v3_norm(s->normal) < 1e-9) {
         return case_value_error(r->err, case_node_key(node, "normal"), ": expected a direction that is not zero");
     }
-    const Vec3 normal = v3_unit(record.normal), along = along_of(record.along, normal);
-    if (!(v3_norm(along) > 0.5)) {
+    s->kind = SURFACE_PLANE;
+    s->normal = v3_unit(s->normal);
+    s->along = along_of(s->along, s->normal);
+    if (!(v3_norm(s->along) > 0.5)) {
         return case_value_error(r->err, case_node_key(node, "along"),
                                 ": expected a direction that is not the normal's");
     }
-    surface_name(out, record.name, "P", node);
-    out->shape = (SurfaceShape){.kind = SURFACE_PLANE,
-                                .fade = record.fade,
-                                .cable_radius = case_largest_diameter(r->def) / 2,
-                                .point = record.point,
-                                .normal = normal,
-                                .along = along,
-                                .length = record.length,
-                                .width = record.width};
     return plane_check(r, node, out);
 }
 
@@ -275,14 +337,14 @@ static hawser_status list_read(const CaseReader *r, const CaseNode *list,
 }
 
 /* Ducts, then trays, then planes: that is the order of the results. */
-hawser_status case_surfaces_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_surfaces_read(CaseReader *r, const CaseNode *node)
 {
-    SurfacesRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_surfaces, &record);
-    if (!status) status = line_contact_read(r, record.contact);
-    if (!status) status = line_exponent_check(r, record.contact);
-    if (!status) status = list_read(r, record.ducts, duct_read);
-    if (!status) status = list_read(r, record.trays, tray_read);
-    if (!status) status = list_read(r, record.planes, plane_read);
+    const CaseNode *const contact = case_node_key(node, "contact");
+    hawser_status status = case_section_read(r, node, &case_surfaces, r->def);
+    if (!status) status = line_contact_read(r, contact);
+    if (!status) status = line_exponent_check(r, contact);
+    if (!status) status = list_read(r, case_node_key(node, "ducts"), duct_read);
+    if (!status) status = list_read(r, case_node_key(node, "trays"), tray_read);
+    if (!status) status = list_read(r, case_node_key(node, "planes"), plane_read);
     return status;
 }

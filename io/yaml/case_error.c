@@ -1,4 +1,4 @@
-#include "io/yaml/case_error.h"
+#include "io/yaml/yaml_tree.h"
 
 #include <stdarg.h>
 #include <stdio.h>

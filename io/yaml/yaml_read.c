@@ -1,11 +1,10 @@
-#include "io/yaml/yaml_read.h"
+#include "io/yaml/yaml_tree.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
 
 #include "core/base/error.h"
-#include "io/yaml/case_error.h"
 
 /* Far more than any case needs; what lies beyond is an accident or an attack. Aliases are expanded, so that
  * the number of nodes may be large however small the file is. */

@@ -8,8 +8,6 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "io/yaml/case_error.h"
-#include "io/yaml/yaml_read.h"
 
 enum { FILE_MAX = 32 << 20, KEY_MAX = 200, STEPS_MAX = 16 };
 

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/yaml/case_error.h"
+#include "io/yaml/yaml_tree.h"
 
 static CaseTree *tree_of(const char *text)
 {
