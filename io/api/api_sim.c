@@ -1,7 +1,6 @@
 /* A simulation behind the public handle: what the interface says is checked here, everything else is passed on. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "io/results/summary_json.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,7 @@
-/* Every set is a row of the table `infos`: name, unit, description, and what a row of it holds. Sets grow by one row a
+/* Every set is a row of the table of a sample's columns (series.c). Sets grow by one row a
  * state; a chunk is one row, so that each state is written once and nothing is read back. Beside them, a group a state
  * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
  * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
-#include "io/results/results_h5.h"
-
 #include "core/base/error.h"
 #include "io/results/results_disk.h"
 #include "io/results/results_file.h"
@@ -16,33 +14,9 @@ enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 /* Bytes of states from which on they are compressed. */
 static const double deflate_above = 32e6;
 
-/* How many values a row has: a number of them for each of these. */
-typedef enum PerItem { PER_RUN, PER_SEGMENT, PER_JOINT, PER_ROLLER } PerItem;
-
-typedef struct SetInfo {
-    const char *name, *unit, *about;
-    PerItem per;
-    int width; /* values an item; 0: one, without a dimension of its own */
-} SetInfo;
-
-enum { SET_TIME, SET_WINCH, SET_TAIL, SET_POSITION, SET_QUATERNION, SET_VELOCITY, SET_OMEGA, SET_TENSION, SET_ROLLER };
-enum { SET_COUNT = SET_ROLLER + 1 };
-
-static const SetInfo infos[SET_COUNT] = {
-    {"time", "s", "time of every state", PER_RUN, 0},
-    {"winch_force", "N", "pull on the rope's end", PER_RUN, 0},
-    {"tail_tension", "N", "back tension at the tail", PER_RUN, 0},
-    {"position", "m", "segment centres, x y z", PER_SEGMENT, 3},
-    {"quaternion", "1", "segment orientations, w x y z; turns the x axis onto the segment", PER_SEGMENT, 4},
-    {"velocity", "m/s", "of the segment centres", PER_SEGMENT, 3},
-    {"omega", "rad/s", "angular velocity in world components", PER_SEGMENT, 3},
-    {"tension", "N", "axial force of joint j, between segments j-1 and j", PER_JOINT, 0},
-    {"roller_load", "N", "size of the contact force on each roller", PER_ROLLER, 0},
-};
-
 struct H5File {
     hid_t file, frames;
-    hid_t set[SET_COUNT]; /* 0: not there (a scene without rollers) */
+    hid_t *set; /* [sample_columns]; 0: not there (a scene without rollers) */
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
@@ -58,14 +32,14 @@ static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
 }
 
 /* How many items a row of this kind has in this scene. */
-static hsize_t item_count(const H5File *h, PerItem per)
+static hsize_t item_count(const H5File *h, SamplePer per)
 {
     const hsize_t n = (hsize_t)h->segments;
     return per == PER_RUN ? 1 : per == PER_SEGMENT ? n : per == PER_JOINT ? n + 1 : (hsize_t)h->rollers;
 }
 
 /* Dimensions of a set with `rows` rows; returns the rank. */
-static int set_dims(const H5File *h, const SetInfo *info, hsize_t rows, hsize_t dims[3])
+static int set_dims(const H5File *h, const SampleColumn *info, hsize_t rows, hsize_t dims[3])
 {
     dims[0] = rows;
     dims[1] = item_count(h, info->per);
@@ -110,13 +84,13 @@ static int wants_deflate(const ResultsDef *def)
 /* An empty set that grows row by row. */
 static int make_set(H5File *h, int k)
 {
-    const SetInfo *info = &infos[k];
+    const SampleColumn *const info = &sample_column[k];
     hsize_t dims[3], max[3];
-    if (item_count(h, info->per) == 0) return 1;
+    if (!info->set || item_count(h, info->per) == 0) return 1;
     const int rank = set_dims(h, info, 0, dims);
     set_dims(h, info, H5S_UNLIMITED, max);
     const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(h, rank, dims);
-    const hid_t set = H5Dcreate2(h->file, info->name, H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+    const hid_t set = H5Dcreate2(h->file, info->set, H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
     H5Pclose(plist);
     H5Sclose(space);
     if (set < 0) return 0;
@@ -195,7 +169,7 @@ static int make_file(H5File *h, const ResultsDef *def)
     if (file < 0) return 0;
     h->file = file;
     int ok = write_text(file, "title", def->title) && write_text(file, "hawser_version", hawser_version());
-    for (int k = 0; k < SET_COUNT && ok; k++) ok = make_set(h, k);
+    for (int k = 0; k < sample_columns && ok; k++) ok = make_set(h, k);
     const hid_t frames = ok ? H5Gcreate2(file, "frames", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1;
     if (frames < 0) return 0;
     h->frames = frames;
@@ -214,7 +188,8 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
     h->rollers = def->rollers;
     h->deflate = wants_deflate(def);
     h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
-    hawser_status status = h->frame ? out_join(h->path, dir, "results.h5", err) : error_memory(err);
+    h->set = calloc((size_t)sample_columns, sizeof *h->set);
+    hawser_status status = h->frame && h->set ? out_join(h->path, dir, "results.h5", err) : error_memory(err);
     if (!status) {
         int ok = 0;
         H5E_BEGIN_TRY { ok = make_file(h, def); }
@@ -230,16 +205,17 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
 }
 
 /* Row `rows` of one set. */
-static int append_row(H5File *h, int k, const double *values)
+static int append_row(H5File *h, int k, const hawser_sample *sample)
 {
     hsize_t dims[3], start[3] = {h->rows, 0, 0}, count[3];
     if (!h->set[k]) return 1;
-    const int rank = set_dims(h, &infos[k], h->rows + 1, dims);
-    set_dims(h, &infos[k], 1, count);
+    const int rank = set_dims(h, &sample_column[k], h->rows + 1, dims);
+    set_dims(h, &sample_column[k], 1, count);
     if (H5Dset_extent(h->set[k], dims) < 0) return 0;
     const hid_t there = H5Dget_space(h->set[k]), here = H5Screate_simple(rank, count, NULL);
     H5Sselect_hyperslab(there, H5S_SELECT_SET, start, NULL, count, NULL);
-    const int ok = H5Dwrite(h->set[k], H5T_NATIVE_DOUBLE, here, there, H5P_DEFAULT, values) >= 0;
+    const int ok =
+        H5Dwrite(h->set[k], H5T_NATIVE_DOUBLE, here, there, H5P_DEFAULT, sample_at(&sample_column[k], sample)) >= 0;
     H5Sclose(here);
     H5Sclose(there);
     return ok;
@@ -273,14 +249,12 @@ static int write_frame(H5File *h, const hawser_sample *s)
     return ok;
 }
 
-/* The time comes last: a state is there once it has one. */
+/* The time, which is the first column, comes last: a state is there once it has one. */
 static int append_state(H5File *h, const hawser_sample *s)
 {
-    return append_row(h, SET_WINCH, &s->winch_force) && append_row(h, SET_TAIL, &s->tail_tension) &&
-           append_row(h, SET_POSITION, s->position) && append_row(h, SET_QUATERNION, s->quaternion) &&
-           append_row(h, SET_VELOCITY, s->velocity) && append_row(h, SET_OMEGA, s->omega) &&
-           append_row(h, SET_TENSION, s->tension) && append_row(h, SET_ROLLER, s->roller_load) && write_frame(h, s) &&
-           append_row(h, SET_TIME, &s->t);
+    int ok = 1;
+    for (int k = 1; k < sample_columns && ok; k++) ok = append_row(h, k, s);
+    return ok && write_frame(h, s) && append_row(h, 0, s);
 }
 
 /* All sets grow by one row; if the disk says no, the rows before stay. */
@@ -318,6 +292,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
         /* a file that HDF5 would not close may still ask for disk_error: better lost than read after free */
         if (code < 0) return status;
     }
+    free(h->set);
     free(h->frame);
     free(h);
     return status;
