@@ -1,6 +1,6 @@
 /* Everything in the report is also in summary.json, stations.csv and rollers.csv, where programs should look for it:
  * the layout here may change. */
-#include "cli/report.h"
+#include "cli/commands.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -23,8 +23,8 @@ struct hawser_sim {
     int wants_relaxation, relaxed;
     int running;                      /* inside hawser_sim_run */
     hawser_status outcome;            /* of the last call that computed */
-    hawser_roller *roller;            /* [rollers] work of hawser_sim_rollers */
-    hawser_surface *surface;          /* [surfaces] work of hawser_sim_surfaces */
+    hawser_roller *roller;            /* [rollers] work of hawser_sim_rollers and the summary */
+    hawser_surface *surface;          /* [surfaces] likewise */
     char message[HAWSER_MESSAGE_MAX]; /* why the run did not finish */
 };
 

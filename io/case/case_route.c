@@ -12,8 +12,7 @@ static const CaseKey route_keys[] = {
      AT(SceneDef, route_heading)},
     {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-89), DEGREES(89)), AT(SceneDef, route_slope)},
     {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(SceneDef, head_at)},
-    {"pieces", KEY_LIST, .required = 1, .form = "straights and bends, end to end",
-     .section = &case_route_piece},
+    {"pieces", KEY_LIST, .required = 1, .form = "straights and bends, end to end", .section = &case_route_piece},
 };
 SECTION(case_route, "route", route_keys);
 

@@ -4,6 +4,7 @@
 #define HAWSER_IO_RESULTS_COLUMN_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 #include "hawser/hawser.h"
 
@@ -60,6 +61,9 @@ static inline Cell cell_number(double value) { return (Cell){0, value}; }
 static inline Cell cell_text(const char *text) { return (Cell){text, 0}; }
 /* What a column says of a row: NUMBER to CHARS, or what its getter says. */
 Cell column_cell(const Column *column, const void *row);
+/* A cell of CSV: text in quotes where it needs them, a number in so many digits (0: nine), nothing if it is not finite.
+ */
+void csv_cell(FILE *f, Cell cell, int digits);
 
 /* ------------------------------------------------------------------------------------------------- documents */
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELL_MAX = 160, TABLE_COLUMNS_MAX = 16 };
+enum { CELL_MAX = 160, TABLE_COLUMNS_MAX = 16, DIGITS = 10 };
 
 Cell column_cell(const Column *column, const void *row)
 {
@@ -100,20 +100,18 @@ static void print_facts(FILE *f, const Document *doc)
     }
 }
 
-/* RFC 4180: texts in quotes where they need them. */
-static void print_csv_cell(FILE *f, Cell cell)
+/* RFC 4180: texts in quotes where they need them. Readers of CSV disagree about "nan"; an empty cell is understood by
+ * all. */
+void csv_cell(FILE *f, Cell cell, int digits)
 {
     if (!cell.text) {
-        if (isfinite(cell.value)) fprintf(f, "%.10g", cell.value);
+        if (isfinite(cell.value)) fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
         return;
     }
-    if (!strpbrk(cell.text, ",\"\r\n")) {
-        fputs(cell.text, f);
-        return;
-    }
-    fputc('"', f);
+    const int quoted = strpbrk(cell.text, ",\"\r\n") != NULL;
+    if (quoted) fputc('"', f);
     for (const char *p = cell.text; *p; p++) fprintf(f, *p == '"' ? "\"%c" : "%c", *p);
-    fputc('"', f);
+    if (quoted) fputc('"', f);
 }
 
 /* Keys in the first row, then the rows. */
@@ -124,7 +122,7 @@ static void print_csv_table(FILE *f, const Table *t)
     for (int r = 0; r < t->n; r++) {
         for (int c = 0; c < t->columns.n; c++) {
             if (c) fputc(',', f);
-            print_csv_cell(f, cell_at(t, r, c));
+            csv_cell(f, cell_at(t, r, c), DIGITS);
         }
         fputc('\n', f);
     }
@@ -136,7 +134,7 @@ static void print_csv_facts(FILE *f, const Document *doc)
     fprintf(f, "key,value,unit\n");
     for (int i = 0; i < doc->n_facts; i++) {
         fprintf(f, "%s,", doc->fact[i].key);
-        print_csv_cell(f, doc->fact[i].cell);
+        csv_cell(f, doc->fact[i].cell, DIGITS);
         fprintf(f, ",%s\n", doc->fact[i].unit);
     }
 }

@@ -14,8 +14,15 @@ enum { PENDING_MAX = 32 };
 /* Wall time between two flushes, s. */
 static const double flush_interval = 0.5;
 
+/* What is opened at the start and filled at the end. */
+enum { STATIONS, ROLLERS, TABLES };
+static const struct {
+    const char *file;
+    const Columns *columns;
+} tables[TABLES] = {{"stations.csv", &station_columns}, {"rollers.csv", &roller_columns}};
+
 struct Results {
-    OutFile series, stations, rollers;
+    OutFile series, tables[TABLES];
     XdmfFile xdmf;
     H5File *h5; /* NULL: no states wanted */
     char dir[OUT_PATH_MAX];
@@ -52,10 +59,10 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
     if (!s) s = series_make(&r->columns, def, err);
     if (!s) s = series_head(&r->series, &r->columns, err);
-    if (!s) s = out_open(&r->stations, r->dir, "stations.csv", err);
-    if (!s) s = csv_head(&r->stations, &station_columns, err);
-    if (!s) s = out_open(&r->rollers, r->dir, "rollers.csv", err);
-    if (!s) s = csv_head(&r->rollers, &roller_columns, err);
+    for (int k = 0; k < TABLES && !s; k++) {
+        s = out_open(&r->tables[k], r->dir, tables[k].file, err);
+        if (!s) s = csv_head(&r->tables[k], tables[k].columns, err);
+    }
     if (!s && def->states > 0) s = open_states(r, def, err);
     return s;
 }
@@ -139,14 +146,16 @@ static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_erro
 /* A full disk may still have room for the small tables, so every file gets its chance. */
 hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
 {
+    const int n[TABLES] = {t->n_stations, t->n_rollers};
+    const void *const rows[TABLES] = {t->station, t->roller};
     hawser_status s = flush_all(r, err);
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
     keep_first(&s, out_close(&r->series, s ? NULL : err));
-    keep_first(&s, csv_rows(&r->stations, &station_columns, t->n_stations, t->station, s ? NULL : err));
-    keep_first(&s, out_close(&r->stations, s ? NULL : err));
-    keep_first(&s, csv_rows(&r->rollers, &roller_columns, t->n_rollers, t->roller, s ? NULL : err));
-    keep_first(&s, out_close(&r->rollers, s ? NULL : err));
+    for (int k = 0; k < TABLES; k++) {
+        keep_first(&s, csv_rows(&r->tables[k], tables[k].columns, n[k], rows[k], s ? NULL : err));
+        keep_first(&s, out_close(&r->tables[k], s ? NULL : err));
+    }
     keep_first(&s, write_modes(r, t, s ? NULL : err));
     keep_first(&s, write_whole(r->dir, "summary.json", t->summary, s ? NULL : err));
     return s;
@@ -159,8 +168,7 @@ Results *results_free(Results *r)
     h5_close(&r->h5, NULL);
     xdmf_close(&r->xdmf, NULL);
     out_close(&r->series, NULL);
-    out_close(&r->stations, NULL);
-    out_close(&r->rollers, NULL);
+    for (int k = 0; k < TABLES; k++) out_close(&r->tables[k], NULL);
     free(r->columns.column);
     free(r);
     return NULL;

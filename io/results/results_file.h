@@ -33,6 +33,8 @@ hawser_status out_error(const char *path, int number, hawser_error *err);
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);
 /* Appends text; errors that the system only finds later come from out_flush or out_close. */
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* A separator and a cell of CSV. */
+hawser_status out_cell(OutFile *out, const char *separator, Cell cell, int digits, hawser_error *err);
 /* Hands everything to the system. Errors: OUTPUT. */
 hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */
@@ -43,12 +45,8 @@ hawser_status out_close(OutFile *out, hawser_error *err);
 /* Of summary.json, stations.csv, rollers.csv, modes.csv. */
 extern const Columns summary_columns, station_columns, roller_columns, shape_columns;
 
-/* One cell of text after a separator ("" or ","), in quotes where the text needs them (RFC 4180). All errors here:
- * OUTPUT. */
-hawser_status csv_text(OutFile *out, const char *separator, const char *text, hawser_error *err);
-/* One number, nothing if it is not finite; digits 0: nine. */
-hawser_status csv_number(OutFile *out, const char *separator, double value, int digits, hawser_error *err);
-/* The columns' names, flushed; and n rows. */
+/* The columns' names, flushed, so that a table that cannot be written is noticed before the run; and n rows. All errors
+ * here: OUTPUT. */
 hawser_status csv_head(OutFile *out, const Columns *columns, hawser_error *err);
 hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *rows, hawser_error *err);
 /* modes.csv with its head: a row for each mode and segment. */

@@ -98,6 +98,18 @@ static int make_set(H5File *h, int k)
     return write_text(set, "unit", info->unit) && write_text(set, "description", info->about);
 }
 
+/* A whole set that does not grow, written from what the machine has as `type`. */
+static int write_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
+                     const void *values)
+{
+    const hid_t space = H5Screate_simple(rank, dims, NULL);
+    const hid_t set = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
+    if (set >= 0) H5Dclose(set);
+    H5Sclose(space);
+    return ok;
+}
+
 /* Which points every line element of the polyline joins: [segments-1][2]. */
 static int write_connectivity(H5File *h)
 {
@@ -108,43 +120,27 @@ static int write_connectivity(H5File *h)
         pairs[2 * i] = i;
         pairs[2 * i + 1] = i + 1;
     }
-    const hid_t space = H5Screate_simple(2, dims, NULL);
-    const hid_t set = H5Dcreate2(h->file, "connectivity", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, pairs) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
+    const int ok = write_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
     free(pairs);
-    return ok;
-}
-
-/* A one-dimensional set that does not grow. */
-static int write_fixed(H5File *h, const char *name, hid_t file_type, hid_t type, int n, const void *values)
-{
-    const hsize_t dims[1] = {(hsize_t)n};
-    const hid_t space = H5Screate_simple(1, dims, NULL);
-    const hid_t set = H5Dcreate2(h->file, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
     return ok;
 }
 
 /* Names (padded text) and places of the rollers. */
 static int write_rollers(H5File *h, const ResultsDef *def)
 {
-    const int n = def->rollers;
+    const hsize_t n = (hsize_t)def->rollers;
     if (!n) return 1;
     char(*name)[FRAMES_NAME] = calloc((size_t)n, sizeof *name);
     double *s = malloc(sizeof *s * (size_t)n);
     int ok = name && s;
-    for (int i = 0; i < n && ok; i++) {
+    for (int i = 0; i < def->rollers && ok; i++) {
         strncpy(name[i], def->roller[i].name, FRAMES_NAME - 1);
         s[i] = def->roller[i].s;
     }
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, FRAMES_NAME);
-    ok = ok && write_fixed(h, "roller_name", type, type, n, name) &&
-         write_fixed(h, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, n, s);
+    ok = ok && write_set(h->file, "roller_name", type, type, 1, &n, name) &&
+         write_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
     H5Tclose(type);
     free(name);
     free(s);
@@ -226,12 +222,7 @@ static int write_frame_set(H5File *h, hid_t group, const char *name, int n, int 
 {
     const hsize_t dims[2] = {(hsize_t)n, (hsize_t)width};
     for (int i = 0; i < n * width; i++) h->frame[i] = (float)values[i];
-    const hid_t space = H5Screate_simple(width > 1 ? 2 : 1, dims, NULL);
-    const hid_t set = H5Dcreate2(group, name, H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, h->frame) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
-    return ok;
+    return write_set(group, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
 }
 
 /* The copy that results.xdmf points to; the tensions are those of the joints between two segments. */

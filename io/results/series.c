@@ -125,7 +125,9 @@ const void *sample_at(const SampleColumn *column, const hawser_sample *sample)
 hawser_status series_head(OutFile *out, const Series *series, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
-    for (int k = 0; k < series->n && !status; k++) status = csv_text(out, k ? "," : "", series->column[k].name, err);
+    for (int k = 0; k < series->n && !status; k++) {
+        status = out_cell(out, k ? "," : "", cell_text(series->column[k].name), 0, err);
+    }
     if (!status) status = out_print(out, err, "\n");
     return status ? status : out_flush(out, err);
 }
@@ -138,7 +140,7 @@ hawser_status series_row(OutFile *out, const Series *series, const hawser_sample
         const SeriesColumn *const c = &series->column[k];
         const void *const at = (const char *)sample_at(c->of, sample) + c->at;
         const double value = c->of->count ? *(const int *)at : *(const double *)at;
-        status = csv_number(out, k ? "," : "", value, c->of->digits, err);
+        status = out_cell(out, k ? "," : "", cell_number(value), c->of->digits, err);
     }
     return status ? status : out_print(out, err, "\n");
 }

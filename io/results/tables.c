@@ -90,28 +90,11 @@ static const Column shape_column[] = {
 };
 const Columns shape_columns = COLUMNS(ModeRow, shape_column);
 
-/* A quote inside is doubled. */
-hawser_status csv_text(OutFile *out, const char *separator, const char *text, hawser_error *err)
-{
-    if (!strpbrk(text, ",\"\r\n")) return out_print(out, err, "%s%s", separator, text);
-    hawser_status status = out_print(out, err, "%s\"", separator);
-    for (const char *p = text; *p && !status; p++) status = out_print(out, err, *p == '"' ? "\"%c" : "%c", *p);
-    return status ? status : out_print(out, err, "\"");
-}
-
-/* Readers of CSV disagree about "nan"; an empty cell is understood by all. */
-hawser_status csv_number(OutFile *out, const char *separator, double value, int digits, hawser_error *err)
-{
-    if (!isfinite(value)) return out_print(out, err, "%s", separator);
-    return out_print(out, err, "%s%.*g", separator, digits > 0 ? digits : 9, value);
-}
-
-/* Flushed, so that a table that cannot be written is noticed before the run. */
 hawser_status csv_head(OutFile *out, const Columns *columns, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     for (int k = 0; k < columns->n && !status; k++) {
-        status = csv_text(out, k ? "," : "", columns->column[k].key, err);
+        status = out_cell(out, k ? "," : "", cell_text(columns->column[k].key), 0, err);
     }
     if (!status) status = out_print(out, err, "\n");
     return status ? status : out_flush(out, err);
@@ -123,10 +106,8 @@ hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *
     for (int i = 0; i < n; i++) {
         const void *const row = (const char *)rows + (size_t)i * columns->size;
         for (int k = 0; k < columns->n && !status; k++) {
-            const Cell cell = column_cell(&columns->column[k], row);
-            const char *const separator = k ? "," : "";
-            status = cell.text ? csv_text(out, separator, cell.text, err)
-                               : csv_number(out, separator, cell.value, columns->column[k].digits, err);
+            const Column *const c = &columns->column[k];
+            status = out_cell(out, k ? "," : "", column_cell(c, row), c->digits, err);
         }
         if (!status) status = out_print(out, err, "\n");
     }

@@ -125,23 +125,16 @@ typedef struct Setting {
     hawser_error *err;
 } Setting;
 
-/* Settings have no line; their key says where. */
-static hawser_status complain(const Setting *s, const char *what, const char *detail)
-{
-    char shown[CASE_SHOWN_MAX];
-    return error_set(s->err, HAWSER_ERR_INPUT, "%s: %s%s", s->origin, what, detail ? case_shown(detail, shown) : "");
-}
-
 /* The parts stay where they are, with the dots turned into ends. */
 static hawser_status key_cut(Setting *s, const char *key)
 {
     snprintf(s->key, sizeof s->key, "%s", key);
     for (char *p = s->key; p; s->n++) {
-        if (s->n == STEPS_MAX) return complain(s, "the key has too many parts", NULL);
+        if (s->n == STEPS_MAX) return case_text_error(s->err, s->origin, 0, "the key has too many parts", NULL);
         s->step[s->n] = p;
         p = strchr(p, '.');
         if (p) *p++ = 0;
-        if (!*s->step[s->n]) return complain(s, "a part of the key is empty", NULL);
+        if (!*s->step[s->n]) return case_text_error(s->err, s->origin, 0, "a part of the key is empty", NULL);
     }
     return HAWSER_OK;
 }
@@ -167,7 +160,8 @@ static hawser_status path_follow(const Setting *s, CaseNode **node, int *depth)
     for (*depth = 0; *depth < s->n; ++*depth) {
         const char *step = s->step[*depth];
         CaseNode *next = NULL;
-        if ((*node)->kind == NODE_TEXT) return complain(s, "a value, not a map, comes before ", step);
+        if ((*node)->kind == NODE_TEXT)
+            return case_text_error(s->err, s->origin, 0, "a value, not a map, comes before ", step);
         if ((*node)->kind == NODE_LIST) {
             const hawser_status status = item_find(s, *node, step, &next);
             if (status) return status;

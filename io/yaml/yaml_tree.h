@@ -71,8 +71,10 @@ const char *case_shown(const char *text, char *shown);
 /* The dotted key of a node, or of its child `key` (NULL: itself). `path` has CASE_PATH_MAX bytes. */
 const char *case_path(const CaseNode *node, const char *key, char *path);
 
-/* "PLACE: key 'PATH': value 'TEXT'WHAT", or "the value is a mapWHAT": WHAT brings its own blank or colon.
- * Returns HAWSER_ERR_INPUT. */
+/* "PLACE: WHAT'DETAIL'": about a text as a whole; detail NULL: nothing is shown. All of these return HAWSER_ERR_INPUT.
+ */
+hawser_status case_text_error(hawser_error *err, const char *origin, int line, const char *what, const char *detail);
+/* "PLACE: key 'PATH': value 'TEXT'WHAT", or "the value is a mapWHAT": WHAT brings its own blank or colon. */
 hawser_status case_value_error(hawser_error *err, const CaseNode *node, const char *what, ...)
     __attribute__((format(printf, 3, 4)));
 /* "PLACE: key 'PATH': WHAT" about the node, or about its child `key` that may be absent. */
