@@ -46,9 +46,11 @@ CaseTree *case_tree_free(CaseTree *tree)
     return NULL;
 }
 
-/* A tree from `size` bytes of text. */
+/* A tree from `size` bytes of text, which editors may begin with a byte order mark. */
 static hawser_status tree_new(const char *text, size_t size, const char *name, CaseTree **out, hawser_error *err)
 {
+    static const char mark[] = "\xef\xbb\xbf";
+    const size_t skip = strncmp(text, mark, 3) == 0 ? 3 : 0;
     CaseTree *tree = calloc(1, sizeof *tree);
     const char *origin = tree ? tree_origin(tree, name) : NULL;
     *out = NULL;
@@ -56,7 +58,7 @@ static hawser_status tree_new(const char *text, size_t size, const char *name, C
         case_tree_free(tree);
         return error_memory(err);
     }
-    hawser_status status = yaml_read(text, size, origin, 1, &tree->root, err);
+    hawser_status status = yaml_read(text + skip, size - skip, origin, 1, &tree->root, err);
     if (!status && tree->root && tree->root->kind != NODE_MAP) {
         char place[CASE_PLACE_MAX];
         status = error_set(err, HAWSER_ERR_INPUT, "%s: a case is a map: lines of 'key: value'",
