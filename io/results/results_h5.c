@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "io/results/results_disk.h"
 #include "io/results/results_file.h"
+#include "sim/def/scene_def.h"
 
 #include <hdf5.h>
 #include <stdlib.h>
@@ -130,15 +131,15 @@ static int write_rollers(H5File *h, const ResultsDef *def)
 {
     const hsize_t n = (hsize_t)def->rollers;
     if (!n) return 1;
-    char(*name)[FRAMES_NAME] = calloc((size_t)n, sizeof *name);
+    char(*name)[NAME_MAX_LENGTH] = calloc((size_t)n, sizeof *name);
     double *s = malloc(sizeof *s * (size_t)n);
     int ok = name && s;
     for (int i = 0; i < def->rollers && ok; i++) {
-        strncpy(name[i], def->roller[i].name, FRAMES_NAME - 1);
+        strncpy(name[i], def->roller[i].name, NAME_MAX_LENGTH - 1);
         s[i] = def->roller[i].s;
     }
     const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, FRAMES_NAME);
+    H5Tset_size(type, NAME_MAX_LENGTH);
     ok = ok && write_set(h->file, "roller_name", type, type, 1, &n, name) &&
          write_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
     H5Tclose(type);
