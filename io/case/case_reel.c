@@ -5,13 +5,12 @@
 #include "io/case/case_parts.h"
 #include "sim/equipment/winding.h"
 
-/* NAN: not given. */
+/* A reel of some model; NAN: not given. */
 typedef struct ReelRecord {
-    Profile back; /* model weight: how the tension comes in */
+    ReelDef reel;
     int model;
-    double length; /* model weight */
-    double distance, barrel, flange, width, inertia, bearing, v_s;
-    int end; /* 0 free, 1 fixed */
+    double length; /* model weight, and how its tension comes in */
+    Profile back;
 } ReelRecord;
 
 enum { MODEL_PAYOUT, MODEL_WEIGHT, MODEL_CONTACT };
@@ -35,15 +34,17 @@ static const CaseKey reel_keys[] = {
     {"model", KEY_CHOICE, .fallback = "payout", .choices = models, AT(ReelRecord, model)},
     {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `weight` needs it", FROM(0, LONG), AT(ReelRecord, length)},
     RAMP_KEYS(ReelRecord, back, "step"),
-    {"distance", KEY_NUMBER, DIM_LENGTH, .otherwise = "5 m", ABOVE(0, LONG), AT(ReelRecord, distance)},
-    {"barrel", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, barrel)},
-    {"flange", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, flange)},
-    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, width)},
+    {"distance", KEY_NUMBER, DIM_LENGTH, .fallback = "5 m", ABOVE(0, LONG), AT(ReelRecord, reel.distance)},
+    {"barrel", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3),
+     AT(ReelRecord, reel.barrel)},
+    {"flange", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3),
+     AT(ReelRecord, reel.flange)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, reel.width)},
     {"inertia", KEY_NUMBER, DIM_INERTIA, .otherwise = "none: a drum needs it", ABOVE(0, STRONG),
-     AT(ReelRecord, inertia)},
-    {"bearing", KEY_NUMBER, DIM_MOMENT, .otherwise = "0 N m", FROM(0, STRONG), AT(ReelRecord, bearing)},
-    {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s", ABOVE(0, 1e3), AT(ReelRecord, v_s)},
-    {"end", KEY_CHOICE, .fallback = "free", .choices = ends, AT(ReelRecord, end)},
+     AT(ReelRecord, reel.inertia)},
+    {"bearing", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(0, STRONG), AT(ReelRecord, reel.bearing)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "1 mm/s", ABOVE(0, 1e3), AT(ReelRecord, reel.v_s)},
+    {"end", KEY_CHOICE, .fallback = "free", .choices = ends, AT(ReelRecord, reel.end_fixed)},
     {"brake", KEY_MAP, .otherwise = "none", .section = &reel_brake},
     {"back_tension", KEY_MAP, .otherwise = "none", .section = &case_back_tension},
 };
@@ -179,17 +180,9 @@ static hawser_status reach_check(const CaseReader *r, const CaseNode *node)
 
 static hawser_status payout_read(const CaseReader *r, const CaseNode *node, const ReelRecord *record)
 {
-    ReelDef *const reel = &r->def->reel;
-    reel->model = REEL_PAYOUT;
+    r->def->reel = record->reel;
+    r->def->reel.model = REEL_PAYOUT;
     r->def->lead_in.present = 1; /* the cable leaves the drum on it */
-    if (!isnan(record->distance)) reel->distance = record->distance;
-    if (!isnan(record->v_s)) reel->v_s = record->v_s;
-    reel->barrel = record->barrel;
-    reel->flange = record->flange;
-    reel->width = record->width;
-    reel->inertia = record->inertia;
-    reel->bearing = isnan(record->bearing) ? 0 : record->bearing;
-    reel->end_fixed = record->end;
     const CaseNode *const brake = case_node_key(node, "brake"), *const back = case_node_key(node, "back_tension");
     hawser_status status = brake ? brake_read(r, brake) : HAWSER_OK;
     if (!status) status = tail_check(r, node);
@@ -238,13 +231,14 @@ static hawser_status contact_read(const CaseReader *r, const CaseNode *node, con
         status = case_key_error(r->err, case_node_key(r->root, "lead_in"), NULL,
                                 "not allowed beside a reel with 'model: contact'");
     }
+    const ReelDef *const reel = &record->reel;
     def->drum = (DrumDef){.present = 1,
-                          .distance = isnan(record->distance) ? def->reel.distance : record->distance,
-                          .barrel = record->barrel,
-                          .flange = record->flange,
-                          .width = record->width,
-                          .inertia = record->inertia,
-                          .torque = (isnan(record->bearing) ? 0 : record->bearing) + def->reel.torque};
+                          .distance = reel->distance,
+                          .barrel = reel->barrel,
+                          .flange = reel->flange,
+                          .width = reel->width,
+                          .inertia = reel->inertia,
+                          .torque = reel->bearing + def->reel.torque};
     def->reel.torque = 0;
     return status;
 }
@@ -252,7 +246,7 @@ static hawser_status contact_read(const CaseReader *r, const CaseNode *node, con
 /* A case without a reel has a bare tail. */
 hawser_status case_reel_read(CaseReader *r, const CaseNode *node)
 {
-    ReelRecord record = {0};
+    ReelRecord record = {.reel = r->def->reel};
     if (!node) return HAWSER_OK;
     hawser_status status = case_section_read(r, node, &case_reel, &record);
     if (!status) status = keys_check(r, node, record.model);

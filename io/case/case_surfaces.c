@@ -1,7 +1,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
@@ -27,7 +26,7 @@ static const CaseKey duct_keys[] = {
 };
 static SECTION(duct, "surfaces.ducts.N", duct_keys);
 
-/* Which keys belong to which section tray_read says. */
+/* Which keys belong to which section tray_finish says. */
 static const CaseKey tray_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
@@ -108,14 +107,6 @@ static hawser_status line_exponent_check(const CaseReader *r, const CaseNode *no
                           r->def->impact.e);
 }
 
-/* What all surfaces share: friction, and the name that was given or a letter and a number. */
-static hawser_status surface_complete(const CaseReader *r, const CaseNode *node, const char *letter, SurfaceDef *out)
-{
-    if (!*out->name) snprintf(out->name, sizeof out->name, "%s%d", letter, node->index + 1);
-    out->shape.cable_radius = case_largest_diameter(r->def) / 2;
-    return case_friction_read(r, case_node_key(node, "friction"), &r->def->friction, &out->friction);
-}
-
 /* Whether a stretch lies on the route, has room for its ends' fades and is free. */
 static hawser_status stretch_check(const CaseReader *r, const CaseNode *node, const SurfaceDef *surface)
 {
@@ -165,21 +156,8 @@ static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, con
     return HAWSER_OK;
 }
 
-/* What ducts and trays share beside. */
-static hawser_status stretch_read(const CaseReader *r, const CaseNode *node, const char *letter, SurfaceDef *out)
+static hawser_status duct_finish(const CaseReader *r, const CaseNode *node, int resting, SurfaceDef *out)
 {
-    if (isnan(out->shape.to)) out->shape.to = r->route.length;
-    const hawser_status status = surface_complete(r, node, letter, out);
-    return status ? status : stretch_check(r, node, out);
-}
-
-static hawser_status duct_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
-{
-    Surface record = {0};
-    hawser_status status = case_section_read(r, node, &duct, &record);
-    *out = record.def;
-    if (!status) status = stretch_read(r, node, "D", out);
-    if (status) return status;
     SurfaceShape *const s = &out->shape;
     s->kind = SURFACE_DUCT;
     if (s->radius <= s->cable_radius) {
@@ -187,9 +165,9 @@ static hawser_status duct_read(const CaseReader *r, const CaseNode *node, Surfac
                               "%g m is too small: must be above the largest cable's radius, %g m", s->radius,
                               s->cable_radius);
     }
-    if (record.choice) s->lift = s->radius - s->cable_radius;
-    status = bends_check(r, node, s, s->radius + s->lift, "radius");
-    return status || !record.choice ? status : slopes_check(r, node, s);
+    if (resting) s->lift = s->radius - s->cable_radius;
+    const hawser_status status = bends_check(r, node, s, s->radius + s->lift, "radius");
+    return status || !resting ? status : slopes_check(r, node, s);
 }
 
 /* A key that trays of this section have, or have not. */
@@ -235,16 +213,11 @@ static void tray_fill(int section, SurfaceShape *s)
     if (isnan(s->height)) s->height = heights[section];
 }
 
-static hawser_status tray_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
+static hawser_status tray_finish(const CaseReader *r, const CaseNode *node, int section, SurfaceDef *out)
 {
-    Surface record = {0};
     SurfaceShape *const s = &out->shape;
-    hawser_status status = case_section_read(r, node, &tray, &record);
-    *out = record.def;
-    if (!status) status = stretch_read(r, node, "T", out);
-    if (status) return status;
-    tray_fill(record.choice, s);
-    status = tray_key(r, node, "width", s->kind == SURFACE_FLAT);
+    tray_fill(section, s);
+    hawser_status status = tray_key(r, node, "width", s->kind == SURFACE_FLAT);
     if (!status) status = tray_key(r, node, "angle", s->kind == SURFACE_V);
     if (!status) status = tray_key(r, node, "radius", s->kind == SURFACE_U);
     if (!status && s->kind == SURFACE_FLAT) status = flat_check(r, node, s);
@@ -293,14 +266,10 @@ static Vec3 along_of(Vec3 given, Vec3 normal)
     return v3_unit(v3_reject(wanted, normal));
 }
 
-static hawser_status plane_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
+static hawser_status plane_finish(const CaseReader *r, const CaseNode *node, int none, SurfaceDef *out)
 {
-    Surface record = {0};
     SurfaceShape *const s = &out->shape;
-    hawser_status status = case_section_read(r, node, &plane, &record);
-    *out = record.def;
-    if (!status) status = surface_complete(r, node, "P", out);
-    if (status) return status;
+    (void)none;
     if (v3_norm(s->normal) < 1e-9) {
         return case_value_error(r->err, case_node_key(node, "normal"), ": expected a direction that is not zero");
     }
@@ -314,37 +283,60 @@ static hawser_status plane_read(const CaseReader *r, const CaseNode *node, Surfa
     return plane_check(r, node, out);
 }
 
-/* Reads one list; `read` fills the next surface, which counts only when it is whole. */
-static hawser_status list_read(const CaseReader *r, const CaseNode *list,
-                               hawser_status (*read)(const CaseReader *, const CaseNode *, SurfaceDef *))
+/* Ducts, then trays, then planes: that is the order of the results. `finish` gets a duct's place or a tray's section.
+ */
+typedef struct SurfaceList {
+    const char *key;
+    const CaseSection *section;
+    const char *letter; /* of names that are not given */
+    int along;          /* a stretch of the route, which it has for itself */
+    hawser_status (*finish)(const CaseReader *r, const CaseNode *node, int choice, SurfaceDef *out);
+} SurfaceList;
+
+static const SurfaceList lists[] = {{"ducts", &duct, "D", 1, duct_finish},
+                                    {"trays", &tray, "T", 1, tray_finish},
+                                    {"planes", &plane, "P", 0, plane_finish}};
+
+static hawser_status surface_read(const CaseReader *r, const CaseNode *node, const SurfaceList *list, SurfaceDef *out)
+{
+    Surface record = {0};
+    hawser_status status = case_section_read(r, node, list->section, &record);
+    *out = record.def;
+    if (!*out->name) snprintf(out->name, sizeof out->name, "%s%d", list->letter, node->index + 1);
+    out->shape.cable_radius = case_largest_diameter(r->def) / 2;
+    if (isnan(out->shape.to)) out->shape.to = r->route.length;
+    const CaseNode *const friction = case_node_key(node, "friction");
+    if (!status) status = case_friction_read(r, friction, &r->def->friction, &out->friction);
+    if (!status && list->along) status = stretch_check(r, node, out);
+    return status ? status : list->finish(r, node, record.choice, out);
+}
+
+/* A surface counts only when it is whole. */
+static hawser_status list_read(const CaseReader *r, const CaseNode *nodes, const SurfaceList *list)
 {
     SceneDef *const def = r->def;
-    if (!list) return HAWSER_OK;
-    if (list->count > CASE_SURFACES_MAX - def->n_surfaces) {
-        return case_key_error(r->err, list, NULL, "too many surfaces: at most %d", CASE_SURFACES_MAX);
+    if (!nodes) return HAWSER_OK;
+    if (nodes->count > CASE_SURFACES_MAX - def->n_surfaces) {
+        return case_key_error(r->err, nodes, NULL, "too many surfaces: at most %d", CASE_SURFACES_MAX);
     }
-    SurfaceDef *const all = realloc(def->surfaces, (size_t)(def->n_surfaces + list->count + 1) * sizeof *all);
+    SurfaceDef *const all = realloc(def->surfaces, (size_t)(def->n_surfaces + nodes->count + 1) * sizeof *all);
     if (!all) return error_memory(r->err);
     def->surfaces = all;
-    for (const CaseNode *node = list->first; node; node = node->next) {
-        SurfaceDef *const next = &def->surfaces[def->n_surfaces];
-        memset(next, 0, sizeof *next);
-        const hawser_status status = read(r, node, next);
+    for (const CaseNode *node = nodes->first; node; node = node->next, def->n_surfaces++) {
+        const hawser_status status = surface_read(r, node, list, &all[def->n_surfaces]);
         if (status) return status;
-        def->n_surfaces++;
     }
     return HAWSER_OK;
 }
 
-/* Ducts, then trays, then planes: that is the order of the results. */
 hawser_status case_surfaces_read(CaseReader *r, const CaseNode *node)
 {
     const CaseNode *const contact = case_node_key(node, "contact");
     hawser_status status = case_section_read(r, node, &case_surfaces, r->def);
     if (!status) status = line_contact_read(r, contact);
     if (!status) status = line_exponent_check(r, contact);
-    if (!status) status = list_read(r, case_node_key(node, "ducts"), duct_read);
-    if (!status) status = list_read(r, case_node_key(node, "trays"), tray_read);
-    if (!status) status = list_read(r, case_node_key(node, "planes"), plane_read);
+    for (size_t k = 0; k < sizeof lists / sizeof *lists && !status; k++) {
+        status = list_read(r, case_node_key(node, lists[k].key), &lists[k]);
+    }
     return status;
 }

@@ -1,6 +1,8 @@
 /* Order matters in a results folder. At the start every file is opened, so that trouble shows early; in between files
  * grow and are flushed together, states before the file that points to them; at the end the tables are written,
  * whatever happened, and the first error is the one that is reported. */
+#include "io/results/results.h"
+
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/results/results_file.h"

@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "io/results/column.h"
-#include "io/results/results.h"
+#include "io/results/results_def.h"
 
 /* ------------------------------------------------------------------------------------------------------- text */
 
