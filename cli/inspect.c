@@ -1,32 +1,39 @@
-/* The commands that look at a case without simulating it. */
+/* The commands that print a text of the library's: about a case, without simulating it, or about the library itself. */
 #include "cli/commands.h"
 
 #include <stdio.h>
+
+#define SETTING "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
+#define FORMAT                                                                                                         \
+    "      --format FORMAT     table (default), json or csv\n"                                                         \
+    "  -h, --help              this text\n"                                                                            \
+    "  -V, --version           the version\n"
 
 static const char check_help[] =
     "Usage: hawser check CASE [options]\n"
     "\n"
     "Checks the case file CASE and prints what would be built: counts, masses, route lengths, "
     "theory.\n"
-    "\n"
-    "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
-    "      --format FORMAT     table (default), json or csv\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
+    "\n" SETTING FORMAT "\n"
     "Exit status: 0 the case is fine; 2 it is not.\n";
 
 static const char theory_help[] =
     "Usage: hawser theory CASE [options]\n"
     "\n"
     "Prints the tension along the route by the paper's formulas and by the reference theory.\n"
-    "\n"
-    "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
-    "      --format FORMAT     table (default), json or csv\n"
-    "  -h, --help              this text\n"
-    "  -V, --version           the version\n"
-    "\n"
+    "\n" SETTING FORMAT "\n"
     "Exit status: 0 done; 2 the case is wrong.\n";
+
+static const char validate_help[] =
+    "Usage: hawser validate [options]\n"
+    "\n"
+    "Runs scenes of which the result is known from elsewhere, and prints for each quantity what was expected,\n"
+    "what was found, the error and the tolerance. docs/validation.md says what each case proves.\n"
+    "\n"
+    "      --filter TEXT       only the cases whose names hold TEXT\n"
+    "      --fast              only those that take a moment\n" FORMAT "\n"
+    "Exit status: 0 all are within their tolerances; 1 one is outside; 5 no memory;\n"
+    "2 no case has such a name, or the command line is wrong.\n";
 
 typedef hawser_status (*Describe)(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 
@@ -48,5 +55,23 @@ static int print_case(const Arguments *args, Describe describe)
 static int check(const Arguments *args) { return print_case(args, hawser_case_describe); }
 static int theory(const Arguments *args) { return print_case(args, hawser_case_theory); }
 
+static int validate(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    const hawser_validation choice = {.filter = args->filter, .fast = args->fast};
+    char *text = NULL;
+    int outside = 0;
+    const hawser_status status = hawser_validate(&choice, args->format, &text, &outside, &err);
+    if (!status) fputs(text, stdout);
+    hawser_text_free(text);
+    if (!status && outside > 0) {
+        complain("%d %s outside tolerance", outside, outside == 1 ? "quantity is" : "quantities are");
+        return finish_stdout(EXIT_NOT_HELD);
+    }
+    return finish_stdout(exit_status(status, &err));
+}
+
 const Command command_check = {"check", "checks a case and prints what would be built", "sf", check_help, check};
 const Command command_theory = {"theory", "prints the theoretical tension along the route", "sf", theory_help, theory};
+const Command command_validate = {"validate", "runs scenes of which the result is known", "fFx-", validate_help,
+                                  validate};

@@ -1,5 +1,5 @@
 /* Progress goes to standard error, the report to standard output: a user may keep one and drop the other. */
-#include "cli/progress.h"
+#include "cli/commands.h"
 
 #include <stdio.h>
 #include <stdlib.h>

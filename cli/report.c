@@ -1,6 +1,6 @@
 /* Everything in the report is also in summary.json, stations.csv and rollers.csv, where programs should look for it:
  * the layout here may change. */
-#include "cli/report.h"
+#include "cli/commands.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -82,15 +82,16 @@ static void report_pull(const hawser_summary *s)
     printf("  speed %.5g m/s, settled at %.4g s\n", s->steady_speed_m_per_s, s->settle_time_s);
 }
 
-/* What the conveyors did, one line each. */
-static void report_conveyors(const hawser_summary *s)
+/* What machines did, one line each, under the heading of their kind. */
+static void report_machines(const hawser_summary *s)
 {
-    for (int i = 0; i < s->n_conveyors; i++) {
-        const hawser_conveyor *c = &s->conveyors[i];
-        printf(
-            "  conveyor %s: mean %.1f N (grip %.1f N, theory %.1f N), peak %.1f N; slip %.3g m/s, slipping %.0f %% of "
-            "the time\n",
-            c->name, c->mean_N, c->grip_N, c->reference_N, c->peak_N, c->slip_m_per_s, 100 * c->slipping);
+    const char *kind = "";
+    for (int i = 0; i < s->n_machines; i++) {
+        const hawser_machine *m = &s->machines[i];
+        if (strcmp(kind, m->kind)) printf("  %s:\n", kind = m->kind);
+        printf("    %s:", m->name);
+        for (int k = 0; k < m->n_figures; k++) printf("%s %s %.4g", k ? "," : "", m->figure[k].key, m->figure[k].value);
+        printf("\n");
     }
 }
 
@@ -205,7 +206,7 @@ void report_run(hawser_sim *s, const char *dir)
     } else {
         report_pull(&sum);
     }
-    report_conveyors(&sum);
+    report_machines(&sum);
     report_events(&sum);
     report_rollers(s);
     report_balance(sum.balance);

@@ -1,8 +1,6 @@
 /* The command that everything is for. It drives the library's run and adds what a terminal needs: progress, an orderly
  * end on Ctrl-C, a report, an exit status. */
 #include "cli/commands.h"
-#include "cli/progress.h"
-#include "cli/report.h"
 
 #include <signal.h>
 #include <stdio.h>

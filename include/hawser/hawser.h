@@ -128,6 +128,8 @@ typedef struct hawser_sample {
     const double *surface_at;        /* [surfaces], m along the route, where that is; NAN: nowhere, or not along it */
     int machines;
     const hawser_machine *machine; /* [machines], as hawser_sim_machines gives them */
+    int figures;
+    const hawser_figure *figure; /* [figures] what all of these show now, one after the other */
     int probes;
     const hawser_probe *probe; /* [probes] */
 } hawser_sample;

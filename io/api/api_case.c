@@ -83,3 +83,9 @@ void hawser_case_free(hawser_case *c)
     free(c->name);
     free(c);
 }
+
+/* The version is the build's, see CMakeLists.txt. */
+const char *hawser_version(void) { return HAWSER_VERSION; }
+
+/* Texts may come from another C library's heap than the caller's: they are given back where they were made. */
+void hawser_text_free(char *text) { free(text); }

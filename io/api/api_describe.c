@@ -1,12 +1,59 @@
 /* What would be built from a case: what `hawser check` prints. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "io/results/json_document.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { PIECE_COLUMNS = 9, ROUTE_COLUMNS = 7, SURFACE_COLUMNS = 6 };
+/* Cable and rope piece by piece: what is cut into segments and how stiff it is. */
+typedef struct PieceRow {
+    ChainPieceDef piece;
+    CableDef cable;
+    double segment, mass, diameter; /* m, kg, mm */
+} PieceRow;
+
+static const Column piece_column[] = {
+    {COLUMN("name", CHARS, PieceRow, cable.name), .label = "name"},
+    {COLUMN("length_m", NUMBER, PieceRow, piece.length), .label = "length, m", .decimals = -1},
+    {COLUMN("segments", COUNT, PieceRow, piece.segments), .label = "segments"},
+    {COLUMN("segment_m", NUMBER, PieceRow, segment), .label = "segment, m", .decimals = -1},
+    {COLUMN("mass_kg", NUMBER, PieceRow, mass), .label = "mass, kg", .decimals = 1},
+    {COLUMN("diameter_mm", NUMBER, PieceRow, diameter), .label = "diameter, mm", .decimals = -1},
+    {COLUMN("EA_N", NUMBER, PieceRow, cable.ea), .label = "EA, N", .decimals = -1},
+    {COLUMN("EI_N_m2", NUMBER, PieceRow, cable.ei_y), .label = "EI, N m2", .decimals = -1},
+    {COLUMN("GJ_N_m2", NUMBER, PieceRow, cable.gj), .label = "GJ, N m2", .decimals = -1},
+};
+
+/* The route piece by piece; the rise is from its start to its end. */
+typedef struct RouteRow {
+    const char *name, *kind;
+    double s, length, radius, angle, rise; /* m, m, m, deg, m */
+} RouteRow;
+
+static const Column route_column[] = {
+    {COLUMN("name", TEXT, RouteRow, name), .label = "name"},
+    {COLUMN("kind", TEXT, RouteRow, kind), .label = "kind"},
+    {COLUMN("s_m", NUMBER, RouteRow, s), .label = "from s, m", .decimals = 3},
+    {COLUMN("length_m", NUMBER, RouteRow, length), .label = "length, m", .decimals = 3},
+    {COLUMN("radius_m", NUMBER, RouteRow, radius), .label = "radius, m", .decimals = -1},
+    {COLUMN("angle_deg", NUMBER, RouteRow, angle), .label = "angle, deg", .decimals = 3},
+    {COLUMN("rise_m", NUMBER, RouteRow, rise), .label = "rise, m", .decimals = 3},
+};
+
+/* Ducts, trays and planes. */
+typedef struct SurfaceRow {
+    hawser_surface surface;
+    double friction, clearance; /* 1, mm */
+} SurfaceRow;
+
+static const Column surface_column[] = {
+    {COLUMN("name", TEXT, SurfaceRow, surface.name), .label = "name"},
+    {COLUMN("kind", TEXT, SurfaceRow, surface.kind), .label = "kind"},
+    {COLUMN("from_m", NUMBER, SurfaceRow, surface.from_m), .label = "from s, m", .decimals = 3},
+    {COLUMN("to_m", NUMBER, SurfaceRow, surface.to_m), .label = "to s, m", .decimals = 3},
+    {COLUMN("friction", NUMBER, SurfaceRow, friction), .label = "friction", .decimals = -1},
+    {COLUMN("clearance_mm", NUMBER, SurfaceRow, clearance), .label = "clearance, mm", .decimals = 1},
+};
 
 /* Everything that is said, gathered from the definition and from a simulation that was built and not run. */
 typedef struct Description {
@@ -14,59 +61,34 @@ typedef struct Description {
     hawser_summary summary;
     const SimSurface *surfaces;
     Route route;
-    Cell *piece, *leg; /* [n_pieces * PIECE_COLUMNS], [n_route * ROUTE_COLUMNS] */
-    Cell *surface;     /* [n_surfaces * SURFACE_COLUMNS] */
+    PieceRow *piece;     /* [n_pieces] */
+    RouteRow *leg;       /* [n_route] */
+    SurfaceRow *surface; /* [n_surfaces] */
 } Description;
 
-/* Cable and rope piece by piece: what is cut into segments and how stiff it is. */
-static void fill_pieces(Description *d)
+static void fill_rows(Description *d)
 {
-    for (int i = 0; i < d->def->n_pieces; i++) {
-        const ChainPieceDef *p = &d->def->pieces[i];
-        const CableDef *cable = &d->def->cables[p->cable];
-        Cell *row = &d->piece[i * PIECE_COLUMNS];
-        row[0] = cell_text(cable->name);
-        row[1] = cell_number(p->length);
-        row[2] = cell_number(p->segments);
-        row[3] = cell_number(p->length / p->segments);
-        row[4] = cell_number(p->length * cable->mass);
-        row[5] = cell_number(1e3 * cable->diameter);
-        row[6] = cell_number(cable->ea);
-        row[7] = cell_number(cable->ei_y);
-        row[8] = cell_number(cable->gj);
+    const SceneDef *const def = d->def;
+    for (int i = 0; i < def->n_pieces; i++) {
+        const ChainPieceDef *const p = &def->pieces[i];
+        const CableDef *const cable = &def->cables[p->cable];
+        d->piece[i] = (PieceRow){*p, *cable, p->length / p->segments, p->length * cable->mass, 1e3 * cable->diameter};
     }
-}
-
-/* The route piece by piece; the rise is from its start to its end. */
-static void fill_route(Description *d)
-{
     for (int i = 0; i < d->route.n; i++) {
-        const RoutePiece *p = &d->route.piece[i];
+        const RoutePiece *const p = &d->route.piece[i];
         const int bend = p->kind == ROUTE_BEND;
         const double end = p->s0 + p->length;
-        Cell *row = &d->leg[i * ROUTE_COLUMNS];
-        row[0] = cell_text(p->name);
-        row[1] = cell_text(bend ? "bend" : "straight");
-        row[2] = cell_number(p->s0);
-        row[3] = cell_number(p->length);
-        row[4] = cell_number(bend ? p->radius : NAN);
-        row[5] = cell_number(bend ? p->angle * 180 / M_PI : NAN);
-        row[6] = cell_number(route_at(&d->route, end).position.z - p->start.z);
+        d->leg[i] = (RouteRow){.name = p->name,
+                               .kind = bend ? "bend" : "straight",
+                               .s = p->s0,
+                               .length = p->length,
+                               .radius = bend ? p->radius : NAN,
+                               .angle = bend ? p->angle * 180 / M_PI : NAN,
+                               .rise = route_at(&d->route, end).position.z - p->start.z};
     }
-}
-
-/* Ducts, trays and planes. */
-static void fill_surfaces(Description *d)
-{
-    for (int i = 0; i < d->def->n_surfaces; i++) {
+    for (int i = 0; i < def->n_surfaces; i++) {
         const hawser_surface s = api_surface(&d->surfaces[i]);
-        Cell *row = &d->surface[i * SURFACE_COLUMNS];
-        row[0] = cell_text(s.name);
-        row[1] = cell_text(s.kind);
-        row[2] = cell_number(s.from_m);
-        row[3] = cell_number(s.to_m);
-        row[4] = cell_number(d->def->surfaces[i].friction.mu_d);
-        row[5] = cell_number(1e3 * s.clearance_m);
+        d->surface[i] = (SurfaceRow){s, def->surfaces[i].friction.mu_d, 1e3 * s.clearance_m};
     }
 }
 
@@ -117,62 +139,28 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"linear_solver", "linear solver", "", cell_text(s->linear_solver)},
     };
     const Table tables[] = {
-        {"chain",
-         "Cable and rope, from the tail to the winch",
-         PIECE_COLUMNS,
-         def->n_pieces,
-         {{"name", "name", 0},
-          {"length_m", "length, m", -1},
-          {"segments", "segments", 0},
-          {"segment_m", "segment, m", -1},
-          {"mass_kg", "mass, kg", 1},
-          {"diameter_mm", "diameter, mm", -1},
-          {"EA_N", "EA, N", -1},
-          {"EI_N_m2", "EI, N m2", -1},
-          {"GJ_N_m2", "GJ, N m2", -1}},
+        {"chain", "Cable and rope, from the tail to the winch", COLUMNS(PieceRow, piece_column), def->n_pieces,
          d->piece},
-        {"route",
-         "Route",
-         ROUTE_COLUMNS,
-         def->rod.present ? 0 : d->route.n,
-         {{"name", "name", 0},
-          {"kind", "kind", 0},
-          {"s_m", "from s, m", 3},
-          {"length_m", "length, m", 3},
-          {"radius_m", "radius, m", -1},
-          {"angle_deg", "angle, deg", 3},
-          {"rise_m", "rise, m", 3}},
-         d->leg},
-        {"surfaces",
-         "Ducts, trays, floors and walls",
-         SURFACE_COLUMNS,
-         def->n_surfaces,
-         {{"name", "name", 0},
-          {"kind", "kind", 0},
-          {"from_m", "from s, m", 3},
-          {"to_m", "to s, m", 3},
-          {"friction", "friction", -1},
-          {"clearance_mm", "clearance, mm", 1}},
+        {"route", "Route", COLUMNS(RouteRow, route_column), def->rod.present ? 0 : d->route.n, d->leg},
+        {"surfaces", "Ducts, trays, floors and walls", COLUMNS(SurfaceRow, surface_column), def->n_surfaces,
          d->surface},
     };
     const Document doc = {title, sizeof facts / sizeof *facts, def->n_surfaces > 0 ? 3 : 2, facts, tables, NULL};
     return document_write(&doc, format, text, err);
 }
 
-/* The tables' cells, and what they need. */
+/* The tables' rows, and what they need. */
 static hawser_status gather(Description *d, hawser_error *err)
 {
     const SceneDef *def = d->def;
     const hawser_status status =
         route_build(&d->route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, err);
     if (status) return status;
-    d->piece = calloc((size_t)def->n_pieces * PIECE_COLUMNS, sizeof *d->piece);
-    d->leg = calloc((size_t)def->n_route * ROUTE_COLUMNS, sizeof *d->leg);
-    d->surface = calloc((size_t)def->n_surfaces * SURFACE_COLUMNS + 1, sizeof *d->surface);
+    d->piece = calloc((size_t)def->n_pieces, sizeof *d->piece);
+    d->leg = calloc((size_t)def->n_route, sizeof *d->leg);
+    d->surface = calloc((size_t)def->n_surfaces + 1, sizeof *d->surface);
     if (!d->piece || !d->leg || !d->surface) return error_memory(err);
-    fill_surfaces(d);
-    fill_pieces(d);
-    fill_route(d);
+    fill_rows(d);
     return HAWSER_OK;
 }
 

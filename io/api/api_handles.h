@@ -3,8 +3,10 @@
 #define HAWSER_IO_API_API_HANDLES_H
 
 #include "hawser/hawser.h"
+#include "io/results/column.h"
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
+#include "sim/expected/calculator.h"
 #include "sim/run/sim.h"
 
 struct hawser_case {
@@ -21,8 +23,8 @@ struct hawser_sim {
     int wants_relaxation, relaxed;
     int running;                      /* inside hawser_sim_run */
     hawser_status outcome;            /* of the last call that computed */
-    hawser_roller *roller;            /* [rollers] work of hawser_sim_rollers */
-    hawser_surface *surface;          /* [surfaces] work of hawser_sim_surfaces */
+    hawser_roller *roller;            /* [rollers] work of hawser_sim_rollers and the summary */
+    hawser_surface *surface;          /* [surfaces] likewise */
     char message[HAWSER_MESSAGE_MAX]; /* why the run did not finish */
 };
 
@@ -33,5 +35,18 @@ hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
+
+enum { THEORY_TABLES_MAX = 6, THEORY_PIECES = 0 };
+
+/* The calculator's results, for `hawser theory`. */
+typedef struct TheoryTables {
+    int n;
+    Table table[THEORY_TABLES_MAX]; /* the route piece by piece comes first */
+    void *rows[THEORY_TABLES_MAX];  /* owned */
+} TheoryTables;
+
+/* The texts are the calculator's and the scene's, which must stay. Errors: MEMORY. */
+hawser_status theory_tables_make(const Scene *scene, const Calculator *c, TheoryTables *out, hawser_error *err);
+void theory_tables_free(TheoryTables *t);
 
 #endif

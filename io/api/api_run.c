@@ -129,7 +129,8 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     def.probes = run->look->probes;
     def.probe = run->look->probe;
     def.rollers = hawser_sim_rollers(s, &def.roller);
-    def.conveyors = hawser_sim_conveyors(s, &def.conveyor);
+    def.figures = run->look->figures;
+    def.machine = run->look->machine;
     char *summary;
     hawser_status status = hawser_sim_summary_json(s, &summary, err);
     if (status) return status;

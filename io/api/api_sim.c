@@ -1,7 +1,6 @@
 /* A simulation behind the public handle: what the interface says is checked here, everything else is passed on. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "io/results/summary_json.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -97,7 +96,7 @@ void hawser_sim_summary(const hawser_sim *s, hawser_summary *out) { sim_summary(
 
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out) { return sim_stations(s->sim, out); }
 
-int hawser_sim_conveyors(const hawser_sim *s, const hawser_conveyor **out) { return sim_conveyors(s->sim, out); }
+int hawser_sim_machines(const hawser_sim *s, const hawser_machine **out) { return sim_machines(s->sim, out); }
 
 int hawser_sim_positions(const hawser_sim *s, const hawser_position **out) { return sim_positions(s->sim, out); }
 
@@ -111,13 +110,19 @@ static hawser_roller roller_row(const SimRoller *r)
     return (hawser_roller){r->name, r->s, r->rating, r->initial, r->steady, r->peak, r->spin, r->shift, r->peak_shift};
 }
 
-int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
+/* Brings the table up to date. */
+static int roller_rows(const hawser_sim *s)
 {
     const SimRoller *table;
     const int n = sim_rollers(s->sim, &table);
     for (int i = 0; i < n; i++) s->roller[i] = roller_row(&table[i]);
-    *out = s->roller;
     return n;
+}
+
+int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out)
+{
+    *out = s->roller;
+    return roller_rows(s);
 }
 
 hawser_surface api_surface(const SimSurface *surface)
@@ -137,13 +142,19 @@ hawser_surface api_surface(const SimSurface *surface)
                             .line_load_at_m = surface->at};
 }
 
-int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out)
+/* The same of the surfaces. */
+static int surface_rows(const hawser_sim *s)
 {
     const SimSurface *table;
     const int n = sim_surfaces(s->sim, &table);
     for (int i = 0; i < n; i++) s->surface[i] = api_surface(&table[i]);
-    *out = s->surface;
     return n;
+}
+
+int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out)
+{
+    *out = s->surface;
+    return surface_rows(s);
 }
 
 const char *hawser_sim_title(const hawser_sim *s) { return s->title; }
@@ -166,32 +177,22 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     hawser_summary summary;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     Overload *overload;
-    const SimSurface *table;
-    const SimRoller *rollers;
     SummaryLabels labels = {.title = s->title,
                             .case_name = s->case_name,
                             .outcome = outcome_name(s),
                             .message = s->outcome ? s->message : "",
-                            .n_surfaces = sim_surfaces(s->sim, &table),
-                            .n_rollers = sim_rollers(s->sim, &rollers),
+                            .n_surfaces = surface_rows(s),
+                            .surface = s->surface,
+                            .n_rollers = roller_rows(s),
+                            .roller = s->roller,
                             .n_limits = sim_limits(s->sim, limit),
                             .limit = limit,
                             .n_overloads = sim_overload(s->sim, &overload),
                             .trip_N = sim_trip_force(s->sim)};
-    hawser_surface *const surface = calloc((size_t)labels.n_surfaces + 1, sizeof *surface);
-    hawser_roller *const roller = calloc((size_t)labels.n_rollers + 1, sizeof *roller);
-    hawser_status status = surface && roller && labels.n_overloads >= 0 ? HAWSER_OK : error_memory(err);
-    if (!status) {
-        for (int i = 0; i < labels.n_surfaces; i++) surface[i] = api_surface(&table[i]);
-        for (int i = 0; i < labels.n_rollers; i++) roller[i] = roller_row(&rollers[i]);
-        labels.surface = surface;
-        labels.roller = roller;
-        labels.overload = overload;
-        sim_summary(s->sim, &summary);
-        status = summary_json(&summary, &labels, text, err);
-    }
-    free(surface);
-    free(roller);
+    if (labels.n_overloads < 0) return error_memory(err);
+    labels.overload = overload;
+    sim_summary(s->sim, &summary);
+    const hawser_status status = summary_json(&summary, &labels, text, err);
     free(overload);
     return status;
 }

@@ -1,8 +1,6 @@
 /* The closed-form calculation of a case: what `hawser theory` prints. The formulas are in theory/. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "io/results/json_document.h"
-#include "io/results/theory_tables.h"
 #include "sim/expected/expected.h"
 #include "theory/paper.h"
 #include "theory/pulling.h"
@@ -12,13 +10,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PLACE_COLUMNS = 7, TERM_COLUMNS = 2 };
-
-/* A place of the table: a station of the case or an end of a piece of the route. */
+/* A place of the table: a station of the case or an end of a piece of the route. NAN: there is no cable. */
 typedef struct Place {
     char name[96];
-    double s; /* m */
+    double s, slope;                           /* m, deg */
+    double paper, reference, normal, sidewall; /* N, N, N/m, N/m */
 } Place;
+
+static const Column place_column[] = {
+    {COLUMN("name", CHARS, Place, name), .label = "place"},
+    {COLUMN("s_m", NUMBER, Place, s), .label = "s, m", .decimals = 3},
+    {COLUMN("slope_deg", NUMBER, Place, slope), .label = "slope, deg", .decimals = 2},
+    {COLUMN("paper_N", NUMBER, Place, paper), .label = "paper, N", .decimals = 2},
+    {COLUMN("reference_N", NUMBER, Place, reference), .label = "reference, N", .decimals = 2},
+    {COLUMN("normal_N_per_m", NUMBER, Place, normal), .label = "support, N/m", .decimals = 1},
+    {COLUMN("sidewall_N_per_m", NUMBER, Place, sidewall), .label = "sidewall, N/m", .decimals = 1},
+};
+
+/* A term of the paper's sum. */
+typedef struct Term {
+    const char *name;
+    double force; /* N */
+} Term;
+
+static const Column term_column[] = {
+    {COLUMN("name", TEXT, Term, name), .label = "term"},
+    {COLUMN("force_N", NUMBER, Term, force), .label = "N", .decimals = 2},
+};
 
 typedef struct Theory {
     Scene scene;
@@ -31,7 +49,7 @@ typedef struct Theory {
     Calculator calculator;
     TheoryTables tables;
     char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX];
-    Cell *cell, *term; /* [n * PLACE_COLUMNS], [n_paper * TERM_COLUMNS] */
+    Term *term; /* [n_paper] */
 } Theory;
 
 /* By place; places that coincide keep no particular order. */
@@ -68,9 +86,8 @@ static hawser_status make_arrays(Theory *t, hawser_error *err)
     const size_t places = (size_t)(t->scene.def.n_stations + t->scene.route.n + 1);
     t->place = calloc(places, sizeof *t->place);
     t->value = calloc(places, sizeof *t->value);
-    t->cell = calloc(places * PLACE_COLUMNS, sizeof *t->cell);
-    t->term = calloc((size_t)t->scene.def.n_paper * TERM_COLUMNS + 1, sizeof *t->term);
-    return t->place && t->value && t->cell && t->term ? HAWSER_OK : error_memory(err);
+    t->term = calloc((size_t)t->scene.def.n_paper + 1, sizeof *t->term);
+    return t->place && t->value && t->term ? HAWSER_OK : error_memory(err);
 }
 
 /* Both theories at every place. */
@@ -97,14 +114,12 @@ static void fill_places(Theory *t)
         const hawser_station *v = &t->value[i];
         const int on = isfinite(v->reference_N);
         const PullPoint at = pull_at(&t->pull, v->s);
-        Cell *row = &t->cell[i * PLACE_COLUMNS];
-        row[0] = cell_text(v->name);
-        row[1] = cell_number(v->s);
-        row[2] = cell_number(route_slope(&t->scene.route, v->s) * 180 / M_PI);
-        row[3] = cell_number(v->paper_N);
-        row[4] = cell_number(v->reference_N);
-        row[5] = cell_number(on ? at.normal : NAN);
-        row[6] = cell_number(on ? at.sidewall : NAN);
+        Place *const row = &t->place[i];
+        row->slope = route_slope(&t->scene.route, v->s) * 180 / M_PI;
+        row->paper = v->paper_N;
+        row->reference = v->reference_N;
+        row->normal = on ? at.normal : NAN;
+        row->sidewall = on ? at.sidewall : NAN;
     }
 }
 
@@ -114,8 +129,7 @@ static void fill_terms(Theory *t)
     const SceneDef *def = &t->scene.def;
     const double g = v3_norm(def->gravity), W = g > 0 ? t->scene.cable_weight / g : 0;
     for (int i = 0; i < def->n_paper; i++) {
-        t->term[i * TERM_COLUMNS] = cell_text(def->paper[i].name);
-        t->term[i * TERM_COLUMNS + 1] = cell_number(paper_term_force(&def->paper[i], W, def->friction.mu_d, g));
+        t->term[i] = (Term){def->paper[i].name, paper_term_force(&def->paper[i], W, def->friction.mu_d, g)};
     }
 }
 
@@ -146,24 +160,8 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
         {"verdict_backward", "pulled backward", "", cell_text(t->verdict[PLAN_BACKWARD])},
     };
     Table tables[2 + THEORY_TABLES_MAX] = {
-        {"stations",
-         "Tension along the route",
-         PLACE_COLUMNS,
-         t->n,
-         {{"name", "place", 0},
-          {"s_m", "s, m", 3},
-          {"slope_deg", "slope, deg", 2},
-          {"paper_N", "paper, N", 2},
-          {"reference_N", "reference, N", 2},
-          {"normal_N_per_m", "support, N/m", 1},
-          {"sidewall_N_per_m", "sidewall, N/m", 1}},
-         t->cell},
-        {"terms",
-         "Terms of the paper's sum",
-         TERM_COLUMNS,
-         def->n_paper,
-         {{"name", "term", 0}, {"force_N", "N", 2}},
-         t->term},
+        {"stations", "Tension along the route", COLUMNS(Place, place_column), t->n, t->place},
+        {"terms", "Terms of the paper's sum", COLUMNS(Term, term_column), def->n_paper, t->term},
     };
     const int own = def->n_paper ? 2 : 1;
     for (int i = 0; i < t->tables.n; i++) tables[own + i] = t->tables.table[i];
@@ -191,7 +189,6 @@ static void theory_free(Theory *t)
     if (t->built) scene_clear(&t->scene);
     free(t->place);
     free(t->value);
-    free(t->cell);
     free(t->term);
     free(t);
 }

@@ -1,69 +1,61 @@
 /* The validation suite as a document: what `hawser validate` prints. */
 #include "core/base/error.h"
-#include "io/results/json_document.h"
+#include "io/results/column.h"
 #include "validate/validate.h"
 
 #include <math.h>
-#include <stdlib.h>
 
-enum { COLUMNS = 10 };
+static const char *case_name(const void *row) { return ((const ValidationRow *)row)->of->name; }
+static const char *case_source(const void *row) { return ((const ValidationRow *)row)->of->source; }
+
+static double expected(const void *row)
+{
+    const ValidationRow *const r = row;
+    return r->kind == AT_MOST ? 0 : r->expected;
+}
 
 /* Errors and tolerances are in per cent, or in the quantity's unit. */
-static const char *error_unit(const ValidationRow *row) { return row->kind == WITHIN_SHARE ? "%" : row->unit; }
+static const char *error_unit(const void *row)
+{
+    const ValidationRow *const r = row;
+    return r->kind == WITHIN_SHARE ? "%" : r->unit;
+}
 
 /* Nothing is asked of the errors that a regression is made from. */
-static const char *verdict(const ValidationRow *row)
+static const char *verdict(const void *row)
 {
-    if (isinf(row->tolerance)) return "-";
-    return row->ok ? "ok" : "OUTSIDE";
+    const ValidationRow *const r = row;
+    if (isinf(r->tolerance)) return "-";
+    return r->ok ? "ok" : "OUTSIDE";
 }
 
-static void fill_row(const ValidationRow *row, Cell *cell)
-{
-    cell[0] = cell_text(row->of->name);
-    cell[1] = cell_text(row->quantity);
-    cell[2] = cell_text(row->unit);
-    cell[3] = cell_number(row->kind == AT_MOST ? 0 : row->expected);
-    cell[4] = cell_number(row->found);
-    cell[5] = cell_number(row->error);
-    cell[6] = cell_number(row->tolerance);
-    cell[7] = cell_text(error_unit(row));
-    cell[8] = cell_text(verdict(row));
-    cell[9] = cell_text(row->of->source);
-}
+static const Column quantity_column[] = {
+    {.key = "case", .text = case_name, .label = "case"},
+    {COLUMN("quantity", CHARS, ValidationRow, quantity), .label = "quantity"},
+    {COLUMN("unit", TEXT, ValidationRow, unit), .label = "unit"},
+    {.key = "expected", .number = expected, .label = "expected", .decimals = -1},
+    {COLUMN("found", NUMBER, ValidationRow, found), .label = "found", .decimals = -1},
+    {COLUMN("error", NUMBER, ValidationRow, error), .label = "error", .decimals = 4},
+    {COLUMN("tolerance", NUMBER, ValidationRow, tolerance), .label = "tolerance", .decimals = -1},
+    {.key = "in", .text = error_unit, .label = "in"},
+    {.key = "verdict", .text = verdict, .label = "verdict"},
+    {.key = "source", .text = case_source, .label = "source"},
+};
 
-/* The table of the quantities is the one that CSV holds; cells of the cases follow those of the quantities. */
+/* The table of the quantities is the one that CSV holds. */
 static hawser_status write_log(const ValidationLog *log, int ran, int outside, hawser_format format, char **text,
                                hawser_error *err)
 {
-    Cell *const cell = calloc((size_t)(log->n + 1) * COLUMNS, sizeof *cell);
-    if (!cell) return error_memory(err);
-    for (int i = 0; i < log->n; ++i) fill_row(&log->row[i], &cell[i * COLUMNS]);
     const Fact facts[] = {
         {"cases", "cases", "", cell_number(ran)},
         {"count", "quantities", "", cell_number(log->n)},
         {"outside", "outside their tolerance", "", cell_number(outside)},
         {"failure", "last case that could not be run", "", cell_text(log->failure[0] ? log->failure : "-")},
     };
-    const Table table = {"quantities",
-                         "What was expected and what was found",
-                         COLUMNS,
-                         log->n,
-                         {{"case", "case", 0},
-                          {"quantity", "quantity", 0},
-                          {"unit", "unit", 0},
-                          {"expected", "expected", -1},
-                          {"found", "found", -1},
-                          {"error", "error", 4},
-                          {"tolerance", "tolerance", -1},
-                          {"in", "in", 0},
-                          {"verdict", "verdict", 0},
-                          {"source", "source", 0}},
-                         cell};
+    const Table table = {"quantities", "What was expected and what was found", COLUMNS(ValidationRow, quantity_column),
+                         log->n, log->row};
     const Document doc = {"Validation", sizeof facts / sizeof *facts, 1, facts, &table, &table};
-    const hawser_status status = document_write(&doc, format, text, err);
-    free(cell);
-    return status;
+    return document_write(&doc, format, text, err);
 }
 
 /* A filter that fits nothing is a mistake of whoever gave it. */

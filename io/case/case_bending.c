@@ -1,5 +1,10 @@
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+static const CaseKey bending_keys[] = {
+    {"table", KEY_LIST, .otherwise = "none: it is needed",
+     .form = "2 to 8 rows [curvature, moment], bent for the first time"},
+};
+SECTION(case_bending, "cables.NAME.bending", bending_keys);
 
 /* The columns of a table. */
 static const CaseKey curvature_key = {"curvature", KEY_NUMBER, DIM_CURVATURE, .min = 0, .max = 1e6, .above = 1},
@@ -42,9 +47,9 @@ static hawser_status alone_check(const CaseReader *r, const CaseNode *cable)
     return HAWSER_OK;
 }
 
-hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, const BendingRecord *record, CableDef *cable)
+hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, CableDef *cable)
 {
-    const CaseNode *const list = record->table;
+    const CaseNode *const list = case_node_key(case_node_key(node, "bending"), "table");
     const CaseKey *const column[2] = {&curvature_key, &moment_key};
     BendingTable *const t = &cable->bending;
     hawser_status status = alone_check(r, node);

@@ -4,9 +4,82 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
 
 static const double PI = 3.14159265358979323846;
+
+/* By component, on top of the cable's damping time; in CableDef both shears and both bendings have their own. */
+static const CaseKey damping_factor_keys[] = {
+    {"axial", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(CableDef, damping_factor[0])},
+    {"shear", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(CableDef, damping_factor[1])},
+    {"torsion", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(CableDef, damping_factor[3])},
+    {"bending", KEY_NUMBER, .fallback = "1", FROM(0, 1e6), AT(CableDef, damping_factor[4])},
+};
+static SECTION(damping_factor, "cables.NAME.damping_factor", damping_factor_keys);
+
+/* In place of time and factor, component by component. */
+static const CaseKey damping_ratio_keys[] = {
+    {"axial", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(CableDef, damping_ratio[0])},
+    {"shear", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(CableDef, damping_ratio[1])},
+    {"torsion", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(CableDef, damping_ratio[3])},
+    {"bending", KEY_NUMBER, .otherwise = "by `damping`", FROM(0, 10), AT(CableDef, damping_ratio[4])},
+    {"at", KEY_NUMBER, DIM_FREQUENCY, .otherwise = "each joint's own mode", ABOVE(0, 1e6),
+     AT(CableDef, damping_ratio_at)},
+};
+static SECTION(damping_ratio, "cables.NAME.damping_ratio", damping_ratio_keys);
+
+static const CaseKey preload_keys[] = {
+    {"axial", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(CableDef, preload[0])},
+    {"shear_y", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(CableDef, preload[1])},
+    {"shear_z", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(-STIFF, STIFF), AT(CableDef, preload[2])},
+    {"torsion", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(-STIFF, STIFF), AT(CableDef, preload[3])},
+    {"bending_y", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(-STIFF, STIFF), AT(CableDef, preload[4])},
+    {"bending_z", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(-STIFF, STIFF), AT(CableDef, preload[5])},
+};
+static SECTION(preload, "cables.NAME.preload", preload_keys);
+
+/* A cable, with the paper's shorthand for its rigidities (its eq. 2). */
+typedef struct CableRecord {
+    CableDef cable; /* first, for the sections within */
+    double E, G, A, density, EI;
+} CableRecord;
+
+/* A rigidity has no default of its own: cable_resolve takes it from the shorthand. */
+static const CaseKey cable_keys[] = {
+    {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 100), AT(CableRecord, cable.diameter)},
+    {"E", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, E)},
+    {"G", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, G)},
+    {"A", KEY_NUMBER, DIM_AREA, .otherwise = "none", ABOVE(0, 1e4), AT(CableRecord, A)},
+    {"density", KEY_NUMBER, DIM_DENSITY, .otherwise = "none", ABOVE(0, 1e6), AT(CableRecord, density)},
+    {"EA", KEY_NUMBER, DIM_FORCE, .otherwise = "E A", ABOVE(0, STIFF), AT(CableRecord, cable.ea)},
+    {"GA", KEY_NUMBER, DIM_FORCE, .otherwise = "G A", ABOVE(0, STIFF), AT(CableRecord, cable.ga)},
+    {"GJ", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "G pi d^4/32", ABOVE(0, STIFF), AT(CableRecord, cable.gj)},
+    {"EI", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "E pi d^4/64", ABOVE(0, STIFF), AT(CableRecord, EI)},
+    {"EI_y", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_y)},
+    {"EI_z", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_z)},
+    {"mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "density A", ABOVE(0, 1e6), AT(CableRecord, cable.mass)},
+    {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(CableRecord, cable.damping)},
+    {"damping_factor", KEY_SECTION, .otherwise = "its defaults", .section = &damping_factor},
+    {"damping_ratio", KEY_SECTION, .otherwise = "none", .section = &damping_ratio},
+    {"preload", KEY_SECTION, .otherwise = "its defaults", .section = &preload},
+    {"bending", KEY_SECTION, .otherwise = "elastic, by EI", .section = &case_bending},
+};
+SECTION(case_cable, "cables.NAME", cable_keys);
+
+/* A piece of the chain: the cable by its name, the length of its segments at most, m. */
+typedef struct PieceRecord {
+    ChainPieceDef piece;
+    char cable[NAME_MAX_LENGTH];
+    double segment;
+} PieceRecord;
+
+/* Pieces follow each other from the tail to the winch. */
+static const CaseKey chain_piece_keys[] = {
+    {"cable", KEY_TEXT, .required = 1, AT(PieceRecord, cable)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(PieceRecord, piece.length)},
+    {"segment", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(PieceRecord, segment)},
+    {"swivel", KEY_FLAG, .fallback = "false", AT(PieceRecord, piece.swivel)},
+};
+SECTION(case_chain_piece, "chain.N", chain_piece_keys);
 
 /* Counts only what has been read so far, so that it also serves while the chain is being read. */
 int case_segments(const SceneDef *def)
@@ -38,76 +111,70 @@ double case_largest_diameter(const SceneDef *def)
     return largest;
 }
 
-/* One property: the first that is known of what was given directly and what the shorthand gives; `shorthand`
- * names what the latter needs. */
+/* One property: as it was given, or else what the shorthand gives; `shorthand` names what that needs. */
 static hawser_status property(const CaseReader *r, const CaseNode *node, const char *key, const char *shorthand,
-                              double direct, double derived, double *out)
+                              double derived, double *value)
 {
-    *out = isnan(direct) ? derived : direct;
-    if (!isnan(*out)) return HAWSER_OK;
+    if (isnan(*value)) *value = derived;
+    if (!isnan(*value)) return HAWSER_OK;
     return case_key_error(r->err, node, key, "missing: give it, or %s", shorthand);
 }
 
-/* Ratios that are given take the place of time and factor; a ratio of zero is a factor of zero. */
-static void ratios_take(const RatioRecord *record, CableDef *cable)
+/* Ratios that are given take the place of time and factor; a ratio of zero is a factor of zero. Shear and bending are
+ * alike in y and z. */
+static void damping_complete(CableDef *cable)
 {
-    const double ratio[6] = {record->axial,   record->shear,   record->shear,
-                             record->torsion, record->bending, record->bending};
+    static const int like[6] = {0, 1, 1, 3, 4, 4};
     for (int c = 0; c < 6; c++) {
-        if (isnan(ratio[c])) continue;
-        cable->damping_ratio[c] = ratio[c];
-        if (ratio[c] <= 0) cable->damping_factor[c] = 0;
+        cable->damping_factor[c] = cable->damping_factor[like[c]];
+        cable->damping_ratio[c] = cable->damping_ratio[like[c]];
     }
-    cable->damping_ratio_at = isnan(record->at) ? 0 : record->at;
+    for (int c = 0; c < 6; c++) {
+        if (cable->damping_ratio[c] <= 0) cable->damping_factor[c] = 0;
+        if (isnan(cable->damping_ratio[c])) cable->damping_ratio[c] = 0;
+    }
+    if (isnan(cable->damping_ratio_at)) cable->damping_ratio_at = 0;
 }
 
 /* The paper's eq. 2: EA = E A, GA = G A, GJ = G pi d^4/32, EI = E pi d^4/64, each unless given directly. */
 static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, const CableRecord *c, CableDef *cable)
 {
-    const double J = PI * pow(c->d, 4) / 32, EI = isnan(c->EI) ? c->E * J / 2 : c->EI;
-    hawser_status s = property(r, node, "EA", "E and A", c->EA, c->E * c->A, &cable->ea);
-    if (!s) s = property(r, node, "GA", "G and A", c->GA, c->G * c->A, &cable->ga);
-    if (!s) s = property(r, node, "GJ", "G", c->GJ, c->G * J, &cable->gj);
+    const double J = PI * pow(cable->diameter, 4) / 32, EI = isnan(c->EI) ? c->E * J / 2 : c->EI;
+    hawser_status s = property(r, node, "EA", "E and A", c->E * c->A, &cable->ea);
+    if (!s) s = property(r, node, "GA", "G and A", c->G * c->A, &cable->ga);
+    if (!s) s = property(r, node, "GJ", "G", c->G * J, &cable->gj);
     if (case_node_key(node, "bending")) {
-        if (!s) s = case_bending_read(r, node, &c->bending, cable);
+        if (!s) s = case_bending_read(r, node, cable);
     } else {
-        if (!s) s = property(r, node, "EI_y", "EI, or E", c->EI_y, EI, &cable->ei_y);
-        if (!s) s = property(r, node, "EI_z", "EI, or E", c->EI_z, EI, &cable->ei_z);
+        if (!s) s = property(r, node, "EI_y", "EI, or E", EI, &cable->ei_y);
+        if (!s) s = property(r, node, "EI_z", "EI, or E", EI, &cable->ei_z);
     }
-    if (!s) s = property(r, node, "mass", "density and A", c->mass, c->density * c->A, &cable->mass);
-    cable->diameter = c->d;
-    cable->damping = c->damping;
-    const double factor[6] = {c->factor.axial,   c->factor.shear,   c->factor.shear,
-                              c->factor.torsion, c->factor.bending, c->factor.bending};
-    memcpy(cable->damping_factor, factor, sizeof factor);
-    ratios_take(&c->ratio, cable);
-    const double preload[6] = {c->preload.axial,   c->preload.shear_y,   c->preload.shear_z,
-                               c->preload.torsion, c->preload.bending_y, c->preload.bending_z};
-    memcpy(cable->preload, preload, sizeof preload);
+    if (!s) s = property(r, node, "mass", "density and A", c->density * c->A, &cable->mass);
+    damping_complete(cable);
     return s;
 }
 
 /* The names are the user's: each key of the map is a cable. */
-hawser_status case_cables_read(const CaseReader *r, const CaseNode *node)
+static hawser_status cable_read(const CaseReader *r, const CaseNode *node, void *item)
+{
+    CableDef *const cable = item;
+    CableRecord record = {0};
+    if (strlen(node->key) >= sizeof cable->name) {
+        return case_key_error(r->err, node, NULL, "the name is too long: at most %zu characters",
+                              sizeof cable->name - 1);
+    }
+    const hawser_status status = case_section_read(r, node, &case_cable, &record);
+    if (status) return status;
+    *cable = record.cable;
+    strcpy(cable->name, node->key);
+    return cable_resolve(r, node, &record, cable);
+}
+
+hawser_status case_cables_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
     if (node->count == 0) return case_value_error(r->err, node, " without a cable: expected one at least");
-    def->cables = calloc((size_t)node->count, sizeof *def->cables);
-    if (!def->cables) return error_memory(r->err);
-    def->n_cables = node->count;
-    for (const CaseNode *child = node->first; child; child = child->next) {
-        CableDef *cable = &def->cables[child->index];
-        CableRecord record = {0};
-        if (strlen(child->key) >= sizeof cable->name) {
-            return case_key_error(r->err, child, NULL, "the name is too long: at most %zu characters",
-                                  sizeof cable->name - 1);
-        }
-        strcpy(cable->name, child->key);
-        hawser_status status = case_section_read(r, child, &case_cable, &record);
-        if (!status) status = cable_resolve(r, child, &record, cable);
-        if (status) return status;
-    }
-    return HAWSER_OK;
+    return case_list_read(r, node, sizeof *def->cables, cable_read, &def->cables, &def->n_cables);
 }
 
 /* The cable that a piece names. */
@@ -127,46 +194,36 @@ static hawser_status cable_find(const CaseReader *r, const CaseNode *piece, int 
 }
 
 /* Segments of equal length, none longer than asked for. */
-static hawser_status segments_count(const CaseReader *r, const CaseNode *piece, const PieceRecord *record,
-                                    int *segments)
+static hawser_status segments_count(const CaseReader *r, const CaseNode *node, double segment, ChainPieceDef *piece)
 {
-    const double n = ceil(record->length / record->segment - 1e-6);
+    const double n = ceil(piece->length / segment - 1e-6);
     if (n + case_segments(r->def) > CASE_SEGMENTS_MAX) {
-        return case_key_error(r->err, piece, "segment", "too short: the chain may have %d segments at most",
+        return case_key_error(r->err, node, "segment", "too short: the chain may have %d segments at most",
                               CASE_SEGMENTS_MAX);
     }
-    *segments = n < 1 ? 1 : (int)n;
+    piece->segments = n < 1 ? 1 : (int)n;
     return HAWSER_OK;
 }
 
 /* One piece of the chain, with its cable found and its segments counted. */
-static hawser_status piece_read(const CaseReader *r, const CaseNode *node, ChainPieceDef *piece)
+static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     PieceRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_chain_piece, &record);
-    if (!status) status = cable_find(r, node, &piece->cable);
-    if (!status) status = segments_count(r, node, &record, &piece->segments);
+    if (!status) status = cable_find(r, node, &record.piece.cable);
+    if (!status) status = segments_count(r, node, record.segment, &record.piece);
     if (status) return status;
-    piece->length = record.length;
-    piece->swivel = record.swivel;
-    if (node->index == 0 && record.swivel) {
+    memcpy(item, &record.piece, sizeof record.piece);
+    if (node->index == 0 && record.piece.swivel) {
         return case_value_error(r->err, case_node_key(node, "swivel"),
                                 ": the first piece has no eye behind it: expected false");
     }
     return HAWSER_OK;
 }
 
-/* n_pieces grows as they are read, which segments_count relies on. */
-hawser_status case_chain_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_chain_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
     if (node->count == 0) return case_value_error(r->err, node, " without a piece: expected one at least");
-    def->pieces = calloc((size_t)node->count, sizeof *def->pieces);
-    if (!def->pieces) return error_memory(r->err);
-    for (const CaseNode *child = node->first; child; child = child->next) {
-        const hawser_status status = piece_read(r, child, &def->pieces[child->index]);
-        if (status) return status;
-        def->n_pieces++;
-    }
-    return HAWSER_OK;
+    return case_list_read(r, node, sizeof *def->pieces, piece_read, &def->pieces, &def->n_pieces);
 }

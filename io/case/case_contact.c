@@ -1,8 +1,39 @@
 #include <math.h>
-#include <string.h>
 
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+static const char *const geometries[] = {"smooth", "cylinder", NULL};
+
+/* ADAMS' IMPACT; the defaults' reasons are in sim/def/scene_def.c. */
+static const CaseKey contact_keys[] = {
+    {"geometry", KEY_CHOICE, .fallback = "smooth", .choices = geometries, AT(SceneDef, geometry)},
+    {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "3.4e8 N/m^1.5", .form = "a force per length to the power e",
+     ABOVE(0, 1e18)},
+    {"e", KEY_NUMBER, .fallback = "1.5", FROM(1, 5), AT(SceneDef, impact.e)},
+    {"c", KEY_NUMBER, DIM_DASHPOT, .fallback = "10 kN s/m", FROM(0, 1e12), AT(SceneDef, impact.c)},
+    {"d", KEY_NUMBER, DIM_LENGTH, .fallback = "0.1 mm", ABOVE(0, 1), AT(SceneDef, impact.d)},
+    {"reach", KEY_NUMBER, DIM_LENGTH, .fallback = "1 m", ABOVE(0, 1e4), AT(SceneDef, contact_reach)},
+    {"cable_on_cable", KEY_FLAG, .fallback = "false", AT(SceneDef, cable_on_cable)},
+    {"cable_friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`"},
+};
+SECTION(case_contact, "contact", contact_keys);
+
+/* NAN: not given. */
+typedef struct FrictionRecord {
+    double mu, mu_s, mu_d, v_s, v_d, d_s;
+} FrictionRecord;
+
+/* No fallbacks: what is absent is the case's own law for a roller, and the default law for the case. */
+static const CaseKey friction_keys[] = {
+    {"mu", KEY_NUMBER, .otherwise = "0.2", FROM(0, 10), AT(FrictionRecord, mu)},
+    {"mu_s", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_s)},
+    {"mu_d", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_d)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s", ABOVE(0, 1e3), AT(FrictionRecord, v_s)},
+    {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(FrictionRecord, v_d)},
+    {"law", KEY_ANY, .otherwise = "`adams`", .form = "`adams` or `stick`"},
+    {"d_s", KEY_NUMBER, DIM_LENGTH, .otherwise = "0.1 mm", ABOVE(0, 1), AT(FrictionRecord, d_s)},
+};
+SECTION(case_friction, "friction", friction_keys);
 
 /* The law's stiffness: its unit goes with the exponent. */
 hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k)
@@ -17,37 +48,35 @@ hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, dou
 }
 
 /* The stiffness comes last: its unit has the exponent that was read. */
-hawser_status case_contact_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_contact_read(CaseReader *r, const CaseNode *node)
 {
-    SceneDef *def = r->def;
-    ContactRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_contact, &record);
-    double k = def->impact.k;
-    if (!status && record.k) status = case_stiffness_read(r, record.k, record.e, &k);
-    if (status) return status;
-    def->geometry = record.geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
-    def->impact = (ImpactLaw){.k = k, .e = record.e, .c = record.c, .d = record.d};
-    def->contact_reach = record.reach;
-    def->cable_on_cable = record.cable_on_cable;
-    if (record.cable_friction && !record.cable_on_cable) {
-        return case_key_error(r->err, record.cable_friction, NULL, "not allowed without 'cable_on_cable: true'");
-    }
-    return HAWSER_OK;
+    SceneDef *const def = r->def;
+    const CaseNode *const k = case_node_key(node, "k"), *const friction = case_node_key(node, "cable_friction");
+    hawser_status status = case_section_read(r, node, &case_contact, def);
+    if (!status && k) status = case_stiffness_read(r, k, def->impact.e, &def->impact.k);
+    if (status || !friction || def->cable_on_cable) return status;
+    return case_key_error(r->err, friction, NULL, "not allowed without 'cable_on_cable: true'");
 }
 
-hawser_status case_cable_friction_read(const CaseReader *r, const CaseNode *contact)
+/* Neither side of such a contact stays where it is: there is no place to remember, so that it cannot stick. */
+static hawser_status cable_friction_read(const CaseReader *r, const CaseNode *node)
 {
-    const CaseNode *const node = contact ? case_node_key(contact, "cable_friction") : NULL;
-    r->def->cable_friction = r->def->friction;
-    const hawser_status status =
-        node ? case_friction_read(r, node, &r->def->friction, &r->def->cable_friction) : HAWSER_OK;
-    /* neither side of such a contact stays where it is: there is no place to remember */
-    const CaseNode *const law = node ? case_node_key(node, "law") : NULL;
-    if (!status && law && r->def->cable_friction.d_s > 0) {
+    FrictionLaw *const own = &r->def->cable_friction;
+    *own = r->def->friction;
+    const hawser_status status = node ? case_friction_read(r, node, &r->def->friction, own) : HAWSER_OK;
+    const CaseNode *const law = case_node_key(node, "law");
+    if (!status && law && own->d_s > 0) {
         return case_value_error(r->err, law, ": expected adams, cable on cable does not stick");
     }
-    r->def->cable_friction.d_s = 0;
+    own->d_s = 0;
     return status;
+}
+
+hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
+{
+    const FrictionLaw usual = r->def->friction;
+    const hawser_status status = case_friction_read(r, node, &usual, &r->def->friction);
+    return status ? status : cable_friction_read(r, case_node_key(case_node_key(r->root, "contact"), "cable_friction"));
 }
 
 /* Where v_d was not given the message points at the section, since there is no line of its own. */
@@ -66,15 +95,10 @@ static const double STICK_DISPLACEMENT = 1e-4; /* m, of a law that sticks, unles
 static hawser_status stick_read(const CaseReader *r, const CaseNode *node, const FrictionRecord *record,
                                 const FrictionLaw *base, FrictionLaw *law)
 {
-    const CaseNode *word = record->law;
-    int sticks = base->d_s > 0;
-    if (word) {
-        const int text = word->kind == NODE_TEXT;
-        sticks = text && strcmp(word->text, "stick") == 0;
-        if (!sticks && !(text && strcmp(word->text, "adams") == 0)) {
-            return case_value_error(r->err, word, ": expected adams or stick");
-        }
-    }
+    static const char *const laws[] = {"adams", "stick", NULL};
+    const CaseNode *const word = case_node_key(node, "law");
+    const int sticks = word ? case_word_place(word, laws) : base->d_s > 0;
+    if (sticks < 0) return case_value_error(r->err, word, ": expected adams or stick");
     if (!isnan(record->d_s) && !sticks) {
         return case_key_error(r->err, case_node_key(node, "d_s"), NULL, "only for 'law: stick'");
     }

@@ -1,23 +1,36 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+static const CaseKey belt_keys[] = {
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(ConveyorDef, speed.v1)},
+    RAMP_KEYS(ConveyorDef, speed, "step"),
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising"},
+};
+static SECTION(belt, "conveyors.N.belt", belt_keys);
+
+/* Straight machines along the route. */
+static const CaseKey conveyor_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(ConveyorDef, name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(ConveyorDef, from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(ConveyorDef, to)},
+    {"clamp", KEY_NUMBER, DIM_FORCE, .required = 1, FROM(0, STRONG), AT(ConveyorDef, clamp)},
+    {"mu", KEY_NUMBER, .fallback = "0.3", FROM(0, 10), AT(ConveyorDef, mu)},
+    {"limit", KEY_NUMBER, DIM_FORCE, .otherwise = "none", ABOVE(0, STRONG), AT(ConveyorDef, limit)},
+    {"belt", KEY_MAP, .otherwise = "the winch's speed times `factor`", .section = &belt},
+    {"factor", KEY_NUMBER, .fallback = "1", ABOVE(0, 100), AT(ConveyorDef, factor)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "0.1 mm/s", ABOVE(0, 1e3), AT(ConveyorDef, v_s)},
+    {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(ConveyorDef, v_d)},
+    {"ratio", KEY_NUMBER, .fallback = "1", FROM(0, 1), AT(ConveyorDef, ratio)},
+    {"edge", KEY_NUMBER, DIM_LENGTH, .fallback = "200 mm", ABOVE(0, 1e3), AT(ConveyorDef, edge)},
+    {"hold", KEY_FLAG, .fallback = "true", AT(ConveyorDef, hold)},
+};
+SECTION(case_conveyor, "conveyors.N", conveyor_keys);
 
 /* How far the route may leave a machine's line, m: a conveyor is straight. */
 static const double ASIDE_MAX = 0.02;
-
-/* A belt with a speed of its own. */
-static hawser_status belt_read(const CaseReader *r, const CaseNode *node, ConveyorDef *c)
-{
-    DriveRecord record = {0};
-    const hawser_status status = case_section_read(r, node, &case_belt, &record);
-    if (status) return status;
-    return case_profile_make(r, node, &case_belt, "speed", &record, &c->speed, &c->table_time, &c->table_value);
-}
 
 /* A belt without one runs with the winch, which must then have a speed. */
 static hawser_status belt_check(const CaseReader *r, const CaseNode *node)
@@ -31,7 +44,7 @@ static hawser_status belt_check(const CaseReader *r, const CaseNode *node)
 }
 
 /* On the route, long enough for its edges, and where the route is straight. */
-static hawser_status place_check(const CaseReader *r, const CaseNode *node, const ConveyorRecord *c)
+static hawser_status place_check(const CaseReader *r, const CaseNode *node, const ConveyorDef *c)
 {
     if (c->to <= c->from) {
         return case_value_error(r->err, case_node_key(node, "to"), " is out of range: must be above 'from', %g m",
@@ -61,34 +74,26 @@ static hawser_status place_check(const CaseReader *r, const CaseNode *node, cons
     return HAWSER_OK;
 }
 
-/* One machine; its table becomes the definition's even if there is an error. */
-static hawser_status conveyor_read(const CaseReader *r, const CaseNode *node)
+static hawser_status conveyor_read(const CaseReader *r, const CaseNode *node, void *item)
 {
-    ConveyorRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_conveyor, &record);
-    if (!status) status = case_speeds_check(r, node, record.v_s, &record.v_d);
-    if (!status) status = place_check(r, node, &record);
-    if (!status && !record.belt) status = belt_check(r, node);
-    if (!status && record.belt && case_node_key(node, "factor")) {
+    ConveyorDef *const c = item;
+    const CaseNode *const own = case_node_key(node, "belt");
+    hawser_status status = case_section_read(r, node, &case_conveyor, c);
+    if (!status) status = case_speeds_check(r, node, c->v_s, &c->v_d);
+    if (!status) status = place_check(r, node, c);
+    if (!status && !own) status = belt_check(r, node);
+    if (!status && own && case_node_key(node, "factor")) {
         status = case_key_error(r->err, case_node_key(node, "factor"), NULL, "not allowed beside 'belt'");
     }
     if (status) return status;
-    ConveyorDef *c = &r->def->conveyors[r->def->n_conveyors++];
-    *c = (ConveyorDef){.from = record.from,
-                       .to = record.to,
-                       .edge = record.edge,
-                       .sync = !record.belt,
-                       .factor = record.factor,
-                       .clamp = record.clamp,
-                       .mu = record.mu,
-                       .limit = isnan(record.limit) ? 0 : record.limit,
-                       .v_s = record.v_s,
-                       .v_d = record.v_d,
-                       .ratio = record.ratio,
-                       .hold = record.hold};
-    strcpy(c->name, record.name);
+    c->sync = !own;
+    if (isnan(c->limit)) c->limit = 0;
     if (!*c->name) snprintf(c->name, sizeof c->name, "C%d", node->index + 1);
-    return record.belt ? belt_read(r, record.belt, c) : HAWSER_OK;
+    if (own) status = case_section_read(r, own, &belt, c);
+    if (!status && own) {
+        status = case_profile_read(r, own, &belt, "speed", &c->speed, &c->table_time, &c->table_value);
+    }
+    return status;
 }
 
 static int by_place(const void *a, const void *b)
@@ -111,16 +116,14 @@ static hawser_status conveyors_order(const CaseReader *r, const CaseNode *list)
     return HAWSER_OK;
 }
 
-hawser_status case_conveyors_read(const CaseReader *r, const CaseNode *list)
+hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list)
 {
     SceneDef *def = r->def;
-    hawser_status status = HAWSER_OK;
-    if (!list) return status;
+    if (!list) return HAWSER_OK;
     if (list->count > CASE_CONVEYORS_MAX) {
         return case_key_error(r->err, list, NULL, "too many conveyors: at most %d", CASE_CONVEYORS_MAX);
     }
-    def->conveyors = calloc((size_t)list->count + 1, sizeof *def->conveyors);
-    if (!def->conveyors) return error_memory(r->err);
-    for (const CaseNode *item = list->first; !status && item; item = item->next) status = conveyor_read(r, item);
+    const hawser_status status =
+        case_list_read(r, list, sizeof *def->conveyors, conveyor_read, &def->conveyors, &def->n_conveyors);
     return status ? status : conveyors_order(r, list);
 }

@@ -3,22 +3,76 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
 
-/* The keys of a section that share a profile's forms. */
-typedef struct Drive {
-    const CaseSection *section;
-    const char *value; /* "speed", "tension" */
-} Drive;
+/* In place of a speed. */
+static const CaseKey winch_tension_keys[] = {
+    {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(WinchDef, tension.v1)},
+    RAMP_KEYS(WinchDef, tension, "step"),
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, force], times rising"},
+    {"speed_limit", KEY_NUMBER, DIM_SPEED, .otherwise = "none", ABOVE(0, 1e4), AT(WinchDef, speed_limit)},
+    {"band", KEY_NUMBER, .fallback = "0.05", ABOVE(0, 1), AT(WinchDef, band)},
+    {"drum_mass", KEY_NUMBER, DIM_MASS, .fallback = "0 kg", FROM(0, STRONG), AT(WinchDef, drum_mass)},
+};
+static SECTION(pull, "drive.winch.tension", winch_tension_keys);
 
-static const Drive winch_drive = {&case_winch, "speed"}, pull_drive = {&case_winch_tension, "force"},
-                   tail_drive = {&case_tail, "tension"};
+static const char *const afters[] = {"stay", "end", NULL};
+
+/* Either a force or a factor. */
+static const CaseKey trip_keys[] = {
+    {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "from `factor`", ABOVE(0, STRONG), AT(TripDef, force)},
+    {"factor", KEY_NUMBER, .otherwise = "none", ABOVE(0, 1e3), AT(TripDef, factor)},
+    {"hold", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(TripDef, hold)},
+    {"brake", KEY_NUMBER, DIM_TIME, .fallback = "500 ms", ABOVE(0, LATE), AT(TripDef, brake)},
+    {"restarts", KEY_INTEGER, .fallback = "0", FROM(0, 1000), AT(TripDef, restarts)},
+    {"pause", KEY_NUMBER, DIM_TIME, .fallback = "5 s", FROM(0, LATE), AT(TripDef, pause)},
+    {"ramp", KEY_NUMBER, DIM_TIME, .fallback = "2 s", ABOVE(0, LATE), AT(TripDef, ramp)},
+    {"then", KEY_CHOICE, .fallback = "stay", .choices = afters, AT(TripDef, ends_run)},
+};
+static SECTION(trip, "drive.winch.trip", trip_keys);
+
+static const char *const grips[] = {"clamp", "axial", NULL};
+
+static const CaseKey winch_keys[] = {
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(WinchDef, speed.v1)},
+    RAMP_KEYS(WinchDef, speed, "step"),
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising"},
+    {"grip", KEY_CHOICE, .fallback = "clamp", .choices = grips, AT(WinchDef, axial_only)},
+    {"take_in", KEY_FLAG, .fallback = "false", AT(WinchDef, take_in)},
+    {"at", KEY_NUMBER, DIM_LENGTH, .otherwise = "where the head lies at the start", FROM(0, LONG), AT(WinchDef, at)},
+    {"tension", KEY_MAP, .otherwise = "none", .section = &pull},
+    {"trip", KEY_MAP, .otherwise = "none", .section = &trip},
+};
+static SECTION(winch, "drive.winch", winch_keys);
+
+static const CaseKey tail_keys[] = {
+    {"tension", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(TailDef, tension.v1)},
+    RAMP_KEYS(TailDef, tension, "step"),
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, tension], times rising"},
+};
+SECTION(case_tail, "drive.tail", tail_keys);
+SECTION(case_back_tension, "reel.back_tension", tail_keys);
+
+/* The force alone is needed; the rest is the friction law's shape. */
+static const CaseKey rope_drag_keys[] = {
+    {"force", KEY_NUMBER, DIM_FORCE, .required = 1, FROM(0, STRONG), AT(RopeDragDef, force)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "1 mm/s", ABOVE(0, 1e3), AT(RopeDragDef, v_s)},
+    {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(RopeDragDef, v_d)},
+    {"ratio", KEY_NUMBER, .fallback = "1", FROM(0, 1), AT(RopeDragDef, ratio)},
+};
+static SECTION(rope_drag, "drive.rope_drag", rope_drag_keys);
+
+/* Each may be absent. */
+static const CaseKey drive_keys[] = {
+    {"winch", KEY_MAP, .otherwise = "none", .section = &winch},
+    {"tail", KEY_MAP, .otherwise = "none", .section = &case_tail},
+    {"rope_drag", KEY_MAP, .otherwise = "none", .section = &rope_drag},
+};
+SECTION(case_drive, "drive", drive_keys);
 
 /* A table's points: [time, value], times rising strictly. */
-static hawser_status points_read(const CaseReader *r, const CaseNode *list, const Drive *drive, double *time,
+static hawser_status points_read(const CaseReader *r, const CaseNode *list, const CaseKey *const keys[2], double *time,
                                  double *value)
 {
-    const CaseKey *const keys[2] = {case_key_of(drive->section, "to"), case_key_of(drive->section, drive->value)};
     for (const CaseNode *point = list->first; point; point = point->next) {
         double pair[2];
         const hawser_status status = case_numbers_read(r, point, 2, keys, pair);
@@ -34,56 +88,45 @@ static hawser_status points_read(const CaseReader *r, const CaseNode *list, cons
     return HAWSER_OK;
 }
 
-/* The arrays become the caller's even if there is an error. */
-static hawser_status table_read(const CaseReader *r, const CaseNode *map, const CaseNode *list, const Drive *drive,
-                                Profile *profile, double **time, double **value)
+/* In place of a ramp. */
+static hawser_status table_read(const CaseReader *r, const CaseNode *map, const CaseNode *list,
+                                const CaseSection *section, const char *value, Profile *profile, double **time,
+                                double **values)
 {
-    const char *const others[] = {drive->value, "ramp", "from", "to"};
+    const char *const others[] = {value, "ramp", "from", "to"};
+    const CaseKey *const keys[2] = {case_key_of(section, "to"), case_key_of(section, value)};
     for (int k = 0; k < 4; k++) {
         const CaseNode *other = case_node_key(map, others[k]);
         if (other) return case_key_error(r->err, other, NULL, "not allowed beside 'table'");
     }
     if (list->count < 2) return case_value_error(r->err, list, " of %d points: expected two at least", list->count);
     *time = calloc((size_t)list->count, sizeof **time);
-    *value = calloc((size_t)list->count, sizeof **value);
-    if (!*time || !*value) return error_memory(r->err);
-    *profile = (Profile){.kind = PROFILE_TABLE, .n = list->count, .time = *time, .value = *value};
-    return points_read(r, list, drive, *time, *value);
+    *values = calloc((size_t)list->count, sizeof **values);
+    if (!*time || !*values) return error_memory(r->err);
+    *profile = (Profile){.kind = PROFILE_TABLE, .n = list->count, .time = *time, .value = *values};
+    return points_read(r, list, keys, *time, *values);
 }
 
-/* A ramp from 0, or a table. */
-static hawser_status profile_make(const CaseReader *r, const CaseNode *map, const Drive *drive,
-                                  const DriveRecord *record, Profile *profile, double **time, double **value)
+hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
+                                Profile *profile, double **time, double **values)
 {
-    if (record->table) return table_read(r, map, record->table, drive, profile, time, value);
-    if (isnan(record->value)) return case_key_error(r->err, map, drive->value, "missing: give it, or a 'table'");
-    if (record->ramp != PROFILE_CONSTANT && record->to <= record->from) {
-        const CaseNode *to = case_node_key(map, "to");
-        return case_key_error(r->err, to ? to : map, to ? NULL : "to",
-                              "value %g s is out of range: must be above 'from', %g s", record->to, record->from);
-    }
-    *profile = (Profile){.kind = (ProfileKind)record->ramp, .t0 = record->from, .t1 = record->to, .v1 = record->value};
-    return HAWSER_OK;
-}
-
-hawser_status case_profile_make(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
-                                const DriveRecord *record, Profile *profile, double **time, double **values)
-{
-    const Drive drive = {section, value};
-    return profile_make(r, map, &drive, record, profile, time, values);
+    const CaseNode *const list = case_node_key(map, "table"), *const to = case_node_key(map, "to");
+    if (list) return table_read(r, map, list, section, value, profile, time, values);
+    if (isnan(profile->v1)) return case_key_error(r->err, map, value, "missing: give it, or a 'table'");
+    if (profile->kind == PROFILE_CONSTANT || profile->t1 > profile->t0) return HAWSER_OK;
+    return case_key_error(r->err, to ? to : map, to ? NULL : "to",
+                          "value %g s is out of range: must be above 'from', %g s", profile->t1, profile->t0);
 }
 
 /* A winch that takes the rope in stands where rope lies: between the cable's front and the head. */
-static hawser_status take_in_read(const CaseReader *r, const CaseNode *node, const WinchRecord *record)
+static hawser_status take_in_check(const CaseReader *r, const CaseNode *node)
 {
-    SceneDef *const def = r->def;
+    const SceneDef *const def = r->def;
     const CaseNode *const at = case_node_key(node, "at");
     const double head = def->head_at + (def->n_pieces > 1 ? def->pieces[def->n_pieces - 1].length : 0);
-    def->winch.take_in = record->take_in;
-    def->winch.at = record->at;
     if (!at) return HAWSER_OK;
-    if (!record->take_in) return case_key_error(r->err, at, NULL, "not allowed without 'take_in: true'");
-    if (record->at > def->head_at && record->at <= head + 1e-6) return HAWSER_OK;
+    if (!def->winch.take_in) return case_key_error(r->err, at, NULL, "not allowed without 'take_in: true'");
+    if (def->winch.at > def->head_at && def->winch.at <= head + 1e-6) return HAWSER_OK;
     return case_value_error(
         r->err, at,
         " is out of range: must be above 'route.head_at', %.10g m, and at most where the rope ends, "
@@ -92,91 +135,70 @@ static hawser_status take_in_read(const CaseReader *r, const CaseNode *node, con
 }
 
 /* When the winch trips, and what it does then. */
-static hawser_status trip_read(const CaseReader *r, const CaseNode *node)
+static hawser_status trip_read(const CaseReader *r, const CaseNode *node, TripDef *t)
 {
-    TripRecord t = {0};
-    const hawser_status status = case_section_read(r, node, &case_trip, &t);
+    const hawser_status status = case_section_read(r, node, &trip, t);
     if (status) return status;
-    const int by_force = !isnan(t.force), by_factor = !isnan(t.factor);
+    const int by_force = !isnan(t->force), by_factor = !isnan(t->factor);
     if (by_force == by_factor) {
         return case_key_error(r->err, node, by_force ? "factor" : "force", "%s: give either 'force' or 'factor'",
                               by_force ? "given beside force" : "missing");
     }
-    r->def->winch.trip = (TripDef){.force = by_force ? t.force : 0,
-                                   .factor = by_factor ? t.factor : 0,
-                                   .hold = t.hold,
-                                   .brake = t.brake,
-                                   .pause = t.pause,
-                                   .ramp = t.ramp,
-                                   .restarts = t.restarts,
-                                   .ends_run = t.then};
+    if (!by_force) t->force = 0;
+    if (!by_factor) t->factor = 0;
     return HAWSER_OK;
 }
 
 /* A set tension in place of a speed: what belongs to a speed is not allowed beside it. */
-static hawser_status pull_read(const CaseReader *r, const CaseNode *winch_node, const CaseNode *node)
+static hawser_status pull_read(const CaseReader *r, const CaseNode *winch_node, const CaseNode *node, WinchDef *w)
 {
-    WinchDef *winch = &r->def->winch;
-    WinchTensionRecord record = {0};
     const char *const others[] = {"speed", "ramp", "from", "to", "table", "trip"};
     for (int k = 0; k < 6; k++) {
         const CaseNode *other = case_node_key(winch_node, others[k]);
         if (other) return case_key_error(r->err, other, NULL, "not allowed beside 'tension'");
     }
-    const hawser_status status = case_section_read(r, node, pull_drive.section, &record);
+    const hawser_status status = case_section_read(r, node, &pull, w);
     if (status) return status;
-    winch->mode = WINCH_TENSION;
-    winch->speed_limit = isnan(record.speed_limit) ? 0 : record.speed_limit;
-    winch->band = record.band;
-    winch->drum_mass = record.drum_mass;
-    return profile_make(r, node, &pull_drive, &record.drive, &winch->tension, &winch->tension_time,
-                        &winch->tension_value);
+    w->mode = WINCH_TENSION;
+    w->speed.v1 = 0; /* none */
+    if (isnan(w->speed_limit)) w->speed_limit = 0;
+    return case_profile_read(r, node, &pull, "force", &w->tension, &w->tension_time, &w->tension_value);
 }
 
-/* Its table becomes the definition's even if there is an error: scene_def_clear frees it. */
 static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
 {
-    WinchDef *winch = &r->def->winch;
-    WinchRecord record = {0};
-    hawser_status status = case_section_read(r, node, winch_drive.section, &record);
+    WinchDef *const w = &r->def->winch;
+    const CaseNode *const tension = case_node_key(node, "tension"), *const trips = case_node_key(node, "trip");
+    hawser_status status = case_section_read(r, node, &winch, w);
     if (status) return status;
-    winch->present = 1;
-    winch->axial_only = record.grip;
-    status = take_in_read(r, node, &record);
+    w->present = 1;
+    status = take_in_check(r, node);
     if (status) return status;
-    if (record.tension) return pull_read(r, node, record.tension);
-    if (record.trip) status = trip_read(r, record.trip);
+    if (tension) return pull_read(r, node, tension, w);
+    if (trips) status = trip_read(r, trips, &w->trip);
     if (status) return status;
-    return profile_make(r, node, &winch_drive, &record.drive, &winch->speed, &winch->table_time, &winch->table_value);
+    return case_profile_read(r, node, &winch, "speed", &w->speed, &w->table_time, &w->table_value);
 }
 
-/* As winch_read, for the tension. */
-static hawser_status tail_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section)
 {
-    TailDef *tail = &r->def->tail;
-    DriveRecord record = {0};
-    const hawser_status status = case_section_read(r, node, tail_drive.section, &record);
+    TailDef *const tail = &r->def->tail;
+    const hawser_status status = case_section_read(r, node, section, tail);
     if (status) return status;
-    return profile_make(r, node, &tail_drive, &record, &tail->tension, &tail->table_time, &tail->table_value);
+    return case_profile_read(r, node, section, "tension", &tail->tension, &tail->table_time, &tail->table_value);
 }
 
-/* The drag's velocity function has the friction law's shape, with mu_s = 1. */
-static hawser_status drag_read(const CaseReader *r, const CaseNode *node)
+/* Each of the three is optional: a case without a winch lies still or slides. The drag's velocity function has the
+ * friction law's shape, with mu_s = 1. */
+hawser_status case_drive_read(CaseReader *r, const CaseNode *node)
 {
-    DragRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_rope_drag, &record);
-    if (!status) status = case_speeds_check(r, node, record.v_s, &record.v_d);
-    r->def->drag = (RopeDragDef){.force = record.force, .v_s = record.v_s, .v_d = record.v_d, .ratio = record.ratio};
-    return status;
-}
-
-/* Each of the three is optional: a case without a winch lies still or slides. */
-hawser_status case_drive_read(const CaseReader *r, const CaseNode *node)
-{
-    DrivesRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_drive, &record);
-    if (!status && record.winch) status = winch_read(r, record.winch);
-    if (!status && record.tail) status = tail_read(r, record.tail);
-    if (!status && record.rope_drag) status = drag_read(r, record.rope_drag);
+    RopeDragDef *const drag = &r->def->drag;
+    const CaseNode *const head = case_node_key(node, "winch"), *const tail = case_node_key(node, "tail"),
+                          *const rope = case_node_key(node, "rope_drag");
+    hawser_status status = case_section_read(r, node, &case_drive, r->def);
+    if (!status && head) status = winch_read(r, head);
+    if (!status && tail) status = case_tail_read(r, tail, &case_tail);
+    if (!status && rope) status = case_section_read(r, rope, &rope_drag, drag);
+    if (!status && rope) status = case_speeds_check(r, rope, drag->v_s, &drag->v_d);
     return status;
 }

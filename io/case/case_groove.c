@@ -1,7 +1,16 @@
 #include <math.h>
 
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+/* Which belongs to which profile, and how they go with the cable, is checked below. */
+static const CaseKey groove_keys[] = {
+    {"angle", KEY_NUMBER, DIM_ANGLE, .otherwise = "90 deg", FROM(DEGREES(20), DEGREES(170)), AT(GrooveRecord, angle)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "1.25 times the thickest cable's", ABOVE(0, 1e3),
+     AT(GrooveRecord, radius)},
+    {"depth", KEY_NUMBER, DIM_LENGTH, .otherwise = "`v`: the thickest cable's diameter, `u`: the groove's radius",
+     ABOVE(0, 1e3), AT(GrooveRecord, depth)},
+};
+SECTION(case_groove, "rollers.along.groove", groove_keys);
 
 static const double RIGHT_ANGLE = 1.57079632679489662;
 

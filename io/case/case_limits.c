@@ -1,12 +1,60 @@
 /* What theory adds to the scene, and what is allowed. */
-#include "io/schema/case_limits.h"
-
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
 #include "theory/duct.h"
 
+/* In the order of the enumerations that they stand for. */
+static const char *const layouts[] = {"auto", "single", "pair", "triangle", "cradle", "diamond", NULL};
+static const char *const codes[] = {"paper", "tb889", NULL};
+static const char *const practices[] = {"chinese", "fujikura", "aeic", "rollers", NULL};
+static const char *const attachments[] = {"eye", "net", NULL};
+static const char *const metals[] = {"copper", "aluminium", NULL};
+static const char *const sheaths[] = {"pe", "xlpe", NULL};
+
+/* Straight into TheoryDef. */
+static const CaseKey theory_keys[] = {
+    {"cables", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(TheoryDef, cables)},
+    {"layout", KEY_CHOICE, .fallback = "auto", .choices = layouts, AT(TheoryDef, layout)},
+    {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, reel)},
+    {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, rope)},
+};
+SECTION(case_theory, "theory", theory_keys);
+
+static const CaseKey conductor_keys[] = {
+    {"material", KEY_CHOICE, .required = 1, .choices = metals, AT(LimitsDef, metal)},
+    {"area", KEY_NUMBER, DIM_AREA, .required = 1, ABOVE(0, 1), AT(LimitsDef, area)},
+    {"cores", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(LimitsDef, cores)},
+};
+static SECTION(conductor, "limits.conductor", conductor_keys);
+
+static const CaseKey sheath_keys[] = {
+    {"material", KEY_CHOICE, .required = 1, .choices = sheaths, AT(LimitsDef, sheath)},
+    {"area", KEY_NUMBER, DIM_AREA, .required = 1, ABOVE(0, 1), AT(LimitsDef, sheath_area)},
+};
+static SECTION(sheath, "limits.sheath", sheath_keys);
+
+/* Straight into LimitsDef, the two sections included. Which values exclude each other case_limits_read says. */
+static const CaseKey limits_keys[] = {
+    {"code", KEY_CHOICE, .fallback = "paper", .choices = codes, AT(LimitsDef, code)},
+    {"attachment", KEY_CHOICE, .fallback = "eye", .choices = attachments, AT(LimitsDef, attachment)},
+    {"conductor", KEY_MAP, .otherwise = "not known", .section = &conductor},
+    {"sheath", KEY_MAP, .otherwise = "not known", .section = &sheath},
+    {"K", KEY_NUMBER, .fallback = "1", ABOVE(0, 1), AT(LimitsDef, K)},
+    {"stress", KEY_NUMBER, DIM_PRESSURE, .otherwise = "by `code`", ABOVE(0, STIFF), AT(LimitsDef, stress)},
+    {"pull", KEY_NUMBER, DIM_FORCE, .otherwise = "by eq. 11", ABOVE(0, STRONG), AT(LimitsDef, pull)},
+    {"practice", KEY_CHOICE, .fallback = "chinese", .choices = practices, AT(LimitsDef, practice)},
+    {"sidewall", KEY_NUMBER, DIM_SPRING, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
+    {"bend_factor", KEY_NUMBER, .otherwise = "by `practice`", ABOVE(0, 1000), AT(LimitsDef, bend_factor)},
+    {"bend_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "`bend_factor` times the cable's diameter", ABOVE(0, LONG),
+     AT(LimitsDef, bend_radius)},
+    {"roller_factor", KEY_NUMBER, .fallback = "1.6", FROM(1, 100), AT(LimitsDef, roller_factor)},
+    {"rope_strength", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, rope_strength)},
+    {"rope_factor", KEY_NUMBER, .fallback = "5", FROM(1, 100), AT(LimitsDef, rope_factor)},
+    {"alpha", KEY_NUMBER, .fallback = "1.5", FROM(1, 100), AT(LimitsDef, alpha)},
+};
+SECTION(case_limits, "limits", limits_keys);
+
 /* The layout must belong to the number of cables; whether it holds in a duct, the calculation says. */
-hawser_status case_theory_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_theory_read(CaseReader *r, const CaseNode *node)
 {
     static const int cables[] = {0, 1, 2, 3, 3, 4};
     TheoryDef *const theory = &r->def->theory;
@@ -26,19 +74,19 @@ static hawser_status either_check(const CaseReader *r, const CaseNode *node, con
     return case_key_error(r->err, found, NULL, "given beside '%s': give either", one);
 }
 
-hawser_status case_limits_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_limits_read(CaseReader *r, const CaseNode *node)
 {
-    LimitsRecord record = {.def = r->def->limits};
+    LimitsDef *const limits = &r->def->limits;
+    const CaseNode *const metal = case_node_key(node, "conductor"), *const cover = case_node_key(node, "sheath");
     if (!node) return HAWSER_OK; /* nothing is judged */
-    hawser_status status = case_section_read(r, node, &case_limits, &record);
-    if (!status && record.conductor) status = case_section_read(r, record.conductor, &case_conductor, &record.def);
-    if (!status && record.sheath) status = case_section_read(r, record.sheath, &case_sheath, &record.def);
+    hawser_status status = case_section_read(r, node, &case_limits, limits);
+    if (!status && metal) status = case_section_read(r, metal, &conductor, limits);
+    if (!status && cover) status = case_section_read(r, cover, &sheath, limits);
     if (!status) status = either_check(r, node, "pull", "stress");
     if (!status) status = either_check(r, node, "bend_radius", "bend_factor");
-    if (!status && record.def.attachment == ATTACH_EYE && record.sheath && !record.conductor) {
-        status = case_key_error(r->err, record.sheath, NULL, "only counts with 'attachment: net'");
+    if (!status && limits->attachment == ATTACH_EYE && cover && !metal) {
+        status = case_key_error(r->err, cover, NULL, "only counts with 'attachment: net'");
     }
-    record.def.present = 1;
-    r->def->limits = record.def;
+    limits->present = 1;
     return status;
 }

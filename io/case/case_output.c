@@ -5,7 +5,64 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+/* Both keys are needed. */
+static const CaseKey station_keys[] = {
+    {"name", KEY_TEXT, .required = 1, AT(StationDef, name)},
+    {"at", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(StationDef, s)},
+};
+static SECTION(station, "output.stations.list.N", station_keys);
+
+/* Where stations are wanted. Both at once are allowed. */
+static const CaseKey stations_keys[] = {
+    {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "those of the list alone", ABOVE(0, LONG), .size = sizeof(double)},
+    {"list", KEY_LIST, .otherwise = "none", .form = "stations one by one", .section = &station},
+};
+static SECTION(stations, "output.stations", stations_keys);
+
+static const CaseKey output_keys[] = {
+    {"interval", KEY_NUMBER, DIM_TIME, .fallback = "50 ms", ABOVE(0, LATE), AT(OutputDef, interval)},
+    {"states", KEY_NUMBER, DIM_TIME, .fallback = "500 ms", FROM(0, LATE), AT(OutputDef, state_interval)},
+    {"stations", KEY_ANY, .otherwise = "every 2 m", .form = "section `output.stations`, or its list alone",
+     .section = &stations},
+    {"speeds_of", KEY_LIST, .otherwise = "the first segment, the one behind the eye, the last",
+     .form = "numbers of segments, from 0 at the tail"},
+    {"probes", KEY_LIST, .otherwise = "none", .form = "places one by one", .section = &case_probe},
+    {"rollers_of", KEY_LIST, .otherwise = "none", .form = "names of rollers, as in `rollers.csv`"},
+};
+SECTION(case_output, "output", output_keys);
+
+/* NAN: not given. */
+typedef struct TermRecord {
+    char name[PAPER_NAME_MAX];
+    double slope, length, arc, from, to;
+} TermRecord;
+
+/* Which keys belong to slopes and which to arcs term_keys_check says. */
+static const CaseKey paper_term_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(TermRecord, name)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is an arc", FROM(DEGREES(-89), DEGREES(89)),
+     AT(TermRecord, slope)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: slopes need it", ABOVE(0, LONG), AT(TermRecord, length)},
+    {"arc", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a slope", ABOVE(0, LONG), AT(TermRecord, arc)},
+    {"from", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(DEGREES(-89), DEGREES(89)),
+     AT(TermRecord, from)},
+    {"to", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: arcs need it", FROM(DEGREES(-89), DEGREES(89)),
+     AT(TermRecord, to)},
+};
+static SECTION(paper_term, "paper.terms.N", paper_term_keys);
+
+/* Lengths of cable, m, that the paper adds to the path. */
+typedef struct PaperRecord {
+    double reel, rope;
+} PaperRecord;
+
+static const CaseKey paper_keys[] = {
+    {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, reel)},
+    {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(PaperRecord, rope)},
+    {"terms", KEY_LIST, .required = 1, .form = "the path's slopes and arcs, end to end", .section = &paper_term},
+};
+SECTION(case_paper, "paper", paper_keys);
 
 /* Stations nearer to each other than this are one, m. */
 static const double SAME_PLACE = 1e-6, USUAL_SPACING = 2;
@@ -18,18 +75,12 @@ static int station_order(const void *a, const void *b)
 }
 
 /* A station must be on the route: beyond its end there is no theory to compare with. */
-static hawser_status station_read(const CaseReader *r, const CaseNode *node, StationDef *station)
+static hawser_status station_read(const CaseReader *r, const CaseNode *node, StationDef *out)
 {
-    StationRecord record = {0};
-    const hawser_status status = case_section_read(r, node, &case_station, &record);
-    if (status) return status;
-    if (record.at > r->route.length + SAME_PLACE) {
-        return case_value_error(r->err, case_node_key(node, "at"),
-                                " is out of range: must be on the route, at most %.10g m", r->route.length);
-    }
-    strcpy(station->name, record.name);
-    station->s = record.at;
-    return HAWSER_OK;
+    const hawser_status status = case_section_read(r, node, &station, out);
+    if (status || out->s <= r->route.length + SAME_PLACE) return status;
+    return case_value_error(r->err, case_node_key(node, "at"),
+                            " is out of range: must be on the route, at most %.10g m", r->route.length);
 }
 
 /* Adds a station at each multiple of the spacing where none is yet; they are named by their place. */
@@ -41,9 +92,9 @@ static void stations_space(SceneDef *def, double length, double spacing)
         int taken = 0;
         for (int k = 0; k < named; k++) taken = taken || fabs(def->stations[k].s - s) < SAME_PLACE;
         if (taken) continue;
-        StationDef *station = &def->stations[def->n_stations++];
-        station->s = s;
-        snprintf(station->name, sizeof station->name, "%.6g m", s);
+        StationDef *const next = &def->stations[def->n_stations++];
+        next->s = s;
+        snprintf(next->name, sizeof next->name, "%.6g m", s);
     }
 }
 
@@ -70,12 +121,12 @@ static hawser_status stations_fill(const CaseReader *r, const CaseNode *node, co
 /* Without the key there is a station every 2 m, at most about 1000 of them. */
 static hawser_status stations_read(const CaseReader *r, const CaseNode *node)
 {
-    StationsRecord record = {.spacing = USUAL_SPACING};
+    double spacing = USUAL_SPACING;
     if (r->def->rod.present) return HAWSER_OK; /* nothing lies along a route */
     if (!node) return stations_fill(r, NULL, NULL, fmax(USUAL_SPACING, r->route.length / 1000));
     if (node->kind == NODE_LIST) return stations_fill(r, node, node, NAN);
-    const hawser_status status = case_section_read(r, node, &case_stations, &record);
-    return status ? status : stations_fill(r, node, record.list, record.spacing);
+    const hawser_status status = case_section_read(r, node, &stations, &spacing);
+    return status ? status : stations_fill(r, node, case_node_key(node, "list"), spacing);
 }
 
 /* Segments whose speeds are wanted; by default the first, the one behind the eye, the last. */
@@ -138,28 +189,21 @@ static hawser_status interval_check(const CaseReader *r, const CaseNode *node, c
                           CASE_OUTPUTS_MAX);
 }
 
-/* Every load step is a row. */
-static void intervals_fit(SceneDef *def)
+/* Needs the run's duration, the route and the chain to check against. In load steps every one is a row. */
+hawser_status case_output_read(CaseReader *r, const CaseNode *node)
 {
-    if (def->analysis.kind == ANALYSIS_DYNAMICS) return;
-    def->output.interval = fmin(def->output.interval, def->duration / def->analysis.load_steps);
-}
-
-/* Needs the run's duration, the route and the chain to check against. */
-hawser_status case_output_read(const CaseReader *r, const CaseNode *node)
-{
-    OutputRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_output, &record);
-    if (status) return status;
-    r->def->output.interval = record.interval;
-    r->def->output.state_interval = record.states;
-    intervals_fit(r->def);
-    status = interval_check(r, node, "interval", record.interval);
-    if (!status) status = interval_check(r, node, "states", record.states);
-    if (!status) status = stations_read(r, record.stations);
-    if (!status) status = speeds_read(r, record.speeds_of);
-    if (!status) status = case_probes_read(r, record.probes);
-    if (!status) status = loads_read(r, record.rollers_of);
+    SceneDef *const def = r->def;
+    OutputDef *const out = &def->output;
+    hawser_status status = case_section_read(r, node, &case_output, out);
+    if (!status) status = interval_check(r, node, "interval", out->interval);
+    if (!status) status = interval_check(r, node, "states", out->state_interval);
+    if (def->analysis.kind != ANALYSIS_DYNAMICS) {
+        out->interval = fmin(out->interval, def->duration / def->analysis.load_steps);
+    }
+    if (!status) status = stations_read(r, case_node_key(node, "stations"));
+    if (!status) status = speeds_read(r, case_node_key(node, "speeds_of"));
+    if (!status) status = case_probes_read(r, case_node_key(node, "probes"));
+    if (!status) status = loads_read(r, case_node_key(node, "rollers_of"));
     return status;
 }
 
@@ -186,7 +230,7 @@ static hawser_status term_keys_check(const CaseReader *r, const CaseNode *node, 
 static hawser_status term_read(const CaseReader *r, const CaseNode *node, PaperTermDef *term)
 {
     TermRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_paper_term, &record);
+    hawser_status status = case_section_read(r, node, &paper_term, &record);
     if (status) return status;
     const int arc = !isnan(record.arc);
     if (arc == !isnan(record.slope)) {
@@ -224,17 +268,18 @@ static hawser_status path_check(const CaseReader *r, const CaseNode *node)
 }
 
 /* Reel first, then the path, then the rope: the order of the paper's eq. 10. */
-hawser_status case_paper_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_paper_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
     PaperRecord record = {0};
     if (!node) return HAWSER_OK;
     hawser_status status = case_section_read(r, node, &case_paper, &record);
     if (status) return status;
-    def->paper = calloc((size_t)record.terms->count + 2, sizeof *def->paper);
+    const CaseNode *const terms = case_node_key(node, "terms");
+    def->paper = calloc((size_t)terms->count + 2, sizeof *def->paper);
     if (!def->paper) return error_memory(r->err);
     allowance_add(def, PAPER_REEL, "reel", record.reel);
-    for (const CaseNode *item = record.terms->first; !status && item; item = item->next) {
+    for (const CaseNode *item = terms->first; !status && item; item = item->next) {
         status = term_read(r, item, &def->paper[def->n_paper++]);
     }
     allowance_add(def, PAPER_ROPE, "rope", record.rope);

@@ -1,7 +1,6 @@
 #include <math.h>
 
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
 
 /* How far a roller may press into the cable before it counts as a mistake, and the smallest step of the
  * search, m. */

@@ -1,12 +1,10 @@
-/* The parts of a case, one function each; for io/case_*.c only. Each reads its section of the tree (node
- * NULL: the section is not there), checks it against what was read before it, and fills its share of r->def.
- * Errors: INPUT, MEMORY. The order of the calls is case_read's. */
+/* The parts of a case, one function each; for io/case alone. Each reads its section of the tree (node NULL: the section
+ * is not there), checks it against what was read before it, and fills its share of r->def. Errors: INPUT, MEMORY. The
+ * order of the calls is case_read's. A section's keys stand at the head of its file. */
 #ifndef HAWSER_IO_CASE_CASE_PARTS_H
 #define HAWSER_IO_CASE_CASE_PARTS_H
 
-#include "io/schema/case_fields.h"
-#include "io/schema/case_records.h"
-#include "io/schema/case_records_rod.h"
+#include "io/schema/case_schema.h"
 
 enum {
     CASE_SEGMENTS_MAX = 200000,
@@ -17,38 +15,56 @@ enum {
     CASE_CONVEYORS_MAX = 10000
 };
 
-hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node);
-hawser_status case_cables_read(const CaseReader *r, const CaseNode *node);
+extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, case_run, case_rod, case_rod_tail,
+    case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_lead_in, case_contact,
+    case_friction, case_groove, case_spin, case_mount, case_roller_row, case_rollers, case_surfaces, case_drive,
+    case_tail, case_back_tension, case_reel, case_conveyor, case_solver, case_output, case_probe, case_paper,
+    case_theory, case_limits;
+
+hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
-hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, const BendingRecord *record,
-                                CableDef *cable);
-hawser_status case_chain_read(const CaseReader *r, const CaseNode *node);
-/* Leaves the route built in r->route. */
-hawser_status case_route_read(CaseReader *r, const CaseNode *node);
+hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, CableDef *cable);
+hawser_status case_chain_read(CaseReader *r, const CaseNode *node);
+hawser_status case_run_read(CaseReader *r, const CaseNode *node);
 /* Its chain without a route; r->route is then a straight of the chain's length. After the run, whose analysis says how
  * loads come in. */
 hawser_status case_rod_read(CaseReader *r, const CaseNode *node);
-hawser_status case_rod_ends_read(const CaseReader *r, const RodRecord *record);
-hawser_status case_rod_loads_read(const CaseReader *r, const RodRecord *record);
+hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *rod);
+hawser_status case_rod_loads_read(const CaseReader *r, const CaseNode *rod);
+/* Leaves the route built in r->route, unless there is a rod. */
+hawser_status case_route_read(CaseReader *r, const CaseNode *node);
 /* What goes with a pull only, or with a rod only. */
-hawser_status case_rod_check(const CaseReader *r);
+hawser_status case_rod_check(CaseReader *r, const CaseNode *node);
 /* A bend's plane: a word, or the angle of its centre about the tangent (core/route.h). */
 hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double *plane);
-hawser_status case_lead_in_read(const CaseReader *r, const CaseNode *node);
-hawser_status case_contact_read(const CaseReader *r, const CaseNode *node);
-/* Its friction of cable on cable, once the case's own is known. */
-hawser_status case_cable_friction_read(const CaseReader *r, const CaseNode *contact);
+hawser_status case_lead_in_read(CaseReader *r, const CaseNode *node);
+hawser_status case_contact_read(CaseReader *r, const CaseNode *node);
+/* The case's own friction law, and then that of cable on cable. */
+hawser_status case_frictions_read(CaseReader *r, const CaseNode *node);
 /* A friction law; what is not given is the base's. */
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law);
 /* Of a velocity function: v_d, or 2 v_s where it was not given, which must be above v_s. */
 hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d);
 /* A contact law's stiffness, whose unit goes with the exponent e. */
 hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, double e, double *k);
-hawser_status case_surfaces_read(const CaseReader *r, const CaseNode *node);
-hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_surfaces_read(CaseReader *r, const CaseNode *node);
+
+/* Where the rollers of a row stand. */
+enum { GUIDE_NONE, GUIDE_INSIDE, GUIDE_BOTH };
+typedef struct RowPlaces {
+    double from, to, spacing; /* m; NAN: the route's end, by count */
+    int count;                /* 0: by spacing */
+    int guide;
+} RowPlaces;
+/* NAN: by the profile and the cable. */
+typedef struct GrooveRecord {
+    double angle, radius, depth;
+} GrooveRecord;
+
+hawser_status case_rollers_read(CaseReader *r, const CaseNode *node);
 /* Where piece p of the chain lies along the route at the start, m. */
 void case_piece_place(const SceneDef *def, int p, double *from, double *to);
-/* Whether roller i stays out of the cable along the route; node: where the roller was written. */
+/* Whether a roller stays out of the cable along the route; node: where the roller was written. */
 hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller);
 /* How a roller of this radius (m) spins and what it stands on; NULL: it does not, it is fixed. */
 hawser_status case_spin_read(const CaseReader *r, const CaseNode *node, double radius, SpinDef *spin);
@@ -59,25 +75,25 @@ hawser_status case_groove_make(const CaseReader *r, const CaseNode *node, int pr
 /* [from, to] with to >= from, both of the key. */
 hawser_status case_stretch_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double ends[2]);
 /* Where along the route the rollers of a row stand: s[n], malloc'ed, rising within each stretch. */
-hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RollerRowRecord *row, double **s,
-                               int *n);
+hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RowPlaces *row, double **s, int *n);
 /* Curvature of the route to the left at s, 1/m: the part that is a bend to the side. */
 double case_sideways(const CaseReader *r, double s);
-hawser_status case_drive_read(const CaseReader *r, const CaseNode *node);
-/* A value over time, as `record` says it: a ramp from 0, or a table. value: the name of the section's key. The table's
- * arrays become the caller's even if there is an error. */
-hawser_status case_profile_make(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
-                                const DriveRecord *record, Profile *profile, double **time, double **values);
+
+hawser_status case_drive_read(CaseReader *r, const CaseNode *node);
+/* A value over time whose ramp and end value v1 a section's keys have filled: checks them, or reads the map's `table`.
+ * value: the name of the section's key for v1. The table's arrays become the caller's even if there is an error. */
+hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
+                                Profile *profile, double **time, double **values);
+hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section);
 /* After the drive, whose winch the belts may follow. */
-hawser_status case_conveyors_read(const CaseReader *r, const CaseNode *list);
-hawser_status case_reel_read(const CaseReader *r, const CaseNode *node);
-hawser_status case_run_read(const CaseReader *r, const CaseNode *node);
-hawser_status case_output_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);
+hawser_status case_reel_read(CaseReader *r, const CaseNode *node);
+hawser_status case_output_read(CaseReader *r, const CaseNode *node);
 /* Places of the chain that are watched. */
 hawser_status case_probes_read(const CaseReader *r, const CaseNode *list);
-hawser_status case_paper_read(const CaseReader *r, const CaseNode *node);
-hawser_status case_theory_read(const CaseReader *r, const CaseNode *node);
-hawser_status case_limits_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_paper_read(CaseReader *r, const CaseNode *node);
+hawser_status case_theory_read(CaseReader *r, const CaseNode *node);
+hawser_status case_limits_read(CaseReader *r, const CaseNode *node);
 
 /* Length of the whole chain, m. */
 double case_chain_length(const SceneDef *def);

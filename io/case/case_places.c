@@ -1,19 +1,17 @@
 /* Where the rollers of a row stand: all along at even steps, or in stretches of the route of one sort. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
 
 enum { WHERE_ALL, WHERE_BENDS, WHERE_STRAIGHTS, WHERE_SIDEWAYS, WHERE_RANGES };
 
 /* The places found so far. */
 typedef struct Places {
     const CaseReader *r;
-    const CaseNode *node; /* of the row */
-    const RollerRowRecord *row;
+    const CaseNode *node, *where; /* of the row */
+    const RowPlaces *row;
     double *s;
     int n;
 } Places;
@@ -47,7 +45,7 @@ static hawser_status places_add(Places *p, double first, double step, double n)
 /* The whole row at even steps, ends included. */
 static hawser_status places_all(Places *p)
 {
-    const RollerRowRecord *d = p->row;
+    const RowPlaces *d = p->row;
     const double length = d->to - d->from;
     const int spaced = !isnan(d->spacing);
     if (spaced == (d->count > 0)) {
@@ -98,7 +96,7 @@ static hawser_status places_pieces(Places *p, int where)
 static hawser_status places_ranges(Places *p)
 {
     hawser_status status = HAWSER_OK;
-    for (const CaseNode *range = p->row->where->first; range && !status; range = range->next) {
+    for (const CaseNode *range = p->where->first; range && !status; range = range->next) {
         double ends[2];
         status = case_stretch_read(p->r, range, case_key_of(&case_roller_row, "where"), ends);
         if (!status) status = places_stretch(p, ends[0], ends[1]);
@@ -109,18 +107,12 @@ static hawser_status places_ranges(Places *p)
 /* What `where` says; guides stand in bends to the side unless told otherwise. */
 static hawser_status where_read(const Places *p, int *where)
 {
-    static const char *const word[] = {"all", "bends", "straights"};
-    const CaseNode *node = p->row->where;
+    static const char *const word[] = {"all", "bends", "straights", NULL};
+    const CaseNode *node = p->where;
     const int guide = p->row->guide != GUIDE_NONE;
     *where = WHERE_RANGES;
     if (node && node->kind == NODE_LIST) return HAWSER_OK;
-    *where = -1;
-    for (int k = 0; k < 3; k++) {
-        if (!node || (node->kind == NODE_TEXT && strcmp(node->text, word[k]) == 0)) {
-            *where = k;
-            break;
-        }
-    }
+    *where = node ? case_word_place(node, word) : WHERE_ALL;
     if (*where < 0) {
         return case_value_error(p->r->err, node, ": expected all, bends, straights, or a list such as [[4 m, 20 m]]");
     }
@@ -130,7 +122,7 @@ static hawser_status where_read(const Places *p, int *where)
 
 static hawser_status places_fill(Places *p)
 {
-    const RollerRowRecord *d = p->row;
+    const RowPlaces *d = p->row;
     int where;
     const hawser_status status = where_read(p, &where);
     if (status) return status;
@@ -145,10 +137,9 @@ static hawser_status places_fill(Places *p)
     return where == WHERE_RANGES ? places_ranges(p) : places_pieces(p, where);
 }
 
-hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RollerRowRecord *row, double **s,
-                               int *n)
+hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RowPlaces *row, double **s, int *n)
 {
-    Places p = {.r = r, .node = node, .row = row};
+    Places p = {.r = r, .node = node, .where = case_node_key(node, "where"), .row = row};
     const hawser_status status = places_fill(&p);
     if (status) {
         free(p.s);

@@ -1,14 +1,71 @@
 #include "io/case/case_read.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+/* In the order of the enumerations that they stand for. */
+static const char *const frames[] = {"symmetric", "adams", NULL};
+static const char *const planar_choices[] = {"auto", "on", "off", NULL};
+static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
+static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
+
+/* The whole case: its title, and the sections below. */
+static const CaseKey top_keys[] = {
+    {"title", KEY_TEXT, .fallback = "", AT(SceneDef, title)},
+    {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]", FROM(0, 1e3),
+     .dimension = DIM_ACCELERATION},
+    {"frame", KEY_CHOICE, .fallback = "symmetric", .choices = frames, AT(SceneDef, frame)},
+    {"cables", KEY_MAP, .required = 1, .form = "a name and its properties for each kind of cable",
+     .section = &case_cable},
+    {"chain", KEY_LIST, .required = 1, .form = "the pieces, from the tail to the winch", .section = &case_chain_piece},
+    {"route", KEY_MAP, .otherwise = "none: it is needed without a `rod`", .section = &case_route},
+    {"rod", KEY_MAP, .otherwise = "none", .section = &case_rod},
+    {"lead_in", KEY_MAP, .otherwise = "none", .section = &case_lead_in},
+    {"reel", KEY_MAP, .otherwise = "none", .section = &case_reel},
+    {"rollers", KEY_MAP, .otherwise = "none", .section = &case_rollers},
+    {"surfaces", KEY_MAP, .otherwise = "none", .section = &case_surfaces},
+    {"contact", KEY_MAP, .otherwise = "its defaults", .section = &case_contact},
+    {"friction", KEY_MAP, .otherwise = "its defaults", .section = &case_friction},
+    {"drive", KEY_MAP, .otherwise = "none", .section = &case_drive},
+    {"conveyors", KEY_LIST, .otherwise = "none", .form = "conveyors one by one", .section = &case_conveyor},
+    {"run", KEY_MAP, .required = 1, .section = &case_run},
+    {"solver", KEY_MAP, .otherwise = "its defaults", .section = &case_solver},
+    {"output", KEY_MAP, .otherwise = "its defaults", .section = &case_output},
+    {"paper", KEY_MAP, .otherwise = "from the route", .section = &case_paper},
+    {"theory", KEY_MAP, .otherwise = "its defaults", .section = &case_theory},
+    {"limits", KEY_MAP, .otherwise = "nothing is judged", .section = &case_limits},
+};
+SECTION(case_top, "", top_keys);
+
+/* 0 leaves a tolerance to the accuracy and the scene's scales. */
+static const CaseKey tolerances_keys[] = {
+    {"position", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, 1), AT(SolverDef, atol_position)},
+    {"rotation", KEY_NUMBER, DIM_ANGLE, .fallback = "0 rad", FROM(0, DEGREES(60)), AT(SolverDef, atol_rotation)},
+    {"velocity", KEY_NUMBER, DIM_SPEED, .fallback = "0 m/s", FROM(0, 1e3), AT(SolverDef, atol_velocity)},
+    {"omega", KEY_NUMBER, DIM_ANGULAR_SPEED, .fallback = "0 rad/s", FROM(0, 1e3), AT(SolverDef, atol_omega)},
+};
+static SECTION(tolerances, "solver.tolerances", tolerances_keys);
+
+/* Straight into SolverDef. */
+static const CaseKey solver_keys[] = {
+    {"accuracy", KEY_NUMBER, .fallback = "1e-3", FROM(1e-12, 0.1), AT(SolverDef, accuracy)},
+    {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &tolerances},
+    {"max_order", KEY_INTEGER, .fallback = "2", FROM(1, 5), AT(SolverDef, max_order)},
+    {"max_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, max_step)},
+    {"first_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, first_step)},
+    {"max_steps", KEY_INTEGER, .fallback = "0", FROM(0, 1e12), AT(SolverDef, max_steps)},
+    {"linear_solver", KEY_CHOICE, .fallback = "auto", .choices = solvers, AT(SolverDef, linear.kind)},
+    {"ordering", KEY_CHOICE, .fallback = "auto", .choices = orderings, AT(SolverDef, linear.ordering)},
+    {"threads", KEY_INTEGER, .fallback = "1", FROM(1, 2), AT(SolverDef, threads)},
+    {"planar", KEY_CHOICE, .fallback = "auto", .choices = planar_choices, AT(SolverDef, planar)},
+    {"relax", KEY_FLAG, .fallback = "true", AT(SolverDef, relax)},
+    {"relax_tolerance", KEY_NUMBER, .fallback = "1e-6", ABOVE(0, 1), AT(SolverDef, relax_tolerance)},
+    {"relax_iterations", KEY_INTEGER, .fallback = "200", FROM(0, 1e6), AT(SolverDef, relax_iterations)},
+};
+SECTION(case_solver, "solver", solver_keys);
 
 /* Gravity: a size, downward, or a vector. */
-hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node)
+static hawser_status gravity_read(CaseReader *r, const CaseNode *node)
 {
     CaseKey key = *case_key_of(&case_top, "gravity");
     if (!node) return HAWSER_OK;
@@ -28,7 +85,7 @@ hawser_status case_gravity_read(const CaseReader *r, const CaseNode *node)
 }
 
 /* Its table fills SolverDef itself; the threads are the linear solver's too. */
-static hawser_status solver_read(const CaseReader *r, const CaseNode *node)
+static hawser_status solver_read(CaseReader *r, const CaseNode *node)
 {
     SolverDef *solver = &r->def->solver;
     const hawser_status status = case_section_read(r, node, &case_solver, solver);
@@ -36,52 +93,41 @@ static hawser_status solver_read(const CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* Without a rod there is a route. */
-static hawser_status route_read(CaseReader *r, const CaseNode *node)
-{
-    if (!node) return case_key_error(r->err, r->root, "route", "missing: give it, or a 'rod'");
-    return case_route_read(r, node);
-}
-
 /* The parts in an order in which each finds what it is checked against. */
-static hawser_status parts_read(CaseReader *r, const TopRecord *top)
-{
-    SceneDef *def = r->def;
-    const FrictionLaw usual = def->friction;
-    hawser_status status = case_gravity_read(r, top->gravity);
-    if (!status) status = case_cables_read(r, top->cables);
-    if (!status) status = case_chain_read(r, top->chain);
-    if (!status) status = case_run_read(r, top->run);
-    if (!status) status = top->rod ? case_rod_read(r, top->rod) : route_read(r, top->route);
-    if (!status) status = case_rod_check(r);
-    if (!status) status = case_lead_in_read(r, top->lead_in);
-    if (!status) status = case_contact_read(r, top->contact);
-    if (!status) status = case_friction_read(r, top->friction, &usual, &def->friction);
-    if (!status) status = case_cable_friction_read(r, top->contact);
-    if (!status) status = case_rollers_read(r, top->rollers);
-    if (!status) status = case_surfaces_read(r, top->surfaces);
-    if (!status) status = case_drive_read(r, top->drive);
-    if (!status) status = case_reel_read(r, top->reel);
-    if (!status) status = case_conveyors_read(r, top->conveyors);
-    if (!status) status = solver_read(r, top->solver);
-    if (!status) status = case_output_read(r, top->output);
-    if (!status) status = case_paper_read(r, top->paper);
-    if (!status) status = case_theory_read(r, top->theory);
-    if (!status) status = case_limits_read(r, top->limits);
-    return status;
-}
+static const struct {
+    const char *key;
+    hawser_status (*read)(CaseReader *r, const CaseNode *node);
+} parts[] = {
+    {"gravity", gravity_read},
+    {"cables", case_cables_read},
+    {"chain", case_chain_read},
+    {"run", case_run_read},
+    {"rod", case_rod_read},
+    {"route", case_route_read},
+    {"rod", case_rod_check},
+    {"lead_in", case_lead_in_read},
+    {"contact", case_contact_read},
+    {"friction", case_frictions_read},
+    {"rollers", case_rollers_read},
+    {"surfaces", case_surfaces_read},
+    {"drive", case_drive_read},
+    {"reel", case_reel_read},
+    {"conveyors", case_conveyors_read},
+    {"solver", solver_read},
+    {"output", case_output_read},
+    {"paper", case_paper_read},
+    {"theory", case_theory_read},
+    {"limits", case_limits_read},
+};
 
 /* The reader's own things are given back on every way out; so is the definition, if there is an error. */
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
-    TopRecord top = {0};
     CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .err = err};
     scene_def_defaults(def);
-    hawser_status status = r.units ? case_section_read(&r, tree->root, &case_top, &top) : error_memory(err);
-    if (!status) {
-        strcpy(def->title, top.title);
-        def->frame = top.frame ? FRAME_ADAMS : FRAME_SYMMETRIC;
-        status = parts_read(&r, &top);
+    hawser_status status = r.units ? case_section_read(&r, tree->root, &case_top, def) : error_memory(err);
+    for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++) {
+        status = parts[k].read(&r, case_node_key(tree->root, parts[k].key));
     }
     route_clear(&r.route);
     units_free(r.units);

@@ -3,11 +3,54 @@
 #include <string.h>
 
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
 #include "sim/equipment/winding.h"
 
-/* In the order of ReelRecord's models: keys that a model has not, and those of its own that have no default. */
-static const char *const models[] = {"payout", "weight", "contact"};
+/* A reel of some model; NAN: not given. */
+typedef struct ReelRecord {
+    ReelDef reel;
+    int model;
+    double length; /* model weight, and how its tension comes in */
+    Profile back;
+} ReelRecord;
+
+enum { MODEL_PAYOUT, MODEL_WEIGHT, MODEL_CONTACT };
+static const char *const models[] = {"payout", "weight", "contact", NULL};
+static const char *const ends[] = {"free", "fixed", NULL};
+static const char *const brakes[] = {"constant", "proportional", "speed", NULL};
+
+/* A speed is needed by two of the three. */
+static const CaseKey brake_keys[] = {
+    {"law", KEY_CHOICE, .fallback = "constant", .choices = brakes, AT(ReelDef, brake)},
+    {"torque", KEY_NUMBER, DIM_MOMENT, .required = 1, FROM(0, STRONG), AT(ReelDef, torque)},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "none: `proportional` and `speed` need it", ABOVE(0, 1e4),
+     AT(ReelDef, speed.v1)},
+    RAMP_KEYS(ReelDef, speed, "step"),
+    {"over", KEY_NUMBER, DIM_SPEED, .fallback = "10 mm/s", ABOVE(0, 1e3), AT(ReelDef, over)},
+};
+static SECTION(reel_brake, "reel.brake", brake_keys);
+
+/* Which keys belong to which model the tables below say. */
+static const CaseKey reel_keys[] = {
+    {"model", KEY_CHOICE, .fallback = "payout", .choices = models, AT(ReelRecord, model)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `weight` needs it", FROM(0, LONG), AT(ReelRecord, length)},
+    RAMP_KEYS(ReelRecord, back, "step"),
+    {"distance", KEY_NUMBER, DIM_LENGTH, .fallback = "5 m", ABOVE(0, LONG), AT(ReelRecord, reel.distance)},
+    {"barrel", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3),
+     AT(ReelRecord, reel.barrel)},
+    {"flange", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3),
+     AT(ReelRecord, reel.flange)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3), AT(ReelRecord, reel.width)},
+    {"inertia", KEY_NUMBER, DIM_INERTIA, .otherwise = "none: a drum needs it", ABOVE(0, STRONG),
+     AT(ReelRecord, reel.inertia)},
+    {"bearing", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(0, STRONG), AT(ReelRecord, reel.bearing)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .fallback = "1 mm/s", ABOVE(0, 1e3), AT(ReelRecord, reel.v_s)},
+    {"end", KEY_CHOICE, .fallback = "free", .choices = ends, AT(ReelRecord, reel.end_fixed)},
+    {"brake", KEY_MAP, .otherwise = "none", .section = &reel_brake},
+    {"back_tension", KEY_MAP, .otherwise = "none", .section = &case_back_tension},
+};
+SECTION(case_reel, "reel", reel_keys);
+
+/* In the order of the models: keys that a model has not, and those of its own that have no default. */
 static const char *const wrong_keys[][12] = {
     {"length", "ramp", "from", "to"},
     {"distance", "barrel", "flange", "width", "inertia", "bearing", "v_s", "end", "brake", "back_tension"},
@@ -40,42 +83,28 @@ static hawser_status weight_read(const CaseReader *r, const CaseNode *node, cons
 {
     SceneDef *const def = r->def;
     const int piece = def->n_pieces > 1 ? def->n_pieces - 2 : 0;
-    DriveRecord drive = record->drive;
     const hawser_status status = tail_check(r, node);
     if (status) return status;
-    drive.value = record->length * def->cables[def->pieces[piece].cable].mass * v3_norm(def->gravity);
-    return case_profile_make(r, node, &case_reel, "length", &drive, &def->tail.tension, &def->tail.table_time,
+    def->tail.tension = record->back;
+    def->tail.tension.v1 = record->length * def->cables[def->pieces[piece].cable].mass * v3_norm(def->gravity);
+    return case_profile_read(r, node, &case_reel, "length", &def->tail.tension, &def->tail.table_time,
                              &def->tail.table_value);
-}
-
-static hawser_status back_tension_read(const CaseReader *r, const CaseNode *node)
-{
-    TailDef *const tail = &r->def->tail;
-    DriveRecord record = {0};
-    hawser_status status = tail_check(r, node);
-    if (!status) status = case_section_read(r, node, &case_back_tension, &record);
-    if (status) return status;
-    return case_profile_make(r, node, &case_back_tension, "tension", &record, &tail->tension, &tail->table_time,
-                             &tail->table_value);
 }
 
 static hawser_status brake_read(const CaseReader *r, const CaseNode *node)
 {
     ReelDef *const reel = &r->def->reel;
-    BrakeRecord record = {0};
-    double *time = NULL, *value = NULL; /* a brake has no table */
-    const hawser_status status = case_section_read(r, node, &case_brake, &record);
-    if (status) return status;
-    reel->brake = (BrakeLaw)record.law;
-    reel->torque = record.torque;
-    reel->over = record.over;
     const CaseNode *const speed = case_node_key(node, "speed");
-    if (record.law == BRAKE_CONSTANT) {
+    double *time = NULL, *value = NULL; /* a brake has no table */
+    const hawser_status status = case_section_read(r, node, &reel_brake, reel);
+    if (status) return status;
+    if (reel->brake == BRAKE_CONSTANT) {
+        reel->speed.v1 = 0; /* none */
         return speed ? case_key_error(r->err, speed, NULL, "not allowed with 'law: constant'") : HAWSER_OK;
     }
     if (!speed) return case_key_error(r->err, node, "speed", "missing: this law of the brake needs it");
-    reel->at_speed = record.drive.value;
-    return case_profile_make(r, node, &case_brake, "speed", &record.drive, &reel->speed, &time, &value);
+    reel->at_speed = reel->speed.v1;
+    return case_profile_read(r, node, &reel_brake, "speed", &reel->speed, &time, &value);
 }
 
 /* Cable and rope up to the eye: what the reel may hold, and what of it is wound at the start, m. */
@@ -151,20 +180,13 @@ static hawser_status reach_check(const CaseReader *r, const CaseNode *node)
 
 static hawser_status payout_read(const CaseReader *r, const CaseNode *node, const ReelRecord *record)
 {
-    ReelDef *const reel = &r->def->reel;
-    reel->model = REEL_PAYOUT;
+    r->def->reel = record->reel;
+    r->def->reel.model = REEL_PAYOUT;
     r->def->lead_in.present = 1; /* the cable leaves the drum on it */
-    if (!isnan(record->distance)) reel->distance = record->distance;
-    if (!isnan(record->v_s)) reel->v_s = record->v_s;
-    reel->barrel = record->barrel;
-    reel->flange = record->flange;
-    reel->width = record->width;
-    reel->inertia = record->inertia;
-    reel->bearing = isnan(record->bearing) ? 0 : record->bearing;
-    reel->end_fixed = record->end;
-    hawser_status status = record->brake ? brake_read(r, record->brake) : HAWSER_OK;
-    if (!status && record->back_tension) status = back_tension_read(r, record->back_tension);
+    const CaseNode *const brake = case_node_key(node, "brake"), *const back = case_node_key(node, "back_tension");
+    hawser_status status = brake ? brake_read(r, brake) : HAWSER_OK;
     if (!status) status = tail_check(r, node);
+    if (!status && back) status = case_tail_read(r, back, &case_back_tension);
     if (!status) status = fit_check(r, node);
     if (!status) status = one_kind_check(r, node);
     return status ? status : reach_check(r, node);
@@ -191,9 +213,10 @@ static hawser_status drum_contact_check(const CaseReader *r, const CaseNode *nod
 static hawser_status contact_read(const CaseReader *r, const CaseNode *node, const ReelRecord *record)
 {
     SceneDef *const def = r->def;
-    hawser_status status = record->brake ? brake_read(r, record->brake) : HAWSER_OK;
-    if (!status && record->brake && def->reel.brake != BRAKE_CONSTANT) {
-        status = case_key_error(r->err, case_node_key(record->brake, "law"), NULL,
+    const CaseNode *const brake = case_node_key(node, "brake");
+    hawser_status status = brake ? brake_read(r, brake) : HAWSER_OK;
+    if (!status && brake && def->reel.brake != BRAKE_CONSTANT) {
+        status = case_key_error(r->err, case_node_key(brake, "law"), NULL,
                                 "a reel with 'model: contact' has a brake with 'law: constant' only");
     }
     const CaseNode *const solver = case_node_key(r->root, "solver"), *const relax = case_node_key(solver, "relax");
@@ -208,25 +231,26 @@ static hawser_status contact_read(const CaseReader *r, const CaseNode *node, con
         status = case_key_error(r->err, case_node_key(r->root, "lead_in"), NULL,
                                 "not allowed beside a reel with 'model: contact'");
     }
+    const ReelDef *const reel = &record->reel;
     def->drum = (DrumDef){.present = 1,
-                          .distance = isnan(record->distance) ? def->reel.distance : record->distance,
-                          .barrel = record->barrel,
-                          .flange = record->flange,
-                          .width = record->width,
-                          .inertia = record->inertia,
-                          .torque = (isnan(record->bearing) ? 0 : record->bearing) + def->reel.torque};
+                          .distance = reel->distance,
+                          .barrel = reel->barrel,
+                          .flange = reel->flange,
+                          .width = reel->width,
+                          .inertia = reel->inertia,
+                          .torque = reel->bearing + def->reel.torque};
     def->reel.torque = 0;
     return status;
 }
 
 /* A case without a reel has a bare tail. */
-hawser_status case_reel_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_reel_read(CaseReader *r, const CaseNode *node)
 {
-    ReelRecord record = {0};
+    ReelRecord record = {.reel = r->def->reel};
     if (!node) return HAWSER_OK;
     hawser_status status = case_section_read(r, node, &case_reel, &record);
     if (!status) status = keys_check(r, node, record.model);
     if (status) return status;
-    if (record.model == 2) return contact_read(r, node, &record);
-    return record.model ? weight_read(r, node, &record) : payout_read(r, node, &record);
+    if (record.model == MODEL_CONTACT) return contact_read(r, node, &record);
+    return record.model == MODEL_WEIGHT ? weight_read(r, node, &record) : payout_read(r, node, &record);
 }

@@ -5,8 +5,34 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
 #include "sim/def/rod_shape.h"
+
+static const char *const shapes[] = {"straight", "arc", "helix", "polyline", NULL};
+
+/* Which keys belong to which shape shape_keys_check says; roll_end becomes a rate once it is read. */
+static const CaseKey rod_keys[] = {
+    {"shape", KEY_CHOICE, .fallback = "straight", .choices = shapes, AT(SceneDef, rod.shape)},
+    {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(SceneDef, route_start)},
+    {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
+     AT(SceneDef, route_heading)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-90), DEGREES(90)), AT(SceneDef, route_slope)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `arc` and `helix` need it", ABOVE(0, LONG),
+     AT(SceneDef, rod.radius)},
+    {"plane", KEY_ANY, DIM_ANGLE, .otherwise = "`left`", .form = "`up`, `down`, `left`, `right` or an angle",
+     FROM(DEGREES(-360), DEGREES(360))},
+    {"pitch", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `helix` needs it", FROM(-LONG, LONG),
+     AT(SceneDef, rod.pitch)},
+    {"points", KEY_LIST, .otherwise = "none: `polyline` needs it", .form = "points [x, y, z], from the tail on"},
+    {"roll", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)), AT(SceneDef, rod.roll)},
+    {"roll_end", KEY_NUMBER, DIM_ANGLE, .otherwise = "`roll`", FROM(DEGREES(-36000), DEGREES(36000)),
+     AT(SceneDef, rod.roll_rate)},
+    {"stress_free", KEY_FLAG, .fallback = "true", AT(SceneDef, rod.stress_free)},
+    {"tail", KEY_MAP, .otherwise = "free", .section = &case_rod_tail},
+    {"head", KEY_MAP, .otherwise = "free", .section = &case_rod_head},
+    {"loads", KEY_LIST, .otherwise = "none", .form = "forces and moments one by one", .section = &case_rod_load},
+    {"masses", KEY_LIST, .otherwise = "none", .form = "point masses one by one", .section = &case_rod_mass},
+};
+SECTION(case_rod, "rod", rod_keys);
 
 /* Keys that a shape needs (bit of the shape in `needs`), may have or must not have. */
 static hawser_status shape_keys_check(const CaseReader *r, const CaseNode *node, int shape)
@@ -21,13 +47,12 @@ static hawser_status shape_keys_check(const CaseReader *r, const CaseNode *node,
                 {"start", 0, 1 << ROD_STRAIGHT | 1 << ROD_ARC | 1 << ROD_HELIX},
                 {"heading", 0, 1 << ROD_STRAIGHT | 1 << ROD_ARC | 1 << ROD_HELIX},
                 {"slope", 0, 1 << ROD_STRAIGHT | 1 << ROD_ARC | 1 << ROD_HELIX}};
-    const char *const *const names = case_key_of(&case_rod, "shape")->choices;
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         const CaseNode *const given = case_node_key(node, keys[k].key);
         if (!given && keys[k].needs >> shape & 1)
-            return case_key_error(r->err, node, keys[k].key, "missing: 'shape: %s' needs it", names[shape]);
+            return case_key_error(r->err, node, keys[k].key, "missing: 'shape: %s' needs it", shapes[shape]);
         if (given && !((keys[k].needs | keys[k].may) >> shape & 1))
-            return case_key_error(r->err, given, NULL, "not allowed with 'shape: %s'", names[shape]);
+            return case_key_error(r->err, given, NULL, "not allowed with 'shape: %s'", shapes[shape]);
     }
     return HAWSER_OK;
 }
@@ -71,40 +96,33 @@ static hawser_status radius_check(const CaseReader *r, const CaseNode *node)
 }
 
 /* The rest of the scene reckons with a route: a straight of the chain's length, on which nothing stands. */
-static hawser_status route_stand_in(CaseReader *r, const RodRecord *record)
+static hawser_status route_stand_in(CaseReader *r)
 {
     SceneDef *const def = r->def;
     def->route = calloc(1, sizeof *def->route);
     if (!def->route) return error_memory(r->err);
     def->n_route = 1;
     def->route[0] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .name = "rod", .length = case_chain_length(def)};
-    def->route_start = record->start;
-    def->route_heading = record->heading;
-    def->route_slope = record->slope;
     def->head_at = def->route[0].length - (def->n_pieces > 1 ? def->pieces[def->n_pieces - 1].length : 0);
-    return route_build(&r->route, 1, def->route, record->start, 0, 0, r->err);
+    return route_build(&r->route, 1, def->route, def->route_start, 0, 0, r->err);
 }
 
 hawser_status case_rod_read(CaseReader *r, const CaseNode *node)
 {
-    RodRecord record = {0};
     RodDef *const rod = &r->def->rod;
-    hawser_status status = case_section_read(r, node, &case_rod, &record);
-    if (!status) status = shape_keys_check(r, node, record.shape);
+    const CaseNode *const plane = case_node_key(node, "plane");
+    if (!node) return HAWSER_OK;
+    hawser_status status = case_section_read(r, node, &case_rod, r->def);
+    if (!status) status = shape_keys_check(r, node, (int)rod->shape);
     if (status) return status;
     rod->present = 1;
-    rod->shape = (RodShape)record.shape;
-    rod->radius = record.radius;
-    rod->pitch = record.pitch;
-    rod->stress_free = record.stress_free;
-    rod->roll = record.roll;
-    if (!isnan(record.roll_end)) rod->roll_rate = (record.roll_end - record.roll) / case_chain_length(r->def);
-    if (record.plane) status = case_plane_read(r, record.plane, &rod->plane);
+    rod->roll_rate = isnan(rod->roll_rate) ? 0 : (rod->roll_rate - rod->roll) / case_chain_length(r->def);
+    if (plane) status = case_plane_read(r, plane, &rod->plane);
     if (!status) status = radius_check(r, node);
-    if (!status) status = points_read(r, record.points);
-    if (!status) status = route_stand_in(r, &record);
-    if (!status) status = case_rod_ends_read(r, &record);
-    return status ? status : case_rod_loads_read(r, &record);
+    if (!status) status = points_read(r, case_node_key(node, "points"));
+    if (!status) status = route_stand_in(r);
+    if (!status) status = case_rod_ends_read(r, node);
+    return status ? status : case_rod_loads_read(r, node);
 }
 
 /* Cables of the chain that bend along a table. */
@@ -119,18 +137,18 @@ static hawser_status bending_check(const CaseReader *r)
     return HAWSER_OK;
 }
 
-hawser_status case_rod_check(const CaseReader *r)
+hawser_status case_rod_check(CaseReader *r, const CaseNode *node)
 {
     static const char *const paths[][2] = {{"route", NULL},       {"lead_in", NULL},     {"reel", NULL},
                                            {"drive", NULL},       {"conveyors", NULL},   {"paper", NULL},
                                            {"theory", NULL},      {"limits", NULL},      {"rollers", "along"},
                                            {"surfaces", "ducts"}, {"surfaces", "trays"}, {"output", "stations"}};
-    for (size_t k = 0; r->def->rod.present && k < sizeof paths / sizeof *paths; k++) {
+    for (size_t k = 0; node && k < sizeof paths / sizeof *paths; k++) {
         const CaseNode *given = case_node_key(r->root, paths[k][0]);
         if (given && paths[k][1]) given = case_node_key(given, paths[k][1]);
         if (given) return case_key_error(r->err, given, NULL, "not allowed beside 'rod', which has no route");
     }
-    if (r->def->rod.present) return bending_check(r);
+    if (node) return bending_check(r);
     if (r->def->analysis.kind == ANALYSIS_DYNAMICS) return HAWSER_OK;
     return case_key_error(r->err, case_node_key(case_node_key(r->root, "run"), "analysis"), NULL,
                           "only a 'rod' can be analysed so: expected dynamics");

@@ -1,11 +1,69 @@
 /* What holds, leads and loads a rod. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+/* Either a shift or a turn; either a force or a moment. The profile's own value is not used. */
+typedef struct RodMotionRecord {
+    RodMotionDef motion;
+    double move, turn;
+} RodMotionRecord;
+
+typedef struct RodLoadRecord {
+    RodLoadDef load;
+    double force, moment;
+} RodLoadRecord;
+
+enum { FIXING_FREE, FIXING_PINNED, FIXING_CLAMPED, FIXING_GUIDED, FIXING_HELD };
+static const char *const fixings[] = {"free", "pinned", "clamped", "guided", "held", NULL};
+static const char *const load_frames[] = {"dead", "follower", NULL};
+
+static const CaseKey rod_motion_keys[] = {
+    {"direction", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(RodMotionRecord, motion.by.direction)},
+    {"move", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a turn", FROM(-LONG, LONG), AT(RodMotionRecord, move)},
+    {"turn", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a shift", FROM(DEGREES(-36000), DEGREES(36000)),
+     AT(RodMotionRecord, turn)},
+    RAMP_KEYS(RodMotionRecord, motion.by.size, "none"),
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, factor of `move` or `turn`], times rising"},
+};
+static SECTION(rod_motion, "rod.tail.motion.N", rod_motion_keys);
+
+/* The same for both ends. */
+static const CaseKey rod_end_keys[] = {
+    {"fixing", KEY_CHOICE, .fallback = "clamped", .choices = fixings, .size = sizeof(int)},
+    {"hold", KEY_LIST, .otherwise = "none: `held` needs it",
+     .form = "of `axial`, `shear_y`, `shear_z`, `torsion`, `bending_y`, `bending_z`"},
+    {"motion", KEY_LIST, .otherwise = "none: it stands still", .form = "shifts and turns one by one",
+     .section = &rod_motion},
+};
+SECTION(case_rod_tail, "rod.tail", rod_end_keys);
+SECTION(case_rod_head, "rod.head", rod_end_keys);
+
+static const CaseKey rod_load_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(RodLoadRecord, load.name)},
+    {"at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the head's end", FROM(0, LONG), AT(RodLoadRecord, load.at)},
+    {"direction", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(RodLoadRecord, load.by.direction)},
+    {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "it is a moment", FROM(-STRONG, STRONG), AT(RodLoadRecord, force)},
+    {"moment", KEY_NUMBER, DIM_MOMENT, .otherwise = "it is a force", FROM(-STRONG, STRONG), AT(RodLoadRecord, moment)},
+    {"frame", KEY_CHOICE, .fallback = "dead", .choices = load_frames, AT(RodLoadRecord, load.follower)},
+    RAMP_KEYS(RodLoadRecord, load.by.size, "none"),
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, factor of `force` or `moment`], times rising"},
+};
+SECTION(case_rod_load, "rod.loads.N", rod_load_keys);
+
+static const CaseKey rod_mass_keys[] = {
+    {"at", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(RodMassDef, at)},
+    {"mass", KEY_NUMBER, DIM_MASS, .required = 1, ABOVE(0, STRONG), AT(RodMassDef, mass)},
+};
+SECTION(case_rod_mass, "rod.masses.N", rod_mass_keys);
+
+static const CaseKey probe_keys[] = {
+    {"name", KEY_TEXT, .required = 1, AT(ProbeDef, name)},
+    {"at", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(ProbeDef, at)},
+};
+SECTION(case_probe, "output.probes.N", probe_keys);
 
 /* A row of a load's or motion's table. */
 static const CaseKey factor_keys[] = {
@@ -27,18 +85,18 @@ static hawser_status proportional(const CaseReader *r, double value, RodProfile 
 }
 
 /* Value, ramp or table along a direction. */
-static hawser_status profile_read(const CaseReader *r, const CaseNode *node, Vec3 direction, double value,
-                                  DriveRecord drive, RodProfile *by)
+static hawser_status profile_read(const CaseReader *r, const CaseNode *node, double value, RodProfile *by)
 {
-    if (!(v3_norm(direction) > 0))
+    const int table = case_node_key(node, "table") != NULL;
+    if (!(v3_norm(by->direction) > 0))
         return case_value_error(r->err, case_node_key(node, "direction"), ": expected a direction that is not zero");
-    by->direction = v3_unit(direction);
-    if (!drive.table && drive.ramp == PROFILE_CONSTANT && r->def->analysis.kind != ANALYSIS_DYNAMICS)
+    by->direction = v3_unit(by->direction);
+    if (!table && by->size.kind == PROFILE_CONSTANT && r->def->analysis.kind != ANALYSIS_DYNAMICS)
         return proportional(r, value, by);
-    drive.value = value;
+    by->size.v1 = value;
     const hawser_status status =
-        case_profile_make(r, node, &factor_rows, "factor", &drive, &by->size, &by->table_time, &by->table_value);
-    for (int i = 0; !status && drive.table && i < by->size.n; ++i) by->table_value[i] *= value;
+        case_profile_read(r, node, &factor_rows, "factor", &by->size, &by->table_time, &by->table_value);
+    for (int i = 0; !status && table && i < by->size.n; ++i) by->table_value[i] *= value;
     return status;
 }
 
@@ -67,11 +125,10 @@ static hawser_status place_check(const CaseReader *r, const CaseNode *node, doub
 /* The components by their names, as in a preload. */
 static hawser_status hold_read(const CaseReader *r, const CaseNode *list, RodEndDef *end)
 {
-    static const char *const names[6] = {"axial", "shear_y", "shear_z", "torsion", "bending_y", "bending_z"};
+    static const char *const names[] = {"axial", "shear_y", "shear_z", "torsion", "bending_y", "bending_z", NULL};
     for (const CaseNode *item = list->first; item; item = item->next) {
-        int c = 0;
-        while (c < 6 && !(item->kind == NODE_TEXT && strcmp(item->text, names[c]) == 0)) ++c;
-        if (c == 6) {
+        const int c = case_word_place(item, names);
+        if (c < 0) {
             return case_value_error(r->err, item,
                                     ": expected axial, shear_y, shear_z, torsion, bending_y or bending_z");
         }
@@ -81,122 +138,93 @@ static hawser_status hold_read(const CaseReader *r, const CaseNode *list, RodEnd
 }
 
 /* What the word means; a list belongs to `held` alone. */
-static hawser_status fixing_read(const CaseReader *r, const CaseNode *node, const RodEndRecord *record, RodEndDef *end)
+static hawser_status fixing_read(const CaseReader *r, const CaseNode *node, int fixing, RodEndDef *end)
 {
-    const int held = record->fixing == FIXING_HELD;
-    if (held != (record->hold != NULL)) {
-        return case_key_error(r->err, held ? node : record->hold, held ? "hold" : NULL,
+    const CaseNode *const hold = case_node_key(node, "hold");
+    const int held = fixing == FIXING_HELD;
+    if (held != (hold != NULL)) {
+        return case_key_error(r->err, held ? node : hold, held ? "hold" : NULL,
                               held ? "missing: 'fixing: held' needs it" : "only with 'fixing: held'");
     }
     for (int c = 0; c < 6; ++c) {
-        end->held[c] = record->fixing == FIXING_CLAMPED || (record->fixing == FIXING_PINNED && c < 3) ||
-                       (record->fixing == FIXING_GUIDED && c > 0);
+        end->held[c] =
+            fixing == FIXING_CLAMPED || (fixing == FIXING_PINNED && c < 3) || (fixing == FIXING_GUIDED && c > 0);
     }
-    end->pivot = record->fixing == FIXING_PINNED;
-    return held ? hold_read(r, record->hold, end) : HAWSER_OK;
+    end->pivot = fixing == FIXING_PINNED;
+    return held ? hold_read(r, hold, end) : HAWSER_OK;
 }
 
-static hawser_status motion_read(const CaseReader *r, const CaseNode *node, RodMotionDef *motion)
+static hawser_status motion_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     RodMotionRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_rod_motion, &record);
+    RodMotionDef *const motion = item;
+    hawser_status status = case_section_read(r, node, &rod_motion, &record);
+    *motion = record.motion;
     if (!status) status = either(r, node, "move", "turn", &motion->turns);
-    if (status) return status;
-    return profile_read(r, node, record.direction, motion->turns ? record.turn : record.move, record.drive,
-                        &motion->by);
+    return status ? status : profile_read(r, node, motion->turns ? record.turn : record.move, &motion->by);
 }
 
 static hawser_status end_read(const CaseReader *r, const CaseNode *node, const CaseSection *section, RodEndDef *end)
 {
-    RodEndRecord record = {0};
+    const CaseNode *const motion = case_node_key(node, "motion");
+    int fixing = 0;
     if (!node) return HAWSER_OK;
-    hawser_status status = case_section_read(r, node, section, &record);
-    if (!status) status = fixing_read(r, node, &record, end);
-    if (status || !record.motion) return status;
-    if (record.fixing == FIXING_FREE)
-        return case_key_error(r->err, record.motion, NULL, "not allowed with 'fixing: free'");
-    end->motions = calloc((size_t)record.motion->count + 1, sizeof *end->motions);
-    if (!end->motions) return error_memory(r->err);
-    end->n_motions = record.motion->count;
-    for (const CaseNode *item = record.motion->first; !status && item; item = item->next) {
-        status = motion_read(r, item, &end->motions[item->index]);
-    }
-    return status;
+    hawser_status status = case_section_read(r, node, section, &fixing);
+    if (!status) status = fixing_read(r, node, fixing, end);
+    if (!status && motion && fixing == FIXING_FREE)
+        return case_key_error(r->err, motion, NULL, "not allowed with 'fixing: free'");
+    if (status) return status;
+    return case_list_read(r, motion, sizeof *end->motions, motion_read, &end->motions, &end->n_motions);
 }
 
-hawser_status case_rod_ends_read(const CaseReader *r, const RodRecord *record)
+hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *rod)
 {
     RodEndDef *const end = r->def->rod.end;
-    const hawser_status status = end_read(r, record->tail, &case_rod_tail, &end[ROD_TAIL]);
-    return status ? status : end_read(r, record->head, &case_rod_head, &end[ROD_HEAD]);
+    const hawser_status status = end_read(r, case_node_key(rod, "tail"), &case_rod_tail, &end[ROD_TAIL]);
+    return status ? status : end_read(r, case_node_key(rod, "head"), &case_rod_head, &end[ROD_HEAD]);
 }
 
-/* ----------------------------------------------------------------------------------------------------- loads */
+/* ----------------------------------------------------------------------------------------- loads, masses, probes */
 
-static hawser_status load_read(const CaseReader *r, const CaseNode *node, RodLoadDef *load)
+static hawser_status load_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     RodLoadRecord record = {0};
+    RodLoadDef *const load = item;
     hawser_status status = case_section_read(r, node, &case_rod_load, &record);
+    *load = record.load;
     if (!status) status = either(r, node, "force", "moment", &load->moment);
-    if (!status && isnan(record.at)) record.at = case_chain_length(r->def);
-    if (!status) status = place_check(r, node, record.at);
-    if (status) return status;
-    strcpy(load->name, record.name);
-    load->at = record.at;
-    load->follower = record.frame;
-    return profile_read(r, node, record.direction, load->moment ? record.moment : record.force, record.drive,
-                        &load->by);
+    if (!status && isnan(load->at)) load->at = case_chain_length(r->def);
+    if (!status) status = place_check(r, node, load->at);
+    return status ? status : profile_read(r, node, load->moment ? record.moment : record.force, &load->by);
 }
 
-static hawser_status masses_read(const CaseReader *r, const CaseNode *list)
+static hawser_status mass_read(const CaseReader *r, const CaseNode *node, void *item)
+{
+    RodMassDef *const mass = item;
+    const hawser_status status = case_section_read(r, node, &case_rod_mass, mass);
+    return status ? status : place_check(r, node, mass->at);
+}
+
+hawser_status case_rod_loads_read(const CaseReader *r, const CaseNode *node)
 {
     RodDef *const rod = &r->def->rod;
-    if (!list) return HAWSER_OK;
-    rod->masses = calloc((size_t)list->count + 1, sizeof *rod->masses);
-    if (!rod->masses) return error_memory(r->err);
-    rod->n_masses = list->count;
-    hawser_status status = HAWSER_OK;
-    for (const CaseNode *item = list->first; !status && item; item = item->next) {
-        RodMassRecord record = {0};
-        status = case_section_read(r, item, &case_rod_mass, &record);
-        if (!status) status = place_check(r, item, record.at);
-        rod->masses[item->index] = (RodMassDef){record.at, record.mass};
-    }
-    return status;
+    const CaseNode *const masses = case_node_key(node, "masses"), *const loads = case_node_key(node, "loads");
+    const hawser_status status =
+        case_list_read(r, masses, sizeof *rod->masses, mass_read, &rod->masses, &rod->n_masses);
+    return status ? status : case_list_read(r, loads, sizeof *rod->loads, load_read, &rod->loads, &rod->n_loads);
 }
 
-hawser_status case_rod_loads_read(const CaseReader *r, const RodRecord *record)
+static hawser_status probe_read(const CaseReader *r, const CaseNode *node, void *item)
 {
-    RodDef *const rod = &r->def->rod;
-    hawser_status status = masses_read(r, record->masses);
-    if (status || !record->loads) return status;
-    rod->loads = calloc((size_t)record->loads->count + 1, sizeof *rod->loads);
-    if (!rod->loads) return error_memory(r->err);
-    rod->n_loads = record->loads->count;
-    for (const CaseNode *item = record->loads->first; !status && item; item = item->next) {
-        status = load_read(r, item, &rod->loads[item->index]);
-    }
-    return status;
+    ProbeDef *const probe = item;
+    const hawser_status status = case_section_read(r, node, &case_probe, probe);
+    return status ? status : place_check(r, node, probe->at);
 }
-
-/* ---------------------------------------------------------------------------------------------------- probes */
 
 hawser_status case_probes_read(const CaseReader *r, const CaseNode *list)
 {
     OutputDef *const out = &r->def->output;
-    hawser_status status = HAWSER_OK;
-    if (!list) return status;
-    if (r->def->reel.model != REEL_NONE || r->def->winch.take_in)
+    if (list && (r->def->reel.model != REEL_NONE || r->def->winch.take_in))
         return case_key_error(r->err, list, NULL, "not allowed where segments join and leave the chain");
-    out->probes = calloc((size_t)list->count + 1, sizeof *out->probes);
-    if (!out->probes) return error_memory(r->err);
-    out->n_probes = list->count;
-    for (const CaseNode *item = list->first; !status && item; item = item->next) {
-        ProbeRecord record = {0};
-        status = case_section_read(r, item, &case_probe, &record);
-        if (!status) status = place_check(r, item, record.at);
-        out->probes[item->index].at = record.at;
-        strcpy(out->probes[item->index].name, record.name);
-    }
-    return status;
+    return case_list_read(r, list, sizeof *out->probes, probe_read, &out->probes, &out->n_probes);
 }

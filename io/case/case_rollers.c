@@ -5,22 +5,71 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+static const char *const profiles[] = {"flat", "v", "u", NULL};
+static const char *const guides[] = {"none", "inside", "both", NULL};
+
+/* A row of rollers being laid: what all of them have, and where they stand. */
+typedef struct Row {
+    RollerDef roller; /* without name and place */
+    GrooveRecord groove;
+    char name[NAME_MAX_LENGTH / 2];
+    RowPlaces places;
+    double gap; /* m, of guides */
+    const CaseNode *node;
+    int hold;
+} Row;
+
+/* A count of 0 means that the spacing decides. */
+static const CaseKey roller_row_keys[] = {
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(Row, places.from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG), AT(Row, places.to)},
+    {"count", KEY_INTEGER, .fallback = "0", FROM(0, 100000), AT(Row, places.count)},
+    {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "from `count`", ABOVE(0, LONG), AT(Row, places.spacing)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(Row, roller.radius)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(Row, roller.width)},
+    {"where", KEY_ANY, DIM_LENGTH, .otherwise = "`all`", .form = "`all`, `bends`, `straights` or a list of [from, to]",
+     FROM(-LONG, LONG)},
+    {"profile", KEY_CHOICE, .fallback = "flat", .choices = profiles, AT(Row, roller.profile)},
+    {"groove", KEY_SECTION, .otherwise = "its defaults", .section = &case_groove, AT(Row, groove)},
+    {"guide", KEY_CHOICE, .fallback = "none", .choices = guides, AT(Row, places.guide)},
+    {"gap", KEY_NUMBER, DIM_LENGTH, .fallback = "0 mm", FROM(0, 1e3), AT(Row, gap)},
+    {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(Row, roller.rating)},
+    {"hold_down", KEY_ANY, DIM_LENGTH, .otherwise = "`none`", .form = "`none`, `sag` or a list of [from, to]",
+     FROM(-LONG, LONG)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+    {"spin", KEY_MAP, .otherwise = "does not spin", .section = &case_spin},
+    {"mount", KEY_MAP, .otherwise = "fixed", .section = &case_mount},
+    {"name", KEY_TEXT, .fallback = "R", AT(Row, name)},
+};
+SECTION(case_roller_row, "rollers.along", roller_row_keys);
+
+/* By coordinates: nothing is known of the route. */
+static const CaseKey roller_keys[] = {
+    {"centre", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(Row, roller.centre)},
+    {"axis", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(Row, roller.axis)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(Row, roller.radius)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(Row, roller.width)},
+    {"profile", KEY_CHOICE, .fallback = "flat", .choices = profiles, AT(Row, roller.profile)},
+    {"groove", KEY_SECTION, .otherwise = "its defaults", .section = &case_groove, AT(Row, groove)},
+    {"rating", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(Row, roller.rating)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+    {"spin", KEY_MAP, .otherwise = "does not spin", .section = &case_spin},
+    {"mount", KEY_MAP, .otherwise = "fixed", .section = &case_mount},
+    {"name", KEY_TEXT, .fallback = "", AT(Row, roller.name)},
+};
+static SECTION(single_roller, "rollers.list.N", roller_keys);
+
+/* Rows along the route, and single ones. */
+static const CaseKey rollers_keys[] = {
+    {"along", KEY_ANY, .otherwise = "none", .form = "a row of rollers, or a list of rows", .section = &case_roller_row},
+    {"list", KEY_LIST, .otherwise = "none", .form = "rollers one by one", .section = &single_roller},
+};
+SECTION(case_rollers, "rollers", rollers_keys);
 
 /* The cable's centre line at rest lies on the route, so a roller's centre is as far away from it as the thickest cable
  * sits on the roller. */
 enum { HOLD_NONE, HOLD_SAG, HOLD_RANGES };
-
-/* A row of rollers being laid. */
-typedef struct Row {
-    const CaseNode *node;
-    RollerRowRecord record;
-    FrictionLaw friction;
-    Groove groove;
-    SpinDef spin;
-    MountDef mount;
-    int hold;
-} Row;
 
 /* Room for `more` rollers. */
 static hawser_status rollers_reserve(const CaseReader *r, const CaseNode *node, int more)
@@ -43,7 +92,7 @@ static hawser_status range_read(const CaseReader *r, const CaseNode *node, doubl
 /* The ranges are read here for their mistakes, and again where they are used. */
 static hawser_status hold_read(const CaseReader *r, Row *row)
 {
-    const CaseNode *node = row->record.hold_down;
+    const CaseNode *node = case_node_key(row->node, "hold_down");
     row->hold = HOLD_NONE;
     if (!node || (node->kind == NODE_TEXT && strcmp(node->text, "none") == 0)) return HAWSER_OK;
     row->hold = HOLD_SAG;
@@ -65,7 +114,7 @@ static int held_down(const CaseReader *r, const Row *row, double s, Vec3 up)
 {
     if (row->hold == HOLD_SAG) return v3_dot(route_at(&r->route, s).curvature, up) > 1e-9;
     if (row->hold == HOLD_NONE) return 0;
-    for (const CaseNode *range = row->record.hold_down->first; range; range = range->next) {
+    for (const CaseNode *range = case_node_key(row->node, "hold_down")->first; range; range = range->next) {
         double ends[2];
         if (!range_read(r, range, ends) && s >= ends[0] && s <= ends[1]) return 1;
     }
@@ -85,22 +134,15 @@ static hawser_status roller_lay(const CaseReader *r, const Row *row, int number,
     const RoutePoint at = route_at(&r->route, s);
     const Vec3 left = route_left(&r->route, s), up = v3_cross(at.tangent, left);
     const int guide = side == SIDE_LEFT || side == SIDE_RIGHT;
-    *roller = (RollerDef){.axis = guide ? up : left,
-                          .s = s,
-                          .radius = row->record.radius,
-                          .width = row->record.width,
-                          .profile = (ShapeKind)row->record.profile,
-                          .groove = row->groove,
-                          .spin = row->spin,
-                          .mount = row->mount,
-                          .rating = row->record.rating,
-                          .hold_down = side == SIDE_ABOVE,
-                          .friction = row->friction};
+    *roller = row->roller;
+    roller->axis = guide ? up : left;
+    roller->s = s;
+    roller->hold_down = side == SIDE_ABOVE;
     const Shape shape = roller_def_shape(roller);
-    const double away = shape_seat(&shape, case_largest_diameter(def) / 2) + (guide ? row->record.gap : 0);
+    const double away = shape_seat(&shape, case_largest_diameter(def) / 2) + (guide ? row->gap : 0);
     const int forward = side == SIDE_ABOVE || side == SIDE_LEFT;
     roller->centre = v3_axpy(at.position, forward ? away : -away, guide ? left : up);
-    snprintf(roller->name, sizeof roller->name, "%s%d%s", row->record.name, number, suffix[side]);
+    snprintf(roller->name, sizeof roller->name, "%s%d%s", row->name, number, suffix[side]);
     def->n_rollers++;
     return case_overlap_check(r, row->node, roller);
 }
@@ -109,14 +151,14 @@ static hawser_status roller_lay(const CaseReader *r, const Row *row, int number,
 static hawser_status place_fill(const CaseReader *r, const Row *row, int *laid, double s)
 {
     hawser_status status = HAWSER_OK;
-    if (row->record.guide == GUIDE_NONE) {
+    if (row->places.guide == GUIDE_NONE) {
         const Vec3 left = route_left(&r->route, s), up = v3_cross(route_at(&r->route, s).tangent, left);
         status = roller_lay(r, row, ++*laid, s, SIDE_BELOW);
         if (!status && held_down(r, row, s, up)) status = roller_lay(r, row, *laid, s, SIDE_ABOVE);
         return status;
     }
     const double sideways = case_sideways(r, s);
-    const int both = row->record.guide == GUIDE_BOTH;
+    const int both = row->places.guide == GUIDE_BOTH;
     const int to_left = both || sideways > 1e-9, to_right = both || sideways < -1e-9;
     if (to_left || to_right) ++*laid;
     if (to_left) status = roller_lay(r, row, *laid, s, SIDE_LEFT);
@@ -127,14 +169,28 @@ static hawser_status place_fill(const CaseReader *r, const Row *row, int *laid, 
 /* What a row of guides cannot have. */
 static hawser_status guide_check(const CaseReader *r, const Row *row)
 {
-    const RollerRowRecord *d = &row->record;
-    if (d->guide != GUIDE_NONE && row->hold != HOLD_NONE) {
+    if (row->places.guide != GUIDE_NONE && row->hold != HOLD_NONE) {
         return case_key_error(r->err, row->node, "hold_down", "not for guides: give it to a row without 'guide'");
     }
-    if (d->guide == GUIDE_NONE && d->gap > 0) {
+    if (row->places.guide == GUIDE_NONE && row->gap > 0) {
         return case_key_error(r->err, case_node_key(row->node, "gap"), NULL, "only for a row with 'guide'");
     }
     return HAWSER_OK;
+}
+
+/* What rollers have in common, in a row or alone: friction, groove, spin, mount. */
+static hawser_status roller_complete(const CaseReader *r, Row *row)
+{
+    RollerDef *const d = &row->roller;
+    const CaseNode *const node = row->node;
+    hawser_status status = case_groove_make(r, node, (int)d->profile, &row->groove, d->width, &d->groove);
+    if (!status) status = case_spin_read(r, case_node_key(node, "spin"), d->radius, &d->spin);
+    return status ? status : case_mount_read(r, case_node_key(node, "mount"), &d->mount);
+}
+
+static hawser_status roller_friction(const CaseReader *r, Row *row)
+{
+    return case_friction_read(r, case_node_key(row->node, "friction"), &r->def->friction, &row->roller.friction);
 }
 
 /* Lays one row. `laid` counts the places over all rows, for the rollers' names. */
@@ -143,17 +199,13 @@ static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *la
     Row row = {.node = node};
     double *place = NULL;
     int n = 0;
-    hawser_status status = case_section_read(r, node, &case_roller_row, &row.record);
-    if (isnan(row.record.to)) row.record.to = r->route.length;
-    if (!status) status = case_friction_read(r, row.record.friction, &r->def->friction, &row.friction);
+    hawser_status status = case_section_read(r, node, &case_roller_row, &row);
+    if (isnan(row.places.to)) row.places.to = r->route.length;
+    if (!status) status = roller_friction(r, &row);
     if (!status) status = hold_read(r, &row);
     if (!status) status = guide_check(r, &row);
-    if (!status) {
-        status = case_groove_make(r, node, row.record.profile, &row.record.groove, row.record.width, &row.groove);
-    }
-    if (!status) status = case_spin_read(r, row.record.spin, row.record.radius, &row.spin);
-    if (!status) status = case_mount_read(r, row.record.mount, &row.mount);
-    if (!status) status = case_places_find(r, node, &row.record, &place, &n);
+    if (!status) status = roller_complete(r, &row);
+    if (!status) status = case_places_find(r, node, &row.places, &place, &n);
     if (!status) status = rollers_reserve(r, node, 2 * n);
     for (int i = 0; !status && i < n; i++) status = place_fill(r, &row, laid, place[i]);
     free(place);
@@ -174,47 +226,31 @@ static hawser_status rows_read(const CaseReader *r, const CaseNode *along)
 static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
-    RollerRecord record = {0};
-    FrictionLaw friction;
-    Groove groove;
-    SpinDef spin;
-    MountDef mount;
-    hawser_status status = case_section_read(r, node, &case_roller, &record);
-    if (!status) status = case_friction_read(r, record.friction, &def->friction, &friction);
-    if (!status) status = case_groove_make(r, node, record.profile, &record.groove, record.width, &groove);
-    if (!status) status = case_spin_read(r, record.spin, record.radius, &spin);
-    if (!status) status = case_mount_read(r, record.mount, &mount);
-    if (!status && v3_norm(record.axis) < 1e-9) {
+    Row row = {.node = node};
+    RollerDef *const d = &row.roller;
+    hawser_status status = case_section_read(r, node, &single_roller, &row);
+    if (!status) status = roller_friction(r, &row);
+    if (!status) status = roller_complete(r, &row);
+    if (!status && v3_norm(d->axis) < 1e-9) {
         status = case_value_error(r->err, case_node_key(node, "axis"), ": expected a direction that is not zero");
     }
     if (status) return status;
-    RollerDef *roller = &def->rollers[def->n_rollers];
-    *roller = (RollerDef){.centre = record.centre,
-                          .axis = v3_unit(record.axis),
-                          .radius = record.radius,
-                          .width = record.width,
-                          .profile = (ShapeKind)record.profile,
-                          .groove = groove,
-                          .spin = spin,
-                          .mount = mount,
-                          .rating = record.rating,
-                          .s = NAN,
-                          .friction = friction};
-    strcpy(roller->name, record.name);
-    if (!*roller->name) snprintf(roller->name, sizeof roller->name, "L%d", node->index + 1);
-    def->n_rollers++;
-    return case_overlap_check(r, node, roller);
+    d->axis = v3_unit(d->axis);
+    d->s = NAN;
+    if (!*d->name) snprintf(d->name, sizeof d->name, "L%d", node->index + 1);
+    def->rollers[def->n_rollers] = *d;
+    return case_overlap_check(r, node, &def->rollers[def->n_rollers++]);
 }
 
 /* Rows first, then the list: that is the order of the result tables. */
-hawser_status case_rollers_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_rollers_read(CaseReader *r, const CaseNode *node)
 {
-    RollersRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_rollers, &record);
-    if (status) return status;
-    if (record.along) status = rows_read(r, record.along);
-    if (!status && record.list) status = rollers_reserve(r, record.list, record.list->count);
-    const CaseNode *item = record.list ? record.list->first : NULL;
-    for (; !status && item; item = item->next) status = roller_read(r, item);
+    const CaseNode *const along = case_node_key(node, "along"), *const list = case_node_key(node, "list");
+    hawser_status status = case_section_read(r, node, &case_rollers, r->def);
+    if (!status && along) status = rows_read(r, along);
+    if (!status && list) status = rollers_reserve(r, list, list->count);
+    for (const CaseNode *item = list ? list->first : NULL; !status && item; item = item->next) {
+        status = roller_read(r, item);
+    }
     return status;
 }

@@ -2,10 +2,24 @@
 #include <math.h>
 
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+static const char *const analyses[] = {"dynamics", "static", "modes", NULL};
+
+/* What belongs to which analysis keys_check says. */
+static const CaseKey run_keys[] = {
+    {"analysis", KEY_CHOICE, .fallback = "dynamics", .choices = analyses, AT(SceneDef, analysis.kind)},
+    {"duration", KEY_NUMBER, DIM_TIME, .otherwise = "`dynamics` needs it; others 1 s", ABOVE(0, LATE),
+     AT(SceneDef, duration)},
+    {"load_steps", KEY_INTEGER, .fallback = "10", FROM(1, 100000), AT(SceneDef, analysis.load_steps)},
+    {"tolerance", KEY_NUMBER, .fallback = "1e-10", ABOVE(0, 0.1), AT(SceneDef, analysis.tolerance)},
+    {"modes", KEY_INTEGER, .fallback = "6", FROM(1, 200), AT(SceneDef, analysis.modes)},
+    {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE),
+     AT(SceneDef, output.steady_from)},
+};
+SECTION(case_run, "run", run_keys);
 
 /* Keys that say nothing in this analysis are mistakes. */
-static hawser_status keys_check(const CaseReader *r, const CaseNode *node, int analysis)
+static hawser_status keys_check(const CaseReader *r, const CaseNode *node, AnalysisKind analysis)
 {
     static const char *const keys[] = {"load_steps", "tolerance", "modes"};
     for (int k = 0; k < 3; k++) {
@@ -17,23 +31,19 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *node, int a
 }
 
 /* The steady window ends with the run, so it must begin before that. */
-hawser_status case_run_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_run_read(CaseReader *r, const CaseNode *node)
 {
-    RunRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_run, &record);
-    if (!status) status = keys_check(r, node, record.analysis);
+    SceneDef *const def = r->def;
+    double *const from = &def->output.steady_from;
+    hawser_status status = case_section_read(r, node, &case_run, def);
+    if (!status) status = keys_check(r, node, def->analysis.kind);
     if (status) return status;
-    if (isnan(record.duration)) {
-        if (record.analysis == ANALYSIS_DYNAMICS) return case_key_error(r->err, node, "duration", "missing");
-        record.duration = 1;
+    if (isnan(def->duration)) {
+        if (def->analysis.kind == ANALYSIS_DYNAMICS) return case_key_error(r->err, node, "duration", "missing");
+        def->duration = 1;
     }
-    r->def->analysis = (AnalysisDef){.kind = (AnalysisKind)record.analysis,
-                                     .load_steps = record.load_steps,
-                                     .tolerance = record.tolerance,
-                                     .modes = record.modes};
-    r->def->duration = record.duration;
-    r->def->output.steady_from = isnan(record.steady_from) ? record.duration / 2 : record.steady_from;
-    if (r->def->output.steady_from < record.duration) return HAWSER_OK;
+    if (isnan(*from)) *from = def->duration / 2;
+    if (*from < def->duration) return HAWSER_OK;
     return case_value_error(r->err, case_node_key(node, "steady_from"),
-                            " is out of range: must be below 'duration', %g s", record.duration);
+                            " is out of range: must be below 'duration', %g s", def->duration);
 }

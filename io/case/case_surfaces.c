@@ -1,11 +1,81 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/case_error.h"
+
+/* A surface being read: a duct's place (centred or resting), a tray's section, beside the definition. */
+typedef struct Surface {
+    SurfaceDef def;
+    int choice;
+} Surface;
+
+static const char *const places[] = {"centred", "resting", NULL};
+static const char *const tray_sections[] = {"flat", "v", "u", NULL};
+
+/* Stretches: off the route is an error, which stretch_check finds. */
+static const CaseKey duct_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(Surface, def.shape.to)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 1e3), AT(Surface, def.shape.radius)},
+    {"place", KEY_CHOICE, .fallback = "centred", .choices = places, AT(Surface, choice)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(Surface, def.shape.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+};
+static SECTION(duct, "surfaces.ducts.N", duct_keys);
+
+/* Which keys belong to which section tray_finish says. */
+static const CaseKey tray_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(Surface, def.shape.to)},
+    {"section", KEY_CHOICE, .fallback = "flat", .choices = tray_sections, AT(Surface, choice)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .otherwise = "400 mm", ABOVE(0, 1e3), AT(Surface, def.shape.width)},
+    {"height", KEY_NUMBER, DIM_LENGTH, .otherwise = "`flat` 0 m, `v` two cable diameters, `u` the radius", FROM(0, 1e3),
+     AT(Surface, def.shape.height)},
+    {"angle", KEY_NUMBER, DIM_ANGLE, .otherwise = "90 deg", FROM(DEGREES(10), DEGREES(160)),
+     AT(Surface, def.shape.angle)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `u` needs it", ABOVE(0, 1e3), AT(Surface, def.shape.radius)},
+    {"depth", KEY_NUMBER, DIM_LENGTH, .otherwise = "the largest cable's radius", ABOVE(0, 1e3),
+     AT(Surface, def.shape.depth)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(Surface, def.shape.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+};
+static SECTION(tray, "surfaces.trays.N", tray_keys);
+
+/* By coordinates. A length or width of 0 has no end. */
+static const CaseKey plane_keys[] = {
+    {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
+    {"point", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(Surface, def.shape.point)},
+    {"normal", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(Surface, def.shape.normal)},
+    {"along", KEY_POINT, .fallback = "[0, 0, 0]", FROM(-1e6, 1e6), AT(Surface, def.shape.along)},
+    {"length", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.length)},
+    {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.width)},
+    {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, LONG), AT(Surface, def.shape.fade)},
+    {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+};
+static SECTION(plane, "surfaces.planes.N", plane_keys);
+
+/* No fallbacks: what is absent is the rollers' number. */
+static const CaseKey line_contact_keys[] = {
+    {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "the rollers'", .form = "a force per length to the power e",
+     ABOVE(0, 1e18)},
+    {"e", KEY_NUMBER, .otherwise = "the rollers'", FROM(1, 5), AT(ImpactLaw, e)},
+    {"c", KEY_NUMBER, DIM_DASHPOT, .otherwise = "the rollers'", FROM(0, 1e12), AT(ImpactLaw, c)},
+    {"d", KEY_NUMBER, DIM_LENGTH, .otherwise = "the rollers'", ABOVE(0, 1), AT(ImpactLaw, d)},
+};
+static SECTION(line_contact, "surfaces.contact", line_contact_keys);
+
+/* What the cable lies on along a length. */
+static const CaseKey surfaces_keys[] = {
+    {"ducts", KEY_LIST, .otherwise = "none", .form = "ducts one by one", .section = &duct},
+    {"trays", KEY_LIST, .otherwise = "none", .form = "trays, troughs and floors one by one", .section = &tray},
+    {"planes", KEY_LIST, .otherwise = "none", .form = "floors and walls one by one", .section = &plane},
+    {"contact", KEY_MAP, .otherwise = "as section `contact`", .section = &line_contact},
+};
+SECTION(case_surfaces, "surfaces", surfaces_keys);
 
 /* How far a surface may press into the cable at the start before it counts as a mistake, and how densely planes are
  * looked at for it, m. */
@@ -17,14 +87,15 @@ static const double SLACK = 1e-6;
 static hawser_status line_contact_read(const CaseReader *r, const CaseNode *node)
 {
     ImpactLaw *const law = &r->def->line_impact;
-    LineContactRecord record = {0};
+    const CaseNode *const k = case_node_key(node, "k");
+    ImpactLaw given = {0};
     *law = r->def->impact;
-    const hawser_status status = case_section_read(r, node, &case_line_contact, &record);
+    const hawser_status status = case_section_read(r, node, &line_contact, &given);
     if (status) return status;
-    if (!isnan(record.e)) law->e = record.e;
-    if (!isnan(record.c)) law->c = record.c;
-    if (!isnan(record.d)) law->d = record.d;
-    return record.k ? case_stiffness_read(r, record.k, law->e, &law->k) : HAWSER_OK;
+    if (!isnan(given.e)) law->e = given.e;
+    if (!isnan(given.c)) law->c = given.c;
+    if (!isnan(given.d)) law->d = given.d;
+    return k ? case_stiffness_read(r, k, law->e, &law->k) : HAWSER_OK;
 }
 
 /* An exponent of its own makes the rollers' stiffness a number of another kind. */
@@ -34,13 +105,6 @@ static hawser_status line_exponent_check(const CaseReader *r, const CaseNode *no
     return case_key_error(r->err, node, "k",
                           "missing: an exponent that is not the rollers', %g, needs its own stiffness",
                           r->def->impact.e);
-}
-
-/* The name that was given, or a letter and a number. */
-static void surface_name(SurfaceDef *out, const char *given, const char *letter, const CaseNode *node)
-{
-    strcpy(out->name, given);
-    if (!*out->name) snprintf(out->name, sizeof out->name, "%s%d", letter, node->index + 1);
 }
 
 /* Whether a stretch lies on the route, has room for its ends' fades and is free. */
@@ -92,37 +156,18 @@ static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, con
     return HAWSER_OK;
 }
 
-/* What ducts and trays share: name, stretch, friction. */
-static hawser_status stretch_read(const CaseReader *r, const CaseNode *node, const StretchRecord *record,
-                                  const char *letter, SurfaceDef *out)
+static hawser_status duct_finish(const CaseReader *r, const CaseNode *node, int resting, SurfaceDef *out)
 {
-    SurfaceShape *const s = &out->shape;
-    surface_name(out, record->name, letter, node);
-    s->from = record->from;
-    s->to = isnan(record->to) ? r->route.length : record->to;
-    s->fade = record->fade;
-    s->cable_radius = case_largest_diameter(r->def) / 2;
-    const hawser_status status = case_friction_read(r, record->friction, &r->def->friction, &out->friction);
-    return status ? status : stretch_check(r, node, out);
-}
-
-static hawser_status duct_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
-{
-    DuctRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_duct, &record);
-    if (!status) status = stretch_read(r, node, &record.at, "D", out);
-    if (status) return status;
     SurfaceShape *const s = &out->shape;
     s->kind = SURFACE_DUCT;
-    s->radius = record.radius;
     if (s->radius <= s->cable_radius) {
         return case_key_error(r->err, node, "radius",
                               "%g m is too small: must be above the largest cable's radius, %g m", s->radius,
                               s->cable_radius);
     }
-    if (record.place) s->lift = s->radius - s->cable_radius;
-    status = bends_check(r, node, s, s->radius + s->lift, "radius");
-    return status || !record.place ? status : slopes_check(r, node, s);
+    if (resting) s->lift = s->radius - s->cable_radius;
+    const hawser_status status = bends_check(r, node, s, s->radius + s->lift, "radius");
+    return status || !resting ? status : slopes_check(r, node, s);
 }
 
 /* A key that trays of this section have, or have not. */
@@ -156,28 +201,23 @@ static hawser_status u_check(const CaseReader *r, const CaseNode *node, const Su
     return bends_check(r, node, s, s->radius, "radius");
 }
 
-/* Numbers that depend on the section. */
-static void tray_fill(const TrayRecord *record, SurfaceShape *s)
+/* Numbers that were not given depend on the section. */
+static void tray_fill(int section, SurfaceShape *s)
 {
     static const SurfaceKind kinds[] = {SURFACE_FLAT, SURFACE_V, SURFACE_U};
-    const double heights[] = {0, 4 * s->cable_radius, record->radius};
-    s->kind = kinds[record->section];
-    s->radius = record->radius;
-    s->width = isnan(record->width) ? 0.4 : record->width;
-    s->angle = isnan(record->angle) ? 3.14159265358979323846 / 2 : record->angle;
-    s->depth = isnan(record->depth) ? s->cable_radius : record->depth;
-    s->height = isnan(record->height) ? heights[record->section] : record->height;
+    const double heights[] = {0, 4 * s->cable_radius, s->radius};
+    s->kind = kinds[section];
+    if (isnan(s->width)) s->width = 0.4;
+    if (isnan(s->angle)) s->angle = 3.14159265358979323846 / 2;
+    if (isnan(s->depth)) s->depth = s->cable_radius;
+    if (isnan(s->height)) s->height = heights[section];
 }
 
-static hawser_status tray_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
+static hawser_status tray_finish(const CaseReader *r, const CaseNode *node, int section, SurfaceDef *out)
 {
-    TrayRecord record = {0};
     SurfaceShape *const s = &out->shape;
-    hawser_status status = case_section_read(r, node, &case_tray, &record);
-    if (!status) status = stretch_read(r, node, &record.at, "T", out);
-    if (status) return status;
-    tray_fill(&record, s);
-    status = tray_key(r, node, "width", s->kind == SURFACE_FLAT);
+    tray_fill(section, s);
+    hawser_status status = tray_key(r, node, "width", s->kind == SURFACE_FLAT);
     if (!status) status = tray_key(r, node, "angle", s->kind == SURFACE_V);
     if (!status) status = tray_key(r, node, "radius", s->kind == SURFACE_U);
     if (!status && s->kind == SURFACE_FLAT) status = flat_check(r, node, s);
@@ -193,12 +233,12 @@ static hawser_status tray_read(const CaseReader *r, const CaseNode *node, Surfac
 }
 
 /* Whether the cable begins on the free side of a plane, wherever it lies over it. */
-static hawser_status plane_check(const CaseReader *r, const CaseNode *node, const SurfaceDef *plane)
+static hawser_status plane_check(const CaseReader *r, const CaseNode *node, const SurfaceDef *surface)
 {
     const SceneDef *const def = r->def;
     SurfacePatch patch;
     if (def->rod.present) return HAWSER_OK; /* it lies on no route */
-    surface_patches(&plane->shape, &r->route, 0, &patch);
+    surface_patches(&surface->shape, &r->route, 0, &patch);
     for (int p = 0; p < def->n_pieces; p++) {
         const double radius = def->cables[def->pieces[p].cable].diameter / 2;
         double from, to;
@@ -212,7 +252,7 @@ static hawser_status plane_check(const CaseReader *r, const CaseNode *node, cons
                 r->err, node, "point",
                 "plane '%s' is inside the cable: %.4g m along the route it is %.4g m from the line, must "
                 "be at least the cable's radius, %.4g m",
-                plane->name, s, at.distance, radius);
+                surface->name, s, at.distance, radius);
         }
     }
     return HAWSER_OK;
@@ -226,63 +266,77 @@ static Vec3 along_of(Vec3 given, Vec3 normal)
     return v3_unit(v3_reject(wanted, normal));
 }
 
-static hawser_status plane_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
+static hawser_status plane_finish(const CaseReader *r, const CaseNode *node, int none, SurfaceDef *out)
 {
-    PlaneRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_plane, &record);
-    if (!status) status = case_friction_read(r, record.friction, &r->def->friction, &out->friction);
-    if (status) return status;
-    if (v3_norm(record.normal) < 1e-9) {
+    SurfaceShape *const s = &out->shape;
+    (void)none;
+    if (v3_norm(s->normal) < 1e-9) {
         return case_value_error(r->err, case_node_key(node, "normal"), ": expected a direction that is not zero");
     }
-    const Vec3 normal = v3_unit(record.normal), along = along_of(record.along, normal);
-    if (!(v3_norm(along) > 0.5)) {
+    s->kind = SURFACE_PLANE;
+    s->normal = v3_unit(s->normal);
+    s->along = along_of(s->along, s->normal);
+    if (!(v3_norm(s->along) > 0.5)) {
         return case_value_error(r->err, case_node_key(node, "along"),
                                 ": expected a direction that is not the normal's");
     }
-    surface_name(out, record.name, "P", node);
-    out->shape = (SurfaceShape){.kind = SURFACE_PLANE,
-                                .fade = record.fade,
-                                .cable_radius = case_largest_diameter(r->def) / 2,
-                                .point = record.point,
-                                .normal = normal,
-                                .along = along,
-                                .length = record.length,
-                                .width = record.width};
     return plane_check(r, node, out);
 }
 
-/* Reads one list; `read` fills the next surface, which counts only when it is whole. */
-static hawser_status list_read(const CaseReader *r, const CaseNode *list,
-                               hawser_status (*read)(const CaseReader *, const CaseNode *, SurfaceDef *))
+/* Ducts, then trays, then planes: that is the order of the results. `finish` gets a duct's place or a tray's section.
+ */
+typedef struct SurfaceList {
+    const char *key;
+    const CaseSection *section;
+    const char *letter; /* of names that are not given */
+    int along;          /* a stretch of the route, which it has for itself */
+    hawser_status (*finish)(const CaseReader *r, const CaseNode *node, int choice, SurfaceDef *out);
+} SurfaceList;
+
+static const SurfaceList lists[] = {{"ducts", &duct, "D", 1, duct_finish},
+                                    {"trays", &tray, "T", 1, tray_finish},
+                                    {"planes", &plane, "P", 0, plane_finish}};
+
+static hawser_status surface_read(const CaseReader *r, const CaseNode *node, const SurfaceList *list, SurfaceDef *out)
+{
+    Surface record = {0};
+    hawser_status status = case_section_read(r, node, list->section, &record);
+    *out = record.def;
+    if (!*out->name) snprintf(out->name, sizeof out->name, "%s%d", list->letter, node->index + 1);
+    out->shape.cable_radius = case_largest_diameter(r->def) / 2;
+    if (isnan(out->shape.to)) out->shape.to = r->route.length;
+    const CaseNode *const friction = case_node_key(node, "friction");
+    if (!status) status = case_friction_read(r, friction, &r->def->friction, &out->friction);
+    if (!status && list->along) status = stretch_check(r, node, out);
+    return status ? status : list->finish(r, node, record.choice, out);
+}
+
+/* A surface counts only when it is whole. */
+static hawser_status list_read(const CaseReader *r, const CaseNode *nodes, const SurfaceList *list)
 {
     SceneDef *const def = r->def;
-    if (!list) return HAWSER_OK;
-    if (list->count > CASE_SURFACES_MAX - def->n_surfaces) {
-        return case_key_error(r->err, list, NULL, "too many surfaces: at most %d", CASE_SURFACES_MAX);
+    if (!nodes) return HAWSER_OK;
+    if (nodes->count > CASE_SURFACES_MAX - def->n_surfaces) {
+        return case_key_error(r->err, nodes, NULL, "too many surfaces: at most %d", CASE_SURFACES_MAX);
     }
-    SurfaceDef *const all = realloc(def->surfaces, (size_t)(def->n_surfaces + list->count + 1) * sizeof *all);
+    SurfaceDef *const all = realloc(def->surfaces, (size_t)(def->n_surfaces + nodes->count + 1) * sizeof *all);
     if (!all) return error_memory(r->err);
     def->surfaces = all;
-    for (const CaseNode *node = list->first; node; node = node->next) {
-        SurfaceDef *const next = &def->surfaces[def->n_surfaces];
-        memset(next, 0, sizeof *next);
-        const hawser_status status = read(r, node, next);
+    for (const CaseNode *node = nodes->first; node; node = node->next, def->n_surfaces++) {
+        const hawser_status status = surface_read(r, node, list, &all[def->n_surfaces]);
         if (status) return status;
-        def->n_surfaces++;
     }
     return HAWSER_OK;
 }
 
-/* Ducts, then trays, then planes: that is the order of the results. */
-hawser_status case_surfaces_read(const CaseReader *r, const CaseNode *node)
+hawser_status case_surfaces_read(CaseReader *r, const CaseNode *node)
 {
-    SurfacesRecord record = {0};
-    hawser_status status = case_section_read(r, node, &case_surfaces, &record);
-    if (!status) status = line_contact_read(r, record.contact);
-    if (!status) status = line_exponent_check(r, record.contact);
-    if (!status) status = list_read(r, record.ducts, duct_read);
-    if (!status) status = list_read(r, record.trays, tray_read);
-    if (!status) status = list_read(r, record.planes, plane_read);
+    const CaseNode *const contact = case_node_key(node, "contact");
+    hawser_status status = case_section_read(r, node, &case_surfaces, r->def);
+    if (!status) status = line_contact_read(r, contact);
+    if (!status) status = line_exponent_check(r, contact);
+    for (size_t k = 0; k < sizeof lists / sizeof *lists && !status; k++) {
+        status = list_read(r, case_node_key(node, lists[k].key), &lists[k]);
+    }
     return status;
 }

@@ -6,11 +6,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/results/results_file.h"
-#include "io/results/results_h5.h"
-#include "io/results/results_xdmf.h"
-#include "io/results/summary_tables.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,50 +16,24 @@ enum { PENDING_MAX = 32 };
 /* Wall time between two flushes, s. */
 static const double flush_interval = 0.5;
 
+/* What is opened at the start and filled at the end. */
+enum { STATIONS, ROLLERS, TABLES };
+static const struct {
+    const char *file;
+    const Columns *columns;
+} tables[TABLES] = {{"stations.csv", &station_columns}, {"rollers.csv", &roller_columns}};
+
 struct Results {
-    OutFile series, stations, rollers;
+    OutFile series, tables[TABLES];
     XdmfFile xdmf;
     H5File *h5; /* NULL: no states wanted */
     char dir[OUT_PATH_MAX];
-    int reel, front; /* have columns */
-    int n_watched;
-    int *watched; /* [n_watched] */
-    int n_loads;
-    int *loads;                  /* [n_loads] */
+    Series columns;
     int n_pending;               /* states that results.xdmf does not know of yet */
     double pending[PENDING_MAX]; /* their times, s */
     long states;                 /* in results.h5 */
     double last_flush;
 };
-
-/* Column names, with units, of series.csv. */
-static hawser_status write_series_head(Results *r, const ResultsDef *def, hawser_error *err)
-{
-    hawser_status status = out_print(&r->series, err,
-                                     "time_s,winch_force_N,tail_tension_N,winch_speed_m_per_s,winch_travel_m,"
-                                     "max_tension_N,max_tension_joint,active_contacts,step_size_s");
-    if (r->front && !status) status = out_print(&r->series, err, ",head_at_m,reference_N");
-    if (r->reel && !status) status = out_print(&r->series, err, ",reel_speed_rad_per_s,paid_out_m,wound_m");
-    for (int i = 0; i < r->n_watched && !status; i++) {
-        const int k = r->watched[i];
-        status = out_print(&r->series, err, ",speed_%d_m_per_s,tension_%d_N", k, k);
-    }
-    for (int i = 0; i < def->conveyors && !status; i++) {
-        char column[160];
-        snprintf(column, sizeof column, "%s_force_N", def->conveyor[i].name);
-        status = csv_text(&r->series, ",", column, err);
-        snprintf(column, sizeof column, "%s_slip_m_per_s", def->conveyor[i].name);
-        if (!status) status = csv_text(&r->series, ",", column, err);
-    }
-    for (int i = 0; i < def->probes && !status; i++) status = probe_write_head(&r->series, def->probe[i].name, err);
-    for (int i = 0; i < r->n_loads && !status; i++) {
-        char column[160];
-        snprintf(column, sizeof column, "load_%s_N", def->roller[r->loads[i]].name);
-        status = csv_text(&r->series, ",", column, err);
-    }
-    if (!status) status = out_print(&r->series, err, "\n");
-    return status ? status : out_flush(&r->series, err);
-}
 
 /* A file of one text, written and closed. */
 static hawser_status write_whole(const char *dir, const char *name, const char *text, hawser_error *err)
@@ -89,32 +59,14 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     hawser_status s = out_make_dir(r->dir, err);
     if (!s) s = write_whole(r->dir, "summary.json", summary, err);
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
-    if (!s) s = write_series_head(r, def, err);
-    if (!s) s = out_open(&r->stations, r->dir, "stations.csv", err);
-    if (!s) s = stations_write_head(&r->stations, err);
-    if (!s) s = out_open(&r->rollers, r->dir, "rollers.csv", err);
-    if (!s) s = rollers_write_head(&r->rollers, err);
+    if (!s) s = series_make(&r->columns, def, err);
+    if (!s) s = series_head(&r->series, &r->columns, err);
+    for (int k = 0; k < TABLES && !s; k++) {
+        s = out_open(&r->tables[k], r->dir, tables[k].file, err);
+        if (!s) s = csv_head(&r->tables[k], tables[k].columns, err);
+    }
     if (!s && def->states > 0) s = open_states(r, def, err);
     return s;
-}
-
-/* A copy of n indices; NULL for none, and for want of memory. */
-static int *copy_indices(int n, const int *index)
-{
-    int *const copy = n > 0 ? malloc(sizeof *copy * (size_t)n) : NULL;
-    if (copy) memcpy(copy, index, sizeof *copy * (size_t)n);
-    return copy;
-}
-
-/* The lists of watched segments and rollers, which the definition only lends. */
-static hawser_status copy_watched(Results *r, const ResultsDef *def, hawser_error *err)
-{
-    r->watched = copy_indices(def->n_watched, def->watched);
-    r->loads = copy_indices(def->n_loads, def->loads);
-    if ((def->n_watched > 0 && !r->watched) || (def->n_loads > 0 && !r->loads)) return error_memory(err);
-    r->n_watched = def->n_watched;
-    r->n_loads = def->n_loads;
-    return HAWSER_OK;
 }
 
 /* Nothing stays open after a failure; files that were made by then are left, empty. */
@@ -126,10 +78,7 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     Results *r = calloc(1, sizeof *r);
     if (!r) return error_memory(err);
     strcpy(r->dir, dir);
-    r->reel = def->reel;
-    r->front = def->front;
-    hawser_status status = copy_watched(r, def, err);
-    if (!status) status = open_all(r, def, summary, err);
+    const hawser_status status = open_all(r, def, summary, err);
     if (status) {
         results_free(r);
         return status;
@@ -138,36 +87,9 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     return HAWSER_OK;
 }
 
-/* Place of the cable's front and what theory says there: empty where there is neither. */
-static hawser_status write_front(Results *r, const hawser_sample *s, hawser_error *err)
-{
-    if (isnan(s->head_at)) return out_print(&r->series, err, ",,");
-    if (isnan(s->reference)) return out_print(&r->series, err, ",%.9g,", s->head_at);
-    return out_print(&r->series, err, ",%.9g,%.9g", s->head_at, s->reference);
-}
-
-/* Nine digits show more than the integrator knows. The step needs fewer. */
 hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
 {
-    hawser_status status = out_print(&r->series, err, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d,%d,%.5g", s->t, s->winch_force,
-                                     s->tail_tension, s->winch_speed, s->winch_travel, s->max_tension,
-                                     s->max_tension_joint, s->active_contacts, s->step_size);
-    if (r->front && !status) status = write_front(r, s, err);
-    if (r->reel && !status)
-        status = out_print(&r->series, err, ",%.9g,%.9g,%.9g", s->reel_speed, s->paid_out, s->wound);
-    /* of a watched segment: its speed along itself, and the tension of the joint ahead of it */
-    for (int i = 0; i < r->n_watched && !status; i++) {
-        const int k = r->watched[i];
-        status = out_print(&r->series, err, ",%.9g,%.9g", s->axial_speed[k], s->tension[k + 1]);
-    }
-    for (int i = 0; i < s->conveyors && !status; i++) {
-        status = out_print(&r->series, err, ",%.9g,%.9g", s->conveyor_force[i], s->conveyor_slip[i]);
-    }
-    for (int i = 0; i < s->probes && !status; i++) status = probe_write(&r->series, &s->probe[i], err);
-    for (int i = 0; i < r->n_loads && !status; i++) {
-        status = out_print(&r->series, err, ",%.9g", s->roller_load[r->loads[i]]);
-    }
-    return status ? status : out_print(&r->series, err, "\n");
+    return series_row(&r->series, &r->columns, s, err);
 }
 
 /* The states first, then the file that points to them. */
@@ -226,14 +148,16 @@ static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_erro
 /* A full disk may still have room for the small tables, so every file gets its chance. */
 hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
 {
+    const int n[TABLES] = {t->n_stations, t->n_rollers};
+    const void *const rows[TABLES] = {t->station, t->roller};
     hawser_status s = flush_all(r, err);
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
     keep_first(&s, out_close(&r->series, s ? NULL : err));
-    keep_first(&s, stations_write(&r->stations, t->n_stations, t->station, s ? NULL : err));
-    keep_first(&s, out_close(&r->stations, s ? NULL : err));
-    keep_first(&s, rollers_write(&r->rollers, t->n_rollers, t->roller, s ? NULL : err));
-    keep_first(&s, out_close(&r->rollers, s ? NULL : err));
+    for (int k = 0; k < TABLES; k++) {
+        keep_first(&s, csv_rows(&r->tables[k], tables[k].columns, n[k], rows[k], s ? NULL : err));
+        keep_first(&s, out_close(&r->tables[k], s ? NULL : err));
+    }
     keep_first(&s, write_modes(r, t, s ? NULL : err));
     keep_first(&s, write_whole(r->dir, "summary.json", t->summary, s ? NULL : err));
     return s;
@@ -246,10 +170,8 @@ Results *results_free(Results *r)
     h5_close(&r->h5, NULL);
     xdmf_close(&r->xdmf, NULL);
     out_close(&r->series, NULL);
-    out_close(&r->stations, NULL);
-    out_close(&r->rollers, NULL);
-    free(r->watched);
-    free(r->loads);
+    for (int k = 0; k < TABLES; k++) out_close(&r->tables[k], NULL);
+    free(r->columns.column);
     free(r);
     return NULL;
 }

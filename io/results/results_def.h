@@ -1,17 +1,19 @@
-/* What a results folder is made for: sizes, names and what is wanted in it. */
+/* What a results folder is made for, and what its summary says. */
 #ifndef HAWSER_IO_RESULTS_RESULTS_DEF_H
 #define HAWSER_IO_RESULTS_RESULTS_DEF_H
 
 #include "hawser/hawser.h"
+#include "sim/watch/overload.h"
 
-/* Strings and arrays are borrowed until the folder is open. */
+/* Sizes, names and what is wanted. Strings and arrays are borrowed until the folder is
+ * open. */
 typedef struct ResultsDef {
     const char *title; /* the case's */
     int segments;
     int rollers;
-    const hawser_roller *roller; /* [rollers]: names and places */
-    int conveyors;
-    const hawser_conveyor *conveyor; /* [conveyors]: names */
+    const hawser_roller *roller;   /* [rollers]: names and places */
+    int figures;                   /* of the machines, together */
+    const hawser_machine *machine; /* names */
     int n_watched;
     const int *watched; /* [n_watched]: segments whose speed and tension are columns of series.csv */
     int probes;
@@ -22,5 +24,24 @@ typedef struct ResultsDef {
     int n_loads;
     const int *loads; /* [n_loads]: rollers whose loads are columns of series.csv */
 } ResultsDef;
+
+/* What the summary says beside the figures. */
+typedef struct SummaryLabels {
+    const char *title, *case_name;
+    const char *outcome; /* "running", "finished", "tripped", "stopped", "failed" */
+    const char *message; /* why it did not finish; "" otherwise */
+    int n_surfaces;
+    const hawser_surface *surface; /* [n_surfaces] */
+    int n_rollers;
+    const hawser_roller *roller; /* [n_rollers] */
+    int n_limits;
+    const hawser_limit *limit; /* [n_limits] */
+    int n_overloads;
+    const Overload *overload; /* [n_overloads], by roller */
+    double trip_N;            /* that follows from the largest overload factor allowed; NAN without limits */
+} SummaryLabels;
+
+/* The text of summary.json, malloc'ed; what is not known (NAN) becomes null. Errors: MEMORY. */
+hawser_status summary_json(const hawser_summary *summary, const SummaryLabels *labels, char **text, hawser_error *err);
 
 #endif

@@ -83,6 +83,16 @@ hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...
     return n < 0 ? out_error(out->path, errno, err) : HAWSER_OK;
 }
 
+hawser_status out_cell(OutFile *out, const char *separator, Cell cell, int digits, hawser_error *err)
+{
+    errno = 0;
+    const locale_t before = uselocale(out->c);
+    fputs(separator, out->f);
+    csv_cell(out->f, cell, digits);
+    uselocale(before);
+    return ferror(out->f) ? out_error(out->path, errno, err) : HAWSER_OK;
+}
+
 /* As far as the system's cache: it survives the program, not the machine. */
 hawser_status out_flush(OutFile *out, hawser_error *err)
 {

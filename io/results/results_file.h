@@ -1,16 +1,20 @@
-/* Text files of a results folder: every write is checked, and numbers are written with a decimal point
- * whatever the locale of the calling program. */
+/* The files of a results folder, for io/results alone: text that is checked write by write, CSV by columns, the series,
+ * results.h5 and results.xdmf. */
 #ifndef HAWSER_IO_RESULTS_RESULTS_FILE_H
 #define HAWSER_IO_RESULTS_RESULTS_FILE_H
-
-#include "hawser/hawser.h"
 
 #include <locale.h>
 #include <stdio.h>
 
+#include "io/results/column.h"
+#include "io/results/results_def.h"
+
+/* ------------------------------------------------------------------------------------------------------- text */
+
 enum { OUT_PATH_MAX = 4096 };
 
-/* A text file open for writing; zeroed: closed. */
+/* A text file open for writing; zeroed: closed. Numbers are written with a decimal point whatever the locale of the
+ * calling program. */
 typedef struct OutFile {
     FILE *f;
     locale_t c; /* the "C" locale */
@@ -29,9 +33,101 @@ hawser_status out_error(const char *path, int number, hawser_error *err);
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);
 /* Appends text; errors that the system only finds later come from out_flush or out_close. */
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* A separator and a cell of CSV. */
+hawser_status out_cell(OutFile *out, const char *separator, Cell cell, int digits, hawser_error *err);
 /* Hands everything to the system. Errors: OUTPUT. */
 hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */
 hawser_status out_close(OutFile *out, hawser_error *err);
+
+/* -------------------------------------------------------------------------------------------------------- CSV */
+
+/* Of summary.json, stations.csv, rollers.csv, modes.csv. */
+extern const Columns summary_columns, station_columns, roller_columns, shape_columns;
+
+/* The columns' names, flushed, so that a table that cannot be written is noticed before the run; and n rows. All errors
+ * here: OUTPUT. */
+hawser_status csv_head(OutFile *out, const Columns *columns, hawser_error *err);
+hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *rows, hawser_error *err);
+/* modes.csv with its head: a row for each mode and segment. */
+hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err);
+
+/* ----------------------------------------------------------------------------------------------------- series */
+
+/* What a column of series.csv is of, in the file's order: the run; the cable's front and the reel, where there are
+ * such; watched segments, machines' figures, probes, watched rollers one by one. */
+typedef enum SampleOf { OF_RUN, OF_FRONT, OF_REEL, OF_SEGMENT, OF_FIGURE, OF_PROBE, OF_ROLLER, SAMPLE_OFS } SampleOf;
+
+/* How many items a row of a set of results.h5 has. */
+typedef enum SamplePer { PER_RUN, PER_SEGMENT, PER_JOINT, PER_ROLLER } SamplePer;
+
+/* Something that is written of a sample. */
+typedef struct SampleColumn {
+    const char *name;     /* in series.csv: * is the item's name or number, @ x, y and z; NULL: not there */
+    size_t offset;        /* in hawser_sample: of the value, or of the pointer to its array */
+    size_t stride, start; /* bytes between an array's items, and into each; stride 0: a value */
+    SampleOf of;
+    int count;                      /* the value is an int */
+    int digits;                     /* 0: nine */
+    const char *set, *unit, *about; /* in results.h5; NULL: not there */
+    SamplePer per;
+    int width; /* values an item; 0: one, without a dimension of its own */
+} SampleColumn;
+
+extern const SampleColumn sample_column[];
+extern const int sample_columns;
+
+/* A sample's value, or its array. */
+const void *sample_at(const SampleColumn *column, const hawser_sample *sample);
+
+enum { SERIES_NAME_MAX = 160 };
+
+/* The columns of one folder's series.csv. */
+typedef struct SeriesColumn {
+    char name[SERIES_NAME_MAX];
+    const SampleColumn *of;
+    size_t at; /* bytes from sample_at */
+} SeriesColumn;
+typedef struct Series {
+    int n;
+    SeriesColumn *column; /* [n], owned */
+} Series;
+
+/* Errors: MEMORY. */
+hawser_status series_make(Series *series, const ResultsDef *def, hawser_error *err);
+/* The columns' names, flushed; and a row. Errors: OUTPUT. */
+hawser_status series_head(OutFile *out, const Series *series, hawser_error *err);
+hawser_status series_row(OutFile *out, const Series *series, const hawser_sample *sample, hawser_error *err);
+
+/* ------------------------------------------------------------------------------------------------- results.h5 */
+
+/* The sampled states, one row a state, readable while the run goes on. docs/results.md lists what is in it. HDF5 stays
+ * silent: what goes wrong comes back as a status. */
+typedef struct H5File H5File;
+
+/* Creates dir/results.h5 with everything that does not change. Errors: OUTPUT, MEMORY. */
+hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err);
+/* Adds one state. Errors: OUTPUT; the states before it stay readable. */
+hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err);
+/* After this, readers see every state. Errors: OUTPUT. */
+hawser_status h5_flush(H5File *h, hawser_error *err);
+/* Closes *file and sets it to NULL (NULL is fine). Errors: OUTPUT. */
+hawser_status h5_close(H5File **file, hawser_error *err);
+
+/* ----------------------------------------------------------------------------------------------- results.xdmf */
+
+/* Tells ParaView, meshio and other readers of XDMF 3 where in results.h5 the states lie: a temporal collection of
+ * polylines through the segment centres. The file is a complete XML document after every call. */
+typedef struct XdmfFile {
+    OutFile out;
+    int segments;
+    long end; /* where the next state goes: over the closing tags */
+} XdmfFile;
+
+/* Creates dir/results.xdmf without states. Errors: OUTPUT, MEMORY. */
+hawser_status xdmf_open(XdmfFile *x, const char *dir, int segments, hawser_error *err);
+/* Adds states first .. first+n-1, whose frames are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */
+hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err);
+hawser_status xdmf_close(XdmfFile *x, hawser_error *err);
 
 #endif

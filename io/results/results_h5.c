@@ -1,12 +1,11 @@
-/* Every set is a row of the table `infos`: name, unit, description, and what a row of it holds. Sets grow by one row a
+/* Every set is a row of the table of a sample's columns (series.c). Sets grow by one row a
  * state; a chunk is one row, so that each state is written once and nothing is read back. Beside them, a group a state
  * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
  * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
-#include "io/results/results_h5.h"
-
 #include "core/base/error.h"
 #include "io/results/results_disk.h"
 #include "io/results/results_file.h"
+#include "sim/def/scene_def.h"
 
 #include <hdf5.h>
 #include <stdlib.h>
@@ -16,33 +15,9 @@ enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 /* Bytes of states from which on they are compressed. */
 static const double deflate_above = 32e6;
 
-/* How many values a row has: a number of them for each of these. */
-typedef enum PerItem { PER_RUN, PER_SEGMENT, PER_JOINT, PER_ROLLER } PerItem;
-
-typedef struct SetInfo {
-    const char *name, *unit, *about;
-    PerItem per;
-    int width; /* values an item; 0: one, without a dimension of its own */
-} SetInfo;
-
-enum { SET_TIME, SET_WINCH, SET_TAIL, SET_POSITION, SET_QUATERNION, SET_VELOCITY, SET_OMEGA, SET_TENSION, SET_ROLLER };
-enum { SET_COUNT = SET_ROLLER + 1 };
-
-static const SetInfo infos[SET_COUNT] = {
-    {"time", "s", "time of every state", PER_RUN, 0},
-    {"winch_force", "N", "pull on the rope's end", PER_RUN, 0},
-    {"tail_tension", "N", "back tension at the tail", PER_RUN, 0},
-    {"position", "m", "segment centres, x y z", PER_SEGMENT, 3},
-    {"quaternion", "1", "segment orientations, w x y z; turns the x axis onto the segment", PER_SEGMENT, 4},
-    {"velocity", "m/s", "of the segment centres", PER_SEGMENT, 3},
-    {"omega", "rad/s", "angular velocity in world components", PER_SEGMENT, 3},
-    {"tension", "N", "axial force of joint j, between segments j-1 and j", PER_JOINT, 0},
-    {"roller_load", "N", "size of the contact force on each roller", PER_ROLLER, 0},
-};
-
 struct H5File {
     hid_t file, frames;
-    hid_t set[SET_COUNT]; /* 0: not there (a scene without rollers) */
+    hid_t *set; /* [sample_columns]; 0: not there (a scene without rollers) */
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
@@ -58,14 +33,14 @@ static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
 }
 
 /* How many items a row of this kind has in this scene. */
-static hsize_t item_count(const H5File *h, PerItem per)
+static hsize_t item_count(const H5File *h, SamplePer per)
 {
     const hsize_t n = (hsize_t)h->segments;
     return per == PER_RUN ? 1 : per == PER_SEGMENT ? n : per == PER_JOINT ? n + 1 : (hsize_t)h->rollers;
 }
 
 /* Dimensions of a set with `rows` rows; returns the rank. */
-static int set_dims(const H5File *h, const SetInfo *info, hsize_t rows, hsize_t dims[3])
+static int set_dims(const H5File *h, const SampleColumn *info, hsize_t rows, hsize_t dims[3])
 {
     dims[0] = rows;
     dims[1] = item_count(h, info->per);
@@ -110,18 +85,30 @@ static int wants_deflate(const ResultsDef *def)
 /* An empty set that grows row by row. */
 static int make_set(H5File *h, int k)
 {
-    const SetInfo *info = &infos[k];
+    const SampleColumn *const info = &sample_column[k];
     hsize_t dims[3], max[3];
-    if (item_count(h, info->per) == 0) return 1;
+    if (!info->set || item_count(h, info->per) == 0) return 1;
     const int rank = set_dims(h, info, 0, dims);
     set_dims(h, info, H5S_UNLIMITED, max);
     const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(h, rank, dims);
-    const hid_t set = H5Dcreate2(h->file, info->name, H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+    const hid_t set = H5Dcreate2(h->file, info->set, H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
     H5Pclose(plist);
     H5Sclose(space);
     if (set < 0) return 0;
     h->set[k] = set;
     return write_text(set, "unit", info->unit) && write_text(set, "description", info->about);
+}
+
+/* A whole set that does not grow, written from what the machine has as `type`. */
+static int write_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
+                     const void *values)
+{
+    const hid_t space = H5Screate_simple(rank, dims, NULL);
+    const hid_t set = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
+    if (set >= 0) H5Dclose(set);
+    H5Sclose(space);
+    return ok;
 }
 
 /* Which points every line element of the polyline joins: [segments-1][2]. */
@@ -134,43 +121,27 @@ static int write_connectivity(H5File *h)
         pairs[2 * i] = i;
         pairs[2 * i + 1] = i + 1;
     }
-    const hid_t space = H5Screate_simple(2, dims, NULL);
-    const hid_t set = H5Dcreate2(h->file, "connectivity", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, pairs) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
+    const int ok = write_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
     free(pairs);
-    return ok;
-}
-
-/* A one-dimensional set that does not grow. */
-static int write_fixed(H5File *h, const char *name, hid_t file_type, hid_t type, int n, const void *values)
-{
-    const hsize_t dims[1] = {(hsize_t)n};
-    const hid_t space = H5Screate_simple(1, dims, NULL);
-    const hid_t set = H5Dcreate2(h->file, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
     return ok;
 }
 
 /* Names (padded text) and places of the rollers. */
 static int write_rollers(H5File *h, const ResultsDef *def)
 {
-    const int n = def->rollers;
+    const hsize_t n = (hsize_t)def->rollers;
     if (!n) return 1;
-    char(*name)[FRAMES_NAME] = calloc((size_t)n, sizeof *name);
+    char(*name)[NAME_MAX_LENGTH] = calloc((size_t)n, sizeof *name);
     double *s = malloc(sizeof *s * (size_t)n);
     int ok = name && s;
-    for (int i = 0; i < n && ok; i++) {
-        strncpy(name[i], def->roller[i].name, FRAMES_NAME - 1);
+    for (int i = 0; i < def->rollers && ok; i++) {
+        strncpy(name[i], def->roller[i].name, NAME_MAX_LENGTH - 1);
         s[i] = def->roller[i].s;
     }
     const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, FRAMES_NAME);
-    ok = ok && write_fixed(h, "roller_name", type, type, n, name) &&
-         write_fixed(h, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, n, s);
+    H5Tset_size(type, NAME_MAX_LENGTH);
+    ok = ok && write_set(h->file, "roller_name", type, type, 1, &n, name) &&
+         write_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
     H5Tclose(type);
     free(name);
     free(s);
@@ -195,7 +166,7 @@ static int make_file(H5File *h, const ResultsDef *def)
     if (file < 0) return 0;
     h->file = file;
     int ok = write_text(file, "title", def->title) && write_text(file, "hawser_version", hawser_version());
-    for (int k = 0; k < SET_COUNT && ok; k++) ok = make_set(h, k);
+    for (int k = 0; k < sample_columns && ok; k++) ok = make_set(h, k);
     const hid_t frames = ok ? H5Gcreate2(file, "frames", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1;
     if (frames < 0) return 0;
     h->frames = frames;
@@ -214,7 +185,8 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
     h->rollers = def->rollers;
     h->deflate = wants_deflate(def);
     h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
-    hawser_status status = h->frame ? out_join(h->path, dir, "results.h5", err) : error_memory(err);
+    h->set = calloc((size_t)sample_columns, sizeof *h->set);
+    hawser_status status = h->frame && h->set ? out_join(h->path, dir, "results.h5", err) : error_memory(err);
     if (!status) {
         int ok = 0;
         H5E_BEGIN_TRY { ok = make_file(h, def); }
@@ -230,16 +202,17 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
 }
 
 /* Row `rows` of one set. */
-static int append_row(H5File *h, int k, const double *values)
+static int append_row(H5File *h, int k, const hawser_sample *sample)
 {
     hsize_t dims[3], start[3] = {h->rows, 0, 0}, count[3];
     if (!h->set[k]) return 1;
-    const int rank = set_dims(h, &infos[k], h->rows + 1, dims);
-    set_dims(h, &infos[k], 1, count);
+    const int rank = set_dims(h, &sample_column[k], h->rows + 1, dims);
+    set_dims(h, &sample_column[k], 1, count);
     if (H5Dset_extent(h->set[k], dims) < 0) return 0;
     const hid_t there = H5Dget_space(h->set[k]), here = H5Screate_simple(rank, count, NULL);
     H5Sselect_hyperslab(there, H5S_SELECT_SET, start, NULL, count, NULL);
-    const int ok = H5Dwrite(h->set[k], H5T_NATIVE_DOUBLE, here, there, H5P_DEFAULT, values) >= 0;
+    const int ok =
+        H5Dwrite(h->set[k], H5T_NATIVE_DOUBLE, here, there, H5P_DEFAULT, sample_at(&sample_column[k], sample)) >= 0;
     H5Sclose(here);
     H5Sclose(there);
     return ok;
@@ -250,12 +223,7 @@ static int write_frame_set(H5File *h, hid_t group, const char *name, int n, int 
 {
     const hsize_t dims[2] = {(hsize_t)n, (hsize_t)width};
     for (int i = 0; i < n * width; i++) h->frame[i] = (float)values[i];
-    const hid_t space = H5Screate_simple(width > 1 ? 2 : 1, dims, NULL);
-    const hid_t set = H5Dcreate2(group, name, H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, h->frame) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
-    return ok;
+    return write_set(group, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
 }
 
 /* The copy that results.xdmf points to; the tensions are those of the joints between two segments. */
@@ -273,14 +241,12 @@ static int write_frame(H5File *h, const hawser_sample *s)
     return ok;
 }
 
-/* The time comes last: a state is there once it has one. */
+/* The time, which is the first column, comes last: a state is there once it has one. */
 static int append_state(H5File *h, const hawser_sample *s)
 {
-    return append_row(h, SET_WINCH, &s->winch_force) && append_row(h, SET_TAIL, &s->tail_tension) &&
-           append_row(h, SET_POSITION, s->position) && append_row(h, SET_QUATERNION, s->quaternion) &&
-           append_row(h, SET_VELOCITY, s->velocity) && append_row(h, SET_OMEGA, s->omega) &&
-           append_row(h, SET_TENSION, s->tension) && append_row(h, SET_ROLLER, s->roller_load) && write_frame(h, s) &&
-           append_row(h, SET_TIME, &s->t);
+    int ok = 1;
+    for (int k = 1; k < sample_columns && ok; k++) ok = append_row(h, k, s);
+    return ok && write_frame(h, s) && append_row(h, 0, s);
 }
 
 /* All sets grow by one row; if the disk says no, the rows before stay. */
@@ -318,6 +284,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
         /* a file that HDF5 would not close may still ask for disk_error: better lost than read after free */
         if (code < 0) return status;
     }
+    free(h->set);
     free(h->frame);
     free(h);
     return status;

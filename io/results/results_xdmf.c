@@ -1,6 +1,6 @@
 /* The file is rewritten from its last state on with every call, in one piece: a reader, or a kill, meets a whole
  * document. */
-#include "io/results/results_xdmf.h"
+#include "io/results/results_file.h"
 
 #include <errno.h>
 

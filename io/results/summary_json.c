@@ -1,319 +1,361 @@
-/* Each function puts one group of keys. They return 0, or something else when memory ran out, and are or'ed together:
- * one look at the end is enough. */
-#include "io/results/summary_json.h"
-
+/* summary.json: its keys are the rows of the tables below, in the order in which they stand in the file. Setters return
+ * 0, or something else when memory ran out, and are or'ed together: one look at the end is enough. */
 #include "core/base/error.h"
+#include "io/results/column.h"
+#include "io/results/results_file.h"
 
 #include <jansson.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* Setters that put one key into an object; JSON has no NAN, which becomes null. A key that did not fit in
- * memory shows as a non-zero sum of the returns. */
-static int put_real(json_t *o, const char *key, double v)
-{
-    return json_object_set_new(o, key, isfinite(v) ? json_real(v) : json_null());
-}
-
-/* Counts. */
-static int put_int(json_t *o, const char *key, long v) { return json_object_set_new(o, key, json_integer(v)); }
-
-/* Text that is not UTF-8 (a name from a strange file) becomes null. */
-static int put_text(json_t *o, const char *key, const char *v)
-{
-    json_t *text = v ? json_string(v) : NULL;
-    return json_object_set_new(o, key, text ? text : json_null());
-}
-
-/* A nested object of numbers: pairs of key and value. */
-typedef struct RealPair {
-    const char *key;
-    double value;
-} RealPair;
-
-/* Quantities that belong together share an object. */
-static int put_reals(json_t *o, const char *key, int n, const RealPair *pair)
-{
-    json_t *inner = json_object();
-    int bad = 0;
-    for (int i = 0; i < n; i++) bad |= put_real(inner, pair[i].key, pair[i].value);
-    return json_object_set_new(o, key, inner) | bad;
-}
-
-/* What was run, by what, and how it ended. */
-static int put_labels(json_t *o, const SummaryLabels *l)
-{
-    return put_text(o, "title", l->title) | put_text(o, "case", l->case_name) |
-           put_text(o, "version", hawser_version()) | put_text(o, "outcome", l->outcome) |
-           put_text(o, "message", l->message);
-}
-
-/* Counts of the model. */
-static int put_scene(json_t *o, const hawser_summary *s)
-{
-    return put_int(o, "segments", s->segments) | put_int(o, "bushings", s->bushings) |
-           put_int(o, "rollers", s->rollers) | put_int(o, "contact_candidates", s->contact_candidates) |
-           put_int(o, "contact_active_max", s->contact_active_max);
-}
+/* All that the file speaks of. */
+typedef struct Summary {
+    hawser_summary s;
+    SummaryLabels l;
+    const char *version;
+    char verdict[HAWSER_VERDICT_MAX];
+} Summary;
 
 /* One object a duct, tray, floor or wall. */
-static int put_surfaces(json_t *o, const SummaryLabels *l)
-{
-    json_t *list = json_array();
-    int bad = !list;
-    for (int i = 0; i < l->n_surfaces && !bad; i++) {
-        const hawser_surface *const s = &l->surface[i];
-        json_t *row = json_object();
-        bad = put_text(row, "name", s->name) | put_text(row, "kind", s->kind) | put_real(row, "from_m", s->from_m) |
-              put_real(row, "to_m", s->to_m) | put_real(row, "clearance_m", s->clearance_m) |
-              put_real(row, "jam_ratio", s->jam_ratio) | put_real(row, "steady_normal_N", s->normal_N) |
-              put_real(row, "steady_friction_N", s->friction_N) |
-              put_real(row, "peak_line_load_N_per_m", s->line_load_N_per_m) |
-              put_real(row, "peak_at_m", s->line_load_at_m) | json_array_append_new(list, row);
-    }
-    return json_object_set_new(o, "surfaces", list) | bad;
-}
+static const Column surface_column[] = {
+    {COLUMN("name", TEXT, hawser_surface, name)},
+    {COLUMN("kind", TEXT, hawser_surface, kind)},
+    {COLUMN("from_m", NUMBER, hawser_surface, from_m)},
+    {COLUMN("to_m", NUMBER, hawser_surface, to_m)},
+    {COLUMN("clearance_m", NUMBER, hawser_surface, clearance_m)},
+    {COLUMN("jam_ratio", NUMBER, hawser_surface, jam_ratio)},
+    {COLUMN("steady_normal_N", NUMBER, hawser_surface, normal_N)},
+    {COLUMN("steady_friction_N", NUMBER, hawser_surface, friction_N)},
+    {COLUMN("peak_line_load_N_per_m", NUMBER, hawser_surface, line_load_N_per_m)},
+    {COLUMN("peak_at_m", NUMBER, hawser_surface, line_load_at_m)},
+};
+static const Columns surface_columns = COLUMNS(hawser_surface, surface_column);
 
-/* Rollers that spin or stand on mounts; the key is absent where there are none. */
-static int put_moving_rollers(json_t *o, const SummaryLabels *l)
-{
-    json_t *list = json_array();
-    int bad = !list;
-    for (int i = 0; i < l->n_rollers && !bad; i++) {
-        const hawser_roller *const r = &l->roller[i];
-        if (isnan(r->spin_rad_per_s) && isnan(r->shift_m)) continue;
-        json_t *row = json_object();
-        bad = put_text(row, "name", r->name) | put_real(row, "s_m", r->s) |
-              put_real(row, "steady_spin_rad_per_s", r->spin_rad_per_s) | put_real(row, "steady_shift_m", r->shift_m) |
-              put_real(row, "peak_shift_m", r->peak_shift_m) | json_array_append_new(list, row);
-    }
-    if (json_array_size(list) > 0) return json_object_set_new(o, "moving_rollers", list) | bad;
-    json_decref(list);
-    return bad;
-}
+/* Rollers that spin or stand on mounts. */
+static const Column moving_column[] = {
+    {COLUMN("name", TEXT, hawser_roller, name)},
+    {COLUMN("s_m", NUMBER, hawser_roller, s)},
+    {COLUMN("steady_spin_rad_per_s", NUMBER, hawser_roller, spin_rad_per_s)},
+    {COLUMN("steady_shift_m", NUMBER, hawser_roller, shift_m)},
+    {COLUMN("peak_shift_m", NUMBER, hawser_roller, peak_shift_m)},
+};
+static const Columns moving_columns = COLUMNS(hawser_roller, moving_column);
 
-/* What the integrator and the linear solver did. */
-static int put_work(json_t *o, const hawser_summary *s)
+static int roller_moves(const void *row)
 {
-    return put_real(o, "sim_time_s", s->sim_time_s) | put_real(o, "wall_time_s", s->wall_time_s) |
-           put_real(o, "real_time_factor", s->real_time_factor) | put_int(o, "steps", s->steps) |
-           put_real(o, "steps_per_second", s->steps_per_second) | put_int(o, "rhs_evals", s->rhs_evals) |
-           put_int(o, "newton_iters", s->newton_iters) | put_int(o, "jac_evals", s->jac_evals) |
-           put_int(o, "lin_setups", s->lin_setups) | put_int(o, "error_test_fails", s->error_test_fails) |
-           put_int(o, "newton_fails", s->newton_fails) | put_int(o, "contact_refreshes", s->contact_refreshes) |
-           put_text(o, "linear_solver", s->linear_solver) | put_text(o, "linear_solver_why", s->linear_solver_why) |
-           put_text(o, "ordering", s->ordering) | put_int(o, "threads", s->threads) |
-           json_object_set_new(o, "planar", json_boolean(s->planar)) | put_text(o, "planar_why", s->planar_why);
-}
-
-/* The results proper: pull, theory, errors, speed, and the window over which they were taken. */
-static int put_figures(json_t *o, const hawser_summary *s)
-{
-    const RealPair pull[] = {
-        {"steady_mean_N", s->pull_mean_N}, {"peak_N", s->pull_peak_N}, {"steady_ripple_rms_N", s->pull_ripple_N}};
-    const RealPair theory[] = {{"paper_total_N", s->paper_total_N}, {"reference_total_N", s->reference_total_N}};
-    const RealPair error[] = {{"max_pct", s->error_max_pct},
-                              {"mean_pct", s->error_mean_pct},
-                              {"max_pct_paper", s->error_max_paper_pct},
-                              {"mean_pct_paper", s->error_mean_paper_pct}};
-    const RealPair speed[] = {{"steady_m_per_s", s->steady_speed_m_per_s}, {"settle_time_s", s->settle_time_s}};
-    const RealPair window[] = {{"from_s", s->steady_from_s}, {"to_s", s->steady_to_s}};
-    return put_reals(o, "pull_force", 3, pull) | put_reals(o, "theory", 2, theory) |
-           put_reals(o, "tension_error", 4, error) | put_reals(o, "speed", 2, speed) |
-           put_reals(o, "steady_window", 2, window);
-}
-
-/* How the initial equilibrium went. */
-static int put_relaxation(json_t *o, const hawser_relaxation *r)
-{
-    json_t *inner = json_object();
-    const int bad = json_object_set_new(inner, "reached", json_boolean(r->reached)) |
-                    put_int(inner, "iterations", r->iterations) | put_real(inner, "residual_N", r->residual_N) |
-                    put_real(inner, "tolerance_N", r->tolerance_N) | put_int(inner, "segment", r->segment) |
-                    put_real(inner, "moved_m", r->moved_m);
-    return json_object_set_new(o, "relaxation", inner) | bad;
-}
-
-/* A vector as a list. */
-static int put_vector(json_t *o, const char *key, const double v[3])
-{
-    json_t *list = json_array();
-    int bad = !list;
-    for (int c = 0; c < 3 && !bad; c++)
-        bad = json_array_append_new(list, isfinite(v[c]) ? json_real(v[c]) : json_null());
-    return json_object_set_new(o, key, list) | bad;
-}
-
-/* The terms of one kind, by name. */
-static int put_terms(json_t *o, const char *key, const hawser_balance *b, hawser_balance_kind kind)
-{
-    json_t *inner = json_object();
-    int bad = !inner;
-    for (int i = 0; i < b->n_terms; i++) {
-        const hawser_balance_term *const term = &b->term[i];
-        if (term->kind != kind) continue;
-        bad |= kind == HAWSER_BALANCE_IMPULSE ? put_vector(inner, term->name, term->N_s)
-                                              : put_real(inner, term->name, term->J);
-    }
-    return json_object_set_new(o, key, inner) | bad;
-}
-
-/* Energy and momentum since t = 0; absent where nothing moves. */
-static int put_balance(json_t *o, const hawser_balance *b)
-{
-    if (!b) return 0;
-    json_t *inner = json_object();
-    const int bad =
-        put_terms(inner, "work_J", b, HAWSER_BALANCE_WORK) | put_terms(inner, "lost_J", b, HAWSER_BALANCE_LOSS) |
-        put_terms(inner, "stored_J", b, HAWSER_BALANCE_STORED) | put_real(inner, "carried_J", b->carried_J) |
-        put_real(inner, "residual_J", b->residual_J) | put_real(inner, "turnover_J", b->turnover_J) |
-        put_text(inner, "turnover_of", b->turnover_of) | put_real(inner, "residual_share", b->residual_share) |
-        put_terms(inner, "impulse_N_s", b, HAWSER_BALANCE_IMPULSE) |
-        put_vector(inner, "momentum_N_s", b->momentum_N_s) | put_vector(inner, "carried_N_s", b->carried_N_s) |
-        put_vector(inner, "residual_N_s", b->residual_N_s) |
-        put_real(inner, "impulse_residual_share", b->impulse_residual_share);
-    return json_object_set_new(o, "balance", inner) | bad;
-}
-
-/* One row a conveyor. */
-static int put_conveyors(json_t *o, const hawser_summary *s)
-{
-    json_t *list = json_array();
-    int bad = 0;
-    for (int i = 0; i < s->n_conveyors; i++) {
-        const hawser_conveyor *c = &s->conveyors[i];
-        const RealPair pair[] = {{"from_m", c->from},
-                                 {"to_m", c->to},
-                                 {"grip_N", c->grip_N},
-                                 {"reference_N", c->reference_N},
-                                 {"steady_mean_N", c->mean_N},
-                                 {"peak_N", c->peak_N},
-                                 {"belt_m_per_s", c->belt_m_per_s},
-                                 {"slip_m_per_s", c->slip_m_per_s},
-                                 {"slipping", c->slipping}};
-        json_t *row = json_object();
-        bad |= put_text(row, "name", c->name);
-        for (int k = 0; k < 9; k++) bad |= put_real(row, pair[k].key, pair[k].value);
-        bad |= json_array_append_new(list, row);
-    }
-    return json_object_set_new(o, "conveyors", list) | bad;
+    const hawser_roller *const r = row;
+    return !isnan(r->spin_rad_per_s) || !isnan(r->shift_m);
 }
 
 /* The winch's force by the place of the cable's front. */
-static int put_positions(json_t *o, const hawser_summary *s)
-{
-    json_t *list = json_array();
-    int bad = 0;
-    for (int i = 0; i < s->n_positions; i++) {
-        const hawser_position *p = &s->positions[i];
-        json_t *row = json_object();
-        bad |= put_real(row, "head_m", p->head_m) | put_real(row, "pull_N", p->pull_N) |
-               put_real(row, "reference_N", p->reference_N) | put_real(row, "error_pct", p->error_pct) |
-               json_array_append_new(list, row);
-    }
-    return json_object_set_new(o, "pull_by_position", list) | bad;
-}
+static const Column position_column[] = {
+    {COLUMN("head_m", NUMBER, hawser_position, head_m)},
+    {COLUMN("pull_N", NUMBER, hawser_position, pull_N)},
+    {COLUMN("reference_N", NUMBER, hawser_position, reference_N)},
+    {COLUMN("error_pct", NUMBER, hawser_position, error_pct)},
+};
+static const Columns position_columns = COLUMNS(hawser_position, position_column);
 
 /* Frequencies; the shapes are in modes.csv. */
-static int put_modes(json_t *o, const hawser_summary *s)
+static const Column mode_column[] = {
+    {COLUMN("frequency_Hz", NUMBER, hawser_mode, frequency_Hz)},
+    {COLUMN("growth_per_s", NUMBER, hawser_mode, growth_per_s)},
+    {COLUMN("omega_squared_per_s2", NUMBER, hawser_mode, omega_squared)},
+};
+static const Columns mode_columns = COLUMNS(hawser_mode, mode_column);
+
+/* As the run ended. */
+static const Column probe_column[] = {
+    {COLUMN("name", TEXT, hawser_probe, name)},
+    {COLUMN("at_m", NUMBER, hawser_probe, at)},
+    {COLUMN("position_m", VECTOR, hawser_probe, position)},
+    {COLUMN("displacement_m", VECTOR, hawser_probe, displacement)},
+    {COLUMN("rotation_rad", VECTOR, hawser_probe, rotation)},
+    {COLUMN("force_N", VECTOR, hawser_probe, force)},
+    {COLUMN("moment_N_m", VECTOR, hawser_probe, moment)},
+};
+static const Columns probe_columns = COLUMNS(hawser_probe, probe_column);
+
+static const Column event_column[] = {
+    {COLUMN("time_s", NUMBER, hawser_event, t)},
+    {COLUMN("what", TEXT, hawser_event, what)},
+    {COLUMN("pull_N", NUMBER, hawser_event, pull_N)},
+};
+static const Columns event_columns = COLUMNS(hawser_event, event_column);
+
+static double limit_holds(const void *row)
 {
-    json_t *list = json_array();
-    int bad = !list;
-    for (int i = 0; i < s->n_modes; i++) {
-        const hawser_mode *m = &s->modes[i];
-        json_t *row = json_object();
-        bad |= put_real(row, "frequency_Hz", m->frequency_Hz) | put_real(row, "growth_per_s", m->growth_per_s) |
-               put_real(row, "omega_squared_per_s2", m->omega_squared) | json_array_append_new(list, row);
-    }
-    return json_object_set_new(o, "modes", list) | bad;
+    const hawser_limit *const l = row;
+    return l->judged ? (double)l->ok : NAN;
 }
 
-/* One row a probe, as the run ended. */
-static int put_probes(json_t *o, const hawser_summary *s)
-{
-    json_t *list = json_array();
-    int bad = put_text(o, "analysis", s->analysis);
-    for (int i = 0; i < s->n_probes; i++) {
-        const hawser_probe *p = &s->probes[i];
-        json_t *row = json_object();
-        bad |= put_text(row, "name", p->name) | put_real(row, "at_m", p->at) |
-               put_vector(row, "position_m", p->position) | put_vector(row, "displacement_m", p->displacement) |
-               put_vector(row, "rotation_rad", p->rotation) | put_vector(row, "force_N", p->force) |
-               put_vector(row, "moment_N_m", p->moment) | json_array_append_new(list, row);
-    }
-    return json_object_set_new(o, "probes", list) | bad;
-}
-
-/* What happened, by time. */
-static int put_events(json_t *o, const hawser_summary *s)
-{
-    json_t *list = json_array();
-    int bad = 0;
-    for (int i = 0; i < s->n_events; i++) {
-        const hawser_event *e = &s->events[i];
-        json_t *row = json_object();
-        bad |= put_real(row, "time_s", e->t) | put_text(row, "what", e->what) | put_real(row, "pull_N", e->pull_N) |
-               json_array_append_new(list, row);
-    }
-    return json_object_set_new(o, "events", list) | bad;
-}
-
-/* One object a limit, and the verdict on all of them. */
-static int put_limits(json_t *o, const SummaryLabels *l)
-{
-    char verdict[HAWSER_VERDICT_MAX];
-    json_t *list = json_array();
-    int bad = !list;
-    for (int i = 0; i < l->n_limits && !bad; i++) {
-        const hawser_limit *k = &l->limit[i];
-        json_t *row = json_object();
-        bad = put_text(row, "name", k->name) | put_real(row, "value", k->value) | put_real(row, "limit", k->limit) |
-              put_text(row, "unit", k->unit) | put_real(row, "margin", k->margin) |
-              json_object_set_new(row, "ok", k->judged ? json_boolean(k->ok) : json_null()) |
-              put_text(row, "where", k->where) | put_text(row, "source", k->source) | json_array_append_new(list, row);
-    }
-    hawser_limits_verdict(l->n_limits, l->limit, verdict, sizeof verdict);
-    return json_object_set_new(o, "limits", list) | put_text(o, "verdict", verdict) | bad;
-}
+static const Column limit_column[] = {
+    {COLUMN("name", TEXT, hawser_limit, name)},       {COLUMN("value", NUMBER, hawser_limit, value)},
+    {COLUMN("limit", NUMBER, hawser_limit, limit)},   {COLUMN("unit", TEXT, hawser_limit, unit)},
+    {COLUMN("margin", NUMBER, hawser_limit, margin)}, {.key = "ok", .kind = COLUMN_FLAG, .number = limit_holds},
+    {COLUMN("where", CHARS, hawser_limit, where)},    {COLUMN("source", CHARS, hawser_limit, source)},
+};
+static const Columns limit_columns = COLUMNS(hawser_limit, limit_column);
 
 /* Eq. 12 roller by roller. */
-static int put_overload(json_t *o, const SummaryLabels *l)
+static const Column overload_column[] = {
+    {COLUMN("roller", TEXT, Overload, name)},   {COLUMN("s_m", NUMBER, Overload, s)},
+    {COLUMN("peak_N", NUMBER, Overload, peak)}, {COLUMN("reference_N", NUMBER, Overload, reference)},
+    {COLUMN("alpha", NUMBER, Overload, alpha)},
+};
+static const Columns overload_columns = COLUMNS(Overload, overload_column);
+
+/* Energy and momentum since t = 0: the terms of each kind by name. */
+static const Column term_energy[] = {{COLUMN("", TEXT, hawser_balance_term, name)},
+                                     {COLUMN("", NUMBER, hawser_balance_term, J)}};
+static const Column term_impulse[] = {{COLUMN("", TEXT, hawser_balance_term, name)},
+                                      {COLUMN("", VECTOR, hawser_balance_term, N_s)}};
+static const Columns energies = COLUMNS(hawser_balance_term, term_energy),
+                     impulses = COLUMNS(hawser_balance_term, term_impulse);
+
+static int is_kind(const hawser_balance_term *term, hawser_balance_kind kind) { return term->kind == kind; }
+static int is_work(const void *row) { return is_kind(row, HAWSER_BALANCE_WORK); }
+static int is_loss(const void *row) { return is_kind(row, HAWSER_BALANCE_LOSS); }
+static int is_stored(const void *row) { return is_kind(row, HAWSER_BALANCE_STORED); }
+static int is_impulse(const void *row) { return is_kind(row, HAWSER_BALANCE_IMPULSE); }
+
+#define TERMS(key_, columns, keep_)                                                                                    \
+    COLUMN(key_, MAP, hawser_balance, term), .count = offsetof(hawser_balance, n_terms), .of = &(columns),             \
+                                             .keep = (keep_)
+
+static const Column balance_column[] = {
+    {TERMS("work_J", energies, is_work)},
+    {TERMS("lost_J", energies, is_loss)},
+    {TERMS("stored_J", energies, is_stored)},
+    {COLUMN("carried_J", NUMBER, hawser_balance, carried_J)},
+    {COLUMN("residual_J", NUMBER, hawser_balance, residual_J)},
+    {COLUMN("turnover_J", NUMBER, hawser_balance, turnover_J)},
+    {COLUMN("turnover_of", TEXT, hawser_balance, turnover_of)},
+    {COLUMN("residual_share", NUMBER, hawser_balance, residual_share)},
+    {TERMS("impulse_N_s", impulses, is_impulse)},
+    {COLUMN("momentum_N_s", VECTOR, hawser_balance, momentum_N_s)},
+    {COLUMN("carried_N_s", VECTOR, hawser_balance, carried_N_s)},
+    {COLUMN("residual_N_s", VECTOR, hawser_balance, residual_N_s)},
+    {COLUMN("impulse_residual_share", NUMBER, hawser_balance, impulse_residual_share)},
+};
+static const Columns balance_columns = COLUMNS(hawser_balance, balance_column);
+
+static const Column summary_column[] = {
+    /* what was run, by what, and how it ended */
+    {COLUMN("title", TEXT, Summary, l.title)},
+    {COLUMN("case", TEXT, Summary, l.case_name)},
+    {COLUMN("version", TEXT, Summary, version)},
+    {COLUMN("outcome", TEXT, Summary, l.outcome)},
+    {COLUMN("message", TEXT, Summary, l.message)},
+    /* counts of the model */
+    {COLUMN("segments", COUNT, Summary, s.segments)},
+    {COLUMN("bushings", COUNT, Summary, s.bushings)},
+    {COLUMN("rollers", COUNT, Summary, s.rollers)},
+    {COLUMN("contact_candidates", COUNT, Summary, s.contact_candidates)},
+    {COLUMN("contact_active_max", COUNT, Summary, s.contact_active_max)},
+    /* what the integrator and the linear solver did */
+    {COLUMN("sim_time_s", NUMBER, Summary, s.sim_time_s)},
+    {COLUMN("wall_time_s", NUMBER, Summary, s.wall_time_s)},
+    {COLUMN("real_time_factor", NUMBER, Summary, s.real_time_factor)},
+    {COLUMN("steps", LONG, Summary, s.steps)},
+    {COLUMN("steps_per_second", NUMBER, Summary, s.steps_per_second)},
+    {COLUMN("rhs_evals", LONG, Summary, s.rhs_evals)},
+    {COLUMN("newton_iters", LONG, Summary, s.newton_iters)},
+    {COLUMN("jac_evals", LONG, Summary, s.jac_evals)},
+    {COLUMN("lin_setups", LONG, Summary, s.lin_setups)},
+    {COLUMN("error_test_fails", LONG, Summary, s.error_test_fails)},
+    {COLUMN("newton_fails", LONG, Summary, s.newton_fails)},
+    {COLUMN("contact_refreshes", LONG, Summary, s.contact_refreshes)},
+    {COLUMN("linear_solver", TEXT, Summary, s.linear_solver)},
+    {COLUMN("linear_solver_why", TEXT, Summary, s.linear_solver_why)},
+    {COLUMN("ordering", TEXT, Summary, s.ordering)},
+    {COLUMN("threads", COUNT, Summary, s.threads)},
+    {COLUMN("planar", FLAG, Summary, s.planar)},
+    {COLUMN("planar_why", TEXT, Summary, s.planar_why)},
+    /* the results proper, and the window over which they were taken */
+    {COLUMN("pull_force.steady_mean_N", NUMBER, Summary, s.pull_mean_N)},
+    {COLUMN("pull_force.peak_N", NUMBER, Summary, s.pull_peak_N)},
+    {COLUMN("pull_force.steady_ripple_rms_N", NUMBER, Summary, s.pull_ripple_N)},
+    {COLUMN("theory.paper_total_N", NUMBER, Summary, s.paper_total_N)},
+    {COLUMN("theory.reference_total_N", NUMBER, Summary, s.reference_total_N)},
+    {COLUMN("tension_error.max_pct", NUMBER, Summary, s.error_max_pct)},
+    {COLUMN("tension_error.mean_pct", NUMBER, Summary, s.error_mean_pct)},
+    {COLUMN("tension_error.max_pct_paper", NUMBER, Summary, s.error_max_paper_pct)},
+    {COLUMN("tension_error.mean_pct_paper", NUMBER, Summary, s.error_mean_paper_pct)},
+    {COLUMN("speed.steady_m_per_s", NUMBER, Summary, s.steady_speed_m_per_s)},
+    {COLUMN("speed.settle_time_s", NUMBER, Summary, s.settle_time_s)},
+    {COLUMN("steady_window.from_s", NUMBER, Summary, s.steady_from_s)},
+    {COLUMN("steady_window.to_s", NUMBER, Summary, s.steady_to_s)},
+    {COLUMN("balance", OBJECT, Summary, s.balance), .of = &balance_columns},
+    {COLUMN("analysis", TEXT, Summary, s.analysis)},
+    {LIST("probes", Summary, s.probes, s.n_probes, probe_columns)},
+    {LIST("modes", Summary, s.modes, s.n_modes, mode_columns)},
+    {LIST("events", Summary, s.events, s.n_events, event_columns)},
+    {LIST("pull_by_position", Summary, s.positions, s.n_positions, position_columns)},
+    {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},
+    {LIST("moving_rollers", Summary, l.roller, l.n_rollers, moving_columns), .keep = roller_moves},
+    {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
+    {COLUMN("verdict", CHARS, Summary, verdict)},
+    {COLUMN("overload.trip_N", NUMBER, Summary, l.trip_N)},
+    {LIST("overload.rollers", Summary, l.overload, l.n_overloads, overload_columns)},
+    /* how the initial equilibrium went */
+    {COLUMN("relaxation.reached", FLAG, Summary, s.relaxation.reached)},
+    {COLUMN("relaxation.iterations", COUNT, Summary, s.relaxation.iterations)},
+    {COLUMN("relaxation.residual_N", NUMBER, Summary, s.relaxation.residual_N)},
+    {COLUMN("relaxation.tolerance_N", NUMBER, Summary, s.relaxation.tolerance_N)},
+    {COLUMN("relaxation.segment", COUNT, Summary, s.relaxation.segment)},
+    {COLUMN("relaxation.moved_m", NUMBER, Summary, s.relaxation.moved_m)},
+    /* where the wall time went */
+    {COLUMN("phases_s.relax", NUMBER, Summary, s.phases.relax)},
+    {COLUMN("phases_s.rhs", NUMBER, Summary, s.phases.rhs)},
+    {COLUMN("phases_s.contacts", NUMBER, Summary, s.phases.contacts)},
+    {COLUMN("phases_s.jacobian", NUMBER, Summary, s.phases.jacobian)},
+    {COLUMN("phases_s.factor", NUMBER, Summary, s.phases.factor)},
+    {COLUMN("phases_s.solve", NUMBER, Summary, s.phases.solve)},
+    {COLUMN("phases_s.vector", NUMBER, Summary, s.phases.vector)},
+    {COLUMN("phases_s.output", NUMBER, Summary, s.phases.output)},
+    {COLUMN("phases_s.other", NUMBER, Summary, s.phases.other)},
+};
+const Columns summary_columns = COLUMNS(Summary, summary_column);
+
+/* JSON has no NAN, which becomes null. */
+static json_t *json_number(double v) { return isfinite(v) ? json_real(v) : json_null(); }
+
+/* Text that is not UTF-8 (a name from a strange file) becomes null. */
+static json_t *json_words(const char *v)
 {
-    json_t *inner = json_object(), *list = json_array();
-    int bad = !inner || !list;
-    for (int i = 0; i < l->n_overloads && !bad; i++) {
-        const Overload *v = &l->overload[i];
-        json_t *row = json_object();
-        bad = put_text(row, "roller", v->name) | put_real(row, "s_m", v->s) | put_real(row, "peak_N", v->peak) |
-              put_real(row, "reference_N", v->reference) | put_real(row, "alpha", v->alpha) |
-              json_array_append_new(list, row);
+    json_t *const text = v ? json_string(v) : NULL;
+    return text ? text : json_null();
+}
+
+static json_t *json_row(const Columns *columns, const void *row);
+static json_t *json_column(const Column *c, const void *row);
+
+/* A list's rows one by one, or a map's by name; NULL without memory. */
+static json_t *json_rows(const Column *c, const void *row)
+{
+    const void *const at = (const char *)row + c->offset;
+    const int map = c->kind == COLUMN_MAP, n = *(const int *)(const void *)((const char *)row + c->count);
+    const char *item = map ? at : *(const char *const *)at;
+    json_t *const all = map ? json_object() : json_array();
+    int bad = !all;
+    for (int i = 0; i < n && !bad; i++, item += c->of->size) {
+        const Column *const column = c->of->column;
+        if (c->keep && !c->keep(item)) continue;
+        if (map) bad = json_object_set_new(all, column_cell(&column[0], item).text, json_column(&column[1], item));
+        if (!map) bad = json_array_append_new(all, json_row(c->of, item));
     }
-    bad |= put_real(inner, "trip_N", l->trip_N) | json_object_set_new(inner, "rollers", list);
-    return json_object_set_new(o, "overload", inner) | bad;
+    if (!bad) return all;
+    json_decref(all);
+    return NULL;
 }
 
-/* Where the wall time went. */
-static int put_phases(json_t *o, const hawser_phases *p)
+static json_t *json_vector(const double v[3])
 {
-    const RealPair pair[] = {{"relax", p->relax},       {"rhs", p->rhs},       {"contacts", p->contacts},
-                             {"jacobian", p->jacobian}, {"factor", p->factor}, {"solve", p->solve},
-                             {"vector", p->vector},     {"output", p->output}, {"other", p->other}};
-    return put_reals(o, "phases_s", 9, pair);
+    json_t *const list = json_array();
+    int bad = !list;
+    for (int c = 0; c < 3 && !bad; c++) bad = json_array_append_new(list, json_number(v[c]));
+    if (!bad) return list;
+    json_decref(list);
+    return NULL;
 }
 
-/* Keys keep the order in which they are put. Ten digits: enough to compare runs, short enough to read. */
+/* A column's value; NULL without memory. */
+static json_t *json_column(const Column *c, const void *row)
+{
+    const void *const at = (const char *)row + c->offset;
+    switch (c->kind) {
+    case COLUMN_NUMBER:
+        return json_number(column_cell(c, row).value);
+    case COLUMN_COUNT:
+        return json_integer(*(const int *)at);
+    case COLUMN_LONG:
+        return json_integer(*(const long *)at);
+    case COLUMN_FLAG:
+        if (c->number && isnan(c->number(row))) return json_null();
+        return json_boolean(c->number ? c->number(row) != 0 : *(const int *)at);
+    case COLUMN_VECTOR:
+        return json_vector(at);
+    case COLUMN_LIST:
+    case COLUMN_MAP:
+        return json_rows(c, row);
+    case COLUMN_OBJECT:
+        return json_row(c->of, *(const void *const *)at);
+    case COLUMN_TEXT:
+    case COLUMN_CHARS:
+        break;
+    }
+    return json_words(column_cell(c, row).text);
+}
+
+/* Whether a row has nothing to say under this key: no object, or a list of which nothing is kept. */
+static int is_absent(const Column *c, const void *row)
+{
+    const void *const at = (const char *)row + c->offset;
+    if (c->kind != COLUMN_OBJECT && (c->kind != COLUMN_LIST || !c->keep)) return 0;
+    const char *const rows = *(const char *const *)at;
+    if (c->kind == COLUMN_OBJECT) return !rows;
+    for (int i = 0; i < *(const int *)(const void *)((const char *)row + c->count); i++) {
+        if (c->keep(rows + (size_t)i * c->of->size)) return 0;
+    }
+    return 1;
+}
+
+/* Puts a value under its key, "a.b" into the object a, which is made if need be. */
+static int put(json_t *o, const char *key, json_t *value)
+{
+    char outer[32];
+    const char *const dot = strchr(key, '.');
+    if (!dot) return json_object_set_new(o, key, value);
+    snprintf(outer, sizeof outer, "%.*s", (int)(dot - key), key);
+    if (!json_object_get(o, outer)) json_object_set_new(o, outer, json_object());
+    return json_object_set_new(json_object_get(o, outer), dot + 1, value);
+}
+
+/* Keys keep the order of the columns. NULL without memory. */
+static json_t *json_row(const Columns *columns, const void *row)
+{
+    json_t *const o = json_object();
+    int bad = !o;
+    for (int k = 0; k < columns->n && !bad; k++) {
+        const Column *const c = &columns->column[k];
+        if (!is_absent(c, row)) bad = put(o, c->key, json_column(c, row));
+    }
+    if (!bad) return o;
+    json_decref(o);
+    return NULL;
+}
+
+/* One list for each kind of machine that there is. */
+static int machines_put(json_t *o, const hawser_summary *s)
+{
+    int bad = 0;
+    for (int i = 0; i < s->n_machines && !bad; i++) {
+        const hawser_machine *const m = &s->machines[i];
+        if (!json_object_get(o, m->kind)) bad = json_object_set_new(o, m->kind, json_array());
+        json_t *const row = json_object();
+        bad |= !row || json_object_set_new(row, "name", json_words(m->name));
+        for (int k = 0; k < m->n_figures && !bad; k++) {
+            bad = json_object_set_new(row, m->figure[k].key, json_number(m->figure[k].value));
+        }
+        bad |= json_array_append_new(json_object_get(o, m->kind), row);
+    }
+    return bad;
+}
+
+/* Ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
-    json_t *o = json_object();
-    int bad = !o;
-    if (o) {
-        bad = put_labels(o, labels) | put_scene(o, s) | put_work(o, s) | put_figures(o, s) | put_conveyors(o, s) |
-              put_balance(o, s->balance) | put_probes(o, s) | put_modes(o, s) | put_events(o, s) | put_positions(o, s) |
-              put_surfaces(o, labels) | put_moving_rollers(o, labels) | put_limits(o, labels) |
-              put_overload(o, labels) | put_relaxation(o, &s->relaxation) | put_phases(o, &s->phases);
+    Summary all = {.s = *s, .l = *labels, .version = hawser_version()};
+    hawser_limits_verdict(labels->n_limits, labels->limit, all.verdict, sizeof all.verdict);
+    json_t *o = json_row(&summary_columns, &all);
+    if (o && machines_put(o, s)) {
+        json_decref(o);
+        o = NULL;
     }
-    char *body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
+    *text = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
     json_decref(o);
-    *text = body;
-    return body ? HAWSER_OK : error_memory(err);
+    return *text ? HAWSER_OK : error_memory(err);
 }

@@ -1,24 +1,29 @@
-/* The keys of a case file as tables: one row a key. They drive the reader (io/schema/case_fields.h), the tests of
- * bad input and the check that docs/case-format.md says the same. */
+/* The keys of a case as tables, one row a key, and the reader that fills plain structs by them. A section's table
+ * stands at the head of the file that reads it (io/case); its rows point straight into the definition wherever no
+ * meaning has to be computed. The tables also drive the tests of bad input and the check that docs/case-format.md says
+ * the same. */
 #ifndef HAWSER_IO_SCHEMA_CASE_SCHEMA_H
 #define HAWSER_IO_SCHEMA_CASE_SCHEMA_H
 
 #include <stddef.h>
 
+#include "core/route.h"
 #include "io/yaml/units.h"
+#include "io/yaml/yaml_tree.h"
+#include "sim/def/scene_def.h"
 
-/* What a value is, and what the key's place in the record holds. */
+/* What a value is, and what the key's place holds. */
 typedef enum KeyKind {
-    KEY_NUMBER,  /* double, of a dimension */
+    KEY_NUMBER,  /* double, of a dimension; NAN: not given and without a default */
     KEY_INTEGER, /* int or long, by size */
     KEY_FLAG,    /* int: true 1, false 0 */
-    KEY_CHOICE,  /* int: which of the choices */
+    KEY_CHOICE,  /* int or an enumeration: which of the choices */
     KEY_TEXT,    /* char[size] */
     KEY_POINT,   /* Vec3, of a dimension */
-    KEY_SECTION, /* a map, read into a record inside this one */
-    KEY_MAP,     /* const CaseNode *: a map, read by code of its own */
-    KEY_LIST,    /* const CaseNode *: a list, likewise */
-    KEY_ANY      /* const CaseNode *: several forms are allowed */
+    KEY_SECTION, /* a map, read into the struct there: this one again, or one inside it */
+    KEY_MAP,     /* a map; no place: its reader finds it in the tree */
+    KEY_LIST,    /* a list, likewise */
+    KEY_ANY      /* several forms are allowed, likewise */
 } KeyKind;
 
 typedef struct CaseKey {
@@ -31,9 +36,9 @@ typedef struct CaseKey {
     double min, max;                   /* numbers, integers: allowed range, SI */
     int above;                         /* min itself is not allowed */
     const char *const *choices;        /* NULL behind the last */
-    const char *form;                  /* maps, lists, any: what is allowed, in words */
-    const struct CaseSection *section; /* KEY_SECTION: its keys */
-    size_t offset, size;               /* in the record */
+    const char *form;                  /* maps, lists, any: what is allowed, in words; NULL: the section */
+    const struct CaseSection *section; /* of a map its keys, of a list those of each item */
+    size_t offset, size;               /* in the struct that is filled */
 } CaseKey;
 
 /* path: dotted, NAME for a key that the user chooses, N for a list's numbers; "" the whole case. */
@@ -43,15 +48,73 @@ typedef struct CaseSection {
     const CaseKey *key;
 } CaseSection;
 
-extern const CaseSection case_top, case_cable, case_damping_factor, case_damping_ratio, case_preload, case_bending,
-    case_chain_piece, case_route, case_route_piece, case_lead_in, case_rollers, case_roller_row, case_groove, case_spin,
-    case_bearing, case_mount, case_roller, case_surfaces, case_line_contact, case_duct, case_tray, case_plane,
-    case_contact, case_friction, case_drive, case_winch, case_winch_tension, case_trip, case_tail, case_rope_drag,
-    case_conveyor, case_belt, case_reel, case_brake, case_back_tension, case_run, case_solver, case_tolerances,
-    case_output, case_stations, case_station, case_paper, case_paper_term, case_theory, case_limits, case_conductor,
-    case_sheath, case_rod, case_rod_tail, case_rod_head, case_rod_motion, case_rod_load, case_rod_mass, case_probe;
+/* How rows are written. Ranges are wide: they keep out what cannot be meant or computed, not what is unusual. Lengths
+ * to 1000 km, forces to 1 GN, moduli to 1000 TPa. */
+#define AT(type, member)            .offset = offsetof(type, member), .size = sizeof(((type *)NULL)->member)
+#define FROM(lowest, highest)       .min = (lowest), .max = (highest)
+#define ABOVE(lowest, highest)      .min = (lowest), .max = (highest), .above = 1
+#define SECTION(name_, path_, rows) const CaseSection name_ = {path_, (int)(sizeof(rows) / sizeof *(rows)), rows}
 
-/* All of them in the order of the documentation, NULL behind the last. */
-const CaseSection *const *case_sections(void);
+#define LONG       1e6
+#define STRONG     1e9
+#define STIFF      1e15
+#define LATE       1e9
+#define DEGREES(a) ((a)*3.14159265358979323846 / 180)
+
+/* "none", "step", "step5": a ProfileKind each. */
+extern const char *const case_ramps[];
+
+/* How a value comes in over time, into the Profile `member`; case_profile_read takes it from there. */
+#define RAMP_KEYS(type, member, usual)                                                                                 \
+    {"ramp", KEY_CHOICE, .fallback = (usual), .choices = case_ramps, AT(type, member.kind)},                           \
+        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(type, member.t0)},                         \
+    {                                                                                                                  \
+        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(type, member.t1)                              \
+    }
+
+/* One case being read. */
+typedef struct CaseReader {
+    Units *units;
+    SceneDef *def;
+    Route route; /* built once its section is read, for what lies along it */
+    const CaseNode *root;
+    hawser_error *err;
+} CaseReader;
+
+/* Fills `record` from a map: unknown keys, missing ones, types, units and ranges are errors (INPUT). node
+ * NULL: the section is not there; optional keys get their defaults, required ones zeros. */
+hawser_status case_section_read(const CaseReader *r, const CaseNode *node, const CaseSection *section, void *record);
+
+/* Reads one item of a list into its place, which is zero. */
+typedef hawser_status (*CaseItemRead)(const CaseReader *r, const CaseNode *node, void *item);
+/* A list's items one by one into an array of structs of `size` bytes. `array`: address of the pointer to it, which gets
+ * memory of its own even if there is an error; *n grows as items are begun. list NULL: nothing. Errors: the items',
+ * MEMORY. */
+hawser_status case_list_read(const CaseReader *r, const CaseNode *list, size_t size, CaseItemRead read, void *array,
+                             int *n);
+
+/* One number of the key's dimension and range, SI. Errors: INPUT. */
+hawser_status case_number_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double *value);
+/* A list of n numbers, each of its key. Errors: INPUT. */
+hawser_status case_numbers_read(const CaseReader *r, const CaseNode *node, int n, const CaseKey *const key[],
+                                double value[]);
+/* One whole number. Errors: INPUT. */
+hawser_status case_integer_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, long *value);
+/* Whether a number that was read lies in the key's range. Errors: INPUT. */
+hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const CaseKey *key, double value);
+/* The place of a text among words, NULL behind the last; -1 if it is none of them, or no text. */
+int case_word_place(const CaseNode *node, const char *const *word);
+
+/* The row of a key that the section is known to have. */
+const CaseKey *case_key_of(const CaseSection *section, const char *name);
+
+enum { CASE_SECTIONS_MAX = 100, CASE_RANGE_MAX = 96, CASE_FORM_MAX = 128 };
+/* Adds a section and all below it to all[CASE_SECTIONS_MAX], which has n; returns how many it has then. */
+int case_sections(const CaseSection *section, const CaseSection *all[], int n);
+/* "above 0 m, at most 1e6 m": what a number may be, in the dimension's SI unit, angles in degrees. `text` has
+ * CASE_RANGE_MAX bytes. */
+const char *case_range_text(const CaseKey *key, char *text);
+/* What a map, list or any may be, in words. `text` has CASE_FORM_MAX bytes. */
+const char *case_form_text(const CaseKey *key, char *text);
 
 #endif

@@ -1,4 +1,4 @@
-#include "io/yaml/case_error.h"
+#include "io/yaml/yaml_tree.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -52,34 +52,44 @@ const char *case_path(const CaseNode *node, const char *key, char *path)
     return path;
 }
 
+hawser_status case_text_error(hawser_error *err, const char *origin, int line, const char *what, const char *detail)
+{
+    char place[CASE_PLACE_MAX], shown[CASE_SHOWN_MAX];
+    return error_set(err, HAWSER_ERR_INPUT, "%s: %s%s", case_place(origin, line, place), what,
+                     detail ? case_shown(detail, shown) : "");
+}
+
+/* "PLACE: key 'PATH': ABOUT VALUE WHAT": what all messages about a key have in common. The line is the node's, also
+ * where the child is missing. */
+static hawser_status key_error(hawser_error *err, const CaseNode *node, const char *key, const char *about,
+                               const char *value, const char *what, va_list args)
+{
+    char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], text[HAWSER_MESSAGE_MAX / 2];
+    vsnprintf(text, sizeof text, what, args);
+    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': %s%s%s", case_place(node->origin, node->line, place),
+                     case_path(node, key, path), about, value, text);
+}
+
 /* A map or list is not shown, only named: it may be long. */
 hawser_status case_value_error(hawser_error *err, const CaseNode *node, const char *what, ...)
 {
-    char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], shown[CASE_SHOWN_MAX], text[HAWSER_MESSAGE_MAX / 2];
+    char shown[CASE_SHOWN_MAX];
+    const int text = node->kind == NODE_TEXT;
+    const char *const value = text ? case_shown(node->text, shown) : node->kind == NODE_MAP ? "map" : "list";
     va_list args;
     va_start(args, what);
-    vsnprintf(text, sizeof text, what, args);
+    const hawser_status status = key_error(err, node, NULL, text ? "value " : "the value is a ", value, what, args);
     va_end(args);
-    case_place(node->origin, node->line, place);
-    case_path(node, NULL, path);
-    if (node->kind != NODE_TEXT) {
-        return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': the value is a %s%s", place, path,
-                         node->kind == NODE_MAP ? "map" : "list", text);
-    }
-    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': value %s%s", place, path, case_shown(node->text, shown),
-                     text);
+    return status;
 }
 
-/* The line is the node's, also where the child is missing. */
 hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char *key, const char *what, ...)
 {
-    char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], text[HAWSER_MESSAGE_MAX / 2];
     va_list args;
     va_start(args, what);
-    vsnprintf(text, sizeof text, what, args);
+    const hawser_status status = key_error(err, node, key, "", "", what, args);
     va_end(args);
-    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': %s", case_place(node->origin, node->line, place),
-                     case_path(node, key, path), text);
+    return status;
 }
 
 static int least(int a, int b) { return a < b ? a : b; }

@@ -1,4 +1,4 @@
-#include "io/yaml/yaml_node.h"
+#include "io/yaml/yaml_tree.h"
 
 #include <assert.h>
 #include <stdlib.h>

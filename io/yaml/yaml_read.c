@@ -1,11 +1,10 @@
-#include "io/yaml/yaml_read.h"
+#include "io/yaml/yaml_tree.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
 
 #include "core/base/error.h"
-#include "io/yaml/case_error.h"
 
 /* Far more than any case needs; what lies beyond is an accident or an attack. Aliases are expanded, so that
  * the number of nodes may be large however small the file is. */
@@ -25,14 +24,6 @@ typedef struct Reading {
 /* libyaml counts from 0. */
 static int line_of(const Reading *r, yaml_mark_t mark) { return r->lines ? (int)mark.line + 1 : 0; }
 
-/* `detail` is the user's text and is shown in quotes. */
-static hawser_status complain(const Reading *r, int line, const char *what, const char *detail)
-{
-    char place[CASE_PLACE_MAX], shown[CASE_SHOWN_MAX];
-    return error_set(r->err, HAWSER_ERR_INPUT, "%s: %s%s", case_place(r->origin, line, place), what,
-                     detail ? case_shown(detail, shown) : "");
-}
-
 static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out);
 
 /* The text of a map's key, malloc'ed into *key. */
@@ -40,11 +31,13 @@ static hawser_status key_convert(Reading *r, int id, const CaseNode *map, char *
 {
     const yaml_node_t *node = yaml_document_get_node(&r->document, id);
     *line = line_of(r, node->start_mark);
-    if (node->type != YAML_SCALAR_NODE) return complain(r, *line, "a key must be a plain word", NULL);
+    if (node->type != YAML_SCALAR_NODE)
+        return case_text_error(r->err, r->origin, *line, "a key must be a plain word", NULL);
     const char *text = (const char *)node->data.scalar.value;
-    if (!*text) return complain(r, *line, "a key is empty", NULL);
-    if (case_node_key(map, text)) return complain(r, *line, "this key stands here twice: ", text);
-    if (map->count >= KEYS_MAX) return complain(r, *line, "too many keys in one map", NULL);
+    if (!*text) return case_text_error(r->err, r->origin, *line, "a key is empty", NULL);
+    if (case_node_key(map, text))
+        return case_text_error(r->err, r->origin, *line, "this key stands here twice: ", text);
+    if (map->count >= KEYS_MAX) return case_text_error(r->err, r->origin, *line, "too many keys in one map", NULL);
     *key = strdup(text);
     return *key ? HAWSER_OK : error_memory(r->err);
 }
@@ -87,7 +80,8 @@ static hawser_status list_convert(Reading *r, const yaml_node_t *from, int depth
 static hawser_status text_convert(Reading *r, const yaml_node_t *from, CaseNode *text)
 {
     const char *value = (const char *)from->data.scalar.value;
-    if (strlen(value) != from->data.scalar.length) return complain(r, text->line, "a NUL character in a text", NULL);
+    if (strlen(value) != from->data.scalar.length)
+        return case_text_error(r->err, r->origin, text->line, "a NUL character in a text", NULL);
     text->text = strdup(value);
     return text->text ? HAWSER_OK : error_memory(r->err);
 }
@@ -100,8 +94,9 @@ static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out)
         [YAML_SCALAR_NODE] = NODE_TEXT, [YAML_MAPPING_NODE] = NODE_MAP, [YAML_SEQUENCE_NODE] = NODE_LIST};
     const yaml_node_t *from = yaml_document_get_node(&r->document, id);
     const int line = line_of(r, from->start_mark);
-    if (depth > DEPTH_MAX) return complain(r, line, TOO_DEEP, NULL);
-    if (++r->nodes > NODES_MAX) return complain(r, line, "too many values, with aliases written out", NULL);
+    if (depth > DEPTH_MAX) return case_text_error(r->err, r->origin, line, TOO_DEEP, NULL);
+    if (++r->nodes > NODES_MAX)
+        return case_text_error(r->err, r->origin, line, "too many values, with aliases written out", NULL);
     CaseNode *node = node_new(kinds[from->type], r->origin, line);
     if (!node) return error_memory(r->err);
     hawser_status status = HAWSER_OK;
@@ -137,7 +132,8 @@ static hawser_status parser_complain(const Reading *r, const yaml_parser_t *pars
     if (parser->error == YAML_MEMORY_ERROR) return error_memory(r->err);
     int line = (int)parser->problem_mark.line + 1;
     if (parser->error == YAML_READER_ERROR) line = line_at(text, parser->problem_offset);
-    if (indented_with_tab(text, line)) return complain(r, line, "indented with a tab: YAML wants spaces", NULL);
+    if (indented_with_tab(text, line))
+        return case_text_error(r->err, r->origin, line, "indented with a tab: YAML wants spaces", NULL);
     char place[CASE_PLACE_MAX];
     return error_set(r->err, HAWSER_ERR_INPUT, "%s: not YAML: %s%s%s%s",
                      case_place(r->origin, r->lines ? line : 0, place),
@@ -151,9 +147,9 @@ static hawser_status end_expect(Reading *r, yaml_parser_t *parser, const char *t
     yaml_document_t second;
     if (!yaml_parser_load(parser, &second)) return parser_complain(r, parser, text);
     const yaml_node_t *root = yaml_document_get_root_node(&second);
-    const hawser_status status =
-        root ? complain(r, line_of(r, second.start_mark), "a second document begins here: one is allowed", NULL)
-             : HAWSER_OK;
+    const hawser_status status = root ? case_text_error(r->err, r->origin, line_of(r, second.start_mark),
+                                                        "a second document begins here: one is allowed", NULL)
+                                      : HAWSER_OK;
     yaml_document_delete(&second);
     return status;
 }
@@ -193,7 +189,7 @@ static hawser_status size_check(const Reading *r, const char *text, size_t size)
     yaml_event_t event;
     hawser_status status = HAWSER_OK;
     int depth = 0, anchors = 0, end = 0;
-    if (tags_count(text) > TAGS_MAX) return complain(r, r->lines, "too many tags", NULL);
+    if (tags_count(text) > TAGS_MAX) return case_text_error(r->err, r->origin, r->lines, "too many tags", NULL);
     if (!parser_start(&parser, text, size)) return error_memory(r->err);
     while (!status && !end && yaml_parser_parse(&parser, &event)) {
         const int opens = event.type == YAML_SEQUENCE_START_EVENT || event.type == YAML_MAPPING_START_EVENT;
@@ -202,8 +198,8 @@ static hawser_status size_check(const Reading *r, const char *text, size_t size)
         depth += opens - closes;
         anchors += event_has_anchor(&event);
         end = event.type == YAML_STREAM_END_EVENT || event.type == YAML_NO_EVENT;
-        if (depth > DEPTH_MAX) status = complain(r, line, TOO_DEEP, NULL);
-        if (anchors > ANCHORS_MAX) status = complain(r, line, "too many anchors", NULL);
+        if (depth > DEPTH_MAX) status = case_text_error(r->err, r->origin, line, TOO_DEEP, NULL);
+        if (anchors > ANCHORS_MAX) status = case_text_error(r->err, r->origin, line, "too many anchors", NULL);
         yaml_event_delete(&event);
     }
     yaml_parser_delete(&parser);
@@ -223,7 +219,7 @@ hawser_status yaml_read(const char *text, size_t size, const char *origin, int l
         status = parser_complain(&r, &parser, text);
     } else {
         const int empty = !yaml_document_get_root_node(&r.document);
-        if (empty) status = complain(&r, lines, "nothing is in it", NULL);
+        if (empty) status = case_text_error(err, origin, lines, "nothing is in it", NULL);
         if (!status) status = node_convert(&r, 1, 0, out);
         if (!status) status = end_expect(&r, &parser, text);
         yaml_document_delete(&r.document);

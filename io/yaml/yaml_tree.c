@@ -8,8 +8,6 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "io/yaml/case_error.h"
-#include "io/yaml/yaml_read.h"
 
 enum { FILE_MAX = 32 << 20, KEY_MAX = 200, STEPS_MAX = 16 };
 
@@ -48,9 +46,11 @@ CaseTree *case_tree_free(CaseTree *tree)
     return NULL;
 }
 
-/* A tree from `size` bytes of text. */
+/* A tree from `size` bytes of text, which editors may begin with a byte order mark. */
 static hawser_status tree_new(const char *text, size_t size, const char *name, CaseTree **out, hawser_error *err)
 {
+    static const char mark[] = "\xef\xbb\xbf";
+    const size_t skip = strncmp(text, mark, 3) == 0 ? 3 : 0;
     CaseTree *tree = calloc(1, sizeof *tree);
     const char *origin = tree ? tree_origin(tree, name) : NULL;
     *out = NULL;
@@ -58,7 +58,7 @@ static hawser_status tree_new(const char *text, size_t size, const char *name, C
         case_tree_free(tree);
         return error_memory(err);
     }
-    hawser_status status = yaml_read(text, size, origin, 1, &tree->root, err);
+    hawser_status status = yaml_read(text + skip, size - skip, origin, 1, &tree->root, err);
     if (!status && tree->root && tree->root->kind != NODE_MAP) {
         char place[CASE_PLACE_MAX];
         status = error_set(err, HAWSER_ERR_INPUT, "%s: a case is a map: lines of 'key: value'",
@@ -127,23 +127,16 @@ typedef struct Setting {
     hawser_error *err;
 } Setting;
 
-/* Settings have no line; their key says where. */
-static hawser_status complain(const Setting *s, const char *what, const char *detail)
-{
-    char shown[CASE_SHOWN_MAX];
-    return error_set(s->err, HAWSER_ERR_INPUT, "%s: %s%s", s->origin, what, detail ? case_shown(detail, shown) : "");
-}
-
 /* The parts stay where they are, with the dots turned into ends. */
 static hawser_status key_cut(Setting *s, const char *key)
 {
     snprintf(s->key, sizeof s->key, "%s", key);
     for (char *p = s->key; p; s->n++) {
-        if (s->n == STEPS_MAX) return complain(s, "the key has too many parts", NULL);
+        if (s->n == STEPS_MAX) return case_text_error(s->err, s->origin, 0, "the key has too many parts", NULL);
         s->step[s->n] = p;
         p = strchr(p, '.');
         if (p) *p++ = 0;
-        if (!*s->step[s->n]) return complain(s, "a part of the key is empty", NULL);
+        if (!*s->step[s->n]) return case_text_error(s->err, s->origin, 0, "a part of the key is empty", NULL);
     }
     return HAWSER_OK;
 }
@@ -169,7 +162,8 @@ static hawser_status path_follow(const Setting *s, CaseNode **node, int *depth)
     for (*depth = 0; *depth < s->n; ++*depth) {
         const char *step = s->step[*depth];
         CaseNode *next = NULL;
-        if ((*node)->kind == NODE_TEXT) return complain(s, "a value, not a map, comes before ", step);
+        if ((*node)->kind == NODE_TEXT)
+            return case_text_error(s->err, s->origin, 0, "a value, not a map, comes before ", step);
         if ((*node)->kind == NODE_LIST) {
             const hawser_status status = item_find(s, *node, step, &next);
             if (status) return status;

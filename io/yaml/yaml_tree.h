@@ -1,10 +1,42 @@
-/* A YAML file as a small tree of texts, maps and lists that remembers where each of them was written. Nothing
- * is interpreted here: numbers, units and what a key means are the business of io/case/case_read.h. */
+/* A YAML file as a small tree of texts, maps and lists that remembers where each of them was written, and messages that
+ * say so. Nothing is interpreted here: numbers, units and what a key means are the business of io/case. */
 #ifndef HAWSER_IO_YAML_YAML_TREE_H
 #define HAWSER_IO_YAML_YAML_TREE_H
 
+#include <stddef.h>
+
 #include "hawser/hawser.h"
-#include "io/yaml/yaml_node.h"
+
+/* ------------------------------------------------------------------------------------------------------------ nodes */
+
+typedef enum NodeKind { NODE_TEXT, NODE_MAP, NODE_LIST } NodeKind;
+
+/* One value. Children of a map have keys, those of a list have numbers. */
+typedef struct CaseNode {
+    NodeKind kind;
+    const char *origin; /* the file's name, or "--set KEY"; belongs to the tree */
+    int line;           /* where its key, or else itself, begins, from 1; 0: not from a file */
+    char *key;          /* in a map, else NULL */
+    int index;          /* place among its siblings, from 0 */
+    char *text;         /* of a NODE_TEXT, else NULL */
+    int count;          /* children */
+    struct CaseNode *parent, *first, *last, *next;
+} CaseNode;
+
+/* The child of a map by key, of a list by number; NULL if there is none, or if `node` is NULL or of another kind. */
+const CaseNode *case_node_key(const CaseNode *node, const char *key);
+const CaseNode *case_node_item(const CaseNode *node, int index);
+
+/* A node without parent or children; NULL if there is no memory. */
+CaseNode *node_new(NodeKind kind, const char *origin, int line);
+/* Frees a node and all below it; NULL-safe; returns NULL. */
+CaseNode *node_free(CaseNode *node);
+/* Makes child the last of parent. */
+void node_append(CaseNode *parent, CaseNode *child);
+/* Puts `by` in old's place under old's key, and frees old. */
+void node_replace(CaseNode *old, CaseNode *by);
+
+/* ------------------------------------------------------------------------------------------------------------ trees */
 
 typedef struct CaseTree {
     CaseNode *root;             /* a map */
@@ -21,5 +53,35 @@ hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out
  * MEMORY. The tree is unchanged then. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err);
 CaseTree *case_tree_free(CaseTree *tree);
+
+/* Reads one YAML document of `size` bytes, with a NUL behind them. `origin` is said to be where it comes from and must
+ * outlive the nodes; lines 0: it is a setting's value, and line numbers mean nothing. Errors: INPUT with the place (not
+ * YAML, empty, several documents, a key twice, too large, too deep), MEMORY; *out is NULL then. */
+hawser_status yaml_read(const char *text, size_t size, const char *origin, int lines, CaseNode **out,
+                        hawser_error *err);
+
+/* --------------------------------------------------------------------------------------------------------- messages */
+
+enum { CASE_PLACE_MAX = 300, CASE_SHOWN_MAX = 80, CASE_PATH_MAX = 256 };
+
+/* "FILE:LINE", or the origin alone for line 0. Writes and returns `place`, which has CASE_PLACE_MAX bytes. */
+const char *case_place(const char *origin, int line, char *place);
+/* The user's text in quotes, on one line and cut short. `shown` has CASE_SHOWN_MAX bytes. */
+const char *case_shown(const char *text, char *shown);
+/* The dotted key of a node, or of its child `key` (NULL: itself). `path` has CASE_PATH_MAX bytes. */
+const char *case_path(const CaseNode *node, const char *key, char *path);
+
+/* "PLACE: WHAT'DETAIL'": about a text as a whole; detail NULL: nothing is shown. All of these return HAWSER_ERR_INPUT.
+ */
+hawser_status case_text_error(hawser_error *err, const char *origin, int line, const char *what, const char *detail);
+/* "PLACE: key 'PATH': value 'TEXT'WHAT", or "the value is a mapWHAT": WHAT brings its own blank or colon. */
+hawser_status case_value_error(hawser_error *err, const CaseNode *node, const char *what, ...)
+    __attribute__((format(printf, 3, 4)));
+/* "PLACE: key 'PATH': WHAT" about the node, or about its child `key` that may be absent. */
+hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char *key, const char *what, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* The name of names[n] that `word` was probably meant to be; NULL if none is near. */
+const char *case_nearest(const char *word, const char *const *name, int n);
 
 #endif

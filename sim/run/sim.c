@@ -230,6 +230,8 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.machines = s->machines.n;
     s->look.sample.machine = s->machines.out;
+    s->look.sample.figures = s->machines.n_now;
+    s->look.sample.figure = s->machines.now;
     probes_look(&s->probes, &s->stage.scene, &s->stage.ws);
     s->look.sample.probes = s->probes.n;
     s->look.sample.probe = s->probes.out;
@@ -262,7 +264,8 @@ static void record_now(Sim *s, SampleParts parts)
     const hawser_sample *const look = look_now(s, parts);
     const double start = clock_now();
     turned_watch(s, look);
-    stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look, &s->machines);
+    stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
+    if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
     const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
     if (look->t - dt >= s->stats.steady_from - 1e-9) by_position_window(&s->by_position, look->reference, dt);

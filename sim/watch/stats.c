@@ -157,12 +157,14 @@ static void tables_update(Stats *stats)
     }
 }
 
-void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
-                  Machines *machines)
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double dt = stats->last_t >= 0 ? sample->t - stats->last_t : 0;
     const int steady = stats->last_t >= stats->steady_from - 1e-9;
-    if (stats->last_t >= 0 && dt <= 0) return;
+    stats->fresh = !(stats->last_t >= 0 && dt <= 0);
+    if (!stats->fresh) return;
+    stats->dt = dt;
+    stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
@@ -176,7 +178,6 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
         mean_add(&stats->moving[1][r], sample->roller_shift[r], dt, steady);
     }
     surfaces_record(stats, sample, dt, steady);
-    machines_record(machines, dt, steady);
     stats->last_t = sample->t;
     tables_update(stats);
 }

@@ -3,8 +3,9 @@
 #ifndef HAWSER_SIM_WATCH_STATS_H
 #define HAWSER_SIM_WATCH_STATS_H
 
+#include "hawser/hawser.h"
+#include "sim/scene.h"
 #include "sim/time_mean.h"
-#include "sim/watch/machines.h"
 
 typedef struct SimRoller {
     char name[NAME_MAX_LENGTH];
@@ -28,9 +29,12 @@ typedef struct SimSurface {
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
     double steady_from; /* s */
-    TimeMean pull;      /* N, winch force */
-    TimeMean speed;     /* m/s, axial speed of the cable's first segment that is simulated */
-    double settled_at;  /* s, last time the speed was more than 2 % off the winch's final speed */
+    /* of the last sample: whether it was a new one; s since the one before; whether that counts for the means */
+    int fresh, steady;
+    double dt;
+    TimeMean pull;     /* N, winch force */
+    TimeMean speed;    /* m/s, axial speed of the cable's first segment that is simulated */
+    double settled_at; /* s, last time the speed was more than 2 % off the winch's final speed */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station;    /* [n_stations], N */
     TimeMean *roller;     /* [n_rollers], N */
@@ -43,10 +47,9 @@ typedef struct Stats {
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
 void stats_free(Stats *stats);
-/* Takes a sample in, and the machines' figures with it; of the sample it reads no positions and attitudes: those are
+/* Takes a sample in, of which it reads no positions and attitudes: those are
  * kin's. The tables station_out, roller_out and surface_out are up to date afterwards. */
-void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
-                  Machines *machines);
+void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 /* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
  * there. */
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s);

@@ -5,7 +5,6 @@
 #define _GNU_SOURCE /* nftw */
 
 #include "io/results/results.h"
-#include "io/results/summary_json.h"
 
 #include <ftw.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Facts and tables as text, JSON and CSV: the same content in each, and what is not known. */
-#include "io/results/json_document.h"
+#include "io/results/column.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -11,25 +11,22 @@
 #include <cmocka.h>
 #include <jansson.h>
 
-static Cell cells[6];
+typedef struct Row {
+    const char *name;
+    double s, T;
+} Row;
+
+static const Row two_rows[] = {{"first", 1.5, 1e6}, {"say \"x\"", -22.25, NAN}};
+static const Column columns[] = {{COLUMN("name", TEXT, Row, name), .label = "name"},
+                                 {COLUMN("s_m", NUMBER, Row, s), .label = "s, m", .decimals = 2},
+                                 {COLUMN("T_N", NUMBER, Row, T), .label = "T, N", .decimals = -1}};
 static Document doc;
-static Table table = {.key = "rows",
-                      .heading = "Some rows",
-                      .n_columns = 3,
-                      .n_rows = 2,
-                      .column = {{"name", "name", 0}, {"s_m", "s, m", 2}, {"T_N", "T, N", -1}},
-                      .cell = cells};
+static Table table = {"rows", "Some rows", COLUMNS(Row, columns), 2, two_rows};
 static const Fact facts[] = {{"mass_kg", "mass", "kg", {NULL, 12.5}}, {"kind", "kind", "", {"a, b", 0}}};
 
 static int fill(void **state)
 {
     (void)state;
-    cells[0] = cell_text("first");
-    cells[1] = cell_number(1.5);
-    cells[2] = cell_number(1e6);
-    cells[3] = cell_text("say \"x\"");
-    cells[4] = cell_number(-22.25);
-    cells[5] = cell_number(NAN);
     doc = (Document){"Title", 2, 1, facts, &table, &table};
     return 0;
 }

@@ -3,8 +3,7 @@
  * as they should be. */
 #include "tests/io/case_fixture.h"
 
-#include "io/schema/case_fields.h"
-#include "io/schema/case_schema.h"
+#include "io/case/case_parts.h"
 
 enum { CELL_MAX = 400, ROW_MAX = 2000 };
 
@@ -57,12 +56,13 @@ static void default_cell(const CaseKey *key, char *cell)
 
 static void allowed_cell(const CaseKey *key, char *cell)
 {
-    char range[CASE_RANGE_MAX];
+    char range[CASE_RANGE_MAX], form[CASE_FORM_MAX];
     strcpy(cell, "-");
     if (key->min < key->max) snprintf(cell, CELL_MAX, "%s", case_range_text(key, range));
     if (key->kind == KEY_TEXT) snprintf(cell, CELL_MAX, "at most %zu characters", key->size - 1);
-    if (key->kind == KEY_LIST || key->kind == KEY_MAP) snprintf(cell, CELL_MAX, "%s", key->form);
-    if (key->kind == KEY_SECTION) snprintf(cell, CELL_MAX, "section `%s`", key->section->path);
+    if (key->kind == KEY_LIST || key->kind == KEY_MAP || key->kind == KEY_SECTION) {
+        snprintf(cell, CELL_MAX, "%s", case_form_text(key, form));
+    }
     if (key->kind != KEY_CHOICE) return;
     size_t n = 0;
     for (int k = 0; key->choices[k]; k++) {
@@ -89,7 +89,9 @@ static void heading(const CaseSection *section, char *line)
 static int print(void)
 {
     char text[ROW_MAX];
-    for (const CaseSection *const *s = case_sections(); *s; s++) {
+    const CaseSection *all[CASE_SECTIONS_MAX];
+    const int n = case_sections(&case_top, all, 0);
+    for (const CaseSection **s = all; s < all + n; s++) {
         heading(*s, text);
         printf("%s\n\n| key | value | default | allowed | meaning |\n|---|---|---|---|---|\n", text);
         for (int k = 0; k < (*s)->n; k++) {
@@ -141,7 +143,9 @@ static void every_key_is_documented(void **state)
     (void)state;
     static char part[1 << 15];
     char *doc = document(), row[ROW_MAX];
-    for (const CaseSection *const *s = case_sections(); *s; s++) {
+    const CaseSection *all[CASE_SECTIONS_MAX];
+    const int n = case_sections(&case_top, all, 0);
+    for (const CaseSection **s = all; s < all + n; s++) {
         part_of(doc, *s, part, sizeof part);
         for (int k = 0; k < (*s)->n; k++) {
             row_begin(&(*s)->key[k], row);
@@ -160,7 +164,9 @@ static void every_section_is_known(void **state)
     (void)state;
     char *doc = document(), line[CELL_MAX];
     int headings = 0, sections = 0;
-    for (const CaseSection *const *s = case_sections(); *s; s++) {
+    const CaseSection *all[CASE_SECTIONS_MAX];
+    const int n = case_sections(&case_top, all, 0);
+    for (const CaseSection **s = all; s < all + n; s++) {
         heading(*s, line);
         assert_non_null(strstr(doc, line));
         sections++;

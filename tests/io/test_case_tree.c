@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/yaml/case_error.h"
+#include "io/yaml/yaml_tree.h"
 
 static CaseTree *tree_of(const char *text)
 {
@@ -78,6 +78,22 @@ static void not_a_case(void **state)
     refused("a: &x [*x]\n", NAME ":1:", "alias inside itself");
     refused("a: 1\nb: \x01\n", NAME ":2:", "not YAML");
     refused("a: 1\nb: 2\nc: \xff\xfe\n", NAME ":3:", "not YAML");
+}
+
+/* At the beginning it is no part of the text. */
+static void byte_order_mark(void **state)
+{
+    (void)state;
+    CaseTree *tree = tree_of("\xef\xbb\xbf"
+                             "a: 1\nb: 2\n");
+    assert_string_equal(case_node_key(tree->root, "a")->text, "1");
+    assert_int_equal(case_node_key(tree->root, "a")->line, 1);
+    assert_int_equal(case_node_key(tree->root, "b")->line, 2);
+    case_tree_free(tree);
+    refused("\xef\xbb\xbf", NAME ":1:", "nothing is in it");
+    refused("\xef\xbb\xbf"
+            "a: 1\n\tb: 2\n",
+            NAME ":2:", "tab");
 }
 
 /* Nine aliases to the power of nine. */
@@ -313,6 +329,7 @@ int main(void)
         cmocka_unit_test(nodes_know_their_places),
         cmocka_unit_test(aliases_are_written_out),
         cmocka_unit_test(not_a_case),
+        cmocka_unit_test(byte_order_mark),
         cmocka_unit_test(alias_bomb),
         cmocka_unit_test(deep_nesting),
         cmocka_unit_test(many_of_a_kind),

@@ -135,6 +135,28 @@ static void test_states(void **state)
     free(time), free(position), free(quaternion), free(tension), free(load), free(frame);
 }
 
+/* Two rollers whose names differ in their last letters alone keep them whole. */
+static void test_long_names(void **state)
+{
+    Fixture *f = *state;
+    static const char *const names[R] = {"a name of thirty letters and more 1 left",
+                                         "a name of thirty letters and more 1 right"};
+    hawser_roller rollers[R] = {fixture_rollers[0], fixture_rollers[1]};
+    ResultsDef def = fixture_def;
+    Results *r = NULL;
+    char read[R][64];
+    for (int i = 0; i < R; i++) rollers[i].name = names[i];
+    def.roller = rollers;
+    assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+    results_free(r);
+    const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t set = H5Dopen2(file, "roller_name", H5P_DEFAULT), type = H5Dget_type(set);
+    assert_int_equal(H5Tget_size(type), sizeof read[0]);
+    assert_true(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read) >= 0);
+    for (int i = 0; i < R; i++) assert_string_equal(read[i], names[i]);
+    H5Tclose(type), H5Dclose(set), H5Fclose(file);
+}
+
 /* Only what will be large is compressed. */
 static void test_compression(void **state)
 {
@@ -400,6 +422,7 @@ int main(void)
         CASE(test_states),
         CASE(test_compression),
         CASE(test_attributes),
+        CASE(test_long_names),
         CASE(test_xdmf_is_whole_at_any_time),
         CASE(test_readable_while_running),
         CASE(test_dropped_run),

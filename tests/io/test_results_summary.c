@@ -1,5 +1,5 @@
 /* summary.json: every promised key with its value, what is not known, and what is not text. */
-#include "io/results/summary_json.h"
+#include "io/results/results.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,9 +1,10 @@
 /* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns,
  * lists of objects or CSV. */
-#include "io/results/json_document.h"
+#include "io/results/column.h"
 
 #include "core/base/error.h"
 
+#include <assert.h>
 #include <jansson.h>
 #include <locale.h>
 #include <math.h>
@@ -11,7 +12,27 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELL_MAX = 160 };
+enum { CELL_MAX = 160, TABLE_COLUMNS_MAX = 16, DIGITS = 10 };
+
+Cell column_cell(const Column *column, const void *row)
+{
+    const char *const at = (const char *)row + column->offset;
+    if (column->text) return cell_text(column->text(row));
+    if (column->number) return cell_number(column->number(row));
+    switch (column->kind) {
+    case COLUMN_NUMBER:
+        return cell_number(*(const double *)(const void *)at);
+    case COLUMN_COUNT:
+        return cell_number(*(const int *)(const void *)at);
+    case COLUMN_LONG:
+        return cell_number((double)*(const long *)(const void *)at);
+    case COLUMN_TEXT:
+        return cell_text(*(const char *const *)(const void *)at);
+    default:
+        assert(column->kind == COLUMN_CHARS);
+        return cell_text(at);
+    }
+}
 
 /* A cell as people read it. */
 static const char *say_cell(Cell cell, int decimals, char *text)
@@ -23,16 +44,18 @@ static const char *say_cell(Cell cell, int decimals, char *text)
     return text;
 }
 
-/* Cells lie row by row. */
-static const Cell *cell_at(const Table *t, int row, int column) { return &t->cell[row * t->n_columns + column]; }
+static Cell cell_at(const Table *t, int row, int column)
+{
+    return column_cell(&t->columns.column[column], (const char *)t->rows + (size_t)row * t->columns.size);
+}
 
 /* Wide enough for the label and for every cell, counted in bytes (names with accents come out a little narrow). */
 static int column_width(const Table *t, int c)
 {
     char text[CELL_MAX];
-    size_t width = strlen(t->column[c].label);
-    for (int r = 0; r < t->n_rows; r++) {
-        const size_t w = strlen(say_cell(*cell_at(t, r, c), t->column[c].decimals, text));
+    size_t width = strlen(t->columns.column[c].label);
+    for (int r = 0; r < t->n; r++) {
+        const size_t w = strlen(say_cell(cell_at(t, r, c), t->columns.column[c].decimals, text));
         if (w > width) width = w;
     }
     return (int)width;
@@ -43,17 +66,18 @@ static void print_table(FILE *f, const Table *t)
 {
     char text[CELL_MAX];
     int width[TABLE_COLUMNS_MAX];
+    assert(t->columns.n <= TABLE_COLUMNS_MAX);
     fprintf(f, "\n%s\n", t->heading);
-    for (int c = 0; c < t->n_columns; c++) {
+    for (int c = 0; c < t->columns.n; c++) {
         width[c] = column_width(t, c);
-        const int left = t->n_rows > 0 && cell_at(t, 0, c)->text;
-        fprintf(f, "  %*s", left ? -width[c] : width[c], t->column[c].label);
+        const int left = t->n > 0 && cell_at(t, 0, c).text;
+        fprintf(f, "  %*s", left ? -width[c] : width[c], t->columns.column[c].label);
     }
-    for (int r = 0; r < t->n_rows; r++) {
+    for (int r = 0; r < t->n; r++) {
         fputc('\n', f);
-        for (int c = 0; c < t->n_columns; c++) {
-            const Cell *cell = cell_at(t, r, c);
-            fprintf(f, "  %*s", cell->text ? -width[c] : width[c], say_cell(*cell, t->column[c].decimals, text));
+        for (int c = 0; c < t->columns.n; c++) {
+            const Cell cell = cell_at(t, r, c);
+            fprintf(f, "  %*s", cell.text ? -width[c] : width[c], say_cell(cell, t->columns.column[c].decimals, text));
         }
     }
     fputc('\n', f);
@@ -76,31 +100,29 @@ static void print_facts(FILE *f, const Document *doc)
     }
 }
 
-/* RFC 4180: texts in quotes where they need them. */
-static void print_csv_cell(FILE *f, Cell cell)
+/* RFC 4180: texts in quotes where they need them. Readers of CSV disagree about "nan"; an empty cell is understood by
+ * all. */
+void csv_cell(FILE *f, Cell cell, int digits)
 {
     if (!cell.text) {
-        if (isfinite(cell.value)) fprintf(f, "%.10g", cell.value);
+        if (isfinite(cell.value)) fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
         return;
     }
-    if (!strpbrk(cell.text, ",\"\r\n")) {
-        fputs(cell.text, f);
-        return;
-    }
-    fputc('"', f);
+    const int quoted = strpbrk(cell.text, ",\"\r\n") != NULL;
+    if (quoted) fputc('"', f);
     for (const char *p = cell.text; *p; p++) fprintf(f, *p == '"' ? "\"%c" : "%c", *p);
-    fputc('"', f);
+    if (quoted) fputc('"', f);
 }
 
 /* Keys in the first row, then the rows. */
 static void print_csv_table(FILE *f, const Table *t)
 {
-    for (int c = 0; c < t->n_columns; c++) fprintf(f, "%s%s", c ? "," : "", t->column[c].key);
+    for (int c = 0; c < t->columns.n; c++) fprintf(f, "%s%s", c ? "," : "", t->columns.column[c].key);
     fputc('\n', f);
-    for (int r = 0; r < t->n_rows; r++) {
-        for (int c = 0; c < t->n_columns; c++) {
+    for (int r = 0; r < t->n; r++) {
+        for (int c = 0; c < t->columns.n; c++) {
             if (c) fputc(',', f);
-            print_csv_cell(f, *cell_at(t, r, c));
+            csv_cell(f, cell_at(t, r, c), DIGITS);
         }
         fputc('\n', f);
     }
@@ -112,7 +134,7 @@ static void print_csv_facts(FILE *f, const Document *doc)
     fprintf(f, "key,value,unit\n");
     for (int i = 0; i < doc->n_facts; i++) {
         fprintf(f, "%s,", doc->fact[i].key);
-        print_csv_cell(f, doc->fact[i].cell);
+        csv_cell(f, doc->fact[i].cell, DIGITS);
         fprintf(f, ",%s\n", doc->fact[i].unit);
     }
 }
@@ -128,10 +150,10 @@ static json_t *json_cell(Cell cell)
 static json_t *json_table(const Table *t)
 {
     json_t *rows = json_array();
-    for (int r = 0; r < t->n_rows; r++) {
+    for (int r = 0; r < t->n; r++) {
         json_t *row = json_object();
-        for (int c = 0; c < t->n_columns; c++) {
-            json_object_set_new(row, t->column[c].key, json_cell(*cell_at(t, r, c)));
+        for (int c = 0; c < t->columns.n; c++) {
+            json_object_set_new(row, t->columns.column[c].key, json_cell(cell_at(t, r, c)));
         }
         json_array_append_new(rows, row);
     }

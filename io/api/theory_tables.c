@@ -1,0 +1,250 @@
+/* The calculator's results as tables of a document: what `hawser theory` prints beside the stations. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "io/api/api_handles.h"
+#include "theory/duct.h"
+
+static const char *const ways[PLAN_WAYS] = {"forward", "backward"};
+
+/* Gives a table's shape rows of its own; NULL without memory. */
+static void *table_add(TheoryTables *t, const char *key, const char *heading, Columns columns, int n)
+{
+    void *const rows = t->rows[t->n] = calloc((size_t)n + 1, columns.size);
+    t->table[t->n++] = (Table){key, heading, columns, n, rows};
+    return rows;
+}
+
+/* A piece of the route, pulled one way. */
+typedef struct PieceWay {
+    double end, sidewall, roller, margin, closed;
+} PieceWay;
+
+typedef struct PieceRow {
+    const char *name, *supports;
+    double from, length, radius;
+    PieceWay way[PLAN_WAYS];
+} PieceRow;
+
+#define FORWARD(member)  way[PLAN_FORWARD].member
+#define BACKWARD(member) way[PLAN_BACKWARD].member
+
+static const Column piece_column[] = {
+    {COLUMN("name", TEXT, PieceRow, name), .label = "piece"},
+    {COLUMN("from_m", NUMBER, PieceRow, from), .label = "from, m", .decimals = 2},
+    {COLUMN("length_m", NUMBER, PieceRow, length), .label = "length, m", .decimals = 2},
+    {COLUMN("radius_m", NUMBER, PieceRow, radius), .label = "R, m", .decimals = 2},
+    {COLUMN("supports", TEXT, PieceRow, supports), .label = "friction on"},
+    {COLUMN("forward_end_N", NUMBER, PieceRow, FORWARD(end)), .label = "forward: end, N", .decimals = 1},
+    {COLUMN("forward_sidewall_N_per_m", NUMBER, PieceRow, FORWARD(sidewall)), .label = "T/R, N/m", .decimals = 1},
+    {COLUMN("forward_roller_N", NUMBER, PieceRow, FORWARD(roller)), .label = "roller, N"},
+    {COLUMN("forward_margin_pct", NUMBER, PieceRow, FORWARD(margin)), .label = "margin, %", .decimals = 1},
+    {COLUMN("forward_closed_N", NUMBER, PieceRow, FORWARD(closed)), .label = "closed form, N", .decimals = 1},
+    {COLUMN("backward_end_N", NUMBER, PieceRow, BACKWARD(end)), .label = "back: end, N", .decimals = 1},
+    {COLUMN("backward_sidewall_N_per_m", NUMBER, PieceRow, BACKWARD(sidewall)), .label = "T/R, N/m", .decimals = 1},
+    {COLUMN("backward_roller_N", NUMBER, PieceRow, BACKWARD(roller)), .label = "roller, N"},
+    {COLUMN("backward_margin_pct", NUMBER, PieceRow, BACKWARD(margin)), .label = "margin, %", .decimals = 1},
+    {COLUMN("backward_closed_N", NUMBER, PieceRow, BACKWARD(closed)), .label = "closed form, N", .decimals = 1},
+};
+static const Columns piece_columns = COLUMNS(PieceRow, piece_column);
+
+/* The smaller of the margins to the allowable pull and sidewall pressure, %; NAN where neither is judged. */
+static double margin_of(const Calculator *c, int way, const PlanPiece *piece)
+{
+    double least = NAN;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[way][i];
+        const int pull = !strcmp(l->name, "pull");
+        if (!l->judged || (!pull && strcmp(l->name, "sidewall"))) continue;
+        least = fmin(least, 100 * (1 - (pull ? piece->max_tension : piece->sidewall) / l->limit));
+    }
+    return least;
+}
+
+static int pieces_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+{
+    static const char *const rules[] = {"resultant", "separate", "both"};
+    PieceRow *row = table_add(t, "pieces", "The route piece by piece, full of cable, pulled forward and back",
+                              piece_columns, c->plan.n);
+    for (int p = 0; row && p < c->plan.n; ++p, ++row) {
+        const RoutePiece *const piece = &scene->route.piece[p];
+        const int supported = c->spacing[p] > 0 || c->guides[p] > 0;
+        *row = (PieceRow){.name = piece->name,
+                          .supports = rules[c->rule[p]],
+                          .from = piece->s0,
+                          .length = piece->length,
+                          .radius = piece->kind == ROUTE_BEND ? piece->radius : NAN};
+        for (int k = 0; k < PLAN_WAYS; ++k) {
+            const PlanPiece *const way = &c->plan.way[k].piece[p];
+            row->way[k] = (PieceWay){way->t_out, way->sidewall, supported ? way->roller_load : NAN,
+                                     margin_of(c, k, way), way->closed};
+        }
+    }
+    return t->rows[t->n - 1] != NULL;
+}
+
+typedef struct WayRow {
+    const char *direction;
+    PlanWay way;
+    double sidewall_at; /* NAN: nowhere */
+} WayRow;
+
+static const Column way_column[] = {
+    {COLUMN("direction", TEXT, WayRow, direction), .label = "direction"},
+    {COLUMN("start_N", NUMBER, WayRow, way.start), .label = "start, N", .decimals = 1},
+    {COLUMN("rope_N", NUMBER, WayRow, way.rope), .label = "rope, N", .decimals = 1},
+    {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "winch, N", .decimals = 1},
+    {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart, N", .decimals = 1},
+    {COLUMN("max_tension_N", NUMBER, WayRow, way.max_tension), .label = "largest tension, N", .decimals = 1},
+    {COLUMN("max_tension_at_m", NUMBER, WayRow, way.max_at), .label = "at, m", .decimals = 1},
+    {COLUMN("min_tension_N", NUMBER, WayRow, way.min_tension), .label = "least, N", .decimals = 1},
+    {COLUMN("max_sidewall_N_per_m", NUMBER, WayRow, way.max_sidewall), .label = "largest T/R, N/m", .decimals = 1},
+    {COLUMN("max_sidewall_at_m", NUMBER, WayRow, sidewall_at), .label = "at, m", .decimals = 1},
+};
+static const Columns way_columns = COLUMNS(WayRow, way_column);
+
+static int ways_add(const Calculator *c, TheoryTables *t)
+{
+    WayRow *const row = table_add(t, "directions", "Both directions", way_columns, PLAN_WAYS);
+    for (int k = 0; row && k < PLAN_WAYS; ++k) {
+        const PlanWay *const way = &c->plan.way[k];
+        row[k] = (WayRow){ways[k], *way, way->max_sidewall > 0 ? way->sidewall_at : NAN};
+    }
+    return row != NULL;
+}
+
+typedef struct NoteRow {
+    const char *name, *direction, *reason;
+} NoteRow;
+
+static const Column note_column[] = {
+    {COLUMN("name", TEXT, NoteRow, name), .label = "piece"},
+    {COLUMN("direction", TEXT, NoteRow, direction), .label = "direction"},
+    {COLUMN("reason", TEXT, NoteRow, reason), .label = "because"},
+};
+static const Columns note_columns = COLUMNS(NoteRow, note_column);
+
+/* Where a closed form does not hold, and why: the integrated law stands there alone. */
+static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+{
+    const int n = PLAN_WAYS * c->plan.n;
+    NoteRow *const row =
+        table_add(t, "refused", "Closed forms refused: the integrated law stands alone", note_columns, n);
+    Table *const table = &t->table[t->n - 1];
+    table->n = 0;
+    for (int i = 0; row && i < n; ++i) {
+        const PlanPiece *const piece = &c->plan.way[i % PLAN_WAYS].piece[i / PLAN_WAYS];
+        if (!*piece->reason) continue;
+        row[table->n++] = (NoteRow){scene->route.piece[i / PLAN_WAYS].name, ways[i % PLAN_WAYS], piece->reason};
+    }
+    return row != NULL;
+}
+
+typedef struct DuctRow {
+    const char *name, *layout, *risk;
+    int cables;
+    DuctLoad load;
+} DuctRow;
+
+static const Column duct_column[] = {
+    {COLUMN("name", TEXT, DuctRow, name), .label = "duct"},
+    {COLUMN("cables", COUNT, DuctRow, cables), .label = "cables"},
+    {COLUMN("layout", TEXT, DuctRow, layout), .label = "lie as"},
+    {COLUMN("weight_factor", NUMBER, DuctRow, load.weight_factor), .label = "weight factor", .decimals = 4},
+    {COLUMN("sidewall_factor", NUMBER, DuctRow, load.sidewall_factor), .label = "sidewall factor", .decimals = 4},
+    {COLUMN("jam_ratio", NUMBER, DuctRow, load.jam_ratio), .label = "jam ratio", .decimals = 3},
+    {COLUMN("jam_risk", TEXT, DuctRow, risk), .label = "risk of jamming"},
+    {COLUMN("clearance_m", NUMBER, DuctRow, load.clearance), .label = "clearance, m", .decimals = 4},
+    {COLUMN("fill", NUMBER, DuctRow, load.fill), .label = "fill", .decimals = 3},
+};
+static const Columns duct_columns = COLUMNS(DuctRow, duct_column);
+
+static int ducts_add(const Calculator *c, TheoryTables *t)
+{
+    if (c->n_ducts == 0) return 1;
+    DuctRow *const row = table_add(t, "ducts", "Ducts", duct_columns, c->n_ducts);
+    for (int i = 0; row && i < c->n_ducts; ++i) {
+        const DuctLoad *const load = &c->duct[i].load;
+        row[i] = (DuctRow){c->duct[i].surface->name, duct_layout_name(load->layout), jam_risk_name(load->jam_risk),
+                           c->cables, *load};
+    }
+    return row != NULL;
+}
+
+typedef struct PushRow {
+    const char *name;
+    double at, force[PLAN_WAYS];
+} PushRow;
+
+static const Column push_column[] = {
+    {COLUMN("name", TEXT, PushRow, name), .label = "pushed by"},
+    {COLUMN("at_m", NUMBER, PushRow, at), .label = "at, m", .decimals = 2},
+    {COLUMN("forward_N", NUMBER, PushRow, force[PLAN_FORWARD]), .label = "pushes forward, N", .decimals = 1},
+    {COLUMN("backward_N", NUMBER, PushRow, force[PLAN_BACKWARD]), .label = "back, N", .decimals = 1},
+};
+static const Columns push_columns = COLUMNS(PushRow, push_column);
+
+static int pushes_add(const Calculator *c, TheoryTables *t)
+{
+    const int n = c->n_pushers;
+    if (n == 0) return 1;
+    PushRow *const row = table_add(t, "pushes", "Pushes", push_columns, n);
+    for (int i = 0; row && i < n; ++i) {
+        row[i] = (PushRow){c->pusher[i].name,
+                           c->push[PLAN_FORWARD][i].at,
+                           {c->push[PLAN_FORWARD][i].force, c->push[PLAN_BACKWARD][i].force}};
+    }
+    return row != NULL;
+}
+
+typedef struct LimitRow {
+    const char *direction;
+    hawser_limit limit;
+} LimitRow;
+
+static const char *limit_holds(const void *row)
+{
+    const hawser_limit *const l = &((const LimitRow *)row)->limit;
+    return !l->judged ? "not judged" : l->ok ? "yes" : "NO";
+}
+
+static const Column limit_column[] = {
+    {COLUMN("direction", TEXT, LimitRow, direction), .label = "direction"},
+    {COLUMN("name", TEXT, LimitRow, limit.name), .label = "limit"},
+    {COLUMN("value", NUMBER, LimitRow, limit.value), .label = "found", .decimals = -1},
+    {COLUMN("limit", NUMBER, LimitRow, limit.limit), .label = "allowed", .decimals = -1},
+    {COLUMN("unit", TEXT, LimitRow, limit.unit), .label = "unit"},
+    {COLUMN("margin", NUMBER, LimitRow, limit.margin), .label = "margin", .decimals = 3},
+    {.key = "ok", .text = limit_holds, .label = "holds"},
+    {COLUMN("source", CHARS, LimitRow, limit.source), .label = "allowed by"},
+};
+static const Columns limit_columns = COLUMNS(LimitRow, limit_column);
+
+static int limits_add(const Calculator *c, TheoryTables *t)
+{
+    if (c->n_limits == 0) return 1;
+    LimitRow *const row = table_add(t, "limits", "Limits", limit_columns, PLAN_WAYS * c->n_limits);
+    for (int i = 0; row && i < PLAN_WAYS * c->n_limits; ++i) {
+        row[i] = (LimitRow){ways[i / c->n_limits], c->limit[i / c->n_limits][i % c->n_limits]};
+    }
+    return row != NULL;
+}
+
+hawser_status theory_tables_make(const Scene *scene, const Calculator *c, TheoryTables *out, hawser_error *err)
+{
+    *out = (TheoryTables){0};
+    const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(c, out) && pushes_add(c, out) &&
+                     limits_add(c, out) && notes_add(scene, c, out);
+    if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
+    if (fine) return HAWSER_OK;
+    theory_tables_free(out);
+    return error_memory(err);
+}
+
+void theory_tables_free(TheoryTables *t)
+{
+    for (int i = 0; i < t->n; ++i) free(t->rows[i]);
+    t->n = 0;
+}

@@ -1,0 +1,97 @@
+/* Columns: what a table says of each of its rows. A column is one row of a table here, from which CSV, JSON and tables
+ * for people are written alike. */
+#ifndef HAWSER_IO_RESULTS_COLUMN_H
+#define HAWSER_IO_RESULTS_COLUMN_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include "hawser/hawser.h"
+
+/* What lies at a column's place in a row. */
+typedef enum ColumnKind {
+    COLUMN_NUMBER, /* double; not finite: not known */
+    COLUMN_COUNT,  /* int */
+    COLUMN_LONG,   /* long */
+    COLUMN_TEXT,   /* const char *; NULL: none */
+    COLUMN_CHARS,  /* char[] */
+    /* these in JSON only: */
+    COLUMN_FLAG,   /* int: true or false; of a getter NAN: not known */
+    COLUMN_VECTOR, /* double[3] */
+    COLUMN_LIST,   /* pointer to rows of their own */
+    COLUMN_MAP,    /* array of rows, whose first column is the key and whose second is the value */
+    COLUMN_OBJECT  /* pointer to one row of its own; NULL: the key is left out */
+} ColumnKind;
+
+typedef struct Column {
+    const char *key; /* of CSV and JSON, with its unit: "s_m"; "a.b" is b within the object a */
+    ColumnKind kind;
+    size_t offset;                     /* in the row */
+    double (*number)(const void *row); /* in place of what lies there */
+    const char *(*text)(const void *row);
+    const char *label;            /* over the column of a table for people */
+    int decimals;                 /* there; < 0: as many as it takes */
+    int digits;                   /* of CSV files; 0: nine */
+    const struct Columns *of;     /* LIST, MAP, OBJECT: their columns */
+    size_t count;                 /* LIST, MAP: where in the row the int is that says how many */
+    int (*keep)(const void *row); /* of a LIST or MAP's rows only these; a LIST without any is left out */
+} Column;
+
+typedef struct Columns {
+    const Column *column; /* [n] */
+    int n;
+    size_t size; /* of a row, bytes */
+} Columns;
+
+#define COLUMN(key_, kind_, type, member) .key = (key_), .kind = COLUMN_##kind_, .offset = offsetof(type, member)
+#define COLUMNS(type, columns)                                                                                         \
+    {                                                                                                                  \
+        (columns), (int)(sizeof(columns) / sizeof *(columns)), sizeof(type)                                            \
+    }
+#define LIST(key_, type, rows, n, columns) COLUMN(key_, LIST, type, rows), .count = offsetof(type, n), .of = &(columns)
+
+/* A number, or a text if that is not NULL. A number that is not finite is not known: "-", null or an empty
+ * cell. */
+typedef struct Cell {
+    const char *text;
+    double value;
+} Cell;
+
+static inline Cell cell_number(double value) { return (Cell){0, value}; }
+static inline Cell cell_text(const char *text) { return (Cell){text, 0}; }
+/* What a column says of a row: NUMBER to CHARS, or what its getter says. */
+Cell column_cell(const Column *column, const void *row);
+/* A cell of CSV: text in quotes where it needs them, a number in so many digits (0: nine), nothing if it is not finite.
+ */
+void csv_cell(FILE *f, Cell cell, int digits);
+
+/* ------------------------------------------------------------------------------------------------- documents */
+
+/* What `check`, `theory` and `validate` print: facts and tables, as text for people, JSON or CSV. */
+typedef struct Table {
+    const char *key;     /* of JSON */
+    const char *heading; /* above the table for people */
+    Columns columns;
+    int n;            /* rows */
+    const void *rows; /* [n] */
+} Table;
+
+typedef struct Fact {
+    const char *key;   /* of JSON and CSV, with the unit: "cable_mass_kg" */
+    const char *label; /* for people */
+    const char *unit;
+    Cell cell;
+} Fact;
+
+typedef struct Document {
+    const char *title;
+    int n_facts, n_tables;
+    const Fact *fact;   /* [n_facts] */
+    const Table *table; /* [n_tables] */
+    const Table *csv;   /* the one table that CSV can hold; NULL: the facts */
+} Document;
+
+/* The text in a format; malloc'ed. Errors: MEMORY. */
+hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err);
+
+#endif

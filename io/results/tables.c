@@ -1,0 +1,129 @@
+/* stations.csv, rollers.csv and modes.csv, which are small and written once, at the end. */
+#include "core/base/error.h"
+#include "io/results/results_file.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Of the theory, with its sign: positive when the simulation is above. */
+static double error_percent(double value, double theory)
+{
+    return theory > 0 || theory < 0 ? 100 * (value - theory) / theory : NAN;
+}
+
+static double paper_error(const void *row)
+{
+    const hawser_station *const s = row;
+    return error_percent(s->mean_N, s->paper_N);
+}
+
+static double reference_error(const void *row)
+{
+    const hawser_station *const s = row;
+    return error_percent(s->mean_N, s->reference_N);
+}
+
+/* The paper's overload factor (its eq. 12). */
+static double station_peak(const void *row)
+{
+    const hawser_station *const s = row;
+    return s->reference_N > 0 ? s->peak_N / s->reference_N : NAN;
+}
+
+static const Column station_column[] = {
+    {COLUMN("name", TEXT, hawser_station, name)},         {COLUMN("s_m", NUMBER, hawser_station, s)},
+    {COLUMN("paper_N", NUMBER, hawser_station, paper_N)}, {COLUMN("reference_N", NUMBER, hawser_station, reference_N)},
+    {COLUMN("mean_N", NUMBER, hawser_station, mean_N)},   {COLUMN("peak_N", NUMBER, hawser_station, peak_N)},
+    {.key = "error_paper_pct", .number = paper_error},    {.key = "error_reference_pct", .number = reference_error},
+    {.key = "peak_ratio", .number = station_peak},
+};
+const Columns station_columns = COLUMNS(hawser_station, station_column);
+
+/* A roller that nothing rests on has no ratios; one without a rating has no margin. */
+static double roller_peak(const void *row)
+{
+    const hawser_roller *const r = row;
+    return r->steady_N > 0 ? r->peak_N / r->steady_N : NAN;
+}
+
+static double roller_rating(const void *row)
+{
+    const hawser_roller *const r = row;
+    return r->rating_N > 0 ? r->rating_N : NAN;
+}
+
+static double roller_margin(const void *row)
+{
+    const hawser_roller *const r = row;
+    return r->steady_N > 0 && r->rating_N > 0 ? r->rating_N / r->steady_N : NAN;
+}
+
+static const Column roller_column[] = {
+    {COLUMN("name", TEXT, hawser_roller, name)},
+    {COLUMN("s_m", NUMBER, hawser_roller, s)},
+    {COLUMN("initial_N", NUMBER, hawser_roller, initial_N)},
+    {COLUMN("steady_N", NUMBER, hawser_roller, steady_N)},
+    {COLUMN("peak_N", NUMBER, hawser_roller, peak_N)},
+    {.key = "peak_ratio", .number = roller_peak},
+    {.key = "rating_N", .number = roller_rating},
+    {.key = "rating_ratio", .number = roller_margin},
+};
+const Columns roller_columns = COLUMNS(hawser_roller, roller_column);
+
+/* A segment in a mode: shift and turn of its centre. */
+typedef struct ModeRow {
+    int mode, segment;
+    double frequency, growth, shape[6];
+} ModeRow;
+
+static const Column shape_column[] = {
+    {COLUMN("mode", COUNT, ModeRow, mode)},
+    {COLUMN("frequency_Hz", NUMBER, ModeRow, frequency), .digits = 10},
+    {COLUMN("growth_per_s", NUMBER, ModeRow, growth), .digits = 10},
+    {COLUMN("segment", COUNT, ModeRow, segment)},
+    {COLUMN("dx_m", NUMBER, ModeRow, shape[0])},
+    {COLUMN("dy_m", NUMBER, ModeRow, shape[1])},
+    {COLUMN("dz_m", NUMBER, ModeRow, shape[2])},
+    {COLUMN("rx_rad", NUMBER, ModeRow, shape[3])},
+    {COLUMN("ry_rad", NUMBER, ModeRow, shape[4])},
+    {COLUMN("rz_rad", NUMBER, ModeRow, shape[5])},
+};
+const Columns shape_columns = COLUMNS(ModeRow, shape_column);
+
+hawser_status csv_head(OutFile *out, const Columns *columns, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < columns->n && !status; k++) {
+        status = out_cell(out, k ? "," : "", cell_text(columns->column[k].key), 0, err);
+    }
+    if (!status) status = out_print(out, err, "\n");
+    return status ? status : out_flush(out, err);
+}
+
+hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *rows, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < n; i++) {
+        const void *const row = (const char *)rows + (size_t)i * columns->size;
+        for (int k = 0; k < columns->n && !status; k++) {
+            const Column *const c = &columns->column[k];
+            status = out_cell(out, k ? "," : "", column_cell(c, row), c->digits, err);
+        }
+        if (!status) status = out_print(out, err, "\n");
+    }
+    return status;
+}
+
+/* One long table: mode by mode, in each the segments from the tail on. */
+hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err)
+{
+    hawser_status status = csv_head(out, &shape_columns, err);
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < segments && !status; i++) {
+            ModeRow row = {k + 1, i, mode[k].frequency_Hz, mode[k].growth_per_s, {0}};
+            memcpy(row.shape, mode[k].shape + 6 * i, sizeof row.shape);
+            status = csv_rows(out, &shape_columns, 1, &row, err);
+        }
+    }
+    return status;
+}
