@@ -1,6 +1,6 @@
-/* The parts of a case, one function each; for io/case alone. Each reads its section of the tree (node NULL: the section
- * is not there), checks it against what was read before it, and fills its share of r->def. Errors: INPUT, MEMORY. The
- * order of the calls is case_read's. A section's keys stand at the head of its file. */
+/* The parts of a case, one function each; for io/case, and who shows its words. Each reads its section of the tree
+ * (node NULL: the section is not there), checks it against what was read before it, and fills its share of r->def.
+ * Errors: INPUT, MEMORY. The order of the calls is case_read's. A section's keys stand at the head of its file. */
 #ifndef HAWSER_IO_CASE_CASE_PARTS_H
 #define HAWSER_IO_CASE_CASE_PARTS_H
 
