@@ -29,8 +29,8 @@ hawser_status case_run_read(CaseReader *r, const CaseNode *node);
 /* Its chain without a route; r->route is then a straight of the chain's length. After the run, whose analysis says how
  * loads come in. */
 hawser_status case_rod_read(CaseReader *r, const CaseNode *node);
-hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *rod);
-hawser_status case_rod_loads_read(const CaseReader *r, const CaseNode *rod);
+hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_rod_loads_read(const CaseReader *r, const CaseNode *node);
 /* Leaves the route built in r->route, unless there is a rod. */
 hawser_status case_route_read(CaseReader *r, const CaseNode *node);
 /* What goes with a pull only, or with a rod only. */
