@@ -1,6 +1,7 @@
 /* What would be built from a case: what `hawser check` prints. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "io/case/case_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -120,7 +121,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"rollers", "rollers", "", cell_number(s->rollers)},
         {"contact_candidates", "contact candidates", "", cell_number(s->contact_candidates)},
         {"contact_geometry", "contact geometry", "",
-         cell_text(def->geometry == GEOMETRY_SMOOTH ? "smooth" : "cylinder")},
+         cell_text(case_key_of(&case_contact, "geometry")->choices[def->geometry])},
         {"chain_length_m", "length of cable and rope", "m", cell_number(length)},
         {"chain_mass_kg", "mass of cable and rope", "kg", cell_number(mass)},
         {"route_length_m", "length of the route", "m", cell_number(def->rod.present ? NAN : d->route.length)},

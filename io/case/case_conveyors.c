@@ -6,7 +6,7 @@
 
 static const CaseKey belt_keys[] = {
     {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(ConveyorDef, speed.v1)},
-    RAMP_KEYS(ConveyorDef, speed, "step"),
+    RAMP_KEYS(offsetof(ConveyorDef, speed), "step"),
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising"},
 };
 static SECTION(belt, "conveyors.N.belt", belt_keys);

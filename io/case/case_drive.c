@@ -7,7 +7,7 @@
 /* In place of a speed. */
 static const CaseKey winch_tension_keys[] = {
     {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(WinchDef, tension.v1)},
-    RAMP_KEYS(WinchDef, tension, "step"),
+    RAMP_KEYS(offsetof(WinchDef, tension), "step"),
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, force], times rising"},
     {"speed_limit", KEY_NUMBER, DIM_SPEED, .otherwise = "none", ABOVE(0, 1e4), AT(WinchDef, speed_limit)},
     {"band", KEY_NUMBER, .fallback = "0.05", ABOVE(0, 1), AT(WinchDef, band)},
@@ -34,7 +34,7 @@ static const char *const grips[] = {"clamp", "axial", NULL};
 
 static const CaseKey winch_keys[] = {
     {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "from `table`", FROM(0, 1e4), AT(WinchDef, speed.v1)},
-    RAMP_KEYS(WinchDef, speed, "step"),
+    RAMP_KEYS(offsetof(WinchDef, speed), "step"),
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, speed], times rising"},
     {"grip", KEY_CHOICE, .fallback = "clamp", .choices = grips, AT(WinchDef, axial_only)},
     {"take_in", KEY_FLAG, .fallback = "false", AT(WinchDef, take_in)},
@@ -46,7 +46,7 @@ static SECTION(winch, "drive.winch", winch_keys);
 
 static const CaseKey tail_keys[] = {
     {"tension", KEY_NUMBER, DIM_FORCE, .otherwise = "from `table`", FROM(0, STRONG), AT(TailDef, tension.v1)},
-    RAMP_KEYS(TailDef, tension, "step"),
+    RAMP_KEYS(offsetof(TailDef, tension), "step"),
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, tension], times rising"},
 };
 SECTION(case_tail, "drive.tail", tail_keys);

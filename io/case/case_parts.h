@@ -1,6 +1,6 @@
-/* The parts of a case, one function each; for io/case alone. Each reads its section of the tree (node NULL: the section
- * is not there), checks it against what was read before it, and fills its share of r->def. Errors: INPUT, MEMORY. The
- * order of the calls is case_read's. A section's keys stand at the head of its file. */
+/* The parts of a case, one function each; for io/case, and who shows its words. Each reads its section of the tree
+ * (node NULL: the section is not there), checks it against what was read before it, and fills its share of r->def.
+ * Errors: INPUT, MEMORY. The order of the calls is case_read's. A section's keys stand at the head of its file. */
 #ifndef HAWSER_IO_CASE_CASE_PARTS_H
 #define HAWSER_IO_CASE_CASE_PARTS_H
 
@@ -29,8 +29,8 @@ hawser_status case_run_read(CaseReader *r, const CaseNode *node);
 /* Its chain without a route; r->route is then a straight of the chain's length. After the run, whose analysis says how
  * loads come in. */
 hawser_status case_rod_read(CaseReader *r, const CaseNode *node);
-hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *rod);
-hawser_status case_rod_loads_read(const CaseReader *r, const CaseNode *rod);
+hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *node);
+hawser_status case_rod_loads_read(const CaseReader *r, const CaseNode *node);
 /* Leaves the route built in r->route, unless there is a rod. */
 hawser_status case_route_read(CaseReader *r, const CaseNode *node);
 /* What goes with a pull only, or with a rod only. */

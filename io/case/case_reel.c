@@ -24,7 +24,7 @@ static const CaseKey brake_keys[] = {
     {"torque", KEY_NUMBER, DIM_MOMENT, .required = 1, FROM(0, STRONG), AT(ReelDef, torque)},
     {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "none: `proportional` and `speed` need it", ABOVE(0, 1e4),
      AT(ReelDef, speed.v1)},
-    RAMP_KEYS(ReelDef, speed, "step"),
+    RAMP_KEYS(offsetof(ReelDef, speed), "step"),
     {"over", KEY_NUMBER, DIM_SPEED, .fallback = "10 mm/s", ABOVE(0, 1e3), AT(ReelDef, over)},
 };
 static SECTION(reel_brake, "reel.brake", brake_keys);
@@ -33,7 +33,7 @@ static SECTION(reel_brake, "reel.brake", brake_keys);
 static const CaseKey reel_keys[] = {
     {"model", KEY_CHOICE, .fallback = "payout", .choices = models, AT(ReelRecord, model)},
     {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `weight` needs it", FROM(0, LONG), AT(ReelRecord, length)},
-    RAMP_KEYS(ReelRecord, back, "step"),
+    RAMP_KEYS(offsetof(ReelRecord, back), "step"),
     {"distance", KEY_NUMBER, DIM_LENGTH, .fallback = "5 m", ABOVE(0, LONG), AT(ReelRecord, reel.distance)},
     {"barrel", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: a drum needs it", ABOVE(0, 1e3),
      AT(ReelRecord, reel.barrel)},

@@ -25,7 +25,7 @@ static const CaseKey rod_motion_keys[] = {
     {"move", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a turn", FROM(-LONG, LONG), AT(RodMotionRecord, move)},
     {"turn", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a shift", FROM(DEGREES(-36000), DEGREES(36000)),
      AT(RodMotionRecord, turn)},
-    RAMP_KEYS(RodMotionRecord, motion.by.size, "none"),
+    RAMP_KEYS(offsetof(RodMotionRecord, motion.by.size), "none"),
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, factor of `move` or `turn`], times rising"},
 };
 static SECTION(rod_motion, "rod.tail.motion.N", rod_motion_keys);
@@ -48,7 +48,7 @@ static const CaseKey rod_load_keys[] = {
     {"force", KEY_NUMBER, DIM_FORCE, .otherwise = "it is a moment", FROM(-STRONG, STRONG), AT(RodLoadRecord, force)},
     {"moment", KEY_NUMBER, DIM_MOMENT, .otherwise = "it is a force", FROM(-STRONG, STRONG), AT(RodLoadRecord, moment)},
     {"frame", KEY_CHOICE, .fallback = "dead", .choices = load_frames, AT(RodLoadRecord, load.follower)},
-    RAMP_KEYS(RodLoadRecord, load.by.size, "none"),
+    RAMP_KEYS(offsetof(RodLoadRecord, load.by.size), "none"),
     {"table", KEY_LIST, .otherwise = "none", .form = "[time, factor of `force` or `moment`], times rising"},
 };
 SECTION(case_rod_load, "rod.loads.N", rod_load_keys);
@@ -177,11 +177,11 @@ static hawser_status end_read(const CaseReader *r, const CaseNode *node, const C
     return case_list_read(r, motion, sizeof *end->motions, motion_read, &end->motions, &end->n_motions);
 }
 
-hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *rod)
+hawser_status case_rod_ends_read(const CaseReader *r, const CaseNode *node)
 {
     RodEndDef *const end = r->def->rod.end;
-    const hawser_status status = end_read(r, case_node_key(rod, "tail"), &case_rod_tail, &end[ROD_TAIL]);
-    return status ? status : end_read(r, case_node_key(rod, "head"), &case_rod_head, &end[ROD_HEAD]);
+    const hawser_status status = end_read(r, case_node_key(node, "tail"), &case_rod_tail, &end[ROD_TAIL]);
+    return status ? status : end_read(r, case_node_key(node, "head"), &case_rod_head, &end[ROD_HEAD]);
 }
 
 /* ----------------------------------------------------------------------------------------- loads, masses, probes */

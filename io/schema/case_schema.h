@@ -64,12 +64,13 @@ typedef struct CaseSection {
 /* "none", "step", "step5": a ProfileKind each. */
 extern const char *const case_ramps[];
 
-/* How a value comes in over time, into the Profile `member`; case_profile_read takes it from there. */
-#define RAMP_KEYS(type, member, usual)                                                                                 \
-    {"ramp", KEY_CHOICE, .fallback = (usual), .choices = case_ramps, AT(type, member.kind)},                           \
-        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(type, member.t0)},                         \
+/* How a value comes in over time, into the Profile at an offset; case_profile_read takes it from there. */
+#define IN_PROFILE(at, member) .offset = (at) + offsetof(Profile, member), .size = sizeof(((Profile *)NULL)->member)
+#define RAMP_KEYS(at, usual)                                                                                           \
+    {"ramp", KEY_CHOICE, .fallback = (usual), .choices = case_ramps, IN_PROFILE(at, kind)},                            \
+        {"from", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), IN_PROFILE(at, t0)},                          \
     {                                                                                                                  \
-        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), AT(type, member.t1)                              \
+        "to", KEY_NUMBER, DIM_TIME, .fallback = "1 s", FROM(0, LATE), IN_PROFILE(at, t1)                               \
     }
 
 /* One case being read. */
