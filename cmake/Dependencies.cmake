@@ -14,7 +14,6 @@ find_library(COLAMD_LIBRARY colamd REQUIRED)
 find_library(BTF_LIBRARY btf REQUIRED)
 find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig REQUIRED)
 find_path(SUITESPARSE_INCLUDE klu.h PATH_SUFFIXES suitesparse REQUIRED)
-find_library(LAPACKE_LIBRARY lapacke REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)
 find_path(METIS_INCLUDE metis.h REQUIRED)
 
