@@ -5,7 +5,6 @@
 #include "sim/balance_terms.h"
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
-#include "sim/step/stride.h"
 
 static Spatial *spatial_of(Motion *m) { return (Spatial *)m; }
 

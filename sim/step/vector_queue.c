@@ -10,12 +10,6 @@ enum { PIECE = 512 };
 /* Entries from which the second thread pays: some 1000 segments in space. */
 enum { LONG_VECTOR = 12000 };
 
-static const VectorKernels *kernels(void)
-{
-    static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
-    return table[isa_best()];
-}
-
 static void fill(int count, double a, double *z)
 {
     if (!(a < 0 || a > 0)) {
@@ -34,14 +28,14 @@ static void task_piece(const VectorTask *t, int from, int count)
         fill(count, t->a[0], t->z + from);
         break;
     case VECTOR_SCALE:
-        kernels()->scale(count, t->a[0], t->x[0] + from, t->z + from);
+        vector_kernels()->scale(count, t->a[0], t->x[0] + from, t->z + from);
         break;
     case VECTOR_SUM:
-        kernels()->linear_sum(count, t->a[0], t->x[0] + from, t->a[1], t->x[1] + from, t->z + from);
+        vector_kernels()->linear_sum(count, t->a[0], t->x[0] + from, t->a[1], t->x[1] + from, t->z + from);
         break;
     case VECTOR_COMBINATION:
         for (int k = 0; k < t->terms; ++k) x[k] = t->x[k] + from;
-        kernels()->combination(count, t->terms, t->a, x, t->z + from);
+        vector_kernels()->combination(count, t->terms, t->a, x, t->z + from);
         break;
     }
 }
