@@ -289,29 +289,20 @@ void vector_family_clear(VectorFamily *family)
 
 int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user)
 {
-    const int n = family->n;
     vector_family_settle(family);
-    double **const fresh = calloc((size_t)n + 1, sizeof *fresh);
-    int ok = fresh != NULL;
-    for (int k = 0; ok && k < n; ++k) {
-        fresh[k] = NV_OWN_DATA_S(family->member[k]) ? calloc((size_t)length + 1, sizeof(double)) : data;
-        ok = fresh[k] != NULL;
-    }
-    for (int k = 0; fresh && k < n; ++k) {
+    for (int k = 0; k < family->n; ++k) {
         N_Vector v = family->member[k];
-        if (ok) {
-            if (NV_OWN_DATA_S(v)) {
-                map(user, v, NV_DATA_S(v), fresh[k]);
-                free(NV_DATA_S(v));
-            }
-            NV_DATA_S(v) = fresh[k];
-            NV_LENGTH_S(v) = length;
-        } else if (NV_OWN_DATA_S(v)) {
-            free(fresh[k]);
+        double *fresh = data;
+        if (NV_OWN_DATA_S(v)) {
+            fresh = aligned_array_new(length);
+            if (!fresh) return 0;
+            map(user, v, NV_DATA_S(v), fresh);
+            free(NV_DATA_S(v));
         }
+        NV_DATA_S(v) = fresh;
+        NV_LENGTH_S(v) = length;
     }
-    free(fresh);
-    return ok;
+    return 1;
 }
 
 /* ------------------------------------------------------------------------------------------ a linear solver */

@@ -37,7 +37,7 @@ void vector_family_clear(VectorFamily *family);
 /* Writes a vector's entries of the new length from those of the old one. */
 typedef void (*VectorMap)(const void *user, N_Vector which, const double *from, double *to);
 /* Gives every vector of the family the length `length`, through the map. The one that wraps borrowed data gets `data`
- * [length], already filled. Returns 0 if there is no memory; then nothing has changed. */
+ * [length], already filled. Returns 0 if there is no memory; then the vectors can only be destroyed. */
 int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user);
 
 /* A matrix and a direct linear solver around it. The matrix is empty, since the owner forms and keeps it; SUNDIALS only
