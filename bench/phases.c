@@ -17,7 +17,7 @@
 #include "sim/newton/newton.h"
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
-#include "sim/step/vector.h"
+#include "sim/step/sundials.h"
 #include "sim/watch/sample.h"
 
 static const double GAMMA = 0.01; /* s, of a BDF step of order 2 in the steady pull */

@@ -1,7 +1,8 @@
 # The Debian packages that the project stands on; scripts/setup.sh installs them.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
-find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial)
+find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial)
+include(cmake/sundials_version.cmake)
 pkg_check_modules(YAML REQUIRED IMPORTED_TARGET yaml-0.1)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
@@ -14,7 +15,6 @@ find_library(COLAMD_LIBRARY colamd REQUIRED)
 find_library(BTF_LIBRARY btf REQUIRED)
 find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig REQUIRED)
 find_path(SUITESPARSE_INCLUDE klu.h PATH_SUFFIXES suitesparse REQUIRED)
-find_library(LAPACKE_LIBRARY lapacke REQUIRED)
 find_library(METIS_LIBRARY metis REQUIRED)
 find_path(METIS_INCLUDE metis.h REQUIRED)
 

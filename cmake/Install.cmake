@@ -7,8 +7,8 @@ foreach(target ${object_targets})
     list(APPEND objects $<TARGET_OBJECTS:${target}>)
 endforeach()
 
-# What the folders link outside the project. A new library belongs here too: tests/install builds a consumer of the
-# static library from nothing but this list.
+# What the folders link outside the project. A new library belongs here too, and its licence in NOTICE: tests/install builds
+# a consumer of the static library from nothing but this list.
 set(HAWSER_PRIVATE_PACKAGES yaml-0.1 jansson hdf5-serial) # known to pkg-config
 set(HAWSER_PRIVATE_LIBRARIES ${UDUNITS_LIBRARY} ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
                              ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY})
@@ -29,17 +29,18 @@ target_link_libraries(hawser_shared PRIVATE
 target_include_directories(hawser_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 # The static library is one object in which everything but hawser_* has become local: a program that links it may have
-# names like sim_new of its own.
+# names like sim_new of its own. It depends on the targets, not on their objects, which Make knows only inside them.
 set(whole ${PROJECT_BINARY_DIR}/hawser_whole.o)
 add_custom_command(OUTPUT ${whole}
     COMMAND ${CMAKE_LINKER} -r -o ${whole} ${objects}
     COMMAND ${CMAKE_OBJCOPY} --wildcard "--keep-global-symbol=hawser_*" ${whole}
-    DEPENDS ${objects} COMMAND_EXPAND_LISTS VERBATIM)
+    DEPENDS ${object_targets} COMMAND_EXPAND_LISTS VERBATIM)
 add_library(hawser_static STATIC ${whole})
 set_target_properties(hawser_static PROPERTIES OUTPUT_NAME hawser LINKER_LANGUAGE C)
 
 install(TARGETS hawser_shared EXPORT hawserTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS hawser_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES LICENSE NOTICE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY include/hawser DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
 # The pkg-config file finds the prefix from its own place, so that the tree may be moved.

@@ -11,7 +11,6 @@
 #include "sim/planar/planar_kernels.h"
 #include "sim/planar/planar_relax.h"
 #include "sim/step/scales.h"
-#include "sim/step/stride.h"
 
 static Planar *planar_of(Motion *m) { return (Planar *)m; }
 static const Planar *planar_in(const Motion *m) { return (const Planar *)m; }

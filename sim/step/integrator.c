@@ -9,13 +9,13 @@
 #include <string.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
+#include <sundials/sundials_version.h>
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
-#include "sim/step/custom_linear.h"
-#include "sim/step/stride.h"
-#include "sim/step/vector.h"
+#include "sim/step/scales.h"
+#include "sim/step/sundials.h"
 
 enum { STALLED_MOST = 20 };
 /* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
@@ -44,8 +44,7 @@ struct Integrator {
     SUNContext context;
     VectorFamily family; /* every vector that CVODE has made */
     N_Vector state;
-    N_Vector good;   /* the state of the last good step */
-    N_Vector newest; /* of CVODE's history: the state at the last step; see history_find */
+    N_Vector good; /* the state of the last good step */
     CustomLinear linear;
     IntegratorStats stats;
     IntegratorStats before; /* counts of CVODE's from before it was started anew */
@@ -178,22 +177,34 @@ static void state_keep(Integrator *in)
     vector_family_settle(&in->family); /* from here on numbers are looked at */
 }
 
-/* CVODE keeps its history to itself, but in vectors of ours. Just after its start all of them are zero but one, which
- * is the first of the history: a copy of the state. NULL if that is not so (another version of CVODE). */
-static N_Vector history_find(Integrator *in)
+/* The vector of CVODE's history (Nordsieck's array: the state and its scaled derivatives) that is the state: CVODE
+ * predicts in place, and tells where. NULL if it does not. */
+static N_Vector history_state(const Integrator *in)
 {
-    const size_t bytes = (size_t)in->motion->size * sizeof(double);
-    N_Vector found = NULL;
-    vector_family_settle(&in->family);
-    for (int k = 0; k < in->family.n; ++k) {
-        N_Vector v = in->family.member[k];
-        if (v == in->state || memcmp(NV_DATA_S(v), in->y, bytes) != 0) continue;
-        if (found) return NULL;
-        found = v;
-    }
-    return found;
+    realtype t, gamma, rl1;
+    N_Vector predicted = NULL, now, rates, first;
+    void *user;
+    const int flag = CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
+    return flag == CV_SUCCESS ? predicted : NULL;
 }
 
+/* Whether reshaping can rely on history_state: when CVODE starts, that vector is a copy of the state and none of ours.
+ * A version of SUNDIALS for which this is not so must not be built with: cmake/sundials_version.cmake. */
+static hawser_status history_check(Integrator *in, hawser_error *err)
+{
+    N_Vector v = history_state(in);
+    vector_family_settle(&in->family);
+    if (v && v != in->state && !memcmp(NV_DATA_S(v), in->y, (size_t)in->motion->size * sizeof(double)))
+        return HAWSER_OK;
+    char version[32] = "of unknown version";
+    SUNDIALSGetVersion(version, sizeof version);
+    return error_set(err, HAWSER_ERR_RUN,
+                     "SUNDIALS %s does not show the integrator's history as this program needs it: build hawser with a "
+                     "supported version (cmake/sundials_version.cmake)",
+                     version);
+}
+
+/* 0 if there is no memory. */
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
@@ -205,7 +216,6 @@ static int integrator_start(Integrator *in, double t)
     if (!in->state) return 0;
     in->cvode = CVodeCreate(CV_BDF, in->context);
     if (!in->cvode || CVodeInit(in->cvode, call_rates, t, in->state) != CV_SUCCESS) return 0;
-    in->newest = history_find(in);
     in->good = N_VClone(in->state);
     if (!in->good) return 0;
     state_keep(in);
@@ -219,9 +229,9 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     *out = in;
     if (!in) return error_memory(err);
     *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1};
-    if (integrator_start(in, t)) return HAWSER_OK;
-    *out = integrator_free(in);
-    return error_memory(err);
+    const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
+    if (status) *out = integrator_free(in);
+    return status;
 }
 
 Integrator *integrator_free(Integrator *in)
@@ -363,13 +373,14 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
 
 typedef struct ReshapeCall {
     const Reshape *reshape;
-    N_Vector newest;
+    N_Vector history_state;
 } ReshapeCall;
 
+/* (RL17) */
 static void call_map(const void *user, N_Vector which, const double *from, double *to)
 {
     const ReshapeCall *const call = user;
-    call->reshape->map(call->reshape->user, which == call->newest, from, to);
+    call->reshape->map(call->reshape->user, which == call->history_state, from, to);
 }
 
 /* What is kept beside CVODE's vectors; 0 if there is no memory. */
@@ -406,7 +417,7 @@ static int matrix_renew(Integrator *in, double t)
 
 hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err)
 {
-    const ReshapeCall call = {reshape, in->newest};
+    const ReshapeCall call = {reshape, history_state(in)};
     const double start = clock_now();
     assert(in->motion->size == reshape->size);
     if (!vector_family_resize(&in->family, reshape->size, reshape->y, call_map, &call) || !arrays_renew(in, reshape))
@@ -417,7 +428,7 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
     double last = 0;
     CVodeGetLastStep(in->cvode, &last);
     int bad = 0;
-    if (reshape->forget || !in->newest || steps == 0) {
+    if (reshape->forget || steps == 0) {
         IntegratorStats so_far;
         integrator_stats(in, &so_far);
         in->before = so_far;

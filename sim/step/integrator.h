@@ -1,4 +1,4 @@
-/* CVODE (BDF) on the equations of motion: with its .c and vector.[ch] all that knows SUNDIALS. docs/model.md,
+/* CVODE (BDF) on the equations of motion: this, with sim/step/sundials.h, is all that knows SUNDIALS. docs/model.md,
  * "Integration". */
 #ifndef HAWSER_SIM_STEP_INTEGRATOR_H
 #define HAWSER_SIM_STEP_INTEGRATOR_H
@@ -13,7 +13,8 @@ typedef struct IntegratorStats {
     double last_step;                           /* s */
 } IntegratorStats;
 
-/* Starts at (t, y). The motion and y [motion->size] are borrowed; y always holds the latest state. */
+/* Starts at (t, y). The motion and y [motion->size] are borrowed; y always holds the latest state. Errors: MEMORY, RUN
+ * (a SUNDIALS that integrator_reshape could not live with). */
 hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err);
 Integrator *integrator_free(Integrator *in);
 /* Takes one step, but not beyond `stop` (s). On failure y and *t hold the last good step and err says when, where
@@ -31,9 +32,11 @@ typedef struct Reshape {
     int forget; /* the history is of no use: start the method anew */
 } Reshape;
 
-/* Goes on from the same time with the motion's new size: the history of the method is mapped like the state, so that
- * order and step stay, and Newton's matrix is made anew at once. Motion->size is the new one already. Errors: MEMORY
- * (the integrator can only be freed then), RUN. */
+/* Goes on from the same time with the motion's new size: the history of the method is mapped like the state (RL17), so
+ * that order and step stay, and Newton's matrix is made anew at once. Public calls of SUNDIALS suffice: all vectors
+ * that CVODE works with are clones of ours, which change their length where they stand, and CVodeGetNonlinearSystemData
+ * tells which of them is the history's state. Motion->size is the new one already. Errors: MEMORY (the integrator can
+ * only be freed then), RUN. */
 hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 

@@ -35,15 +35,9 @@ void scales_weights(const Scene *scene, double *weight)
     equipment_weights(scene->equipment, scene->rollers, &equipment, weight + STATE_SIZE * n);
 }
 
-static const VectorKernels *kernels(void)
-{
-    static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
-    return table[isa_best()];
-}
-
 double scales_norm(int n, const double *x, const double *weight)
 {
-    return sqrt(kernels()->window_square(n, 0, n, x, weight));
+    return sqrt(vector_kernels()->window_square(n, 0, n, x, weight));
 }
 
 /* The windows of half of a chain. */
@@ -57,20 +51,20 @@ static void norm_half(void *arg, int rank)
 {
     NormHalf *const h = arg;
     const int from = rank ? h->middle : 0, to = rank ? h->n : h->middle;
-    h->square[rank] = kernels()->window_square_even(h->n, from, to, h->x, h->weight);
+    h->square[rank] = vector_kernels()->window_square_even(h->n, from, to, h->x, h->weight);
 }
 
 double scales_chain_norm(Team *team, int n, const double *x, const double *weight)
 {
     NormHalf h = {.n = n, .middle = n / 2 / SCALES_WINDOW * SCALES_WINDOW, .x = x, .weight = weight};
-    if (n < HALVES_LONG) return sqrt(kernels()->window_square_even(n, 0, n, x, weight));
+    if (n < HALVES_LONG) return sqrt(vector_kernels()->window_square_even(n, 0, n, x, weight));
     halves_run(team, 1, norm_half, &h);
     return sqrt(scales_larger(h.square[0], h.square[1]));
 }
 
 void scales_project(int n, const double *y, double *correction, double *error)
 {
-    kernels()->project(n, y, correction, error);
+    vector_kernels()->project(n, y, correction, error);
 }
 
 double scales_equipment_norm(const Equipment *q, const double *x, const double *weight)
@@ -92,7 +86,7 @@ void scales_equipment_project(const Equipment *q, const double *e, double *corre
     scales_project(q->mounts, e + q->spins, correction + q->spins, error ? error + q->spins : NULL);
 }
 
-int scales_all_finite(const double *x, int count) { return kernels()->all_finite(count, x); }
+int scales_all_finite(const double *x, int count) { return vector_kernels()->all_finite(count, x); }
 
 int scales_worst_segment(int n, const double *x, const double *weight)
 {
@@ -108,4 +102,27 @@ int scales_worst_segment(int n, const double *x, const double *weight)
         }
     }
     return worst;
+}
+
+static double thinnest_cable(const SceneDef *def)
+{
+    double least = INFINITY;
+    for (int i = 0; i < def->n_cables; ++i) least = fmin(least, def->cables[i].diameter / 2);
+    return least;
+}
+
+/* Half of what the thinnest cable takes to pass the thinnest roller, or to pass itself: there and back again is still
+ * seen (N14). Ducts, trays and planes have no other side. */
+double stride_most(const Scene *scene)
+{
+    double thinnest = INFINITY;
+    const double cable = thinnest_cable(&scene->def);
+    for (int r = 0; r < scene->contact.n_rollers; ++r) thinnest = fmin(thinnest, scene->contact.roller[r].shape.radius);
+    if (scene->self.present) thinnest = fmin(thinnest, 0);
+    return thinnest + cable;
+}
+
+double stride_speed(const Chain *chain, int pitch, int dims, const double *v, int turns, const double *w)
+{
+    return sqrt(vector_kernels()->largest_square(chain->n, pitch, dims, v, turns, w, chain->half));
 }

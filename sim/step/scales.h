@@ -1,5 +1,6 @@
-/* What an error of the state is measured with: physical scales, the weights that follow from `accuracy`, and a norm
- * that does not dilute a local event in a long chain. docs/model.md, "Integration" (N10), (N11). */
+/* What a step is measured with: its errors by physical scales, the weights that follow from `accuracy` and a norm that
+ * does not dilute a local event in a long chain, and the way that it takes the chain. docs/model.md, "Integration"
+ * (N10), (N11), (N14). */
 #ifndef HAWSER_SIM_STEP_SCALES_H
 #define HAWSER_SIM_STEP_SCALES_H
 
@@ -41,5 +42,13 @@ void scales_equipment_project(const Equipment *q, const double *e, double *corre
 
 /* 1 if all of x[count] is finite. */
 int scales_all_finite(const double *x, int count);
+
+/* How far the chain may move in one step, m; INFINITY where there is nothing to pass through. Contacts are looked at
+ * where a step ends, so that a longer one could carry the cable through a roller, or through itself, without either
+ * having been noticed (N14). */
+double stride_most(const Scene *scene);
+/* Largest speed of a point of the chain, or up to sqrt(2) of it, m/s: sqrt(|v|^2 + (half |w|)^2) of n segments. v is
+ * `dims` arrays `pitch` apart, w `turns` arrays. */
+double stride_speed(const Chain *chain, int pitch, int dims, const double *v, int turns, const double *w);
 
 #endif

@@ -7,7 +7,6 @@
 #include "sim/equipment/winch.h"
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
-#include "sim/step/stride.h"
 
 static Spatial *spatial_of(Motion *m) { return (Spatial *)m; }
 

@@ -29,4 +29,11 @@ typedef struct VectorKernels {
 
 extern const VectorKernels vector_kernels_generic, vector_kernels_avx2, vector_kernels_avx512;
 
+/* Those of this machine. */
+static inline const VectorKernels *vector_kernels(void)
+{
+    static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
+    return table[isa_best()];
+}
+
 #endif

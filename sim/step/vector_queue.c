@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "sim/halves.h"
 #include "sim/step/vector_kernels.h"
 
 /* Entries of a piece: eight vectors of it fit a core's first cache, and it is whole lanes, so that every entry is
@@ -9,12 +10,6 @@
 enum { PIECE = 512 };
 /* Entries from which the second thread pays: some 1000 segments in space. */
 enum { LONG_VECTOR = 12000 };
-
-static const VectorKernels *kernels(void)
-{
-    static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
-    return table[isa_best()];
-}
 
 static void fill(int count, double a, double *z)
 {
@@ -34,14 +29,14 @@ static void task_piece(const VectorTask *t, int from, int count)
         fill(count, t->a[0], t->z + from);
         break;
     case VECTOR_SCALE:
-        kernels()->scale(count, t->a[0], t->x[0] + from, t->z + from);
+        vector_kernels()->scale(count, t->a[0], t->x[0] + from, t->z + from);
         break;
     case VECTOR_SUM:
-        kernels()->linear_sum(count, t->a[0], t->x[0] + from, t->a[1], t->x[1] + from, t->z + from);
+        vector_kernels()->linear_sum(count, t->a[0], t->x[0] + from, t->a[1], t->x[1] + from, t->z + from);
         break;
     case VECTOR_COMBINATION:
         for (int k = 0; k < t->terms; ++k) x[k] = t->x[k] + from;
-        kernels()->combination(count, t->terms, t->a, x, t->z + from);
+        vector_kernels()->combination(count, t->terms, t->a, x, t->z + from);
         break;
     }
 }
@@ -61,35 +56,26 @@ void vector_queue_unfill(VectorQueue *queue, const double *z)
     if (latest->kind == VECTOR_FILL && latest->z == z) --queue->tasks;
 }
 
-/* The waiting tasks on the first or the second half of their vectors. */
-typedef struct Half {
+typedef struct Waiting {
     const VectorQueue *queue;
     int length;
-} Half;
+} Waiting;
 
-static void pieces_run(const VectorQueue *queue, int from, int to)
-{
-    for (int at = from; at < to; at += PIECE) {
-        const int count = at + PIECE < to ? PIECE : to - at;
-        for (int k = 0; k < queue->tasks; ++k) task_piece(&queue->task[k], at, count);
-    }
-}
-
+/* The waiting tasks on the first or the second half of their vectors, piece by piece. */
 static void half_run(void *arg, int rank)
 {
-    const Half *const half = arg;
-    const int middle = half->length / 2 / PIECE * PIECE;
-    pieces_run(half->queue, rank ? middle : 0, rank ? half->length : middle);
+    const Waiting *const w = arg;
+    const int middle = w->length / 2 / PIECE * PIECE, to = rank ? w->length : middle;
+    for (int at = rank ? middle : 0; at < to; at += PIECE) {
+        const int count = at + PIECE < to ? PIECE : to - at;
+        for (int k = 0; k < w->queue->tasks; ++k) task_piece(&w->queue->task[k], at, count);
+    }
 }
 
 void vector_queue_flush(VectorQueue *queue, int length)
 {
     if (queue->tasks == 0) return;
-    Half half = {queue, length};
-    if (length >= LONG_VECTOR && team_size(queue->team) == 2) {
-        team_run(queue->team, half_run, &half);
-    } else {
-        pieces_run(queue, 0, length);
-    }
+    Waiting waiting = {queue, length};
+    halves_run(queue->team, length >= LONG_VECTOR, half_run, &waiting);
     queue->tasks = 0;
 }

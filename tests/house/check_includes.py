@@ -10,7 +10,7 @@ import tree
 
 # Libraries' headers, and the only places that may see them.
 LIBRARIES = [
-    (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/|linsolve/sundials_"),
+    (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/step/"),
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
     (r"yaml\.h$|udunits2\.h$|jansson\.h$|hdf5\w*\.h$", r"io/"),
@@ -22,6 +22,13 @@ def resolve(path, name):
     return "include/" + name if name.startswith("hawser/") else name
 
 
+def stage(path):
+    """How far down within its folder at the top a file is, from 0; None if its sub-folder is not in the list."""
+    top, *parts = path.split("/")
+    part = parts[0] if len(parts) > 1 else ""
+    return next((i for i, stage in enumerate(tree.STAGES[top]) if part in stage), None)
+
+
 def check_project(root, path, line, target):
     """Complaints about one include of a header of the project."""
     top, below = path.split("/")[0], target.split("/")[0]
@@ -30,6 +37,8 @@ def check_project(root, path, line, target):
         return [f"{where}, which is not a file: write the path from the root"]
     if below != top and below not in tree.BELOW[top]:
         return [f"{where}: {top}/ may include only {', '.join(tree.BELOW[top]) or 'nothing'} and itself"]
+    if below == top != "include" and os.path.dirname(path) != os.path.dirname(target) and not stage(path) < stage(target):
+        return [f"{where}, which does not stand below it in the list of docs/architecture.md"]
     return []
 
 
@@ -63,6 +72,9 @@ def circles(graph):
 def check(root):
     complaints, graph = [], {}
     for path in tree.sources(root, tree.BELOW):
+        if not path.startswith("include/") and stage(path) is None:
+            complaints.append(f"{path}: its folder is not in the list of docs/architecture.md")
+            continue
         for line, quoted, name in tree.includes(tree.read(root, path)):
             public = name.startswith("hawser/")
             if not quoted and not public:

@@ -35,9 +35,9 @@ class Includes(unittest.TestCase):
         return Tree(files).complaints(check_includes.check)
 
     def test_downward_is_fine(self):
-        self.assertEqual([], self.check({"core/a.h": "#include <math.h>\n", "contact/b.c": '#include "core/a.h"\n',
+        self.assertEqual([], self.check({"core/a.h": "#include <math.h>\n", "contact/law/b.c": '#include "core/a.h"\n',
                                          "include/hawser/hawser.h": "", "cli/main.c": "#include <hawser/hawser.h>\n",
-                                         "linsolve/l.c": "#include <klu.h>\n", "sim/s.c": "#include <cvode/cvode.h>\n",
+                                         "linsolve/l.c": "#include <klu.h>\n", "sim/step/s.c": "#include <cvode/cvode.h>\n",
                                          "core/e.h": '#include "hawser/hawser.h"\n'}))
 
     def test_upward(self):
@@ -47,11 +47,29 @@ class Includes(unittest.TestCase):
 
     def test_upward_within_a_level(self):
         self.assertTrue(self.check({"theory/a.c": '#include "sim/run/sim.h"\n', "sim/run/sim.h": ""}))
-        self.assertTrue(self.check({"sim/a.c": '#include "io/io.h"\n', "io/io.h": ""}))
+        self.assertTrue(self.check({"sim/a.c": '#include "io/api/io.h"\n', "io/api/io.h": ""}))
 
     def test_sideways(self):
-        self.assertTrue(self.check({"contact/a.c": '#include "linsolve/l.h"\n', "linsolve/l.h": ""}))
-        self.assertTrue(self.check({"linsolve/a.c": '#include "contact/c.h"\n', "contact/c.h": ""}))
+        self.assertTrue(self.check({"contact/law/a.c": '#include "linsolve/l.h"\n', "linsolve/l.h": ""}))
+        self.assertTrue(self.check({"linsolve/a.c": '#include "contact/law/c.h"\n', "contact/law/c.h": ""}))
+
+    def test_downward_within_a_folder(self):
+        self.assertEqual([], self.check({"sim/a.c": '#include "sim/equipment/b.h"\n', "sim/equipment/b.h": "",
+                                         "sim/run/c.c": '#include "sim/a.h"\n', "sim/a.h": '#include "sim/e.h"\n',
+                                         "sim/e.h": "", "io/api/d.c": '#include "io/yaml/y.h"\n', "io/yaml/y.h": ""}))
+
+    def test_upward_within_a_folder(self):
+        found = self.check({"sim/equipment/b.c": '#include "sim/a.h"\n', "sim/a.h": '#include "sim/step/s.h"\n',
+                            "sim/step/s.h": ""})
+        self.assertEqual(["sim/a.h:1", "sim/equipment/b.c:1"], [c.split(": ")[0] for c in found])
+
+    def test_sideways_within_a_folder(self):
+        self.assertEqual(1, len(self.check({"contact/self/a.c": '#include "contact/surface/b.h"\n', "contact/surface/b.h": ""})))
+        self.assertEqual(1, len(self.check({"contact/surface/a.c": '#include "contact/self/b.h"\n', "contact/self/b.h": ""})))
+
+    def test_a_folder_that_is_not_in_the_list(self):
+        found = self.check({"sim/odd/a.c": ""})
+        self.assertEqual(["sim/odd/a.c: its folder is not in the list of docs/architecture.md"], found)
 
     def test_cli_sees_the_public_header_only(self):
         self.assertTrue(self.check({"cli/main.c": '#include "core/a.h"\n', "core/a.h": ""}))
@@ -67,12 +85,10 @@ class Includes(unittest.TestCase):
 
     def test_libraries_out_of_place(self):
         for path, name in [("core/a.c", "cvode/cvode.h"), ("linsolve/klu.c", "sundials/sundials_types.h"),
-                           ("sim/a.c", "klu.h"), ("sim/a.c", "metis.h"), ("contact/a.c", "lapacke.h"),
-                           ("sim/a.c", "yaml.h"), ("theory/a.c", "nvector/nvector_serial.h")]:
+                           ("sim/a.c", "klu.h"), ("sim/a.c", "metis.h"), ("contact/law/a.c", "lapacke.h"),
+                           ("sim/a.c", "yaml.h"), ("theory/a.c", "nvector/nvector_serial.h"),
+                           ("sim/run/a.c", "cvode/cvode.h")]:
             self.assertEqual(1, len(self.check({path: f"#include <{name}>\n"})), (path, name))
-
-    def test_the_adapter_may_see_sundials(self):
-        self.assertEqual([], self.check({"linsolve/sundials_adapter.c": "#include <sundials/sundials_types.h>\n"}))
 
 
 class Equations(unittest.TestCase):
@@ -196,6 +212,22 @@ class Sizes(unittest.TestCase):
     def test_long_files(self):
         self.assertEqual(1, len(self.check("int a;\n" * 601)))
         self.assertEqual(1, len(self.check("int a;\n" * 251, "core/a.h")))
+
+    def test_full_folder(self):
+        files = {f"core/a{k}.c": "" for k in range(check_sizes.FOLDER_MAX + 1)}
+        self.assertEqual(1, len(Tree(files).complaints(check_sizes.check)))
+        del files["core/a0.c"]
+        self.assertEqual([], Tree({**files, "core/base/a0.c": ""}).complaints(check_sizes.check))
+
+    def test_short_headers(self):
+        files = {f"core/a{k}.h": "int a;\n" * 30 for k in range(3)}
+        most, check_sizes.SHORT_HEADERS_MAX = check_sizes.SHORT_HEADERS_MAX, 2
+        try:
+            self.assertEqual(1, len(Tree(files).complaints(check_sizes.check)))
+            files["core/a0.h"] += "int a;\n"
+            self.assertEqual([], Tree(files).complaints(check_sizes.check))
+        finally:
+            check_sizes.SHORT_HEADERS_MAX = most
 
     def test_if_forest(self):
         self.assertEqual(1, len(self.check("#if A\n#endif\n" * 9)))

@@ -2,19 +2,29 @@
 import os
 import re
 
-# Every folder with the project's own code, and how far up it is: a file includes its own folder and lower ones only.
-# Numbers of one level tell contact and linsolve (which never meet) from the strict order theory < sim < validate < io.
-BELOW = {
-    "include": (),
-    "core": ("include",),
-    "contact": ("include", "core"),
-    "linsolve": ("include", "core"),
-    "theory": ("include", "core"),
-    "sim": ("include", "core", "contact", "linsolve", "theory"),
-    "validate": ("include", "core", "contact", "linsolve", "theory", "sim"),
-    "io": ("include", "core", "contact", "linsolve", "theory", "sim", "validate"),
-    "cli": ("include",),
-}
+RULE = re.compile(r"^(\w+) +sees (\w+(?:, \w+)*)(?: {2,}(\S.*))?$", re.M)
+
+
+def rule(text):
+    """The include rule as docs/architecture.md's block has it: (below, stages). below: the folders that each folder at the
+    top sees, itself left out. stages: for those with sub-folders, tuples of them from the uppermost down; those of one
+    tuple do not know each other, "" is the files directly in the folder."""
+    block = re.search(r"^#+ .*include rule\n.*?^```\n(.*?)^```", text, re.M | re.S).group(1)
+    below, stages = {}, {}
+    for top, sees, parts in RULE.findall(block):
+        below[top] = () if sees == "nothing" else tuple(sees.split(", "))
+        stages[top] = [tuple("" if p == "itself" else p for p in stage.split(", "))
+                       for stage in (parts or "itself").split(" -> ")]
+    return below, stages
+
+
+def read(root, path):
+    with open(os.path.join(root, path), encoding="utf-8") as file:
+        return file.read()
+
+
+# Every folder with the project's own code, and how far up it is.
+BELOW, STAGES = rule(read(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../.."), "docs/architecture.md"))
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.M)
 
@@ -26,11 +36,6 @@ def sources(root, tops):
         for folder, _, names in os.walk(os.path.join(root, top)):
             found += [os.path.relpath(os.path.join(folder, n), root) for n in names if n.endswith((".c", ".h"))]
     return sorted(found)
-
-
-def read(root, path):
-    with open(os.path.join(root, path), encoding="utf-8") as file:
-        return file.read()
 
 
 def includes(text):

@@ -25,10 +25,17 @@ mv "$work/first" "$prefix"
 lib=$(dirname "$(find "$prefix" -name libhawser.a)")
 version=$(sed -n 's/^project(hawser VERSION \([0-9.]*\).*/\1/p' "$source_dir/CMakeLists.txt")
 for file in "$prefix/bin/hawser" "$prefix/include/hawser/hawser.h" "$prefix/include/hawser/tables.h" "$lib/libhawser.so" "$lib/pkgconfig/hawser.pc" \
-    "$lib/cmake/hawser/hawserConfig.cmake"; do
+    "$lib/cmake/hawser/hawserConfig.cmake" "$prefix/share/doc/hawser/LICENSE" "$prefix/share/doc/hawser/CHANGELOG.md"; do
     [ -e "$file" ] || fail "not installed: $file"
 done
 "$prefix/bin/hawser" --version | grep -qF "$version" || fail "hawser --version is not $version"
+
+grep -q "^## $version" "$prefix/share/doc/hawser/CHANGELOG.md" || fail "CHANGELOG.md does not speak of $version"
+# NOTICE names every library of others that the static library needs.
+sed -n 's/^Requires.private: //p; s/^Libs.private: //p' "$lib/pkgconfig/hawser.pc" | tr ' ' '\n' | sed 's/^-l/lib/' |
+    grep -v -x -e libm -e libpthread -e libdl -e '' | while read -r library; do
+    grep -qw -e "$library" "$prefix/share/doc/hawser/NOTICE" || fail "NOTICE does not name $library"
+done
 
 # The shared library: its soname carries the major version; it exports what the header declares and nothing else.
 readelf -d "$lib/libhawser.so" | grep -qF "Library soname: [libhawser.so.${version%%.*}]" || fail "wrong soname"

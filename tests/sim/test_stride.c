@@ -1,5 +1,5 @@
 /* How far a step may carry the chain (N14), and what has turned too far to be followed (B16). */
-#include "sim/step/stride.h"
+#include "sim/step/scales.h"
 #include "sim/watch/overturn.h"
 #include "tests/sim/rig_fixture.h"
 

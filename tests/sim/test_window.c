@@ -1,7 +1,7 @@
 /* The part of a chain that is simulated: arrays copied out of the whole chain's, and vectors mapped as segments come
  * and go. */
 #include "sim/run/window.h"
-#include "sim/step/vector.h"
+#include "sim/step/sundials.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

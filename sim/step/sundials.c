@@ -1,4 +1,4 @@
-#include "sim/step/vector.h"
+#include "sim/step/sundials.h"
 
 #include <nvector/nvector_serial.h>
 #include <stdlib.h>
@@ -289,27 +289,59 @@ void vector_family_clear(VectorFamily *family)
 
 int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user)
 {
-    const int n = family->n;
     vector_family_settle(family);
-    double **const fresh = calloc((size_t)n + 1, sizeof *fresh);
-    int ok = fresh != NULL;
-    for (int k = 0; ok && k < n; ++k) {
-        fresh[k] = NV_OWN_DATA_S(family->member[k]) ? calloc((size_t)length + 1, sizeof(double)) : data;
-        ok = fresh[k] != NULL;
-    }
-    for (int k = 0; fresh && k < n; ++k) {
+    for (int k = 0; k < family->n; ++k) {
         N_Vector v = family->member[k];
-        if (ok) {
-            if (NV_OWN_DATA_S(v)) {
-                map(user, v, NV_DATA_S(v), fresh[k]);
-                free(NV_DATA_S(v));
-            }
-            NV_DATA_S(v) = fresh[k];
-            NV_LENGTH_S(v) = length;
-        } else if (NV_OWN_DATA_S(v)) {
-            free(fresh[k]);
+        double *fresh = data;
+        if (NV_OWN_DATA_S(v)) {
+            fresh = aligned_array_new(length);
+            if (!fresh) return 0;
+            map(user, v, NV_DATA_S(v), fresh);
+            free(NV_DATA_S(v));
         }
+        NV_DATA_S(v) = fresh;
+        NV_LENGTH_S(v) = length;
     }
-    free(fresh);
-    return ok;
+    return 1;
+}
+
+/* ------------------------------------------------------------------------------------------ a linear solver */
+
+static SUNMatrix_ID matrix_id(SUNMatrix a)
+{
+    (void)a;
+    return SUNMATRIX_CUSTOM;
+}
+
+static SUNLinearSolver_Type solver_type(SUNLinearSolver s)
+{
+    (void)s;
+    return SUNLINEARSOLVER_DIRECT;
+}
+
+static SUNLinearSolver_ID solver_id(SUNLinearSolver s)
+{
+    (void)s;
+    return SUNLINEARSOLVER_CUSTOM;
+}
+
+int custom_linear_new(CustomLinear *linear, void *owner, int (*setup)(SUNLinearSolver, SUNMatrix),
+                      int (*solve)(SUNLinearSolver, SUNMatrix, N_Vector, N_Vector, realtype), SUNContext context)
+{
+    *linear = (CustomLinear){SUNMatNewEmpty(context), SUNLinSolNewEmpty(context)};
+    if (!linear->matrix || !linear->solver) return 0;
+    linear->matrix->ops->getid = matrix_id;
+    linear->solver->ops->gettype = solver_type;
+    linear->solver->ops->getid = solver_id;
+    linear->solver->ops->setup = setup;
+    linear->solver->ops->solve = solve;
+    linear->solver->content = owner;
+    return 1;
+}
+
+void custom_linear_free(CustomLinear *linear)
+{
+    if (linear->solver) SUNLinSolFreeEmpty(linear->solver);
+    if (linear->matrix) SUNMatFreeEmpty(linear->matrix);
+    *linear = (CustomLinear){0};
 }

@@ -1,9 +1,10 @@
-/* CVODE's vector: a serial one whose operations that a run spends its time in are the project's kernels, and whose norm
- * is its owner's. */
-#ifndef HAWSER_SIM_STEP_VECTOR_H
-#define HAWSER_SIM_STEP_VECTOR_H
+/* What SUNDIALS works with, made here: vectors, whose operations that a run spends its time in are the project's
+ * kernels and whose norm is their owner's, and the shell of a linear solver. */
+#ifndef HAWSER_SIM_STEP_SUNDIALS_H
+#define HAWSER_SIM_STEP_SUNDIALS_H
 
 #include <sundials/sundials_context.h>
+#include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_nvector.h>
 
 #include "sim/step/vector_queue.h"
@@ -36,7 +37,20 @@ void vector_family_clear(VectorFamily *family);
 /* Writes a vector's entries of the new length from those of the old one. */
 typedef void (*VectorMap)(const void *user, N_Vector which, const double *from, double *to);
 /* Gives every vector of the family the length `length`, through the map. The one that wraps borrowed data gets `data`
- * [length], already filled. Returns 0 if there is no memory; then nothing has changed. */
+ * [length], already filled. Returns 0 if there is no memory; then the vectors can only be destroyed. */
 int vector_family_resize(VectorFamily *family, int length, double *data, VectorMap map, const void *user);
+
+/* A matrix and a direct linear solver around it. The matrix is empty, since the owner forms and keeps it; SUNDIALS only
+ * says when to factor and when to solve. */
+typedef struct CustomLinear {
+    SUNMatrix matrix;
+    SUNLinearSolver solver;
+} CustomLinear;
+
+/* setup factors, solve solves, as SUNLinearSolver_Ops have them; solver->content is `owner`. 0: no memory;
+ * custom_linear_free may follow either way. */
+int custom_linear_new(CustomLinear *linear, void *owner, int (*setup)(SUNLinearSolver, SUNMatrix),
+                      int (*solve)(SUNLinearSolver, SUNMatrix, N_Vector, N_Vector, realtype), SUNContext context);
+void custom_linear_free(CustomLinear *linear);
 
 #endif
