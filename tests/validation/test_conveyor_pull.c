@@ -59,10 +59,10 @@ static Shared shared_run(SceneDef *def, double duration, int threads)
     assert_in_range(out.summary.n_machines, 0, CONVEYORS_MOST);
     for (int i = 0; i < out.summary.n_machines; ++i) {
         const hawser_machine *const m = &out.summary.machines[i];
-        out.conveyor[i] = (ConveyorFigures){
-            hawser_machine_figure(m, "steady_mean_N"), hawser_machine_figure(m, "grip_N"),
-            hawser_machine_figure(m, "reference_N"), hawser_machine_figure(m, "slip_m_per_s"),
-            hawser_machine_figure(m, "slipping")};
+        out.conveyor[i] =
+            (ConveyorFigures){hawser_machine_figure(m, "steady_mean_N"), hawser_machine_figure(m, "grip_N"),
+                              hawser_machine_figure(m, "reference_N"), hawser_machine_figure(m, "slip_m_per_s"),
+                              hawser_machine_figure(m, "slipping")};
         print_message("conveyor %d: mean %.2f N of %.2f N, slip %.3g m/s, slipping %.2f\n", i, out.conveyor[i].mean_N,
                       out.conveyor[i].grip_N, out.conveyor[i].slip_m_per_s, out.conveyor[i].slipping);
     }
