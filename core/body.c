@@ -55,7 +55,7 @@ void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, 
     const int n = chain->n;
     for (int i = from; i < to; ++i) {
         const double *const rate = ydot + STATE_W * n + i;
-        const Vec3 w = v3(kin->w[0][i], kin->w[1][i], kin->w[2][i]);
+        const Vec3 w = v3_load(kin->w, i);
         const Vec3 spin = v3(rate[0], rate[n], rate[2 * n]);
         const Mat3 inertia = inertia_matrix(chain, kin, i);
         const Vec3 momentum = m3_mul(&inertia, w);

@@ -7,6 +7,8 @@
 #ifndef HAWSER_CORE_CHAIN_H
 #define HAWSER_CORE_CHAIN_H
 
+#include "core/base/vec3.h"
+
 /* Which frame a bushing's components are taken in. docs/model.md, "Bushing". */
 typedef enum BushingFrame {
     FRAME_SYMMETRIC, /* the mid-frame, from a potential: energy-consistent (default) */
@@ -107,6 +109,12 @@ void kinematics_free(Kinematics *kin);
 int loads_alloc(Loads *loads, int n);
 void loads_free(Loads *loads);
 void loads_zero(Loads *loads, int n);
+/* One more force (N) at and moment (N m) about the centre of segment i. */
+static inline void loads_add(Loads *loads, int i, Vec3 force, Vec3 moment)
+{
+    v3_gather(loads->f, i, force);
+    v3_gather(loads->m, i, moment);
+}
 int joint_loads_alloc(JointLoads *loads, int n);
 void joint_loads_free(JointLoads *loads);
 

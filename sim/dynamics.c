@@ -155,13 +155,8 @@ typedef struct Evaluation {
 static void part_forces(const Scene *scene, Workspace *ws, int part, double friction, Vec3 *on_roller)
 {
     ContactPart *const p = &ws->contact[part];
-    if (!p->model.motion) {
-        contact_forces(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, &ws->loads[part], on_roller);
-        return;
-    }
-    RollerLoad *const load = ws->equipment.load + p->first;
-    contact_forces_moving(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, &ws->loads[part], load);
-    for (int r = 0; on_roller && r < p->model.n_rollers; ++r) on_roller[r] = load[r].force;
+    RollerLoad *const load = p->model.motion ? ws->equipment.load + p->first : NULL;
+    contact_forces(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, &ws->loads[part], on_roller, load);
 }
 
 /* Few segments, and their loads come in the order of the machines: no work for two. */
@@ -326,13 +321,10 @@ static void coupling_take(void *user, const RollerCoupling *coupling)
 static void part_blocks(const Scene *scene, Workspace *ws, int part, double friction, BlockChain *k, BlockChain *d)
 {
     ContactPart *const p = &ws->contact[part];
-    if (!p->model.motion) {
-        contact_blocks(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, k, d);
-        return;
-    }
     Taker taker = {&ws->equipment, p->first};
-    part_forces(scene, ws, part, friction, NULL);
-    contact_blocks_moving(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, k, d, coupling_take, &taker);
+    if (p->model.motion) part_forces(scene, ws, part, friction, NULL);
+    contact_blocks(&p->model, &scene->chain, &ws->kin, friction, &p->pairs, k, d,
+                   p->model.motion ? coupling_take : NULL, &taker);
 }
 
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,

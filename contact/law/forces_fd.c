@@ -9,7 +9,7 @@ enum { SHIFT, TURN, SPEED, SPIN };
 static void axis_turn(Kinematics *kin, int i, int axis, double angle)
 {
     const Vec3 about = v3(axis == 0, axis == 1, axis == 2);
-    const Vec3 a = v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]);
+    const Vec3 a = v3_load(kin->a, i);
     const Vec3 turned = quat_rotate(quat_exp(v3_scale(angle, about)), a);
     kin->a[0][i] = turned.x;
     kin->a[1][i] = turned.y;

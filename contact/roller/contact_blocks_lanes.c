@@ -142,7 +142,7 @@ typedef struct Columns {
 /* Four columns of body b: shift along and turn about one axis, velocity and angular velocity likewise. */
 LANE_INLINE void axis_columns(const Contact *c, const Line *line, int b, int axis, Variant is, const Columns *out)
 {
-    const int rows = is.moving ? 18 : 12;
+    const int rows = is.moving ? MOVING_ROWS : CONTACT_ROWS;
     const LaneBody *body = &line->body[b];
     const Lane alpha = c->at.weight.alpha[b], beta = c->at.weight.beta[b];
     const Lane alpha1 = c->at.weight1.alpha[b], beta1 = c->at.weight1.beta[b];
@@ -203,22 +203,23 @@ LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, Contact
 }
 
 /* The twelve columns of the roller (SP4), (SP5): it moves, turns, and its surface runs. */
-LANE_INLINE void roller_columns(const Contact *c, const Line *line, Variant is, ContactMovingMatrix *k,
-                                ContactMovingMatrix *d)
+LANE_INLINE void roller_columns(const Contact *c, const Line *line, Variant is, const Columns *out)
 {
     const Lane3 none = l3_zero();
     for (int axis = 0; axis < 3; ++axis) {
         const Lane3 e = axis_unit(axis), back = l3_neg(e);
         const Shift shift = {ROLLER, none, none, none, none, e, none};
         const Shift turn = {ROLLER, none, none, none, none, none, e};
-        column_shift(c, line, &shift, k->entry[6 * ROLLER + axis], is);
-        column_shift(c, line, &turn, k->entry[6 * ROLLER + 3 + axis], is);
-        column_speed(c, back, none, d->entry[6 * ROLLER + axis], is);
-        column_speed(c, l3_cross(back, c->lever), back, d->entry[6 * ROLLER + 3 + axis], is);
+        const int first = MOVING_ROWS * (6 * ROLLER + axis), second = first + MOVING_ROWS * 3;
+        column_shift(c, line, &shift, out->k + first, is);
+        column_shift(c, line, &turn, out->k + second, is);
+        column_speed(c, back, none, out->d + first, is);
+        column_speed(c, l3_cross(back, c->lever), back, out->d + second, is);
     }
 }
 
-/* Without friction and without damping no force depends on a velocity: then d is not written, and 2 is returned. */
+/* Without friction and without damping no force depends on a velocity: then d is not written, and 2 is returned; but
+ * for rollers that move it always is. */
 LANE_INLINE int columns_of(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES],
                            ContactVariant which)
 {
@@ -228,28 +229,15 @@ LANE_INLINE int columns_of(const ContactBatch *batch, ContactMatrix *k, ContactM
     const Contact c = contact_at(batch, &line, is);
     lane_store(normal, c.normal);
     if (!mask_any(c.normal > lane_set(0))) return 0;
-    const Columns out = {&k->entry[0][0], &d->entry[0][0], is.rubs != FRICTION_NONE || batch->impact->c > 0};
+    const Columns out = {k->entry, d->entry, is.moving || is.rubs != FRICTION_NONE || batch->impact->c > 0};
     for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, which, &out);
+    if (is.moving) roller_columns(&c, &line, is, &out);
     return out.speeds ? 1 : 2;
-}
-
-LANE_INLINE int moving_columns_of(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
-                                  double normal[LANES], ContactVariant which)
-{
-    const Variant is = variant_of(which);
-    const Line line = line_load(batch, is.grooved);
-    const Contact c = contact_at(batch, &line, is);
-    lane_store(normal, c.normal);
-    if (!mask_any(c.normal > lane_set(0))) return 0;
-    const Columns out = {&k->entry[0][0], &d->entry[0][0], 1};
-    for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, which, &out);
-    roller_columns(&c, &line, is, k, d);
-    return 1;
 }
 
 COLUMNS(contact_columns_plain) { return columns_of(batch, k, d, normal, VARIANT_PLAIN); }
 COLUMNS(contact_columns_smooth) { return columns_of(batch, k, d, normal, VARIANT_SMOOTH); }
 COLUMNS(contact_columns_general) { return columns_of(batch, k, d, normal, VARIANT_GENERAL); }
 COLUMNS(contact_columns_stick) { return columns_of(batch, k, d, normal, VARIANT_STICK); }
-MOVING_COLUMNS(contact_columns_moving) { return moving_columns_of(batch, k, d, normal, VARIANT_MOVING); }
-MOVING_COLUMNS(contact_columns_moving_stick) { return moving_columns_of(batch, k, d, normal, VARIANT_MOVING_STICK); }
+COLUMNS(contact_columns_moving) { return columns_of(batch, k, d, normal, VARIANT_MOVING); }
+COLUMNS(contact_columns_moving_stick) { return columns_of(batch, k, d, normal, VARIANT_MOVING_STICK); }

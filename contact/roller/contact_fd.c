@@ -14,7 +14,7 @@ typedef struct ContactCall {
 static void forces_of(void *arg, const Kinematics *kin, Loads *loads)
 {
     const ContactCall *const call = arg;
-    contact_forces(call->model, call->chain, kin, call->friction_scale, call->pairs, loads, NULL);
+    contact_forces(call->model, call->chain, kin, call->friction_scale, call->pairs, loads, NULL, NULL);
 }
 
 double contact_blocks_fd(const ContactModel *model, const Chain *chain, Kinematics *kin, double friction_scale,

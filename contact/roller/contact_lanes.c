@@ -93,5 +93,5 @@ const ContactKernels ISA_NAME(contact_kernels) = {
     .distances = kernel_distances,
     .push = {push_plain, push_smooth, push_general, push_stick, push_moving, push_moving_stick},
     .columns = {ISA_NAME(contact_columns_plain), ISA_NAME(contact_columns_smooth), ISA_NAME(contact_columns_general),
-                ISA_NAME(contact_columns_stick)},
-    .moving = {ISA_NAME(contact_columns_moving), ISA_NAME(contact_columns_moving_stick)}};
+                ISA_NAME(contact_columns_stick), ISA_NAME(contact_columns_moving),
+                ISA_NAME(contact_columns_moving_stick)}};

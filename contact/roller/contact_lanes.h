@@ -172,13 +172,11 @@ LANE_INLINE Lane3 contact_roller_arm(const Contact *c) { return l3_axpy(c->lever
 /* In contact_blocks_lanes.c; see ContactKernels. */
 #define COLUMNS(name)                                                                                                  \
     int ISA_NAME(name)(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES])
-#define MOVING_COLUMNS(name)                                                                                           \
-    int ISA_NAME(name)(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d, double normal[LANES])
 COLUMNS(contact_columns_plain);
 COLUMNS(contact_columns_smooth);
 COLUMNS(contact_columns_general);
 COLUMNS(contact_columns_stick);
-MOVING_COLUMNS(contact_columns_moving);
-MOVING_COLUMNS(contact_columns_moving_stick);
+COLUMNS(contact_columns_moving);
+COLUMNS(contact_columns_moving_stick);
 
 #endif

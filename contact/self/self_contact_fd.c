@@ -10,7 +10,7 @@ static void forces_moved(const SelfModel *model, const Chain *chain, Kinematics 
 {
     double **const vector[4] = {kin->p, kin->a, kin->v, kin->w};
     double **const at = vector[kind];
-    const Vec3 old = v3(at[0][i], at[1][i], at[2][i]), unit = v3(axis == 0, axis == 1, axis == 2);
+    const Vec3 old = v3_load(at, i), unit = v3_axis(axis);
     const Vec3 now = kind == TURN ? quat_rotate(quat_exp(v3_scale(by, unit)), old) : v3_axpy(old, by, unit);
     const double value[3] = {now.x, now.y, now.z}, before[3] = {old.x, old.y, old.z};
     for (int c = 0; c < 3; ++c) at[c][i] = value[c];

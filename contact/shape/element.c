@@ -34,11 +34,10 @@ static double element_alpha(const Element *element, double u)
 
 /* Whether `body` is a segment at all: an element at an end has only one. */
 static int carries(const Chain *chain, int body) { return body >= 0 && body < chain->n; }
-static Vec3 body_centre(const Kinematics *kin, int i) { return v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]); }
 /* r_i: from the centre of segment i to its front end. */
 static Vec3 body_arm(const Chain *chain, const Kinematics *kin, int i)
 {
-    return v3_scale(chain->half[i], v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]));
+    return v3_scale(chain->half[i], v3_load(kin->a, i));
 }
 
 /* (C1), term by term: missing bodies have no weight. */
@@ -51,7 +50,7 @@ Vec3 element_point(const Element *element, const Chain *chain, const Kinematics 
     for (int b = 0; b < 2; ++b) {
         const int i = element->body[b];
         if (!carries(chain, i)) continue;
-        p = v3_axpy(p, weight[b], body_centre(kin, i));
+        p = v3_axpy(p, weight[b], v3_load(kin->p, i));
         p = v3_axpy(p, arc[b] + element->beta[b][0] + element->beta[b][1] * u, body_arm(chain, kin, i));
     }
     return p;
@@ -72,9 +71,9 @@ double element_radius(const Element *element, const Chain *chain, double u)
 Sphere element_sphere(const Element *element, const Chain *chain, const Kinematics *kin)
 {
     const int j = element->body[0], k = element->body[1];
-    if (!carries(chain, j)) return (Sphere){body_centre(kin, k), chain->half[k] + chain->radius[k]};
-    if (!carries(chain, k)) return (Sphere){body_centre(kin, j), chain->half[j] + chain->radius[j]};
-    const Vec3 xj = body_centre(kin, j), xk = body_centre(kin, k);
+    if (!carries(chain, j)) return (Sphere){v3_load(kin->p, k), chain->half[k] + chain->radius[k]};
+    if (!carries(chain, k)) return (Sphere){v3_load(kin->p, j), chain->half[j] + chain->radius[j]};
+    const Vec3 xj = v3_load(kin->p, j), xk = v3_load(kin->p, k);
     const double radius = fmax(chain->radius[j], chain->radius[k]);
     return (Sphere){v3_scale(0.5, v3_add(xj, xk)),
                     v3_norm(v3_sub(xk, xj)) / 2 + 8.0 / 27 * (chain->half[j] + chain->half[k]) + radius};

@@ -27,8 +27,8 @@ LineSpot line_spot(const Chain *chain, const Kinematics *kin, int e, double u)
     for (int b = 0; b < 2; ++b) {
         const int i = at.body[b];
         if (i < 0 || i >= chain->n) continue;
-        const Vec3 x = v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]);
-        const Vec3 r = v3_scale(chain->half[i], v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]));
+        const Vec3 x = v3_load(kin->p, i);
+        const Vec3 r = v3_scale(chain->half[i], v3_load(kin->a, i));
         at.p = v3_axpy(v3_axpy(at.p, at.weight.alpha[b], x), at.weight.beta[b], r);
         at.p1 = v3_axpy(v3_axpy(at.p1, at.weight1.alpha[b], x), at.weight1.beta[b], r);
         at.p2 = v3_axpy(v3_axpy(at.p2, w2.alpha[b], x), w2.beta[b], r);

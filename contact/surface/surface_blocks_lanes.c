@@ -94,7 +94,7 @@ LANE_INLINE Lane3 slopes_times(const Lane3 column[3], Lane3 v)
 }
 
 /* Adds force and moment rows of one body to a column, where something touches. */
-LANE_INLINE void rows_add(double rows[12][LANES], int body, LaneMask mask, Lane3 force, Lane3 moment)
+LANE_INLINE void rows_add(double rows[CONTACT_ROWS][LANES], int body, LaneMask mask, Lane3 force, Lane3 moment)
 {
     force = lanes_keep(mask, force);
     moment = lanes_keep(mask, moment);
@@ -104,7 +104,7 @@ LANE_INLINE void rows_add(double rows[12][LANES], int body, LaneMask mask, Lane3
 
 /* One column: dF, and what it does to the levers through dn and through the turning of body `own` (dr). */
 LANE_INLINE void column_add(const StripBodies *s, const SurfaceContact *c, Lane3 force, Lane3 normal, int own, Lane3 dr,
-                            double rows[12][LANES])
+                            double rows[CONTACT_ROWS][LANES])
 {
     for (int b = 0; b < 2; ++b) {
         Lane3 arm = l3_scale(-c->weight.alpha[b] * c->radius, normal);
@@ -124,13 +124,14 @@ LANE_INLINE void body_columns(const StripBodies *s, const SurfaceContact *c, con
     for (int axis = 0; axis < 3; ++axis) {
         const Lane3 turned = l3_cross(axis_unit(axis), body->r), moved = l3_scale(beta, turned);
         const Lane3 swept = l3_scale(beta, l3_cross(body->w, turned));
+        const int first = CONTACT_ROWS * (6 * b + axis), second = first + CONTACT_ROWS * 3;
         column_add(s, c, l3_scale(alpha, by->force[axis]), l3_scale(alpha, by->normal[axis]), -1, none,
-                   k->entry[6 * b + axis]);
+                   k->entry + first);
         column_add(s, c, l3_add(slopes_times(by->force, moved), slopes_times(by->speed, swept)),
-                   slopes_times(by->normal, moved), b, turned, k->entry[6 * b + 3 + axis]);
-        column_add(s, c, l3_scale(alpha, by->speed[axis]), none, -1, none, d->entry[6 * b + axis]);
+                   slopes_times(by->normal, moved), b, turned, k->entry + second);
+        column_add(s, c, l3_scale(alpha, by->speed[axis]), none, -1, none, d->entry + first);
         column_add(s, c, l3_axpy(slopes_times(by->speed, moved), alpha, by->spin[axis]), none, -1, none,
-                   d->entry[6 * b + 3 + axis]);
+                   d->entry + second);
     }
 }
 
@@ -147,8 +148,8 @@ LANE_INLINE int columns_of(const SurfaceStrip *strip, int sticks, ContactMatrix 
         contact_force(strip, &s, q, near, sticks, &c);
         if (!mask_any(c.touches)) continue;
         if (!any) {
-            memset(k, 0, sizeof *k);
-            memset(d, 0, sizeof *d);
+            memset(k, 0, CONTACT_ROWS * CONTACT_ROWS * sizeof *k->entry);
+            memset(d, 0, CONTACT_ROWS * CONTACT_ROWS * sizeof *d->entry);
         }
         any = 1;
         PointSlopes slopes;

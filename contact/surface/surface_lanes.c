@@ -2,7 +2,7 @@
 #include "contact/surface/surface_lanes.h"
 
 /* Adds to LANES entries of three arrays. */
-LANE_INLINE void loads_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
+LANE_INLINE void lanes_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
 
 /* What the point does to the motion (BA5), (BA6), as in contact_lanes.h. */
 LANE_INLINE void work_add(const SurfaceStrip *strip, const SurfaceContact *c, LaneMask near, int sticks,
@@ -40,8 +40,8 @@ LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int 
     /* by virtual work (C15); the two bodies' entries overlap, so one after the other */
     for (int b = 0; b < 2; ++b) {
         const int i = strip->first - 1 + b;
-        loads_add(loads->f, i, lanes_keep(c.touches, l3_scale(c.weight.alpha[b], c.force)));
-        loads_add(loads->m, i, lanes_keep(c.touches, l3_cross(contact_arm(s, &c, b), c.force)));
+        lanes_add(loads->f, i, lanes_keep(c.touches, l3_scale(c.weight.alpha[b], c.force)));
+        lanes_add(loads->m, i, lanes_keep(c.touches, l3_cross(contact_arm(s, &c, b), c.force)));
     }
     if (!out) return 1;
     batch_vector_store(out->force[q], lanes_keep(c.touches, c.force));
@@ -96,7 +96,7 @@ static void kernel_keep(const SurfaceStrip *strip)
         const LaneMask near = contact_gap(strip, &s, &c);
         if (!mask_any(near)) continue;
         contact_force(strip, &s, q, near, 1, &c);
-        loads_add(strip->bed->fresh[q], strip->first,
+        lanes_add(strip->bed->fresh[q], strip->first,
                   lanes_keep(c.touches, stick_keep(&c.stick, &law, c.normal, c.slide)));
     }
 }

@@ -39,6 +39,32 @@ static inline Vec3 v3_unit(Vec3 a)
 /* The part of a that is perpendicular to the unit vector n. */
 static inline Vec3 v3_reject(Vec3 a, Vec3 n) { return v3_axpy(a, -v3_dot(a, n), n); }
 
+/* Entry i of three arrays of components: of a chain, of a batch of lanes. */
+static inline Vec3 v3_load(double *const a[3], int i) { return v3(a[0][i], a[1][i], a[2][i]); }
+static inline void v3_store(double *const a[3], int i, Vec3 v)
+{
+    a[0][i] = v.x;
+    a[1][i] = v.y;
+    a[2][i] = v.z;
+}
+/* Adds v to it. */
+static inline void v3_gather(double *const a[3], int i, Vec3 v)
+{
+    a[0][i] += v.x;
+    a[1][i] += v.y;
+    a[2][i] += v.z;
+}
+/* World axis 0, 1 or 2. */
+static inline Vec3 v3_axis(int c) { return v3(c == 0, c == 1, c == 2); }
+/* Between a vector and three numbers in a row. */
+static inline Vec3 v3_get(const double *p) { return v3(p[0], p[1], p[2]); }
+static inline void v3_put(double *p, Vec3 v)
+{
+    p[0] = v.x;
+    p[1] = v.y;
+    p[2] = v.z;
+}
+
 static inline Vec3 m3_mul(const Mat3 *a, Vec3 v)
 {
     const double *m = a->m;

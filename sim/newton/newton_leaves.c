@@ -204,7 +204,7 @@ static void item_form(const Newton *nw, RollerLeaf *item)
     for (int c = 0; c < size; ++c) item->diag[c * (size + 1)] += item->mass[c];
     for (int t = 0; t < item->touched; ++t) {
         const int i = item->block[t];
-        turn_matrix(nw->gamma, v3(nw->w[0][i], nw->w[1][i], nw->w[2][i]), beside);
+        turn_matrix(nw->gamma, v3_load(nw->w, i), beside);
         block_form(6, item->positions, size, item->k_into[t], item->d_into[t], own, nw->gamma, item->into[t]);
         block_form(size, 6, 6, item->k_from[t], item->d_from[t], beside, nw->gamma, item->from[t]);
     }
