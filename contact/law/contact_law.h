@@ -28,9 +28,6 @@ FrictionKind friction_kind(const FrictionLaw *law);
  * dN/drate. */
 double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap, double *d_rate);
 
-/* The spring's part of the force, k p^e, N: what is lost where the damping cuts the force off at zero. */
-double impact_spring(const ImpactLaw *law, double gap);
-
 /* Friction coefficient at sliding speed v >= 0, divided by v: mu(v)/v (s/m), finite at 0. d_over_v gets
  * (d/dv (mu/v)) / v, finite at 0 too, so that vector friction F = -N phi(v) v_t needs no branch at rest. */
 double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v);
