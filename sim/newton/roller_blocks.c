@@ -1,4 +1,4 @@
-#include "sim/newton/roller_blocks.h"
+#include "sim/newton/newton_leaves.h"
 
 #include <string.h>
 
@@ -148,14 +148,12 @@ void roller_blocks(const EquipmentWork *w, int k, const double *e, double fricti
     if (positions) bushing_add(w, r.item->mount, leaf);
     leaf->touched = sum->touched < leaf->room ? sum->touched : leaf->room;
     for (int t = 0; t < leaf->touched; ++t) {
-        leaf->block[t] = sum->block[t];
-        memcpy(leaf->k_into[t], sum->into[0][t], sizeof leaf->k_into[t]);
-        multiply_add(6, 6, 6, sum->into[1][t], turns, leaf->k_into[t]);
-        memset(leaf->d_into[t], 0, sizeof leaf->d_into[t]);
-        multiply_add(6, 6, size, sum->into[1][t], speeds, leaf->d_into[t]);
-        memset(leaf->k_from[t], 0, sizeof leaf->k_from[t]);
-        memset(leaf->d_from[t], 0, sizeof leaf->d_from[t]);
-        multiply_add(size, 6, 6, rows, sum->from[0][t], leaf->k_from[t]);
-        multiply_add(size, 6, 6, rows, sum->from[1][t], leaf->d_from[t]);
+        LeafTouch *const at = &leaf->touch[t];
+        *at = (LeafTouch){.block = sum->block[t]};
+        memcpy(at->k_into, sum->into[0][t], sizeof at->k_into);
+        multiply_add(6, 6, 6, sum->into[1][t], turns, at->k_into);
+        multiply_add(6, 6, size, sum->into[1][t], speeds, at->d_into);
+        multiply_add(size, 6, 6, rows, sum->from[0][t], at->k_from);
+        multiply_add(size, 6, 6, rows, sum->from[1][t], at->d_from);
     }
 }

@@ -3,7 +3,7 @@
 #define HAWSER_SIM_PLANAR_PLANAR_KERNELS_H
 
 #include "core/base/isa.h"
-#include "sim/planar/planar_newton_data.h"
+#include "sim/planar/planar_newton.h"
 #include "sim/planar/planar_scene_data.h"
 
 /* What the lead-in does to the motion: W, and N along the plane's axes. */

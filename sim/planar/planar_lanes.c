@@ -3,6 +3,7 @@
 
 #include "core/planar/plane_lanes.h"
 #include "core/state.h"
+#include "sim/newton/form_lanes.h"
 #include "sim/planar/planar_kernels.h"
 #include "sim/step/scales.h"
 
@@ -124,7 +125,7 @@ static void kernel_expand(const PlanarNewton *nw, double *b, int from, int to)
 /* Entry e of -gamma D - gamma^2 K of LANES rows into row-by-row blocks, of which `count` exist. */
 LANE_INLINE void entry_form(double *const k[9], double *const d[9], int e, int i, int count, double gamma, double *out)
 {
-    const Lane value = -gamma * lane_load(d[e] + i) - gamma * gamma * lane_load(k[e] + i);
+    const Lane value = newton_entry(gamma, lane_load(d[e] + i), lane_load(k[e] + i));
     for (int l = 0; l < count; ++l) out[9 * (i + l) + e] = value[l];
 }
 

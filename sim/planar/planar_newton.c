@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lanes.h"
-#include "sim/halves.h"
+#include "core/base/team.h"
 #include "sim/planar/planar_kernels.h"
 
 static const PlanarSimKernels *kernels(void)
