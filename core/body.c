@@ -1,7 +1,5 @@
 #include "core/body.h"
 
-#include "core/body_kernels.h"
-
 static const BodyKernels *kernels(void)
 {
     static const BodyKernels *const table[] = ISA_TABLE(body_kernels);

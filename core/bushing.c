@@ -3,8 +3,6 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "core/bushing_kernels.h"
-
 static const BushingKernels *kernels(void)
 {
     static const BushingKernels *const table[] = ISA_TABLE(bushing_kernels);

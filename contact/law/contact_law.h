@@ -32,4 +32,12 @@ double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap
  * (d/dv (mu/v)) / v, finite at 0 too, so that vector friction F = -N phi(v) v_t needs no branch at rest. */
 double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v);
 
+/* What contacts of one kind do to the motion, summed over the contacts of one call; docs/model.md, "Balances". */
+typedef struct ContactTally {
+    double friction, damping; /* W, what they take out of the motion (BA5) */
+    double edges;             /* W, what surfaces' fades do to the motion (BA10) */
+    double energy;            /* J, in the springs (BA6) */
+    double force[3];          /* N, on the cable */
+} ContactTally;
+
 #endif

@@ -3,7 +3,7 @@
 #ifndef HAWSER_CONTACT_LAW_TALLY_LANES_H
 #define HAWSER_CONTACT_LAW_TALLY_LANES_H
 
-#include "contact/law/contact_tally.h"
+#include "contact/law/contact_law.h"
 #include "core/base/lanes.h"
 
 typedef struct TallyLanes {

@@ -5,7 +5,22 @@
 #ifndef HAWSER_CONTACT_PLANAR_PLANAR_CONTACT_H
 #define HAWSER_CONTACT_PLANAR_PLANAR_CONTACT_H
 
-#include "contact/planar/planar_contact_data.h"
+#include "contact/roller/contact.h"
+#include "core/planar/planar.h"
+
+typedef struct PlanarRoller {
+    double centre[2]; /* m, in the plane */
+    double radius;    /* m */
+    FrictionLaw friction;
+} PlanarRoller;
+
+/* What never changes during a run. */
+typedef struct PlanarContactModel {
+    ContactGeometry geometry;
+    ImpactLaw impact;
+    int n_rollers;
+    const PlanarRoller *roller; /* [n_rollers], borrowed */
+} PlanarContactModel;
 
 /* Adds forces (N) and moments (N m) on the segments to loads; pairs holds the candidates. friction_scale multiplies
  * every friction coefficient. on_roller[n_rollers] (NULL: not wanted) is overwritten by the size of the force on each

@@ -2,7 +2,7 @@
 #ifndef HAWSER_CONTACT_PLANAR_PLANAR_CONTACT_KERNELS_H
 #define HAWSER_CONTACT_PLANAR_PLANAR_CONTACT_KERNELS_H
 
-#include "contact/planar/planar_contact_data.h"
+#include "contact/planar/planar_contact.h"
 #include "core/base/isa.h"
 #include "core/base/lanes.h"
 

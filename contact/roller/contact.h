@@ -9,11 +9,9 @@
 #define HAWSER_CONTACT_ROLLER_CONTACT_H
 
 #include "contact/law/contact_law.h"
-#include "contact/law/contact_tally.h"
 #include "contact/law/stick.h"
 #include "contact/shape/element.h"
 #include "contact/shape/shape.h"
-#include "contact/shape/sphere_tree.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
 #include "hawser/hawser.h"

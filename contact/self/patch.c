@@ -2,8 +2,6 @@
  * segments. The derivatives of the same steps are in patch_columns.c. */
 #include "contact/self/patch.h"
 
-#include "contact/self/patch_bed.h"
-
 /* The slot of a segment on a side, a new one if it has none yet. */
 static PatchSlot *slot_of(Patch *patch, const Chain *chain, const Kinematics *kin, int body, int side)
 {

@@ -1,6 +1,6 @@
 /* Derivatives of a patch's wrenches, one coordinate of one segment at a time: what the coordinate does to the ends of
  * the piece, from there to the forces, and on to the segments. docs/model.md, "Cable on cable", (CC13)-(CC17). */
-#include "contact/self/patch_bed.h"
+#include "contact/self/patch.h"
 
 /* What a coordinate changes at the piece's two ends, and of the radius. */
 typedef struct Ends {

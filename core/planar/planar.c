@@ -1,7 +1,6 @@
 #include "core/planar/planar.h"
 
 #include "core/base/lanes.h"
-#include "core/planar/planar_kernels.h"
 
 static const PlanarKernels *kernels(void)
 {
