@@ -3,6 +3,8 @@
 #ifndef HAWSER_CORE_BLOCK_CHAIN_H
 #define HAWSER_CORE_BLOCK_CHAIN_H
 
+#include "core/base/vec3.h"
+
 typedef struct BlockChain {
     int n;         /* block rows */
     int b;         /* block size */
@@ -16,6 +18,12 @@ typedef struct BlockChain {
 int block_chain_alloc(BlockChain *a, int n, int b);
 void block_chain_free(BlockChain *a);
 void block_chain_zero(BlockChain *a);
+/* Adds v to rows row..row+2 of a column of a 6x6 block. */
+static inline void block_column_add(double *block, int column, int row, Vec3 v)
+{
+    double *const at = block + 6 * column + row;
+    v3_put(at, v3_add(v3_get(at), v));
+}
 /* The blocks of `from`, which has the same sizes. */
 void block_chain_copy(BlockChain *to, const BlockChain *from);
 /* y = y + s A x for vectors of n*b. */

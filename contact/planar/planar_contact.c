@@ -9,11 +9,7 @@
 #include "contact/law/tally_lanes.h"
 #include "contact/planar/planar_contact_kernels.h"
 
-static const PlanarContactKernels *kernels(void)
-{
-    static const PlanarContactKernels *const table[] = ISA_TABLE(planar_contact_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(PlanarContactKernels, planar_contact_kernels)
 
 /* Room was made by the refresh: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, int roller, int element)

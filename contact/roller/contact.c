@@ -9,12 +9,7 @@
 #include "contact/law/tally_lanes.h"
 #include "contact/roller/contact_kernels.h"
 
-/* The kernels of the best instruction set. */
-static const ContactKernels *kernels(void)
-{
-    static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(ContactKernels, contact_kernels)
 
 /* Room was made by the refresh: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, ContactRange range, int element)

@@ -10,12 +10,7 @@
 #include "contact/surface/surface_kernels.h"
 #include "core/base/error.h"
 
-/* The kernels of the best instruction set. */
-static const SurfaceKernels *kernels(void)
-{
-    static const SurfaceKernels *const table[] = ISA_TABLE(surface_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(SurfaceKernels, surface_kernels)
 
 SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p)
 {
@@ -45,14 +40,12 @@ static double segment_value(const double *array, int i, int n) { return i >= 0 &
 static void point_set(SurfacePoints *points, ContactGeometry geometry, const Chain *chain, int e, int q)
 {
     const Element element = element_at(geometry, chain->n, e);
-    const double u = gauss_u[q], v = 1 - u;
-    const double beta0 = element.arc * 2 * u * v * v + element.beta[0][0] + element.beta[0][1] * u;
-    const double beta1 = -element.arc * 2 * u * u * v + element.beta[1][0] + element.beta[1][1] * u;
+    const LineWeights w = element_weights(&element, gauss_u[q]);
     const int capsule = geometry == GEOMETRY_CYLINDER, n = chain->n;
-    points->alpha[q][e] = capsule ? 1 : element.arc * u * u * (3 - 2 * u) + element.alpha;
-    points->beta[q][0][e] = capsule ? 0 : beta0;
-    points->beta[q][1][e] = capsule ? beta0 : beta1;
-    points->radius[q][e] = element_radius(&element, chain, u);
+    points->alpha[q][e] = capsule ? 1 : w.alpha[1];
+    points->beta[q][0][e] = capsule ? 0 : w.beta[0];
+    points->beta[q][1][e] = w.beta[!capsule];
+    points->radius[q][e] = element_radius(&element, chain, gauss_u[q]);
     const double length =
         capsule ? 2 * chain->half[e] : segment_value(chain->half, e - 1, n) + segment_value(chain->half, e, n);
     points->length[q][e] = length / SURFACE_POINTS;

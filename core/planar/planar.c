@@ -2,11 +2,7 @@
 
 #include "core/base/lanes.h"
 
-static const PlanarKernels *kernels(void)
-{
-    static const PlanarKernels *const table[] = ISA_TABLE(planar_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(PlanarKernels, planar_kernels)
 
 int planar_stride(int n) { return (n + LANES - 1) / LANES * LANES; }
 

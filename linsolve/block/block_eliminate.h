@@ -6,8 +6,8 @@
 #include <float.h>
 
 #include "linsolve/backend.h"
-#include "linsolve/block/block_columns.h"
 #include "linsolve/block/block_factor.h"
+#include "linsolve/block/block_vec.h"
 
 /* Limits of the fast path (L7): the sum of the multipliers, and row sum over pivot. */
 static const double multipliers_max = 30, smallness_max = 1e13;

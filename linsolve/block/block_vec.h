@@ -152,14 +152,6 @@ VEC_INLINE Vec vec_places(int from, int to)
     return v;
 }
 
-/* 1 in place k, 0 elsewhere. */
-VEC_INLINE Vec vec_unit(int k)
-{
-    Vec one;
-    UNROLL for (int i = 0; i < PARTS; ++i) one.p[i] = 1 - (Part){0};
-    return vec_and(one, vec_places(k, k + 1));
-}
-
 /* The first B places only. */
 VEC_INLINE void vec_store_short(double *p, Vec v)
 {
@@ -184,6 +176,30 @@ VEC_INLINE double vec_max(Vec v)
     double most = v.p[0][0];
     UNROLL for (int k = 1; k < B; ++k) most = v.p[k / PART][k % PART] > most ? v.p[k / PART][k % PART] : most;
     return most;
+}
+
+/* ----------------------------------------------------------------------------------------------------- blocks */
+
+enum { W = BLOCK_W, CELL = BLOCK_B * BLOCK_B };
+
+/* A B x B block, column by column. In memory columns lie side by side: a load brings along the beginning of what
+ * follows, and nobody looks at those places. */
+typedef struct Block {
+    Vec c[B];
+} Block;
+
+VEC_INLINE Block block_load(const double *p)
+{
+    Block a;
+    UNROLL for (int c = 0; c < B; ++c) a.c[c] = vec_load(p + c * B);
+    return a;
+}
+
+/* Each column overwrites what the one before it stored too much. */
+VEC_INLINE void block_store(double *p, const Block *a)
+{
+    UNROLL for (int c = 0; c + 1 < B; ++c) vec_store(p + c * B, a->c[c]);
+    vec_store_short(p + (B - 1) * B, a->c[B - 1]);
 }
 
 #endif
