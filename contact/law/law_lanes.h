@@ -1,5 +1,5 @@
 /* The contact laws of LANES contacts at once: IMPACT, friction, friction that sticks. Rollers and surfaces, space and
- * plane, forces and derivatives use these functions; contact_law.c offers one lane of them. docs/model.md, "Contact"
+ * plane, forces and derivatives use these functions; law_scalar.c offers one lane of them. docs/model.md, "Contact"
  * and "Friction that sticks"; letters as there. */
 #ifndef HAWSER_CONTACT_LAW_LAW_LANES_H
 #define HAWSER_CONTACT_LAW_LAW_LANES_H

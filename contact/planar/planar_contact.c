@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "contact/law/tally_lanes.h"
-#include "contact/planar/planar_contact_kernels.h"
 
 ISA_KERNELS(PlanarContactKernels, planar_contact_kernels)
 

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "contact/law/law_lanes.h"
-#include "contact/planar/planar_contact_kernels.h"
+#include "contact/planar/planar_contact.h"
 #include "contact/shape/weights_lanes.h"
 #include "core/base/lane_math.h"
 #include "core/planar/plane_lanes.h"

@@ -1,4 +1,4 @@
-#include "sim/newton/newton.h"
+#include "sim/newton/newton_data.h"
 
 #include <stdlib.h>
 

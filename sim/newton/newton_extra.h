@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/block_chain.h"
-#include "sim/newton/newton.h"
+#include "sim/newton/newton_data.h"
 
 typedef struct NewtonExtra {
     const BlockExtras *from; /* K and D, borrowed from the workspace */

@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/base/lanes.h"
-#include "sim/newton/newton.h"
 
 enum {
     ROOM = 4,        /* segments that a leaf's blocks have room for, as in roller_motion.c */

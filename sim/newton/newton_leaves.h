@@ -4,7 +4,8 @@
 #define HAWSER_SIM_NEWTON_NEWTON_LEAVES_H
 
 #include "core/base/lanes.h"
-#include "sim/newton/newton.h"
+#include "sim/equipment/roller_motion.h"
+#include "sim/newton/newton_data.h"
 
 /* ------------------------------------------------------------------------------------------------- one roller */
 

@@ -3,20 +3,7 @@
 #ifndef HAWSER_SIM_PLANAR_PLANAR_NEWTON_H
 #define HAWSER_SIM_PLANAR_PLANAR_NEWTON_H
 
-#include "core/planar/planar.h"
-#include "linsolve/linsolve.h"
-
-typedef struct PlanarNewton {
-    const PlanarChain *chain; /* borrowed */
-    int middle;               /* segments before it are the first half; a multiple of LANES */
-    PlanarBlocks k, d;        /* at the linearisation point */
-    BlockChain a;             /* M - gamma D - gamma^2 K */
-    double *z[3];             /* gamma times the positions' residuals; chain arrays */
-    double *x;                /* [3 stride] reduced right-hand side and solution, row by row */
-    double gamma;             /* s, of a */
-    LinSolver *solver;
-    Team *team; /* borrowed; NULL: one thread */
-} PlanarNewton;
+#include "sim/planar/planar_kernels.h"
 
 hawser_status planar_newton_new(PlanarNewton *nw, const PlanarChain *chain, const LinOptions *options,
                                 hawser_error *err);

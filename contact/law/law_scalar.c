@@ -1,6 +1,4 @@
 /* One lane of the laws, for what is one contact at a time. */
-#include "contact/law/contact_law.h"
-
 #include "contact/law/law_lanes.h"
 #include <assert.h>
 
