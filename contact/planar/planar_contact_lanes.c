@@ -1,4 +1,4 @@
-/* The kernels of planar_contact_kernels.h for one instruction set. */
+/* The kernels of planar_contact.h for one instruction set. */
 #include "contact/planar/planar_line_lanes.h"
 
 /* The sign of the gap's slope at the centres of LANES segments from i: that of (x - c) . a. */

@@ -1,4 +1,4 @@
-/* The kernels of newton.h for one instruction set. Blocks are 6x6, column-major; a column is taken as a lane
+/* The kernels of newton_data.h for one instruction set. Blocks are 6x6, column-major; a column is taken as a lane
  * whose last two entries belong to what follows it in memory (every array of blocks is padded) and are never stored. */
 #include "sim/newton/form_lanes.h"
 #include "sim/newton/newton_data.h"
