@@ -53,7 +53,7 @@ static void phase_contacts(Bench *b)
 {
     for (int p = 0; p < PARTS; ++p) {
         ContactPart *const part = &b->ws.contact[p];
-        contact_forces(&part->model, &b->scene.chain, &b->ws.kin, 1.0, &part->pairs, &b->ws.loads[p], NULL);
+        contact_forces(&part->model, &b->scene.chain, &b->ws.kin, 1.0, &part->pairs, &b->ws.loads[p], NULL, NULL);
     }
 }
 

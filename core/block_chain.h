@@ -18,15 +18,51 @@ typedef struct BlockChain {
 int block_chain_alloc(BlockChain *a, int n, int b);
 void block_chain_free(BlockChain *a);
 void block_chain_zero(BlockChain *a);
-/* The blocks of `from`, which has the same sizes. */
-void block_chain_copy(BlockChain *to, const BlockChain *from);
-/* Adds [force; moment] to a column of a 6x6 block. */
+/* Adds v to rows row..row+2 of a column of a 6x6 block. */
+static inline void block_column_add(double *block, int column, int row, Vec3 v)
+{
+    double *const at = block + 6 * column + row;
+    v3_put(at, v3_add(v3_get(at), v));
+}
+/* Adds [force; moment] to all of it. */
 static inline void block6_add(double *block, int column, Vec3 force, Vec3 moment)
 {
-    const double value[6] = {force.x, force.y, force.z, moment.x, moment.y, moment.z};
-    for (int row = 0; row < 6; ++row) block[6 * column + row] += value[row];
+    block_column_add(block, column, 0, force);
+    block_column_add(block, column, 3, moment);
 }
+/* The blocks of `from`, which has the same sizes. */
+void block_chain_copy(BlockChain *to, const BlockChain *from);
 /* y = y + s A x for vectors of n*b. */
 void block_chain_gemv(const BlockChain *a, double s, const double *x, double *y);
+
+/* Blocks of K and D outside the three diagonals: what couples segments that are not neighbours (cable on cable). The
+ * pattern is symmetric and changes with the contact candidates, never inside a step. */
+typedef struct BlockExtras {
+    int n;         /* block rows of the chain */
+    long version;  /* grows whenever the pattern changes */
+    int count;     /* blocks: every pair stands twice, (i, j) and (j, i) */
+    int allocated; /* blocks that the arrays below have room for */
+    int *start;    /* [n+1] blocks of row i: start[i] .. start[i+1]-1, columns rising */
+    int *row;      /* [count] */
+    int *col;      /* [count] */
+    double *k, *d; /* [count][36] 6x6 blocks, column-major, as in BlockChain */
+} BlockExtras;
+
+/* Two segments that may couple, low + 1 < high. */
+typedef struct BlockPair {
+    int low, high;
+} BlockPair;
+
+/* No blocks yet. 0 if there is no memory (nothing is left allocated). The free may be called on a zeroed struct. */
+int block_extras_alloc(BlockExtras *x, int n);
+void block_extras_free(BlockExtras *x);
+/* The pattern becomes that of pair[count], in any order, repetitions allowed; pair is sorted. Blocks that were there
+ * before keep their values, new ones are zero. 0 if there is no memory (then nothing has changed). */
+int block_extras_set(BlockExtras *x, int count, BlockPair *pair);
+void block_extras_zero(BlockExtras *x);
+/* The number of block (row, col), -1 if it is not in the pattern. O(log blocks of the row). */
+int block_extras_find(const BlockExtras *x, int row, int col);
+/* y = y + s K z for vectors of 6n. */
+void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *y);
 
 #endif

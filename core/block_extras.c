@@ -1,4 +1,4 @@
-#include "core/block_extras.h"
+#include "core/block_chain.h"
 
 #include <assert.h>
 #include <stdlib.h>

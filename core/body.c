@@ -1,12 +1,6 @@
 #include "core/body.h"
 
-#include "core/body_kernels.h"
-
-static const BodyKernels *kernels(void)
-{
-    static const BodyKernels *const table[] = ISA_TABLE(body_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(BodyKernels, body_kernels)
 
 void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin)
 {
@@ -24,14 +18,6 @@ Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a
     const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
     const Vec3 b = quat_rotate(quat_conj(q), a);
     return quat_rotate(q, v3(chain->inertia[0][i] * b.x, chain->inertia[1][i] * b.y, chain->inertia[2][i] * b.z));
-}
-
-static void column_add(double *block, int column, Vec3 moment)
-{
-    double *const at = block + 6 * (3 + column) + 3;
-    at[0] += moment.x;
-    at[1] += moment.y;
-    at[2] += moment.z;
 }
 
 /* The world inertia of segment i. */
@@ -55,15 +41,16 @@ void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, 
     const int n = chain->n;
     for (int i = from; i < to; ++i) {
         const double *const rate = ydot + STATE_W * n + i;
-        const Vec3 w = v3(kin->w[0][i], kin->w[1][i], kin->w[2][i]);
+        const Vec3 w = v3_load(kin->w, i);
         const Vec3 spin = v3(rate[0], rate[n], rate[2 * n]);
         const Mat3 inertia = inertia_matrix(chain, kin, i);
         const Vec3 momentum = m3_mul(&inertia, w);
         for (int c = 0; c < 3; ++c) { /* (S4) */
             const Vec3 turned = v3_cross(w, inertia_turned(&inertia, unit[c], w));
-            column_add(k->diag + 36 * i, c, v3_scale(-1, v3_add(inertia_turned(&inertia, unit[c], spin), turned)));
+            block_column_add(k->diag + 36 * i, 3 + c, 3,
+                             v3_scale(-1, v3_add(inertia_turned(&inertia, unit[c], spin), turned)));
             const Vec3 gyro = v3_add(v3_cross(unit[c], momentum), v3_cross(w, m3_mul(&inertia, unit[c])));
-            column_add(d->diag + 36 * i, c, v3_scale(-1, gyro));
+            block_column_add(d->diag + 36 * i, 3 + c, 3, v3_scale(-1, gyro));
         }
     }
 }

@@ -3,6 +3,7 @@
 #ifndef HAWSER_CORE_BODY_H
 #define HAWSER_CORE_BODY_H
 
+#include "core/base/isa.h"
 #include "core/base/vec3.h"
 #include "core/block_chain.h"
 #include "core/bushing.h"
@@ -27,5 +28,16 @@ void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, 
 
 /* The inertia of segment i about its centre times a, world, kg m2 * a. */
 Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a);
+
+/* ------------------------------------------------------------------------------------------------------ kernels */
+
+/* What body_lanes.c offers to body.c, once for every instruction set. */
+typedef struct BodyKernels {
+    void (*kinematics)(int n, const double *y, int from, int to, Kinematics *kin);
+    void (*rates)(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
+                  const double *y, int from, int to, double *ydot);
+} BodyKernels;
+
+extern const BodyKernels body_kernels_generic, body_kernels_avx2, body_kernels_avx512;
 
 #endif

@@ -1,6 +1,6 @@
 /* The kernels of body.h for one instruction set. The last, incomplete lane goes through a padded copy of its columns of
  * the state, so that nothing is read or written beyond it. */
-#include "core/body_kernels.h"
+#include "core/body.h"
 #include "core/joint_lanes.h"
 #include "core/state.h"
 

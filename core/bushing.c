@@ -3,13 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "core/bushing_kernels.h"
-
-static const BushingKernels *kernels(void)
-{
-    static const BushingKernels *const table[] = ISA_TABLE(bushing_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(BushingKernels, bushing_kernels)
 
 JointPower bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads)
 {

@@ -3,6 +3,8 @@
 #ifndef HAWSER_CORE_BUSHING_H
 #define HAWSER_CORE_BUSHING_H
 
+#include "core/base/isa.h"
+#include "core/base/lanes.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
 
@@ -26,5 +28,24 @@ void bushing_slip(const Chain *chain, Kinematics *kin, int from, int to);
  * [force; moment] by [dx; dphi], world) and d (with respect to velocity and angular velocity) (B10)-(B14).
  * Joints from..to-1; a block row is touched by its own two joints. Ghosts have no rows: their parts are dropped. */
 void bushing_blocks(const Chain *chain, const Kinematics *kin, int from, int to, BlockChain *k, BlockChain *d);
+
+/* ------------------------------------------------------------------------------------------------------ kernels */
+
+/* What bushing_lanes.c offers to bushing.c, once for every instruction set. */
+/* Derivatives of LANES joints' force, moment on A and moment on B (9 rows) with respect to relative displacement,
+ * rotation of A and rotation of B (9 columns), or to the rates of these; world. */
+typedef struct JointMatrix {
+    double entry[9][9][LANES]; /* [column][row][joint] */
+} JointMatrix;
+
+typedef struct BushingKernels {
+    JointPower (*loads)(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
+    void (*law)(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6]);
+    void (*columns)(const Chain *chain, const Kinematics *kin, int joint, JointMatrix *k, JointMatrix *d);
+    JointEnergy (*energy)(const Chain *chain, const Kinematics *kin, int from, int to);
+    void (*slip)(const Chain *chain, Kinematics *kin, int from, int to);
+} BushingKernels;
+
+extern const BushingKernels bushing_kernels_generic, bushing_kernels_avx2, bushing_kernels_avx512;
 
 #endif

@@ -1,5 +1,5 @@
 /* The kernels of bushing.h for one instruction set. */
-#include "core/bushing_kernels.h"
+#include "core/bushing.h"
 #include "core/joint_lanes.h"
 
 /* The kernels that are compiled: everything, for both frames; without sliders, and for the symmetric frame without what

@@ -160,21 +160,15 @@ void loads_zero(Loads *loads, int n)
 int joint_loads_alloc(JointLoads *loads, int n)
 {
     memset(loads, 0, sizeof *loads);
-    double **const group[3] = {loads->force, loads->torque_a, loads->torque_b};
-    int ok = 1;
-    for (int c = 0; c < 9; ++c) {
-        group[c / 3][c % 3] = chain_array_new(n, 0);
-        ok = ok && group[c / 3][c % 3];
-    }
+    const int ok = chain_arrays_new(loads->force, 3, n, 0) & chain_arrays_new(loads->torque_a, 3, n, 0) &
+                   chain_arrays_new(loads->torque_b, 3, n, 0);
     if (!ok) joint_loads_free(loads);
     return ok;
 }
 
 void joint_loads_free(JointLoads *loads)
 {
-    for (int c = 0; c < 3; ++c) {
-        loads->force[c] = chain_array_free(loads->force[c]);
-        loads->torque_a[c] = chain_array_free(loads->torque_a[c]);
-        loads->torque_b[c] = chain_array_free(loads->torque_b[c]);
-    }
+    chain_arrays_free(loads->force, 3);
+    chain_arrays_free(loads->torque_a, 3);
+    chain_arrays_free(loads->torque_b, 3);
 }

@@ -35,4 +35,9 @@ static inline double growth_limit_of(const LinOptions *options)
     return options->growth_limit > 0 ? options->growth_limit : 1e6;
 }
 
+/* An ordering that KLU does not bring along: METIS' nested dissection of the groups of a->sparse (one vertex a group,
+ * weighed by its size), spelt out for the unknowns: perm[k] is the unknown in place k. 0: done; < 0: no memory; > 0:
+ * METIS refused. */
+int ordering_metis(const LinMatrix *a, int *perm);
+
 #endif

@@ -38,16 +38,6 @@ static const struct {
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-int linsolver_kind_parse(const char *text, LinKind *kind)
-{
-    for (int k = 0; k < KINDS; ++k) {
-        if (strcmp(text, kinds[k].name)) continue;
-        *kind = (LinKind)k;
-        return 1;
-    }
-    return 0;
-}
-
 const char *linsolver_kind_name(LinKind kind) { return kinds[kind].name; }
 
 /* What auto takes for a chain and what surrounds it, said in `why` (128 characters). */

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "linsolve/backend.h"
-#include "linsolve/ordering.h"
 
 /* In the order in which auto tries them; the first of equals wins. */
 typedef enum Candidate { TRY_AMD, TRY_COLAMD, TRY_METIS, TRY_NATURAL, CANDIDATES } Candidate;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "linsolve/backend.h"
-#include "linsolve/small_lu.h"
+#include "linsolve/small.h"
 
 int leaves_init(Leaves *s, const NewtonMatrix *a)
 {

@@ -7,7 +7,6 @@
 #include "core/block_chain.h"
 #include "hawser/hawser.h"
 #include "linsolve/newton_matrix.h"
-#include "linsolve/sparse.h"
 
 /* LIN_KLU_FULL takes any sparse matrix (the unreduced system); LIN_BAND and LIN_DENSE serve tests and benchmarks. */
 typedef enum LinKind { LIN_AUTO, LIN_BLOCK, LIN_BORDERED, LIN_KLU, LIN_KLU_FULL, LIN_BAND, LIN_DENSE } LinKind;
@@ -53,8 +52,7 @@ int linsolver_solve_many(LinSolver *s, int count, double *x);
 
 int linsolver_size(const LinSolver *s);
 void linsolver_stats(const LinSolver *s, LinStats *stats);
-/* "auto", "block", ... -> kind; returns 0 if unknown. */
-int linsolver_kind_parse(const char *text, LinKind *kind);
+/* "auto", "block", ... */
 const char *linsolver_kind_name(LinKind kind);
 
 #endif

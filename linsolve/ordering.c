@@ -1,4 +1,4 @@
-#include "linsolve/ordering.h"
+#include "linsolve/backend.h"
 
 #include <metis.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "linsolve/small_eigen.h"
+#include "linsolve/small.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "linsolve/small_lu.h"
+#include "linsolve/small.h"
 
 #include <math.h>
 

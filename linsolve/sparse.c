@@ -1,4 +1,4 @@
-#include "linsolve/sparse.h"
+#include "linsolve/newton_matrix.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef HAWSER_SIM_BALANCE_DATA_H
 #define HAWSER_SIM_BALANCE_DATA_H
 
-#include "contact/law/contact_tally.h"
+#include "contact/law/contact_law.h"
 #include "core/push.h"
 
 /* Who works on the motion: chain, drum of the reel, rollers. */

@@ -28,11 +28,16 @@ FrictionKind friction_kind(const FrictionLaw *law);
  * dN/drate. */
 double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap, double *d_rate);
 
-/* The spring's part of the force, k p^e, N: what is lost where the damping cuts the force off at zero. */
-double impact_spring(const ImpactLaw *law, double gap);
-
 /* Friction coefficient at sliding speed v >= 0, divided by v: mu(v)/v (s/m), finite at 0. d_over_v gets
  * (d/dv (mu/v)) / v, finite at 0 too, so that vector friction F = -N phi(v) v_t needs no branch at rest. */
 double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v);
+
+/* What contacts of one kind do to the motion, summed over the contacts of one call; docs/model.md, "Balances". */
+typedef struct ContactTally {
+    double friction, damping; /* W, what they take out of the motion (BA5) */
+    double edges;             /* W, what surfaces' fades do to the motion (BA10) */
+    double energy;            /* J, in the springs (BA6) */
+    double force[3];          /* N, on the cable */
+} ContactTally;
 
 #endif

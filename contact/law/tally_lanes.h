@@ -3,20 +3,22 @@
 #ifndef HAWSER_CONTACT_LAW_TALLY_LANES_H
 #define HAWSER_CONTACT_LAW_TALLY_LANES_H
 
-#include "contact/law/contact_tally.h"
+#include "contact/law/contact_law.h"
 #include "core/base/lanes.h"
 
 typedef struct TallyLanes {
     double friction[LANES], damping[LANES], energy[LANES], force[3][LANES]; /* in the plane force[2] stays zero */
 } TallyLanes;
 
-/* Adds lane l of what a push takes out of the motion (friction, damping) and holds (energy). */
+/* Adds lane l of what a push takes out of the motion (friction, damping), holds (energy) and does to the cable (total,
+ * of `dims` components). */
 static inline void tally_add(TallyLanes *sum, const double *friction, const double *damping, const double *energy,
-                             int l)
+                             const double total[][LANES], int dims, int l)
 {
     sum->friction[l] += friction[l];
     sum->damping[l] += damping[l];
     sum->energy[l] += energy[l];
+    for (int c = 0; c < dims; ++c) sum->force[c][l] += total[c][l];
 }
 
 static inline ContactTally tally_total(const TallyLanes *sum)

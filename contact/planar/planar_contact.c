@@ -7,13 +7,8 @@
 #include <string.h>
 
 #include "contact/law/tally_lanes.h"
-#include "contact/planar/planar_contact_kernels.h"
 
-static const PlanarContactKernels *kernels(void)
-{
-    static const PlanarContactKernels *const table[] = ISA_TABLE(planar_contact_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(PlanarContactKernels, planar_contact_kernels)
 
 /* Room was made by the refresh: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, int roller, int element)
@@ -149,13 +144,6 @@ static void push_add(const PlanarBatch *batch, const PlanarPush *push, int l, Pl
     }
 }
 
-/* Adds one lane that is in the batch, along the plane's axes. */
-static void push_tally(TallyLanes *sum, const PlanarPush *push, int l)
-{
-    tally_add(sum, push->friction, push->damping, push->energy, l);
-    for (int c = 0; c < 2; ++c) sum->force[c][l] += push->total[c][l];
-}
-
 void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarLoads *loads, double (*on_roller)[2])
 {
@@ -170,7 +158,8 @@ void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *c
         next = batch_fill(&batch, model, chain, kin, pairs, next);
         kernel->push(&batch, &push);
         for (int l = 0; l < batch.count; ++l) {
-            push_tally(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
+            tally_add(&tally, push.friction, push.damping, push.energy, push.total, 2,
+                      l); /* also what carries no force: damping may take all that the spring has */
             if (!(push.normal[l] > 0)) continue;
             ++pairs->active;
             push_add(&batch, &push, l, loads);

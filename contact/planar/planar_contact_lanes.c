@@ -1,4 +1,4 @@
-/* The kernels of planar_contact_kernels.h for one instruction set. */
+/* The kernels of planar_contact.h for one instruction set. */
 #include "contact/planar/planar_line_lanes.h"
 
 /* The sign of the gap's slope at the centres of LANES segments from i: that of (x - c) . a. */
@@ -36,18 +36,19 @@ static void kernel_push(const PlanarBatch *batch, PlanarPush *out)
         lane_store(out->moment[b], l2_cross(c.arm[b], c.force));
     }
     pair_store(out->total, c.force);
-    lane_store(out->normal, c.normal);
+    lane_store(out->normal, c.push.force);
     lane_store(out->friction, c.drag * c.slide);
-    lane_store(out->damping, c.loss);
-    lane_store(out->energy, c.energy);
+    lane_store(out->damping, c.push.loss);
+    lane_store(out->energy, c.push.energy);
 }
 
 /* dF (PL13) for given variations: of the normal's angle, the gap, its rate and the sliding speed. */
 LANE_INLINE Lane2 vary_force(const PlanarContact *c, Lane angle, Lane gap, Lane rate, Lane slide)
 {
-    const Lane normal = c->normal_gap * gap + c->normal_rate * rate;
-    const Lane drag = normal * c->phi * c->slide + c->normal * (c->phi + c->phi_over * c->slide * c->slide) * slide;
-    return l2_axpy(l2_scale(normal + c->drag * angle, c->at.normal), c->normal * angle - drag, c->tangent);
+    const LaneImpact *const push = &c->push;
+    const Lane normal = push->gap * gap + push->rate * rate, phi = c->rub.phi;
+    const Lane drag = normal * phi * c->slide + push->force * (phi + c->rub.by_lean * c->slide * c->slide) * slide;
+    return l2_axpy(l2_scale(normal + c->drag * angle, c->at.normal), push->force * angle - drag, c->tangent);
 }
 
 /* A variation of one body's configuration, and what it does at fixed u: to P, P', its arm and the velocity at P. */
@@ -129,8 +130,8 @@ static int kernel_columns(const PlanarBatch *batch, PlanarContactMatrix *k, Plan
 {
     const PlanarLine line = planar_line_load(batch);
     const PlanarContact c = planar_contact_at(batch, &line);
-    lane_store(normal, c.normal);
-    if (!lane_bits(c.normal > lane_set(0))) return 0;
+    lane_store(normal, c.push.force);
+    if (!lane_bits(c.push.touches)) return 0;
     for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, k, d);
     return 1;
 }

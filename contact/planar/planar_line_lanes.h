@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-#include "contact/planar/planar_contact_kernels.h"
+#include "contact/law/law_lanes.h"
+#include "contact/planar/planar_contact.h"
 #include "contact/shape/weights_lanes.h"
 #include "core/base/lane_math.h"
 #include "core/planar/plane_lanes.h"
@@ -150,41 +151,17 @@ LANE_INLINE Lane planar_nearest(const PlanarLine *line, LaneMask *interior)
 typedef struct PlanarContact {
     LaneMask interior; /* the minimum is inside the element: it moves along it */
     PlanarPoint at;
-    Lane2 tangent;                        /* J n */
-    Lane2 pdot;                           /* velocity of the line's material at P, m/s */
-    Lane omega;                           /* angular velocity there, rad/s */
-    Lane gap, rate;                       /* m, m/s */
-    Lane slide;                           /* sliding speed along the tangent, m/s (PL11) */
-    Lane normal, normal_gap, normal_rate; /* N and its derivatives (C12) */
-    Lane loss, energy;                    /* W, what the normal damping takes; J, in the spring (BA5), (BA6) */
-    Lane phi, phi_over;                   /* mu/v and its derivative over v, friction scale included (C14) */
-    Lane drag;                            /* T = N phi s, N (PL12) */
-    Lane2 force;                          /* N */
-    Lane2 arm[2];                         /* lever of the force about the centres (C15), m */
+    Lane2 tangent;   /* J n */
+    Lane2 pdot;      /* velocity of the line's material at P, m/s */
+    Lane omega;      /* angular velocity there, rad/s */
+    Lane gap, rate;  /* m, m/s */
+    Lane slide;      /* sliding speed along the tangent, m/s (PL11) */
+    LaneImpact push; /* normal force (C12) */
+    LaneRub rub;     /* phi = mu/v, and by_lean, its derivative over v (C14) */
+    Lane drag;       /* T = N phi s, N (PL12) */
+    Lane2 force;     /* N */
+    Lane2 arm[2];    /* lever of the force about the centres (C15), m */
 } PlanarContact;
-
-/* Normal force and friction coefficient of every lane (C12), (C14). */
-LANE_INLINE void planar_laws(PlanarContact *c, const PlanarBatch *batch)
-{
-    double value[6][LANES]; /* N, dN/dgap, dN/drate, phi, (dphi/dv)/v, a spring that is cut off */
-    for (int l = 0; l < LANES; ++l) {
-        for (int v = 0; v < 6; ++v) value[v][l] = 0;
-        if (!(c->gap[l] < 0))
-            continue; /* a gap that is not a number touches nothing: the caller sees it in the state */
-        value[0][l] = impact_force(batch->impact, c->gap[l], c->rate[l], &value[1][l], &value[2][l]);
-        if (!(value[0][l] > 0)) value[5][l] = impact_spring(batch->impact, c->gap[l]);
-        value[3][l] = friction_over_speed(batch->friction[l], fabs(c->slide[l]), &value[4][l]);
-    }
-    const Lane scale = lane_set(batch->friction_scale);
-    c->normal = lane_load(value[0]);
-    c->normal_gap = lane_load(value[1]);
-    c->normal_rate = lane_load(value[2]);
-    const Lane cut = lane_load(value[5]), spring = c->normal - c->normal_rate * c->rate + cut;
-    c->loss = (cut - c->normal_rate * c->rate) * c->rate;
-    c->energy = spring * -c->gap / (batch->impact->e + 1); /* no force, no spring: 0 */
-    c->phi = scale * lane_load(value[3]);
-    c->phi_over = scale * lane_load(value[4]);
-}
 
 /* Nearest point, velocities, laws, force (PL11), (PL12). */
 LANE_INLINE PlanarContact planar_contact_at(const PlanarBatch *batch, const PlanarLine *line)
@@ -200,9 +177,12 @@ LANE_INLINE PlanarContact planar_contact_at(const PlanarBatch *batch, const Plan
     c.gap = c.at.rho - line->circle - c.at.radius;
     c.rate = l2_dot(c.at.normal, c.pdot);
     c.slide = l2_dot(c.tangent, c.pdot) - c.at.radius * c.omega;
-    planar_laws(&c, batch);
-    c.drag = c.normal * c.phi * c.slide;
-    c.force = l2_axpy(l2_scale(c.normal, c.at.normal), -c.drag, c.tangent);
+    c.push = impact_at(batch->impact, c.gap, c.rate, ~(LaneMask){0});
+    const LaneFriction law = friction_gather(batch->friction);
+    friction_at(&law, batch->friction_scale, lane_abs(c.slide), lane_abs(c.slide), &c.rub);
+    c.rub.by_lean += c.rub.by_slide;
+    c.drag = c.push.force * c.rub.phi * c.slide;
+    c.force = l2_axpy(l2_scale(c.push.force, c.at.normal), -c.drag, c.tangent);
     for (int b = 0; b < 2; ++b) {
         c.arm[b] = l2_axpy(l2_scale(w->beta[b], line->body[b].r), -w->alpha[b] * c.at.radius, c.at.normal);
     }

@@ -13,13 +13,8 @@ int contact_pairs_alloc(ContactPairs *pairs, int n)
 {
     memset(pairs, 0, sizeof *pairs);
     pairs->n = n;
-    pairs->node = chain_array_new(n, 0);
-    int ok = sphere_tree_alloc(&pairs->tree, n) && pairs->node;
-    for (int c = 0; c < 3; ++c) {
-        pairs->at_p[c] = chain_array_new(n, 0);
-        pairs->at_a[c] = chain_array_new(n, 0);
-        ok = ok && pairs->at_p[c] && pairs->at_a[c];
-    }
+    int ok = sphere_tree_alloc(&pairs->tree, n) & chain_arrays_new(&pairs->node, 1, n, 0);
+    ok &= chain_arrays_new(pairs->at_p, 3, n, 0) & chain_arrays_new(pairs->at_a, 3, n, 0);
     if (!ok) contact_pairs_free(pairs);
     return ok;
 }
@@ -31,11 +26,9 @@ void contact_pairs_free(ContactPairs *pairs)
     free(pairs->near);
     free(pairs->hit);
     stick_free(&pairs->stick);
-    chain_array_free(pairs->node);
-    for (int c = 0; c < 3; ++c) {
-        chain_array_free(pairs->at_p[c]);
-        chain_array_free(pairs->at_a[c]);
-    }
+    chain_arrays_free(&pairs->node, 1);
+    chain_arrays_free(pairs->at_p, 3);
+    chain_arrays_free(pairs->at_a, 3);
     memset(pairs, 0, sizeof *pairs);
 }
 
@@ -141,30 +134,12 @@ hawser_status contact_refresh(const ContactModel *model, const Chain *chain, con
         return error_memory(err);
     }
     /* where everything was, for contact_moved_too_far */
-    for (int c = 0; c < 3; ++c) {
-        memcpy(pairs->at_p[c], kin->p[c], (size_t)pairs->n * sizeof(double));
-        memcpy(pairs->at_a[c], kin->a[c], (size_t)pairs->n * sizeof(double));
-    }
+    line_stand(kin, pairs->n, pairs->at_p, pairs->at_a);
     return HAWSER_OK;
 }
 
-/* Length of the change of a vector of segment i since the refresh. */
-static double vector_moved(double *const now[3], double *const then[3], int i)
-{
-    const double x = now[0][i] - then[0][i], y = now[1][i] - then[1][i], z = now[2][i] - then[2][i];
-    return sqrt(x * x + y * y + z * z);
-}
-
-/* (C20): no point of the line moves farther than the largest |dx_i| + |dr_i|. */
 int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
                           const ContactPairs *pairs)
 {
-    const double limit = CONTACT_USABLE * model->reach;
-    int far = 0;
-    for (int i = 0; i < pairs->n; ++i) {
-        const double moved =
-            vector_moved(kin->p, pairs->at_p, i) + chain->half[i] * vector_moved(kin->a, pairs->at_a, i);
-        far |= !(moved <= limit); /* a NaN counts as far */
-    }
-    return far;
+    return line_moved(chain, kin, pairs->at_p, pairs->at_a, CONTACT_USABLE * model->reach);
 }

@@ -9,12 +9,7 @@
 #include "contact/law/tally_lanes.h"
 #include "contact/roller/contact_kernels.h"
 
-/* The kernels of the best instruction set. */
-static const ContactKernels *kernels(void)
-{
-    static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(ContactKernels, contact_kernels)
 
 /* Room was made by the refresh: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, ContactRange range, int element)
@@ -95,26 +90,12 @@ static void batch_groove(ContactBatch *batch, const Groove *g, int l)
 static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l)
 {
     const Shape *const shape = &roller->shape;
-    const double centre[3] = {shape->centre.x, shape->centre.y, shape->centre.z};
-    const double axis[3] = {shape->axis.x, shape->axis.y, shape->axis.z};
-    for (int c = 0; c < 3; ++c) {
-        batch->centre[c][l] = centre[c];
-        batch->axis[c][l] = axis[c];
-    }
+    batch_put(batch->centre, l, shape->centre);
+    batch_put(batch->axis, l, shape->axis);
     batch->shape_radius[l] = shape->radius;
     batch->shape_half_width[l] = shape->half_width;
     batch->friction[l] = &roller->friction;
     if (shape->kind != SHAPE_CYLINDER) batch_groove(batch, &shape->groove, l);
-}
-
-/* Its motion, where rollers move. */
-static void batch_motion(ContactBatch *batch, const RollerMotion *motion, int l)
-{
-    const double v[3] = {motion->v.x, motion->v.y, motion->v.z}, w[3] = {motion->w.x, motion->w.y, motion->w.z};
-    for (int c = 0; c < 3; ++c) {
-        batch->roller_v[c][l] = v[c];
-        batch->roller_w[c][l] = w[c];
-    }
 }
 
 /* One hit into lane l: the weights of its element, its segments, its roller. */
@@ -133,15 +114,9 @@ static void batch_hit(ContactBatch *batch, const ContactModel *model, const Chai
         batch_body(batch, chain, kin, b, l, element.body[b]);
     }
     batch_roller(batch, &model->roller[hit.roller], l);
-    if (model->motion) batch_motion(batch, &model->motion[hit.roller], l);
-}
-
-/* What sticks remembers where it was. */
-static void batch_kept(ContactBatch *batch, const StickStore *store, ContactHit hit, int l)
-{
-    const Vec3 kept = stick_kept(store, hit.roller, hit.face, hit.element);
-    const double value[3] = {kept.x, kept.y, kept.z};
-    for (int c = 0; c < 3; ++c) batch->kept[c][l] = value[c];
+    if (!model->motion) return;
+    batch_put(batch->roller_v, l, model->motion[hit.roller].v);
+    batch_put(batch->roller_w, l, model->motion[hit.roller].w);
 }
 
 /* Gathers hits from `first` on, of one kind of shape and of friction; returns the first that does not fit. Lanes are
@@ -162,8 +137,10 @@ static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chai
     /* unused lanes repeat the last hit, so that the kernels see valid numbers; they are not scattered */
     for (int l = 0; l < LANES; ++l) {
         const int h = l < batch->count ? first + l : first + batch->count - 1;
-        batch_hit(batch, model, chain, kin, pairs->hit[h], l);
-        if (batch->rubs == FRICTION_STICK) batch_kept(batch, &pairs->stick, pairs->hit[h], l);
+        const ContactHit hit = pairs->hit[h];
+        batch_hit(batch, model, chain, kin, hit, l);
+        if (batch->rubs != FRICTION_STICK) continue;
+        batch_put(batch->kept, l, stick_kept(&pairs->stick, hit.roller, hit.face, hit.element));
     }
     return first + batch->count;
 }
@@ -186,100 +163,64 @@ static void batch_push(const ContactModel *model, const ContactBatch *batch, Con
 static void push_add(const ContactBatch *batch, const ContactPush *push, int l, Loads *loads)
 {
     for (int b = 0; b < 2; ++b) {
-        const int i = batch->body[b][l];
-        if (i < 0) continue;
-        for (int c = 0; c < 3; ++c) {
-            loads->f[c][i] += push->force[b][c][l];
-            loads->m[c][i] += push->moment[b][c][l];
-        }
+        if (batch->body[b][l] < 0) continue;
+        loads_add(loads, batch->body[b][l], batch_at(push->force[b], l), batch_at(push->moment[b], l));
     }
 }
 
-/* Adds one lane that is in the batch. */
-static void push_tally(TallyLanes *sum, const ContactPush *push, int l)
-{
-    tally_add(sum, push->friction, push->damping, push->energy, l);
-    for (int c = 0; c < 3; ++c) sum->force[c][l] += push->total[c][l];
-}
-
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                    ContactPairs *pairs, Loads *loads, Vec3 *on_roller)
+                    ContactPairs *pairs, Loads *loads, Vec3 *force, RollerLoad *load)
 {
+    assert(!load || model->motion);
     ContactBatch batch;
     ContactPush push;
     hits_find(model, chain, kin, pairs);
     pairs->active = 0;
     TallyLanes tally = {0};
-    if (on_roller) memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
+    if (force) memset(force, 0, (size_t)model->n_rollers * sizeof *force);
+    if (load) memset(load, 0, (size_t)model->n_rollers * sizeof *load);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
-            push_tally(&tally, &push, l); /* also what carries no force: damping may take all that the spring has */
+            /* also what carries no force: damping may take all that the spring has */
+            tally_add(&tally, push.friction, push.damping, push.energy, push.total, 3, l);
             if (!(push.normal[l] > 0)) continue;
             /* only what carries force is added: the others' lanes are zeros */
             ++pairs->active;
             push_add(&batch, &push, l, loads);
-            if (!on_roller) continue;
-            Vec3 *const sum = &on_roller[batch.roller[l]];
-            *sum = v3_sub(*sum, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
+            const int r = batch.roller[l];
+            if (force) force[r] = v3_sub(force[r], batch_at(push.total, l));
+            if (!load) continue;
+            load[r].force = v3_sub(load[r].force, batch_at(push.total, l));
+            load[r].moment = v3_add(load[r].moment, batch_at(push.roller_moment, l));
         }
     }
     pairs->tally = tally_total(&tally);
 }
 
-void contact_forces_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                           ContactPairs *pairs, Loads *loads, RollerLoad *on_roller)
+/* What involves the roller, the third body, of lane l. */
+static RollerCoupling coupling_of(const ContactBatch *batch, const ContactMatrix *const m[2], int l)
 {
-    assert(model->motion);
-    ContactBatch batch;
-    ContactPush push;
-    hits_find(model, chain, kin, pairs);
-    pairs->active = 0;
-    TallyLanes tally = {0};
-    memset(on_roller, 0, (size_t)model->n_rollers * sizeof *on_roller);
-    for (int next = 0; next < pairs->n_hits;) {
-        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        batch_push(model, &batch, &push);
-        for (int l = 0; l < batch.count; ++l) {
-            push_tally(&tally, &push, l);
-            if (!(push.normal[l] > 0)) continue;
-            ++pairs->active;
-            push_add(&batch, &push, l, loads);
-            RollerLoad *const sum = &on_roller[batch.roller[l]];
-            const double(*const moment)[LANES] = push.roller_moment;
-            sum->force = v3_sub(sum->force, v3(push.total[0][l], push.total[1][l], push.total[2][l]));
-            sum->moment = v3_add(sum->moment, v3(moment[0][l], moment[1][l], moment[2][l]));
+    RollerCoupling c = {.roller = batch->roller[l], .body = {batch->body[0][l], batch->body[1][l]}};
+    for (int kind = 0; kind < 2; ++kind) {
+        for (int b = 0; b < 2; ++b) {
+            matrix_part_add(m[kind], MOVING_ROWS, l, b, 2, c.into[kind][b]);
+            matrix_part_add(m[kind], MOVING_ROWS, l, 2, b, c.from[kind][b]);
         }
+        matrix_part_add(m[kind], MOVING_ROWS, l, 2, 2, c.own[kind]);
     }
-    pairs->tally = tally_total(&tally);
-}
-
-/* block += rows of body a by columns of body b of one lane. */
-static void part_add(double *block, const ContactMatrix *m, int l, int a, int b)
-{
-    for (int col = 0; col < 6; ++col) {
-        for (int row = 0; row < 6; ++row) block[6 * col + row] += m->entry[6 * b + col][6 * a + row][l];
-    }
-}
-
-/* Adds one lane's derivatives to the up to four blocks of its segments. */
-static void matrix_add(const ContactBatch *batch, const ContactMatrix *m, int l, BlockChain *out)
-{
-    const int j = batch->body[0][l], k = batch->body[1][l];
-    if (j >= 0) part_add(out->diag + 36 * j, m, l, 0, 0);
-    if (k >= 0) part_add(out->diag + 36 * k, m, l, 1, 1);
-    if (j < 0 || k < 0) return;
-    part_add(out->upper + 36 * j, m, l, 0, 1);
-    part_add(out->lower + 36 * k, m, l, 1, 0);
+    return c;
 }
 
 void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                    ContactPairs *pairs, BlockChain *k, BlockChain *d)
+                    ContactPairs *pairs, BlockChain *k, BlockChain *d, CouplingTake *take, void *user)
 {
-    assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
+    assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n && (!take || model->motion));
+    const int rows = model->motion ? MOVING_ROWS : CONTACT_ROWS;
     ContactBatch batch;
     ContactMatrix by_shift, by_speed;
+    const ContactMatrix *const both[2] = {&by_shift, &by_speed};
     double normal[LANES];
     hits_find(model, chain, kin, pairs);
     for (int next = 0; next < pairs->n_hits;) {
@@ -288,72 +229,9 @@ void contact_blocks(const ContactModel *model, const Chain *chain, const Kinemat
         if (!done) continue;
         for (int l = 0; l < batch.count; ++l) {
             if (!(normal[l] > 0)) continue;
-            matrix_add(&batch, &by_shift, l, k);
-            if (done == 1) matrix_add(&batch, &by_speed, l, d);
-        }
-    }
-}
-
-/* out = rows of body a by columns of body b of one lane; 2: the roller. */
-static void moving_part(const ContactMovingMatrix *m, int l, int a, int b, double out[36])
-{
-    for (int col = 0; col < 6; ++col) {
-        for (int row = 0; row < 6; ++row) out[6 * col + row] = m->entry[6 * b + col][6 * a + row][l];
-    }
-}
-
-/* to += from, 6x6 */
-static void block_add(double *to, const double from[36])
-{
-    for (int k = 0; k < 36; ++k) to[k] += from[k];
-}
-
-/* Adds one lane's derivatives by segments to the up to four blocks of its segments. */
-static void moving_add(const ContactBatch *batch, const ContactMovingMatrix *m, int l, BlockChain *out)
-{
-    double part[36];
-    for (int a = 0; a < 2; ++a) {
-        for (int b = 0; b < 2; ++b) {
-            const int i = batch->body[a][l], j = batch->body[b][l];
-            if (i < 0 || j < 0) continue;
-            moving_part(m, l, a, b, part);
-            block_add((j < i ? out->lower : j > i ? out->upper : out->diag) + 36 * i, part);
-        }
-    }
-}
-
-/* What involves the roller of lane l. */
-static RollerCoupling coupling_of(const ContactBatch *batch, const ContactMovingMatrix *const m[2], int l)
-{
-    RollerCoupling c = {.roller = batch->roller[l], .body = {batch->body[0][l], batch->body[1][l]}};
-    for (int kind = 0; kind < 2; ++kind) {
-        for (int b = 0; b < 2; ++b) {
-            moving_part(m[kind], l, b, 2, c.into[kind][b]);
-            moving_part(m[kind], l, 2, b, c.from[kind][b]);
-        }
-        moving_part(m[kind], l, 2, 2, c.own[kind]);
-    }
-    return c;
-}
-
-void contact_blocks_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                           ContactPairs *pairs, BlockChain *k, BlockChain *d,
-                           void (*take)(void *user, const RollerCoupling *coupling), void *user)
-{
-    assert(model->motion && k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
-    ContactBatch batch;
-    ContactMovingMatrix by_shift, by_speed;
-    const ContactMovingMatrix *const both[2] = {&by_shift, &by_speed};
-    double normal[LANES];
-    hits_find(model, chain, kin, pairs);
-    for (int next = 0; next < pairs->n_hits;) {
-        next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        const int which = (int)batch_variant(model, &batch) - (int)VARIANT_MOVING;
-        if (!kernels()->moving[which](&batch, &by_shift, &by_speed, normal)) continue;
-        for (int l = 0; l < batch.count; ++l) {
-            if (!(normal[l] > 0)) continue;
-            moving_add(&batch, &by_shift, l, k);
-            moving_add(&batch, &by_speed, l, d);
+            matrix_add(&by_shift, rows, l, batch.body[0][l], batch.body[1][l], k);
+            if (done == 1) matrix_add(&by_speed, rows, l, batch.body[0][l], batch.body[1][l], d);
+            if (!take) continue;
             const RollerCoupling coupling = coupling_of(&batch, both, l);
             take(user, &coupling);
         }
@@ -369,8 +247,8 @@ static ContactDetail detail_of(const ContactBatch *batch, const ContactPush *pus
                            .u = push->u[l],
                            .gap = push->gap[l],
                            .normal = push->normal[l],
-                           .point = v3(push->point[0][l], push->point[1][l], push->point[2][l]),
-                           .force = v3(push->total[0][l], push->total[1][l], push->total[2][l])};
+                           .point = batch_at(push->point, l),
+                           .force = batch_at(push->total, l)};
 }
 
 int contact_details(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
@@ -404,8 +282,7 @@ void contact_accept(const ContactModel *model, const Chain *chain, const Kinemat
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
             if (!(push.normal[l] > 0)) continue;
-            store->fresh[n++] = (StickRecord){batch.roller[l], batch.face[l], batch.element[l],
-                                              v3(push.kept[0][l], push.kept[1][l], push.kept[2][l])};
+            store->fresh[n++] = (StickRecord){batch.roller[l], batch.face[l], batch.element[l], batch_at(push.kept, l)};
         }
     }
     stick_accept(store, t, n);

@@ -9,11 +9,9 @@
 #define HAWSER_CONTACT_ROLLER_CONTACT_H
 
 #include "contact/law/contact_law.h"
-#include "contact/law/contact_tally.h"
 #include "contact/law/stick.h"
 #include "contact/shape/element.h"
 #include "contact/shape/shape.h"
-#include "contact/shape/sphere_tree.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
 #include "hawser/hawser.h"
@@ -99,19 +97,11 @@ void contact_widen(ContactPairs *pairs);
 int contact_moved_too_far(const ContactModel *model, const Chain *chain, const Kinematics *kin,
                           const ContactPairs *pairs);
 
-/* Adds forces (N) and moments (N m) on the segments to loads. friction_scale multiplies every friction
- * coefficient (0: smooth rollers). on_roller[n_rollers] (NULL: not wanted) is overwritten by the force on
- * each roller, N. */
+/* Adds forces (N) and moments (N m) on the segments to loads. friction_scale multiplies every friction coefficient (0:
+ * smooth rollers). force[n_rollers] and load[n_rollers] (NULL: not wanted) are overwritten by what the cable does to
+ * each roller: its force, N; where rollers move (model->motion), force and moment. */
 void contact_forces(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                    ContactPairs *pairs, Loads *loads, Vec3 *on_roller);
-/* The same with force and moment on every roller: model->motion is not NULL. */
-void contact_forces_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                           ContactPairs *pairs, Loads *loads, RollerLoad *on_roller);
-
-/* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv;
- * dw] to d (6x6 blocks, world) (C15)-(C17). */
-void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                    ContactPairs *pairs, BlockChain *k, BlockChain *d);
+                    ContactPairs *pairs, Loads *loads, Vec3 *force, RollerLoad *load);
 
 /* What one contact couples a roller by: derivatives with respect to configuration (first index 0) and velocities (1),
  * column-major 6x6, rows [force; moment], columns [x; phi] or [v; w], about the roller's centre (SP4)-(SP6). */
@@ -121,12 +111,13 @@ typedef struct RollerCoupling {
     double from[2][2][36]; /* [kind][body]: rows of the roller, columns of the body */
     double own[2][36];     /* [kind]: rows and columns of the roller */
 } RollerCoupling;
+typedef void CouplingTake(void *user, const RollerCoupling *coupling);
 
-/* The derivatives as contact_blocks adds them, for rollers that move; what involves a roller is handed to `take`, one
- * contact after the other in the order of summation. */
-void contact_blocks_moving(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                           ContactPairs *pairs, BlockChain *k, BlockChain *d,
-                           void (*take)(void *user, const RollerCoupling *coupling), void *user);
+/* Adds the derivatives of the generalized forces [force; moment] with respect to [dx; dphi] to k, and to [dv;
+ * dw] to d (6x6 blocks, world) (C15)-(C17). Where rollers move, what involves a roller is handed to `take` (else NULL),
+ * one contact after the other in the order of summation. */
+void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
+                    ContactPairs *pairs, BlockChain *k, BlockChain *d, CouplingTake *take, void *user);
 
 /* A step to (t, kin) has been accepted: contacts that stick remember how far they lean. To be called after every step
  * if any roller's friction sticks (contact_sticks), before the next contact_refresh. */

@@ -23,23 +23,6 @@ typedef struct Variation {
     Lane3 p; /* of P and all that moves it, less the roller's centre (SP5): where rollers move, of its lever */
 } Variation;
 
-/* d(F/N) for a change of the normal and of the surface velocity v_s (C16), (GR14). */
-LANE_INLINE Lane3 vary_direction(const Contact *c, Lane3 normal_by, Lane3 slip_by, Variant is)
-{
-    const Lane3 n = c->at.probe.normal;
-    if (is.rubs == FRICTION_NONE) return normal_by;
-    const Lane along = l3_dot(normal_by, c->slip) + l3_dot(n, slip_by);
-    const Lane3 slide = l3_axpy(l3_axpy(slip_by, -along, n), -c->slip_normal, normal_by);
-    if (is.rubs == FRICTION_SPEED) {
-        const Lane phi = c->phi_over * l3_dot(c->slide, slide);
-        return l3_sub(normal_by, l3_axpy(l3_scale(phi, c->slide), c->phi, slide));
-    }
-    const LaneStick *const s = &c->stick;
-    const Lane3 lean = stick_lean_by(s, n, normal_by, slide);
-    const Lane phi = s->by_lean * l3_dot(s->lean, lean) + s->by_slide * l3_dot(c->slide, slide);
-    return l3_sub(normal_by, l3_axpy(l3_scale(phi, s->lean), s->phi, lean));
-}
-
 /* dF (C16) for a variation of normal, velocities and gap: F = N (n - phi v_t), so both factors vary. */
 LANE_INLINE Lane3 vary_force(const Contact *c, const Variation *by, Variant is)
 {
@@ -49,9 +32,13 @@ LANE_INLINE Lane3 vary_force(const Contact *c, const Variation *by, Variant is)
     Lane3 slip = l3_axpy(by->pdot, -radius_by, l3_cross(c->omega, n));
     slip = l3_axpy(slip, -radius, l3_add(l3_cross(by->omega, n), l3_cross(c->omega, by->normal)));
     /* dN from the law's slopes */
-    const Lane normal = c->normal_gap * by->gap + c->normal_rate * by->rate;
-    const Lane3 direction_by = vary_direction(c, by->normal, slip, is);
-    return l3_axpy(l3_scale(normal, contact_direction(c, is)), c->normal, direction_by);
+    const Lane normal = c->push.gap * by->gap + c->push.rate * by->rate;
+    Lane3 direction_by = by->normal;
+    if (is.rubs != FRICTION_NONE) {
+        direction_by = rub_direction_by(&c->rub, n, c->slip, c->slip_normal, c->slide, by->normal, slip,
+                                        is.rubs == FRICTION_STICK);
+    }
+    return l3_axpy(l3_scale(normal, contact_direction(c, is)), c->push.force, direction_by);
 }
 
 /* The variation that follows from a shift: the nearest point moves along the line by du (C16). */
@@ -130,9 +117,6 @@ LANE_INLINE void column_speed(const Contact *c, Lane3 pdot, Lane3 omega, double 
     if (is.moving) roller_rows(c, l3_zero(), force, rows);
 }
 
-/* World axis 0, 1 or 2. */
-LANE_INLINE Lane3 axis_unit(int axis) { return (Lane3){lane_set(axis == 0), lane_set(axis == 1), lane_set(axis == 2)}; }
-
 /* Where the columns of a contact are written, and of which variables. */
 typedef struct Columns {
     double (*k)[LANES], (*d)[LANES];
@@ -142,11 +126,11 @@ typedef struct Columns {
 /* Four columns of body b: shift along and turn about one axis, velocity and angular velocity likewise. */
 LANE_INLINE void axis_columns(const Contact *c, const Line *line, int b, int axis, Variant is, const Columns *out)
 {
-    const int rows = is.moving ? 18 : 12;
+    const int rows = is.moving ? MOVING_ROWS : CONTACT_ROWS;
     const LaneBody *body = &line->body[b];
     const Lane alpha = c->at.weight.alpha[b], beta = c->at.weight.beta[b];
     const Lane alpha1 = c->at.weight1.alpha[b], beta1 = c->at.weight1.beta[b];
-    const Lane3 e = axis_unit(axis);
+    const Lane3 e = l3_axis(axis);
     const Lane3 turned = l3_cross(e, body->r);
     const Lane3 none = l3_zero();
     const Shift shift = {b, l3_scale(alpha, e), l3_scale(alpha1, e), none, none, none, none};
@@ -203,22 +187,23 @@ LANE_INLINE void body_columns(const Contact *c, const Line *line, int b, Contact
 }
 
 /* The twelve columns of the roller (SP4), (SP5): it moves, turns, and its surface runs. */
-LANE_INLINE void roller_columns(const Contact *c, const Line *line, Variant is, ContactMovingMatrix *k,
-                                ContactMovingMatrix *d)
+LANE_INLINE void roller_columns(const Contact *c, const Line *line, Variant is, const Columns *out)
 {
     const Lane3 none = l3_zero();
     for (int axis = 0; axis < 3; ++axis) {
-        const Lane3 e = axis_unit(axis), back = l3_neg(e);
+        const Lane3 e = l3_axis(axis), back = l3_neg(e);
         const Shift shift = {ROLLER, none, none, none, none, e, none};
         const Shift turn = {ROLLER, none, none, none, none, none, e};
-        column_shift(c, line, &shift, k->entry[6 * ROLLER + axis], is);
-        column_shift(c, line, &turn, k->entry[6 * ROLLER + 3 + axis], is);
-        column_speed(c, back, none, d->entry[6 * ROLLER + axis], is);
-        column_speed(c, l3_cross(back, c->lever), back, d->entry[6 * ROLLER + 3 + axis], is);
+        const int first = MOVING_ROWS * (6 * ROLLER + axis), second = first + MOVING_ROWS * 3;
+        column_shift(c, line, &shift, out->k + first, is);
+        column_shift(c, line, &turn, out->k + second, is);
+        column_speed(c, back, none, out->d + first, is);
+        column_speed(c, l3_cross(back, c->lever), back, out->d + second, is);
     }
 }
 
-/* Without friction and without damping no force depends on a velocity: then d is not written, and 2 is returned. */
+/* Without friction and without damping no force depends on a velocity: then d is not written, and 2 is returned; but
+ * for rollers that move it always is. */
 LANE_INLINE int columns_of(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES],
                            ContactVariant which)
 {
@@ -226,30 +211,17 @@ LANE_INLINE int columns_of(const ContactBatch *batch, ContactMatrix *k, ContactM
     /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
     const Line line = line_load(batch, is.grooved);
     const Contact c = contact_at(batch, &line, is);
-    lane_store(normal, c.normal);
-    if (!mask_any(c.normal > lane_set(0))) return 0;
-    const Columns out = {&k->entry[0][0], &d->entry[0][0], is.rubs != FRICTION_NONE || batch->impact->c > 0};
+    lane_store(normal, c.push.force);
+    if (!lane_any(c.push.touches)) return 0;
+    const Columns out = {k->entry, d->entry, is.moving || is.rubs != FRICTION_NONE || batch->impact->c > 0};
     for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, which, &out);
+    if (is.moving) roller_columns(&c, &line, is, &out);
     return out.speeds ? 1 : 2;
-}
-
-LANE_INLINE int moving_columns_of(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
-                                  double normal[LANES], ContactVariant which)
-{
-    const Variant is = variant_of(which);
-    const Line line = line_load(batch, is.grooved);
-    const Contact c = contact_at(batch, &line, is);
-    lane_store(normal, c.normal);
-    if (!mask_any(c.normal > lane_set(0))) return 0;
-    const Columns out = {&k->entry[0][0], &d->entry[0][0], 1};
-    for (int b = 0; b < 2; ++b) body_columns(&c, &line, b, which, &out);
-    roller_columns(&c, &line, is, k, d);
-    return 1;
 }
 
 COLUMNS(contact_columns_plain) { return columns_of(batch, k, d, normal, VARIANT_PLAIN); }
 COLUMNS(contact_columns_smooth) { return columns_of(batch, k, d, normal, VARIANT_SMOOTH); }
 COLUMNS(contact_columns_general) { return columns_of(batch, k, d, normal, VARIANT_GENERAL); }
 COLUMNS(contact_columns_stick) { return columns_of(batch, k, d, normal, VARIANT_STICK); }
-MOVING_COLUMNS(contact_columns_moving) { return moving_columns_of(batch, k, d, normal, VARIANT_MOVING); }
-MOVING_COLUMNS(contact_columns_moving_stick) { return moving_columns_of(batch, k, d, normal, VARIANT_MOVING_STICK); }
+COLUMNS(contact_columns_moving) { return columns_of(batch, k, d, normal, VARIANT_MOVING); }
+COLUMNS(contact_columns_moving_stick) { return columns_of(batch, k, d, normal, VARIANT_MOVING_STICK); }

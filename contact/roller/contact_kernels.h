@@ -6,6 +6,7 @@
 #include "contact/shape/shape.h"
 #include "core/base/isa.h"
 #include "core/base/lanes.h"
+#include "core/block_chain.h"
 #include "core/chain.h"
 
 /* Up to LANES hits, gathered; the last hit is repeated in unused lanes. Vectors are [component][lane], bodies
@@ -34,6 +35,15 @@ typedef struct ContactBatch {
     int roller[LANES], face[LANES], element[LANES];
 } ContactBatch;
 
+/* A vector of lane l. */
+static inline Vec3 batch_at(const double a[3][LANES], int l) { return v3(a[0][l], a[1][l], a[2][l]); }
+static inline void batch_put(double a[3][LANES], int l, Vec3 v)
+{
+    a[0][l] = v.x;
+    a[1][l] = v.y;
+    a[2][l] = v.z;
+}
+
 /* What a batch does to its segments. */
 typedef struct ContactPush {
     _Alignas(64) double force[2][3][LANES]; /* N, on the two bodies */
@@ -48,16 +58,32 @@ typedef struct ContactPush {
     double kept[3][LANES];          /* where it sticks: s, m, should the step end here */
 } ContactPush;
 
-/* Derivatives of [force_0 moment_0 force_1 moment_1] with respect to [x_0 phi_0 x_1 phi_1] or [v_0 w_0 v_1
- * w_1]. */
+/* Derivatives of the bodies' [force moment] with respect to their [x phi] or [v w]: [rows * column + row][lane], with
+ * CONTACT_ROWS rows and columns for the two segments, MOVING_ROWS where a roller that moves is the third body. */
+enum { CONTACT_ROWS = 12, MOVING_ROWS = 18 };
 typedef struct ContactMatrix {
-    _Alignas(64) double entry[12][12][LANES]; /* [column][row][lane] */
+    _Alignas(64) double entry[MOVING_ROWS * MOVING_ROWS][LANES];
 } ContactMatrix;
 
-/* The same with the roller as a third body, in rows and in columns. */
-typedef struct ContactMovingMatrix {
-    _Alignas(64) double entry[18][18][LANES]; /* [column][row][lane] */
-} ContactMovingMatrix;
+/* block [36] += rows of body a by columns of body b of lane l. */
+static inline void matrix_part_add(const ContactMatrix *m, int rows, int l, int a, int b, double *block)
+{
+    for (int col = 0; col < 6; ++col) {
+        const double(*const column)[LANES] = m->entry + rows * (6 * b + col) + 6 * a;
+        for (int row = 0; row < 6; ++row) block[6 * col + row] += column[row][l];
+    }
+}
+
+/* Adds lane l to the up to four blocks of its segments j and k = j + 1; below zero or beyond the chain: none. */
+static inline void matrix_add(const ContactMatrix *m, int rows, int l, int j, int k, BlockChain *out)
+{
+    const int before = j >= 0, after = k >= 0 && k < out->n;
+    if (before) matrix_part_add(m, rows, l, 0, 0, out->diag + 36 * j);
+    if (after) matrix_part_add(m, rows, l, 1, 1, out->diag + 36 * k);
+    if (!before || !after) return;
+    matrix_part_add(m, rows, l, 0, 1, out->upper + 36 * j);
+    matrix_part_add(m, rows, l, 1, 0, out->lower + 36 * k);
+}
 
 /* Every kernel exists for several kinds of batches, so that a batch pays for nothing that it does not have. */
 typedef enum ContactVariant {
@@ -68,14 +94,12 @@ typedef enum ContactVariant {
     VARIANT_MOVING,      /* any shape, moving, friction of speed or none */
     VARIANT_MOVING_STICK /* all of it */
 } ContactVariant;
-enum { CONTACT_VARIANTS = 6, CONTACT_FIXED_VARIANTS = 4 };
+enum { CONTACT_VARIANTS = 6 };
 
 typedef void ContactPushKernel(const ContactBatch *batch, ContactPush *out);
 /* returns 0, and writes nothing, if no hit of the batch carries force; 2, and leaves d, if no force depends on a
  * velocity; else 1. normal[lane] is each hit's force, N */
 typedef int ContactColumnsKernel(const ContactBatch *batch, ContactMatrix *k, ContactMatrix *d, double normal[LANES]);
-typedef int ContactMovingKernel(const ContactBatch *batch, ContactMovingMatrix *k, ContactMovingMatrix *d,
-                                double normal[LANES]);
 
 typedef struct ContactKernels {
     /* node[i] = a positive factor times (normal at the centre of segment i . axis of segment i), for i =
@@ -84,8 +108,7 @@ typedef struct ContactKernels {
     /* node[i] = distance of the centre of segment i from the face, m; same range */
     void (*distances)(const Shape *shape, int face, const Kinematics *kin, int from, int to, double *node);
     ContactPushKernel *push[CONTACT_VARIANTS];
-    ContactColumnsKernel *columns[CONTACT_FIXED_VARIANTS];
-    ContactMovingKernel *moving[CONTACT_VARIANTS - CONTACT_FIXED_VARIANTS]; /* the same where rollers move */
+    ContactColumnsKernel *columns[CONTACT_VARIANTS];
 } ContactKernels;
 
 extern const ContactKernels contact_kernels_generic, contact_kernels_avx2, contact_kernels_avx512;

@@ -1,12 +1,10 @@
 /* The force kernels of contact_kernels.h for one instruction set. */
 #include "contact/roller/contact_lanes.h"
 
-/* One vector, one shape in every lane. */
-static Lane3 spread(Vec3 a) { return (Lane3){lane_set(a.x), lane_set(a.y), lane_set(a.z)}; }
-
+/* One shape in every lane. */
 static LaneShape shape_spread(const Shape *shape)
 {
-    return (LaneShape){spread(shape->centre), spread(shape->axis), lane_set(shape->radius),
+    return (LaneShape){l3_spread(shape->centre), l3_spread(shape->axis), lane_set(shape->radius),
                        lane_set(shape->half_width)};
 }
 
@@ -66,15 +64,15 @@ LANE_INLINE void push_of(const ContactBatch *batch, ContactPush *out, Variant is
     }
     batch_vector_store(out->total, c.force);
     batch_vector_store(out->point, c.at.p);
-    lane_store(out->normal, c.normal);
-    lane_store(out->friction, contact_friction_loss(&c, is));
-    lane_store(out->damping, c.loss);
-    lane_store(out->energy, c.energy);
+    lane_store(out->normal, c.push.force);
+    lane_store(out->friction, is.rubs == FRICTION_NONE ? lane_set(0) : c.push.force * rub_loss(&c.rub, c.slide));
+    lane_store(out->damping, c.push.loss);
+    lane_store(out->energy, c.push.energy);
     lane_store(out->u, c.u);
     lane_store(out->gap, c.gap);
     if (is.rubs == FRICTION_STICK) {
-        const LaneFriction law = friction_gather(batch);
-        batch_vector_store(out->kept, stick_keep(&c.stick, &law, c.at.probe.normal, c.slide));
+        const LaneFriction law = friction_gather(batch->friction);
+        batch_vector_store(out->kept, rub_keep(&c.rub, &law, c.at.probe.normal, c.slide));
     }
     if (is.moving) batch_vector_store(out->roller_moment, l3_cross(c.force, contact_roller_arm(&c)));
 }
@@ -93,5 +91,5 @@ const ContactKernels ISA_NAME(contact_kernels) = {
     .distances = kernel_distances,
     .push = {push_plain, push_smooth, push_general, push_stick, push_moving, push_moving_stick},
     .columns = {ISA_NAME(contact_columns_plain), ISA_NAME(contact_columns_smooth), ISA_NAME(contact_columns_general),
-                ISA_NAME(contact_columns_stick)},
-    .moving = {ISA_NAME(contact_columns_moving), ISA_NAME(contact_columns_moving_stick)}};
+                ISA_NAME(contact_columns_stick), ISA_NAME(contact_columns_moving),
+                ISA_NAME(contact_columns_moving_stick)}};

@@ -96,15 +96,6 @@ LANE_INLINE LinePoint line_at(const Line *line, int grooved, Lane u)
     return at;
 }
 
-LANE_INLINE Lane lane_abs(Lane x) { return lane_select(x < lane_set(0), -x, x); }
-
-LANE_INLINE int mask_any(LaneMask m)
-{
-    int64_t any = 0;
-    for (int k = 0; k < LANES; ++k) any |= m[k];
-    return any != 0;
-}
-
 /* Parameter of the element's point nearest to the shape (C11). The slope is negative at `low` and not at
  * `high`, always; Newton's step where it stays between them, bisection where not. The start is exact for a
  * straight line on a cylinder's lateral surface. A lane that has converged is left alone, so that it does not
@@ -122,7 +113,7 @@ LANE_INLINE Lane line_nearest(const Line *line, int grooved, LaneMask *interior)
     /* the root stays in [low, high], which shrinks at every step */
     Lane low = zero, high = one;
     LaneMask running = *interior;
-    for (int i = 0; i < MOST && mask_any(running); ++i) {
+    for (int i = 0; i < MOST && lane_any(running); ++i) {
         const LinePoint at = line_at(line, grooved, u);
         low = lane_select(at.slope < zero, u, low);
         high = lane_select(at.slope < zero, high, u);

@@ -2,8 +2,6 @@
  * segments. The derivatives of the same steps are in patch_columns.c. */
 #include "contact/self/patch.h"
 
-#include "contact/self/patch_bed.h"
-
 /* The slot of a segment on a side, a new one if it has none yet. */
 static PatchSlot *slot_of(Patch *patch, const Chain *chain, const Kinematics *kin, int body, int side)
 {
@@ -12,8 +10,8 @@ static PatchSlot *slot_of(Patch *patch, const Chain *chain, const Kinematics *ki
     }
     PatchSlot *const slot = &patch->slot[patch->slots++];
     *slot = (PatchSlot){.body = body, .side = side};
-    slot->r = v3_scale(chain->half[body], v3(kin->a[0][body], kin->a[1][body], kin->a[2][body]));
-    slot->w = v3(kin->w[0][body], kin->w[1][body], kin->w[2][body]);
+    slot->r = v3_scale(chain->half[body], v3_load(kin->a, body));
+    slot->w = v3_load(kin->w, body);
     return slot;
 }
 
@@ -27,7 +25,7 @@ static void spot_take(Patch *patch, const Chain *chain, const Kinematics *kin, c
         PatchSlot *const slot = slot_of(patch, chain, kin, i, side);
         slot->alpha[a] = spot->weight.alpha[b];
         slot->beta[a] = spot->weight.beta[b];
-        const Vec3 v = v3(kin->v[0][i], kin->v[1][i], kin->v[2][i]), turned = v3_cross(slot->w, slot->r);
+        const Vec3 v = v3_load(kin->v, i), turned = v3_cross(slot->w, slot->r);
         patch->speed[a] = v3_axpy(v3_axpy(patch->speed[a], sign * slot->alpha[a], v), sign * slot->beta[a], turned);
         patch->omega[side][a] = v3_axpy(patch->omega[side][a], slot->alpha[a], slot->w);
         if (side == 0) continue;

@@ -1,6 +1,6 @@
 /* The integrals run over the pressed part of the piece, where the integrand is a polynomial of degree 4 at most: three
  * Gauss points give them exactly, without the cancellation of closed forms in the limits. */
-#include "contact/self/patch_bed.h"
+#include "contact/self/patch.h"
 
 enum { POINTS = 3 };
 

@@ -1,6 +1,6 @@
 /* Derivatives of a patch's wrenches, one coordinate of one segment at a time: what the coordinate does to the ends of
  * the piece, from there to the forces, and on to the segments. docs/model.md, "Cable on cable", (CC13)-(CC17). */
-#include "contact/self/patch_bed.h"
+#include "contact/self/patch.h"
 
 /* What a coordinate changes at the piece's two ends, and of the radius. */
 typedef struct Ends {
@@ -17,13 +17,11 @@ typedef struct Forces {
     Vec3 couple[2][2]; /* [side][a], N m */
 } Forces;
 
-static Vec3 axis_unit(int c) { return v3(c == 0, c == 1, c == 2); }
-
 /* A shift or a turn of slot s: the feet follow (CC13), (CC14). turned: the change of the segment's arm, m. */
 static Ends ends_of_place(const Patch *p, const PatchSlot *slot, int c, Vec3 *turned)
 {
     const double sign = slot->side ? -1 : 1;
-    const Vec3 axis = axis_unit(c % 3);
+    const Vec3 axis = v3_axis(c % 3);
     Ends by = {.radius = 0};
     *turned = c < 3 ? v3(0, 0, 0) : v3_cross(axis, slot->r);
     for (int a = 0; a < 2; ++a) {
@@ -45,7 +43,7 @@ static Ends ends_of_place(const Patch *p, const PatchSlot *slot, int c, Vec3 *tu
 static Ends ends_of_motion(const PatchSlot *slot, int c)
 {
     const double sign = slot->side ? -1 : 1;
-    const Vec3 axis = axis_unit(c % 3), turned = v3_cross(axis, slot->r);
+    const Vec3 axis = v3_axis(c % 3), turned = v3_cross(axis, slot->r);
     Ends by = {.radius = 0};
     for (int a = 0; a < 2; ++a) {
         by.speed[a] = c < 9 ? v3_scale(sign * slot->alpha[a], axis) : v3_scale(sign * slot->beta[a], turned);

@@ -214,27 +214,12 @@ hawser_status self_refresh(const SelfModel *model, const Chain *chain, const Kin
         if (!walk(&w, 1, 0, pairs->tree.leaves)) return error_memory(err);
     }
     if (!hits_reserve(chain, pairs) || !pattern_set(pairs)) return error_memory(err);
-    for (int c = 0; c < 3; ++c) {
-        memcpy(pairs->at_p[c], kin->p[c], (size_t)pairs->n * sizeof(double));
-        memcpy(pairs->at_a[c], kin->a[c], (size_t)pairs->n * sizeof(double));
-    }
+    line_stand(kin, pairs->n, pairs->at_p, pairs->at_a);
     return HAWSER_OK;
-}
-
-/* Length of the change of a vector of segment i since the refresh. */
-static double vector_moved(double *const now[3], double *const then[3], int i)
-{
-    return v3_norm(v3(now[0][i] - then[0][i], now[1][i] - then[1][i], now[2][i] - then[2][i]));
 }
 
 /* Both lines may have moved, so each has half of the reach; a quarter is kept in hand for the motion within a step. */
 int self_moved_too_far(const SelfModel *model, const Chain *chain, const Kinematics *kin, const SelfPairs *pairs)
 {
-    const double limit = 0.75 * model->reach / 2;
-    for (int i = 0; i < pairs->n; ++i) {
-        const double moved =
-            vector_moved(kin->p, pairs->at_p, i) + chain->half[i] * vector_moved(kin->a, pairs->at_a, i);
-        if (!(moved <= limit)) return 1; /* a NaN counts as far */
-    }
-    return 0;
+    return line_moved(chain, kin, pairs->at_p, pairs->at_a, 0.75 * model->reach / 2);
 }

@@ -28,17 +28,15 @@ typedef struct Feet {
     Foot foot[FEET_MAX];
 } Feet;
 
-static Vec3 centre_of(const Kinematics *kin, int i) { return v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]); }
-
 /* Whether element f is surely farther than `far` from p: its arc lies in the triangle of its two centres and the joint
  * between them. */
 static int element_far(const Chain *chain, const Kinematics *kin, int f, Vec3 p, double far)
 {
     const int i = f > 0 ? f - 1 : 0, j = f < chain->n ? f : chain->n - 1;
-    const Vec3 a = centre_of(kin, i), along = v3_sub(centre_of(kin, j), a), to = v3_sub(p, a);
+    const Vec3 a = v3_load(kin->p, i), along = v3_sub(v3_load(kin->p, j), a), to = v3_sub(p, a);
     const double length = v3_dot(along, along), share = length > 0 ? v3_dot(to, along) / length : 0;
     const Vec3 off = v3_axpy(to, -fmin(1, fmax(0, share)), along);
-    const Vec3 front = v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]);
+    const Vec3 front = v3_load(kin->a, i);
     /* an end half sticks out of its centre by its own length */
     const double out = i == j ? chain->half[i] : v3_norm(v3_axpy(v3_scale(-0.5, along), chain->half[i], front));
     return v3_norm(off) > far + out;
@@ -172,12 +170,7 @@ void self_forces(const SelfModel *model, const Chain *chain, const Kinematics *k
         ++pairs->active[part];
         for (int s = 0; s < patch.slots; ++s) {
             const PatchWrench wrench = patch_wrench(&patch, s);
-            const double f[3] = {wrench.force.x, wrench.force.y, wrench.force.z};
-            const double m[3] = {wrench.moment.x, wrench.moment.y, wrench.moment.z};
-            for (int c = 0; c < 3; ++c) {
-                loads->f[c][patch.slot[s].body] += f[c];
-                loads->m[c][patch.slot[s].body] += m[c];
-            }
+            loads_add(loads, patch.slot[s].body, wrench.force, wrench.moment);
         }
     }
 }

@@ -6,11 +6,10 @@
 #ifndef HAWSER_CONTACT_SELF_SELF_CONTACT_H
 #define HAWSER_CONTACT_SELF_SELF_CONTACT_H
 
-#include "contact/law/contact_tally.h"
+#include "contact/law/contact_law.h"
 #include "contact/self/patch.h"
-#include "contact/shape/sphere_tree.h"
+#include "contact/shape/element.h"
 #include "core/block_chain.h"
-#include "core/block_extras.h"
 #include "hawser/hawser.h"
 
 enum { SELF_PARTS = 2 };

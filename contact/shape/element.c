@@ -3,6 +3,7 @@
 #include "contact/shape/element.h"
 
 #include <assert.h>
+#include <string.h>
 
 int element_count(ContactGeometry geometry, int n) { return geometry == GEOMETRY_SMOOTH ? n + 1 : n; }
 
@@ -26,33 +27,31 @@ Element element_at(ContactGeometry geometry, int n, int e)
     return element;
 }
 
-/* alpha_1 (C2), (C3). */
-static double element_alpha(const Element *element, double u)
+LineWeights element_weights(const Element *e, double u)
 {
-    return element->arc * u * u * (3 - 2 * u) + element->alpha;
+    const double v = 1 - u, alpha = e->arc * u * u * (3 - 2 * u) + e->alpha;
+    return (LineWeights){.alpha = {1 - alpha, alpha},
+                         .beta = {e->arc * 2 * u * v * v + e->beta[0][0] + e->beta[0][1] * u,
+                                  -e->arc * 2 * u * u * v + e->beta[1][0] + e->beta[1][1] * u}};
 }
 
 /* Whether `body` is a segment at all: an element at an end has only one. */
 static int carries(const Chain *chain, int body) { return body >= 0 && body < chain->n; }
-static Vec3 body_centre(const Kinematics *kin, int i) { return v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]); }
 /* r_i: from the centre of segment i to its front end. */
 static Vec3 body_arm(const Chain *chain, const Kinematics *kin, int i)
 {
-    return v3_scale(chain->half[i], v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]));
+    return v3_scale(chain->half[i], v3_load(kin->a, i));
 }
 
 /* (C1), term by term: missing bodies have no weight. */
 Vec3 element_point(const Element *element, const Chain *chain, const Kinematics *kin, double u)
 {
-    const double alpha = element_alpha(element, u);
-    const double weight[2] = {1 - alpha, alpha};
-    const double arc[2] = {element->arc * 2 * u * (1 - u) * (1 - u), -element->arc * 2 * u * u * (1 - u)};
+    const LineWeights w = element_weights(element, u);
     Vec3 p = v3(0, 0, 0);
     for (int b = 0; b < 2; ++b) {
         const int i = element->body[b];
         if (!carries(chain, i)) continue;
-        p = v3_axpy(p, weight[b], body_centre(kin, i));
-        p = v3_axpy(p, arc[b] + element->beta[b][0] + element->beta[b][1] * u, body_arm(chain, kin, i));
+        p = v3_axpy(v3_axpy(p, w.alpha[b], v3_load(kin->p, i)), w.beta[b], body_arm(chain, kin, i));
     }
     return p;
 }
@@ -60,10 +59,11 @@ Vec3 element_point(const Element *element, const Chain *chain, const Kinematics 
 /* (C4). */
 double element_radius(const Element *element, const Chain *chain, double u)
 {
-    const double alpha = element_alpha(element, u);
+    const LineWeights w = element_weights(element, u);
     double radius = 0;
-    if (carries(chain, element->body[0])) radius += (1 - alpha) * chain->radius[element->body[0]];
-    if (carries(chain, element->body[1])) radius += alpha * chain->radius[element->body[1]];
+    for (int b = 0; b < 2; ++b) {
+        if (carries(chain, element->body[b])) radius += w.alpha[b] * chain->radius[element->body[b]];
+    }
     return radius;
 }
 
@@ -72,10 +72,36 @@ double element_radius(const Element *element, const Chain *chain, double u)
 Sphere element_sphere(const Element *element, const Chain *chain, const Kinematics *kin)
 {
     const int j = element->body[0], k = element->body[1];
-    if (!carries(chain, j)) return (Sphere){body_centre(kin, k), chain->half[k] + chain->radius[k]};
-    if (!carries(chain, k)) return (Sphere){body_centre(kin, j), chain->half[j] + chain->radius[j]};
-    const Vec3 xj = body_centre(kin, j), xk = body_centre(kin, k);
+    if (!carries(chain, j)) return (Sphere){v3_load(kin->p, k), chain->half[k] + chain->radius[k]};
+    if (!carries(chain, k)) return (Sphere){v3_load(kin->p, j), chain->half[j] + chain->radius[j]};
+    const Vec3 xj = v3_load(kin->p, j), xk = v3_load(kin->p, k);
     const double radius = fmax(chain->radius[j], chain->radius[k]);
     return (Sphere){v3_scale(0.5, v3_add(xj, xk)),
                     v3_norm(v3_sub(xk, xj)) / 2 + 8.0 / 27 * (chain->half[j] + chain->half[k]) + radius};
+}
+
+void line_stand(const Kinematics *kin, int n, double *const at_p[3], double *const at_a[3])
+{
+    for (int c = 0; c < 3; ++c) {
+        memcpy(at_p[c], kin->p[c], (size_t)n * sizeof(double));
+        memcpy(at_a[c], kin->a[c], (size_t)n * sizeof(double));
+    }
+}
+
+/* Length of the change of a vector of segment i. */
+static double vector_moved(double *const now[3], double *const then[3], int i)
+{
+    const double x = now[0][i] - then[0][i], y = now[1][i] - then[1][i], z = now[2][i] - then[2][i];
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* No point of the line moves farther than the largest |dx_i| + |dr_i|. */
+int line_moved(const Chain *chain, const Kinematics *kin, double *const at_p[3], double *const at_a[3], double limit)
+{
+    int far = 0;
+    for (int i = 0; i < chain->n; ++i) {
+        const double moved = vector_moved(kin->p, at_p, i) + chain->half[i] * vector_moved(kin->a, at_a, i);
+        far |= !(moved <= limit); /* a NaN counts as far */
+    }
+    return far;
 }

@@ -25,6 +25,14 @@ int element_count(ContactGeometry geometry, int n);
 /* Element e of a chain of n segments, 0 <= e < element_count. */
 Element element_at(ContactGeometry geometry, int n, int e);
 
+/* The weights of an element's two segments, or their derivatives by u. */
+typedef struct LineWeights {
+    double alpha[2], beta[2];
+} LineWeights;
+
+/* (C2), (C3) at u. */
+LineWeights element_weights(const Element *element, double u);
+
 /* Point of the line (m) and contact radius there (m) at u (C1), (C4). */
 Vec3 element_point(const Element *element, const Chain *chain, const Kinematics *kin, double u);
 double element_radius(const Element *element, const Chain *chain, double u);
@@ -35,5 +43,23 @@ typedef struct Sphere {
     double radius;
 } Sphere;
 Sphere element_sphere(const Element *element, const Chain *chain, const Kinematics *kin);
+
+/* Takes down where the centres and axes are (chain arrays); and whether a point of the line may since have moved
+ * farther than `limit`, m (C20). */
+void line_stand(const Kinematics *kin, int n, double *const at_p[3], double *const at_a[3]);
+int line_moved(const Chain *chain, const Kinematics *kin, double *const at_p[3], double *const at_a[3], double limit);
+
+/* A binary tree of spheres over the elements, in their order: the chain's own order is the spatial order, so nothing is
+ * sorted. Children of node i are 2i and 2i + 1. docs/model.md, "Which pairs are looked at". */
+typedef struct SphereTree {
+    int leaves;   /* power of two >= elements */
+    Sphere *node; /* [2 leaves]; node[leaves + e] is element e's (C18); a negative radius: nothing there */
+} SphereTree;
+
+/* Room for the elements of chains of n segments; 0 if there is no memory. */
+int sphere_tree_alloc(SphereTree *tree, int n);
+void sphere_tree_free(SphereTree *tree);
+/* Spheres around the elements where they are now, and around runs of them (C19). */
+void sphere_tree_build(SphereTree *tree, ContactGeometry geometry, const Chain *chain, const Kinematics *kin);
 
 #endif

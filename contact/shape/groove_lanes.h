@@ -22,7 +22,7 @@ typedef struct LaneProfile {
 /* Where mask is set: the corner at (rho, zeta) = (c_rho, c_zeta) is nearest, a point that the cable rounds. */
 LANE_INLINE void profile_corner(LaneProfile *to, LaneMask mask, Lane q_rho, Lane q_zeta)
 {
-    const Lane distance = shape_root(shape_at_least(q_rho * q_rho + q_zeta * q_zeta, 1e-60));
+    const Lane distance = lane_sqrt(lane_at_least(q_rho * q_rho + q_zeta * q_zeta, 1e-60));
     const Lane inverse = 1 / distance;
     to->distance = lane_select(mask, distance, to->distance);
     to->n_rho = lane_select(mask, q_rho * inverse, to->n_rho);
@@ -76,7 +76,7 @@ LANE_INLINE LaneProfile profile_u(const LaneShape *s, const LaneGroove *g, Lane 
     const Lane zero = lane_set(0), one = lane_set(1);
     /* from the arc's centre */
     const Lane q_rho = rho - (s->radius + g->radius);
-    const Lane r = shape_root(shape_at_least(q_rho * q_rho + zeta * zeta, 1e-60)), inverse = 1 / r;
+    const Lane r = lane_sqrt(lane_at_least(q_rho * q_rho + zeta * zeta, 1e-60)), inverse = 1 / r;
     const LaneMask before_arc = q_rho * g->sine + zeta * g->cosine <= zero;
     LaneProfile p = {g->radius - r, -q_rho * inverse, -zeta * inverse, -inverse};
     /* inside the body the nearest of what can be seen from there */
@@ -98,7 +98,7 @@ static __attribute__((noinline, unused)) void shape_grooved(ShapeKind kind, cons
     const Lane3 from_centre = l3_sub(*p, s->centre);
     const Lane z = l3_dot(from_centre, s->axis);
     const Lane3 radial = l3_axpy(from_centre, -z, s->axis);
-    const Lane rho = shape_root(shape_at_least(l3_dot(radial, radial), 1e-60));
+    const Lane rho = lane_sqrt(lane_at_least(l3_dot(radial, radial), 1e-60));
     const Lane3 e_rho = l3_scale(1 / rho, radial);
     const Lane side = v ? g->side : lane_select(z < zero, -one, one);
     const LaneProfile profile = v ? profile_v(s, g, rho, side * z) : profile_u(s, g, rho, side * z);

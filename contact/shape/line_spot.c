@@ -1,34 +1,26 @@
 #include "contact/shape/line_spot.h"
 
-/* (C2), (C3) and two derivatives, in the form of Element. */
-static void weights_at(const Element *e, double u, LineWeights *w, LineWeights *w1, LineWeights *w2)
+/* First and second derivatives of (C2), (C3) by u. */
+static void weights_by(const Element *e, double u, LineWeights *w1, LineWeights *w2)
 {
     const double v = 1 - u, arc = e->arc;
-    w->alpha[1] = arc * u * u * (3 - 2 * u) + e->alpha;
-    w->beta[0] = arc * 2 * u * v * v + e->beta[0][0] + e->beta[0][1] * u;
-    w->beta[1] = -arc * 2 * u * u * v + e->beta[1][0] + e->beta[1][1] * u;
-    w1->alpha[1] = arc * 6 * u * v;
-    w1->beta[0] = arc * 2 * v * (1 - 3 * u) + e->beta[0][1];
-    w1->beta[1] = arc * 2 * u * (3 * u - 2) + e->beta[1][1];
-    w2->alpha[1] = arc * (6 - 12 * u);
-    w2->beta[0] = arc * (12 * u - 8);
-    w2->beta[1] = arc * (12 * u - 4);
-    w->alpha[0] = 1 - w->alpha[1];
-    w1->alpha[0] = -w1->alpha[1];
-    w2->alpha[0] = -w2->alpha[1];
+    *w1 = (LineWeights){.alpha = {-arc * 6 * u * v, arc * 6 * u * v},
+                        .beta = {arc * 2 * v * (1 - 3 * u) + e->beta[0][1], arc * 2 * u * (3 * u - 2) + e->beta[1][1]}};
+    *w2 = (LineWeights){.alpha = {-arc * (6 - 12 * u), arc * (6 - 12 * u)},
+                        .beta = {arc * (12 * u - 8), arc * (12 * u - 4)}};
 }
 
 LineSpot line_spot(const Chain *chain, const Kinematics *kin, int e, double u)
 {
     const Element element = element_at(GEOMETRY_SMOOTH, chain->n, e);
-    LineSpot at = {.body = {element.body[0], element.body[1]}};
+    LineSpot at = {.body = {element.body[0], element.body[1]}, .weight = element_weights(&element, u)};
     LineWeights w2;
-    weights_at(&element, u, &at.weight, &at.weight1, &w2);
+    weights_by(&element, u, &at.weight1, &w2);
     for (int b = 0; b < 2; ++b) {
         const int i = at.body[b];
         if (i < 0 || i >= chain->n) continue;
-        const Vec3 x = v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]);
-        const Vec3 r = v3_scale(chain->half[i], v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]));
+        const Vec3 x = v3_load(kin->p, i);
+        const Vec3 r = v3_scale(chain->half[i], v3_load(kin->a, i));
         at.p = v3_axpy(v3_axpy(at.p, at.weight.alpha[b], x), at.weight.beta[b], r);
         at.p1 = v3_axpy(v3_axpy(at.p1, at.weight1.alpha[b], x), at.weight1.beta[b], r);
         at.p2 = v3_axpy(v3_axpy(at.p2, w2.alpha[b], x), w2.beta[b], r);

@@ -5,11 +5,6 @@
 
 #include "contact/shape/element.h"
 
-/* The weights of an element's two segments (C2), (C3) or their derivatives by the parameter. */
-typedef struct LineWeights {
-    double alpha[2], beta[2];
-} LineWeights;
-
 typedef struct LineSpot {
     int body[2];                 /* segments; outside 0..n-1: none, with no weight */
     LineWeights weight, weight1; /* and their first derivatives */

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "contact/shape/shape.h"
-#include "core/base/lanes.h"
+#include "core/base/lane_math.h"
 
 typedef struct LaneShape {
     Lane3 centre, axis;
@@ -23,18 +23,6 @@ typedef struct LaneProbe {
     Lane scale;   /* m, > 0: scale times the normal is nearly linear in the point; a good start for Newton */
 } LaneProbe;
 
-/* Square root, lane by lane. */
-LANE_INLINE Lane shape_root(Lane x)
-{
-    double r[LANES];
-    lane_store(r, x);
-    for (int k = 0; k < LANES; ++k) r[k] = sqrt(r[k]);
-    return lane_load(r);
-}
-
-/* max(x, floor). */
-LANE_INLINE Lane shape_at_least(Lane x, double floor) { return lane_select(x > lane_set(floor), x, lane_set(floor)); }
-
 /* The finite cylinder (C7), (C8). rho, z: cylindrical coordinates of p; the regions are the lateral surface,
  * the end faces and, outside both, the rim. Distance and normal are continuous outside the body; the
  * curvature is not. */
@@ -46,14 +34,14 @@ LANE_INLINE LaneProbe shape_cylinder(const LaneShape *s, Lane3 p)
     const Lane z = l3_dot(from_centre, s->axis);
     const Lane side = lane_select(z < zero, -one, one);
     const Lane3 radial = l3_axpy(from_centre, -z, s->axis);
-    const Lane rho = shape_root(shape_at_least(l3_dot(radial, radial), tiny));
+    const Lane rho = lane_sqrt(lane_at_least(l3_dot(radial, radial), tiny));
     const Lane3 e_rho = l3_scale(1 / rho, radial);
 
     /* how far outside the lateral surface and beyond the faces */
     const Lane q_rho = rho - s->radius, q_z = side * z - s->half_width;
     const LaneMask rim = (q_rho > zero) & (q_z > zero);
     const LaneMask face = (q_z > q_rho) & ~rim;
-    const Lane rim_distance = shape_root(shape_at_least(q_rho * q_rho + q_z * q_z, tiny));
+    const Lane rim_distance = lane_sqrt(lane_at_least(q_rho * q_rho + q_z * q_z, tiny));
     const Lane inverse = 1 / rim_distance;
 
     /* normal = n_rho e_rho + n_z axis */
@@ -78,7 +66,7 @@ LANE_INLINE Lane shape_cylinder_slope(const LaneShape *s, Lane3 p, Lane3 directi
     const Lane3 from_centre = l3_sub(p, s->centre);
     const Lane z = l3_dot(from_centre, s->axis);
     const Lane3 radial = l3_axpy(from_centre, -z, s->axis);
-    const Lane rho = shape_root(l3_dot(radial, radial));
+    const Lane rho = lane_sqrt(l3_dot(radial, radial));
     const Lane along_axis = l3_dot(s->axis, direction);
     const Lane along_radius = l3_dot(radial, direction);
     const Lane outward = lane_select(z < zero, -along_axis, along_axis);

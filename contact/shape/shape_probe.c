@@ -85,8 +85,6 @@ double shape_seat(const Shape *shape, double cable_radius)
     return shape->radius + (shape->kind == SHAPE_V_GROOVE ? cable_radius / g->sine : cable_radius);
 }
 
-/* Between scalars and lanes. */
-static Lane3 lane3_set(Vec3 a) { return (Lane3){lane_set(a.x), lane_set(a.y), lane_set(a.z)}; }
 static Vec3 lane3_first(Lane3 a) { return v3(a.x[0], a.y[0], a.z[0]); }
 
 /* matrix += k t t^T */
@@ -99,12 +97,12 @@ static void outer_add(Mat3 *matrix, double k, Vec3 t)
 /* One lane of the kernels' function, with the Hessian put together from its principal directions. */
 ShapeProbe shape_probe(const Shape *shape, int face, Vec3 p)
 {
-    const LaneShape s = {lane3_set(shape->centre), lane3_set(shape->axis), lane_set(shape->radius),
+    const LaneShape s = {l3_spread(shape->centre), l3_spread(shape->axis), lane_set(shape->radius),
                          lane_set(shape->half_width)};
     const Groove *const g = &shape->groove;
     const LaneGroove groove = {lane_set(g->depth), lane_set(g->lip),    lane_set(g->cosine),
                                lane_set(g->sine),  lane_set(g->radius), lane_set(face == 0 ? 1 : -1)};
-    const Lane3 at = lane3_set(p);
+    const Lane3 at = l3_spread(p);
     LaneProbe lanes = shape_cylinder(&s, at);
     if (shape->kind != SHAPE_CYLINDER) shape_grooved(shape->kind, &s, &groove, &at, &lanes);
     ShapeProbe probe = {.distance = lanes.distance[0], .normal = lane3_first(lanes.normal)};

@@ -1,4 +1,4 @@
-#include "contact/shape/sphere_tree.h"
+#include "contact/shape/element.h"
 
 #include <stdlib.h>
 #include <string.h>

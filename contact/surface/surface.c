@@ -10,12 +10,7 @@
 #include "contact/surface/surface_kernels.h"
 #include "core/base/error.h"
 
-/* The kernels of the best instruction set. */
-static const SurfaceKernels *kernels(void)
-{
-    static const SurfaceKernels *const table[] = ISA_TABLE(surface_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(SurfaceKernels, surface_kernels)
 
 SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p)
 {
@@ -45,14 +40,12 @@ static double segment_value(const double *array, int i, int n) { return i >= 0 &
 static void point_set(SurfacePoints *points, ContactGeometry geometry, const Chain *chain, int e, int q)
 {
     const Element element = element_at(geometry, chain->n, e);
-    const double u = gauss_u[q], v = 1 - u;
-    const double beta0 = element.arc * 2 * u * v * v + element.beta[0][0] + element.beta[0][1] * u;
-    const double beta1 = -element.arc * 2 * u * u * v + element.beta[1][0] + element.beta[1][1] * u;
+    const LineWeights w = element_weights(&element, gauss_u[q]);
     const int capsule = geometry == GEOMETRY_CYLINDER, n = chain->n;
-    points->alpha[q][e] = capsule ? 1 : element.arc * u * u * (3 - 2 * u) + element.alpha;
-    points->beta[q][0][e] = capsule ? 0 : beta0;
-    points->beta[q][1][e] = capsule ? beta0 : beta1;
-    points->radius[q][e] = element_radius(&element, chain, u);
+    points->alpha[q][e] = capsule ? 1 : w.alpha[1];
+    points->beta[q][0][e] = capsule ? 0 : w.beta[0];
+    points->beta[q][1][e] = w.beta[!capsule];
+    points->radius[q][e] = element_radius(&element, chain, gauss_u[q]);
     const double length =
         capsule ? 2 * chain->half[e] : segment_value(chain->half, e - 1, n) + segment_value(chain->half, e, n);
     points->length[q][e] = length / SURFACE_POINTS;
@@ -226,7 +219,7 @@ static void tally_element(const SurfaceStrip *strip, const SurfacePush *push, in
         const double load = push->normal[q][l];
         length += strip->points->length[q][strip->first + l];
         if (!(load > 0)) continue;
-        const Vec3 force = v3(push->force[q][0][l], push->force[q][1][l], push->force[q][2][l]);
+        const Vec3 force = batch_at(push->force[q], l);
         tally->force = v3_sub(tally->force, force);
         /* the force is N n minus the friction, square to n */
         tally->friction += sqrt(fmax(0, v3_dot(force, force) - load * load));
@@ -261,25 +254,6 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
     }
 }
 
-/* block += rows of body a by columns of body b of one lane. */
-static void part_add(double *block, const ContactMatrix *m, int l, int a, int b)
-{
-    for (int col = 0; col < 6; ++col) {
-        for (int row = 0; row < 6; ++row) block[6 * col + row] += m->entry[6 * b + col][6 * a + row][l];
-    }
-}
-
-/* Adds the derivatives of element e, in lane l, to the up to four blocks of its segments. */
-static void element_add(const ContactMatrix *m, int l, int e, BlockChain *out)
-{
-    const int before = e > 0, after = e < out->n;
-    if (before) part_add(out->diag + 36 * (e - 1), m, l, 0, 0);
-    if (after) part_add(out->diag + 36 * e, m, l, 1, 1);
-    if (!before || !after) return;
-    part_add(out->upper + 36 * (e - 1), m, l, 0, 1);
-    part_add(out->lower + 36 * e, m, l, 1, 0);
-}
-
 void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     const SurfacePairs *pairs, int from, int to, BlockChain *k, BlockChain *d)
 {
@@ -294,8 +268,8 @@ void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinemat
             const SurfaceStrip strip = strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, e, end - e);
             if (!kernel->columns(&strip, &by_shift, &by_speed)) continue;
             for (int l = 0; l < strip.count; ++l) {
-                element_add(&by_shift, l, e + l, k);
-                element_add(&by_speed, l, e + l, d);
+                matrix_add(&by_shift, CONTACT_ROWS, l, e + l - 1, e + l, k);
+                matrix_add(&by_speed, CONTACT_ROWS, l, e + l - 1, e + l, d);
             }
         }
     }

@@ -49,40 +49,29 @@ LANE_INLINE Lane3 hessian_times(const SurfaceHessian *h, const SurfacePlace *at,
 LANE_INLINE Lane3 vary_contact(const SurfaceContact *c, int sticks, Lane3 normal_by, Lane3 slip_by, Lane load_by)
 {
     const Lane3 n = c->normal;
-    const Lane along = l3_dot(normal_by, c->slip) + l3_dot(n, slip_by);
-    const Lane3 slide = l3_axpy(l3_axpy(slip_by, -along, n), -c->slip_normal, normal_by);
-    Lane3 rubbing; /* d(phi v_t), or of the lean (GR14) */
-    if (sticks) {
-        const LaneStick *const t = &c->stick;
-        const Lane3 lean = stick_lean_by(t, n, normal_by, slide);
-        const Lane phi = t->by_lean * l3_dot(t->lean, lean) + t->by_slide * l3_dot(c->slide, slide);
-        rubbing = l3_axpy(l3_scale(phi, t->lean), t->phi, lean);
-    } else {
-        const Lane phi = c->phi_over * l3_dot(c->slide, slide);
-        rubbing = l3_axpy(l3_scale(phi, c->slide), c->phi, slide);
-    }
-    return l3_axpy(l3_scale(load_by, surface_direction(c, sticks)), c->load, l3_sub(normal_by, rubbing));
+    const Lane3 direction_by =
+        rub_direction_by(&c->rub, n, c->slip, c->slip_normal, c->slide, normal_by, slip_by, sticks);
+    return l3_axpy(l3_scale(load_by, rub_direction(&c->rub, n)), c->load, direction_by);
 }
-
-LANE_INLINE Lane3 axis_unit(int axis) { return (Lane3){lane_set(axis == 0), lane_set(axis == 1), lane_set(axis == 2)}; }
 
 /* (DU11), one world axis at a time. */
 LANE_INLINE void point_slopes(const SurfacePatch *patch, const SurfaceContact *c, int sticks, PointSlopes *out)
 {
     const SurfaceHessian h = surface_hessian(patch, &c->place, &c->section);
     const Lane3 n = c->normal;
-    const Lane flat = 1 / c->steep;
+    const Lane flat = 1 / c->steep, share = c->share.value * c->length;
     for (int axis = 0; axis < 3; ++axis) {
-        const Lane3 e = axis_unit(axis);
+        const Lane3 e = l3_axis(axis);
         /* of the position: the normal turns, gap, its rate and the weight change */
         const Lane3 bent = hessian_times(&h, &c->place, e);
         const Lane3 turned = l3_scale(flat, l3_axpy(bent, -l3_dot(n, bent), n));
         const Lane gap = c->steep * l3_dot(n, e), rate = l3_dot(bent, c->pdot);
-        const Lane load = c->share.value * (c->law_gap * gap + c->law_rate * rate) + c->law * l3_dot(c->share.slope, e);
+        const Lane load =
+            share * (c->push.gap * gap + c->push.rate * rate) + c->length * c->push.force * l3_dot(c->share.slope, e);
         out->normal[axis] = turned;
         out->force[axis] = vary_contact(c, sticks, turned, l3_scale(-c->radius, l3_cross(c->omega, turned)), load);
         /* of the velocities: the normal stays */
-        out->speed[axis] = vary_contact(c, sticks, l3_zero(), e, c->share.value * c->law_rate * gap);
+        out->speed[axis] = vary_contact(c, sticks, l3_zero(), e, share * c->push.rate * gap);
         out->spin[axis] = vary_contact(c, sticks, l3_zero(), l3_scale(-c->radius, l3_cross(e, n)), lane_set(0));
     }
 }
@@ -94,7 +83,7 @@ LANE_INLINE Lane3 slopes_times(const Lane3 column[3], Lane3 v)
 }
 
 /* Adds force and moment rows of one body to a column, where something touches. */
-LANE_INLINE void rows_add(double rows[12][LANES], int body, LaneMask mask, Lane3 force, Lane3 moment)
+LANE_INLINE void rows_add(double rows[CONTACT_ROWS][LANES], int body, LaneMask mask, Lane3 force, Lane3 moment)
 {
     force = lanes_keep(mask, force);
     moment = lanes_keep(mask, moment);
@@ -104,12 +93,12 @@ LANE_INLINE void rows_add(double rows[12][LANES], int body, LaneMask mask, Lane3
 
 /* One column: dF, and what it does to the levers through dn and through the turning of body `own` (dr). */
 LANE_INLINE void column_add(const StripBodies *s, const SurfaceContact *c, Lane3 force, Lane3 normal, int own, Lane3 dr,
-                            double rows[12][LANES])
+                            double rows[CONTACT_ROWS][LANES])
 {
     for (int b = 0; b < 2; ++b) {
         Lane3 arm = l3_scale(-c->weight.alpha[b] * c->radius, normal);
         if (b == own) arm = l3_axpy(arm, c->weight.beta[b], dr);
-        rows_add(rows, b, c->touches, l3_scale(c->weight.alpha[b], force),
+        rows_add(rows, b, c->push.touches, l3_scale(c->weight.alpha[b], force),
                  l3_add(l3_cross(arm, c->force), l3_cross(contact_arm(s, c, b), force)));
     }
 }
@@ -122,15 +111,16 @@ LANE_INLINE void body_columns(const StripBodies *s, const SurfaceContact *c, con
     const Lane alpha = c->weight.alpha[b], beta = c->weight.beta[b];
     const Lane3 none = l3_zero();
     for (int axis = 0; axis < 3; ++axis) {
-        const Lane3 turned = l3_cross(axis_unit(axis), body->r), moved = l3_scale(beta, turned);
+        const Lane3 turned = l3_cross(l3_axis(axis), body->r), moved = l3_scale(beta, turned);
         const Lane3 swept = l3_scale(beta, l3_cross(body->w, turned));
+        const int first = CONTACT_ROWS * (6 * b + axis), second = first + CONTACT_ROWS * 3;
         column_add(s, c, l3_scale(alpha, by->force[axis]), l3_scale(alpha, by->normal[axis]), -1, none,
-                   k->entry[6 * b + axis]);
+                   k->entry + first);
         column_add(s, c, l3_add(slopes_times(by->force, moved), slopes_times(by->speed, swept)),
-                   slopes_times(by->normal, moved), b, turned, k->entry[6 * b + 3 + axis]);
-        column_add(s, c, l3_scale(alpha, by->speed[axis]), none, -1, none, d->entry[6 * b + axis]);
+                   slopes_times(by->normal, moved), b, turned, k->entry + second);
+        column_add(s, c, l3_scale(alpha, by->speed[axis]), none, -1, none, d->entry + first);
         column_add(s, c, l3_axpy(slopes_times(by->speed, moved), alpha, by->spin[axis]), none, -1, none,
-                   d->entry[6 * b + 3 + axis]);
+                   d->entry + second);
     }
 }
 
@@ -143,12 +133,12 @@ LANE_INLINE int columns_of(const SurfaceStrip *strip, int sticks, ContactMatrix 
         SurfaceContact c;
         contact_point(strip, &s, q, &c);
         const LaneMask near = contact_gap(strip, &s, &c);
-        if (!mask_any(near)) continue;
+        if (!lane_any(near)) continue;
         contact_force(strip, &s, q, near, sticks, &c);
-        if (!mask_any(c.touches)) continue;
+        if (!lane_any(c.push.touches)) continue;
         if (!any) {
-            memset(k, 0, sizeof *k);
-            memset(d, 0, sizeof *d);
+            memset(k, 0, CONTACT_ROWS * CONTACT_ROWS * sizeof *k->entry);
+            memset(d, 0, CONTACT_ROWS * CONTACT_ROWS * sizeof *d->entry);
         }
         any = 1;
         PointSlopes slopes;

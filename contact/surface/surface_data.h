@@ -3,7 +3,6 @@
 #define HAWSER_CONTACT_SURFACE_SURFACE_DATA_H
 
 #include "contact/law/contact_law.h"
-#include "contact/law/contact_tally.h"
 #include "contact/shape/element.h"
 #include "contact/surface/surface_patch.h"
 #include "contact/surface/surface_stick.h"

@@ -2,26 +2,20 @@
 #include "contact/surface/surface_lanes.h"
 
 /* Adds to LANES entries of three arrays. */
-LANE_INLINE void lane_loads_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
+LANE_INLINE void lanes_add(double *const a[3], int i, Lane3 v) { l3_store(a, i, l3_add(l3_load(a, i), v)); }
 
-/* What the point does to the motion (BA5), (BA6), as in contact_lanes.h. */
-LANE_INLINE void work_add(const SurfaceStrip *strip, const SurfaceContact *c, LaneMask near, int sticks,
-                          ContactTally *work)
+/* What the point does to the motion (BA5), (BA6). */
+LANE_INLINE void work_add(const SurfaceContact *c, LaneMask near, ContactTally *work)
 {
-    const Lane zero = lane_set(0), p = lane_select(near, c->radius - c->section.g, zero);
+    const Lane zero = lane_set(0), share = c->share.value * c->length, held = c->length * c->push.energy;
     const Lane toward = l3_dot(c->normal, c->pdot), rate = c->steep * toward;
-    /* the spring's force by the law, also where the damping leaves none of it */
-    const Lane whole = c->length * (p * strip->impact->k * surface_power(p, strip->impact->e));
-    const Lane spring = c->share.value * whole, held = whole * p * (1 / (strip->impact->e + 1));
-    const Lane rubs = sticks ? c->stick.phi * l3_dot(c->stick.lean, c->slide) : c->phi * l3_dot(c->slide, c->slide);
-    const Lane slow = lane_select(near, (spring - c->load) * rate, zero);
-    work->friction += lane_sum(lane_select(c->touches, c->load * rubs, zero));
-    work->damping += lane_sum(slow);
-    work->energy += lane_sum(lane_select(near, c->share.value * held, zero));
+    work->friction += lane_sum(lane_select(c->push.touches, c->load * rub_loss(&c->rub, c->slide), zero));
+    work->damping += lane_sum(lane_select(near, share * c->push.loss, zero));
+    work->energy += lane_sum(lane_select(near, share * c->push.energy, zero));
     /* the weight multiplies the force only (DU8): what it lends to the springs where it rises along the way (BA10) */
     const Lane rise = held * l3_dot(c->share.slope, c->pdot);
     work->edges += lane_sum(lane_select(near, rise + c->load * (toward - rate), zero));
-    const Lane3 force = lanes_keep(c->touches, c->force);
+    const Lane3 force = lanes_keep(c->push.touches, c->force);
     work->force[0] += lane_sum(force.x);
     work->force[1] += lane_sum(force.y);
     work->force[2] += lane_sum(force.z);
@@ -34,18 +28,18 @@ LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int 
     SurfaceContact c;
     contact_point(strip, s, q, &c);
     const LaneMask near = contact_gap(strip, s, &c);
-    if (!mask_any(near)) return 0;
+    if (!lane_any(near)) return 0;
     contact_force(strip, s, q, near, sticks, &c);
-    work_add(strip, &c, near, sticks, work);
+    work_add(&c, near, work);
     /* by virtual work (C15); the two bodies' entries overlap, so one after the other */
     for (int b = 0; b < 2; ++b) {
         const int i = strip->first - 1 + b;
-        lane_loads_add(loads->f, i, lanes_keep(c.touches, l3_scale(c.weight.alpha[b], c.force)));
-        lane_loads_add(loads->m, i, lanes_keep(c.touches, l3_cross(contact_arm(s, &c, b), c.force)));
+        lanes_add(loads->f, i, lanes_keep(c.push.touches, l3_scale(c.weight.alpha[b], c.force)));
+        lanes_add(loads->m, i, lanes_keep(c.push.touches, l3_cross(contact_arm(s, &c, b), c.force)));
     }
     if (!out) return 1;
-    batch_vector_store(out->force[q], lanes_keep(c.touches, c.force));
-    lane_store(out->normal[q], lane_select(c.touches, c.load, lane_set(0)));
+    batch_vector_store(out->force[q], lanes_keep(c.push.touches, c.force));
+    lane_store(out->normal[q], lane_select(c.push.touches, c.load, lane_set(0)));
     lane_store(out->along[q], surface_along(strip->patch, c.p, &c.place));
     return 1;
 }
@@ -75,10 +69,8 @@ static void kernel_near(const SurfaceStrip *strip, double reach, int near[LANES]
         const Lane g = surface_section(patch, &at).g;
         LaneMask here = (g < c.radius + reach) & (g > lane_set(-SURFACE_DEPTH_MAX - reach));
         if (patch->length > 0) {
-            here &=
-                l3_dot(l3_sub(c.p, surface_spread(patch->start)), surface_spread(patch->tangent)) >= lane_set(-reach);
-            here &=
-                l3_dot(l3_sub(c.p, surface_spread(patch->end)), surface_spread(patch->end_tangent)) < lane_set(reach);
+            here &= l3_dot(l3_sub(c.p, l3_spread(patch->start)), l3_spread(patch->tangent)) >= lane_set(-reach);
+            here &= l3_dot(l3_sub(c.p, l3_spread(patch->end)), l3_spread(patch->end_tangent)) < lane_set(reach);
         }
         any |= here & s.live;
     }
@@ -94,16 +86,16 @@ static void kernel_keep(const SurfaceStrip *strip)
         SurfaceContact c;
         contact_point(strip, &s, q, &c);
         const LaneMask near = contact_gap(strip, &s, &c);
-        if (!mask_any(near)) continue;
+        if (!lane_any(near)) continue;
         contact_force(strip, &s, q, near, 1, &c);
-        lane_loads_add(strip->bed->fresh[q], strip->first,
-                       lanes_keep(c.touches, stick_keep(&c.stick, &law, c.normal, c.slide)));
+        lanes_add(strip->bed->fresh[q], strip->first,
+                  lanes_keep(c.push.touches, rub_keep(&c.rub, &law, c.normal, c.slide)));
     }
 }
 
 static void kernel_probe(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out)
 {
-    const SurfacePlace at = surface_place(patch, surface_spread(p));
+    const SurfacePlace at = surface_place(patch, l3_spread(p));
     const SurfaceSection section = surface_section(patch, &at);
     Lane gradient[3];
     surface_gradient(&at, &section, gradient);

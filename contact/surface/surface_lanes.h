@@ -3,7 +3,7 @@
 #ifndef HAWSER_CONTACT_SURFACE_SURFACE_LANES_H
 #define HAWSER_CONTACT_SURFACE_SURFACE_LANES_H
 
-#include "contact/law/stick_lanes.h"
+#include "contact/law/law_lanes.h"
 #include "contact/roller/line_lanes.h"
 #include "contact/surface/surface_kernels.h"
 #include "contact/surface/surface_patch_lanes.h"
@@ -18,18 +18,14 @@ typedef struct StripBodies {
 LANE_INLINE void body_keep(LaneMask mask, LaneBody *b)
 {
     Lane3 *const vector[4] = {&b->x, &b->r, &b->v, &b->w};
-    const Lane zero = lane_set(0);
-    for (int k = 0; k < 4; ++k) {
-        *vector[k] = (Lane3){lane_select(mask, vector[k]->x, zero), lane_select(mask, vector[k]->y, zero),
-                             lane_select(mask, vector[k]->z, zero)};
-    }
+    for (int k = 0; k < 4; ++k) *vector[k] = l3_select(mask, *vector[k], l3_zero());
 }
 
 /* Consecutive elements: unit stride, nothing is gathered. */
 LANE_INLINE StripBodies strip_load(const SurfaceStrip *strip)
 {
     const Kinematics *const kin = strip->kin;
-    const Lane lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    const Lane lane = lane_index();
     StripBodies s = {.live = lane < lane_set(strip->count)};
     for (int b = 0; b < 2; ++b) {
         const int i = strip->first - 1 + b;
@@ -55,52 +51,13 @@ typedef struct SurfaceContact {
     Lane3 normal; /* n */
     Lane steep;   /* |grad g| */
     SurfaceShare share;
-    LaneMask touches;
+    LaneImpact push;   /* of each metre, before the weight of (DU8) */
     Lane3 slip, slide; /* v_s, v_t (C13) */
     Lane slip_normal;
-    Lane law, law_gap, law_rate; /* N/m times length: N before the weight of (DU8), and its derivatives */
-    Lane load;                   /* N */
-    Lane phi, phi_over;          /* as in Contact */
-    LaneStick stick;             /* in place of phi where friction sticks */
-    Lane3 force;                 /* F, N; zero where nothing touches */
+    Lane load; /* N */
+    LaneRub rub;
+    Lane3 force; /* F, N; zero where nothing touches */
 } SurfaceContact;
-
-/* p^(e-1), as in contact_law.c. */
-LANE_INLINE Lane surface_power(Lane p, double e)
-{
-    if (e == 1) return lane_set(1);
-    if (e == 2) return p;
-    if (e == 1.5) return shape_root(p);
-    for (int l = 0; l < LANES; ++l) p[l] = pow(p[l], e - 1);
-    return p;
-}
-
-/* (C12) in lanes, times the length that the point stands for. Lanes without force get zeros. */
-LANE_INLINE void contact_normal(const ImpactLaw *law, Lane gap, Lane rate, LaneMask may, SurfaceContact *c)
-{
-    const Lane zero = lane_set(0), p = lane_select(may & (gap < zero), -gap, zero);
-    const Lane d = surface_ramp(p, 0, law->d > 0 ? law->d : 1e-300);
-    const Lane damping = law->c * d * d * (3 - 2 * d);
-    const Lane damping1 = law->d > 0 ? law->c * 6 * d * (1 - d) * (1 / law->d) : zero;
-    const Lane spring = law->k * surface_power(p, law->e);
-    const Lane force = spring * p - damping * rate;
-    c->touches = (p > zero) & (force > zero);
-    c->law = lane_select(c->touches, c->length * force, zero);
-    c->law_gap = lane_select(c->touches, c->length * (damping1 * rate - law->e * spring), zero);
-    c->law_rate = lane_select(c->touches, -c->length * damping, zero);
-}
-
-/* (C14) in lanes. */
-LANE_INLINE void contact_friction(const FrictionLaw *law, double scale, SurfaceContact *c)
-{
-    const double vs = law->v_s, fall = law->mu_d - law->mu_s;
-    const Lane v = shape_root(l3_dot(c->slide, c->slide)), fast = shape_at_least(v, vs), x = v * (1 / vs);
-    const Lane d = surface_ramp(v, vs, law->v_d), mu = law->mu_s + fall * d * d * (3 - 2 * d);
-    const Lane slope = fall * 6 * d * (1 - d) * (1 / (law->v_d - vs));
-    const LaneMask slow = v < lane_set(vs);
-    c->phi = scale * lane_select(slow, law->mu_s * (3 - x * x) * (1 / (2 * vs)), mu / fast);
-    c->phi_over = scale * lane_select(slow, lane_set(-law->mu_s / (vs * vs * vs)), (slope - mu / fast) / (fast * fast));
-}
 
 /* Where point q of every element is, and how it moves (DU2). */
 LANE_INLINE void contact_point(const SurfaceStrip *strip, const StripBodies *s, int q, SurfaceContact *c)
@@ -125,27 +82,6 @@ LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s
     return here & (c->section.g < c->radius);
 }
 
-LANE_INLINE LaneFriction friction_spread(const FrictionLaw *law)
-{
-    return (LaneFriction){lane_set(law->mu_s), lane_set(law->mu_d), lane_set(law->v_s), lane_set(law->v_d)};
-}
-
-/* Friction that sticks (GR11)-(GR13), from what point q of every element remembers. */
-LANE_INLINE void surface_grip(const SurfaceStrip *strip, int q, SurfaceContact *c)
-{
-    const LaneFriction law = friction_spread(strip->friction);
-    c->stick.kept = l3_load(strip->bed->lean[q], strip->first);
-    c->stick.elapsed = lane_set(strip->elapsed);
-    c->stick.ratio = lane_set(strip->friction->v_s / strip->friction->d_s);
-    stick_evaluate(&c->stick, &law, strip->friction_scale, c->normal, c->slide);
-}
-
-/* F / N. */
-LANE_INLINE Lane3 surface_direction(const SurfaceContact *c, int sticks)
-{
-    return sticks ? l3_axpy(c->normal, -c->stick.phi, c->stick.lean) : l3_axpy(c->normal, -c->phi, c->slide);
-}
-
 /* Velocities, laws, force (DU7)-(DU9); near: what contact_gap said. sticks is a constant, and what is not asked for is
  * not evaluated. */
 LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, int q, LaneMask near, int sticks,
@@ -157,22 +93,24 @@ LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, 
     Lane gradient[3];
     surface_gradient(&c->place, &c->section, gradient);
     c->steep = lane_set(1);
-    if (strip->patch->twisted) c->steep = shape_root(1 + gradient[0] * gradient[0]);
+    if (strip->patch->twisted) c->steep = lane_sqrt(1 + gradient[0] * gradient[0]);
     c->normal = l3_scale(1 / c->steep, surface_vector(&c->place, gradient));
     c->share = surface_share(strip->patch, &c->place);
 
     const Lane3 n = c->normal;
-    contact_normal(strip->impact, c->section.g - c->radius, c->steep * l3_dot(n, c->pdot), near, c);
-    c->load = c->share.value * c->law;
+    c->push = impact_at(strip->impact, c->section.g - c->radius, c->steep * l3_dot(n, c->pdot), near);
+    c->load = c->share.value * c->length * c->push.force;
     c->slip = l3_axpy(c->pdot, -c->radius, l3_cross(c->omega, n));
     c->slip_normal = l3_dot(n, c->slip);
     c->slide = l3_axpy(c->slip, -c->slip_normal, n);
-    if (sticks) {
-        surface_grip(strip, q, c);
-    } else {
-        contact_friction(strip->friction, strip->friction_scale, c);
+    if (sticks) { /* from what point q of every element remembers */
+        c->rub.kept = l3_load(strip->bed->lean[q], strip->first);
+        c->rub.elapsed = lane_set(strip->elapsed);
+        c->rub.ratio = lane_set(strip->friction->v_s / strip->friction->d_s);
     }
-    c->force = l3_scale(c->load, surface_direction(c, sticks));
+    const LaneFriction law = friction_spread(strip->friction);
+    rub_find(&c->rub, &law, strip->friction_scale, n, c->slide, sticks);
+    c->force = l3_scale(c->load, rub_direction(&c->rub, n));
 }
 
 /* l_i of (C15). */
@@ -182,11 +120,7 @@ LANE_INLINE Lane3 contact_arm(const StripBodies *s, const SurfaceContact *c, int
 }
 
 /* Zero where nothing touches, whatever the numbers are there. */
-LANE_INLINE Lane3 lanes_keep(LaneMask mask, Lane3 v)
-{
-    const Lane zero = lane_set(0);
-    return (Lane3){lane_select(mask, v.x, zero), lane_select(mask, v.y, zero), lane_select(mask, v.z, zero)};
-}
+LANE_INLINE Lane3 lanes_keep(LaneMask mask, Lane3 v) { return l3_select(mask, v, l3_zero()); }
 
 /* In surface_blocks_lanes.c; see SurfaceKernels. */
 int ISA_NAME(surface_columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d);

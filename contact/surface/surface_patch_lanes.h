@@ -28,8 +28,6 @@ typedef struct SurfaceShare {
     Lane3 slope; /* gradient, 1/m */
 } SurfaceShare;
 
-LANE_INLINE Lane3 surface_spread(Vec3 a) { return (Lane3){lane_set(a.x), lane_set(a.y), lane_set(a.z)}; }
-
 /* Angle of each lane about a bend's axis; the library's function, and only where something depends on it. */
 LANE_INLINE Lane surface_angle(Lane sine, Lane cosine)
 {
@@ -40,20 +38,13 @@ LANE_INLINE Lane surface_angle(Lane sine, Lane cosine)
     return lane_load(s);
 }
 
-/* D = (x - x0)/(x1 - x0), clamped to 0..1. */
-LANE_INLINE Lane surface_ramp(Lane x, double x0, double x1)
-{
-    const Lane d = (x - x0) * (1 / (x1 - x0)), zero = lane_set(0), one = lane_set(1);
-    return lane_select(d > zero, lane_select(d < one, d, one), zero);
-}
-
 /* Straight: coordinates along three fixed axes. */
 LANE_INLINE void place_straight(const SurfacePatch *patch, Lane3 p, SurfacePlace *at)
 {
-    const Lane3 off = l3_sub(p, surface_spread(patch->start));
-    at->axis[0] = surface_spread(patch->tangent);
-    at->axis[1] = surface_spread(patch->side);
-    at->axis[2] = surface_spread(patch->up);
+    const Lane3 off = l3_sub(p, l3_spread(patch->start));
+    at->axis[0] = l3_spread(patch->tangent);
+    at->axis[1] = l3_spread(patch->side);
+    at->axis[2] = l3_spread(patch->up);
     at->s = l3_dot(off, at->axis[0]);
     at->a = l3_dot(off, at->axis[1]);
     at->b = l3_dot(off, at->axis[2]);
@@ -64,14 +55,14 @@ LANE_INLINE void place_straight(const SurfacePatch *patch, Lane3 p, SurfacePlace
 /* Bend: cylindrical coordinates about its axis. */
 LANE_INLINE void place_bend(const SurfacePatch *patch, Lane3 p, SurfacePlace *at)
 {
-    const Lane3 off = l3_sub(p, surface_spread(patch->centre));
-    const Lane3 tangent = surface_spread(patch->tangent), side = surface_spread(patch->side);
+    const Lane3 off = l3_sub(p, l3_spread(patch->centre));
+    const Lane3 tangent = l3_spread(patch->tangent), side = l3_spread(patch->side);
     const Lane x = -l3_dot(off, side), y = l3_dot(off, tangent);
-    const Lane rho = shape_root(shape_at_least(x * x + y * y, 1e-60)), inverse = 1 / rho;
+    const Lane rho = lane_sqrt(lane_at_least(x * x + y * y, 1e-60)), inverse = 1 / rho;
     const Lane c = x * inverse, s = y * inverse;
     at->axis[0] = l3_axpy(l3_scale(c, tangent), s, side);
     at->axis[1] = l3_axpy(l3_scale(c, side), -s, tangent);
-    at->axis[2] = surface_spread(patch->up);
+    at->axis[2] = l3_spread(patch->up);
     at->a = patch->bend - rho;
     at->b = l3_dot(off, at->axis[2]);
     at->m = rho * (1 / patch->bend);
@@ -83,9 +74,8 @@ LANE_INLINE void place_bend(const SurfacePatch *patch, Lane3 p, SurfacePlace *at
 LANE_INLINE Lane surface_along(const SurfacePatch *patch, Lane3 p, const SurfacePlace *at)
 {
     if (!(patch->bend > 0)) return at->s;
-    const Lane3 off = l3_sub(p, surface_spread(patch->centre));
-    return patch->bend *
-           surface_angle(l3_dot(off, surface_spread(patch->tangent)), -l3_dot(off, surface_spread(patch->side)));
+    const Lane3 off = l3_sub(p, l3_spread(patch->centre));
+    return patch->bend * surface_angle(l3_dot(off, l3_spread(patch->tangent)), -l3_dot(off, l3_spread(patch->side)));
 }
 
 /* The roll of the section at s (DU6). */
@@ -96,13 +86,14 @@ LANE_INLINE void place_roll(const SurfacePatch *patch, SurfacePlace *at)
     at->roll1 = at->roll2 = lane_set(0);
     if (!patch->twisted) return;
     const double by = patch->roll[1] - patch->roll[0], per = 1 / patch->length;
-    const Lane d = surface_ramp(at->s, 0, patch->length);
-    const Lane roll = patch->roll[0] + by * d * d * (3 - 2 * d);
+    const Lane d = lane_ramp(at->s, lane_set(0), lane_set(per));
+    const LaneStep turn = lane_step(at->s, lane_set(0), lane_set(patch->length));
+    const Lane roll = patch->roll[0] + by * turn.value;
     for (int l = 0; l < LANES; ++l) {
         at->cos[l] = cos(roll[l]);
         at->sin[l] = sin(roll[l]);
     }
-    at->roll1 = by * per * 6 * d * (1 - d);
+    at->roll1 = by * turn.slope;
     /* beyond the ends the roll stays */
     const LaneMask inside = (d > lane_set(0)) & (d < lane_set(1));
     at->roll2 = lane_select(inside, by * per * per * (6 - 12 * d), lane_set(0));
@@ -123,8 +114,8 @@ LANE_INLINE SurfacePlace surface_place(const SurfacePatch *patch, Lane3 p)
     /* half open, by the same numbers as the neighbouring part: every point belongs to exactly one */
     at.owned = ~(LaneMask){0};
     if (patch->length > 0) {
-        const Lane after = l3_dot(l3_sub(p, surface_spread(patch->start)), surface_spread(patch->tangent));
-        const Lane before = l3_dot(l3_sub(p, surface_spread(patch->end)), surface_spread(patch->end_tangent));
+        const Lane after = l3_dot(l3_sub(p, l3_spread(patch->start)), l3_spread(patch->tangent));
+        const Lane before = l3_dot(l3_sub(p, l3_spread(patch->end)), l3_spread(patch->end_tangent));
         const Lane zero = lane_set(0);
         at.owned = (after >= zero) & (before < zero);
     }
@@ -140,7 +131,7 @@ LANE_INLINE SurfaceSection surface_section(const SurfacePatch *patch, const Surf
                                 lane_set(patch->nz), zero};
     }
     const Lane z = at->z - patch->lift;
-    const Lane r = shape_root(shape_at_least(at->y * at->y + z * z, 1e-60)), inverse = 1 / r;
+    const Lane r = lane_sqrt(lane_at_least(at->y * at->y + z * z, 1e-60)), inverse = 1 / r;
     const SurfaceSection tube = {patch->inner - r, -at->y * inverse, -z * inverse, -inverse};
     if (patch->section == SECTION_TUBE) return tube;
     /* above its centre a trough goes on upright */
@@ -166,12 +157,10 @@ LANE_INLINE Lane3 surface_vector(const SurfacePlace *at, const Lane c[3])
 /* One fade and its slope. */
 LANE_INLINE Lane surface_fade(const SurfaceFade *fade, Lane x, Lane *slope)
 {
-    const Lane d = surface_ramp(x, fade->in0, fade->in1), e = surface_ramp(x, fade->out0, fade->out1);
-    const Lane in = d * d * (3 - 2 * d), out = 1 - e * e * (3 - 2 * e);
-    const Lane in1 = 6 * d * (1 - d) * (1 / (fade->in1 - fade->in0));
-    const Lane out1 = -6 * e * (1 - e) * (1 / (fade->out1 - fade->out0));
-    *slope = in1 * out + in * out1;
-    return in * out;
+    const LaneStep in = lane_step(x, lane_set(fade->in0), lane_set(fade->in1));
+    const LaneStep out = lane_step(x, lane_set(fade->out0), lane_set(fade->out1));
+    *slope = in.slope * (1 - out.value) - in.value * out.slope;
+    return in.value * (1 - out.value);
 }
 
 /* The weight of (DU8) with its gradient. */

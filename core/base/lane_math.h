@@ -13,6 +13,29 @@ LANE_INLINE Lane lane_sqrt(Lane x)
     return r;
 }
 
+LANE_INLINE Lane lane_abs(Lane x) { return lane_select(x < lane_set(0), -x, x); }
+
+/* max(x, floor). */
+LANE_INLINE Lane lane_at_least(Lane x, double floor) { return lane_select(x > lane_set(floor), x, lane_set(floor)); }
+
+/* STEP from 0 at x0 to 1 at x1 > x0 with its derivative (P1): step_cubic of core/profile.h in lanes. */
+typedef struct LaneStep {
+    Lane value, slope;
+} LaneStep;
+
+/* D = (x - x0)/(x1 - x0), clamped to 0..1; per = 1/(x1 - x0). */
+LANE_INLINE Lane lane_ramp(Lane x, Lane x0, Lane per)
+{
+    const Lane d = (x - x0) * per, zero = lane_set(0), one = lane_set(1);
+    return lane_select(d > zero, lane_select(d < one, d, one), zero);
+}
+
+LANE_INLINE LaneStep lane_step(Lane x, Lane x0, Lane x1)
+{
+    const Lane per = 1 / (x1 - x0), d = lane_ramp(x, x0, per);
+    return (LaneStep){d * d * (3 - 2 * d), 6 * d * (1 - d) * per};
+}
+
 /* Horner's rule, c[0] + c[1] x + ... */
 LANE_INLINE Lane lane_poly(const double *c, int terms, Lane x)
 {

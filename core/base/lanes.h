@@ -6,6 +6,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "core/base/vec3.h"
+
 enum { LANES = 8 };
 
 typedef double Lane __attribute__((vector_size(LANES * sizeof(double))));
@@ -32,6 +34,11 @@ LANE_INLINE Lane lane_select(LaneMask mask, Lane a, Lane b)
     return (Lane)(((LaneMask)a & mask) | ((LaneMask)b & ~mask));
 }
 
+LANE_INLINE Lane3 l3_select(LaneMask mask, Lane3 a, Lane3 b)
+{
+    return (Lane3){lane_select(mask, a.x, b.x), lane_select(mask, a.y, b.y), lane_select(mask, a.z, b.z)};
+}
+
 LANE_INLINE Lane lane_index(void) { return (Lane){0, 1, 2, 3, 4, 5, 6, 7}; }
 /* In a fixed order. */
 LANE_INLINE double lane_sum(Lane a) { return ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7])); }
@@ -55,6 +62,10 @@ LANE_INLINE void l3_store(double *const p[3], int i, Lane3 v)
     lane_store(p[1] + i, v.y);
     lane_store(p[2] + i, v.z);
 }
+/* The same vector in every lane. */
+LANE_INLINE Lane3 l3_spread(Vec3 a) { return (Lane3){lane_set(a.x), lane_set(a.y), lane_set(a.z)}; }
+/* World axis 0, 1 or 2. */
+LANE_INLINE Lane3 l3_axis(int c) { return (Lane3){lane_set(c == 0), lane_set(c == 1), lane_set(c == 2)}; }
 LANE_INLINE Lane3 l3_zero(void) { return (Lane3){lane_set(0), lane_set(0), lane_set(0)}; }
 LANE_INLINE Lane3 l3_add(Lane3 a, Lane3 b) { return (Lane3){a.x + b.x, a.y + b.y, a.z + b.z}; }
 LANE_INLINE Lane3 l3_sub(Lane3 a, Lane3 b) { return (Lane3){a.x - b.x, a.y - b.y, a.z - b.z}; }

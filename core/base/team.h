@@ -3,6 +3,8 @@
 #ifndef HAWSER_CORE_BASE_TEAM_H
 #define HAWSER_CORE_BASE_TEAM_H
 
+#include "core/base/lanes.h"
+
 typedef struct Team Team;
 
 /* A share of a job: rank 0 or 1. The shares must not wait for each other: where the second thread does not come in time
@@ -20,5 +22,21 @@ int team_size(const Team *t);
 int team_ready(Team *t);
 /* Runs both shares of a job and returns when they are done: what they wrote is visible. Not re-entrant. */
 void team_run(Team *t, TeamJob job, void *arg);
+
+enum { HALVES_LONG = 1000 }; /* segments from which loops of a few nanoseconds a segment pay on two threads */
+
+/* Loops over a chain go in two halves, the same for one thread and for two: segments before it are the first half's. */
+static inline int halves_middle(int n) { return n / 2 / LANES * LANES; }
+
+/* Both shares of a job, on two threads if the team has two and it is worth it, or in a row. */
+static inline void halves_run(Team *team, int worth, TeamJob job, void *arg)
+{
+    if (worth && team_size(team) == 2) {
+        team_run(team, job, arg);
+    } else {
+        job(arg, 0);
+        job(arg, 1);
+    }
+}
 
 #endif

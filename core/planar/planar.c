@@ -1,13 +1,8 @@
 #include "core/planar/planar.h"
 
 #include "core/base/lanes.h"
-#include "core/planar/planar_kernels.h"
 
-static const PlanarKernels *kernels(void)
-{
-    static const PlanarKernels *const table[] = ISA_TABLE(planar_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(PlanarKernels, planar_kernels)
 
 int planar_stride(int n) { return (n + LANES - 1) / LANES * LANES; }
 

@@ -1,9 +1,54 @@
 /* A chain that moves in one plane: three degrees of freedom a segment (two coordinates, one angle), and all that
- * core/body.h and core/bushing.h do, in that plane. docs/model.md, "Planar chain". */
+ * core/body.h and core/bushing.h do, in that plane. docs/model.md, "Planar chain".
+ *
+ * The state y of n segments is PLANAR_SIZE arrays of `stride`, n filled up to whole lanes, one after the other:
+ * x z phi vx vz omega; m, rad, m/s, rad/s, along the plane's own axes. The entries behind the n-th of each array are
+ * zero, and so are their rates, so that no kernel needs a tail. */
 #ifndef HAWSER_CORE_PLANAR_PLANAR_H
 #define HAWSER_CORE_PLANAR_PLANAR_H
 
-#include "core/planar/planar_data.h"
+#include "core/base/isa.h"
+#include "core/chain.h"
+
+enum { PLANAR_P = 0, PLANAR_ANGLE = 2, PLANAR_V = 3, PLANAR_W = 5, PLANAR_SIZE = 6 };
+
+/* What never changes. Arrays as in Chain: valid from -1, padded beyond n. */
+typedef struct PlanarChain {
+    int n, stride;
+    double share; /* of the segment after a joint in the angle of its frame (PL4): 1/2 symmetric, 1 adams */
+    double *half, *radius;
+    double *mass, *inertia;                         /* kg; about the plane's normal, kg m2; 0 beyond the chain */
+    double *inverse_mass, *inverse_inertia;         /* 0 beyond the chain */
+    double *stiffness[3], *damping[3], *preload[3]; /* per joint: axial, shear and bending in the plane */
+} PlanarChain;
+
+typedef struct PlanarKinematics {
+    double *p[2];  /* centre, m */
+    double *angle; /* rad */
+    double *h[2];  /* cosine and sine of half the angle (PL3) */
+    double *a[2];  /* axis, unit */
+    double *v[2];  /* m/s */
+    double *w;     /* rad/s */
+} PlanarKinematics;
+
+typedef struct PlanarLoads {
+    double *f[2]; /* N, at the segments' centres */
+    double *m;    /* N m, about them */
+} PlanarLoads;
+
+/* Per joint: force on the segment before it (minus that on the one after), moments about the centres of both. */
+typedef struct PlanarJointLoads {
+    double *force[2];
+    double *torque_a, *torque_b;
+} PlanarJointLoads;
+
+/* Derivatives of force and moment by displacement and turn, or by their rates: 3x3 blocks of a block tridiagonal
+ * matrix, entry by entry: [3 column + row] is an array over the segments of the row. lower[e][i]: column i - 1. */
+typedef struct PlanarBlocks {
+    double *lower[9], *diag[9], *upper[9];
+    double
+        *front[9]; /* [joint] what a joint gives to the diagonal of the segment before it; planar_blocks_join adds it */
+} PlanarBlocks;
 
 /* All zero but the inverse masses, which are 1; 0 if there is no memory (then nothing is allocated). */
 int planar_chain_alloc(PlanarChain *chain, int n);
@@ -42,5 +87,22 @@ void planar_joint_blocks(const PlanarChain *chain, const PlanarKinematics *kin, 
 void planar_blocks_join(PlanarBlocks *blocks, int from, int to);
 /* Zeroes what couples the chain of n with its ghosts. */
 void planar_blocks_trim(PlanarBlocks *blocks, int n);
+
+/* ------------------------------------------------------------------------------------------------------ kernels */
+
+/* What planar_lanes.c offers to planar.c, once for every instruction set. */
+typedef struct PlanarKernels {
+    void (*kinematics)(const PlanarChain *chain, const double *y, int from, int to, PlanarKinematics *kin);
+    double (*joint_loads)(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to,
+                          PlanarJointLoads *loads);
+    void (*tension)(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, double *tension);
+    int (*rates)(const PlanarChain *chain, const PlanarKinematics *kin, const PlanarJointLoads *joints,
+                 const PlanarLoads loads[2], int from, int to, double *ydot);
+    void (*joint_blocks)(const PlanarChain *chain, const PlanarKinematics *kin, int from, int to, PlanarBlocks *k,
+                         PlanarBlocks *d);
+    void (*blocks_join)(PlanarBlocks *blocks, int from, int to);
+} PlanarKernels;
+
+extern const PlanarKernels planar_kernels_generic, planar_kernels_avx2, planar_kernels_avx512;
 
 #endif

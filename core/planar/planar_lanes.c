@@ -1,5 +1,5 @@
 /* The kernels of planar.h for one instruction set. Letters as in docs/model.md, "Planar chain". */
-#include "core/planar/planar_kernels.h"
+#include "core/planar/planar.h"
 #include "core/planar/plane_lanes.h"
 
 static void kernel_kinematics(const PlanarChain *chain, const double *y, int from, int to, PlanarKinematics *kin)

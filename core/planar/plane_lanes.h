@@ -2,7 +2,7 @@
 #ifndef HAWSER_CORE_PLANAR_PLANE_LANES_H
 #define HAWSER_CORE_PLANAR_PLANE_LANES_H
 
-#include "core/base/lanes.h"
+#include "core/base/lane_math.h"
 
 /* A vector by its components along the plane's two axes. */
 typedef struct Lane2 {
@@ -28,14 +28,6 @@ LANE_INLINE Lane2 l2_turn(Lane2 a) { return (Lane2){-a.z, a.x}; }
 /* From components along and across the unit vector f to components along the plane's axes, and back. */
 LANE_INLINE Lane2 l2_out(Lane2 f, Lane2 v) { return (Lane2){f.x * v.x - f.z * v.z, f.z * v.x + f.x * v.z}; }
 LANE_INLINE Lane2 l2_in(Lane2 f, Lane2 v) { return (Lane2){f.x * v.x + f.z * v.z, f.x * v.z - f.z * v.x}; }
-
-/* c[0] + c[1] x + ... by Horner's rule. */
-LANE_INLINE Lane plane_poly(const double *c, int terms, Lane x)
-{
-    Lane sum = lane_set(c[terms - 1]);
-    for (int k = terms - 2; k >= 0; --k) sum = sum * x + lane_set(c[k]);
-    return sum;
-}
 
 /* (cos x, sin x) for |x| below about 1e6: x less the nearest multiple of pi/2, then the Taylor series, which at pi/4
  * are exact to rounding with nine terms; the multiple says which of the two is which, and their signs. */
@@ -63,7 +55,7 @@ LANE_INLINE Lane2 lane_direction(Lane x)
     const Lane rounding = lane_set(6755399441055744.0);
     const Lane marked = x * lane_set(0.63661977236758134308) + rounding, times = marked - rounding;
     const Lane r = (x - times * lane_set(1.57079632673412561417)) - times * lane_set(6.07710050650619224932e-11);
-    const Lane square = r * r, sine = r * plane_poly(odd, 9, square), cosine = plane_poly(even, 9, square);
+    const Lane square = r * r, sine = r * lane_poly(odd, 9, square), cosine = lane_poly(even, 9, square);
     const LaneMask quarter = (LaneMask)marked, swap = -(quarter & 1), zero = {0};
     const LaneMask sine_turns = zero - ((quarter >> 1) & 1), cosine_turns = zero - (((quarter + 1) >> 1) & 1);
     const Lane s = lane_select(swap, cosine, sine), c = lane_select(swap, sine, cosine);

@@ -1,4 +1,4 @@
-#include "linsolve/block/block_solver.h"
+#include "linsolve/block/block_factor.h"
 
 #include <assert.h>
 #include <stdlib.h>

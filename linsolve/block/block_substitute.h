@@ -3,8 +3,7 @@
 #ifndef HAWSER_LINSOLVE_BLOCK_BLOCK_SUBSTITUTE_H
 #define HAWSER_LINSOLVE_BLOCK_BLOCK_SUBSTITUTE_H
 
-#include "linsolve/block/block_columns.h"
-#include "linsolve/block/block_factor.h"
+#include "linsolve/block/block_eliminate.h"
 
 /* Row i of a right-hand side; the last row has nothing behind it to read. */
 VEC_INLINE Vec row_load(const BlockFactor *f, const double *x, int i)

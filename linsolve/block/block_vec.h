@@ -152,14 +152,6 @@ VEC_INLINE Vec vec_places(int from, int to)
     return v;
 }
 
-/* 1 in place k, 0 elsewhere. */
-VEC_INLINE Vec vec_unit(int k)
-{
-    Vec one;
-    UNROLL for (int i = 0; i < PARTS; ++i) one.p[i] = 1 - (Part){0};
-    return vec_and(one, vec_places(k, k + 1));
-}
-
 /* The first B places only. */
 VEC_INLINE void vec_store_short(double *p, Vec v)
 {

@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "linsolve/backend.h"
-#include "linsolve/block/block_solver.h"
+#include "linsolve/block/block_factor.h"
 #include "linsolve/leaves.h"
-#include "linsolve/small_lu.h"
+#include "linsolve/small.h"
 
 /* Letters of (L11): inner matrix A (chain and leaves), border columns B, rows C, corner E; P = A^-1 B, S = E - C P. */
 typedef struct BorderedSolver {

@@ -1,5 +1,5 @@
 /* The cable touches itself. docs/model.md, "Cable on cable". */
-#include "core/block_extras.h"
+#include "core/block_chain.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 

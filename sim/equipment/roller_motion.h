@@ -21,7 +21,7 @@ typedef struct EquipmentWork {
     int *item_of;          /* [rollers] the moving roller that a roller is, -1 if fixed */
     ContactRoller *roller; /* [rollers] equipment_pose: the scene's, those on mounts where they are now */
     RollerMotion *motion;  /* [rollers] equipment_pose */
-    RollerLoad *load;      /* [rollers] contact_forces_moving */
+    RollerLoad *load;      /* [rollers] contact_forces */
     Kinematics kin;        /* equipment_pose: of the mounts' chain */
     JointLoads joints;     /* equipment_rates */
     double lost_bearings;  /* W, equipment_rates: what the bearings take */

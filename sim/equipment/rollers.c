@@ -116,16 +116,10 @@ static void rollers_begin(const Room *room, const Moment *m)
 static void part_forces(const Moment *m, int part, double friction, Vec3 *on_roller)
 {
     Workspace *const ws = m->ws;
-    const Chain *const chain = &m->scene->chain;
     ContactPart *const p = &ws->contact[part];
+    RollerLoad *const load = p->model.motion ? ws->equipment->load + p->first : NULL;
     if (p->model.n_rollers == 0) return;
-    if (!p->model.motion) {
-        contact_forces(&p->model, chain, &ws->kin, friction, &p->pairs, &ws->loads[part], on_roller);
-        return;
-    }
-    RollerLoad *const load = ws->equipment->load + p->first;
-    contact_forces_moving(&p->model, chain, &ws->kin, friction, &p->pairs, &ws->loads[part], load);
-    for (int r = 0; on_roller && r < p->model.n_rollers; ++r) on_roller[r] = load[r].force;
+    contact_forces(&p->model, &m->scene->chain, &ws->kin, friction, &p->pairs, &ws->loads[part], on_roller, load);
 }
 
 static void rollers_loads(const Room *room, const Moment *m, int part)
@@ -159,13 +153,10 @@ static void rollers_blocks(const Room *room, const Moment *m, BlockChain *k, Blo
     for (int half = 0; half < PARTS; ++half) {
         ContactPart *const p = &ws->contact[half];
         if (p->model.n_rollers == 0) continue;
-        if (!p->model.motion) {
-            contact_blocks(&p->model, chain, &ws->kin, m->friction, &p->pairs, k, d);
-            continue;
-        }
         Taker taker = {ws->equipment, p->first};
-        part_forces(m, half, m->friction, NULL);
-        contact_blocks_moving(&p->model, chain, &ws->kin, m->friction, &p->pairs, k, d, coupling_take, &taker);
+        if (p->model.motion) part_forces(m, half, m->friction, NULL);
+        contact_blocks(&p->model, chain, &ws->kin, m->friction, &p->pairs, k, d,
+                       p->model.motion ? coupling_take : NULL, &taker);
     }
     if (room->states > 0) equipment_bushing_blocks(ws->equipment);
 }

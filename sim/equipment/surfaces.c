@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
-#include "sim/halves.h"
+#include "core/base/team.h"
 
 static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
 {

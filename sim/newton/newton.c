@@ -5,11 +5,9 @@
 #include "core/base/error.h"
 #include "core/base/lanes.h"
 #include "sim/newton/newton_extra.h"
-#include "sim/newton/newton_full.h"
-#include "sim/newton/newton_kernels.h"
 #include "sim/newton/newton_leaves.h"
 
-static const NewtonKernels *kernels(void)
+const NewtonKernels *newton_kernels(void)
 {
     static const NewtonKernels *const table[] = ISA_TABLE(newton_kernels);
     return table[isa_best()];
@@ -42,7 +40,7 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     memset(nw, 0, sizeof *nw);
     nw->n = scene->chain.n;
     nw->team = options->team;
-    nw->middle = nw->n / 2 / LANES * LANES;
+    nw->middle = halves_middle(nw->n);
     if (!newton_parts_new(nw, scene->equipment->spins + 6 * scene->equipment->mounts)) {
         newton_free(nw);
         return error_memory(err);
@@ -95,7 +93,7 @@ static int split_to(const Newton *nw, int rank) { return rank == 0 ? nw->middle 
 static void form_job(void *arg, int rank)
 {
     Newton *const nw = ((Split *)arg)->nw;
-    kernels()->form(nw, split_from(nw, rank), split_to(nw, rank));
+    newton_kernels()->form(nw, split_from(nw, rank), split_to(nw, rank));
 }
 
 /* Rows that are eliminated, then coupled, while what the first wrote for the second is in the nearest cache; whole
@@ -112,8 +110,8 @@ static void reduce_job(void *arg, int rank)
     int coupled = rank == 0 ? from : from + 1;
     for (int i = from; i < to; i += TILE) {
         const int end = i + TILE < to ? i + TILE : to, last = end == to && rank == 1 ? to : end - 1;
-        kernels()->eliminate(nw, s->b, i, end);
-        if (last > coupled) kernels()->couple(nw, coupled, last);
+        newton_kernels()->eliminate(nw, s->b, i, end);
+        if (last > coupled) newton_kernels()->couple(nw, coupled, last);
         if (last > coupled) coupled = last;
     }
 }
@@ -121,21 +119,10 @@ static void reduce_job(void *arg, int rank)
 static void expand_job(void *arg, int rank)
 {
     const Split *const s = arg;
-    kernels()->expand(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
+    newton_kernels()->expand(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
 }
 
-enum { LONG_CHAIN = 1000 }; /* segments from which these loops pay on two threads */
-
-/* Both halves, on two threads or in a row. */
-static void both(TeamJob job, Split *split)
-{
-    if (team_size(split->nw->team) == 2 && split->nw->n >= LONG_CHAIN) {
-        team_run(split->nw->team, job, split);
-    } else {
-        job(split, 0);
-        job(split, 1);
-    }
-}
+static void both(TeamJob job, Split *split) { halves_run(split->nw->team, split->nw->n >= HALVES_LONG, job, split); }
 
 void newton_form(Newton *nw, double gamma)
 {
@@ -167,7 +154,7 @@ int newton_solve(Newton *nw, double *b)
     if (nw->full) return newton_full_solve(nw->full, nw, b);
     Split split = {.nw = nw, .b = b};
     both(reduce_job, &split);
-    kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
+    newton_kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
     if (nw->extra) newton_extra_couple(nw);
     double *const equipment = b + STATE_SIZE * nw->n;
     if (nw->leaves) newton_leaves_reduce(nw, equipment);

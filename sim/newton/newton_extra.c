@@ -49,30 +49,6 @@ static int pattern_follow(NewtonExtra *extra)
     return 1;
 }
 
-/* S of segment i, row-major (N4). */
-static void turn_matrix(const Newton *nw, int i, double s[9])
-{
-    const double g = nw->gamma / 2, x = g * nw->w[0][i], y = g * nw->w[1][i], z = g * nw->w[2][i];
-    const double scale = 1 / (1 + x * x + y * y + z * z);
-    const double m[9] = {1, -z, y, z, 1, -x, -y, x, 1};
-    for (int c = 0; c < 9; ++c) s[c] = scale * m[c];
-}
-
-/* out = -gamma D - gamma^2 K diag(1, S), S that of the block's column. */
-static void block_form(const double *k, const double *d, const double s[9], double gamma, double *out)
-{
-    for (int c = 0; c < 6; ++c) {
-        for (int r = 0; r < 6; ++r) {
-            double turned = k[6 * c + r];
-            if (c >= 3) {
-                turned = 0;
-                for (int e = 0; e < 3; ++e) turned += k[6 * (3 + e) + r] * s[3 * e + c - 3];
-            }
-            out[6 * c + r] = -gamma * d[6 * c + r] - gamma * gamma * turned;
-        }
-    }
-}
-
 void newton_extra_form(Newton *nw)
 {
     NewtonExtra *const extra = nw->extra;
@@ -81,8 +57,8 @@ void newton_extra_form(Newton *nw)
     if (extra->failed) return;
     for (int e = 0; e < from->count; ++e) {
         double s[9];
-        turn_matrix(nw, from->col[e], s);
-        block_form(from->k + BLOCK * e, from->d + BLOCK * e, s, nw->gamma, extra->a + BLOCK * e);
+        newton_turn(nw->gamma, v3_load(nw->w, from->col[e]), s);
+        newton_kernels()->block(6, 6, 6, from->k + BLOCK * e, from->d + BLOCK * e, s, nw->gamma, extra->a + BLOCK * e);
     }
 }
 

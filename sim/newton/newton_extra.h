@@ -4,7 +4,7 @@
 #define HAWSER_SIM_NEWTON_NEWTON_EXTRA_H
 
 #include "core/base/error.h"
-#include "core/block_extras.h"
+#include "core/block_chain.h"
 #include "sim/newton/newton_data.h"
 
 typedef struct NewtonExtra {

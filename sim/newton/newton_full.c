@@ -1,4 +1,4 @@
-#include "sim/newton/newton_full.h"
+#include "sim/newton/newton_data.h"
 
 #include <assert.h>
 #include <stdlib.h>

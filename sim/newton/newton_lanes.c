@@ -1,7 +1,7 @@
-/* The kernels of newton_kernels.h for one instruction set. Blocks are 6x6, column-major; a column is taken as a lane
+/* The kernels of newton_data.h for one instruction set. Blocks are 6x6, column-major; a column is taken as a lane
  * whose last two entries belong to what follows it in memory (every array of blocks is padded) and are never stored. */
-#include "core/base/lanes.h"
-#include "sim/newton/newton_kernels.h"
+#include "sim/newton/form_lanes.h"
+#include "sim/newton/newton_data.h"
 
 typedef struct LaneQuat {
     Lane w;
@@ -137,43 +137,18 @@ static void kernel_expand(const Newton *nw, double *b, int from, int to)
     }
 }
 
-/* S = (1 + gamma/2 [w]x) / (1 + gamma^2 w^2 / 4) of segment i, row-major (N4). */
-LANE_INLINE void turn_matrix(const Newton *nw, int i, double s[9])
-{
-    const double g = nw->gamma / 2, x = g * nw->w[0][i], y = g * nw->w[1][i], z = g * nw->w[2][i];
-    const double scale = 1 / (1 + x * x + y * y + z * z);
-    const double m[9] = {1, -z, y, z, 1, -x, -y, x, 1};
-    for (int c = 0; c < 9; ++c) s[c] = scale * m[c];
-}
-
-/* out = -gamma D - gamma^2 K diag(1, S) of one block; the block's column belongs to the segment whose S is given. */
-LANE_INLINE void block_form(const double *k, const double *d, const double s[9], double gamma, double *out)
-{
-    const Lane g = lane_set(-gamma), g2 = lane_set(-gamma * gamma);
-    for (int c = 0; c < 3; ++c) {
-        const Lane column = g * lane_load(d + 6 * c) + g2 * lane_load(k + 6 * c);
-        memcpy(out + 6 * c, &column, 6 * sizeof(double));
-    }
-    const Lane kx = g2 * lane_load(k + 18), ky = g2 * lane_load(k + 24), kz = g2 * lane_load(k + 30);
-    for (int c = 0; c < 3; ++c) {
-        const Lane column =
-            g * lane_load(d + 18 + 6 * c) + kx * lane_set(s[c]) + ky * lane_set(s[3 + c]) + kz * lane_set(s[6 + c]);
-        memcpy(out + 18 + 6 * c, &column, 6 * sizeof(double));
-    }
-}
-
 static void kernel_form(Newton *nw, int from, int to)
 {
     const BlockChain *const k = &nw->k, *const d = &nw->d, *const a = &nw->a;
     const double gamma = nw->gamma;
     for (int i = from; i < to; ++i) { /* column i: in rows i-1, i, i+1 */
+        const int before = 36 * (i - 1), at = 36 * i, after = 36 * (i + 1);
         double s[9];
-        turn_matrix(nw, i, s);
-        double *const diag = a->diag + 36 * i;
-        block_form(k->diag + 36 * i, d->diag + 36 * i, s, gamma, diag);
-        if (i > 0) block_form(k->upper + 36 * (i - 1), d->upper + 36 * (i - 1), s, gamma, a->upper + 36 * (i - 1));
-        if (i + 1 < nw->n)
-            block_form(k->lower + 36 * (i + 1), d->lower + 36 * (i + 1), s, gamma, a->lower + 36 * (i + 1));
+        newton_turn(gamma, v3_load(nw->w, i), s);
+        block_form(6, 6, 6, k->diag + at, d->diag + at, s, gamma, a->diag + at);
+        if (i > 0) block_form(6, 6, 6, k->upper + before, d->upper + before, s, gamma, a->upper + before);
+        if (i + 1 < nw->n) block_form(6, 6, 6, k->lower + after, d->lower + after, s, gamma, a->lower + after);
+        double *const diag = a->diag + at;
         for (int c = 0; c < 3; ++c) {
             diag[7 * c] += nw->mass[i];
             for (int r = 0; r < 3; ++r) diag[6 * (3 + c) + 3 + r] += nw->inertia[3 * r + c][i];
@@ -181,4 +156,11 @@ static void kernel_form(Newton *nw, int from, int to)
     }
 }
 
-const NewtonKernels ISA_NAME(newton_kernels) = {kernel_eliminate, kernel_couple, kernel_expand, kernel_form};
+static void kernel_block(int rows, int positions, int cols, const double *k, const double *d, const double s[9],
+                         double gamma, double *out)
+{
+    block_form(rows, positions, cols, k, d, s, gamma, out);
+}
+
+const NewtonKernels ISA_NAME(newton_kernels) = {kernel_eliminate, kernel_couple, kernel_expand, kernel_form,
+                                                kernel_block};

@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/base/lanes.h"
-#include "sim/newton/newton_kernels.h"
 
 enum {
     ROOM = 4,        /* segments that a leaf's blocks have room for, as in roller_motion.c */
@@ -14,45 +13,16 @@ enum {
     WIDE_MOST = 3    /* linearisations in a row at which a roller may touch too much before it goes to the border */
 };
 
-static const NewtonKernels *kernels(void)
-{
-    static const NewtonKernels *const table[] = ISA_TABLE(newton_kernels);
-    return table[isa_best()];
-}
-
 /* ------------------------------------------------------------------------------------------------- life */
-
-static void item_free(RollerLeaf *item)
-{
-    free(item->block);
-    free(item->k_into);
-    free(item->d_into);
-    free(item->k_from);
-    free(item->d_from);
-    free(item->into);
-    free(item->from);
-    item->block = NULL;
-    item->k_into = NULL;
-    item->d_into = item->k_from = item->d_from = item->into = item->from = NULL;
-    item->touched = item->room = 0;
-}
 
 /* Room for so many segments, none touched yet; 0 if there is no memory. */
 static int item_room(RollerLeaf *item, int room)
 {
-    const size_t count = (size_t)room;
-    item_free(item);
-    item->block = calloc(count, sizeof *item->block);
-    item->k_into = calloc(count, sizeof *item->k_into);
-    item->d_into = calloc(count, sizeof *item->d_into);
-    item->k_from = calloc(count, sizeof *item->k_from);
-    item->d_from = calloc(count, sizeof *item->d_from);
-    item->into = calloc(count, sizeof *item->into);
-    item->from = calloc(count, sizeof *item->from);
-    const int ok =
-        item->block && item->k_into && item->d_into && item->k_from && item->d_from && item->into && item->from;
-    item->room = ok ? room : 0;
-    return ok;
+    free(item->touch);
+    item->touch = calloc((size_t)room, sizeof *item->touch);
+    item->touched = 0;
+    item->room = item->touch ? room : 0;
+    return item->touch != NULL;
 }
 
 /* Size and mass of a roller's unknowns. */
@@ -135,7 +105,7 @@ hawser_status newton_leaves_new(Newton *nw, const Equipment *q, hawser_error *er
 NewtonLeaves *newton_leaves_free(NewtonLeaves *l)
 {
     if (!l) return NULL;
-    for (int k = 0; l->item && k < l->q->n; ++k) item_free(&l->item[k]);
+    for (int k = 0; l->item && k < l->q->n; ++k) free(l->item[k].touch);
     newton_parts_free(&l->mounts);
     free(l->item);
     free(l->leaf);
@@ -152,7 +122,7 @@ NewtonLeaves *newton_leaves_free(NewtonLeaves *l)
 static int fits_leaf(const RollerLeaf *item)
 {
     if (item->touched < 2) return 1;
-    return item->touched == 2 && abs(item->block[0] - item->block[1]) == 1;
+    return item->touched == 2 && abs(item->touch[0].block - item->touch[1].block) == 1;
 }
 
 void newton_leaves_point(NewtonLeaves *l, const EquipmentWork *w, const double *e, double friction)
@@ -170,50 +140,26 @@ void newton_leaves_point(NewtonLeaves *l, const EquipmentWork *w, const double *
 
 /* ------------------------------------------------------------------------------------------------- matrix */
 
-/* S of (N4) for the angular velocity w, row-major. */
-static void turn_matrix(double gamma, Vec3 w, double s[9])
-{
-    const Vec3 g = v3_scale(gamma / 2, w);
-    const double scale = 1 / (1 + v3_dot(g, g));
-    const double cross[9] = {1, -g.z, g.y, g.z, 1, -g.x, -g.y, g.x, 1};
-    for (int i = 0; i < 9; ++i) s[i] = scale * cross[i];
-}
-
-/* out = -gamma D - gamma^2 K diag(1, S) (SP13): K has `positions` columns, 6 or none, D and out `cols`. */
-static void block_form(int rows, int positions, int cols, const double *k, const double *d, const double s[9],
-                       double gamma, double *out)
-{
-    for (int i = 0; i < rows * cols; ++i) out[i] = -gamma * d[i];
-    for (int c = 0; c < 3 && positions; ++c) {
-        double *const shift = out + rows * c, *const turn = out + rows * (3 + c);
-        for (int i = 0; i < rows; ++i) {
-            double sum = 0;
-            for (int j = 0; j < 3; ++j) sum += k[rows * (3 + j) + i] * s[3 * j + c];
-            shift[i] -= gamma * gamma * k[rows * c + i];
-            turn[i] -= gamma * gamma * sum;
-        }
-    }
-}
-
 static void item_form(const Newton *nw, RollerLeaf *item)
 {
-    const int size = item->size;
+    const NewtonKernels *const kernels = newton_kernels();
+    const int size = item->size, positions = item->positions;
     double own[9], beside[9];
-    turn_matrix(nw->gamma, item->turning, own);
-    block_form(size, item->positions, size, item->k_own, item->d_own, own, nw->gamma, item->diag);
+    newton_turn(nw->gamma, item->turning, own);
+    kernels->block(size, positions, size, item->k_own, item->d_own, own, nw->gamma, item->diag);
     for (int c = 0; c < size; ++c) item->diag[c * (size + 1)] += item->mass[c];
     for (int t = 0; t < item->touched; ++t) {
-        const int i = item->block[t];
-        turn_matrix(nw->gamma, v3(nw->w[0][i], nw->w[1][i], nw->w[2][i]), beside);
-        block_form(6, item->positions, size, item->k_into[t], item->d_into[t], own, nw->gamma, item->into[t]);
-        block_form(size, 6, 6, item->k_from[t], item->d_from[t], beside, nw->gamma, item->from[t]);
+        LeafTouch *const at = &item->touch[t];
+        newton_turn(nw->gamma, v3_load(nw->w, at->block), beside);
+        kernels->block(6, positions, size, at->k_into, at->d_into, own, nw->gamma, at->into);
+        kernels->block(size, 6, 6, at->k_from, at->d_from, beside, nw->gamma, at->from);
     }
 }
 
 static double strength(const RollerLeaf *item, int t)
 {
     double sum = 0;
-    for (int i = 0; i < 6 * item->size; ++i) sum += fabs(item->into[t][i]) + fabs(item->from[t][i]);
+    for (int i = 0; i < 6 * item->size; ++i) sum += fabs(item->touch[t].into[i]) + fabs(item->touch[t].from[i]);
     return sum;
 }
 
@@ -225,17 +171,17 @@ static void leaf_place(const RollerLeaf *item, Leaf *leaf)
         if (best < 0 || strength(item, t) > strength(item, best)) best = t;
     }
     for (int t = 0; t < item->touched; ++t) {
-        if (abs(item->block[t] - item->block[best]) != 1) continue;
+        if (abs(item->touch[t].block - item->touch[best].block) != 1) continue;
         if (second < 0 || strength(item, t) > strength(item, second)) second = t;
     }
     leaf->touches = (best >= 0) + (second >= 0);
     if (leaf->touches == 0) return;
-    const int swapped = second >= 0 && item->block[second] < item->block[best];
+    const int swapped = second >= 0 && item->touch[second].block < item->touch[best].block;
     const int order[2] = {swapped ? second : best, swapped ? best : second};
-    leaf->at = item->block[order[0]];
+    leaf->at = item->touch[order[0]].block;
     for (int k = 0; k < leaf->touches; ++k) {
-        leaf->into[k] = item->into[order[k]];
-        leaf->from[k] = item->from[order[k]];
+        leaf->into[k] = item->touch[order[k]].into;
+        leaf->from[k] = item->touch[order[k]].from;
     }
 }
 
@@ -244,12 +190,13 @@ static void border_put(NewtonLeaves *l, const RollerLeaf *item)
 {
     const int w = l->matrix->border, m = newton_inner(l->matrix), size = item->size;
     for (int t = 0; t < item->touched; ++t) {
-        const int row = 6 * item->block[t];
+        const int row = 6 * item->touch[t].block;
         for (int c = 0; c < size; ++c) {
-            memcpy(l->right + (size_t)(item->border + c) * (size_t)m + row, item->into[t] + 6 * c, 6 * sizeof(double));
+            memcpy(l->right + (size_t)(item->border + c) * (size_t)m + row, item->touch[t].into + 6 * c,
+                   6 * sizeof(double));
         }
         for (int c = 0; c < 6; ++c) {
-            memcpy(l->bottom + (size_t)(row + c) * (size_t)w + item->border, item->from[t] + size * c,
+            memcpy(l->bottom + (size_t)(row + c) * (size_t)w + item->border, item->touch[t].from + size * c,
                    (size_t)size * sizeof(double));
         }
     }
@@ -292,19 +239,19 @@ void newton_leaves_reduce(Newton *nw, const double *b)
 {
     NewtonLeaves *const l = nw->leaves;
     l->mounts.gamma = nw->gamma;
-    if (l->q->mounts) kernels()->eliminate(&l->mounts, b + l->q->spins, 0, l->q->mounts);
+    if (l->q->mounts) newton_kernels()->eliminate(&l->mounts, b + l->q->spins, 0, l->q->mounts);
     for (int k = 0; k < l->q->n; ++k) {
         const RollerLeaf *const item = &l->item[k];
         const MovingRoller *const roller = &l->q->item[k];
         double *const x = nw->x + item->first;
-        const double *const z = l->mounts.z + (item->positions ? 6 * roller->mount : 0);
+        const double *const z = item->positions ? l->mounts.z + 6 * roller->mount : NULL;
         if (item->positions) memcpy(x, l->mounts.x + 6 * roller->mount, 6 * sizeof(double));
         if (roller->spin >= 0) x[item->size - 1] = roller->inertia * b[roller->spin];
         if (item->positions) times_add(item->size, item->k_own, z, x);
         for (int t = 0; t < item->touched; ++t) {
-            const int i = item->block[t];
-            times_add(item->size, item->k_from[t], nw->z + 6 * i, x);
-            if (item->positions) times_add(6, item->k_into[t], z, nw->x + 6 * i);
+            const int i = item->touch[t].block;
+            times_add(item->size, item->touch[t].k_from, nw->z + 6 * i, x);
+            if (item->positions) times_add(6, item->touch[t].k_into, z, nw->x + 6 * i);
         }
     }
 }
@@ -319,7 +266,7 @@ void newton_leaves_expand(Newton *nw, double *b)
         if (item->positions) memcpy(l->mounts.x + 6 * roller->mount, x, 6 * sizeof(double));
         if (roller->spin >= 0) b[roller->spin] = x[item->size - 1];
     }
-    if (l->q->mounts) kernels()->expand(&l->mounts, b + l->q->spins, 0, l->q->mounts);
+    if (l->q->mounts) newton_kernels()->expand(&l->mounts, b + l->q->spins, 0, l->q->mounts);
 }
 
 /* ------------------------------------------------------------------------------------------------- border */

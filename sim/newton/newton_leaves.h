@@ -3,8 +3,41 @@
 #ifndef HAWSER_SIM_NEWTON_NEWTON_LEAVES_H
 #define HAWSER_SIM_NEWTON_NEWTON_LEAVES_H
 
+#include "core/base/lanes.h"
+#include "sim/equipment/roller_motion.h"
 #include "sim/newton/newton_data.h"
-#include "sim/newton/roller_blocks.h"
+
+/* ------------------------------------------------------------------------------------------------- one roller */
+
+/* What a roller and a segment that it touches do to each other; [columns][rows]. */
+typedef struct LeafTouch {
+    int block;                                                       /* the segment */
+    double k_into[36], d_into[6 * ROLLER_UNKNOWNS];                  /* [positions][6], [size][6] */
+    double k_from[6 * ROLLER_UNKNOWNS], d_from[6 * ROLLER_UNKNOWNS]; /* [6][size] */
+    double into[6 * ROLLER_UNKNOWNS], from[6 * ROLLER_UNKNOWNS];     /* of both, for gamma (SP13) */
+} LeafTouch;
+
+/* One moving roller: of its `size` unknowns six (a mount's) or none have a position. Column-major. */
+typedef struct RollerLeaf {
+    int size, positions; /* 1, 6 or 7; 0 or 6 */
+    int first;           /* its first unknown in the solver's order */
+    int wide;            /* linearisations in a row at which it touched more than two neighbours */
+    int border;          /* its first column of the border; -1: it is a leaf */
+    double mass[ROLLER_UNKNOWNS];
+    /* at the linearisation point */
+    Vec3 turning; /* angular velocity of the mount, rad/s */
+    double k_own[6 * ROLLER_UNKNOWNS + LANES], d_own[ROLLER_UNKNOWNS * ROLLER_UNKNOWNS + LANES]; /* [positions][size],
+                                                                                                  * [size][size] */
+    int touched, room;
+    LeafTouch *touch; /* [room] */
+    /* for gamma (SP13) */
+    double diag[ROLLER_UNKNOWNS * ROLLER_UNKNOWNS];
+} RollerLeaf;
+
+/* K and D of moving roller k: own, into and from, all of what it touches, into leaf; friction scales the bearing. */
+void roller_blocks(const EquipmentWork *w, int k, const double *e, double friction, RollerLeaf *leaf);
+
+/* ------------------------------------------------------------------------------------------------- all of them */
 
 enum { BORDER_MOST = 64 }; /* unknowns of rollers that may be in the border: its columns are dense */
 

@@ -318,7 +318,7 @@ static double largest_force(const Relaxation *r)
     double largest = rod_load_size(r->scene->rod, chain, r->t);
     for (int i = 0; i < chain->n; ++i) largest = fmax(largest, chain->mass[i] * v3_norm(r->scene->weight.gravity));
     for (int j = 0; j <= chain->n; ++j) {
-        largest = fmax(largest, v3_norm(v3(joints->force[0][j], joints->force[1][j], joints->force[2][j])));
+        largest = fmax(largest, v3_norm(v3_load(joints->force, j)));
     }
     return largest;
 }

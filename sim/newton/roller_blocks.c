@@ -1,4 +1,4 @@
-#include "sim/newton/roller_blocks.h"
+#include "sim/newton/newton_leaves.h"
 
 #include <string.h>
 
@@ -22,7 +22,7 @@ static RollerPoint point_of(const EquipmentWork *w, int k, const double *e, doub
     r.b = w->roller[r.item->roller].shape.axis;
     if (mounted(&r)) {
         const int i = 2 * r.item->mount + 1;
-        r.w = v3(w->kin.w[0][i], w->kin.w[1][i], w->kin.w[2][i]);
+        r.w = v3_load(w->kin.w, i);
     }
     if (!spins(&r)) return r;
     const double force = v3_norm(r.load.force);
@@ -33,14 +33,6 @@ static RollerPoint point_of(const EquipmentWork *w, int k, const double *e, doub
     if (force > 0) r.t = v3_scale(friction * d_load / force, r.load.force);
     return r;
 }
-
-static void put3(double *at, Vec3 v)
-{
-    at[0] = v.x;
-    at[1] = v.y;
-    at[2] = v.z;
-}
-static Vec3 unit(int c) { return v3(c == 0, c == 1, c == 2); }
 
 /* c += a b, column-major: a rows x inner, b inner x cols. */
 static void multiply_add(int rows, int inner, int cols, const double *a, const double *b, double *c)
@@ -59,14 +51,14 @@ static void rows_map(const RollerPoint *r, double *rows)
     const int size = r->item->size, spin = size - 1;
     memset(rows, 0, (size_t)(6 * size) * sizeof *rows);
     for (int c = 0; c < 3; ++c) {
-        const double t = v3_dot(unit(c), r->t), b = v3_dot(unit(c), r->b);
+        const double t = v3_dot(v3_axis(c), r->t), b = v3_dot(v3_axis(c), r->b);
         double *const by_force = rows + size * c, *const by_moment = rows + size * (3 + c);
         if (mounted(r)) by_force[c] = by_moment[3 + c] = 1;
         if (!spins(r)) continue;
         by_force[spin] = t;
         by_moment[spin] = b;
         for (int i = 0; mounted(r) && i < 3; ++i) {
-            const double along = v3_dot(unit(i), r->b);
+            const double along = v3_dot(v3_axis(i), r->b);
             by_force[3 + i] -= along * t;
             by_moment[3 + i] -= along * b;
         }
@@ -79,14 +71,14 @@ static void columns_map(const RollerPoint *r, double *speeds, double *turns)
     const int size = r->item->size;
     memset(speeds, 0, (size_t)(6 * size) * sizeof *speeds);
     memset(turns, 0, 36 * sizeof *turns);
-    if (spins(r)) put3(speeds + 6 * (size - 1) + 3, r->b);
+    if (spins(r)) v3_put(speeds + 6 * (size - 1) + 3, r->b);
     for (int c = 0; mounted(r) && c < 3; ++c) {
-        const Vec3 across = spins(r) ? v3_reject(unit(c), r->b) : unit(c), db = v3_cross(unit(c), r->b);
+        const Vec3 across = spins(r) ? v3_reject(v3_axis(c), r->b) : v3_axis(c), db = v3_cross(v3_axis(c), r->b);
         speeds[6 * c + c] = 1;
-        put3(speeds + 6 * (3 + c) + 3, across);
+        v3_put(speeds + 6 * (3 + c) + 3, across);
         if (!spins(r)) continue;
         const Vec3 turned = v3_scale(r->s - v3_dot(r->w, r->b), db);
-        put3(turns + 6 * (3 + c) + 3, v3_axpy(turned, -v3_dot(r->w, db), r->b));
+        v3_put(turns + 6 * (3 + c) + 3, v3_axpy(turned, -v3_dot(r->w, db), r->b));
     }
 }
 
@@ -99,11 +91,11 @@ static void own_add(const RollerPoint *r, RollerLeaf *leaf)
     if (!mounted(r)) return;
     const double inertia = r->item->inertia, about = v3_dot(r->b, r->load.moment) + r->torque;
     const Vec3 gyro = v3_scale(-inertia, v3_cross(r->w, r->b)), by_spin = v3_axpy(gyro, -r->d_om, r->b);
-    for (int i = 0; i < 3; ++i) leaf->d_own[size * spin + 3 + i] += v3_dot(unit(i), by_spin);
+    for (int i = 0; i < 3; ++i) leaf->d_own[size * spin + 3 + i] += v3_dot(v3_axis(i), by_spin);
     for (int c = 0; c < 3; ++c) {
-        const Vec3 db = v3_cross(unit(c), r->b);
+        const Vec3 db = v3_cross(v3_axis(c), r->b);
         const double row_k = v3_dot(db, r->load.moment) - r->d_om * v3_dot(r->w, db);
-        const double row_d = -r->d_om * v3_dot(unit(c), r->b);
+        const double row_d = -r->d_om * v3_dot(v3_axis(c), r->b);
         Vec3 moment_k = v3_axpy(v3_scale(-row_k, r->b), -about, db);
         moment_k = v3_axpy(moment_k, -inertia * r->s, v3_cross(r->w, db));
         const Vec3 moment_d = v3_axpy(v3_scale(-row_d, r->b), -inertia * r->s, db);
@@ -111,8 +103,8 @@ static void own_add(const RollerPoint *r, RollerLeaf *leaf)
         k[spin] += row_k;
         d[spin] += row_d;
         for (int i = 0; i < 3; ++i) {
-            k[3 + i] += v3_dot(unit(i), moment_k);
-            d[3 + i] += v3_dot(unit(i), moment_d);
+            k[3 + i] += v3_dot(v3_axis(i), moment_k);
+            d[3 + i] += v3_dot(v3_axis(i), moment_d);
         }
     }
 }
@@ -156,14 +148,12 @@ void roller_blocks(const EquipmentWork *w, int k, const double *e, double fricti
     if (positions) bushing_add(w, r.item->mount, leaf);
     leaf->touched = sum->touched < leaf->room ? sum->touched : leaf->room;
     for (int t = 0; t < leaf->touched; ++t) {
-        leaf->block[t] = sum->block[t];
-        memcpy(leaf->k_into[t], sum->into[0][t], sizeof leaf->k_into[t]);
-        multiply_add(6, 6, 6, sum->into[1][t], turns, leaf->k_into[t]);
-        memset(leaf->d_into[t], 0, sizeof leaf->d_into[t]);
-        multiply_add(6, 6, size, sum->into[1][t], speeds, leaf->d_into[t]);
-        memset(leaf->k_from[t], 0, sizeof leaf->k_from[t]);
-        memset(leaf->d_from[t], 0, sizeof leaf->d_from[t]);
-        multiply_add(size, 6, 6, rows, sum->from[0][t], leaf->k_from[t]);
-        multiply_add(size, 6, 6, rows, sum->from[1][t], leaf->d_from[t]);
+        LeafTouch *const at = &leaf->touch[t];
+        *at = (LeafTouch){.block = sum->block[t]};
+        memcpy(at->k_into, sum->into[0][t], sizeof at->k_into);
+        multiply_add(6, 6, 6, sum->into[1][t], turns, at->k_into);
+        multiply_add(6, 6, size, sum->into[1][t], speeds, at->d_into);
+        multiply_add(size, 6, 6, rows, sum->from[0][t], at->k_from);
+        multiply_add(size, 6, 6, rows, sum->from[1][t], at->d_from);
     }
 }

@@ -5,9 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/base/lanes.h"
+#include "core/base/team.h"
 #include "sim/balance_terms.h"
 #include "sim/equipment/winch.h"
-#include "sim/halves.h"
 #include "sim/planar/planar_kernels.h"
 #include "sim/planar/planar_relax.h"
 #include "sim/step/scales.h"

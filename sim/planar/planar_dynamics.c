@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/base/clock.h"
-#include "sim/halves.h"
+#include "core/base/team.h"
 #include "sim/planar/planar_kernels.h"
 
 static const PlanarSimKernels *kernels(void)

@@ -3,8 +3,22 @@
 #define HAWSER_SIM_PLANAR_PLANAR_KERNELS_H
 
 #include "core/base/isa.h"
-#include "sim/planar/planar_newton_data.h"
+#include "core/planar/planar.h"
+#include "linsolve/linsolve.h"
 #include "sim/planar/planar_scene_data.h"
+
+/* The planar chain's Newton matrix (PL15). */
+typedef struct PlanarNewton {
+    const PlanarChain *chain; /* borrowed */
+    int middle;               /* segments before it are the first half; a multiple of LANES */
+    PlanarBlocks k, d;        /* at the linearisation point */
+    BlockChain a;             /* M - gamma D - gamma^2 K */
+    double *z[3];             /* gamma times the positions' residuals; chain arrays */
+    double *x;                /* [3 stride] reduced right-hand side and solution, row by row */
+    double gamma;             /* s, of a */
+    LinSolver *solver;
+    Team *team; /* borrowed; NULL: one thread */
+} PlanarNewton;
 
 /* What the lead-in does to the motion: W, and N along the plane's axes. */
 typedef struct PlanarPower {

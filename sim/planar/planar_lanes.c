@@ -3,16 +3,9 @@
 
 #include "core/planar/plane_lanes.h"
 #include "core/state.h"
+#include "sim/newton/form_lanes.h"
 #include "sim/planar/planar_kernels.h"
 #include "sim/step/scales.h"
-
-/* STEP from 0 at -1/2 to 1 at 1/2. */
-LANE_INLINE Lane blend_share(Lane x)
-{
-    const Lane zero = lane_set(0), one = lane_set(1);
-    const Lane d = x + 0.5, low = lane_select(d < zero, zero, d), share = lane_select(low > one, one, low);
-    return share * share * (3 - 2 * share);
-}
 
 /* What the lead-in does to LANES segments, per mass held: what it takes off gravity, and its hold across its line; and
  * the share of the mass that it holds (F1). */
@@ -25,7 +18,7 @@ LANE_INLINE LeadIn lead_in_at(const PlanarWeight *w, const PlanarKinematics *kin
 {
     const Lane2 along = {lane_set(w->direction[0]), lane_set(w->direction[1])}, across = l2_turn(along);
     const Lane2 off = l2_sub(l2_load(kin->p, i), (Lane2){lane_set(w->origin[0]), lane_set(w->origin[1])});
-    const Lane share = blend_share(l2_dot(off, along) / w->blend);
+    const Lane share = lane_step(l2_dot(off, along) / w->blend, lane_set(-0.5), lane_set(0.5)).value;
     const Lane hold = -w->hold * l2_dot(off, across) - w->hold_damping * l2_dot(l2_load(kin->v, i), across);
     const Lane2 lost = {lane_set(w->lost[0]), lane_set(w->lost[1])};
     *past = !lane_bits(share < lane_set(1));
@@ -132,7 +125,7 @@ static void kernel_expand(const PlanarNewton *nw, double *b, int from, int to)
 /* Entry e of -gamma D - gamma^2 K of LANES rows into row-by-row blocks, of which `count` exist. */
 LANE_INLINE void entry_form(double *const k[9], double *const d[9], int e, int i, int count, double gamma, double *out)
 {
-    const Lane value = -gamma * lane_load(d[e] + i) - gamma * gamma * lane_load(k[e] + i);
+    const Lane value = newton_entry(gamma, lane_load(d[e] + i), lane_load(k[e] + i));
     for (int l = 0; l < count; ++l) out[9 * (i + l) + e] = value[l];
 }
 

@@ -5,14 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/base/lanes.h"
-#include "sim/halves.h"
+#include "core/base/team.h"
 #include "sim/planar/planar_kernels.h"
 
-static const PlanarSimKernels *kernels(void)
-{
-    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(PlanarSimKernels, planar_sim_kernels)
 
 static int parts_new(PlanarNewton *nw)
 {

@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_PLANAR_PLANAR_NEWTON_H
 #define HAWSER_SIM_PLANAR_PLANAR_NEWTON_H
 
-#include "sim/planar/planar_newton_data.h"
+#include "sim/planar/planar_kernels.h"
 
 hawser_status planar_newton_new(PlanarNewton *nw, const PlanarChain *chain, const LinOptions *options,
                                 hawser_error *err);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "linsolve/small_eigen.h"
+#include "linsolve/small.h"
 
 /* Directions beyond those wanted; iterations at most; frequencies are found when they change by less. */
 enum { GUARD = 8, ITERATIONS_MAX = 200, SETTLING = 4 };

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "sim/halves.h"
+#include "core/base/team.h"
 #include "sim/step/vector_kernels.h"
 
 static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "sim/halves.h"
+#include "core/base/team.h"
 #include "sim/step/vector_kernels.h"
 
 /* Entries of a piece: eight vectors of it fit a core's first cache, and it is whole lanes, so that every entry is

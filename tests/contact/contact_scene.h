@@ -72,7 +72,7 @@ static inline void scene_refresh(TestScene *s)
 static inline void scene_forces(TestScene *s, double friction)
 {
     loads_zero(&s->loads, s->chain.n);
-    contact_forces(&s->model, &s->chain, &s->kin, friction, &s->pairs, &s->loads, s->on_roller);
+    contact_forces(&s->model, &s->chain, &s->kin, friction, &s->pairs, &s->loads, s->on_roller, NULL);
 }
 
 static inline Vec3 vector_of(double *const a[3], int i) { return v3(a[0][i], a[1][i], a[2][i]); }

@@ -100,8 +100,8 @@ static void reach_check(ContactGeometry geometry)
     assert_int_equal(far.pairs.candidates, ROLLERS * element_count(geometry, N));
     loads_zero(&near.loads, N);
     loads_zero(&far.loads, N);
-    contact_forces(&near.model, &near.chain, &near.kin, 1, &near.pairs, &near.loads, NULL);
-    contact_forces(&far.model, &far.chain, &far.kin, 1, &far.pairs, &far.loads, NULL);
+    contact_forces(&near.model, &near.chain, &near.kin, 1, &near.pairs, &near.loads, NULL, NULL);
+    contact_forces(&far.model, &far.chain, &far.kin, 1, &far.pairs, &far.loads, NULL, NULL);
     assert_int_equal(near.pairs.active, far.pairs.active);
     assert_true(far.pairs.active > ROLLERS / 4);
     for (int c = 0; c < 3; ++c) {

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#include "contact/roller/contact_fd.h"
+#include "contact/fd/contact_fd.h"
 
 enum { N = 6 };
 
@@ -108,7 +108,7 @@ static double step_error(TestScene *s, double step)
         assert_true(block_chain_alloc(&m[i], N, 6));
         block_chain_zero(&m[i]);
     }
-    contact_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &m[0], &m[1]);
+    contact_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &m[0], &m[1], NULL, NULL);
     const double stray = contact_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, step, 1e-7, &m[2], &m[3]);
     assert_true(stray == 0);
     double error = 0;

@@ -45,7 +45,7 @@ static void moving_rows(Moving *m, double row[ROWS])
 {
     TestScene *const s = &m->s;
     loads_zero(&s->loads, N);
-    contact_forces_moving(&s->model, &s->chain, &s->kin, 1, &s->pairs, &s->loads, m->load);
+    contact_forces(&s->model, &s->chain, &s->kin, 1, &s->pairs, &s->loads, NULL, m->load);
     for (int i = 0; i < N; ++i) {
         for (int c = 0; c < 3; ++c) {
             row[6 * i + c] = s->loads.f[c][i];
@@ -128,7 +128,7 @@ static void analytic(Moving *m)
     memset(m->matrix, 0, sizeof m->matrix);
     for (int kind = 0; kind < 2; ++kind) assert_true(block_chain_alloc(&kd[kind], N, 6));
     TestScene *const s = &m->s;
-    contact_blocks_moving(&s->model, &s->chain, &s->kin, 1, &s->pairs, &kd[0], &kd[1], coupling_take, m);
+    contact_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &kd[0], &kd[1], coupling_take, m);
     for (int kind = 0; kind < 2; ++kind) {
         for (int i = 0; i < N; ++i) {
             matrix_put(m, kind, i, i, kd[kind].diag + 36 * i);

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "contact/roller/contact_fd.h"
+#include "contact/fd/contact_fd.h"
 
 enum { N = 6 };
 
@@ -250,7 +250,7 @@ static double blocks_error(TestScene *s, double step)
         assert_true(block_chain_alloc(&m[i], N, 6));
         block_chain_zero(&m[i]);
     }
-    contact_blocks(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, &m[0], &m[1]);
+    contact_blocks(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, &m[0], &m[1], NULL, NULL);
     assert_true(contact_blocks_fd(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, step, 1e-7, &m[2], &m[3]) == 0);
     const double error = fmax(difference(&m[0], &m[2]), difference(&m[1], &m[3]));
     for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
@@ -321,12 +321,12 @@ static void test_frictionless_is_zero_friction(void **state)
         scene_refresh(&s);
         scene_forces(&s, 1);
         const Vec3 without = s.on_roller[0];
-        contact_blocks(&s.model, &s.chain, &s.kin, 1, &s.pairs, &m[0], &m[1]);
+        contact_blocks(&s.model, &s.chain, &s.kin, 1, &s.pairs, &m[0], &m[1], NULL, NULL);
         /* the general kernels: a coefficient that is as good as none */
         s.roller[0].friction.mu_s = s.roller[0].friction.mu_d = 1e-300;
         scene_refresh(&s);
         scene_forces(&s, 1);
-        contact_blocks(&s.model, &s.chain, &s.kin, 1, &s.pairs, &m[2], &m[3]);
+        contact_blocks(&s.model, &s.chain, &s.kin, 1, &s.pairs, &m[2], &m[3], NULL, NULL);
         touching += s.pairs.active;
         assert_true(v3_norm(v3_sub(without, s.on_roller[0])) <= 1e-13 * v3_norm(without));
         assert_true(difference(&m[0], &m[2]) < 1e-13);

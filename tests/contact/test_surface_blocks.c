@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "contact/surface/surface_fd.h"
+#include "contact/fd/contact_fd.h"
 
 enum { N = 12 };
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "contact/surface/surface_fd.h"
+#include "contact/fd/contact_fd.h"
 
 enum { N = 6 };
 

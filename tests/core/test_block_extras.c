@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "core/block_extras.h"
+#include "core/block_chain.h"
 
 enum { N = 7 };
 

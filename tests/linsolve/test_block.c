@@ -5,7 +5,7 @@
 
 #include <cmocka.h>
 
-#include "linsolve/block/block_solver.h"
+#include "linsolve/block/block_factor.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
 

@@ -398,13 +398,10 @@ static void names(void **state)
 {
     (void)state;
     for (LinKind kind = LIN_AUTO; kind <= LIN_DENSE; ++kind) {
-        LinKind back = LIN_AUTO;
-        assert_true(linsolver_kind_parse(linsolver_kind_name(kind), &back));
-        assert_int_equal(back, kind);
+        for (LinKind other = LIN_AUTO; other < kind; ++other) {
+            assert_string_not_equal(linsolver_kind_name(kind), linsolver_kind_name(other));
+        }
     }
-    LinKind kind;
-    assert_false(linsolver_kind_parse("lapack", &kind));
-    assert_false(linsolver_kind_parse("", &kind));
 }
 
 int main(void)

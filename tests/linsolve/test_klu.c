@@ -5,8 +5,8 @@
 
 #include <cmocka.h>
 
+#include "linsolve/backend.h"
 #include "linsolve/linsolve.h"
-#include "linsolve/ordering.h"
 #include "tests/linsolve/matrix_fixture.h"
 
 /* A ring of 30 blocks with a bridge: the chain's ends and two inner blocks are coupled both ways. */

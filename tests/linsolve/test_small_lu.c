@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "linsolve/small_lu.h"
+#include "linsolve/small.h"
 #include "tests/linsolve/matrix_fixture.h"
 
 enum { MOST = 40 };
