@@ -28,6 +28,16 @@ void check_distance_share(double found, double expected, double share, CheckPlac
     _fail(place.file, place.line);
 }
 
+void check_vectors(Vec3 found, Vec3 expected, double tolerance, CheckPlace place)
+{
+    const double off = v3_norm(v3_sub(found, expected));
+    measured(off, tolerance, &place);
+    if (off <= tolerance) return;
+    print_error("%s: found (%.17g, %.17g, %.17g), expected (%.17g, %.17g, %.17g), off by %.3g, tolerance %.3g\n",
+                place.text, found.x, found.y, found.z, expected.x, expected.y, expected.z, off, tolerance);
+    _fail(place.file, place.line);
+}
+
 static int holds(double value, CheckRelation relation, double bound)
 {
     switch (relation) {
@@ -63,7 +73,7 @@ void check_range(double value, double low, double high, CheckPlace place)
     _fail(place.file, place.line);
 }
 
-void check_kind(double value, CheckKind kind, CheckPlace place)
+void check_class(double value, CheckClass kind, CheckPlace place)
 {
     static const char *const name[] = {"finite", "infinite", "NAN"};
     if (kind == CHECK_FINITE ? isfinite(value) : kind == CHECK_INFINITE ? isinf(value) : isnan(value)) return;

@@ -9,7 +9,23 @@
 #include <unistd.h>
 
 /* What a failing check of the kind `state` asks for. */
-enum { CLOSE, SHARE, EQUAL, DIFFERS, BELOW, AT_MOST, ABOVE, AT_LEAST, BETWEEN, FINITE, INFINITE, IS_NAN, HAS, KINDS };
+enum {
+    CLOSE,
+    SHARE,
+    VEC,
+    EQUAL,
+    DIFFERS,
+    BELOW,
+    AT_MOST,
+    ABOVE,
+    AT_LEAST,
+    BETWEEN,
+    FINITE,
+    INFINITE,
+    IS_NAN,
+    HAS,
+    KINDS
+};
 
 typedef struct Miss {
     int kind;
@@ -27,6 +43,9 @@ static void fails(void **state)
         break;
     case SHARE:
         check_share(miss.value, miss.other, miss.third);
+        break;
+    case VEC:
+        check_vec(v3(0, miss.value, 0), v3(0, miss.other, 0), miss.third);
         break;
     case EQUAL:
         check_equal(miss.value, miss.other);
@@ -114,6 +133,8 @@ static void a_miss_shows_its_numbers(void **state)
                    "found 1.5, expected 1.25", "off by 0.25, tolerance 0.125");
     expect_failure((Miss){SHARE, -1.5, -1.25, 0.125}, "check_share(", "found -1.5, expected -1.25",
                    "off by -0.2 of it, tolerance 0.125");
+    expect_failure((Miss){VEC, 1.5, 1.25, 0.125}, "check_vec(", "found (0, 1.5, 0), expected (0, 1.25, 0)",
+                   "off by 0.25, tolerance 0.125");
     expect_failure((Miss){EQUAL, 1.5, 1.25, 0}, "check_equal(", "1.5 is not == 1.25", "off by 0.25");
     expect_failure((Miss){DIFFERS, 1.5, 1.5, 0}, "check_differs(", "1.5 is not != 1.5", "off by 0");
     expect_failure((Miss){BELOW, 1.5, 1.5, 0}, "check_below(", "1.5 is not < 1.5", "off by 0");
@@ -135,7 +156,7 @@ static void a_nan_fails(void **state)
     char said[4096];
     for (int kind = 0; kind < FINITE; ++kind) {
         for (int place = 0; place < 3; ++place) {
-            if (place == 2 && kind != CLOSE && kind != SHARE && kind != BETWEEN) continue;
+            if (place == 2 && kind != CLOSE && kind != SHARE && kind != VEC && kind != BETWEEN) continue;
             Miss what = {kind, 1, kind == ABOVE || kind == AT_LEAST || kind == BETWEEN ? 0 : 2, 5};
             if (kind == EQUAL) what.other = 1;
             assert_false(child_fails(what, said, sizeof said)); /* it is the NAN alone that fails */
@@ -156,6 +177,7 @@ static void what_passes(void **state)
     check_close(1, 1, 0);
     check_share(-8, -10, 0.2);
     check_share(0, 0, 0);
+    check_vec(v3(1, 2, 3), v3(1, 2, 3.25), 0.25);
     check_equal(0.0, -0.0);
     check_equal(INFINITY, INFINITY);
     check_equal(3L, 3);
