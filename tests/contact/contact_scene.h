@@ -2,18 +2,12 @@
 #ifndef TESTS_CONTACT_SCENE_H
 #define TESTS_CONTACT_SCENE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <stdlib.h>
 #include <string.h>
 
 #include "contact/roller/contact.h"
 #include "core/base/vec3.h"
+#include "tests/support/check.h"
 
 enum { SCENE_ROLLERS_MAX = 4, SCENE_HITS_MAX = 64 };
 

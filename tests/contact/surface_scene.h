@@ -2,18 +2,12 @@
 #ifndef TESTS_CONTACT_SURFACE_SCENE_H
 #define TESTS_CONTACT_SURFACE_SCENE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <stdlib.h>
 #include <string.h>
 
 #include "contact/surface/surface.h"
 #include "core/base/vec3.h"
+#include "tests/support/check.h"
 
 enum { SURFACES_MAX = 4, PATCHES_MAX = 64 };
 
@@ -98,7 +92,8 @@ static inline void surfaces_add(SurfaceScene *s, const SurfaceShape *shape)
 {
     SurfaceModel *const m = &s->model;
     const int n = surface_patch_count(shape, &s->route);
-    assert_true(m->n_surfaces < SURFACES_MAX && m->n_patches + n <= PATCHES_MAX);
+    check_below(m->n_surfaces, SURFACES_MAX);
+    check_at_most(m->n_patches + n, PATCHES_MAX);
     surface_patches(shape, &s->route, m->n_surfaces, s->patch + m->n_patches);
     s->friction[m->n_surfaces++] = (FrictionLaw){.mu_s = 0.25, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2};
     m->n_patches += n;

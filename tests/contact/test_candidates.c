@@ -60,13 +60,13 @@ static void brute_check(ContactGeometry geometry)
             count += near;
             for (int i = 0; i <= 8 && !near; ++i) {
                 const Vec3 p = element_point(&element, &s.chain, &s.kin, i / 8.0);
-                assert_true(shape_distance(&rollers[r].shape, p) - element_radius(&element, &s.chain, i / 8.0) >
+                check_above(shape_distance(&rollers[r].shape, p) - element_radius(&element, &s.chain, i / 8.0),
                             s.model.reach);
             }
         }
     }
     assert_int_equal(s.pairs.candidates, count);
-    assert_true(count > 2 * ROLLERS);
+    check_above(count, 2 * ROLLERS);
     print_message("%d candidates of %d pairs, in %d ranges\n", count, ROLLERS * element_count(geometry, N),
                   s.pairs.n_ranges);
     scene_free(&s);
@@ -103,7 +103,7 @@ static void reach_check(ContactGeometry geometry)
     contact_forces(&near.model, &near.chain, &near.kin, 1, &near.pairs, &near.loads, NULL);
     contact_forces(&far.model, &far.chain, &far.kin, 1, &far.pairs, &far.loads, NULL);
     assert_int_equal(near.pairs.active, far.pairs.active);
-    assert_true(far.pairs.active > ROLLERS / 4);
+    check_above(far.pairs.active, ROLLERS / 4);
     for (int c = 0; c < 3; ++c) {
         assert_memory_equal(near.loads.f[c], far.loads.f[c], N * sizeof(double));
         assert_memory_equal(near.loads.m[c], far.loads.m[c], N * sizeof(double));
@@ -151,7 +151,7 @@ static void test_least(void **state)
     scene_forces(&s, 1);
     assert_int_equal(s.pairs.candidates, 2);
     assert_int_equal(s.pairs.active, 1);
-    assert_true(fabs(s.loads.f[2][0] - 2e7 * pow(1e-3, 1.5)) < 1e-9);
+    check_close(s.loads.f[2][0], 2e7 * pow(1e-3, 1.5), 1e-9);
     scene_free(&s);
 }
 

@@ -94,8 +94,8 @@ static double quarter_error(const BlockChain *a, const BlockChain *b, int quarte
         const int entry = i % 36, row = entry % 6, col = entry / 6;
         if (2 * (row / 3) + col / 3 != quarter) continue;
         const double x = pa[i / (36 * N)][i % (36 * N)], y = pb[i / (36 * N)][i % (36 * N)];
-        most = fmax(most, fabs(y));
-        difference = fmax(difference, fabs(x - y));
+        most = larger_of(most, fabs(y));
+        difference = larger_of(difference, fabs(x - y));
     }
     return most > 0 ? difference / most : difference;
 }
@@ -110,11 +110,11 @@ static double step_error(TestScene *s, double step)
     }
     contact_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &m[0], &m[1]);
     const double stray = contact_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, step, 1e-7, &m[2], &m[3]);
-    assert_true(stray == 0);
+    check_equal(stray, 0);
     double error = 0;
     for (int quarter = 0; quarter < 4; ++quarter) {
-        error = fmax(error, quarter_error(&m[0], &m[2], quarter));
-        error = fmax(error, quarter_error(&m[1], &m[3], quarter));
+        error = larger_of(error, quarter_error(&m[0], &m[2], quarter));
+        error = larger_of(error, quarter_error(&m[1], &m[3], quarter));
     }
     for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
     return error;
@@ -122,7 +122,7 @@ static double step_error(TestScene *s, double step)
 
 /* The better of two steps: the larger is inexact where a shallow contact's stiffness changes fast, the
  * smaller where a force's rounding is large against its change. */
-static double state_error(TestScene *s) { return fmin(step_error(s, 1e-7), step_error(s, 2e-8)); }
+static double state_error(TestScene *s) { return smaller_of(step_error(s, 1e-7), step_error(s, 2e-8)); }
 
 /* Whether a hit is so near to a kink of a law or of the shape that differences are meaningless. */
 static int near_kink(const ContactDetail *hit)
@@ -165,12 +165,12 @@ static void states_check(ContactGeometry geometry, Place place)
     active_count = clamped_count = 0;
     for (int i = 0; i < 160; ++i) {
         const double error = random_state_error(geometry, speeds[i % 4], place, &seed);
-        worst = fmax(worst, error);
+        worst = larger_of(worst, error);
     }
     print_message("geometry %d, %s: %d active (%d clamped), worst %.2e\n", geometry, place_name[place], active_count,
                   clamped_count, worst);
-    assert_true(active_count > 80);
-    assert_true(worst < 1e-6);
+    check_above(active_count, 80);
+    check_below(worst, 1e-6);
 }
 
 static void test_smooth_lateral(void **state)
@@ -187,7 +187,7 @@ static void test_smooth_end(void **state)
 {
     (void)state;
     states_check(GEOMETRY_SMOOTH, PLACE_END);
-    assert_true(clamped_count > 40);
+    check_above(clamped_count, 40);
 }
 static void test_cylinder_lateral(void **state)
 {
@@ -203,7 +203,7 @@ static void test_cylinder_end(void **state)
 {
     (void)state;
     states_check(GEOMETRY_CYLINDER, PLACE_END);
-    assert_true(clamped_count > 40);
+    check_above(clamped_count, 40);
 }
 
 static void test_smooth_grooves(void **state)

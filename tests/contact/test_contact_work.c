@@ -76,11 +76,12 @@ static void balance_check(ContactGeometry geometry, uint64_t *seed)
         moment = v3_add(moment, v3_add(m, v3_cross(vector_of(s.kin.p, i), f)));
         power += v3_dot(f, vector_of(s.kin.v, i)) + v3_dot(m, vector_of(s.kin.w, i));
     }
-    assert_true(v3_norm(force) < 1e-12 * size && v3_norm(moment) < 1e-12 * size);
-    assert_true(fabs(power) < 1e-9 * size); /* differences of 1e-6 s */
+    check_below(v3_norm(force), 1e-12 * size);
+    check_below(v3_norm(moment), 1e-12 * size);
+    check_close(power, 0, 1e-9 * size); /* differences of 1e-6 s */
     const Vec3 rollers = v3_add(s.on_roller[0], s.on_roller[1]);
     for (int i = 0; i < N; ++i) force = v3_sub(force, vector_of(s.loads.f, i));
-    assert_true(v3_norm(v3_sub(force, rollers)) < 1e-12 * size);
+    check_vec(force, rollers, 1e-12 * size);
     scene_free(&s);
 }
 static void test_balance(void **state)
@@ -113,12 +114,12 @@ static void test_force_follows_laws(void **state)
             const double mu =
                 0.5 * v3_norm(slide) * friction_over_speed(&s.roller[hit[h].roller].friction, v3_norm(slide), &slope);
             const Vec3 expected = v3_axpy(normal, -mu / v3_norm(slide), slide);
-            assert_true(v3_norm(v3_axpy(hit[h].force, -hit[h].normal, expected)) < 1e-6 * hit[h].normal);
+            check_below(v3_norm(v3_axpy(hit[h].force, -hit[h].normal, expected)), 1e-6 * hit[h].normal);
             ++touching;
         }
         scene_free(&s);
     }
-    assert_true(touching > 50);
+    check_above(touching, 50);
 }
 
 /* The whole scene turned and moved: the loads turn with it. */
@@ -153,8 +154,8 @@ static void test_objective(void **state)
         scene_refresh(&s);
         scene_forces(&s, 1);
         for (int k = 0; k < N; ++k) {
-            assert_true(v3_norm(v3_sub(vector_of(s.loads.f, k), quat_rotate(q, old[k]))) < 1e-10 * size);
-            assert_true(v3_norm(v3_sub(vector_of(s.loads.m, k), quat_rotate(q, old[N + k]))) < 1e-10 * size);
+            check_vec(vector_of(s.loads.f, k), quat_rotate(q, old[k]), 1e-10 * size);
+            check_vec(vector_of(s.loads.m, k), quat_rotate(q, old[N + k]), 1e-10 * size);
         }
         scene_free(&s);
     }
@@ -172,7 +173,8 @@ static void test_no_friction(void **state)
         scene_refresh(&s);
         scene_forces(&s, moving ? 0 : 1);
         assert_int_equal(s.pairs.active, 1);
-        assert_true(fabs(s.on_roller[0].x) < 1e-10 && fabs(s.on_roller[0].y) < 1e-10);
+        check_close(s.on_roller[0].x, 0, 1e-10);
+        check_close(s.on_roller[0].y, 0, 1e-10);
         scene_free(&s);
     }
 }
@@ -211,12 +213,13 @@ static void tally_closes(void **state)
             energy[side] = s.pairs.tally.energy;
         }
         const double stored = (energy[1] - energy[0]) / (2 * dt);
-        if (active > 0) assert_true(tally.friction >= 0 && tally.damping >= 0 && tally.energy > 0);
-        const double size = fabs(given) + fabs(stored) + tally.friction + tally.damping;
-        if (!(fabs(given + stored + tally.friction + tally.damping) <= 2e-5 * size)) {
-            fail_msg("scene %d: given %g, stored %g, friction %g, damping %g W", k, given, stored, tally.friction,
-                     tally.damping);
+        if (active > 0) {
+            check_at_least(tally.friction, 0);
+            check_at_least(tally.damping, 0);
+            check_above(tally.energy, 0);
         }
+        const double size = fabs(given) + fabs(stored) + tally.friction + tally.damping;
+        check_close(given + stored, -(tally.friction + tally.damping), 2e-5 * size); /* W */
         scene_free(&s);
     }
 }

@@ -24,7 +24,8 @@ static void test_momentum(void **state)
         self_shake(&s, 1e-3, 0.05, &seed);
         self_fresh(&s);
         self_load(&s, 1);
-        assert_true(s.pairs.active[0] > 10 && s.pairs.active[1] > 10);
+        check_above(s.pairs.active[0], 10);
+        check_above(s.pairs.active[1], 10);
         Vec3 force = v3(0, 0, 0), moment = v3(0, 0, 0);
         double size = 0;
         for (int i = 0; i < 32; ++i) {
@@ -33,8 +34,9 @@ static void test_momentum(void **state)
             moment = v3_add(moment, v3_add(vector_of(s.loads.m, i), v3_cross(arm, f)));
             size += v3_norm(f);
         }
-        assert_true(size > 1000);
-        assert_true(v3_norm(force) < 1e-14 * size && v3_norm(moment) < 1e-13 * size);
+        check_above(size, 1000);
+        check_below(v3_norm(force), 1e-14 * size);
+        check_below(v3_norm(moment), 1e-13 * size);
         self_free(&s);
     }
 }
@@ -63,11 +65,12 @@ static void test_objective(void **state)
     double most = 0, apart = 0;
     for (int i = 0; i < 32; ++i) {
         const Vec3 f = quat_rotate(q, vector_of(s.loads.f, i)), m = quat_rotate(q, vector_of(s.loads.m, i));
-        most = fmax(most, v3_norm(f));
-        apart = fmax(apart, v3_norm(v3_sub(f, vector_of(turned.loads.f, i))));
-        apart = fmax(apart, v3_norm(v3_sub(m, vector_of(turned.loads.m, i))));
+        most = larger_of(most, v3_norm(f));
+        apart = larger_of(apart, v3_norm(v3_sub(f, vector_of(turned.loads.f, i))));
+        apart = larger_of(apart, v3_norm(v3_sub(m, vector_of(turned.loads.m, i))));
     }
-    assert_true(most > 100 && apart < 1e-9 * most);
+    check_above(most, 100);
+    check_below(apart, 1e-9 * most);
     self_free(&s);
     self_free(&turned);
 }
@@ -87,8 +90,8 @@ static void test_crossing_force(void **state)
         const Vec3 f = self_force_on(&s, 6, 6);
         const double sum = 2 * SELF_RADIUS, q = depth - depth * depth / (2 * sum);
         const double expected = 1e7 * pow(q, 1.5) * (1 - depth / sum) / sin(angle);
-        if (fabs(f.z / expected - 1) > 1e-9) fail_msg("%.12g N, expected %.12g N", f.z, expected);
-        assert_true(fabs(f.x) + fabs(f.y) < 1e-9 * f.z);
+        check_share(f.z, expected, 1e-9);
+        check_below(fabs(f.x) + fabs(f.y), 1e-9 * f.z);
     }
     self_free(&s);
 }
@@ -109,8 +112,8 @@ static void test_parallel(void **state)
         self_load(&s, 1);
         /* the middle of the lower strand, which is covered from end to end */
         const double force = -self_force_on(&s, 4, 3).z, modulus = s.model.law.bed / sqrt(2 * SELF_RADIUS);
-        assert_true(fabs(force / (modulus * depth * 0.9) - 1) < 0.01);
-        assert_true(k == 0 || fabs(force / before - 1) < 1e-6);
+        check_share(force, modulus * depth * 0.9, 0.01);
+        if (k > 0) check_share(force, before, 1e-6);
         before = force;
     }
     Vec3 last[2] = {{0, 0, 0}, {0, 0, 0}};
@@ -122,14 +125,14 @@ static void test_parallel(void **state)
         self_fresh(&s);
         self_load(&s, 1);
         const Vec3 now[2] = {self_force_on(&s, 0, 12), vector_of(s.loads.m, 5)};
-        if (k > -400) jump = fmax(jump, v3_norm(v3_sub(now[0], last[0])) + v3_norm(v3_sub(now[1], last[1])));
-        largest = fmax(largest, v3_norm(now[0]));
+        if (k > -400) jump = larger_of(jump, v3_norm(v3_sub(now[0], last[0])) + v3_norm(v3_sub(now[1], last[1])));
+        largest = larger_of(largest, v3_norm(now[0]));
         last[0] = now[0];
         last[1] = now[1];
     }
     print_message("turning in steps of 0.5 mrad: largest force %.0f N, largest step %.0f N\n", largest, jump);
     /* a strand 3.6 m long leaves the other within 10 mrad: 0.05 of the force a step */
-    assert_true(jump < 0.06 * largest);
+    check_below(jump, 0.06 * largest);
     self_free(&s);
 }
 
@@ -152,12 +155,13 @@ static void test_sliding(void **state)
         if (k % 20 == 0) self_fresh(&s);
         self_load(&s, 1);
         const double now = vector_of(s.loads.f, 34).z;
-        if (k > 0) jump = fmax(jump, fabs(now - last));
-        largest = fmax(largest, fabs(now));
+        if (k > 0) jump = larger_of(jump, fabs(now - last));
+        largest = larger_of(largest, fabs(now));
         last = now;
     }
     print_message("sliding by 0.1 mm: largest force %.0f N, largest step %.2f N\n", largest, jump);
-    assert_true(largest > 100 && jump < 0.01 * largest);
+    check_above(largest, 100);
+    check_below(jump, 0.01 * largest);
     self_free(&s);
 }
 
@@ -203,7 +207,7 @@ static void test_energy(void **state)
     self_new(&s, 12, 0.3);
     const double work = work_round(&s, 4000), scale = 0.4 * 1e7 * pow(3e-3, 2.5);
     print_message("work round a closed path %.2g J; stored at most %.2g J\n", work, scale);
-    assert_true(fabs(work) < 1e-5 * scale);
+    check_close(work, 0, 1e-5 * scale);
     self_free(&s);
 }
 
@@ -228,7 +232,7 @@ static void test_dissipation(void **state)
             const Vec3 m = v3_sub(vector_of(s.loads.m, i), vector_of(rest.m, i));
             power += v3_dot(f, vector_of(s.kin.v, i)) + v3_dot(m, vector_of(s.kin.w, i));
         }
-        assert_true(power < 0);
+        check_below(power, 0);
         loads_free(&rest);
         self_free(&s);
     }
@@ -241,7 +245,7 @@ static double lines_apart(const SelfScene *s, int e, int f)
     for (int k = 0; k < 81; ++k) {
         const Vec3 a = line_spot(&s->chain, &s->kin, e, k % 9 / 8.0).p,
                    b = line_spot(&s->chain, &s->kin, f, k / 9 / 8.0).p;
-        least = fmin(least, v3_norm(v3_sub(a, b)));
+        least = smaller_of(least, v3_norm(v3_sub(a, b)));
     }
     return least;
 }
@@ -257,7 +261,7 @@ static void test_candidates(void **state)
     self_shake(&s, 0.02, 0, &seed);
     self_fresh(&s);
     const int skip = self_skip(&s.chain);
-    assert_true(skip >= 3);
+    check_at_least(skip, 3);
     int found = 0;
     for (int e = 0; e <= 64; ++e) {
         for (int f = e; f <= 64; ++f) {

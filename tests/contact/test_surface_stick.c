@@ -40,7 +40,7 @@ static double largest(const BlockChain *a, const BlockChain *b)
     const double *const pb[3] = {b ? b->lower : NULL, b ? b->diag : NULL, b ? b->upper : NULL};
     for (int i = 0; i < 3 * 36 * N; ++i) {
         const int part = i / (36 * N), at = i % (36 * N);
-        most = fmax(most, fabs(pa[part][at] - (b ? pb[part][at] : 0)));
+        most = larger_of(most, fabs(pa[part][at] - (b ? pb[part][at] : 0)));
     }
     return most;
 }
@@ -53,9 +53,9 @@ static double blocks_error(SurfaceScene *s, double step)
         block_chain_zero(&m[i]);
     }
     surface_blocks(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, 0, s->points.elements, &m[0], &m[1]);
-    assert_true(surface_blocks_fd(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, step, 1e-7, &m[2], &m[3]) == 0);
+    check_equal(surface_blocks_fd(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, step, 1e-7, &m[2], &m[3]), 0);
     double error = 0;
-    for (int i = 0; i < 2; ++i) error = fmax(error, largest(&m[i], &m[i + 2]) / largest(&m[i + 2], NULL));
+    for (int i = 0; i < 2; ++i) error = larger_of(error, largest(&m[i], &m[i + 2]) / largest(&m[i + 2], NULL));
     for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
     return error;
 }
@@ -80,12 +80,12 @@ static void test_derivatives(void **state)
         }
         surface_clock(&s.pairs, 0.02);
         surfaces_forces(&s, 1);
-        assert_true(s.pairs.active > 0);
-        worst = fmax(worst, fmin(blocks_error(&s, 1e-7), blocks_error(&s, 2e-8)));
+        check_above(s.pairs.active, 0);
+        worst = larger_of(worst, smaller_of(blocks_error(&s, 1e-7), blocks_error(&s, 2e-8)));
         surfaces_free(&s);
     }
     print_message("worst %.2e\n", worst);
-    assert_true(worst < 1e-6);
+    check_below(worst, 1e-6);
 }
 
 /* Slid to and fro as a whole: nothing changes when a step is accepted, work is only taken, and after 1 mm and more the
@@ -112,9 +112,9 @@ static void test_steps(void **state)
         work -= h * before * v.x;
         surface_accept(&s.model, &s.chain, &s.kin, t, &s.pairs);
         surfaces_forces(&s, 1);
-        assert_true(fabs(s.tally[0].force.x - before) < 1e-9 * normal);
-        assert_true(work < 1e-9);
-        if (i == 59) assert_true(before > sticky.mu_d * normal && before < 1.0001 * sticky.mu_s * normal);
+        check_close(s.tally[0].force.x, before, 1e-9 * normal);
+        check_below(work, 1e-9);
+        if (i == 59) check_between(before, sticky.mu_d * normal, 1.0001 * sticky.mu_s * normal);
     }
     surfaces_free(&s);
 }
@@ -133,7 +133,7 @@ static void test_holds(void **state)
         surface_clock(&s.pairs, 3600 * i);
         surfaces_forces(&s, 1);
         const double x = 0.2, called = (3 * x - x * x * x) / 2;
-        assert_true(fabs(s.tally[0].force.x / (sticky.mu_s * called * s.tally[0].normal) - 1) < 1e-3);
+        check_share(s.tally[0].force.x, sticky.mu_s * called * s.tally[0].normal, 1e-3);
         surface_accept(&s.model, &s.chain, &s.kin, 3600 * i, &s.pairs);
     }
     surfaces_free(&s);
@@ -153,13 +153,13 @@ static void test_renumbered(void **state)
     for (int p = 0; p < 2; ++p) {
         assert_true(surface_pairs_sticks(&half[p], &s.model, N + 1));
         surface_carry(&s.pairs, &half[p], 1);
-        assert_true(half[p].stick.since == 0.02);
+        check_equal(half[p].stick.since, 0.02);
     }
     for (int e = 0; e <= N + 1; ++e) {
         const double found = half[e < 3 ? 0 : 1].stick.bed[0].lean[1][0][e];
         const double expected = e > 0 ? s.pairs.stick.bed[0].lean[1][0][e - 1] : 0;
-        assert_true(found == expected);
-        assert_true(half[e < 3 ? 1 : 0].stick.bed[0].lean[1][0][e] == 0);
+        check_equal(found, expected);
+        check_equal(half[e < 3 ? 1 : 0].stick.bed[0].lean[1][0][e], 0);
     }
     surface_pairs_free(&half[0]);
     surface_pairs_free(&half[1]);
