@@ -93,10 +93,4 @@ static inline Vec3 rod_front(const Stage *stage, int i)
     return v3_axpy(state_vec(stage->y, n, STATE_P, i), stage->scene.chain.half[i], axis);
 }
 
-static inline void assert_near(double found, double expected, double tolerance)
-{
-    if (!(fabs(found - expected) <= tolerance))
-        fail_msg("%.12g, expected %.12g within %.3g (%.3g off)", found, expected, tolerance, found - expected);
-}
-
 #endif

@@ -2,16 +2,12 @@
 #ifndef HAWSER_TESTS_SIM_SCENE_FIXTURE_H
 #define HAWSER_TESTS_SIM_SCENE_FIXTURE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "sim/scene.h"
 #include "tests/core/chain_fixture.h"
+#include "tests/support/check.h"
 
 enum { FIXTURE_CABLE = 24, FIXTURE_ROPE = 8, FIXTURE_SEGMENTS = FIXTURE_CABLE + FIXTURE_ROPE };
 

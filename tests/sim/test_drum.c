@@ -20,14 +20,14 @@ static void test_lay(void **state)
         assert_int_equal(dynamics_refresh(&scene, &ws, 0, y, 1, NULL), HAWSER_OK);
         const SelfDetail deepest = self_deepest(&scene.self, &scene.chain, &ws.kin, &ws.self);
         print_message("%d turns a layer, %.2f in all: deepest %.3g mm\n", turns, scene.drum.turns, 1e3 * deepest.depth);
-        assert_true(scene.drum.turns > 1.5 * turns);
+        check_above(scene.drum.turns, 1.5 * turns);
         /* where the cable leaves, it leaves square and the turn before it does not; a start may be so deep (sim.c) */
-        assert_true(deepest.depth < D / 8);
+        check_below(deepest.depth, D / 8);
         for (int i = 0; i + 1 < n; ++i) { /* the joints are closed */
             const Vec3 a = state_vec(y, n, STATE_P, i), b = state_vec(y, n, STATE_P, i + 1);
             const Vec3 ra = quat_rotate(state_quat(y, n, i), v3(H / 2, 0, 0));
             const Vec3 rb = quat_rotate(state_quat(y, n, i + 1), v3(H / 2, 0, 0));
-            assert_true(v3_norm(v3_sub(v3_sub(b, rb), v3_add(a, ra))) < 1e-9);
+            check_vec(v3_sub(b, rb), v3_add(a, ra), 1e-9);
         }
         workspace_free(&ws);
         scene_clear(&scene);
@@ -104,11 +104,11 @@ static void test_newton(void **state)
         newton_form(&nw, gamma);
         assert_int_equal(newton_factor(&nw), 0);
     }
-    assert_true(ws.self.active[0] + ws.self.active[1] > 5);
+    check_above(ws.self.active[0] + ws.self.active[1], 5);
     for (int k = 0; k < size; ++k) x[k] = b[k] = fixture_random(&seed);
     assert_int_equal(newton_solve(&nw, x), 0);
     double largest = 0, error[3] = {0}, term[3] = {0};
-    for (int k = 0; k < size; ++k) largest = fmax(largest, fabs(x[k]));
+    for (int k = 0; k < size; ++k) largest = larger_of(largest, fabs(x[k]));
     const double e = 1e-6 / largest;
     double *const moved = fixture_array(size, sizeof(double));
     /* along x, and along x in disorder for the size of what cancels in it */
@@ -120,12 +120,12 @@ static void test_newton(void **state)
         for (int k = 0; k < size; ++k) {
             const int kind = k >= STATE_SIZE * n ? 2 : k >= STATE_V * n ? 1 : 0;
             const double jx = (up[k] - down[k]) / (2 * e);
-            if (!mixed) error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx - b[k]));
-            term[kind] = fmax(term[kind], fabs(x[k]) + fabs(gamma * jx) + fabs(b[k]));
+            if (!mixed) error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx - b[k]));
+            term[kind] = larger_of(term[kind], fabs(x[k]) + fabs(gamma * jx) + fabs(b[k]));
         }
     }
     print_message("residuals %.1g %.1g %.1g\n", error[0] / term[0], error[1] / term[1], error[2] / term[2]);
-    for (int kind = 0; kind < 3; ++kind) assert_true(error[kind] < 1e-6 * term[kind]);
+    for (int kind = 0; kind < 3; ++kind) check_below(error[kind], 1e-6 * term[kind]);
     newton_free(&nw);
     workspace_free(&ws);
     scene_clear(&scene);
@@ -139,7 +139,7 @@ static void test_payout(void **state)
     (void)state;
     const double found = payout_pull(50, 5, 1.2, 2.2), expected = pull_at(0.25 + D / 2);
     print_message("mean pull %.2f N, expected %.2f N\n", found, expected);
-    assert_true(fabs(found / expected - 1) < 0.01);
+    check_share(found, expected, 0.01);
 }
 
 int main(void)

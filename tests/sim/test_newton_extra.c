@@ -12,7 +12,7 @@ static void wound_new(SelfRig *r, LinKind kind, uint64_t seed)
     state_shake(r->y, N, 1e-3, 4e-3, 0.05, 0.5, &seed);
     self_rig_refresh(r);
     dynamics_rates(&r->scene, &r->ws, 0, r->y, 1, r->rate);
-    assert_true(r->ws.self.active[0] + r->ws.self.active[1] > 20);
+    check_above(r->ws.self.active[0] + r->ws.self.active[1], 20);
     dynamics_blocks(&r->scene, &r->ws, 0, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
     newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
 }
@@ -21,7 +21,7 @@ static void wound_new(SelfRig *r, LinKind kind, uint64_t seed)
 static void jacobian_times(SelfRig *r, const double *x, double *jx)
 {
     double size = 0, y[STATE_SIZE * N], minus[STATE_SIZE * N];
-    for (int k = 0; k < r->size; ++k) size = fmax(size, fabs(x[k]));
+    for (int k = 0; k < r->size; ++k) size = larger_of(size, fabs(x[k]));
     const double e = 1e-6 / size;
     for (int k = 0; k < r->size; ++k) y[k] = r->y[k] + e * x[k];
     dynamics_rates(&r->scene, &r->ws, 0, y, 1, jx);
@@ -55,12 +55,12 @@ static void test_solve(void **state)
         jacobian_times(&r, z, jz);
         for (int k = 0; k < r.size; ++k) {
             const int kind = kind_of(k);
-            error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
-            term[kind] = fmax(term[kind], fmax(fabs(x[k]), fmax(fabs(gamma * jz[k]), fabs(b[k]))));
+            error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
+            term[kind] = larger_of(term[kind], larger_of(fabs(x[k]), larger_of(fabs(gamma * jz[k]), fabs(b[k]))));
         }
-        for (int kind = 0; kind < 4; ++kind) worst = fmax(worst, error[kind] / term[kind]);
+        for (int kind = 0; kind < 4; ++kind) worst = larger_of(worst, error[kind] / term[kind]);
         print_message("gamma 1e%d: relative residual %.2g\n", p, worst);
-        assert_true(worst < 1e-6);
+        check_below(worst, 1e-6);
         self_rig_free(&r);
     }
 }
@@ -84,10 +84,10 @@ static void test_klu_is_dense(void **state)
         self_rig_free(&r);
     }
     for (int c = 0; c < STATE_SIZE * N; ++c) {
-        size = fmax(size, fabs(x[0][c]));
-        apart = fmax(apart, fabs(x[0][c] - x[1][c]));
+        size = larger_of(size, fabs(x[0][c]));
+        apart = larger_of(apart, fabs(x[0][c] - x[1][c]));
     }
-    assert_true(apart < 1e-10 * size);
+    check_below(apart, 1e-10 * size);
 }
 
 /* The turns come apart and the blocks go: the solver is the chain's own again; then they come back. */
@@ -101,7 +101,7 @@ static void test_pattern_follows(void **state)
     for (int k = 0; k < 3; ++k) {
         self_rig_helix(&r, 0.45, k == 1 ? 2 : SELF_DIAMETER - 4e-3);
         self_rig_refresh(&r);
-        assert_true((r.ws.self.extras.count > 0) == (k != 1));
+        check_equal(r.ws.self.extras.count > 0, k != 1);
         newton_form(&r.newton, 1e-3);
         assert_int_equal(newton_factor(&r.newton), 0);
         newton_stats(&r.newton, &stats);

@@ -55,8 +55,8 @@ static void assert_weights(SelfRig *r, double share)
     const double weight = 8 * STRAND * H * G; /* of one strand, N */
     print_message("%.6f N between the strands, %.6f N on the rollers; a strand weighs %.6f N\n", between, rollers,
                   weight);
-    assert_true(fabs(between + weight) < share * weight);
-    assert_true(fabs(rollers + 3 * weight) < share * weight);
+    check_close(between, -weight, share * weight);
+    check_close(rollers, -3 * weight, share * weight);
 }
 
 static void test_equilibrium(void **state)
@@ -81,7 +81,7 @@ static void run(SelfRig *r, double until, double (*look)(SelfRig *), double *mos
         fail_msg("%s", err.message);
     while (t < until) {
         if (integrator_step(in, until, &t, &err)) fail_msg("%s", err.message);
-        if (look) *most = fmax(*most, look(r));
+        if (look) *most = larger_of(*most, look(r));
     }
     integrator_free(in);
 }
@@ -95,7 +95,7 @@ static void test_falls_and_rests(void **state)
     run(&r, 3, NULL, NULL);
     const double kinetic = self_rig_kinetic(&r);
     print_message("kinetic energy at rest %.2g J, of %.3g J that it fell with\n", kinetic, 8 * STRAND * H * G * 0.05);
-    assert_true(kinetic < 1e-4 * 8 * STRAND * H * G * 0.05);
+    check_below(kinetic, 1e-4 * 8 * STRAND * H * G * 0.05);
     assert_weights(&r, 0.01);
     self_rig_free(&r);
 }
@@ -125,9 +125,9 @@ static void test_flight(void **state)
     const Vec3 lower = state_vec(r.y, r.n, STATE_V, 2);
     print_message("kinetic energy %.6f J before, %.6f J after, %.6f J at most; the lower strand moves at %.3f m/s\n",
                   before, self_rig_kinetic(&r), most, lower.z);
-    assert_true(lower.z < -0.05);
-    assert_true(v3_norm(v3_sub(momentum, v3(0.05 * STRAND, 0, -0.3 * STRAND))) < 1e-6);
-    assert_true(most < before * (1 + 1e-4));
+    check_below(lower.z, -0.05);
+    check_vec(momentum, v3(0.05 * STRAND, 0, -0.3 * STRAND), 1e-6);
+    check_below(most, before * (1 + 1e-4));
     self_rig_free(&r);
 }
 
@@ -144,7 +144,8 @@ static void test_threads(void **state)
         state_shake(r.y, 40, 1e-4, 1e-3, 0.05, 0.5, &seed);
         self_rig_refresh(&r);
         dynamics_rates(&r.scene, &r.ws, 0, r.y, 1, rate[k]);
-        assert_true(r.ws.self.active[0] > 10 && r.ws.self.active[1] > 10);
+        check_above(r.ws.self.active[0], 10);
+        check_above(r.ws.self.active[1], 10);
         self_rig_free(&r);
     }
     assert_memory_equal(rate[0], rate[1], sizeof rate[0]);
