@@ -3,25 +3,14 @@
 #define HAWSER_TESTS_CASE_FIXTURE_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "io/case/case_read.h"
+#include "tests/support/check.h"
 
 #define NAME "pull.yaml"
-
-/* |a - b| <= share |b| */
-static inline void expect_near(double a, double b, double share)
-{
-    if (!(fabs(a - b) <= share * fabs(b))) fail_msg("%.17g is not %.17g", a, b);
-}
 
 /* The smallest case there is. */
 static const char SMALLEST[] =

@@ -1,14 +1,10 @@
 /* Facts and tables as text, JSON and CSV: the same content in each, and what is not known. */
 #include "io/results/json_document.h"
+#include "tests/support/check.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
 #include <jansson.h>
 
 static Cell cells[6];
@@ -71,9 +67,9 @@ static void test_json(void **state)
     free(text);
     assert_string_equal(json_string_value(json_object_get(o, "title")), "Title");
     assert_string_equal(json_string_value(json_object_get(o, "kind")), "a, b");
-    assert_true(json_number_value(json_object_get(o, "mass_kg")) == 12.5);
+    check_equal(json_number_value(json_object_get(o, "mass_kg")), 12.5);
     assert_int_equal(json_array_size(rows), 2);
-    assert_true(json_number_value(json_object_get(json_array_get(rows, 0), "T_N")) == 1e6);
+    check_equal(json_number_value(json_object_get(json_array_get(rows, 0), "T_N")), 1e6);
     assert_true(json_is_null(json_object_get(json_array_get(rows, 1), "T_N")));
     json_decref(o);
 }

@@ -255,7 +255,7 @@ static void spoil(const char *text, const CaseNode *node, const CaseKey *key, Co
 {
     Site site = {.text = text, .node = node, .key = key};
     case_path(node, NULL, site.path);
-    assert_true(coverage->n < KEYS_MAX);
+    check_below(coverage->n, KEYS_MAX);
     coverage->met[coverage->n++] = key;
     misspelt(&site, coverage);
     missing(&site, coverage);

@@ -124,7 +124,7 @@ static void part_of(const char *doc, const CaseSection *section, char *part, siz
     start += strlen(line);
     const char *end = strstr(start, "\n#");
     const size_t n = end ? (size_t)(end - start) + 1 : strlen(start);
-    assert_true(n < room);
+    check_below(n, room);
     memcpy(part, start, n);
     part[n] = 0;
 }

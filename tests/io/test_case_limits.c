@@ -51,28 +51,28 @@ static void values_of_a_run(void **state)
     hawser_sim_summary(sim, &sum);
     double steady = 0, peak = 0;
     for (int i = hawser_sim_rollers(sim, &roller) - 1; i >= 0; i--) {
-        steady = fmax(steady, roller[i].steady_N / roller[i].rating_N);
-        peak = fmax(peak, roller[i].peak_N / roller[i].rating_N);
+        steady = larger_of(steady, roller[i].steady_N / roller[i].rating_N);
+        peak = larger_of(peak, roller[i].peak_N / roller[i].rating_N);
     }
     for (int i = 0; i < n; i++) {
         if (!limit[i].ok || !(limit[i].margin > 0)) fail_msg("%s does not hold", limit[i].name);
     }
     /* without a rope the winch pulls at the cable itself */
-    expect_near(find(n, limit, "pull")->value, sum.pull_peak_N, 1e-3);
-    expect_near(find(n, limit, "rope")->value, sum.pull_peak_N, 1e-12);
-    expect_near(find(n, limit, "rope")->limit, 20e3, 1e-12);
-    expect_near(find(n, limit, "pull")->limit, 56e3, 1e-12);
-    expect_near(1 - find(n, limit, "roller_steady")->margin, 1.6 * steady, 1e-12);
-    expect_near(1 - find(n, limit, "roller_peak")->margin, peak, 1e-12);
+    check_share(find(n, limit, "pull")->value, sum.pull_peak_N, 1e-3);
+    check_share(find(n, limit, "rope")->value, sum.pull_peak_N, 1e-12);
+    check_share(find(n, limit, "rope")->limit, 20e3, 1e-12);
+    check_share(find(n, limit, "pull")->limit, 56e3, 1e-12);
+    check_share(1 - find(n, limit, "roller_steady")->margin, 1.6 * steady, 1e-12);
+    check_share(1 - find(n, limit, "roller_peak")->margin, peak, 1e-12);
     /* the tension in the bend lies between the tail's and the winch's */
     const double sidewall = find(n, limit, "sidewall")->value;
-    assert_true(sidewall > 2000 / 12.0 && sidewall < sum.pull_peak_N / 12);
+    check_between(sidewall, 2000 / 12.0, sum.pull_peak_N / 12);
     assert_non_null(strstr(find(n, limit, "sidewall")->where, "bend"));
     /* on corner rollers a cable of this stiffness is a polygon with somewhat tighter corners than the route */
     const double radius = find(n, limit, "bend_radius")->value;
-    assert_true(radius > 4 && radius < 12.01);
+    check_between(radius, 4, 12.01);
     const double alpha = find(n, limit, "alpha")->value;
-    assert_true(alpha > 0.9 && alpha < 1.3);
+    check_between(alpha, 0.9, 1.3);
     hawser_sim_free(sim);
 }
 
@@ -134,11 +134,11 @@ static void summary_has_them(void **state)
     json_t *overload = json_object_get(o, "overload"), *rollers = json_object_get(overload, "rollers");
     hawser_summary sum;
     hawser_sim_summary(sim, &sum);
-    expect_near(json_number_value(json_object_get(overload, "trip_N")), 1.5 * sum.reference_total_N, 1e-8);
-    assert_true(json_array_size(rollers) >= 8);
+    check_share(json_number_value(json_object_get(overload, "trip_N")), 1.5 * sum.reference_total_N, 1e-8);
+    check_at_least(json_array_size(rollers), 8);
     for (size_t i = 0; i < json_array_size(rollers); i++) {
         json_t *r = json_array_get(rollers, i);
-        expect_near(json_number_value(json_object_get(r, "alpha")) *
+        check_share(json_number_value(json_object_get(r, "alpha")) *
                         json_number_value(json_object_get(r, "reference_N")),
                     json_number_value(json_object_get(r, "peak_N")), 1e-8);
     }
@@ -164,7 +164,8 @@ static void limits_change_nothing(void **state)
     assert_int_equal(hawser_sim_run(without, NULL, NULL, NULL, NULL), HAWSER_OK);
     hawser_sim_summary(with, &a);
     hawser_sim_summary(without, &b);
-    assert_true(a.pull_peak_N == b.pull_peak_N && a.pull_mean_N == b.pull_mean_N);
+    check_equal(a.pull_peak_N, b.pull_peak_N);
+    check_equal(a.pull_mean_N, b.pull_mean_N);
     assert_int_equal(hawser_sim_limits(without, limit), 0);
     hawser_sim_free(with);
     hawser_sim_free(without);
@@ -203,22 +204,22 @@ static void theory_by_hand(void **state)
     json_t *o = theory(PULL, "friction.mu_s", "0.3");
     const double w = 20 * 9.81, wR = w * 12, turn = M_PI / 9;
     const double a = 2000 + 0.2 * w * 8, b = (a + wR) * exp(0.2 * turn) - wR, c = b + 0.2 * w * 8;
-    expect_near(number(o, "pieces", 0, "forward_end_N"), a, 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_end_N"), b, 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_closed_N"), b, 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_sidewall_N_per_m"), b / 12, 1e-9);
-    expect_near(number(o, "pieces", 2, "forward_end_N"), c, 1e-9);
-    expect_near(number(o, "directions", 0, "force_N"), c, 1e-9);
-    expect_near(number(o, "pieces", 0, "backward_end_N"), c, 1e-9);   /* the route is its own mirror */
-    expect_near(number(o, "pieces", 0, "forward_roller_N"), w, 1e-9); /* a metre of cable */
+    check_share(number(o, "pieces", 0, "forward_end_N"), a, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_end_N"), b, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_closed_N"), b, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_sidewall_N_per_m"), b / 12, 1e-9);
+    check_share(number(o, "pieces", 2, "forward_end_N"), c, 1e-9);
+    check_share(number(o, "directions", 0, "force_N"), c, 1e-9);
+    check_share(number(o, "pieces", 0, "backward_end_N"), c, 1e-9);   /* the route is its own mirror */
+    check_share(number(o, "pieces", 0, "forward_roller_N"), w, 1e-9); /* a metre of cable */
     /* in the bend too: the guides, two to a metre, bear less */
-    expect_near(number(o, "pieces", 1, "forward_roller_N"), w, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_roller_N"), w, 1e-9);
     const double restart = ((2000 + 0.3 * w * 8 + wR) * exp(0.3 * turn) - wR) + 0.3 * w * 8;
-    expect_near(number(o, "directions", 0, "restart_N"), restart, 1e-9);
+    check_share(number(o, "directions", 0, "restart_N"), restart, 1e-9);
     assert_string_equal(word(o, "pieces", 0, "supports"), "resultant");
     assert_string_equal(word(o, "pieces", 1, "supports"), "separate");
-    expect_near(number(o, "pieces", 2, "forward_margin_pct"), 100 * (1 - c / 56e3), 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_margin_pct"), 100 * fmin(1 - b / 56e3, 1 - b / 12 / 3000), 1e-9);
+    check_share(number(o, "pieces", 2, "forward_margin_pct"), 100 * (1 - c / 56e3), 1e-9);
+    check_share(number(o, "pieces", 1, "forward_margin_pct"), 100 * fmin(1 - b / 56e3, 1 - b / 12 / 3000), 1e-9);
     assert_int_equal(json_array_size(json_object_get(o, "limits")), 12);
     assert_memory_equal(json_string_value(json_object_get(o, "verdict_forward")), "SAFE: all 6", 11);
     json_decref(o);
@@ -239,13 +240,13 @@ static void theory_of_ducts_and_sags(void **state)
         "theory: {cables: 3, reel: 15 m, rope: 5 m}\n";
     json_t *o = theory(DUCT, NULL, NULL);
     const double w = 3 * 5 * 9.81, factor = 4.0 / 3; /* a cradle at D/d = 3: 1 + 4/3 (1/2)^2 */
-    expect_near(number(o, "ducts", 0, "weight_factor"), factor, 1e-9);
-    expect_near(number(o, "ducts", 0, "jam_ratio"), 3.15, 1e-9);
-    expect_near(number(o, "directions", 0, "start_N"), 15 * w, 1e-9);
-    expect_near(number(o, "directions", 0, "rope_N"), 5 * w, 1e-9);
+    check_share(number(o, "ducts", 0, "weight_factor"), factor, 1e-9);
+    check_share(number(o, "ducts", 0, "jam_ratio"), 3.15, 1e-9);
+    check_share(number(o, "directions", 0, "start_N"), 15 * w, 1e-9);
+    check_share(number(o, "directions", 0, "rope_N"), 5 * w, 1e-9);
     const double end = 15 * w + 20 * w * (0.3 * factor * cos(M_PI / 18) - sin(M_PI / 18));
-    expect_near(number(o, "pieces", 0, "forward_end_N"), end, 1e-9);
-    expect_near(number(o, "pieces", 0, "forward_closed_N"), end, 1e-9);
+    check_share(number(o, "pieces", 0, "forward_end_N"), end, 1e-9);
+    check_share(number(o, "pieces", 0, "forward_closed_N"), end, 1e-9);
     json_decref(o);
     /* pulled backward up the duct with nothing behind it but 15 m of cable: T > 0 everywhere, so the form holds */
     o = theory(DUCT, "theory.reel", "0 m");
@@ -260,7 +261,7 @@ static void theory_of_ducts_and_sags(void **state)
     json_decref(o);
     /* running down a steep slope the cable would have to be pushed into the sag: refused, with the reason */
     o = theory(DUCT, "route.slope", "-60 deg");
-    assert_true(json_array_size(json_object_get(o, "refused")) > 0);
+    check_above(json_array_size(json_object_get(o, "refused")), 0);
     assert_non_null(strstr(word(o, "refused", 0, "reason"), "does not push"));
     json_decref(o);
 }

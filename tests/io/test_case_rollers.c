@@ -8,12 +8,12 @@ static void stands_right(const Route *route, const RollerDef *roller)
 {
     const RoutePoint at = route_at(route, roller->s);
     const Vec3 away = v3_sub(roller->centre, at.position);
-    expect_near(v3_norm(away), roller->radius + RADIUS, 1e-12);
-    assert_true(fabs(v3_dot(away, at.tangent)) < 1e-12);
-    assert_true(fabs(roller->axis.z) < 1e-12);
-    expect_near(v3_norm(roller->axis), 1, 1e-12);
-    assert_true(fabs(v3_dot(roller->axis, at.tangent)) < 1e-12);
-    assert_true((away.z > 0) == (roller->hold_down != 0));
+    check_share(v3_norm(away), roller->radius + RADIUS, 1e-12);
+    check_close(v3_dot(away, at.tangent), 0, 1e-12);
+    check_close(roller->axis.z, 0, 1e-12);
+    check_share(v3_norm(roller->axis), 1, 1e-12);
+    check_close(v3_dot(roller->axis, at.tangent), 0, 1e-12);
+    check_equal(away.z > 0, roller->hold_down != 0);
 }
 
 static void rows_by_count_and_spacing(void **state)
@@ -22,21 +22,21 @@ static void rows_by_count_and_spacing(void **state)
     SceneDef def;
     expect_good(SMALLEST, "rollers.along", "{count: 11, radius: 80 mm, width: 0.3, rating: 10 kN}", &def);
     assert_int_equal(def.n_rollers, 11);
-    for (int k = 0; k < 11; k++) expect_near(def.rollers[k].s, 2 * k, 1e-12);
+    for (int k = 0; k < 11; k++) check_share(def.rollers[k].s, 2 * k, 1e-12);
     assert_string_equal(def.rollers[10].name, "R11");
-    expect_near(def.rollers[3].centre.z, -0.08 - RADIUS, 1e-15);
-    expect_near(def.rollers[3].width, 0.3, 0);
-    expect_near(def.rollers[3].rating, 10e3, 0);
+    check_share(def.rollers[3].centre.z, -0.08 - RADIUS, 1e-15);
+    check_share(def.rollers[3].width, 0.3, 0);
+    check_share(def.rollers[3].rating, 10e3, 0);
     scene_def_clear(&def);
     expect_good(SMALLEST, "rollers.along", "{from: -4 m, to: 27.9 m, spacing: 2 m, name: P}", &def);
     assert_int_equal(def.n_rollers, 16);
-    expect_near(def.rollers[0].centre.x, -4, 0);
-    expect_near(def.rollers[15].centre.x, 26, 1e-15);
+    check_share(def.rollers[0].centre.x, -4, 0);
+    check_share(def.rollers[15].centre.x, 26, 1e-15);
     assert_string_equal(def.rollers[15].name, "P16");
     scene_def_clear(&def);
     expect_good(SMALLEST, "rollers.along", "{from: 3 m, count: 1}", &def);
     assert_int_equal(def.n_rollers, 1);
-    expect_near(def.rollers[0].s, 3, 0);
+    check_share(def.rollers[0].s, 3, 0);
     scene_def_clear(&def);
 }
 
@@ -54,14 +54,14 @@ static void several_rows_and_a_list(void **state)
     assert_string_equal(def.rollers[3].name, "Q4");
     assert_string_equal(def.rollers[6].name, "L1");
     assert_string_equal(def.rollers[7].name, "top");
-    expect_near(def.rollers[2].friction.mu_d, 0.2, 0);
-    expect_near(def.rollers[3].friction.mu_s, 0.3, 0);
-    expect_near(def.rollers[3].friction.mu_d, 0.3, 0);
-    expect_near(def.rollers[6].friction.mu_s, 0.5, 0);
-    expect_near(def.rollers[6].friction.mu_d, 0.2, 0);
-    expect_near(def.rollers[6].axis.y, -1, 0);
-    expect_near(def.rollers[7].axis.z, sqrt(0.5), 1e-15);
-    assert_true(isnan(def.rollers[7].s));
+    check_share(def.rollers[2].friction.mu_d, 0.2, 0);
+    check_share(def.rollers[3].friction.mu_s, 0.3, 0);
+    check_share(def.rollers[3].friction.mu_d, 0.3, 0);
+    check_share(def.rollers[6].friction.mu_s, 0.5, 0);
+    check_share(def.rollers[6].friction.mu_d, 0.2, 0);
+    check_share(def.rollers[6].axis.y, -1, 0);
+    check_share(def.rollers[7].axis.z, sqrt(0.5), 1e-15);
+    check_nan(def.rollers[7].s);
     scene_def_clear(&def);
 }
 
@@ -89,10 +89,10 @@ static void along_bends(void **state)
         held += roller->hold_down;
         const double up = route_at(&route, roller->s).curvature.z;
         if (roller->hold_down) {
-            assert_true(up > 0);
+            check_above(up, 0);
             assert_string_equal(strchr(roller->name, ' '), " above");
         } else if (k + 1 < def.n_rollers && !def.rollers[k + 1].hold_down) {
-            assert_true(up < 1e-9);
+            check_below(up, 1e-9);
         }
     }
     /* 5.236 m of sag bend, and the left bend of a rising line turns level only */

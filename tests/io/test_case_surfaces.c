@@ -23,13 +23,16 @@ static void ducts_are_read(void **state)
     assert_string_equal(a->name, "D1");
     assert_string_equal(b->name, "b");
     assert_int_equal(a->shape.kind, SURFACE_DUCT);
-    expect_near(a->shape.radius, 0.075, 1e-12);
-    expect_near(a->shape.cable_radius, 0.04365, 1e-12);
-    assert_true(a->shape.lift == 0 && a->friction.mu_d == 0.3);
-    expect_near(b->shape.lift, 0.1 - 0.04365, 1e-12);
-    expect_near(b->shape.to, 15 + 1.5 * M_PI, 1e-9);
-    assert_true(b->friction.mu_d == 0.1);
-    assert_true(def.line_impact.k == 1e8 && def.line_impact.c == 5e3 && def.line_impact.d == 2e-4);
+    check_share(a->shape.radius, 0.075, 1e-12);
+    check_share(a->shape.cable_radius, 0.04365, 1e-12);
+    check_equal(a->shape.lift, 0);
+    check_equal(a->friction.mu_d, 0.3);
+    check_share(b->shape.lift, 0.1 - 0.04365, 1e-12);
+    check_share(b->shape.to, 15 + 1.5 * M_PI, 1e-9);
+    check_equal(b->friction.mu_d, 0.1);
+    check_equal(def.line_impact.k, 1e8);
+    check_equal(def.line_impact.c, 5e3);
+    check_equal(def.line_impact.d, 2e-4);
     scene_def_clear(&def);
 }
 
@@ -43,17 +46,22 @@ static void trays_are_read(void **state)
     assert_int_equal(def.n_surfaces, 4);
     const SurfaceShape *const flat = &def.surfaces[0].shape, *const v = &def.surfaces[1].shape,
                               *const u = &def.surfaces[2].shape, *const plane = &def.surfaces[3].shape;
-    assert_true(flat->kind == SURFACE_FLAT && v->kind == SURFACE_V && u->kind == SURFACE_U);
-    expect_near(flat->depth, 0.04365, 1e-12);
-    assert_true(flat->height == 0 && flat->width == 0.4);
-    expect_near(v->angle, M_PI / 2, 1e-12);
-    expect_near(v->height, 4 * 0.04365, 1e-12);
-    expect_near(u->height, 0.09, 1e-12);
+    check_equal(flat->kind, SURFACE_FLAT);
+    check_equal(v->kind, SURFACE_V);
+    check_equal(u->kind, SURFACE_U);
+    check_share(flat->depth, 0.04365, 1e-12);
+    check_equal(flat->height, 0);
+    check_equal(flat->width, 0.4);
+    check_share(v->angle, M_PI / 2, 1e-12);
+    check_share(v->height, 4 * 0.04365, 1e-12);
+    check_share(u->height, 0.09, 1e-12);
     assert_int_equal(plane->kind, SURFACE_PLANE);
-    expect_near(plane->normal.z, 1, 1e-15);
-    expect_near(v3_norm(plane->along), 1, 1e-15);
-    assert_true(fabs(v3_dot(plane->along, plane->normal)) < 1e-15);
-    assert_true(def.line_impact.k == 2e6 && def.line_impact.e == 1 && def.line_impact.c == 5e3);
+    check_share(plane->normal.z, 1, 1e-15);
+    check_share(v3_norm(plane->along), 1, 1e-15);
+    check_close(v3_dot(plane->along, plane->normal), 0, 1e-15);
+    check_equal(def.line_impact.k, 2e6);
+    check_equal(def.line_impact.e, 1);
+    check_equal(def.line_impact.c, 5e3);
     scene_def_clear(&def);
 }
 

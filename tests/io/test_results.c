@@ -1,21 +1,16 @@
 /* The results folder: contents of every file, up to date while it grows, and every way in which writing can
  * fail. */
 #include "results_fixture.h"
+#include "tests/support/check.h"
 
 #include <errno.h>
 #include <hdf5.h>
 #include <locale.h>
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 static const char *const all_files[] = {"summary.json", "series.csv", "stations.csv",
                                         "rollers.csv",  "results.h5", "results.xdmf"};
@@ -52,7 +47,7 @@ static void expect_text(const Fixture *f, const char *name, const char *expected
 static double *read_set(const char *path, const char *name, int rank, const hsize_t *expected)
 {
     const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    assert_true(file >= 0);
+    check_at_least(file, 0);
     const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
     hsize_t dims[4] = {0}, count = 1;
     assert_int_equal(H5Sget_simple_extent_ndims(space), rank);
@@ -62,7 +57,7 @@ static double *read_set(const char *path, const char *name, int rank, const hsiz
         count *= dims[i];
     }
     double *values = malloc(sizeof *values * count);
-    assert_true(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    check_at_least(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), 0);
     H5Sclose(space);
     H5Dclose(set);
     H5Fclose(file);
@@ -124,14 +119,14 @@ static void test_states(void **state)
     double *frame = read_set(path, "frames/000002/tension", 1, (hsize_t[]){N - 1});
     for (int k = 0; k < 3; k++) {
         fixture_sample(f, k);
-        assert_true(time[k] == f->sample.t);
+        check_equal(time[k], f->sample.t);
         assert_memory_equal(position + 3 * N * k, f->position, sizeof f->position);
         assert_memory_equal(quaternion + 4 * N * k, f->quaternion, sizeof f->quaternion);
         assert_memory_equal(tension + (N + 1) * k, f->tension, sizeof f->tension);
         assert_memory_equal(load + R * k, f->load, sizeof f->load);
     }
     /* the frame has the tensions of the joints between two segments */
-    for (int j = 1; j < N; j++) assert_true(frame[j - 1] == (double)(float)f->tension[j]);
+    for (int j = 1; j < N; j++) check_equal(frame[j - 1], (double)(float)f->tension[j]);
     free(time), free(position), free(quaternion), free(tension), free(load), free(frame);
 }
 
@@ -171,7 +166,7 @@ static void test_attributes(void **state)
         char unit[64] = "";
         const hid_t set = H5Dopen2(file, units[i][0], H5P_DEFAULT), a = H5Aopen(set, "unit", H5P_DEFAULT);
         const hid_t type = H5Aget_type(a);
-        assert_true(H5Aread(a, type, unit) >= 0);
+        check_at_least(H5Aread(a, type, unit), 0);
         assert_string_equal(unit, units[i][1]);
         H5Tclose(type), H5Aclose(a), H5Dclose(set);
     }
