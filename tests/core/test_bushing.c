@@ -362,7 +362,7 @@ static void power_check(Rig *r)
     print_message("given %.9g, taken %.9g W, damping %.3g, sliding %.3g\n", given, -taken, power.damping,
                   power.sliding);
     check_above(power.damping, 0.1);
-    check_close(given, -taken, 1e-7 * (fabs(given) + power.damping));
+    check_close(given, -taken, 1e-9 * (fabs(given) + power.damping));
 }
 
 static void power_closes(void **state)

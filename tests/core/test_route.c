@@ -153,7 +153,7 @@ static void left_survives_the_vertical(void **state)
     Route r;
     assert_int_equal(route_build(&r, 5, def, v3(0, 0, 0), 0.5, 0, NULL), HAWSER_OK);
     const Vec3 left = v3(-sin(0.5), cos(0.5), 0);
-    for (double s = 0.25; s < r.piece[3].s0; s += 0.25) check_vec(route_left(&r, s), left, 1e-6);
+    for (double s = 0.25; s < r.piece[3].s0; s += 0.25) check_vec(route_left(&r, s), left, 1e-12);
     check_vec(route_left(&r, r.piece[2].s0), left, 1e-14);
     check_vec(route_left(&r, r.piece[2].s0 + 2), left, 1e-14);
     check_vec(route_at(&r, r.length).tangent, left, 1e-14);
