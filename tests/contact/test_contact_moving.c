@@ -233,7 +233,7 @@ static void test_balance_and_shift(void **state)
             for (int r = 0; r < ROWS; ++r) {
                 double sum = 0;
                 for (int b = 0; b <= N; ++b) sum += m.matrix[12 * b + (c < 3 ? c : c + 3)][r];
-                check_close(sum, 0, 1e-12 * largest);
+                check_close(sum, 0, 1e-14 * largest);
             }
         }
         scene_free(&m.s);
@@ -261,7 +261,7 @@ static void test_rigid_motion_and_spin(void **state)
         const Vec3 there = v3_add(v, v3_cross(w, m.s.roller[0].shape.centre));
         m.motion[0] = (RollerMotion){v3_add(m.motion[0].v, there), v3_add(m.motion[0].w, w)};
         moving_rows(&m, with);
-        for (int r = 0; r < ROWS; ++r) check_close(row[r], with[r], 1e-9 * v3_norm(m.load[0].force));
+        for (int r = 0; r < ROWS; ++r) check_close(row[r], with[r], 1e-13 * v3_norm(m.load[0].force));
         scene_free(&m.s);
     }
 }

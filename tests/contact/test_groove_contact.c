@@ -34,12 +34,12 @@ static void test_both_flanks(void **state)
     check_equal(hit[1].roller, 0);
     const double N_flank = s.model.impact.k * pow(depth, s.model.impact.e);
     for (int h = 0; h < 2; ++h) {
-        check_share(hit[h].normal, N_flank, 1e-9);
+        check_share(hit[h].normal, N_flank, 1e-12);
         check_close(hit[h].point.x, 1.6, 1e-9);
     }
     /* one roller, one force: 2 N sin(half angle) down on it */
-    check_share(s.on_roller[0].z, -2 * N_flank * sin(half_angle), 1e-9);
-    check_below(fabs(s.on_roller[0].x) + fabs(s.on_roller[0].y), 1e-9 * N_flank);
+    check_share(s.on_roller[0].z, -2 * N_flank * sin(half_angle), 1e-12);
+    check_below(fabs(s.on_roller[0].x) + fabs(s.on_roller[0].y), 1e-12 * N_flank);
     scene_free(&s);
 }
 
@@ -105,13 +105,13 @@ static void test_balance_and_objectivity(void **state)
             sum = v3_add(sum, s.on_roller[r]);
             size += v3_norm(s.on_roller[r]);
             const Vec3 turned = quat_rotate(turn, s.on_roller[r]);
-            check_vec(turned, t.on_roller[r], 1e-9 * v3_norm(turned));
+            check_vec(turned, t.on_roller[r], 1e-10 * v3_norm(turned));
         }
         for (int i = 0; i < N; ++i) {
             sum = v3_add(sum, vector_of(s.loads.f, i));
             const Vec3 f = quat_rotate(turn, vector_of(s.loads.f, i)), m = quat_rotate(turn, vector_of(s.loads.m, i));
-            check_vec(f, vector_of(t.loads.f, i), 1e-9 * size);
-            check_vec(m, vector_of(t.loads.m, i), 1e-9 * size);
+            check_vec(f, vector_of(t.loads.f, i), 1e-11 * size);
+            check_vec(m, vector_of(t.loads.m, i), 1e-11 * size);
         }
         check_below(v3_norm(sum), 1e-12 * size);
         scene_free(&s);

@@ -111,7 +111,7 @@ static void test_space(void **state)
     }
     print_message("%d contacts, off by %.2g of %.0f N\n", contacts, worst, largest);
     check_above(contacts, 200);
-    check_below(worst, 1e-11 * largest);
+    check_below(worst, 1e-13 * largest);
 }
 
 /* What the segments feel is what the rollers feel, back: forces, and moments about the origin. */

@@ -48,8 +48,8 @@ static void compare(SelfScene *s, const char *what, int least)
     const double stiffness = difference(s, &k, s->pairs.extras.k, dense[0]);
     const double damping = difference(s, &d, s->pairs.extras.d, dense[1]);
     print_message("%s: %d pieces, K %.1g, D %.1g\n", what, s->pairs.active[0] + s->pairs.active[1], stiffness, damping);
-    check_below(stiffness, 2e-6);
-    check_below(damping, 2e-6);
+    check_below(stiffness, 2e-7);
+    check_below(damping, 2e-7);
     block_chain_free(&k);
     block_chain_free(&d);
     free(dense[0]);

@@ -50,7 +50,7 @@ static void test_derivatives(void **state)
             check_close((plus.distance - minus.distance) / (2 * step), v3_dot(probe.normal, e), 1e-8);
             const Vec3 column = v3_scale(1 / (2 * step), v3_sub(plus.normal, minus.normal));
             /* third derivatives grow as 1/distance^2 near the rim */
-            check_vec(column, m3_mul(&probe.hessian, e), 1e-6 / fmin(1, fabs(probe.distance)));
+            check_vec(column, m3_mul(&probe.hessian, e), 1e-8 / fmin(1, fabs(probe.distance)));
         }
     }
 }

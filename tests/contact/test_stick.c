@@ -61,7 +61,7 @@ static void test_grips_like_a_spring(void **state)
     for (int i = 0; i < 3; ++i) {
         scene_forces(&s, 1);
         const double x = 0.1, called = (3 * x - x * x * x) / 2;
-        check_share(s.on_roller[0].x, sticky.mu_s * called * N_flat, 1e-6);
+        check_share(s.on_roller[0].x, sticky.mu_s * called * N_flat, 1e-12);
         step_take(&s, v3(0, 0, 0), 3600, &t);
     }
     scene_free(&s);
@@ -88,7 +88,7 @@ static void test_slides_like_adams(void **state)
         scene_forces(&r, 1);
         scene_forces(&s, 1);
         for (int m = 0; m < 2; ++m) {
-            check_vec(s.on_roller[m], r.on_roller[m], 1e-3 * v3_norm(r.on_roller[m]));
+            check_vec(s.on_roller[m], r.on_roller[m], 1e-12 * v3_norm(r.on_roller[m]));
         }
     }
     scene_free(&s);
@@ -120,7 +120,7 @@ static void test_lean_goes_along(void **state)
     assert_int_equal(s.pairs.stick.n, 0);
     step_take(&s, v3(0, 0, -0.1), 0.1, &t);
     check_equal(s.pairs.stick.n, 3);
-    check_below(v3_norm(s.pairs.stick.record[0].lean), 1e-5);
+    check_below(v3_norm(s.pairs.stick.record[0].lean), 1e-9);
     scene_free(&s);
 }
 
@@ -163,7 +163,7 @@ static void test_no_jump_at_a_step(void **state)
             const double before = friction_along(&s);
             contact_accept(&s.model, &s.chain, &s.kin, t, &s.pairs);
             const double after = friction_along(&s);
-            check_close(after, before, 1e-9 * s.on_roller[0].z * -1);
+            check_close(after, before, 1e-14 * s.on_roller[0].z * -1);
         }
         scene_free(&s);
     }
@@ -278,7 +278,7 @@ static void test_derivatives(void **state)
     }
     print_message("%d active, worst %.2e\n", active, worst);
     check_above(active, 120);
-    check_below(worst, 1e-6);
+    check_below(worst, 1e-7);
 }
 
 /* With a bristle that nothing has bent yet, and no time to bend it, the law is ADAMS' to the last bits. */
@@ -298,7 +298,7 @@ static void test_without_memory_it_is_adams(void **state)
         scene_refresh(&s);
         scene_forces(&s, 1);
         touching += s.pairs.active;
-        check_vec(sticking, s.on_roller[0], 1e-14 * v3_norm(sticking));
+        check_vec(sticking, s.on_roller[0], 5e-14 * v3_norm(sticking)); /* 1.3e-14 by clang */
         scene_free(&s);
     }
     check_above(touching, 20);
