@@ -40,9 +40,9 @@ static void allowable_pull(void **state)
         } else {
             def.metal = row[i].material, def.area = row[i].mm2 * 1e-6;
         }
-        check_close(limits_pull(&def, 1, source), row[i].expected, 1e-9 * row[i].expected);
+        check_close(limits_pull(&def, 1, source), row[i].expected, 1e-14 * row[i].expected);
         assert_non_null(strstr(source, def.code == CODE_PAPER ? "table 4" : "TB 889"));
-        check_close(limits_pull(&def, 3, source), 3 * row[i].expected, 1e-8 * row[i].expected);
+        check_close(limits_pull(&def, 3, source), 3 * row[i].expected, 1e-13 * row[i].expected);
     }
 }
 

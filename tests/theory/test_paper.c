@@ -62,7 +62,7 @@ static void arcs_are_integrals(void **state)
             const double phi = ends[k][0] + turn * (i + 0.5) / n;
             sum += W * G * (MU * cos(phi) + sin(phi)) * ds;
         }
-        check_close(paper_term_force(&arc, W, MU, G), sum, 1e-7 * W * G * 7);
+        check_close(paper_term_force(&arc, W, MU, G), sum, 1e-8 * W * G * 7);
         check_close(paper_term_path(&arc), 7 * fabs(turn), 1e-15);
     }
 }
