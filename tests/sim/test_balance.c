@@ -124,7 +124,7 @@ static void test_level_row(void **state)
                   term(&b, HAWSER_BALANCE_STORED, "motion"), moving);
     check_share(friction, expected, 2e-3);
     check_share(term(&b, HAWSER_BALANCE_STORED, "motion"), moving, 2e-3);
-    check_below(b.residual_share, 1e-3);
+    check_below(b.residual_share, 1e-4);
 }
 
 /* A chain that nothing touches falls: what it loses of height it has in motion; m g t is its impulse. */
@@ -137,10 +137,10 @@ static void test_fall(void **state)
     def.duration = 1;
     const hawser_balance b = balance_of(&def, 1, 0);
     const double mass = 12 * 0.5 * 8, height = term(&b, HAWSER_BALANCE_STORED, "height");
-    check_share(height, -mass * 9.8 * 9.8 / 2, 1e-3);
-    check_below(b.residual_share, 1e-3);
-    check_below(b.impulse_residual_share, 1e-6);
-    check_share(b.impulse_N_s[2], -mass * 9.8, 1e-9);
+    check_share(height, -mass * 9.8 * 9.8 / 2, 1e-4);
+    check_below(b.residual_share, 1e-4);
+    check_below(b.impulse_residual_share, 1e-12);
+    check_share(b.impulse_N_s[2], -mass * 9.8, 1e-13);
     check_equal(b.work_J, 0);
     check_equal(b.lost_J, 0);
     check_equal(b.carried_J, 0);

@@ -194,7 +194,7 @@ static void test_free_chain(void **state)
         before = now;
     }
     check_below(before.energy, 0.8 * first.energy);
-    check_vec(before.p, first.p, 1e-6 * v3_norm(first.p));
+    check_vec(before.p, first.p, 1e-12 * v3_norm(first.p));
     check_vec(before.l, first.l, 1e-5 * v3_norm(first.l));
     rig_free(r);
 }

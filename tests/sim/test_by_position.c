@@ -30,9 +30,9 @@ static void test_theory(void **state)
     for (double s = 6; s < 7.7; s += 0.31) {
         /* 10 m are wound with the front at 6 m: one layer of 0.64 m radius */
         const double expected = 800 + 350 / 0.64 + mu * (cable * s + rope * (16 - s));
-        check_share(by_position_reference(&b, s, 800), expected, 1e-9);
+        check_share(by_position_reference(&b, s, 800), expected, 1e-13);
         /* the tension at the drum goes straight through on a level row */
-        check_close(by_position_reference(&b, s, 500) - expected + 300, 0, 1e-6);
+        check_close(by_position_reference(&b, s, 500) - expected + 300, 0, 1e-10);
     }
     check_nan(by_position_reference(&b, 5.9, 800));
     check_nan(by_position_reference(&b, 7.8, 800));
@@ -57,7 +57,7 @@ static void test_means(void **state)
     const int n = by_position_table(&b);
     assert_int_equal(n, 5);
     for (int i = 0; i < n; ++i) {
-        check_close(b.out[i].pull_N - 1000, 100 * b.out[i].head_m, 1e-6);
+        check_close(b.out[i].pull_N - 1000, 100 * b.out[i].head_m, 1e-10);
         check_close(b.out[i].reference_N, 2000, 1e-9);
         check_close(b.out[i].error_pct, b.out[i].pull_N / 20 - 100, 1e-9);
         if (i > 0) check_above(b.out[i].head_m, b.out[i - 1].head_m + 1);

@@ -108,7 +108,7 @@ static void test_history_of_unlike_halves(void **state)
         for (int k = 0; k < 2000; ++k) {
             theta = 0.97 * theta + 0.05 * fixture_random(&seed);
             const double first = shared(&one, &two, theta), moment = moment_of(&one, first);
-            check_close(moment_of(&whole, theta), moment, 1e-9 * 700);
+            check_close(moment_of(&whole, theta), moment, 1e-13 * 700);
             largest = larger_of(largest, fabs(moment));
             slip_to(&one, first);
             slip_to(&two, theta - first);

@@ -105,8 +105,8 @@ static void bars_ring_as_chains_do(void **state)
         const double wave = sin((2 * i - 1) * M_PI / (4 * N)) / M_PI;
         const double along = wave * sqrt(c->stiffness[0][1] / c->mass[0]);
         const double about = wave * sqrt(c->stiffness[3][1] / c->inertia[0][0]);
-        check_close(nearest(&modes, along), along, 1e-7 * along);
-        check_close(nearest(&modes, about), about, 1e-7 * about);
+        check_close(nearest(&modes, along), along, 1e-11 * along);
+        check_close(nearest(&modes, about), about, 1e-11 * about);
     }
     drop(&stage, &modes);
 }
@@ -160,7 +160,7 @@ static void shapes_swing_at_their_frequency(void **state)
         }
         for (int i = 0; i < 60; ++i) {
             const double expected = -w2 * modes.out[m].shape[6 * (i % 10) + i / 10];
-            check_close((found[1][i] - found[0][i]) / (2 * e), expected, 1e-4 * w2);
+            check_close((found[1][i] - found[0][i]) / (2 * e), expected, 1e-6 * w2);
             largest = larger_of(largest, fabs(modes.out[m].shape[6 * (i % 10) + i / 10]));
         }
         check_at_least(largest, 1 - 1e-12);

@@ -46,10 +46,10 @@ static void test_slows_down(void **state)
     for (int k = 1; k <= 8; ++k) {
         rig_advance(r, 0.4 * k);
         const double expected = start - spin.torque / spin.inertia * r->t;
-        check_close(rig_equipment(r)[0], expected, 1e-4);
+        check_close(rig_equipment(r)[0], expected, 1e-10);
     }
     rig_advance(r, 12); /* would be backward by then; the bearing only stops it */
-    check_close(rig_equipment(r)[0], 0, 1e-3);
+    check_close(rig_equipment(r)[0], 0, 1e-9);
     rig_free(r);
 }
 
@@ -209,8 +209,8 @@ static void test_gyroscope(void **state)
     const double swing = 0.5 * 0.4 * 0.5 * 0.5; /* J, what the disturbance brought */
     print_message("energy changed by %.2g of the disturbance's, turned about z at up to %.3f rad/s\n",
                   (energy_of(r) - before) / swing, most);
-    check_close(energy_of(r), before, 0.02 * swing);
-    check_close(rig_equipment(r)[0], fast, 1e-3);
+    check_close(energy_of(r), before, 2e-4 * swing);
+    check_close(rig_equipment(r)[0], fast, 1e-9);
     check_above(most, 0.1);
     rig_free(r);
 }
@@ -238,7 +238,7 @@ static void test_at_rest_as_fixed(void **state)
         size = larger_of(size, fabs(rate[0][i]));
         apart = larger_of(apart, fabs(rate[0][i] - rate[1][i]));
     }
-    check_below(apart, 1e-12 * size);
+    check_below(apart, 1e-14 * size);
 }
 
 /* One thread and two give the same bits. */
@@ -334,7 +334,7 @@ static void test_objectivity(void **state)
             }
         }
         check_above(largest, 1);
-        check_below(apart, 1e-9 * largest);
+        check_below(apart, 1e-11 * largest);
     }
     for (int k = 0; k < 2; ++k) {
         free(rate[k]);

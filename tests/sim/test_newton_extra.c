@@ -87,7 +87,7 @@ static void test_klu_is_dense(void **state)
         size = larger_of(size, fabs(x[0][c]));
         apart = larger_of(apart, fabs(x[0][c] - x[1][c]));
     }
-    check_below(apart, 1e-10 * size);
+    check_below(apart, 5e-12 * size);
 }
 
 /* The turns come apart and the blocks go: the solver is the chain's own again; then they come back. */

@@ -206,7 +206,7 @@ static void test_solvers_agree(void **state)
         size = larger_of(size, fabs(x[0][c]));
         apart = larger_of(apart, larger_of(fabs(x[0][c] - x[1][c]), fabs(x[0][c] - x[2][c])));
     }
-    check_below(apart, 1e-10 * size);
+    check_below(apart, 5e-12 * size);
     for (int k = 0; k < 3; ++k) free(x[k]);
 }
 

@@ -71,10 +71,10 @@ static void test_agreement(void **state)
                       error, tension, load, place, flat.summary.steps, full.summary.steps);
         check_above(flat.summary.contact_refreshes, 1);
         check_close((double)(flat.summary.steps - full.summary.steps), 0, 0.1 * (double)full.summary.steps);
-        check_below(error, 2e-4);
-        check_below(tension, 1e-3);
+        check_below(error, 2e-5);
+        check_below(tension, 3e-4);
         check_below(load, 1e-3);
-        check_below(place, 1e-5);
+        check_below(place, 3e-5); /* 1.4e-5 by clang, half of it by gcc */
     }
 }
 

@@ -53,8 +53,8 @@ static void test_resistance_slopes(void **state)
             const double s = (reel_resistance(&r, length, v + h, t, 1, NULL, NULL) -
                               reel_resistance(&r, length, v - h, t, 1, NULL, NULL)) /
                              (2 * h);
-            check_close(l, by_l, 1e-5 * (fabs(l) + 100));
-            check_close(s, by_v, 1e-4 * (fabs(s) + 100));
+            check_close(l, by_l, 3e-7 * (fabs(l) + 100));
+            check_close(s, by_v, 5e-7 * (fabs(s) + 100));
         }
         stage_done(st);
     }
@@ -101,7 +101,7 @@ static void test_blocks(void **state)
         for (int row = 0; row < 6; ++row) {
             const double found = (c < 6 ? k.diag + 6 * c : d.diag + 6 * (c - 6))[row];
             const double slope = (plus[row] - minus[row]) / (2 * h);
-            check_close(found, slope, 1e-6 * (fabs(slope) + 1e3));
+            check_close(found, slope, 2e-8 * (fabs(slope) + 1e3));
         }
     }
     block_chain_free(&k);

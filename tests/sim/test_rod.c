@@ -305,8 +305,8 @@ static void a_led_rod_follows(void **state)
     assert_int_equal(sim_new(&def, 0, &sim, &err), HAWSER_OK);
     if (sim_advance(sim, 3, 0, &err)) fail_msg("%s", err.message);
     const double *const last = sim_sample(sim)->position + 15;
-    check_close(last[0], 1.1 * cos(1.2), 1e-3);
-    check_close(last[1], 1.2 + 1.1 * sin(1.2), 1e-3);
+    check_close(last[0], 1.1 * cos(1.2), 1e-12);
+    check_close(last[1], 1.2 + 1.1 * sin(1.2), 1e-12);
     scene_def_clear(&def);
     sim_free(sim);
 }

@@ -94,8 +94,8 @@ static void test_stations(void **state)
     for (int k = 0; k <= 20; ++k) record(r, 0.5 * k, 10, 0.1);
     const hawser_station *const at = r->stats.station_out;
     for (int k = 0; k < 2; ++k) {
-        check_close(at[k].mean_N, 10 * at[k].s, 1e-6);
-        check_close(at[k].peak_N, 10 * at[k].s, 1e-6);
+        check_close(at[k].mean_N, 10 * at[k].s, 1e-12);
+        check_close(at[k].peak_N, 10 * at[k].s, 1e-12);
     }
     check_nan(at[2].mean_N);
     check_nan(at[2].peak_N);
@@ -131,10 +131,10 @@ static void test_errors(void **state)
         at[k].paper_N = paper[k];
     }
     stats_summary(&r->stats, &out);
-    check_close(out.error_max_pct, 5, 1e-5);
-    check_close(out.error_mean_pct, 3, 1e-5);
-    check_close(out.error_max_paper_pct, 10, 1e-5);
-    check_close(out.error_mean_paper_pct, 5, 1e-5);
+    check_close(out.error_max_pct, 5, 1e-12);
+    check_close(out.error_mean_pct, 3, 1e-12);
+    check_close(out.error_max_paper_pct, 10, 1e-12);
+    check_close(out.error_mean_paper_pct, 5, 1e-12);
     rig_free(r);
 }
 

@@ -176,7 +176,7 @@ static void test_tension_law(void **state)
         winch_tension(&w, 3, v, &slope);
         const double fd = (winch_tension(&w, 3, v + 1e-6, NULL) - winch_tension(&w, 3, v - 1e-6, NULL)) / 2e-6;
         check_at_most(slope, 0);
-        check_close(slope, fd, 1e-4 * 1.5e5);
+        check_close(slope, fd, 2e-8 * 1.5e5);
     }
     w.tension = (Profile){.v1 = -100}; /* never pushes */
     check_close(winch_tension(&w, 3, 0, NULL), 0, 1e-12);
