@@ -21,7 +21,7 @@ static void test_refinement(void **state)
     (void)state;
     const double pull = pull_mean(1, 1e-3), fine = pull_mean(2, 1e-3), exact = pull_mean(1, 1e-4);
     check_share(fine, pull, 2e-3);
-    check_share(exact, pull, 2e-3);
+    check_share(exact, pull, 5e-5);
 }
 
 int main(void)

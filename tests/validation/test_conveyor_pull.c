@@ -77,10 +77,10 @@ static void test_slipping_ahead(void **state)
     const double exact = ROW.mu * row_weight(&ROW) - 1200;
     print_message("pull %.2f N, exact %.2f N (%.3f %%), theory %.2f N\n", r.summary.pull_mean_N, exact,
                   100 * (r.summary.pull_mean_N / exact - 1), r.summary.reference_total_N);
-    check_share(r.summary.pull_mean_N, exact, 5e-3);
-    check_share(r.summary.reference_total_N, exact, 1e-6);
+    check_share(r.summary.pull_mean_N, exact, 5e-4);
+    check_share(r.summary.reference_total_N, exact, 1e-12);
     check_close(r.conveyor[0].mean_N, 1200, 1e-3);
-    check_close(r.conveyor[0].slip_m_per_s, -0.02, 2e-4);
+    check_close(r.conveyor[0].slip_m_per_s, -0.02, 5e-6);
     check_above(r.conveyor[0].slipping, 0.999);
 }
 
@@ -95,8 +95,8 @@ static void test_slow_belt(void **state)
     def.conveyors[0].speed = (Profile){.kind = PROFILE_STEP, .t1 = 1, .v1 = 0.08};
     const Shared r = shared_run(&def, 6, 1);
     const double exact = ROW.mu * row_weight(&ROW) + 300;
-    check_share(r.summary.pull_mean_N, exact, 5e-3);
-    check_share(r.summary.reference_total_N, exact, 1e-6);
+    check_share(r.summary.pull_mean_N, exact, 2e-4);
+    check_share(r.summary.reference_total_N, exact, 1e-12);
 }
 
 /* Synchronised belts with grip to spare do not slip, and how they share is the elasticity's: both ends of the cable
@@ -121,7 +121,7 @@ static void test_synchronised(void **state)
     check_share(r.summary.pull_mean_N, exact, 5e-3);
     /* nothing is lost: the two together are the friction */
     const double whole = ROW.mu * row_weight(&ROW);
-    check_share(r.summary.pull_mean_N + r.conveyor[0].mean_N, whole, 5e-3);
+    check_share(r.summary.pull_mean_N + r.conveyor[0].mean_N, whole, 5e-4);
 }
 
 /* Several machines, one limited by its drive, one without a clamp; on two threads to the last bit. */
@@ -177,7 +177,7 @@ static void test_trip(void **state)
     const int n = sim_events(s, &event);
     print_message("%d events; fastest %.4f m/s, at the end %.2g m/s\n", n, fastest, last);
     assert_int_equal(n, 2);
-    check_close(last, 0, 1e-3);
+    check_close(last, 0, 1e-5);
     sim_free(s);
 }
 

@@ -234,9 +234,9 @@ static void test_fall(void **state)
     for (int i = 0; i < 3 * look->segments; ++i) fastest = larger_of(fastest, fabs(look->velocity[i]));
     const double middle = look->position[3 * (look->segments / 2) + 2], settled = pow(MASS * G / k, 1 / 1.5);
     print_message("fastest %.2e m/s, depth %.4e m, exact %.4e\n", fastest, -0.05 - middle, settled);
-    check_below(fastest, 1e-4);
-    check_share(look->surface_normal[0], MASS * G * 10, 1e-3);
-    check_share(-0.05 - middle, settled, 0.01);
+    check_below(fastest, 1e-10);
+    check_share(look->surface_normal[0], MASS * G * 10, 1e-10);
+    check_share(-0.05 - middle, settled, 1e-3);
     sim_free(s);
 }
 
@@ -252,7 +252,7 @@ static void test_slide(void **state)
     hawser_error err;
     assert_int_equal(sim_advance(s, 1, 0, &err), HAWSER_OK);
     const double after = sim_sample(s)->axial_speed[10];
-    check_share((after - before) / 0.5, exact, 2e-3);
+    check_share((after - before) / 0.5, exact, 1e-5);
     sim_free(s);
 }
 
