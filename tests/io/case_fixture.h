@@ -9,15 +9,9 @@
 
 #include "io/case/case_read.h"
 #include "tests/support/check.h"
+#include "tests/support/data.h"
 
 #define NAME "pull.yaml"
-
-/* The smallest case there is. */
-static const char SMALLEST[] =
-    "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"
-    "chain: [{cable: c, length: 5 m}]\n"
-    "route: {pieces: [{straight: 20 m}]}\n"
-    "run: {duration: 10 s}\n";
 
 /* Reads a text as a case called NAME, with one setting (key NULL: none). */
 static inline hawser_status read_with(const char *text, const char *key, const char *value, SceneDef *def,

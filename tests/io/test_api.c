@@ -1,33 +1,17 @@
 /* The public interface: cases, simulations side by side, runs with and without a folder, stopping, errors. */
 #include "results_fixture.h"
 #include "tests/support/check.h"
+#include "tests/support/data.h"
 
 #include <pthread.h>
 
 #include <jansson.h>
 
-/* Twenty segments, 200 kg, on a level row of rollers: the steady pull is mu m g. */
-static const char case_text[] = "title: A short pull\n"
-                                "cables:\n"
-                                "  power: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}\n"
-                                "chain:\n"
-                                "  - {cable: power, length: 10 m, segment: 500 mm}\n"
-                                "route:\n"
-                                "  head_at: 12 m\n"
-                                "  pieces: [{straight: 20 m, name: row}]\n"
-                                "rollers:\n"
-                                "  along: {spacing: 1 m, rating: 5 kN}\n"
-                                "friction: {mu: 0.2}\n"
-                                "drive:\n"
-                                "  winch: {speed: 6 m/min, to: 1 s}\n"
-                                "run: {duration: 2 s, steady_from: 1500 ms}\n"
-                                "output: {interval: 50 ms, states: 500 ms, stations: [{name: middle, at: 7 m}]}\n";
-
 static hawser_case *make_case(void)
 {
     hawser_case *c = NULL;
     hawser_error err = {HAWSER_OK, ""};
-    if (hawser_case_parse(case_text, "pull.yaml", &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_parse(data_text("short-pull"), "pull.yaml", &c, &err)) fail_msg("%s", err.message);
     return c;
 }
 
@@ -159,7 +143,7 @@ static void *run_thread(void *dir)
     hawser_case *c = NULL;
     hawser_sim *s = NULL;
     hawser_error *err = calloc(1, sizeof *err);
-    hawser_status status = hawser_case_parse(case_text, "pull.yaml", &c, err);
+    hawser_status status = hawser_case_parse(data_text("short-pull"), "pull.yaml", &c, err);
     if (!status) status = hawser_sim_new(c, NULL, &s, err);
     hawser_case_free(c);
     if (!status) status = hawser_sim_run(s, dir, NULL, NULL, err);

@@ -1,27 +1,14 @@
 /* Limits from a case file to the verdict: each held and broken in a short run, what a run finds against the run's own
  * tables, the theory's tables, and mistakes that no table of keys can see. */
 #include "tests/io/case_fixture.h"
-#include "tests/io/case_texts.h"
 
 #include <jansson.h>
-
-/* 14 m of cable on a level row and round a bend with guides, its head beyond that. */
-static const char PULL[] =
-    "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 80 mm, mass: 20 kg/m}}\n"
-    "chain: [{cable: c, length: 14 m, segment: 500 mm}]\n"
-    "route: {head_at: 15 m, pieces: [{name: in, straight: 8 m}, {name: bend, bend: 20 deg, radius: 12 m, plane: left}, "
-    "{name: out, straight: 8 m}]}\n"
-    "rollers: {along: [{spacing: 1 m, rating: 5 kN}, {guide: inside, spacing: 500 mm, rating: 4 kN, name: G}]}\n"
-    "friction: {mu: 0.2}\n"
-    "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 2 kN, ramp: none}}\n"
-    "run: {duration: 3 s, steady_from: 2 s}\n"
-    "limits: {conductor: {material: copper, area: 800 mm2}, rope_strength: 100 kN}\n";
 
 /* A run's limits; the simulation is given back through *sim. */
 static int judged(const char *key, const char *value, hawser_limit *limit, hawser_sim **sim)
 {
     hawser_case *c = NULL;
-    assert_int_equal(hawser_case_parse(PULL, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_parse(data_text("limits"), NAME, &c, NULL), HAWSER_OK);
     if (key) assert_int_equal(hawser_case_set(c, key, value, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_new(c, NULL, sim, NULL), HAWSER_OK);
     hawser_case_free(c);
@@ -116,7 +103,7 @@ static void summary_has_them(void **state)
     hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char *text;
-    assert_int_equal(hawser_case_parse(PULL, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_parse(data_text("limits"), NAME, &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
     const int before = hawser_sim_limits(sim, limit);
     for (int i = 0; i < before; i++) assert_false(limit[i].judged);
@@ -155,8 +142,8 @@ static void limits_change_nothing(void **state)
     hawser_sim *with, *without;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_summary a, b;
-    char text[sizeof PULL];
-    strcpy(text, PULL);
+    char text[sizeof data_text("limits")];
+    strcpy(text, data_text("limits"));
     *strstr(text, "limits:") = 0;
     judged(NULL, NULL, limit, &with);
     assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
@@ -201,7 +188,7 @@ static const char *word(json_t *o, const char *table, size_t row, const char *ke
 static void theory_by_hand(void **state)
 {
     (void)state;
-    json_t *o = theory(PULL, "friction.mu_s", "0.3");
+    json_t *o = theory(data_text("limits"), "friction.mu_s", "0.3");
     const double w = 20 * 9.81, wR = w * 12, turn = M_PI / 9;
     const double a = 2000 + 0.2 * w * 8, b = (a + wR) * exp(0.2 * turn) - wR, c = b + 0.2 * w * 8;
     check_share(number(o, "pieces", 0, "forward_end_N"), a, 1e-9);
@@ -229,16 +216,7 @@ static void theory_by_hand(void **state)
 static void theory_of_ducts_and_sags(void **state)
 {
     (void)state;
-    static const char DUCT[] =
-        "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 50 mm, mass: 5 kg/m}}\n"
-        "chain: [{cable: c, length: 10 m}]\n"
-        "route: {slope: -10 deg, pieces: [{straight: 20 m, name: down}, {bend: 10 deg, radius: 100 "
-        "m, plane: up, name: sag}]}\n"
-        "surfaces: {ducts: [{name: tube, to: 20 m, radius: 75 mm, friction: {mu: 0.3}}]}\n"
-        "drive: {winch: {speed: 0.1 m/s}}\n"
-        "run: {duration: 3 s}\n"
-        "theory: {cables: 3, reel: 15 m, rope: 5 m}\n";
-    json_t *o = theory(DUCT, NULL, NULL);
+    json_t *o = theory(data_text("limits-duct"), NULL, NULL);
     const double w = 3 * 5 * 9.81, factor = 4.0 / 3; /* a cradle at D/d = 3: 1 + 4/3 (1/2)^2 */
     check_share(number(o, "ducts", 0, "weight_factor"), factor, 1e-9);
     check_share(number(o, "ducts", 0, "jam_ratio"), 3.15, 1e-9);
@@ -249,10 +227,10 @@ static void theory_of_ducts_and_sags(void **state)
     check_share(number(o, "pieces", 0, "forward_closed_N"), end, 1e-9);
     json_decref(o);
     /* pulled backward up the duct with nothing behind it but 15 m of cable: T > 0 everywhere, so the form holds */
-    o = theory(DUCT, "theory.reel", "0 m");
+    o = theory(data_text("limits-duct"), "theory.reel", "0 m");
     hawser_case *c = NULL;
     hawser_error err;
-    assert_int_equal(hawser_case_parse(DUCT, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_parse(data_text("limits-duct"), NAME, &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_case_set(c, "surfaces.ducts.0.radius", "50 mm", NULL), HAWSER_OK);
     char *text = NULL;
     assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, &err), HAWSER_ERR_INPUT);
@@ -260,7 +238,7 @@ static void theory_of_ducts_and_sags(void **state)
     hawser_case_free(c);
     json_decref(o);
     /* running down a steep slope the cable would have to be pushed into the sag: refused, with the reason */
-    o = theory(DUCT, "route.slope", "-60 deg");
+    o = theory(data_text("limits-duct"), "route.slope", "-60 deg");
     check_above(json_array_size(json_object_get(o, "refused")), 0);
     assert_non_null(strstr(word(o, "refused", 0, "reason"), "does not push"));
     json_decref(o);
@@ -281,7 +259,7 @@ static void wrong_limits(void **state)
         {"theory", "{cables: 2, layout: cradle}", "'theory.layout': a cradle is of 3 cables"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
-        expect_bad(FULL_TENSION, cases[k].section, cases[k].value, cases[k].part);
+        expect_bad(data_text("full-tension"), cases[k].section, cases[k].value, cases[k].part);
 }
 
 int main(void)

@@ -7,7 +7,7 @@ static void what_is_read(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "rollers",
+    expect_good(data_text("smallest"), "rollers",
                 "{along: {count: 2, spin: {inertia: 50 g m2, bearing: {friction: 0.2, torque: 30 mN m}}}, "
                 "list: [{centre: [5, 0, -3], axis: [0, 1, 0], mount: {stiffness: [1 kN/m, 2 kN/m, 3, 4 N m/rad, "
                 "5, 60 N m/deg], mass: 7 kg, inertia: 0.2}}]}",
@@ -50,7 +50,8 @@ static void what_is_refused(void **state)
          "which is not that of a stiffness in turning"},
         {"{count: 3, mount: {stiffness: [1, 2, 3, 4, 5, 6], mass: 0, inertia: 1}}", "key 'rollers.along.mount.mass'"},
     };
-    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) expect_bad(SMALLEST, "rollers.along", bad[k][0], bad[k][1]);
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+        expect_bad(data_text("smallest"), "rollers.along", bad[k][0], bad[k][1]);
 }
 
 /* Runs an example case from equilibrium and says how it went. */

@@ -1,13 +1,12 @@
 /* Rods in case files: what they become, mistakes that no table of keys can see, and the cases of cases/. */
 #include "hawser/hawser.h"
 #include "tests/io/case_fixture.h"
-#include "tests/io/case_texts.h"
 
 static void a_rod_is_read(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_ROD, NULL, NULL, &def);
+    expect_good(data_text("full-rod"), NULL, NULL, &def);
     const RodDef *const rod = &def.rod;
     assert_int_equal(rod->shape, ROD_HELIX);
     assert_int_equal(rod->stress_free, 0);
@@ -29,7 +28,7 @@ static void a_rod_is_read(void **state)
     assert_int_equal(def.output.n_probes, 1);
     check_share(def.output.interval, 0.05, 1e-15);
     scene_def_clear(&def);
-    expect_good(FULL_ROD_POLYLINE, NULL, NULL, &def);
+    expect_good(data_text("full-rod-polyline"), NULL, NULL, &def);
     assert_true(def.rod.end[ROD_TAIL].pivot && !def.rod.end[ROD_HEAD].held[0]);
     assert_true(def.rod.stress_free);
     scene_def_clear(&def);
@@ -41,10 +40,10 @@ static void loads_grow_in_load_steps(void **state)
     (void)state;
     SceneDef def;
     const char *const load = "[{direction: [0, 0, 1], force: 8 N}]";
-    expect_good(FULL_ROD_POLYLINE, "rod.loads", load, &def);
+    expect_good(data_text("full-rod-polyline"), "rod.loads", load, &def);
     check_share(profile_value(&def.rod.loads[0].by.size, 0), 8, 1e-15);
     scene_def_clear(&def);
-    expect_good(FULL_ROD, "rod.loads", load, &def);
+    expect_good(data_text("full-rod"), "rod.loads", load, &def);
     check_share(profile_value(&def.rod.loads[0].by.size, 0.25), 2, 1e-15);
     scene_def_clear(&def);
 }
@@ -52,7 +51,7 @@ static void loads_grow_in_load_steps(void **state)
 static void wrong_rods(void **state)
 {
     (void)state;
-    const char *const corners = FULL_ROD_POLYLINE, *const helix = FULL_ROD;
+    const char *const corners = data_text("full-rod-polyline"), *const helix = data_text("full-rod");
     expect_bad(corners, "rod.points", "[[0, 0, 0], [2 m, 0, 0]]", "6 m long together");
     expect_bad(corners, "rod.points", "[[0, 0, 0]]", "expected two at least");
     expect_bad(corners, "rod.points", "[[0, 0, 0], [0, 0, 0], [6 m, 0, 0]]", "another place");
@@ -77,7 +76,7 @@ static void wrong_rods(void **state)
 static void rods_are_no_pulls(void **state)
 {
     (void)state;
-    const char *const base = FULL_ROD_POLYLINE, *const beside = "not allowed beside 'rod'";
+    const char *const base = data_text("full-rod-polyline"), *const beside = "not allowed beside 'rod'";
     expect_bad(base, "route", "{pieces: [{straight: 3 m}]}", beside);
     expect_bad(base, "drive", "{winch: {speed: 1 m/s}}", beside);
     expect_bad(base, "lead_in", "{}", beside);
@@ -89,7 +88,7 @@ static void rods_are_no_pulls(void **state)
     expect_bad(base, "cables.strip",
                "{d: 10 mm, EA: 1 MN, GA: 1 MN, GJ: 1 kN m2, mass: 1 kg/m, bending: {table: [[1, 1], [2, 1.5]]}}",
                "bends elastically");
-    expect_bad(SMALLEST, "run.analysis", "static", "'run.analysis': only a 'rod' can be analysed so");
+    expect_bad(data_text("smallest"), "run.analysis", "static", "'run.analysis': only a 'rod' can be analysed so");
     expect_bad(base, "run.load_steps", "3", "only with 'analysis: static' or 'modes'");
     expect_bad(base, "run", "{}", "'run.duration': missing");
 }

@@ -1,15 +1,8 @@
 /* Ducts, trays and planes of a case: what they become, and every mistake that goes beyond one key. */
 #include "tests/io/case_fixture.h"
 
-/* A cable 87.3 mm thick on a route with a bend; SURFACES stands in its place. */
-#define CASE(surfaces)                                                                                                 \
-    "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"                         \
-    "chain: [{cable: c, length: 15 m}]\n"                                                                              \
-    "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 3 m, plane: left}, {straight: 5 m}]}\n"                 \
-    "contact: {k: 1e8 N/m^1.5, c: 5 kN s/m, d: 0.2 mm}\n"                                                              \
-    "friction: {mu: 0.3}\n"                                                                                            \
-    "run: {duration: 10 s}\n"                                                                                          \
-    "surfaces: " surfaces "\n"
+/* A cable on a route with a bend, with these surfaces. */
+#define CASE(surfaces) data_with("surfaces", "surfaces: {}", "surfaces: " surfaces)
 
 static void ducts_are_read(void **state)
 {
@@ -69,7 +62,7 @@ static void stretches_are_checked(void **state)
 {
     (void)state;
     expect_bad(CASE("{ducts: [{from: 2 m, to: 25 m, radius: 75 mm}]}"), NULL, NULL,
-               "pull.yaml:7: key 'surfaces.ducts.0.to': 25 m is out of range: must be on the route, at most 19.712");
+               "pull.yaml:8: key 'surfaces.ducts.0.to': 25 m is out of range: must be on the route, at most 19.712");
     expect_bad(CASE("{ducts: [{from: 9 m, to: 8 m, radius: 75 mm}]}"), NULL, NULL,
                "at least 'from' plus 'fade', 9.5 m");
     expect_bad(CASE("{ducts: [{to: 8 m, radius: 75 mm}, {from: 7 m, to: 9 m, radius: 75 mm}]}"), NULL, NULL,
@@ -117,16 +110,10 @@ static void planes_are_checked(void **state)
 static void upright_routes_are_refused(void **state)
 {
     (void)state;
-    static const char *const text =
-        "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"
-        "chain: [{cable: c, length: 5 m}]\n"
-        "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 3 m, plane: up}, {straight: 5 m}]}\n"
-        "run: {duration: 10 s}\n"
-        "surfaces: {ducts: [{radius: 75 mm}], trays: []}\n";
     SceneDef def;
-    expect_good(text, NULL, NULL, &def);
+    expect_good(data_text("surfaces-upright"), NULL, NULL, &def);
     scene_def_clear(&def);
-    expect_bad(text, "surfaces.ducts.0.place", "resting", "steeper than 80 deg at 14.2 m");
+    expect_bad(data_text("surfaces-upright"), "surfaces.ducts.0.place", "resting", "steeper than 80 deg at 14.2 m");
 }
 
 int main(void)

@@ -4,7 +4,7 @@
 
 #include "tests/io/example_fixture.h"
 
-static const double RADIUS = 0.04365; /* of the cable in SMALLEST, m */
+static const double RADIUS = 0.04365; /* of the cable in data_text("smallest"), m */
 
 static const char BENDS[] = "{pieces: [{straight: 5 m}, {bend: 30 deg, radius: 6 m, plane: left}, "
                             "{bend: 20 deg, radius: 6 m, plane: up}, {straight: 4 m}, "
@@ -15,7 +15,7 @@ static void row_read(const char *row, SceneDef *def)
 {
     CaseTree *tree;
     hawser_error err;
-    assert_int_equal(case_tree_parse(SMALLEST, NAME, &tree, &err), HAWSER_OK);
+    assert_int_equal(case_tree_parse(data_text("smallest"), NAME, &tree, &err), HAWSER_OK);
     assert_int_equal(case_tree_set(tree, "route", BENDS, &err), HAWSER_OK);
     assert_int_equal(case_tree_set(tree, "rollers.along", row, &err), HAWSER_OK);
     if (case_read(tree, def, &err)) fail_msg("%s", err.message);
@@ -95,7 +95,7 @@ static void grooves_are_sat_in(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "rollers.along",
+    expect_good(data_text("smallest"), "rollers.along",
                 "{count: 3, radius: 80 mm, profile: v, groove: {angle: 60 deg}, hold_down: [[9 m, 11 m]]}", &def);
     assert_int_equal(def.n_rollers, 4);
     check_share(def.rollers[0].centre.z, -0.08 - RADIUS / 0.5, 1e-12);
@@ -103,12 +103,12 @@ static void grooves_are_sat_in(void **state)
     assert_int_equal(def.rollers[0].profile, SHAPE_V_GROOVE);
     check_share(def.rollers[0].groove.depth, 2 * RADIUS, 1e-12);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "rollers.along", "{count: 3, profile: u, radius: 80 mm}", &def);
+    expect_good(data_text("smallest"), "rollers.along", "{count: 3, profile: u, radius: 80 mm}", &def);
     check_share(def.rollers[0].centre.z, -0.08 - RADIUS, 1e-12);
     check_share(def.rollers[0].groove.radius, 1.25 * RADIUS, 1e-12);
     check_share(def.rollers[0].groove.lip, 1.25 * RADIUS, 1e-12);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "rollers.list",
+    expect_good(data_text("smallest"), "rollers.list",
                 "[{centre: [18, 0, -130 mm], axis: [0, 1, 0], radius: 80 mm, profile: u, groove: {depth: 40 mm}}]",
                 &def);
     assert_int_equal(def.rollers[0].profile, SHAPE_U_GROOVE);
@@ -139,9 +139,10 @@ static void bad_rows(void **state)
         {"{spacing: 1e-6, where: straights}", "too many rollers"},
         {"{spacing: 1 m, from: 5 m, to: 2 m, where: straights}", "out of range: must be at least 'from'"},
     };
-    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) expect_bad(SMALLEST, "rollers.along", bad[k][0], bad[k][1]);
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+        expect_bad(data_text("smallest"), "rollers.along", bad[k][0], bad[k][1]);
     /* in a groove that is there but where the cable does not fit in */
-    expect_bad(SMALLEST, "rollers.list",
+    expect_bad(data_text("smallest"), "rollers.list",
                "[{centre: [18, 0, -100 mm], axis: [0, 1, 0], radius: 80 mm, profile: v, name: it}]",
                "roller 'it' is inside the cable");
 }
@@ -151,23 +152,24 @@ static void friction_that_sticks(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "friction", "{mu: 0.3}", &def);
+    expect_good(data_text("smallest"), "friction", "{mu: 0.3}", &def);
     check_equal(def.friction.d_s, 0);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "friction", "{mu: 0.3, law: stick}", &def);
+    expect_good(data_text("smallest"), "friction", "{mu: 0.3, law: stick}", &def);
     check_equal(def.friction.d_s, 1e-4);
     check_equal(def.cable_friction.d_s, 0);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "rollers.along",
+    expect_good(data_text("smallest"), "rollers.along",
                 "[{count: 1, friction: {law: stick, d_s: 0.3 mm}}, {from: 9 m, count: 1, friction: {law: adams}}]",
                 &def);
     check_equal(def.rollers[0].friction.d_s, 3e-4);
     check_equal(def.rollers[1].friction.d_s, 0);
     scene_def_clear(&def);
-    expect_bad(SMALLEST, "friction", "{d_s: 0.1 mm}", "key 'friction.d_s': only for 'law: stick'");
-    expect_bad(SMALLEST, "friction", "{law: adams, d_s: 0.1 mm}", "key 'friction.d_s': only for 'law: stick'");
-    expect_bad(SMALLEST, "friction", "{law: sticky}", "expected adams or stick");
-    expect_bad(SMALLEST, "contact", "{cable_on_cable: true, cable_friction: {law: stick}}",
+    expect_bad(data_text("smallest"), "friction", "{d_s: 0.1 mm}", "key 'friction.d_s': only for 'law: stick'");
+    expect_bad(data_text("smallest"), "friction", "{law: adams, d_s: 0.1 mm}",
+               "key 'friction.d_s': only for 'law: stick'");
+    expect_bad(data_text("smallest"), "friction", "{law: sticky}", "expected adams or stick");
+    expect_bad(data_text("smallest"), "contact", "{cable_on_cable: true, cable_friction: {law: stick}}",
                "cable on cable does not stick");
 }
 
