@@ -1,5 +1,5 @@
 /* Candidate pairs against brute force, and that they change nothing but the cost. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -14,18 +14,18 @@ static void scene_wind(TestScene *s, ContactGeometry geometry, double reach)
     scene_new(s, geometry, N, 0.5);
     for (int i = 0; i < N; ++i) {
         const double a = 0.02 * i + 0.3 * sin(0.1 * i);
-        vector_to(s->kin.a, i, v3_unit(v3(cos(a), sin(a), 0.2 * sin(0.05 * i))));
-        vector_to(s->kin.v, i, v3(0.1, 0, 0));
+        vec_store(s->kin.a, i, v3_unit(v3(cos(a), sin(a), 0.2 * sin(0.05 * i))));
+        vec_store(s->kin.v, i, v3(0.1, 0, 0));
     }
     scene_join(s, v3(0, 0, 0));
     for (int r = 0; r < ROLLERS; ++r) {
-        const int i = (int)((random_next(&seed) + 1) / 2 * N) % N;
+        const int i = (int)((fixture_random(&seed) + 1) / 2 * N) % N;
         const double away = r % 8 ? 0.14 : 3;
-        const Vec3 centre = v3_axpy(vector_of(s->kin.p, i), away, v3_unit(random_vector(&seed)));
-        const double radius = 0.1 + 0.05 * random_next(&seed), half_width = 0.5 + 0.4 * random_next(&seed);
+        const Vec3 centre = v3_axpy(vec_load(s->kin.p, i), away, v3_unit(fixture_vector(&seed, 1)));
+        const double radius = 0.1 + 0.05 * fixture_random(&seed), half_width = 0.5 + 0.4 * fixture_random(&seed);
         rollers[r] = (ContactRoller){.shape = {.kind = SHAPE_CYLINDER,
                                                .centre = centre,
-                                               .axis = v3_unit(random_vector(&seed)),
+                                               .axis = v3_unit(fixture_vector(&seed, 1)),
                                                .radius = radius,
                                                .half_width = half_width},
                                      .friction = {.mu_s = 0.2, .mu_d = 0.1, .v_s = 5e-3, .v_d = 2e-2}};
@@ -128,7 +128,7 @@ static void test_moved_too_far(void **state)
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
     s.kin.p[1][17] += 0.299;
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
-    vector_to(s.kin.a, 17, quat_rotate(quat_exp(v3(0, 0, 0.01)), vector_of(s.kin.a, 17)));
+    vec_store(s.kin.a, 17, quat_rotate(quat_exp(v3(0, 0, 0.01)), vec_load(s.kin.a, 17)));
     assert_true(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
     scene_refresh(&s);
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));

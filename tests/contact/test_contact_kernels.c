@@ -1,5 +1,5 @@
 /* The kernels of every instruction set that this machine has do the same. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -23,14 +23,14 @@ static void batch_random(ContactBatch *batch, uint64_t *seed)
         batch->shape_radius[l] = 0.1;
         batch->shape_half_width[l] = 0.3;
         for (int b = 0; b < 2; ++b) {
-            batch->radius[b][l] = 0.0435 + 1e-4 * random_next(seed);
-            batch->x[b][0][l] = (b - 0.5) * 0.5 + 0.1 * random_next(seed);
+            batch->radius[b][l] = 0.0435 + 1e-4 * fixture_random(seed);
+            batch->x[b][0][l] = (b - 0.5) * 0.5 + 0.1 * fixture_random(seed);
             batch->r[b][0][l] = 0.25;
             for (int c = 0; c < 3; ++c) {
-                batch->x[b][c][l] += 1e-4 * random_next(seed);
-                batch->r[b][c][l] += 1e-3 * random_next(seed);
-                batch->v[b][c][l] = 0.02 * random_next(seed);
-                batch->w[b][c][l] = 0.1 * random_next(seed);
+                batch->x[b][c][l] += 1e-4 * fixture_random(seed);
+                batch->r[b][c][l] += 1e-3 * fixture_random(seed);
+                batch->v[b][c][l] = 0.02 * fixture_random(seed);
+                batch->w[b][c][l] = 0.1 * fixture_random(seed);
             }
         }
     }

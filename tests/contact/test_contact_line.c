@@ -1,7 +1,7 @@
 /* The smooth line's contact point: never missed, never doubled, and no force jumps as the line is pushed over
  * a roller in tiny steps, whatever passes: an arc's border, the line's end, the roller's rim, the pulling
  * eye. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -43,7 +43,7 @@ static Pushed line_push(TestScene *s, Vec3 step, int steps)
         seen.hits_least = s->pairs.active < seen.hits_least ? s->pairs.active : seen.hits_least;
         seen.hits_most = s->pairs.active > seen.hits_most ? s->pairs.active : seen.hits_most;
         seen.force_most = larger_of(seen.force_most, v3_norm(s->on_roller[0]));
-        for (int k = 0; k < n; ++k) vector_to(s->kin.p, k, v3_add(vector_of(s->kin.p, k), step));
+        for (int k = 0; k < n; ++k) vec_store(s->kin.p, k, v3_add(vec_load(s->kin.p, k), step));
     }
     free(past);
     print_message("contacts %d..%d, force up to %.1f N, largest jump %.2e N\n", seen.hits_least, seen.hits_most,
@@ -70,7 +70,7 @@ static Pushed line_push_twice(TestScene *s, TestScene *same, Vec3 step, int step
 static void line_new(TestScene *s, double x, double depth)
 {
     scene_new(s, GEOMETRY_SMOOTH, 8, 0.5);
-    for (int i = 0; i < 8; ++i) vector_to(s->kin.v, i, v3(0.1, 0, 0));
+    for (int i = 0; i < 8; ++i) vec_store(s->kin.v, i, v3(0.1, 0, 0));
     scene_roller(s, v3(x, 0, -ROLLER - CABLE + depth), v3(0, 1, 0), ROLLER, 0.2);
     scene_refresh(s);
 }
@@ -83,12 +83,12 @@ static void line_bend(TestScene *s, double angle, double open)
     const int n = s->chain.n;
     for (int i = 0; i < n; ++i) {
         const double a = angle * (i - 0.5 * (n - 1));
-        vector_to(s->kin.a, i, v3(cos(a), 0, sin(a)));
+        vec_store(s->kin.a, i, v3(cos(a), 0, sin(a)));
     }
     scene_join(s, v3(0, 0, 0));
     const double low = s->kin.p[2][n / 2] - s->chain.half[n / 2] * s->kin.a[2][n / 2];
     for (int i = 0; i < n; ++i) {
-        vector_to(s->kin.p, i, v3_axpy(v3_sub(vector_of(s->kin.p, i), v3(0, 0, low)), open, random_vector(&seed)));
+        vec_store(s->kin.p, i, v3_axpy(v3_sub(vec_load(s->kin.p, i), v3(0, 0, low)), open, fixture_vector(&seed, 1)));
     }
 }
 
@@ -253,12 +253,13 @@ static void nearest_check(ContactGeometry geometry)
         TestScene s;
         scene_new(&s, geometry, 8, 0.5);
         for (int k = 0; k < 8; ++k) {
-            s.chain.radius[k] = 0.04 + 0.01 * random_next(&seed);
-            vector_to(s.kin.a, k, v3_unit(v3_axpy(v3(1, 0, 0), 0.2, random_vector(&seed))));
+            s.chain.radius[k] = 0.04 + 0.01 * fixture_random(&seed);
+            vec_store(s.kin.a, k, v3_unit(v3_axpy(v3(1, 0, 0), 0.2, fixture_vector(&seed, 1))));
         }
         scene_join(&s, v3(0, 0, 0));
-        const Vec3 centre = v3(2 + 2.2 * random_next(&seed), 0.1 * random_next(&seed), 0.3 * random_next(&seed));
-        const Vec3 axis = v3_unit(v3_axpy(v3(0, 1, 0), 0.5, random_vector(&seed)));
+        const Vec3 centre =
+            v3(2 + 2.2 * fixture_random(&seed), 0.1 * fixture_random(&seed), 0.3 * fixture_random(&seed));
+        const Vec3 axis = v3_unit(v3_axpy(v3(0, 1, 0), 0.5, fixture_vector(&seed, 1)));
         scene_roller(&s, centre, axis, 0.05, 0.2);
         scene_refresh(&s);
         ContactDetail hit[SCENE_HITS_MAX];
@@ -289,8 +290,8 @@ static void test_arc_is_bezier(void **state)
     line_new(&s, 2, 1e-3);
     line_bend(&s, 0.1, 0);
     const Element arc = element_at(GEOMETRY_SMOOTH, 8, 4);
-    const Vec3 a = vector_of(s.kin.p, 3), c = vector_of(s.kin.p, 4);
-    const Vec3 b = v3_axpy(a, s.chain.half[3], vector_of(s.kin.a, 3));
+    const Vec3 a = vec_load(s.kin.p, 3), c = vec_load(s.kin.p, 4);
+    const Vec3 b = v3_axpy(a, s.chain.half[3], vec_load(s.kin.a, 3));
     for (double u = 0; u <= 1; u += 0.125) {
         const Vec3 bezier = v3_axpy(v3_axpy(v3_scale((1 - u) * (1 - u), a), 2 * u * (1 - u), b), u * u, c);
         check_vec(bezier, element_point(&arc, &s.chain, &s.kin, u), 1e-15);

@@ -1,7 +1,7 @@
 /* The grooved shapes alone: distances that a drawing gives, derivatives against differences, no jump of distance and
  * normal between regions, and never a change of distance that is larger than the motion (the candidates' tree relies on
  * it). */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -90,8 +90,8 @@ static void test_derivatives(void **state)
     for (int i = 0; i < 6000; ++i) {
         const Shape s = grooved(i % SHAPES);
         const int face = i / SHAPES % shape_faces(s.kind);
-        const double rho = 0.16 + 0.14 * random_next(&seed), z = 0.3 * random_next(&seed);
-        const Vec3 p = point_at(&s, rho, 3 * random_next(&seed), z);
+        const double rho = 0.16 + 0.14 * fixture_random(&seed), z = 0.3 * fixture_random(&seed);
+        const Vec3 p = point_at(&s, rho, 3 * fixture_random(&seed), z);
         const ShapeProbe probe = shape_probe(&s, face, p);
         check_close(probe.distance, shape_face_distance(&s, face, p), 2e-15);
         check_close(v3_norm(probe.normal), 1, 1e-14);
@@ -122,13 +122,13 @@ static void test_no_jumps(void **state)
     for (int i = 0; i < 60000; ++i) {
         const Shape s = grooved(i % SHAPES);
         const int face = i / SHAPES % shape_faces(s.kind);
-        const double rho = 0.16 + 0.15 * random_next(&seed), z = 0.3 * random_next(&seed);
+        const double rho = 0.16 + 0.15 * fixture_random(&seed), z = 0.3 * fixture_random(&seed);
         const Vec3 p = point_at(&s, rho, 1, z);
         /* far apart, and close together: on random places, and straight across the regions' borders */
-        const double far = 0.2 * fabs(random_next(&seed));
-        const Vec3 q = v3_axpy(p, far, v3_unit(random_vector(&seed)));
+        const double far = 0.2 * fabs(fixture_random(&seed));
+        const Vec3 q = v3_axpy(p, far, v3_unit(fixture_vector(&seed, 1)));
         check_close(shape_face_distance(&s, face, p), shape_face_distance(&s, face, q), v3_norm(v3_sub(p, q)) + 1e-15);
-        const Vec3 r = v3_axpy(p, apart, v3_unit(random_vector(&seed)));
+        const Vec3 r = v3_axpy(p, apart, v3_unit(fixture_vector(&seed, 1)));
         const ShapeProbe a = shape_probe(&s, face, p), b = shape_probe(&s, face, r);
         check_close(a.distance, b.distance, 1.0001 * apart);
         const int above = s.kind == SHAPE_U_GROOVE && rho > s.radius + s.groove.radius - 0.01;

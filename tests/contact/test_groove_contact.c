@@ -1,6 +1,6 @@
 /* A cable in grooves: both flanks of a V bear it and count as one roller; forces and moments balance and turn with the
  * scene; pushed over every edge the force never jumps; in a U a cable that lies askew finds its nearest point. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -67,10 +67,10 @@ static void groove_scene(TestScene *s, ShapeKind kind, Quat turn, Vec3 shift)
     uint64_t seed = 3;
     scene_new(s, GEOMETRY_SMOOTH, N, 0.5);
     for (int i = 0; i < N; ++i) {
-        const Vec3 a = v3_unit(v3_axpy(v3(1, 0, 0), 0.02, random_vector(&seed)));
-        vector_to(s->kin.a, i, a);
-        vector_to(s->kin.v, i, quat_rotate(turn, v3_scale(0.05, random_vector(&seed))));
-        vector_to(s->kin.w, i, quat_rotate(turn, v3_scale(0.1, random_vector(&seed))));
+        const Vec3 a = v3_unit(v3_axpy(v3(1, 0, 0), 0.02, fixture_vector(&seed, 1)));
+        vec_store(s->kin.a, i, a);
+        vec_store(s->kin.v, i, quat_rotate(turn, v3_scale(0.05, fixture_vector(&seed, 1))));
+        vec_store(s->kin.w, i, quat_rotate(turn, v3_scale(0.1, fixture_vector(&seed, 1))));
     }
     scene_join(s, v3(0, 0, 0));
     const Groove groove = kind == SHAPE_V_GROOVE ? groove_v(0.8, 0.12) : groove_u(0.06, 0.05);
@@ -82,8 +82,8 @@ static void groove_scene(TestScene *s, ShapeKind kind, Quat turn, Vec3 shift)
         grooved_roller(s, v3_add(shift, quat_rotate(turn, centre)), quat_rotate(turn, v3(0, 1, 0)), groove, kind);
     }
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.p, i, v3_add(shift, quat_rotate(turn, vector_of(s->kin.p, i))));
-        vector_to(s->kin.a, i, quat_rotate(turn, vector_of(s->kin.a, i)));
+        vec_store(s->kin.p, i, v3_add(shift, quat_rotate(turn, vec_load(s->kin.p, i))));
+        vec_store(s->kin.a, i, quat_rotate(turn, vec_load(s->kin.a, i)));
     }
     scene_refresh(s);
     scene_forces(s, 1);
@@ -108,10 +108,10 @@ static void test_balance_and_objectivity(void **state)
             check_vec(turned, t.on_roller[r], 1e-10 * v3_norm(turned));
         }
         for (int i = 0; i < N; ++i) {
-            sum = v3_add(sum, vector_of(s.loads.f, i));
-            const Vec3 f = quat_rotate(turn, vector_of(s.loads.f, i)), m = quat_rotate(turn, vector_of(s.loads.m, i));
-            check_vec(f, vector_of(t.loads.f, i), 1e-11 * size);
-            check_vec(m, vector_of(t.loads.m, i), 1e-11 * size);
+            sum = v3_add(sum, vec_load(s.loads.f, i));
+            const Vec3 f = quat_rotate(turn, vec_load(s.loads.f, i)), m = quat_rotate(turn, vec_load(s.loads.m, i));
+            check_vec(f, vec_load(t.loads.f, i), 1e-11 * size);
+            check_vec(m, vec_load(t.loads.m, i), 1e-11 * size);
         }
         check_below(v3_norm(sum), 1e-12 * size);
         scene_free(&s);
@@ -165,8 +165,8 @@ static void test_askew_in_u(void **state)
         TestScene s;
         scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
         for (int i = 0; i < N; ++i) {
-            vector_to(s.kin.a, i, v3(cos(skew), sin(skew), 0));
-            vector_to(s.kin.p, i, v3_scale((i - 2) * 0.5, v3(cos(skew), sin(skew), 0)));
+            vec_store(s.kin.a, i, v3(cos(skew), sin(skew), 0));
+            vec_store(s.kin.p, i, v3_scale((i - 2) * 0.5, v3(cos(skew), sin(skew), 0)));
         }
         /* the middle of an arc is over the middle of the roller: the maximum, if there is one */
         grooved_roller(&s, v3(0.25 * cos(skew), 0.25 * sin(skew), -0.08 - s.chain.radius[0] + 1e-3), v3(0, 1, 0),

@@ -1,7 +1,7 @@
 /* Contact in the plane against contact in space: the same owners and forces for lines of every shape, where they touch
  * inside an arc, beyond an end, and where the radius changes; forces balance those on the rollers. */
 #include "contact/planar/planar_contact.h"
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 enum { N = 11 };
 
@@ -50,18 +50,18 @@ static void rig_new(Rig *r, ContactGeometry geometry, uint64_t seed)
     assert_true(planar_chain_alloc(&r->chain, N) && planar_kinematics_alloc(&r->kin, N));
     assert_true(planar_loads_alloc(&r->loads, N));
     for (int i = 0; i < N; ++i) {
-        const double angle = 0.15 * random_next(&seed);
-        vector_to(r->s.kin.a, i, v3(cos(angle), 0, sin(angle)));
-        vector_to(r->s.kin.v, i, v3(0.02 * random_next(&seed), 0, 0.02 * random_next(&seed)));
-        vector_to(r->s.kin.w, i, v3(0, 0.1 * random_next(&seed), 0));
+        const double angle = 0.15 * fixture_random(&seed);
+        vec_store(r->s.kin.a, i, v3(cos(angle), 0, sin(angle)));
+        vec_store(r->s.kin.v, i, v3(0.02 * fixture_random(&seed), 0, 0.02 * fixture_random(&seed)));
+        vec_store(r->s.kin.w, i, v3(0, 0.1 * fixture_random(&seed), 0));
         if (i > 7) r->s.chain.radius[i] = 0.01;
     }
     scene_join(&r->s, v3(0, 0, 0));
     for (int k = 0; k < SCENE_ROLLERS_MAX; ++k) {
         const int i = k == 0 ? 0 : 2 + 2 * k;
         const double side = k % 2 ? 1 : -1, radius = 0.1 + 0.02 * k, rc = r->s.chain.radius[i];
-        const Vec3 p = vector_of(r->s.kin.p, i), a = vector_of(r->s.kin.a, i), up = v3(-a.z, 0, a.x);
-        const Vec3 at = v3_axpy(p, k == 0 ? -0.26 : 0.2 * random_next(&seed), a);
+        const Vec3 p = vec_load(r->s.kin.p, i), a = vec_load(r->s.kin.a, i), up = v3(-a.z, 0, a.x);
+        const Vec3 at = v3_axpy(p, k == 0 ? -0.26 : 0.2 * fixture_random(&seed), a);
         scene_roller(&r->s, v3_axpy(at, side * (radius + rc - 2e-3), up), v3(0, 1, 0), radius, 0.3);
     }
     plane_copy(r);

@@ -1,6 +1,6 @@
 /* The derivatives of cable on cable against finite differences: turns of a helix that lie on each other, strands that
  * cross, at rest and moving, shaken; the pattern holds every coupling that there is. */
-#include "tests/contact/self_scene.h"
+#include "tests/support/touch.h"
 
 #include "contact/self/self_contact_fd.h"
 

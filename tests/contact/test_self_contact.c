@@ -1,7 +1,7 @@
 /* Cable on cable: momentum is kept to rounding, forces turn with the world, strands that cross press as the law says,
  * strands side by side press evenly and without jumps however they slide, a round trip without friction takes no work
  * and gives none, and no candidate is missed. */
-#include "tests/contact/self_scene.h"
+#include "tests/support/touch.h"
 
 /* Two straight strands of six segments: one along x, one at `angle` to it, `apart` above, crossing it at `at`. */
 static void cross(SelfScene *s, double angle, double apart, double at)
@@ -29,9 +29,9 @@ static void test_momentum(void **state)
         Vec3 force = v3(0, 0, 0), moment = v3(0, 0, 0);
         double size = 0;
         for (int i = 0; i < 32; ++i) {
-            const Vec3 f = vector_of(s.loads.f, i), arm = v3_sub(vector_of(s.kin.p, i), v3(3, -2, 1));
+            const Vec3 f = vec_load(s.loads.f, i), arm = v3_sub(vec_load(s.kin.p, i), v3(3, -2, 1));
             force = v3_add(force, f);
-            moment = v3_add(moment, v3_add(vector_of(s.loads.m, i), v3_cross(arm, f)));
+            moment = v3_add(moment, v3_add(vec_load(s.loads.m, i), v3_cross(arm, f)));
             size += v3_norm(f);
         }
         check_above(size, 1000);
@@ -53,10 +53,10 @@ static void test_objective(void **state)
     self_helix(&s, 0.5, 2 * SELF_RADIUS - 3e-3);
     self_shake(&s, 1e-3, 0.05, &seed);
     for (int i = 0; i < 32; ++i) {
-        vector_to(turned.kin.p, i, v3_add(quat_rotate(q, vector_of(s.kin.p, i)), v3(2, -3, 5)));
-        vector_to(turned.kin.a, i, quat_rotate(q, vector_of(s.kin.a, i)));
-        vector_to(turned.kin.v, i, quat_rotate(q, vector_of(s.kin.v, i)));
-        vector_to(turned.kin.w, i, quat_rotate(q, vector_of(s.kin.w, i)));
+        vec_store(turned.kin.p, i, v3_add(quat_rotate(q, vec_load(s.kin.p, i)), v3(2, -3, 5)));
+        vec_store(turned.kin.a, i, quat_rotate(q, vec_load(s.kin.a, i)));
+        vec_store(turned.kin.v, i, quat_rotate(q, vec_load(s.kin.v, i)));
+        vec_store(turned.kin.w, i, quat_rotate(q, vec_load(s.kin.w, i)));
     }
     self_fresh(&s);
     self_fresh(&turned);
@@ -64,10 +64,10 @@ static void test_objective(void **state)
     self_load(&turned, 1);
     double most = 0, apart = 0;
     for (int i = 0; i < 32; ++i) {
-        const Vec3 f = quat_rotate(q, vector_of(s.loads.f, i)), m = quat_rotate(q, vector_of(s.loads.m, i));
+        const Vec3 f = quat_rotate(q, vec_load(s.loads.f, i)), m = quat_rotate(q, vec_load(s.loads.m, i));
         most = larger_of(most, v3_norm(f));
-        apart = larger_of(apart, v3_norm(v3_sub(f, vector_of(turned.loads.f, i))));
-        apart = larger_of(apart, v3_norm(v3_sub(m, vector_of(turned.loads.m, i))));
+        apart = larger_of(apart, v3_norm(v3_sub(f, vec_load(turned.loads.f, i))));
+        apart = larger_of(apart, v3_norm(v3_sub(m, vec_load(turned.loads.m, i))));
     }
     check_above(most, 100);
     check_below(apart, 1e-11 * most);
@@ -124,7 +124,7 @@ static void test_parallel(void **state)
                     v3(-cos(angle), -sin(angle), 0));
         self_fresh(&s);
         self_load(&s, 1);
-        const Vec3 now[2] = {self_force_on(&s, 0, 12), vector_of(s.loads.m, 5)};
+        const Vec3 now[2] = {self_force_on(&s, 0, 12), vec_load(s.loads.m, 5)};
         if (k > -400) jump = larger_of(jump, v3_norm(v3_sub(now[0], last[0])) + v3_norm(v3_sub(now[1], last[1])));
         largest = larger_of(largest, v3_norm(now[0]));
         last[0] = now[0];
@@ -149,12 +149,12 @@ static void test_sliding(void **state)
         /* the last turn slides over the rest */
         for (int i = 28; i < 40; ++i) {
             const Quat q = quat_exp(v3(0, 0, 2e-4 * k));
-            vector_to(s.kin.p, i, quat_rotate(q, vector_of(s.kin.p, i)));
-            vector_to(s.kin.a, i, quat_rotate(q, vector_of(s.kin.a, i)));
+            vec_store(s.kin.p, i, quat_rotate(q, vec_load(s.kin.p, i)));
+            vec_store(s.kin.a, i, quat_rotate(q, vec_load(s.kin.a, i)));
         }
         if (k % 20 == 0) self_fresh(&s);
         self_load(&s, 1);
-        const double now = vector_of(s.loads.f, 34).z;
+        const double now = vec_load(s.loads.f, 34).z;
         if (k > 0) jump = larger_of(jump, fabs(now - last));
         largest = larger_of(largest, fabs(now));
         last = now;
@@ -182,8 +182,8 @@ static double work_round(SelfScene *s, int steps)
         moment[1] = v3(0, 0, 0);
         const Vec3 pole = v3(at[1], 0, apart[1]);
         for (int i = 6; i < 12; ++i) {
-            const Vec3 arm = v3_sub(vector_of(s->kin.p, i), pole);
-            moment[1] = v3_add(moment[1], v3_add(vector_of(s->loads.m, i), v3_cross(arm, vector_of(s->loads.f, i))));
+            const Vec3 arm = v3_sub(vec_load(s->kin.p, i), pole);
+            moment[1] = v3_add(moment[1], v3_add(vec_load(s->loads.m, i), v3_cross(arm, vec_load(s->loads.f, i))));
         }
         if (k > 0) {
             work += 0.5 * (force[0].x + force[1].x) * (at[1] - at[0]) +
@@ -228,9 +228,9 @@ static void test_dissipation(void **state)
         self_load(&s, 1);
         double power = 0;
         for (int i = 0; i < 12; ++i) {
-            const Vec3 f = v3_sub(vector_of(s.loads.f, i), vector_of(rest.f, i));
-            const Vec3 m = v3_sub(vector_of(s.loads.m, i), vector_of(rest.m, i));
-            power += v3_dot(f, vector_of(s.kin.v, i)) + v3_dot(m, vector_of(s.kin.w, i));
+            const Vec3 f = v3_sub(vec_load(s.loads.f, i), vec_load(rest.f, i));
+            const Vec3 m = v3_sub(vec_load(s.loads.m, i), vec_load(rest.m, i));
+            power += v3_dot(f, vec_load(s.kin.v, i)) + v3_dot(m, vec_load(s.kin.w, i));
         }
         check_below(power, 0);
         loads_free(&rest);

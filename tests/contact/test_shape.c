@@ -1,5 +1,5 @@
 /* The finite cylinder's distance in its three outer regions, with its derivatives. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -36,8 +36,8 @@ static void test_derivatives(void **state)
     uint64_t seed = 7;
     const double step = 1e-6;
     for (int i = 0; i < 400; ++i) {
-        const double rho = 0.16 + 0.14 * random_next(&seed), z = 0.45 * random_next(&seed);
-        const Vec3 p = point_at(rho, 3 * random_next(&seed), z);
+        const double rho = 0.16 + 0.14 * fixture_random(&seed), z = 0.45 * fixture_random(&seed);
+        const Vec3 p = point_at(rho, 3 * fixture_random(&seed), z);
         const double q_rho = rho - roller.radius, q_z = fabs(z) - roller.half_width;
         if (fabs(q_rho) < 1e-3 || fabs(q_z) < 1e-3 || (q_rho < 0 && q_z < 0)) continue; /* region borders */
         const ShapeProbe probe = shape_probe(&roller, 0, p);

@@ -1,6 +1,6 @@
 /* Friction that sticks: its derivatives, what it remembers, that it slides with the full force, that a step's end
  * changes no force, and that it never gives more work than it took. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -26,14 +26,14 @@ static void level_scene(TestScene *s, FrictionLaw law)
 /* All segments at one velocity. */
 static void speed_set(TestScene *s, Vec3 v)
 {
-    for (int i = 0; i < N; ++i) vector_to(s->kin.v, i, v);
+    for (int i = 0; i < N; ++i) vec_store(s->kin.v, i, v);
 }
 
 /* A step of length h at velocity v, moved and accepted; t counts on. */
 static void step_take(TestScene *s, Vec3 v, double h, double *t)
 {
     speed_set(s, v);
-    for (int i = 0; i < N; ++i) vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), h, v));
+    for (int i = 0; i < N; ++i) vec_store(s->kin.p, i, v3_axpy(vec_load(s->kin.p, i), h, v));
     *t += h;
     contact_accept(&s->model, &s->chain, &s->kin, *t, &s->pairs);
 }
@@ -82,8 +82,8 @@ static void test_slides_like_adams(void **state)
         const Vec3 v = v3(speeds[k], 0.2 * speeds[k], 0);
         for (int i = 0; i < 40; ++i) step_take(&s, v, 0.05, &t);
         for (int i = 0; i < N; ++i) {
-            vector_to(r.kin.p, i, vector_of(s.kin.p, i));
-            vector_to(r.kin.v, i, v);
+            vec_store(r.kin.p, i, vec_load(s.kin.p, i));
+            vec_store(r.kin.v, i, v);
         }
         scene_forces(&r, 1);
         scene_forces(&s, 1);
@@ -157,7 +157,7 @@ static void test_no_jump_at_a_step(void **state)
         for (int i = 0; i < 7; ++i) {
             const Vec3 v = v3(speeds[k], 0, 0);
             speed_set(&s, v);
-            for (int j = 0; j < N; ++j) vector_to(s.kin.p, j, v3_axpy(vector_of(s.kin.p, j), 0.02, v));
+            for (int j = 0; j < N; ++j) vec_store(s.kin.p, j, v3_axpy(vec_load(s.kin.p, j), 0.02, v));
             t += 0.02;
             stick_clock(&s.pairs.stick, t);
             const double before = friction_along(&s);
@@ -181,11 +181,11 @@ static void test_work_is_only_taken(void **state)
         if (run % 2) law.mu_d = law.mu_s;
         level_scene(&s, law);
         double t = 0, work = 0, most = 0;
-        const double size = 0.02 * pow(10, random_next(&seed)), h = 0.01;
+        const double size = 0.02 * pow(10, fixture_random(&seed)), h = 0.01;
         for (int i = 0; i < 400; ++i) {
             const Vec3 v = v3(size * sin(0.05 * i + run), size * cos(0.031 * i) * (run % 3), 0);
             speed_set(&s, v);
-            for (int j = 0; j < N; ++j) vector_to(s.kin.p, j, v3_axpy(vector_of(s.kin.p, j), h, v));
+            for (int j = 0; j < N; ++j) vec_store(s.kin.p, j, v3_axpy(vec_load(s.kin.p, j), h, v));
             t += h;
             stick_clock(&s.pairs.stick, t);
             scene_forces(&s, 1);
@@ -225,9 +225,9 @@ static void random_scene(TestScene *s, double speed, int with_v, uint64_t *seed)
 {
     scene_new(s, GEOMETRY_SMOOTH, N, 0.5);
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.03, random_vector(seed))));
-        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
-        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+        vec_store(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.03, fixture_vector(seed, 1))));
+        vec_store(s->kin.v, i, v3_scale(speed, fixture_vector(seed, 1)));
+        vec_store(s->kin.w, i, v3_scale(2 * speed, fixture_vector(seed, 1)));
     }
     scene_join(s, v3(0, 0, 0));
     const Element element = element_at(GEOMETRY_SMOOTH, N, 3);
@@ -242,9 +242,9 @@ static void random_scene(TestScene *s, double speed, int with_v, uint64_t *seed)
     scene_refresh(s);
     contact_accept(&s->model, &s->chain, &s->kin, 0, &s->pairs);
     for (int i = 0; i < s->pairs.stick.n; ++i) {
-        s->pairs.stick.record[i].lean = v3_scale(0.8 * sticky.d_s, random_vector(seed));
+        s->pairs.stick.record[i].lean = v3_scale(0.8 * sticky.d_s, fixture_vector(seed, 1));
     }
-    stick_clock(&s->pairs.stick, 0.02 + 0.019 * random_next(seed));
+    stick_clock(&s->pairs.stick, 0.02 + 0.019 * fixture_random(seed));
 }
 
 static double blocks_error(TestScene *s, double step)

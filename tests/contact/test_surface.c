@@ -1,6 +1,6 @@
 /* Shapes and forces of surfaces: distance and normal against differences, continuity along the way, every point to one
  * part; action and reaction, objectivity, a stiffness that does not depend on the segments. */
-#include "tests/contact/surface_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -32,8 +32,8 @@ static void test_normal(void **state)
         shape.lift = 0.02;
         surfaces_add(&s, &shape);
         for (int trial = 0; trial < 400; ++trial) {
-            const double at = 5 + 4.9 * random_next(&seed);
-            const Vec3 p = beside(&s.route, at, 0.07 * random_next(&seed), -0.01 + 0.05 * random_next(&seed));
+            const double at = 5 + 4.9 * fixture_random(&seed);
+            const Vec3 p = beside(&s.route, at, 0.07 * fixture_random(&seed), -0.01 + 0.05 * fixture_random(&seed));
             for (int f = 0; f < s.model.n_patches; ++f) {
                 const SurfaceProbe here = surface_probe(&s.patch[f], p);
                 if (!here.owned) continue;
@@ -135,14 +135,14 @@ static void scene_moving(SurfaceScene *s, double heading)
     surfaces_lay(s, 0.1, 0, 0);
     const Vec3 turned = v3(cos(heading), sin(heading), 0);
     for (int i = 0; i < 18; ++i) {
-        const Vec3 left = v3(-turned.y, turned.x, 0), up = v3(0, 0, 1), r = random_vector(&seed),
-                   v = random_vector(&seed);
-        Vec3 p = vector_of(s->kin.p, i);
+        const Vec3 left = v3(-turned.y, turned.x, 0), up = v3(0, 0, 1), r = fixture_vector(&seed, 1),
+                   v = fixture_vector(&seed, 1);
+        Vec3 p = vec_load(s->kin.p, i);
         p = v3_axpy(p, i < 10 ? -0.0605 : -0.0005, up);
         p = v3_axpy(v3_axpy(v3_axpy(p, 2e-4 * r.x, turned), 2e-4 * r.y, left), 2e-4 * r.z, up);
-        vector_to(s->kin.p, i, p);
-        vector_to(s->kin.v, i, v3_axpy(v3_axpy(v3_scale(0.1 * v.x, turned), 0.1 * v.y, left), 0.01 * v.z, up));
-        vector_to(s->kin.w, i, v3_scale(0.1, v3_axpy(v3_axpy(v3_scale(r.y, turned), r.z, left), r.x, up)));
+        vec_store(s->kin.p, i, p);
+        vec_store(s->kin.v, i, v3_axpy(v3_axpy(v3_scale(0.1 * v.x, turned), 0.1 * v.y, left), 0.01 * v.z, up));
+        vec_store(s->kin.w, i, v3_scale(0.1, v3_axpy(v3_axpy(v3_scale(r.y, turned), r.z, left), r.x, up)));
     }
     surfaces_refresh(s);
 }
@@ -155,7 +155,7 @@ static void test_action_and_reaction(void **state)
     scene_moving(&s, 0);
     surfaces_forces(&s, 1);
     Vec3 total = {0, 0, 0};
-    for (int i = 0; i < s.chain.n; ++i) total = v3_add(total, vector_of(s.loads.f, i));
+    for (int i = 0; i < s.chain.n; ++i) total = v3_add(total, vec_load(s.loads.f, i));
     const Vec3 reaction = v3_add(s.tally[0].force, s.tally[1].force);
     print_message("%d points, on the cable %.3f %.3f %.3f N\n", s.pairs.active, total.x, total.y, total.z);
     check_above(s.pairs.active, 20);
@@ -180,8 +180,8 @@ static void test_objectivity(void **state)
     const Quat turn = quat_exp(v3(0, 0, heading));
     double size = 0, off = 0;
     for (int i = 0; i < a.chain.n; ++i) {
-        const Vec3 f = quat_rotate(turn, vector_of(a.loads.f, i)), m = quat_rotate(turn, vector_of(a.loads.m, i));
-        off = larger_of(off, v3_norm(v3_sub(f, vector_of(b.loads.f, i))) + v3_norm(v3_sub(m, vector_of(b.loads.m, i))));
+        const Vec3 f = quat_rotate(turn, vec_load(a.loads.f, i)), m = quat_rotate(turn, vec_load(a.loads.m, i));
+        off = larger_of(off, v3_norm(v3_sub(f, vec_load(b.loads.f, i))) + v3_norm(v3_sub(m, vec_load(b.loads.m, i))));
         size = larger_of(size, v3_norm(f));
     }
     print_message("off by %.2e of %.2e N\n", off, size);
@@ -286,9 +286,9 @@ static void test_potential(void **state)
     for (int f = 0; f < s.model.n_patches; ++f) s.patch[f].along.used = 0; /* one duct from end to end, one V */
     surfaces_forces(&s, 0);
     double size = 0;
-    for (int i = 0; i < s.chain.n; ++i) size = larger_of(size, v3_norm(vector_of(s.loads.f, i)));
+    for (int i = 0; i < s.chain.n; ++i) size = larger_of(size, v3_norm(vec_load(s.loads.f, i)));
     for (int i = 0; i < s.chain.n; ++i) {
-        const Vec3 axis = vector_of(s.kin.a, i);
+        const Vec3 axis = vec_load(s.kin.a, i);
         const double e = 1e-7;
         for (int c = 0; c < 3; ++c) {
             const double at = s.kin.p[c][i];
@@ -300,12 +300,12 @@ static void test_potential(void **state)
             check_close((minus - plus) / (2 * e), s.loads.f[c][i], 2e-7 * size);
             /* and the moments by turns */
             const Vec3 about = v3(c == 0, c == 1, c == 2);
-            vector_to(s.kin.a, i, quat_rotate(quat_exp(v3_scale(e, about)), axis));
+            vec_store(s.kin.a, i, quat_rotate(quat_exp(v3_scale(e, about)), axis));
             const double left = potential(&s);
-            vector_to(s.kin.a, i, quat_rotate(quat_exp(v3_scale(-e, about)), axis));
+            vec_store(s.kin.a, i, quat_rotate(quat_exp(v3_scale(-e, about)), axis));
             const double right = potential(&s);
-            vector_to(s.kin.a, i, axis);
-            const Vec3 m = vector_of(s.loads.m, i);
+            vec_store(s.kin.a, i, axis);
+            const Vec3 m = vec_load(s.loads.m, i);
             check_close((right - left) / (2 * e), v3_dot(m, about), 2e-8 * size);
         }
     }

@@ -1,7 +1,7 @@
 /* The surfaces' analytic derivatives against finite differences on random states, for every kind of surface, on
  * straights, in level, upright and twisted bends, at the ends of stretches and at the edges of sides; both geometries.
  */
-#include "tests/contact/surface_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -20,16 +20,16 @@ static void chain_disturb(SurfaceScene *s, ContactGeometry geometry, double left
                           uint64_t *seed)
 {
     for (int i = 0; i < N; ++i) {
-        s->chain.half[i] = 0.25 + 0.05 * random_next(seed);
-        s->chain.radius[i] = CABLE_RADIUS + 0.004 * random_next(seed);
+        s->chain.half[i] = 0.25 + 0.05 * fixture_random(seed);
+        s->chain.radius[i] = CABLE_RADIUS + 0.004 * fixture_random(seed);
     }
     surfaces_points(s, geometry);
     surfaces_lay(s, 0.1, left, up);
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.a, i, v3_unit(v3_axpy(vector_of(s->kin.a, i), 0.05, random_vector(seed))));
-        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), 0.01, random_vector(seed)));
-        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
-        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+        vec_store(s->kin.a, i, v3_unit(v3_axpy(vec_load(s->kin.a, i), 0.05, fixture_vector(seed, 1))));
+        vec_store(s->kin.p, i, v3_axpy(vec_load(s->kin.p, i), 0.01, fixture_vector(seed, 1)));
+        vec_store(s->kin.v, i, v3_scale(speed, fixture_vector(seed, 1)));
+        vec_store(s->kin.w, i, v3_scale(2 * speed, fixture_vector(seed, 1)));
     }
 }
 

@@ -1,6 +1,6 @@
 /* Friction that sticks on trays and planes: derivatives, what the points remember, no jump at a step's end, and that
  * only surfaces that stick remember anything. */
-#include "tests/contact/surface_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -22,10 +22,10 @@ static void scene_make(SurfaceScene *s, SurfaceKind kind, double speed, uint64_t
     surfaces_add(s, &shape);
     surfaces_lay(s, 6, 0, -5e-4);
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), 2e-4, random_vector(seed)));
-        vector_to(s->kin.a, i, v3_unit(v3_axpy(vector_of(s->kin.a, i), 5e-4, random_vector(seed))));
-        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
-        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+        vec_store(s->kin.p, i, v3_axpy(vec_load(s->kin.p, i), 2e-4, fixture_vector(seed, 1)));
+        vec_store(s->kin.a, i, v3_unit(v3_axpy(vec_load(s->kin.a, i), 5e-4, fixture_vector(seed, 1))));
+        vec_store(s->kin.v, i, v3_scale(speed, fixture_vector(seed, 1)));
+        vec_store(s->kin.w, i, v3_scale(2 * speed, fixture_vector(seed, 1)));
     }
     s->friction[0] = sticky;
     assert_true(surface_sticks(&s->model));
@@ -74,7 +74,7 @@ static void test_derivatives(void **state)
         for (int f = 0; f < SURFACE_FACES_MAX; ++f) {
             for (int e = 0; e <= N; ++e) {
                 for (int q = 0; q < SURFACE_POINTS; ++q) {
-                    vector_to(s.pairs.stick.bed[f].lean[q], e, v3_scale(0.8 * sticky.d_s, random_vector(&seed)));
+                    vec_store(s.pairs.stick.bed[f].lean[q], e, v3_scale(0.8 * sticky.d_s, fixture_vector(&seed, 1)));
                 }
             }
         }
@@ -101,9 +101,9 @@ static void test_steps(void **state)
         const Vec3 v = v3(i < 60 ? 2e-4 * i : 0.05 * sin(0.1 * i), 0, 0);
         const double h = 0.01;
         for (int k = 0; k < N; ++k) {
-            vector_to(s.kin.v, k, v);
-            vector_to(s.kin.w, k, v3(0, 0, 0));
-            vector_to(s.kin.p, k, v3_axpy(vector_of(s.kin.p, k), h, v));
+            vec_store(s.kin.v, k, v);
+            vec_store(s.kin.w, k, v3(0, 0, 0));
+            vec_store(s.kin.p, k, v3_axpy(vec_load(s.kin.p, k), h, v));
         }
         t += h;
         surface_clock(&s.pairs, t);
@@ -126,9 +126,9 @@ static void test_holds(void **state)
     uint64_t seed = 8;
     SurfaceScene s;
     scene_make(&s, SURFACE_PLANE, 0, &seed);
-    for (int k = 0; k < N; ++k) vector_to(s.kin.v, k, v3(1e-2, 0, 0));
+    for (int k = 0; k < N; ++k) vec_store(s.kin.v, k, v3(1e-2, 0, 0));
     surface_accept(&s.model, &s.chain, &s.kin, 0.02, &s.pairs); /* 0.2 mm */
-    for (int k = 0; k < N; ++k) vector_to(s.kin.v, k, v3(0, 0, 0));
+    for (int k = 0; k < N; ++k) vec_store(s.kin.v, k, v3(0, 0, 0));
     for (int i = 1; i < 4; ++i) {
         surface_clock(&s.pairs, 3600 * i);
         surfaces_forces(&s, 1);

@@ -5,7 +5,7 @@
 
 #include "core/base/lanes.h"
 #include "core/body.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
 #include "tests/support/check.h"
 
 static const int SIZES[] = {1, 2, 7, 8, 9, 370};

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "core/bushing.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
 #include "tests/support/check.h"
 
 enum { N = 11 };

@@ -4,7 +4,7 @@
 #include "core/bushing.h"
 #include "core/planar/planar.h"
 #include "core/planar/plane_lanes.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
 #include "tests/support/check.h"
 
 enum { N = 13, STRIDE = 16 };

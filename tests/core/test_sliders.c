@@ -2,7 +2,7 @@
  * of a loop, circular bending, isotropy, dissipation, and the update between steps. */
 
 #include "core/bushing.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
 #include "tests/support/check.h"
 
 enum { SLIDERS = 3, JOINT = 1 };

@@ -1,8 +1,8 @@
 /* No step allocates: the C library's allocation functions are replaced by ones that count. Nothing to see under the
  * address sanitizer, which replaces them itself; there the counters stay at zero and the test only runs the pull. */
+#include "sim/planar/plane.h"
 #include "sim/run/sim.h"
-#include "tests/sim/planar_fixture.h"
-#include "tests/sim/roller_fixture.h"
+#include "tests/support/scene.h"
 
 #if !defined(__SANITIZE_ADDRESS__)
 static volatile int counting;

@@ -2,7 +2,7 @@
  * may lose and must keep, the start from a relaxed bend, threads. The law at one joint: tests/core/test_sliders.c. */
 #include "sim/newton/relax.h"
 #include "sim/run/sim.h"
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 static void rig_step(Rig *r, double stop)
 {

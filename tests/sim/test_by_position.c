@@ -4,7 +4,7 @@
 
 #include "sim/expected/expected.h"
 #include "sim/run/sim.h"
-#include "tests/sim/reel_fixture.h"
+#include "tests/support/scene.h"
 
 static void scene_for(const ReelChoice *choice, Scene *scene)
 {

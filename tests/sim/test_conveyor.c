@@ -1,7 +1,7 @@
 /* A conveyor by itself: how its grip is spread, which segments it finds, forces and their derivatives. */
 #include "core/state.h"
 #include "sim/equipment/conveyor.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = 16 };
 

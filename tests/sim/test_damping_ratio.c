@@ -1,6 +1,6 @@
 /* Damping ratios against the logarithmic decrement of one mode: two free segments that swing against each other in one
  * component of the joint between them. */
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = 2, SIZE = STATE_SIZE * N, SWINGS = 4 };
 

@@ -1,7 +1,7 @@
 /* A drum with the cable wound on it: the lay keeps turns and layers apart, the hold of the end has the derivatives that
  * differences give and keeps angular momentum, Newton's matrix holds drum and layers together, and a cable that is
  * pulled off has the brake's torque over the radius as its tension. */
-#include "tests/sim/drum_fixture.h"
+#include "tests/support/rig.h"
 
 /* Turns and layers that are not neighbours along the cable do not press on each other, whatever the layers. */
 static void test_lay(void **state)
@@ -22,11 +22,11 @@ static void test_lay(void **state)
         print_message("%d turns a layer, %.2f in all: deepest %.3g mm\n", turns, scene.drum.turns, 1e3 * deepest.depth);
         check_above(scene.drum.turns, 1.5 * turns);
         /* where the cable leaves, it leaves square and the turn before it does not; a start may be so deep (sim.c) */
-        check_below(deepest.depth, D / 8);
+        check_below(deepest.depth, WOUND_DIAMETER / 8);
         for (int i = 0; i + 1 < n; ++i) { /* the joints are closed */
             const Vec3 a = state_vec(y, n, STATE_P, i), b = state_vec(y, n, STATE_P, i + 1);
-            const Vec3 ra = quat_rotate(state_quat(y, n, i), v3(H / 2, 0, 0));
-            const Vec3 rb = quat_rotate(state_quat(y, n, i + 1), v3(H / 2, 0, 0));
+            const Vec3 ra = quat_rotate(state_quat(y, n, i), v3(WOUND_SEGMENT / 2, 0, 0));
+            const Vec3 rb = quat_rotate(state_quat(y, n, i + 1), v3(WOUND_SEGMENT / 2, 0, 0));
             check_vec(v3_sub(b, rb), v3_add(a, ra), 1e-9);
         }
         workspace_free(&ws);
@@ -58,7 +58,7 @@ static void test_refused(void **state)
     assert_int_equal(build_with(0, 0, 0, message), HAWSER_OK);
     assert_int_equal(build_with(0.62, 0, 0, message), HAWSER_ERR_INPUT);
     assert_non_null(strstr(message, "more cable than fits"));
-    assert_int_equal(build_with(0, 3 * D, 0, message), HAWSER_ERR_INPUT);
+    assert_int_equal(build_with(0, 3 * WOUND_DIAMETER, 0, message), HAWSER_ERR_INPUT);
     assert_non_null(strstr(message, "reel.width"));
     assert_int_equal(build_with(0, 0, 0.5, message), HAWSER_ERR_INPUT);
     assert_non_null(strstr(message, "reel.distance"));
@@ -77,7 +77,7 @@ static void test_newton(void **state)
     hawser_error err = {0};
     const LinOptions options = {.kind = LIN_AUTO, .threads = 1};
     wound_case(&def, 80, 2, 0.1);
-    def.drum.lay = 0.99 * D; /* turns press on each other */
+    def.drum.lay = 0.99 * WOUND_DIAMETER; /* turns press on each other */
     fixture_soften(&def);
     def.cables[0].ea = def.cables[0].ga = 5e4;
     fixture_build(&def, &scene);
@@ -137,7 +137,7 @@ static void test_newton(void **state)
 static void test_payout(void **state)
 {
     (void)state;
-    const double found = payout_pull(50, 5, 1.2, 2.2), expected = pull_at(0.25 + D / 2);
+    const double found = payout_pull(50, 5, 1.2, 2.2), expected = wound_pull_at(0.25 + WOUND_DIAMETER / 2);
     print_message("mean pull %.2f N, expected %.2f N\n", found, expected);
     check_share(found, expected, 0.01);
 }

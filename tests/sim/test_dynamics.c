@@ -1,6 +1,6 @@
 /* The whole scene's derivative blocks against finite differences of its forces, and the rates as a pure function. */
 #include "sim/dynamics.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS };
 

@@ -1,5 +1,5 @@
 /* CVODE on the chain: what a free chain must conserve, free flight, unit quaternions, and failures that are told. */
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = 12, SIZE = STATE_SIZE * N };
 

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "sim/loading_curve.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
 #include "tests/support/check.h"
 
 static const CableDef SHEATHED = {.ei_y = 12e3,

@@ -2,8 +2,7 @@
  * down under a load, swinging, and precessing; and what they must not do: notice threads or the world's directions. */
 #include "sim/newton/relax.h"
 #include "sim/run/sim.h"
-#include "tests/sim/rig_fixture.h"
-#include "tests/sim/roller_fixture.h"
+#include "tests/support/rig.h"
 
 static Rig *rig_new(SceneDef *def)
 {

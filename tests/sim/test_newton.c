@@ -1,6 +1,6 @@
 /* The reduced Newton matrix against the whole system: newton_solve must solve (1 - gamma J) x = b with J x taken by
  * differences of the rates, whatever the quaternions' lengths and however fast the segments spin. */
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = FIXTURE_SEGMENTS, SIZE = STATE_SIZE * N };
 

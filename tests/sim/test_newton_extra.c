@@ -1,11 +1,11 @@
 /* Newton's matrix with cable on cable: it solves (1 - gamma J) x = b with J x by differences of the rates, KLU and a
  * dense solver agree, the solver follows a changed pattern, and what cannot hold the blocks is refused. */
-#include "tests/sim/self_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = 28 };
 
 /* Two and a half turns that lie on each other, in disorder and motion; the blocks are taken there. */
-static void wound_new(SelfRig *r, LinKind kind, uint64_t seed)
+static void wound_new(Rig *r, LinKind kind, uint64_t seed)
 {
     self_rig_new(r, N, 0.25, 9.81, 1, NULL, kind, NULL);
     self_rig_helix(r, 0.45, SELF_DIAMETER - 4e-3);
@@ -18,7 +18,7 @@ static void wound_new(SelfRig *r, LinKind kind, uint64_t seed)
 }
 
 /* J x by a central difference that moves no coordinate by more than 1e-6. */
-static void jacobian_times(SelfRig *r, const double *x, double *jx)
+static void jacobian_times(Rig *r, const double *x, double *jx)
 {
     double size = 0, y[STATE_SIZE * N], minus[STATE_SIZE * N];
     for (int k = 0; k < r->size; ++k) size = larger_of(size, fabs(x[k]));
@@ -40,7 +40,7 @@ static void test_solve(void **state)
 {
     (void)state;
     for (int p = -5; p <= -1; ++p) {
-        SelfRig r;
+        Rig r;
         const double gamma = pow(10, p);
         uint64_t seed = 40 + (uint64_t)(p + 5);
         double b[STATE_SIZE * N], x[STATE_SIZE * N], z[STATE_SIZE * N], jx[STATE_SIZE * N], jz[STATE_SIZE * N];
@@ -71,7 +71,7 @@ static void test_klu_is_dense(void **state)
     const LinKind kind[2] = {LIN_DENSE, LIN_AUTO};
     double x[2][STATE_SIZE * N], size = 0, apart = 0;
     for (int k = 0; k < 2; ++k) {
-        SelfRig r;
+        Rig r;
         uint64_t seed = 77;
         LinStats stats;
         wound_new(&r, kind[k], 6);
@@ -94,7 +94,7 @@ static void test_klu_is_dense(void **state)
 static void test_pattern_follows(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     LinStats stats;
     wound_new(&r, LIN_AUTO, 6);
     const char *const name[3] = {"klu", "block", "klu"};
@@ -115,7 +115,7 @@ static void test_refused(void **state)
 {
     (void)state;
     const LinKind kind[] = {LIN_BLOCK, LIN_BORDERED, LIN_KLU_FULL, LIN_BAND};
-    SelfRig r;
+    Rig r;
     self_rig_new(&r, N, 0.25, 0, 1, NULL, LIN_AUTO, NULL);
     for (int k = 0; k < 4; ++k) {
         hawser_error err = {0};

@@ -3,7 +3,7 @@
 #include "sim/dynamics.h"
 #include "sim/newton/newton.h"
 #include "sim/newton/newton_leaves.h"
-#include "tests/sim/roller_fixture.h"
+#include "tests/support/scene.h"
 
 static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */
 

@@ -1,6 +1,6 @@
 /* Turning the whole world, gravity, route, winch and rollers included, turns the rates and changes nothing else. */
 #include "sim/dynamics.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, SIZE = STATE_SIZE * N };
 

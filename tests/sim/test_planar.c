@@ -2,8 +2,9 @@
  * derivatives against finite differences; the Newton solution against the definition. */
 #include "sim/newton/newton.h"
 #include "sim/planar/planar.h"
+#include "sim/planar/plane.h"
 #include "sim/step/spatial.h"
-#include "tests/sim/planar_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, STRIDE = (N + 7) / 8 * 8, SIZE = PLANAR_SIZE * STRIDE };
 

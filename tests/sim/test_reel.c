@@ -2,7 +2,7 @@
  * drum by a constant pull against the balance of angular momentum. */
 #include "sim/equipment/reel.h"
 #include "sim/run/stage.h"
-#include "tests/sim/reel_fixture.h"
+#include "tests/support/scene.h"
 
 /* A scene whose window is made, with a drum of every choice. */
 static Stage *stage_for(const ReelChoice *choice)

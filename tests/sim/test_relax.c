@@ -1,7 +1,7 @@
 /* The relaxation: it balances the fixture, the start from it is free of motion, and it says when it did not get there.
  */
 #include "sim/newton/relax.h"
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 static Rig *rig_new(SceneDef *def)
 {

@@ -1,7 +1,7 @@
 /* Rods: their shapes, ground bodies, loads and masses, each against what it stands for. */
 #include "sim/equipment/rod_shape.h"
 #include "sim/run/sim.h"
-#include "tests/sim/rod_fixture.h"
+#include "tests/support/rig.h"
 
 /* A helix with loads of every kind, turned and shifted by a state that is shaken. */
 static RodFixture loaded_helix(void)

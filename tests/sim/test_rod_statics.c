@@ -1,5 +1,5 @@
 /* Equilibria of rods against closed forms and published figures. */
-#include "tests/sim/rod_fixture.h"
+#include "tests/support/rig.h"
 
 /* A cantilever along x with one load at its head. */
 static void cantilever(Stage *stage, RodFixture f, int moment, int follower, Vec3 direction, double size)

@@ -3,7 +3,7 @@
  * the bits of one. */
 #include "sim/newton/relax.h"
 #include "sim/step/integrator.h"
-#include "tests/sim/self_fixture.h"
+#include "tests/support/rig.h"
 
 enum { STRAND = 6, N = 3 * STRAND };
 
@@ -20,7 +20,7 @@ static void bed_add(SceneDef *def)
 }
 
 /* Two strands on the rollers, the third across them, `high` above where it touches. */
-static void across_new(SelfRig *r, double high, Team *team)
+static void across_new(Rig *r, double high, Team *team)
 {
     self_rig_new(r, N, H, G, 0, team, LIN_AUTO, bed_add);
     self_rig_cut(r, STRAND);
@@ -32,7 +32,7 @@ static void across_new(SelfRig *r, double high, Team *team)
 }
 
 /* Vertical force between the strands and on the rollers, N. */
-static void loads_of(SelfRig *r, double *between, double *rollers)
+static void loads_of(Rig *r, double *between, double *rollers)
 {
     enum { ROOM = 16 };
     SelfDetail detail[ROOM];
@@ -48,7 +48,7 @@ static void loads_of(SelfRig *r, double *between, double *rollers)
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) *rollers += r->ws.on_roller[k].z;
 }
 
-static void assert_weights(SelfRig *r, double share)
+static void assert_weights(Rig *r, double share)
 {
     double between, rollers;
     loads_of(r, &between, &rollers);
@@ -62,7 +62,7 @@ static void assert_weights(SelfRig *r, double share)
 static void test_equilibrium(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     hawser_relaxation out;
     across_new(&r, -1e-4, NULL);
     assert_int_equal(relax_to_equilibrium(&r.scene, &r.ws, &r.newton, 0, r.y, &out, NULL), HAWSER_OK);
@@ -72,7 +72,7 @@ static void test_equilibrium(void **state)
 }
 
 /* Steps until t = until. */
-static void run(SelfRig *r, double until, double (*look)(SelfRig *), double *most)
+static void run(Rig *r, double until, double (*look)(Rig *), double *most)
 {
     Integrator *in;
     hawser_error err = {0};
@@ -90,7 +90,7 @@ static void run(SelfRig *r, double until, double (*look)(SelfRig *), double *mos
 static void test_falls_and_rests(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     across_new(&r, 0.05, NULL);
     run(&r, 3, NULL, NULL);
     const double kinetic = self_rig_kinetic(&r);
@@ -110,7 +110,7 @@ static void no_friction(SceneDef *def)
 static void test_flight(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     self_rig_new(&r, 2 * STRAND, H, 0, 0, NULL, LIN_AUTO, no_friction);
     self_rig_cut(&r, STRAND);
     self_rig_strand(&r, 0, STRAND, v3(-STRAND * H / 2, 0, 0), v3(1, 0, 0));
@@ -137,7 +137,7 @@ static void test_threads(void **state)
     Team *const team = team_new(2);
     double rate[2][STATE_SIZE * 40];
     for (int k = 0; k < 2; ++k) {
-        SelfRig r;
+        Rig r;
         uint64_t seed = 8;
         self_rig_new(&r, 40, 0.25, G, 0, k ? team : NULL, LIN_AUTO, NULL);
         self_rig_helix(&r, 0.45, SELF_DIAMETER - 1e-3);

@@ -1,6 +1,6 @@
 /* A simulation as a whole: a short pull, the same one elsewhere, twice, side by side and on two threads. */
 #include "sim/run/sim.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, ROLLERS_MAX = 32 };
 

@@ -4,7 +4,7 @@
 
 #include "sim/run/sim.h"
 #include "sim/run/stage.h"
-#include "tests/sim/reel_fixture.h"
+#include "tests/support/scene.h"
 
 /* Fails with the message of a call that failed. */
 static void must(hawser_status status, const hawser_error *err)

@@ -1,7 +1,7 @@
 /* The statistics of a run on signals whose means, ripple and peaks are known. */
 #include "sim/watch/sample.h"
 #include "sim/watch/stats.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, STATIONS = 3 };
 

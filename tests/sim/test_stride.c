@@ -1,7 +1,7 @@
 /* How far a step may carry the chain (N14), and what has turned too far to be followed (B16). */
 #include "sim/step/stride.h"
 #include "sim/watch/overturn.h"
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 static Rig *pull(void)
 {

@@ -1,6 +1,6 @@
 /* The winch by itself: motion by a profile, a set tension with its derivatives, and the trips as a machine. */
 #include "sim/equipment/winch.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { LAST = 2, N = LAST + 1 };
 

@@ -3,7 +3,7 @@
 #include "sim/run/window.h"
 #include "sim/step/vector.h"
 
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
 #include "tests/support/check.h"
 
 enum { WHOLE = 9, SLIDERS = 2 };

@@ -1,5 +1,5 @@
 /* The pull over a slope, a crest and a bend does not hang on segment length or accuracy. */
-#include "tests/validation/row_fixture.h"
+#include "tests/support/rig.h"
 
 /* Mean pull over half a metre of travel, N; segments of 0.5 m over `split`. */
 static double pull_mean(int split, double accuracy)

@@ -1,7 +1,7 @@
 /* Conveyors that share a pull on a level row of rollers with the winch. */
 #include <stdio.h>
 
-#include "tests/validation/row_fixture.h"
+#include "tests/support/rig.h"
 
 static const RowChoice ROW = {.segments = 80, .pitch = 1, .mu = 0.2};
 

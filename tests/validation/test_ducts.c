@@ -2,7 +2,7 @@
  * theory in three dimensions, the weight, a slope, rest. Bending stiffness and clearance are small, since the theory
  * knows neither (model: "Against the pulling theory"). */
 #include "sim/run/sim.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 #include "theory/closed_form.h"
 
 static const double MASS = 10, G = 9.81, RADIUS = 0.03; /* kg/m, m/s2, m */

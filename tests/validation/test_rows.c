@@ -1,6 +1,6 @@
 /* Straight rows of rollers: friction on the level, hoisting on a slope, and the ripple of the two contact geometries.
  */
-#include "tests/validation/row_fixture.h"
+#include "tests/support/rig.h"
 
 static const char *const NAME[] = {"smooth", "cylinder"};
 

@@ -1,5 +1,5 @@
 /* Winches at work on a level row of rollers: a set tension against closed forms, a trip with its restart. */
-#include "tests/validation/row_fixture.h"
+#include "tests/support/rig.h"
 
 static const RowChoice ROW = {.segments = 40, .pitch = 1, .mu = 0.2};
 
