@@ -118,8 +118,8 @@ double scene_winch_place(const Scene *scene)
     return isnan(at) ? fmax(scene->joint_s[scene->total], scene->route.length) : at;
 }
 
-/* The winch stands where the head's end is and pulls along the route's end direction. */
-static void winch_place(Scene *scene)
+/* The winch stands where the head's end is and pulls along the route's end direction. 0 if there is no memory. */
+static int winch_place(Scene *scene)
 {
     const int n = scene->chain.n;
     const double end = fmax(scene->joint_s[n], scene->route.length);
@@ -132,12 +132,13 @@ static void winch_place(Scene *scene)
         w->direction = at.tangent;
     }
     double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y);
-    if (!y) return;
+    if (!y) return 0;
     scene_initial_state(scene, y);
     const double *const last = y + n - 1;
     const Quat q = {last[3 * n], last[4 * n], last[5 * n], last[6 * n]};
     w->attitude = carried(q, quat_rotate(q, v3(1, 0, 0)), w->direction);
     free(y);
+    return 1;
 }
 
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin)
@@ -268,7 +269,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     hawser_status status = joints_fill(scene, err);
     if (status) return status;
     joints_place(scene);
-    winch_place(scene);
+    if (!winch_place(scene)) return error_memory(err);
     weight_fill(scene);
     reel_fill(scene);
     drag_fill(scene);
