@@ -36,12 +36,12 @@ static void test_wrong_cases(void **state)
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_case_load("/no/such/case.yaml", &c, &err), HAWSER_ERR_INPUT);
     assert_null(c);
-    assert_non_null(strstr(err.message, "/no/such/case.yaml"));
+    check_has(err.message, "/no/such/case.yaml");
     assert_int_equal(hawser_case_parse("a: [", "text", &c, &err), HAWSER_ERR_INPUT);
     assert_null(c);
     assert_int_equal(hawser_case_parse("tille: x\n", "text", &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "text:1"));
+    check_has(err.message, "text:1");
     hawser_sim *s = (hawser_sim *)1;
     assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_ERR_INPUT);
     assert_null(s);
@@ -66,7 +66,7 @@ static void test_settings(void **state)
     assert_int_equal(hawser_case_check(c, NULL), HAWSER_OK);
     assert_int_equal(hawser_case_set(c, "run.duration", "long", &err), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "run.duration"));
+    check_has(err.message, "run.duration");
     assert_int_equal(hawser_case_set(c, "run.duration", "3 s", NULL), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, NULL), HAWSER_OK);
     hawser_sim *s = NULL;
@@ -261,7 +261,7 @@ static void test_phases(void **state)
     hawser_sim_summary(s, &sum);
     const hawser_phases *p = &sum.phases;
     const double parts = p->relax + p->rhs + p->contacts + p->jacobian + p->factor + p->solve + p->vector + p->output;
-    check_close(parts + p->other, sum.wall_time_s, 1e-3 * sum.wall_time_s);
+    check_share(parts + p->other, sum.wall_time_s, 1e-3);
     hawser_sim_free(s);
 }
 
@@ -296,7 +296,7 @@ static void test_run_into_folder(void **state)
     assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, NULL), HAWSER_OK);
     char *text = NULL;
     assert_int_equal(hawser_sim_summary_json(s, &text, NULL), HAWSER_OK);
-    assert_non_null(strstr(text, "\"outcome\": \"finished\""));
+    check_has(text, "\"outcome\": \"finished\"");
     hawser_text_free(text);
     hawser_sim_free(s);
     json_t *o = read_summary(f);
@@ -317,7 +317,7 @@ static void test_stop(void **state)
     Watch w = {.stop_at = 1};
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_sim_run(s, f->dir, watch, &w, &err), HAWSER_STOPPED);
-    assert_non_null(strstr(err.message, "stopped at t ="));
+    check_has(err.message, "stopped at t =");
     json_t *o = read_summary(f);
     assert_string_equal(json_string_value(json_object_get(o, "outcome")), "stopped");
     json_decref(o);
@@ -366,7 +366,7 @@ static void test_failed_run(void **state)
     assert_string_equal(json_string_value(json_object_get(o, "message")), err.message);
     json_decref(o);
     char *text = read_text(fixture_path(f, "series.csv"));
-    assert_non_null(strstr(text, "\n0,"));
+    check_has(text, "\n0,");
     free(text);
     hawser_sim_free(s);
 }
@@ -379,7 +379,7 @@ static void test_unwritable(void **state)
     hawser_error err = {HAWSER_OK, ""};
     fclose(fopen(fixture_path(f, "file"), "w"));
     assert_int_equal(hawser_sim_run(s, fixture_path(f, "file"), NULL, NULL, &err), HAWSER_ERR_OUTPUT);
-    assert_non_null(strstr(err.message, "file"));
+    check_has(err.message, "file");
     check_equal(hawser_sim_time(s), 0);
     assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, NULL), HAWSER_OK);
     hawser_sim_free(s);

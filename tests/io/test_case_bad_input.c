@@ -102,7 +102,7 @@ static void missing(const Site *site, Coverage *coverage)
         refused(text, 0, site->path, "missing");
     } else if (read_with(text, NULL, NULL, &def, &err)) {
         assert_int_equal(err.status, HAWSER_ERR_INPUT);
-        assert_non_null(strstr(err.message, "key '"));
+        check_has(err.message, "key '");
     } else {
         scene_def_clear(&def);
     }

@@ -162,7 +162,7 @@ static void every_section_is_known(void **state)
     int headings = 0, sections = 0;
     for (const CaseSection *const *s = case_sections(); *s; s++) {
         heading(*s, line);
-        assert_non_null(strstr(doc, line));
+        check_has(doc, line);
         sections++;
     }
     for (const char *p = strstr(doc, "\n### "); p; p = strstr(p + 1, "\n### ")) headings++;

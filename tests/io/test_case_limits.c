@@ -54,7 +54,7 @@ static void values_of_a_run(void **state)
     /* the tension in the bend lies between the tail's and the winch's */
     const double sidewall = find(n, limit, "sidewall")->value;
     check_between(sidewall, 2000 / 12.0, sum.pull_peak_N / 12);
-    assert_non_null(strstr(find(n, limit, "sidewall")->where, "bend"));
+    check_has(find(n, limit, "sidewall")->where, "bend");
     /* on corner rollers a cable of this stiffness is a polygon with somewhat tighter corners than the route */
     const double radius = find(n, limit, "bend_radius")->value;
     check_between(radius, 4, 12.01);
@@ -86,7 +86,7 @@ static void each_can_break(void **state)
             }
         }
         assert_int_equal(hawser_limits_verdict(n, limit, verdict, sizeof verdict), 1);
-        assert_non_null(strstr(verdict, row[k].name));
+        check_has(verdict, row[k].name);
         hawser_sim_free(sim);
     }
     /* every roller too weak for the first load: steady and peak */
@@ -234,13 +234,13 @@ static void theory_of_ducts_and_sags(void **state)
     assert_int_equal(hawser_case_set(c, "surfaces.ducts.0.radius", "50 mm", NULL), HAWSER_OK);
     char *text = NULL;
     assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "duct 'tube'"));
+    check_has(err.message, "duct 'tube'");
     hawser_case_free(c);
     json_decref(o);
     /* running down a steep slope the cable would have to be pushed into the sag: refused, with the reason */
     o = theory(data_text("limits-duct"), "route.slope", "-60 deg");
     check_above(json_array_size(json_object_get(o, "refused")), 0);
-    assert_non_null(strstr(word(o, "refused", 0, "reason"), "does not push"));
+    check_has(word(o, "refused", 0, "reason"), "does not push");
     json_decref(o);
 }
 

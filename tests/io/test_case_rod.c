@@ -114,10 +114,10 @@ static hawser_probe probe_of(const char *name, const char *probe)
     }
     char *text = NULL;
     assert_int_equal(hawser_sim_summary_json(sim, &text, &err), HAWSER_OK);
-    assert_non_null(strstr(text, probe));
+    check_has(text, probe);
     hawser_text_free(text);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "needs a route"));
+    check_has(err.message, "needs a route");
     assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &text, &err), HAWSER_OK);
     hawser_text_free(text);
     hawser_case_free(c);

@@ -200,8 +200,8 @@ static void test_xdmf_is_whole_at_any_time(void **state)
     results_free(r);
     text = read_text(fixture_path(f, "results.xdmf"));
     assert_int_equal(count_frames(text), 40);
-    assert_non_null(strstr(text, "<Time Value=\"3.9\"/>"));
-    assert_non_null(strstr(text, "results.h5:/frames/000039/position"));
+    check_has(text, "<Time Value=\"3.9\"/>");
+    check_has(text, "results.h5:/frames/000039/position");
     assert_null(strstr(text, "000040"));
     free(text);
 }
@@ -231,7 +231,7 @@ static void test_dropped_run(void **state)
     write_states(f, r, 7);
     results_free(r);
     char *text = read_text(fixture_path(f, "series.csv"));
-    assert_non_null(strstr(text, "\n0.6,7006,"));
+    check_has(text, "\n0.6,7006,");
     free(text);
     assert_int_equal(count_states(fixture_path(f, "results.h5")), 7);
     expect_text(f, "summary.json", "{\"outcome\": \"running\"}\n");
@@ -276,7 +276,7 @@ static void expect_refused(const char *dir, const char *path, int number)
     assert_int_equal(results_open(&r, dir, &fixture_def, "{}", &err), HAWSER_ERR_OUTPUT);
     assert_null(r);
     assert_int_equal(err.status, HAWSER_ERR_OUTPUT);
-    assert_non_null(strstr(err.message, path));
+    check_has(err.message, path);
     if (!strstr(err.message, strerror(number))) fail_msg("%s", err.message);
 }
 
@@ -359,7 +359,7 @@ static void test_disk_fills_up(void **state)
     results_free(r);
     assert_int_equal(status, HAWSER_ERR_OUTPUT);
     assert_int_equal(finished, HAWSER_ERR_OUTPUT);
-    assert_non_null(strstr(err.message, "results.h5"));
+    check_has(err.message, "results.h5");
     if (!strstr(err.message, strerror(EFBIG))) fail_msg("%s", err.message);
     const int kept = count_states(fixture_path(f, "results.h5"));
     assert_in_range(kept, 32, k);
@@ -382,7 +382,7 @@ static void test_locale(void **state)
     results_free(r);
     setlocale(LC_ALL, "C");
     char *text = read_text(fixture_path(f, "series.csv"));
-    assert_non_null(strstr(text, "\n0.1,7001,51,0.1,"));
+    check_has(text, "\n0.1,7001,51,0.1,");
     free(text);
 }
 

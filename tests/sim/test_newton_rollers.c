@@ -225,7 +225,7 @@ static void test_refused(void **state)
         fixture_build(&def, &scene);
         const LinOptions options = {.kind = kind[k], .threads = 1};
         assert_int_equal(newton_new(&newton, &scene, &options, &err), HAWSER_ERR_INPUT);
-        assert_non_null(strstr(err.message, k ? "'block'" : "'klu-full'"));
+        check_has(err.message, k ? "'block'" : "'klu-full'");
         scene_clear(&scene);
     }
 }

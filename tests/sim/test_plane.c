@@ -152,14 +152,14 @@ static void test_choice(void **state)
             scene_def_clear(&def);
             if (choice == PLANAR_ON && !flat) {
                 assert_int_equal(status, HAWSER_ERR_INPUT);
-                assert_non_null(strstr(err.message, "solver.planar: on: gravity"));
+                check_has(err.message, "solver.planar: on: gravity");
                 continue;
             }
             assert_int_equal(status, HAWSER_OK);
             sim_summary(s, &summary);
             assert_int_equal(summary.planar, flat && choice != PLANAR_OFF);
             if (choice == PLANAR_OFF) assert_string_equal(summary.planar_why, "solver.planar is off");
-            if (choice == PLANAR_AUTO) assert_non_null(strstr(summary.planar_why, flat ? "in one plane" : "gravity"));
+            if (choice == PLANAR_AUTO) check_has(summary.planar_why, flat ? "in one plane" : "gravity");
             sim_free(s);
         }
     }

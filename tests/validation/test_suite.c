@@ -71,7 +71,7 @@ static void test_choice(void **state)
     assert_int_equal(validation_run("slope", 1, &log, &ran, NULL), HAWSER_OK);
     assert_int_equal(ran, 3);
     for (int i = 0; i < log.n; ++i) {
-        assert_non_null(strstr(log.row[i].of->name, "slope"));
+        check_has(log.row[i].of->name, "slope");
         assert_true(log.row[i].of->source[0] && log.row[i].of->proves[0]);
         assert_true(log.row[i].ok);
     }

@@ -218,7 +218,7 @@ static void test_trip_factor(void **state)
     def.winch.trip.factor = 1.5;
     def.friction = (FrictionLaw){.mu_s = 0, .mu_d = 0, .v_s = 1e-3, .v_d = 5e-3};
     assert_int_equal(sim_new(&def, 1, &s, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "drive.winch.trip.factor"));
+    check_has(err.message, "drive.winch.trip.factor");
     scene_def_clear(&def);
 }
 
