@@ -255,6 +255,14 @@ static void stretches_and_steps(void **state)
     check_close(pull.end_tension, 1075 + 0.5 * 8 * 40 - 900 + 0.2 * 200 * 60, 1e-9);
     check_close(pull_at(&pull, 40).tension, 1025 + 0.5 * 8 * 40 + 0.2 * 200 * 30, 1e-9);
     pull_clear(&pull);
+
+    def.from = 0, def.to = 40; /* steps at both ends count: 50 N at the start, the conveyor at the end */
+    assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
+    check_close(pull.span[0].t0, 1050, 1e-9);
+    check_close(pull.span[pull.n - 1].t1, 1050 + 0.2 * 200 * 30, 1e-9);
+    check_close(pull.end_tension, 1050 + 0.2 * 200 * 30 - 900, 1e-9);
+    check_close(pull.max_tension, 1050 + 0.2 * 200 * 30, 1e-9);
+    pull_clear(&pull);
     route_clear(&route);
 }
 
