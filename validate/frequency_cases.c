@@ -3,6 +3,7 @@
  */
 #include <math.h>
 
+#include "core/base/worst.h"
 #include "sim/run/modes.h"
 #include "sim/run/statics.h"
 #include "validate/cases.h"
@@ -159,8 +160,8 @@ static int is_transverse(const hawser_mode *mode, int segments)
 {
     double across = 0, along = 0;
     for (int i = 0; i < segments; ++i) {
-        across = fmax(across, hypot(mode->shape[6 * i + 1], mode->shape[6 * i + 2]));
-        along = fmax(along, fabs(mode->shape[6 * i]));
+        across = larger_of(across, hypot(mode->shape[6 * i + 1], mode->shape[6 * i + 2]));
+        along = larger_of(along, fabs(mode->shape[6 * i]));
     }
     return across > 0.5 && along < 0.5;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "core/base/worst.h"
 #include "core/chain.h"
 #include "validate/build.h"
 #include "validate/cases.h"
@@ -87,8 +88,8 @@ static hawser_status pendulum_run(const void *setup, ValidationLog *log, hawser_
     for (int k = 1; k <= 40 && !status; ++k) {
         status = motion_advance(&stage, TIME * k / 40, err);
         const Balance b = motion_balance(&stage);
-        drift = fmax(drift, fabs(b.kinetic + b.height + b.elastic - a.height));
-        lowest = fmin(lowest, b.height - a.height);
+        drift = larger_of(drift, fabs(b.kinetic + b.height + b.elastic - a.height));
+        lowest = smaller_of(lowest, b.height - a.height);
     }
     stage_free(&stage);
     if (status) return status;
@@ -132,7 +133,7 @@ static double largest_bend(Stage *stage)
     double *const *const law = motion_law(stage);
     double bent = 0;
     for (int j = 1; j < SEGMENTS; ++j) {
-        for (int k = 3; k < 6; ++k) bent = fmax(bent, fabs(law[k][j] / stage->scene.chain.stiffness[k][j]));
+        for (int k = 3; k < 6; ++k) bent = larger_of(bent, fabs(law[k][j] / stage->scene.chain.stiffness[k][j]));
     }
     return bent;
 }

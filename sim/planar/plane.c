@@ -147,7 +147,7 @@ int plane_find(const Scene *scene, Plane *plane, char why[PLANE_WHY_MAX])
     if (!gravity_fits(scene, plane)) return refuse(why, "gravity is not in the route's plane");
     if (!rollers_fit(scene, plane))
         return refuse(why, "a roller's axis is not normal to the route's plane, or the roller is beside it");
-    if (!plane_attitude(scene, plane)) return refuse(why, "no memory");
+    if (!plane_attitude(scene, plane)) return -1;
     if (!axes_fit(plane) && !joints_round(&scene->chain))
         return refuse(why, "the cable bends differently about its two axes, and neither is normal to the plane");
     if (!preloads_fit(scene, plane)) return refuse(why, "a preload twists the cable or pushes it out of the plane");

@@ -17,7 +17,7 @@ typedef struct Plane {
 } Plane;
 
 /* 1: all that the scene holds lies in *plane and is known to the planar equations. 0: not, and `why` says what is in
- * the way. Decided by what is known to fit: whatever is not asked about here is refused. */
+ * the way. -1: there is no memory. Decided by what is known to fit: whatever is not asked about here is refused. */
 int plane_find(const Scene *scene, Plane *plane, char why[PLANE_WHY_MAX]);
 
 /* Components of a vector in the plane; of a point relative to its origin. */

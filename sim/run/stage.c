@@ -150,7 +150,9 @@ static hawser_status motion_new(Stage *st, hawser_error *err)
     const PlanarChoice choice = scene->def.solver.planar;
     Plane plane;
     if (choice == PLANAR_OFF) snprintf(st->plane_why, sizeof st->plane_why, "solver.planar is off");
-    if (choice != PLANAR_OFF && plane_find(scene, &plane, st->plane_why)) {
+    const int flat = choice == PLANAR_OFF ? 0 : plane_find(scene, &plane, st->plane_why);
+    if (flat < 0) return error_memory(err);
+    if (flat) {
         const hawser_status status = planar_new(&st->planar, scene, &plane, &st->ws, &st->options, err);
         if (!status) st->motion = &st->planar.motion;
         return status;

@@ -11,17 +11,18 @@ enum { GRID_MOST = 400, BINS_MOST = 200 };
 static const double GRID = 0.5, BIN = 2; /* m, at least */
 static const double SHIFT = 100;         /* N, of the back tension for its gain */
 
-/* The winch's force with the front at s; NAN if theory has none. */
-static double theory_at(const Scene *scene, double s, double back)
+/* The winch's force with the front at s; NAN if theory has none, or no memory, which *no_memory keeps. */
+static double theory_at(const Scene *scene, double s, double back, int *no_memory)
 {
     Expected e;
     Pull pull;
-    hawser_error quiet;
+    hawser_error quiet = {0};
     double force = NAN;
     if (!expected_at(scene, s, back, &e, &quiet) && !expected_pull(scene, &e, PULL_REFERENCE, &pull, &quiet)) {
         force = pull.end_tension + scene->def.drag.force;
         pull_clear(&pull);
     }
+    *no_memory = *no_memory || quiet.status == HAWSER_ERR_MEMORY;
     expected_free(&e);
     return force;
 }
@@ -54,12 +55,15 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
         return error_memory(err);
     }
     b->back = expected_back(scene, scene->def.duration);
+    int no_memory = 0;
     for (int i = 0; i < b->n_grid; ++i) {
         const double s = b->from + (b->to - b->from) * i / (b->n_grid - 1);
-        b->theory[i] = theory_at(scene, s, b->back);
-        b->gain[i] = (theory_at(scene, s, b->back + SHIFT) - b->theory[i]) / SHIFT;
+        b->theory[i] = theory_at(scene, s, b->back, &no_memory);
+        b->gain[i] = (theory_at(scene, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
     }
-    return HAWSER_OK;
+    if (!no_memory) return HAWSER_OK;
+    by_position_free(b);
+    return error_memory(err);
 }
 
 void by_position_free(ByPosition *b)

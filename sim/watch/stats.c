@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "core/base/worst.h"
 #include "sim/watch/arc_length.h"
 #include "theory/duct.h"
 
@@ -194,7 +195,7 @@ static void errors_of(const Stats *stats, int paper, double *largest, double *me
         const double theory = paper ? s->paper_N : s->reference_N;
         if (!stats->station[i].started || !(fabs(theory) > NO_TENSION)) continue;
         const double error = 100 * fabs(s->mean_N / theory - 1);
-        *largest = fmax(*largest, error);
+        *largest = larger_of(*largest, error);
         *mean += error;
         ++count;
     }

@@ -1,12 +1,7 @@
 /* bench/peers: the closed forms of the problems, and the means and errors that the programs' rows are made of. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 #include "bench/peers/run.h"
+#include "tests/support/check.h"
 
 /* A run as peer_start leaves it. */
 static PeerRun a_run(PeerProblem problem)
@@ -20,9 +15,9 @@ static void test_travel_is_the_integral_of_speed(void **state)
     double sum = 0;
     const int steps = 3000;
     for (int k = 0; k < steps; ++k) sum += straight_speed((k + 0.5) * 3 / steps) * 3 / steps;
-    assert_true(fabs(straight_travel(3) - sum) < 1e-8);
-    assert_true(fabs(straight_travel(3) - 0.25) < 1e-12); /* half the ramp's time at half the speed */
-    assert_true(fabs(straight_force(370) - 7985.34) < 1e-9);
+    check_close(straight_travel(3), sum, 1e-8);
+    check_close(straight_travel(3), 0.25, 1e-12); /* half the ramp's time at half the speed */
+    check_close(straight_force(370), 7985.34, 1e-9);
 }
 
 /* Links are as long as they should be, the ends as far apart, and every link is in balance: about its centre the
@@ -35,13 +30,13 @@ static void balanced(int n)
     chain_joints(n, 0, joint);
     for (int i = 0; i < n; ++i) {
         const double *const a = joint + 3 * i, *const b = a + 3, dx = b[0] - a[0], dz = b[2] - a[2];
-        assert_true(fabs(hypot(dx, dz) - PEER_LINK) < 1e-12);
+        check_close(hypot(dx, dz), PEER_LINK, 1e-12);
         const double rear = weight * (i - n / 2.),
                      front = weight * (i + 1 - n / 2.); /* half the weight on either side */
-        assert_true(fabs(dx * (rear + front) / 2 - dz * tension) < 1e-9 * tension);
+        check_close(dx * (rear + front) / 2, dz * tension, 1e-9 * tension);
     }
-    assert_true(fabs(joint[3 * n] - chain_span(n)) < 1e-10);
-    assert_true(fabs(joint[3 * n + 2]) < 1e-10);
+    check_close(joint[3 * n], chain_span(n), 1e-10);
+    check_close(joint[3 * n + 2], 0, 1e-10);
 }
 
 static void test_chain_is_in_balance(void **state)
@@ -66,7 +61,7 @@ static void test_chain_tends_to_the_catenary(void **state)
         else
             high = a;
     }
-    assert_true(fabs(chain_tension(n) / (PEER_MASS * PEER_GRAVITY / PEER_LINK * low) - 1) < 1e-6);
+    check_share(chain_tension(n), PEER_MASS * PEER_GRAVITY / PEER_LINK * low, 1e-6);
 }
 
 static void test_turned_chain(void **state)
@@ -76,9 +71,9 @@ static void test_turned_chain(void **state)
     chain_joints(12, 0, flat);
     chain_joints(12, SWING_ANGLE, turned);
     for (int i = 0; i <= 12; ++i) {
-        assert_true(fabs(turned[3 * i] - flat[3 * i]) < 1e-15);
-        assert_true(fabs(turned[3 * i + 1] + flat[3 * i + 2] * 0.5) < 1e-12);
-        assert_true(fabs(turned[3 * i + 2] - flat[3 * i + 2] * sqrt(0.75)) < 1e-12);
+        check_close(turned[3 * i], flat[3 * i], 1e-15);
+        check_close(turned[3 * i + 1], -flat[3 * i + 2] * 0.5, 1e-12);
+        check_close(turned[3 * i + 2], flat[3 * i + 2] * sqrt(0.75), 1e-12);
     }
 }
 
@@ -89,9 +84,9 @@ static void test_mean_over_the_window(void **state)
     PeerRun run = a_run(PEER_STRAIGHT);
     for (double t = 0; t < 9; t += 0.7) peer_force(&run, t, 10 * t);
     const double mean = run.sum / run.mean_time;
-    assert_true(fabs(run.mean_time - 5) < 1e-12);
-    assert_true(fabs(mean - 45) < 1e-10);
-    assert_true(fabs(run.square / run.mean_time - mean * mean - 2500. / 12) < 1e-8);
+    check_close(run.mean_time, 5, 1e-12);
+    check_close(mean, 45, 1e-10);
+    check_close(run.square / run.mean_time - mean * mean, 2500. / 12, 1e-8);
 }
 
 /* The path is linear between calls, and its first point is the first call's. */
@@ -102,8 +97,8 @@ static void test_path(void **state)
     for (int k = 0; k <= 70; ++k) peer_place(&run, 0.03 * k, 1 + 0.03 * k, -0.06 * k);
     assert_int_equal(run.points, TRACE_POINTS);
     for (int k = 0; k < TRACE_POINTS; ++k) {
-        assert_true(fabs(run.path[k][0] - 1 - TRACE_EVERY * k) < 1e-12);
-        assert_true(fabs(run.path[k][1] + 2 * TRACE_EVERY * k) < 1e-12);
+        check_close(run.path[k][0] - 1, TRACE_EVERY * k, 1e-12);
+        check_close(run.path[k][1], -2 * TRACE_EVERY * k, 1e-12);
     }
 }
 
@@ -117,12 +112,12 @@ static void test_path_error(void **state)
     for (int k = 0; k <= 100; ++k) peer_place(&run, TRACE_EVERY * k, 3 * sin(TRACE_EVERY * k), 0);
     peer_trace_write(&run);
     double size;
-    assert_true(peer_trace_error(&run, &size) < 1e-11);
-    assert_true(fabs(size - 3 * sin(1.58)) < 1e-11); /* the point next to a quarter turn */
+    check_below(peer_trace_error(&run, &size), 1e-11);
+    check_close(size, 3 * sin(1.58), 1e-11); /* the point next to a quarter turn */
     run.path[40][1] += 1e-3;
-    assert_true(fabs(peer_trace_error(&run, &size) - 1e-3) < 1e-11);
+    check_close(peer_trace_error(&run, &size), 1e-3, 1e-11);
     run.points = 50;
-    assert_true(isnan(peer_trace_error(&run, &size)));
+    check_nan(peer_trace_error(&run, &size));
     remove(file);
 }
 
@@ -136,9 +131,10 @@ static void test_settings(void **state)
     peer_start(&run, "test", 7, argv);
     assert_int_equal(run.problem, PEER_SWING);
     assert_int_equal(run.n, 12);
-    assert_true(run.limit == 7 && run.until == SWING_END);
-    assert_true(peer_number(&run, "dt", 1) == 2e-3);
-    assert_true(peer_number(&run, "d", 1) == 1);
+    check_equal(run.limit, 7);
+    check_equal(run.until, SWING_END);
+    check_equal(peer_number(&run, "dt", 1), 2e-3);
+    check_equal(peer_number(&run, "d", 1), 1);
     assert_string_equal(peer_word(&run, "cone", "x"), "elliptic");
     assert_int_equal(run.used, 3);
 }

@@ -1,14 +1,9 @@
 /* The benchmarks' scene in code says the same as cases/straight.yaml. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "bench/straight_scene.h"
 #include "io/case/case_read.h"
+#include "tests/support/check.h"
 
 typedef struct Pair {
     SceneDef code, file;
@@ -37,10 +32,7 @@ static int teardown(void **state)
 }
 
 /* Equal but for the last bits: units are converted in another order. */
-static void expect_equal(double a, double b)
-{
-    if (!(fabs(a - b) <= 4e-15 * fmax(1, fabs(b)))) fail_msg("%.17g is not %.17g", a, b);
-}
+static void expect_equal(double a, double b) { check_close(a, b, 4e-15 * fmax(1, fabs(b))); }
 
 static void expect_equal_vec(Vec3 a, Vec3 b)
 {

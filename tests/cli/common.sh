@@ -56,25 +56,4 @@ finish() {
     echo "fine"
 }
 
-# A short pull: twenty segments on a straight row of rollers.
-cat >"$work/pull.yaml" <<'YAML'
-title: A short pull
-cables:
-  power: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}
-chain:
-  - {cable: power, length: 10 m, segment: 500 mm}
-route:
-  head_at: 12 m
-  pieces: [{straight: 20 m, name: row}]
-rollers:
-  along: {spacing: 1 m, rating: 5 kN}
-friction: {mu: 0.2}
-drive:
-  winch: {speed: 6 m/min, to: 1 s}
-run: {duration: 2 s, steady_from: 1500 ms}
-output:
-  interval: 50 ms
-  states: 500 ms
-  speeds_of: [0, 19]
-  stations: [{name: middle, at: 7 m}]
-YAML
+cp "$source/tests/data/cli-pull.yaml" "$work/pull.yaml"

@@ -27,7 +27,7 @@ says err "nowhere.yaml" "No such file"
 sed 's/^friction.*/frction: {mu: 0.2}/' "$work/pull.yaml" >"$work/bad.yaml"
 for command in run check theory; do
     run_hawser 2 $command bad.yaml
-    says err "bad.yaml:11" "frction"
+    says err "bad.yaml:12" "frction"
     silent out
     run_hawser 2 $command pull.yaml --set friction.mu=much
     says err "--set" "friction.mu"

@@ -1,5 +1,5 @@
 /* Candidate pairs against brute force, and that they change nothing but the cost. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -14,18 +14,18 @@ static void scene_wind(TestScene *s, ContactGeometry geometry, double reach)
     scene_new(s, geometry, N, 0.5);
     for (int i = 0; i < N; ++i) {
         const double a = 0.02 * i + 0.3 * sin(0.1 * i);
-        vector_to(s->kin.a, i, v3_unit(v3(cos(a), sin(a), 0.2 * sin(0.05 * i))));
-        vector_to(s->kin.v, i, v3(0.1, 0, 0));
+        vec_store(s->kin.a, i, v3_unit(v3(cos(a), sin(a), 0.2 * sin(0.05 * i))));
+        vec_store(s->kin.v, i, v3(0.1, 0, 0));
     }
     scene_join(s, v3(0, 0, 0));
     for (int r = 0; r < ROLLERS; ++r) {
-        const int i = (int)((random_next(&seed) + 1) / 2 * N) % N;
+        const int i = (int)((fixture_random(&seed) + 1) / 2 * N) % N;
         const double away = r % 8 ? 0.14 : 3;
-        const Vec3 centre = v3_axpy(vector_of(s->kin.p, i), away, v3_unit(random_vector(&seed)));
-        const double radius = 0.1 + 0.05 * random_next(&seed), half_width = 0.5 + 0.4 * random_next(&seed);
+        const Vec3 centre = v3_axpy(vec_load(s->kin.p, i), away, v3_unit(fixture_vector(&seed, 1)));
+        const double radius = 0.1 + 0.05 * fixture_random(&seed), half_width = 0.5 + 0.4 * fixture_random(&seed);
         rollers[r] = (ContactRoller){.shape = {.kind = SHAPE_CYLINDER,
                                                .centre = centre,
-                                               .axis = v3_unit(random_vector(&seed)),
+                                               .axis = v3_unit(fixture_vector(&seed, 1)),
                                                .radius = radius,
                                                .half_width = half_width},
                                      .friction = {.mu_s = 0.2, .mu_d = 0.1, .v_s = 5e-3, .v_d = 2e-2}};
@@ -60,13 +60,13 @@ static void brute_check(ContactGeometry geometry)
             count += near;
             for (int i = 0; i <= 8 && !near; ++i) {
                 const Vec3 p = element_point(&element, &s.chain, &s.kin, i / 8.0);
-                assert_true(shape_distance(&rollers[r].shape, p) - element_radius(&element, &s.chain, i / 8.0) >
+                check_above(shape_distance(&rollers[r].shape, p) - element_radius(&element, &s.chain, i / 8.0),
                             s.model.reach);
             }
         }
     }
     assert_int_equal(s.pairs.candidates, count);
-    assert_true(count > 2 * ROLLERS);
+    check_above(count, 2 * ROLLERS);
     print_message("%d candidates of %d pairs, in %d ranges\n", count, ROLLERS * element_count(geometry, N),
                   s.pairs.n_ranges);
     scene_free(&s);
@@ -103,7 +103,7 @@ static void reach_check(ContactGeometry geometry)
     contact_forces(&near.model, &near.chain, &near.kin, 1, &near.pairs, &near.loads, NULL, NULL);
     contact_forces(&far.model, &far.chain, &far.kin, 1, &far.pairs, &far.loads, NULL, NULL);
     assert_int_equal(near.pairs.active, far.pairs.active);
-    assert_true(far.pairs.active > ROLLERS / 4);
+    check_above(far.pairs.active, ROLLERS / 4);
     for (int c = 0; c < 3; ++c) {
         assert_memory_equal(near.loads.f[c], far.loads.f[c], N * sizeof(double));
         assert_memory_equal(near.loads.m[c], far.loads.m[c], N * sizeof(double));
@@ -128,7 +128,7 @@ static void test_moved_too_far(void **state)
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
     s.kin.p[1][17] += 0.299;
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
-    vector_to(s.kin.a, 17, quat_rotate(quat_exp(v3(0, 0, 0.01)), vector_of(s.kin.a, 17)));
+    vec_store(s.kin.a, 17, quat_rotate(quat_exp(v3(0, 0, 0.01)), vec_load(s.kin.a, 17)));
     assert_true(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
     scene_refresh(&s);
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
@@ -151,7 +151,7 @@ static void test_least(void **state)
     scene_forces(&s, 1);
     assert_int_equal(s.pairs.candidates, 2);
     assert_int_equal(s.pairs.active, 1);
-    assert_true(fabs(s.loads.f[2][0] - 2e7 * pow(1e-3, 1.5)) < 1e-9);
+    check_close(s.loads.f[2][0], 2e7 * pow(1e-3, 1.5), 1e-9);
     scene_free(&s);
 }
 

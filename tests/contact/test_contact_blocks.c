@@ -2,7 +2,7 @@
  * twisted and of unlike size; contacts that stick, slide between the two speeds and beyond, that meet and
  * part; minima inside elements and at their ends; the roller's lateral surface and its rim; both geometries.
  */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -17,15 +17,15 @@ static const char *const place_name[] = {"lateral", "rim", "end", "flank", "holl
 static void chain_disturb(TestScene *s, double speed, uint64_t *seed)
 {
     for (int i = 0; i < N; ++i) {
-        s->chain.half[i] = 0.25 + 0.05 * random_next(seed);
-        s->chain.radius[i] = 0.04 + 0.01 * random_next(seed);
-        vector_to(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.12, random_vector(seed))));
-        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
-        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+        s->chain.half[i] = 0.25 + 0.05 * fixture_random(seed);
+        s->chain.radius[i] = 0.04 + 0.01 * fixture_random(seed);
+        vec_store(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.12, fixture_vector(seed, 1))));
+        vec_store(s->kin.v, i, v3_scale(speed, fixture_vector(seed, 1)));
+        vec_store(s->kin.w, i, v3_scale(2 * speed, fixture_vector(seed, 1)));
     }
     scene_join(s, v3(0, 0, 0));
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), 0.01, random_vector(seed)));
+        vec_store(s->kin.p, i, v3_axpy(vec_load(s->kin.p, i), 0.01, fixture_vector(seed, 1)));
     }
 }
 
@@ -35,13 +35,13 @@ static void groove_place(TestScene *s, Vec3 p, Vec3 out, Vec3 across, double cle
 {
     const double bottom = 0.08, half_width = 0.25, half_angle = 0.8, arc = 0.09;
     const Groove groove = place == PLACE_HOLLOW ? groove_u(arc, 0.07) : groove_v(half_angle, 0.12);
-    const double lean = place == PLACE_FLANK ? 1.5707963267948966 - half_angle : 0.3 + 0.2 * random_next(seed);
+    const double lean = place == PLACE_FLANK ? 1.5707963267948966 - half_angle : 0.3 + 0.2 * fixture_random(seed);
     const Vec3 e_rho = v3_axpy(v3_scale(cos(lean), out), sin(lean), across);
     const Vec3 axis = v3_axpy(v3_scale(-sin(lean), out), cos(lean), across);
     /* where in the half plane the line is */
     double rho = bottom + groove.depth + clear * cos(lean), zeta = groove.lip - clear * sin(lean);
     if (place == PLACE_FLANK) {
-        const double along = 0.09 + 0.02 * random_next(seed);
+        const double along = 0.09 + 0.02 * fixture_random(seed);
         rho = bottom + along * groove.cosine + clear * groove.sine;
         zeta = along * groove.sine - clear * groove.cosine;
     } else if (place == PLACE_HOLLOW) {
@@ -62,17 +62,17 @@ static void roller_place(TestScene *s, int e, double u, double depth, Place plac
     const Vec3 p = element_point(&element, &s->chain, &s->kin, u);
     const Vec3 ahead = element_point(&element, &s->chain, &s->kin, u + 1e-4);
     const Vec3 tangent = v3_unit(v3_sub(ahead, p));
-    Vec3 out = v3_unit(v3_reject(random_vector(seed), tangent)); /* from the roller to the line */
+    Vec3 out = v3_unit(v3_reject(fixture_vector(seed, 1), tangent)); /* from the roller to the line */
     if (place == PLACE_END) out = v3_unit(v3_axpy(out, 0.7, tangent));
     const Vec3 across = v3_unit(v3_cross(out, tangent));
-    const Vec3 axis = v3_unit(v3_axpy(across, 0.4 * random_next(seed), v3_reject(tangent, out)));
+    const Vec3 axis = v3_unit(v3_axpy(across, 0.4 * fixture_random(seed), v3_reject(tangent, out)));
     const double clear = element_radius(&element, &s->chain, u) - depth;
     if (place >= PLACE_FLANK) {
-        groove_place(s, p, out, v3_unit(v3_axpy(across, 0.1 * random_next(seed), tangent)), clear, place, seed);
+        groove_place(s, p, out, v3_unit(v3_axpy(across, 0.1 * fixture_random(seed), tangent)), clear, place, seed);
         return;
     }
     const double radius = 0.1, half_width = 0.2;
-    Vec3 centre = v3_axpy(v3_axpy(p, -(radius + clear), out), 0.1 * random_next(seed), axis);
+    Vec3 centre = v3_axpy(v3_axpy(p, -(radius + clear), out), 0.1 * fixture_random(seed), axis);
     Vec3 turned = axis;
     if (place == PLACE_RIM) {
         /* out = cos e_rho + sin b: the axis leans, and the rim is what touches */
@@ -94,8 +94,8 @@ static double quarter_error(const BlockChain *a, const BlockChain *b, int quarte
         const int entry = i % 36, row = entry % 6, col = entry / 6;
         if (2 * (row / 3) + col / 3 != quarter) continue;
         const double x = pa[i / (36 * N)][i % (36 * N)], y = pb[i / (36 * N)][i % (36 * N)];
-        most = fmax(most, fabs(y));
-        difference = fmax(difference, fabs(x - y));
+        most = larger_of(most, fabs(y));
+        difference = larger_of(difference, fabs(x - y));
     }
     return most > 0 ? difference / most : difference;
 }
@@ -110,11 +110,11 @@ static double step_error(TestScene *s, double step)
     }
     contact_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &m[0], &m[1], NULL, NULL);
     const double stray = contact_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, step, 1e-7, &m[2], &m[3]);
-    assert_true(stray == 0);
+    check_equal(stray, 0);
     double error = 0;
     for (int quarter = 0; quarter < 4; ++quarter) {
-        error = fmax(error, quarter_error(&m[0], &m[2], quarter));
-        error = fmax(error, quarter_error(&m[1], &m[3], quarter));
+        error = larger_of(error, quarter_error(&m[0], &m[2], quarter));
+        error = larger_of(error, quarter_error(&m[1], &m[3], quarter));
     }
     for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
     return error;
@@ -122,7 +122,7 @@ static double step_error(TestScene *s, double step)
 
 /* The better of two steps: the larger is inexact where a shallow contact's stiffness changes fast, the
  * smaller where a force's rounding is large against its change. */
-static double state_error(TestScene *s) { return fmin(step_error(s, 1e-7), step_error(s, 2e-8)); }
+static double state_error(TestScene *s) { return smaller_of(step_error(s, 1e-7), step_error(s, 2e-8)); }
 
 /* Whether a hit is so near to a kink of a law or of the shape that differences are meaningless. */
 static int near_kink(const ContactDetail *hit)
@@ -139,9 +139,9 @@ static double random_state_error(ContactGeometry geometry, double speed, Place p
     scene_new(&s, geometry, N, 0.5);
     chain_disturb(&s, speed, seed);
     const int elements = element_count(geometry, N);
-    const int e = place == PLACE_END ? 0 : (int)((random_next(seed) + 1) / 2 * elements) % elements;
-    const double u = place == PLACE_END ? 0 : 0.5 + 0.45 * random_next(seed);
-    roller_place(&s, e, u, 1e-3 * (0.8 + 0.6 * random_next(seed)), place, seed);
+    const int e = place == PLACE_END ? 0 : (int)((fixture_random(seed) + 1) / 2 * elements) % elements;
+    const double u = place == PLACE_END ? 0 : 0.5 + 0.45 * fixture_random(seed);
+    roller_place(&s, e, u, 1e-3 * (0.8 + 0.6 * fixture_random(seed)), place, seed);
     scene_refresh(&s);
     ContactDetail hit[SCENE_HITS_MAX];
     const int hits = contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit);
@@ -165,12 +165,12 @@ static void states_check(ContactGeometry geometry, Place place)
     active_count = clamped_count = 0;
     for (int i = 0; i < 160; ++i) {
         const double error = random_state_error(geometry, speeds[i % 4], place, &seed);
-        worst = fmax(worst, error);
+        worst = larger_of(worst, error);
     }
     print_message("geometry %d, %s: %d active (%d clamped), worst %.2e\n", geometry, place_name[place], active_count,
                   clamped_count, worst);
-    assert_true(active_count > 80);
-    assert_true(worst < 1e-6);
+    check_above(active_count, 80);
+    check_below(worst, 1e-6);
 }
 
 static void test_smooth_lateral(void **state)
@@ -187,7 +187,7 @@ static void test_smooth_end(void **state)
 {
     (void)state;
     states_check(GEOMETRY_SMOOTH, PLACE_END);
-    assert_true(clamped_count > 40);
+    check_above(clamped_count, 40);
 }
 static void test_cylinder_lateral(void **state)
 {
@@ -203,7 +203,7 @@ static void test_cylinder_end(void **state)
 {
     (void)state;
     states_check(GEOMETRY_CYLINDER, PLACE_END);
-    assert_true(clamped_count > 40);
+    check_above(clamped_count, 40);
 }
 
 static void test_smooth_grooves(void **state)

@@ -1,5 +1,5 @@
 /* The kernels of every instruction set that this machine has do the same. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -23,14 +23,14 @@ static void batch_random(ContactBatch *batch, uint64_t *seed)
         batch->shape_radius[l] = 0.1;
         batch->shape_half_width[l] = 0.3;
         for (int b = 0; b < 2; ++b) {
-            batch->radius[b][l] = 0.0435 + 1e-4 * random_next(seed);
-            batch->x[b][0][l] = (b - 0.5) * 0.5 + 0.1 * random_next(seed);
+            batch->radius[b][l] = 0.0435 + 1e-4 * fixture_random(seed);
+            batch->x[b][0][l] = (b - 0.5) * 0.5 + 0.1 * fixture_random(seed);
             batch->r[b][0][l] = 0.25;
             for (int c = 0; c < 3; ++c) {
-                batch->x[b][c][l] += 1e-4 * random_next(seed);
-                batch->r[b][c][l] += 1e-3 * random_next(seed);
-                batch->v[b][c][l] = 0.02 * random_next(seed);
-                batch->w[b][c][l] = 0.1 * random_next(seed);
+                batch->x[b][c][l] += 1e-4 * fixture_random(seed);
+                batch->r[b][c][l] += 1e-3 * fixture_random(seed);
+                batch->v[b][c][l] = 0.02 * fixture_random(seed);
+                batch->w[b][c][l] = 0.1 * fixture_random(seed);
             }
         }
     }
@@ -41,10 +41,10 @@ static double difference(const double *a, const double *b, size_t count)
 {
     double most = 0, size = 0;
     for (size_t i = 0; i < count; ++i) {
-        size = fmax(size, fabs(a[i]));
-        most = fmax(most, fabs(a[i] - b[i]));
+        size = larger_of(size, fabs(a[i]));
+        most = larger_of(most, fabs(a[i] - b[i]));
     }
-    assert_true(size > 0);
+    check_above(size, 0);
     return most / size;
 }
 
@@ -57,11 +57,11 @@ static void batch_check(const ContactKernels *one, const ContactKernels *other, 
     other->push[VARIANT_PLAIN](batch, &push[1]);
     assert_int_equal(one->columns[VARIANT_PLAIN](batch, &k[0], &d[0], normal), 1);
     assert_int_equal(other->columns[VARIANT_PLAIN](batch, &k[1], &d[1], normal), 1);
-    assert_true(difference(push[0].normal, push[1].normal, LANES) < 1e-11);
-    assert_true(difference(push[0].force[0][0], push[1].force[0][0], 6 * LANES) < 1e-11);
-    assert_true(difference(push[0].moment[0][0], push[1].moment[0][0], 6 * LANES) < 1e-11);
-    assert_true(difference(k[0].entry[0], k[1].entry[0], 144 * LANES) < 1e-10);
-    assert_true(difference(d[0].entry[0], d[1].entry[0], 144 * LANES) < 1e-10);
+    check_below(difference(push[0].normal, push[1].normal, LANES), 1e-11);
+    check_below(difference(push[0].force[0][0], push[1].force[0][0], 6 * LANES), 1e-11);
+    check_below(difference(push[0].moment[0][0], push[1].moment[0][0], 6 * LANES), 1e-11);
+    check_below(difference(k[0].entry[0], k[1].entry[0], 144 * LANES), 1e-10);
+    check_below(difference(d[0].entry[0], d[1].entry[0], 144 * LANES), 1e-10);
 }
 
 static void test_instruction_sets_agree(void **state)
@@ -100,8 +100,9 @@ static void test_lanes_are_independent(void **state)
             }
         }
         table[isa_best()]->push[VARIANT_PLAIN](&alone, &push[1]);
-        assert_true(push[0].u[l] == push[1].u[0] && push[0].normal[l] == push[1].normal[0]);
-        assert_true(push[0].force[1][2][l] == push[1].force[1][2][0]);
+        check_equal(push[0].u[l], push[1].u[0]);
+        check_equal(push[0].normal[l], push[1].normal[0]);
+        check_equal(push[0].force[1][2][l], push[1].force[1][2][0]);
     }
 }
 

@@ -1,14 +1,10 @@
 /* The force laws against the formulas of references.md, their limits and their derivatives. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
 #include <math.h>
 
 #include "contact/law/contact_law.h"
 #include "core/profile.h"
+#include "tests/support/check.h"
 
 static const ImpactLaw impact = {.k = 3e6, .e = 1.5, .c = 5e3, .d = 1e-3};
 static const FrictionLaw friction = {.mu_s = 0.25, .mu_d = 0.1, .v_s = 0.005, .v_d = 0.02};
@@ -43,7 +39,7 @@ static void test_impact_is_the_reference(void **state)
         for (double gap = -3e-3; gap < 1e-3; gap += 1.7e-4) {
             for (double rate = -0.5; rate <= 0.5; rate += 0.25) {
                 const double expected = impact_reference(&law, gap, rate);
-                assert_true(fabs(impact_value(&law, gap, rate) - expected) <= 1e-14 * (1 + expected));
+                check_close(impact_value(&law, gap, rate), expected, 1e-14 * (1 + expected));
             }
         }
     }
@@ -53,11 +49,15 @@ static void test_impact_never_pulls(void **state)
 {
     (void)state;
     double d_gap, d_rate;
-    assert_true(impact_force(&impact, 0, -1, &d_gap, &d_rate) == 0);
-    assert_true(impact_force(&impact, 1e-9, -100, &d_gap, &d_rate) == 0 && d_gap == 0 && d_rate == 0);
-    assert_true(impact_force(&impact, -1e-3, 1e6, &d_gap, &d_rate) == 0 && d_gap == 0 && d_rate == 0);
+    check_equal(impact_force(&impact, 0, -1, &d_gap, &d_rate), 0);
+    check_equal(impact_force(&impact, 1e-9, -100, &d_gap, &d_rate), 0);
+    check_equal(d_gap, 0);
+    check_equal(d_rate, 0);
+    check_equal(impact_force(&impact, -1e-3, 1e6, &d_gap, &d_rate), 0);
+    check_equal(d_gap, 0);
+    check_equal(d_rate, 0);
     /* however fast the bodies meet, the force begins from zero */
-    assert_true(impact_value(&impact, -1e-9, -1) < 1e-6);
+    check_below(impact_value(&impact, -1e-9, -1), 1e-6);
 }
 
 static void test_impact_derivatives(void **state)
@@ -73,8 +73,8 @@ static void test_impact_derivatives(void **state)
             (impact_value(&impact, gap + step, rate) - impact_value(&impact, gap - step, rate)) / (2 * step);
         const double by_rate =
             (impact_value(&impact, gap, rate + 1e-4) - impact_value(&impact, gap, rate - 1e-4)) / 2e-4;
-        assert_true(fabs(by_gap - d_gap) < 1e-7 * fabs(d_gap));
-        assert_true(fabs(by_rate - d_rate) < 1e-9 * fabs(d_rate) + 1e-9);
+        check_share(by_gap, d_gap, 5e-9);
+        check_close(by_rate, d_rate, 1e-12 * fabs(d_rate) + 1e-12);
     }
 }
 
@@ -86,8 +86,8 @@ static void test_impact_without_depth(void **state)
     law.d = 0;
     double d_gap, d_rate;
     const double force = impact_force(&law, -1e-4, -0.1, &d_gap, &d_rate);
-    assert_true(fabs(force - (law.k * 1e-6 + 0.1 * law.c)) < 1e-9);
-    assert_true(d_rate == -law.c);
+    check_close(force, law.k * 1e-6 + 0.1 * law.c, 1e-9);
+    check_equal(d_rate, -law.c);
 }
 
 static void test_friction_is_the_reference(void **state)
@@ -100,12 +100,12 @@ static void test_friction_is_the_reference(void **state)
         } else if (v < friction.v_d) {
             expected = step_cubic(v, friction.v_s, friction.mu_s, friction.v_d, friction.mu_d, NULL);
         }
-        assert_true(fabs(mu_value(v) - expected) < 1e-15);
+        check_close(mu_value(v), expected, 1e-15);
     }
-    assert_true(mu_value(0) == 0);
-    assert_true(fabs(mu_value(friction.v_s) - friction.mu_s) < 1e-15);
-    assert_true(fabs(mu_value(friction.v_d) - friction.mu_d) < 1e-15);
-    assert_true(fabs(mu_value(100) - friction.mu_d) < 1e-15);
+    check_equal(mu_value(0), 0);
+    check_close(mu_value(friction.v_s), friction.mu_s, 1e-15);
+    check_close(mu_value(friction.v_d), friction.mu_d, 1e-15);
+    check_close(mu_value(100), friction.mu_d, 1e-15);
 }
 
 static void test_friction_derivative(void **state)
@@ -119,12 +119,12 @@ static void test_friction_derivative(void **state)
         const double difference =
             (friction_over_speed(&friction, v + step, &unused) - friction_over_speed(&friction, v - step, &unused)) /
             (2 * step);
-        assert_true(fabs(difference / v - slope) < 1e-7 * fabs(slope));
+        check_share(difference / v, slope, 1e-7);
     }
     /* at rest: viscous, finite slope over speed */
     double slope;
-    assert_true(fabs(friction_over_speed(&friction, 0, &slope) - 1.5 * friction.mu_s / friction.v_s) < 1e-12);
-    assert_true(isfinite(slope));
+    check_close(friction_over_speed(&friction, 0, &slope), 1.5 * friction.mu_s / friction.v_s, 1e-12);
+    check_finite(slope);
 }
 
 int main(void)

@@ -1,7 +1,7 @@
 /* The smooth line's contact point: never missed, never doubled, and no force jumps as the line is pushed over
  * a roller in tiny steps, whatever passes: an arc's border, the line's end, the roller's rim, the pulling
  * eye. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -38,12 +38,12 @@ static Pushed line_push(TestScene *s, Vec3 step, int steps)
                       *const two = past + (i + 1) % 3 * size;
         loads_read(s, now);
         for (int k = 0; k < size && i >= 2; ++k) {
-            seen.jump = fmax(seen.jump, fabs(now[k] - 2 * one[k] + two[k]));
+            seen.jump = larger_of(seen.jump, fabs(now[k] - 2 * one[k] + two[k]));
         }
         seen.hits_least = s->pairs.active < seen.hits_least ? s->pairs.active : seen.hits_least;
         seen.hits_most = s->pairs.active > seen.hits_most ? s->pairs.active : seen.hits_most;
-        seen.force_most = fmax(seen.force_most, v3_norm(s->on_roller[0]));
-        for (int k = 0; k < n; ++k) vector_to(s->kin.p, k, v3_add(vector_of(s->kin.p, k), step));
+        seen.force_most = larger_of(seen.force_most, v3_norm(s->on_roller[0]));
+        for (int k = 0; k < n; ++k) vec_store(s->kin.p, k, v3_add(vec_load(s->kin.p, k), step));
     }
     free(past);
     print_message("contacts %d..%d, force up to %.1f N, largest jump %.2e N\n", seen.hits_least, seen.hits_most,
@@ -57,8 +57,8 @@ static Pushed line_push_twice(TestScene *s, TestScene *same, Vec3 step, int step
 {
     const Pushed coarse = line_push(s, step, steps);
     const Pushed fine = line_push(same, v3_scale(0.25, step), 4 * steps);
-    assert_true(fine.jump < 0.3 * coarse.jump);
-    assert_true(coarse.jump < 1e-3 * coarse.force_most);
+    check_below(fine.jump, 0.3 * coarse.jump);
+    check_below(coarse.jump, 1e-3 * coarse.force_most);
     assert_int_equal(fine.hits_most, coarse.hits_most);
     assert_int_equal(fine.hits_least, coarse.hits_least);
     scene_free(s);
@@ -70,7 +70,7 @@ static Pushed line_push_twice(TestScene *s, TestScene *same, Vec3 step, int step
 static void line_new(TestScene *s, double x, double depth)
 {
     scene_new(s, GEOMETRY_SMOOTH, 8, 0.5);
-    for (int i = 0; i < 8; ++i) vector_to(s->kin.v, i, v3(0.1, 0, 0));
+    for (int i = 0; i < 8; ++i) vec_store(s->kin.v, i, v3(0.1, 0, 0));
     scene_roller(s, v3(x, 0, -ROLLER - CABLE + depth), v3(0, 1, 0), ROLLER, 0.2);
     scene_refresh(s);
 }
@@ -83,12 +83,12 @@ static void line_bend(TestScene *s, double angle, double open)
     const int n = s->chain.n;
     for (int i = 0; i < n; ++i) {
         const double a = angle * (i - 0.5 * (n - 1));
-        vector_to(s->kin.a, i, v3(cos(a), 0, sin(a)));
+        vec_store(s->kin.a, i, v3(cos(a), 0, sin(a)));
     }
     scene_join(s, v3(0, 0, 0));
     const double low = s->kin.p[2][n / 2] - s->chain.half[n / 2] * s->kin.a[2][n / 2];
     for (int i = 0; i < n; ++i) {
-        vector_to(s->kin.p, i, v3_axpy(v3_sub(vector_of(s->kin.p, i), v3(0, 0, low)), open, random_vector(&seed)));
+        vec_store(s->kin.p, i, v3_axpy(v3_sub(vec_load(s->kin.p, i), v3(0, 0, low)), open, fixture_vector(&seed, 1)));
     }
 }
 
@@ -99,9 +99,10 @@ static void test_straight(void **state)
     TestScene s;
     line_new(&s, 3.1, 1e-3);
     const Pushed seen = line_push(&s, v3(1e-4, 0, 0), 16000);
-    assert_true(seen.hits_least == 1 && seen.hits_most == 1);
-    assert_true(seen.jump < 1e-4 * seen.force_most);
-    assert_true(fabs(s.on_roller[0].z + 2e7 * pow(1e-3, 1.5)) < 1e-7);
+    check_equal(seen.hits_least, 1);
+    check_equal(seen.hits_most, 1);
+    check_below(seen.jump, 5e-6 * seen.force_most);
+    check_close(s.on_roller[0].z, -2e7 * pow(1e-3, 1.5), 1e-9);
     scene_free(&s);
 }
 
@@ -115,7 +116,8 @@ static void bent_check(double open)
         line_bend(&s[i], 0.02, open);
     }
     const Pushed seen = line_push_twice(&s[0], &s[1], v3(1e-4, 0, 0), 4000);
-    assert_true(seen.hits_least == 1 && seen.hits_most == 1);
+    check_equal(seen.hits_least, 1);
+    check_equal(seen.hits_most, 1);
 }
 static void test_bent(void **state)
 {
@@ -134,7 +136,8 @@ static void leave_check(double x, Vec3 step, int steps)
     TestScene s[2];
     for (int i = 0; i < 2; ++i) line_new(&s[i], x, 1e-3);
     const Pushed seen = line_push_twice(&s[0], &s[1], step, steps);
-    assert_true(seen.hits_least == 0 && seen.hits_most == 1);
+    check_equal(seen.hits_least, 0);
+    check_equal(seen.hits_most, 1);
 }
 static void test_ends(void **state)
 {
@@ -161,8 +164,9 @@ static void test_eye_climbs(void **state)
         for (int k = 4; k < 8; ++k) s[i].chain.radius[k] = ROPE;
     }
     const Pushed seen = line_push_twice(&s[0], &s[1], v3(1e-4, 0, 0), 18000);
-    assert_true(seen.hits_least == 1 && seen.hits_most == 1);
-    assert_true(seen.force_most > 1300);
+    check_equal(seen.hits_least, 1);
+    check_equal(seen.hits_most, 1);
+    check_above(seen.force_most, 1300);
 }
 
 /* ------------------------------------------- why the radius does not run linearly */
@@ -200,14 +204,14 @@ static void test_linear_radius_doubles(void **state)
         doubled += minima_count(roller, 1) == 2;
         assert_int_equal(minima_count(roller, 0), 1);
     }
-    assert_true(doubled > 5);
+    check_above(doubled, 5);
     /* With the roller under the rope's end of the eye, the minimum on the eye's arc is deeper than the one at
      * the node by R' s^2/2, for the eye's slope s and R' = roller and rope radius: so much would the gap jump
      * as the arc's nodes change their signs. */
     const double slope = (CABLE - ROPE) / 0.5, both = ROLLER + ROPE;
     const double jump = gap_at(0.5, 0.5, 1) - gap_at(0.5 - slope * both, 0.5, 1);
-    assert_true(fabs(jump - 2.87e-4) < 2e-6);
-    assert_true(fabs(jump - both * slope * slope / 2) < 0.01 * jump);
+    check_close(jump, 2.87e-4, 2e-6);
+    check_close(jump, both * slope * slope / 2, 0.01 * jump);
 }
 
 /* ------------------------------------------- minima against brute force */
@@ -235,7 +239,7 @@ static double least_gap(const TestScene *s)
         for (int i = 0; i <= 2000; ++i) {
             const double u = i / 2000.0;
             const Vec3 p = element_point(&element, &s->chain, &s->kin, u);
-            least = fmin(least, shape_distance(&s->roller[0].shape, p) - element_radius(&element, &s->chain, u));
+            least = smaller_of(least, shape_distance(&s->roller[0].shape, p) - element_radius(&element, &s->chain, u));
         }
     }
     return least;
@@ -249,22 +253,24 @@ static void nearest_check(ContactGeometry geometry)
         TestScene s;
         scene_new(&s, geometry, 8, 0.5);
         for (int k = 0; k < 8; ++k) {
-            s.chain.radius[k] = 0.04 + 0.01 * random_next(&seed);
-            vector_to(s.kin.a, k, v3_unit(v3_axpy(v3(1, 0, 0), 0.2, random_vector(&seed))));
+            s.chain.radius[k] = 0.04 + 0.01 * fixture_random(&seed);
+            vec_store(s.kin.a, k, v3_unit(v3_axpy(v3(1, 0, 0), 0.2, fixture_vector(&seed, 1))));
         }
         scene_join(&s, v3(0, 0, 0));
-        const Vec3 centre = v3(2 + 2.2 * random_next(&seed), 0.1 * random_next(&seed), 0.3 * random_next(&seed));
-        const Vec3 axis = v3_unit(v3_axpy(v3(0, 1, 0), 0.5, random_vector(&seed)));
+        const Vec3 centre =
+            v3(2 + 2.2 * fixture_random(&seed), 0.1 * fixture_random(&seed), 0.3 * fixture_random(&seed));
+        const Vec3 axis = v3_unit(v3_axpy(v3(0, 1, 0), 0.5, fixture_vector(&seed, 1)));
         scene_roller(&s, centre, axis, 0.05, 0.2);
         scene_refresh(&s);
         ContactDetail hit[SCENE_HITS_MAX];
         const int hits = contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit);
         double least = 1e9;
-        for (int h = 0; h < hits; ++h) least = fmin(least, hit[h].gap);
+        for (int h = 0; h < hits; ++h) least = smaller_of(least, hit[h].gap);
         const double sampled = least_gap(&s);
         /* lines through the roller mean nothing, and capsules that do not touch are not looked at */
         if (sampled > -0.03 && (geometry == GEOMETRY_SMOOTH || sampled < 0)) {
-            assert_true(least <= sampled + 1e-9 && least > sampled - 1e-5);
+            check_at_most(least, sampled + 1e-9);
+            check_above(least, sampled - 1e-5);
         }
         scene_free(&s);
     }
@@ -284,11 +290,11 @@ static void test_arc_is_bezier(void **state)
     line_new(&s, 2, 1e-3);
     line_bend(&s, 0.1, 0);
     const Element arc = element_at(GEOMETRY_SMOOTH, 8, 4);
-    const Vec3 a = vector_of(s.kin.p, 3), c = vector_of(s.kin.p, 4);
-    const Vec3 b = v3_axpy(a, s.chain.half[3], vector_of(s.kin.a, 3));
+    const Vec3 a = vec_load(s.kin.p, 3), c = vec_load(s.kin.p, 4);
+    const Vec3 b = v3_axpy(a, s.chain.half[3], vec_load(s.kin.a, 3));
     for (double u = 0; u <= 1; u += 0.125) {
         const Vec3 bezier = v3_axpy(v3_axpy(v3_scale((1 - u) * (1 - u), a), 2 * u * (1 - u), b), u * u, c);
-        assert_true(v3_norm(v3_sub(bezier, element_point(&arc, &s.chain, &s.kin, u))) < 1e-15);
+        check_vec(bezier, element_point(&arc, &s.chain, &s.kin, u), 1e-15);
     }
     scene_free(&s);
 }
@@ -311,7 +317,7 @@ static void test_capsules_double_at_joints(void **state)
         force[i] = -s.on_roller[0].z;
         scene_free(&s);
     }
-    assert_true(fabs(force[0] - 2 * force[1]) < 1e-9 * force[0]);
+    check_close(force[0], 2 * force[1], 1e-13 * force[0]);
 }
 
 int main(void)

@@ -1,6 +1,6 @@
 /* Contact with rollers that move, turn and spin: derivatives by everything against differences, action and reaction,
  * what a motion of everything together does (nothing), and that a roller at rest feels like a fixed one. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -19,23 +19,24 @@ static void moving_new(Moving *m, ContactGeometry geometry, double speed, int ri
     TestScene *const s = &m->s;
     scene_new(s, geometry, N, 0.5);
     for (int i = 0; i < N; ++i) {
-        s->chain.half[i] = 0.25 + 0.05 * random_next(seed);
-        s->chain.radius[i] = 0.04 + 0.01 * random_next(seed);
-        vector_to(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.12, random_vector(seed))));
-        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
-        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+        s->chain.half[i] = 0.25 + 0.05 * fixture_random(seed);
+        s->chain.radius[i] = 0.04 + 0.01 * fixture_random(seed);
+        vec_store(s->kin.a, i, v3_unit(v3_axpy(v3(1, 0, 0), 0.12, fixture_vector(seed, 1))));
+        vec_store(s->kin.v, i, v3_scale(speed, fixture_vector(seed, 1)));
+        vec_store(s->kin.w, i, v3_scale(2 * speed, fixture_vector(seed, 1)));
     }
     scene_join(s, v3(0, 0, 0));
     /* the roller touches element 1 from below, with its side or with its rim */
     const Element element = element_at(geometry, N, 1);
-    const double u = 0.5 + 0.3 * random_next(seed);
+    const double u = 0.5 + 0.3 * fixture_random(seed);
     const Vec3 p = element_point(&element, &s->chain, &s->kin, u);
-    const double clear = element_radius(&element, &s->chain, u) - 2e-3, lean = rim ? 0.6 : 0.1 * random_next(seed);
-    const Vec3 axis = v3(0.1 * random_next(seed), cos(lean), sin(lean)), rho = v3(0, -sin(lean), cos(lean));
+    const double clear = element_radius(&element, &s->chain, u) - 2e-3, lean = rim ? 0.6 : 0.1 * fixture_random(seed);
+    const Vec3 axis = v3(0.1 * fixture_random(seed), cos(lean), sin(lean)), rho = v3(0, -sin(lean), cos(lean));
     Vec3 centre = v3_axpy(v3_axpy(p, -clear, v3(0, 0, 1)), -0.1, rho);
     if (rim) centre = v3_axpy(centre, -0.2, axis);
     scene_roller(s, centre, v3_unit(axis), 0.1, 0.2);
-    m->motion[0] = (RollerMotion){v3_scale(speed, random_vector(seed)), v3_scale(10 * speed, random_vector(seed))};
+    m->motion[0] =
+        (RollerMotion){v3_scale(speed, fixture_vector(seed, 1)), v3_scale(10 * speed, fixture_vector(seed, 1))};
     s->model.motion = m->motion;
     scene_refresh(s);
 }
@@ -64,10 +65,10 @@ static Vec3 nudge(Moving *m, int body, int kind, int axis, double e)
     TestScene *const s = &m->s;
     double **const chain[4] = {s->kin.p, s->kin.a, s->kin.v, s->kin.w};
     Vec3 *const roller[4] = {&s->roller[0].shape.centre, &s->roller[0].shape.axis, &m->motion[0].v, &m->motion[0].w};
-    const Vec3 old = body < N ? vector_of(chain[kind], body) : *roller[kind];
+    const Vec3 old = body < N ? vec_load(chain[kind], body) : *roller[kind];
     const Vec3 now = kind == 1 ? quat_rotate(quat_exp(v3_scale(e, unit)), old) : v3_axpy(old, e, unit);
     if (body < N) {
-        vector_to(chain[kind], body, now);
+        vec_store(chain[kind], body, now);
     } else {
         *roller[kind] = now;
     }
@@ -80,7 +81,7 @@ static void restore(Moving *m, int body, int kind, Vec3 old)
     Shape *const shape = &m->s.roller[0].shape;
     Vec3 *const roller[4] = {&shape->centre, &shape->axis, &m->motion[0].v, &m->motion[0].w};
     if (body < N) {
-        vector_to(chain[kind], body, old);
+        vec_store(chain[kind], body, old);
     } else {
         *roller[kind] = old;
     }
@@ -147,13 +148,13 @@ static double matrix_error(const Moving *m, double fd[COLUMNS][ROWS])
     for (int c = 0; c < COLUMNS; ++c) {
         for (int r = 0; r < ROWS; ++r) {
             const int kind = 2 * (c % 12 / 3) + r % 6 / 3, rc = c >= 12 * N, rr = r >= 6 * N;
-            most[rc][rr][kind] = fmax(most[rc][rr][kind], fabs(fd[c][r]));
-            apart[rc][rr][kind] = fmax(apart[rc][rr][kind], fabs(fd[c][r] - m->matrix[c][r]));
+            most[rc][rr][kind] = larger_of(most[rc][rr][kind], fabs(fd[c][r]));
+            apart[rc][rr][kind] = larger_of(apart[rc][rr][kind], fabs(fd[c][r] - m->matrix[c][r]));
         }
     }
     for (int k = 0; k < 32; ++k) {
         const double size = most[k / 16][k / 8 % 2][k % 8];
-        if (size > 0) worst = fmax(worst, apart[k / 16][k / 8 % 2][k % 8] / size);
+        if (!(size <= 0)) worst = larger_of(worst, apart[k / 16][k / 8 % 2][k % 8] / size);
     }
     return worst;
 }
@@ -170,7 +171,7 @@ static void moving_groove(Moving *m, uint64_t *seed)
     roller->friction.d_s = 1e-3;
     scene_refresh(s);
     contact_accept(&s->model, &s->chain, &s->kin, 0, &s->pairs);
-    for (int i = 0; i < s->pairs.stick.n; ++i) s->pairs.stick.record[i].lean = v3_scale(8e-4, random_vector(seed));
+    for (int i = 0; i < s->pairs.stick.n; ++i) s->pairs.stick.record[i].lean = v3_scale(8e-4, fixture_vector(seed, 1));
     stick_clock(&s->pairs.stick, 0.01);
 }
 
@@ -188,12 +189,12 @@ static void derivatives_check(ContactGeometry geometry, int rim, int groove)
         analytic(&m);
         differences(&m, fd);
         active += m.s.pairs.active > 0;
-        worst = fmax(worst, matrix_error(&m, fd));
+        worst = larger_of(worst, matrix_error(&m, fd));
         scene_free(&m.s);
     }
     print_message("geometry %d rim %d groove %d: %d touch, worst %.2g\n", geometry, rim, groove, active, worst);
-    assert_true(active > 30);
-    assert_true(worst < 2e-6);
+    check_above(active, 30);
+    check_below(worst, 2e-6);
 }
 
 static void test_derivatives(void **state)
@@ -219,25 +220,26 @@ static void test_balance_and_shift(void **state)
         Vec3 force = m.load[0].force, moment = v3_add(m.load[0].moment, v3_cross(m.s.roller[0].shape.centre, force));
         const double size = v3_norm(force);
         for (int b = 0; b < N; ++b) {
-            const Vec3 f = vector_of(m.s.loads.f, b);
+            const Vec3 f = vec_load(m.s.loads.f, b);
             force = v3_add(force, f);
-            moment = v3_add(moment, v3_add(vector_of(m.s.loads.m, b), v3_cross(vector_of(m.s.kin.p, b), f)));
+            moment = v3_add(moment, v3_add(vec_load(m.s.loads.m, b), v3_cross(vec_load(m.s.kin.p, b), f)));
         }
         touching += size > 0;
-        assert_true(v3_norm(force) <= 1e-13 * size && v3_norm(moment) <= 1e-13 * size);
+        check_at_most(v3_norm(force), 1e-13 * size);
+        check_at_most(v3_norm(moment), 1e-13 * size);
         analytic(&m);
         double largest = 0;
-        for (int k = 0; k < COLUMNS * ROWS; ++k) largest = fmax(largest, fabs(m.matrix[k / ROWS][k % ROWS]));
+        for (int k = 0; k < COLUMNS * ROWS; ++k) largest = larger_of(largest, fabs(m.matrix[k / ROWS][k % ROWS]));
         for (int c = 0; c < 6; ++c) { /* x and v, three axes each */
             for (int r = 0; r < ROWS; ++r) {
                 double sum = 0;
                 for (int b = 0; b <= N; ++b) sum += m.matrix[12 * b + (c < 3 ? c : c + 3)][r];
-                assert_true(fabs(sum) <= 1e-12 * largest);
+                check_close(sum, 0, 1e-14 * largest);
             }
         }
         scene_free(&m.s);
     }
-    assert_true(touching > 10);
+    check_above(touching, 10);
 }
 
 /* Seen from a frame that turns and flies along, chain and roller do the same to each other; and a spin about the
@@ -251,16 +253,16 @@ static void test_rigid_motion_and_spin(void **state)
         double row[ROWS], with[ROWS];
         moving_new(&m, GEOMETRY_SMOOTH, 0.05, 0, &seed);
         moving_rows(&m, row);
-        const Vec3 v = random_vector(&seed), w = random_vector(&seed);
+        const Vec3 v = fixture_vector(&seed, 1), w = fixture_vector(&seed, 1);
         for (int b = 0; b < N; ++b) {
-            const Vec3 here = v3_add(v, v3_cross(w, vector_of(m.s.kin.p, b)));
-            vector_to(m.s.kin.v, b, v3_add(vector_of(m.s.kin.v, b), here));
-            vector_to(m.s.kin.w, b, v3_add(vector_of(m.s.kin.w, b), w));
+            const Vec3 here = v3_add(v, v3_cross(w, vec_load(m.s.kin.p, b)));
+            vec_store(m.s.kin.v, b, v3_add(vec_load(m.s.kin.v, b), here));
+            vec_store(m.s.kin.w, b, v3_add(vec_load(m.s.kin.w, b), w));
         }
         const Vec3 there = v3_add(v, v3_cross(w, m.s.roller[0].shape.centre));
         m.motion[0] = (RollerMotion){v3_add(m.motion[0].v, there), v3_add(m.motion[0].w, w)};
         moving_rows(&m, with);
-        for (int r = 0; r < ROWS; ++r) assert_true(fabs(row[r] - with[r]) <= 1e-9 * v3_norm(m.load[0].force));
+        for (int r = 0; r < ROWS; ++r) check_close(row[r], with[r], 1e-13 * v3_norm(m.load[0].force));
         scene_free(&m.s);
     }
 }
@@ -279,9 +281,9 @@ static void test_at_rest(void **state)
     scene_forces(&m.s, 1);
     for (int i = 0; i < N; ++i) {
         const Vec3 f = v3(row[6 * i], row[6 * i + 1], row[6 * i + 2]);
-        assert_true(v3_norm(v3_sub(f, vector_of(m.s.loads.f, i))) < 1e-12 * v3_norm(m.s.on_roller[0]));
+        check_vec(f, vec_load(m.s.loads.f, i), 1e-12 * v3_norm(m.s.on_roller[0]));
     }
-    assert_true(v3_norm(v3_sub(m.s.on_roller[0], m.load[0].force)) < 1e-12 * v3_norm(m.load[0].force));
+    check_vec(m.s.on_roller[0], m.load[0].force, 1e-12 * v3_norm(m.load[0].force));
     scene_free(&m.s);
 }
 

@@ -1,7 +1,7 @@
 /* The grooved shapes alone: distances that a drawing gives, derivatives against differences, no jump of distance and
  * normal between regions, and never a change of distance that is larger than the motion (the candidates' tree relies on
  * it). */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -24,11 +24,6 @@ static Vec3 point_at(const Shape *s, double rho, double angle, double z)
     return v3_axpy(v3_axpy(p, rho * cos(angle), e1), rho * sin(angle), e2);
 }
 
-static void assert_near(double a, double b, double tolerance)
-{
-    if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g, expected %.17g", a, b);
-}
-
 static double at(const Shape *s, int face, double rho, double z)
 {
     return shape_face_distance(s, face, point_at(s, rho, 1.3, z));
@@ -39,21 +34,21 @@ static void test_known_distances_v(void **state)
     (void)state;
     const Shape v = grooved(0);
     const double r = sqrt(0.5);
-    assert_near(v.groove.lip, 0.1, 1e-16);
+    check_close(v.groove.lip, 0.1, 1e-16);
     /* in the middle of the groove both flanks are as near */
-    assert_near(at(&v, 0, 0.08 + 0.05 / r, 0), 0.05, 1e-15);
-    assert_near(at(&v, 1, 0.08 + 0.05 / r, 0), 0.05, 1e-15);
+    check_close(at(&v, 0, 0.08 + 0.05 / r, 0), 0.05, 1e-15);
+    check_close(at(&v, 1, 0.08 + 0.05 / r, 0), 0.05, 1e-15);
     /* 10 mm toward one of them */
-    assert_near(at(&v, 0, 0.08 + 0.05 / r, 0.01), 0.05 - 0.01 * r, 1e-15);
-    assert_near(at(&v, 1, 0.08 + 0.05 / r, 0.01), 0.05 + 0.01 * r, 1e-15);
-    assert_near(at(&v, 0, 0.21, 0.15), 0.03, 1e-15);      /* shoulder */
-    assert_near(at(&v, 0, 0.22, 0.23), 0.05, 1e-15);      /* rim: 3-4-5 */
-    assert_near(at(&v, 0, 0.05, 0.24), 0.04, 1e-15);      /* face */
-    assert_near(at(&v, 0, 0.22, 0.07), 0.05, 1e-15);      /* lip: 3-4-5 */
-    assert_near(at(&v, 0, 0.11, -0.04), 0.05, 1e-15);     /* bottom, from the far side */
-    assert_near(at(&v, 0, 0.06, -0.03), 0.03, 1e-15);     /* plane below the bottom */
-    assert_near(at(&v, 0, 0.08, 0.02), -0.02 * r, 1e-15); /* inside */
-    assert_near(shape_distance(&v, point_at(&v, 0.2, 0, -0.05)), at(&v, 1, 0.2, -0.05), 1e-16);
+    check_close(at(&v, 0, 0.08 + 0.05 / r, 0.01), 0.05 - 0.01 * r, 1e-15);
+    check_close(at(&v, 1, 0.08 + 0.05 / r, 0.01), 0.05 + 0.01 * r, 1e-15);
+    check_close(at(&v, 0, 0.21, 0.15), 0.03, 1e-15);      /* shoulder */
+    check_close(at(&v, 0, 0.22, 0.23), 0.05, 1e-15);      /* rim: 3-4-5 */
+    check_close(at(&v, 0, 0.05, 0.24), 0.04, 1e-15);      /* face */
+    check_close(at(&v, 0, 0.22, 0.07), 0.05, 1e-15);      /* lip: 3-4-5 */
+    check_close(at(&v, 0, 0.11, -0.04), 0.05, 1e-15);     /* bottom, from the far side */
+    check_close(at(&v, 0, 0.06, -0.03), 0.03, 1e-15);     /* plane below the bottom */
+    check_close(at(&v, 0, 0.08, 0.02), -0.02 * r, 1e-15); /* inside */
+    check_close(shape_distance(&v, point_at(&v, 0.2, 0, -0.05)), at(&v, 1, 0.2, -0.05), 1e-16);
 }
 
 static void test_known_distances_u(void **state)
@@ -61,13 +56,13 @@ static void test_known_distances_u(void **state)
     (void)state;
     const Shape u = grooved(2);
     assert_int_equal(shape_faces(u.kind), 1);
-    assert_near(at(&u, 0, 0.1, 0), 0.02, 1e-15);
-    assert_near(at(&u, 0, 0.14 - 0.03, 0.04), 0.06 - 0.05, 1e-15); /* 3-4-5 about the arc's centre */
-    assert_near(at(&u, 0, 0.14, 1e-9), 0.06, 1e-8);                /* that centre */
-    assert_near(at(&u, 0, 0.125 + 0.03, u.groove.lip - 0.04), 0.05, 1e-15);
-    assert_near(at(&u, 0, 0.145, -0.1), 0.02, 1e-15); /* shoulder, other side */
-    assert_near(at(&u, 0, 0.07, 0), -0.01, 1e-15);
-    assert_near(at(&u, 0, 0.12, 0.1), -0.005, 1e-15);
+    check_close(at(&u, 0, 0.1, 0), 0.02, 1e-15);
+    check_close(at(&u, 0, 0.14 - 0.03, 0.04), 0.06 - 0.05, 1e-15); /* 3-4-5 about the arc's centre */
+    check_close(at(&u, 0, 0.14, 1e-9), 0.06, 1e-8);                /* that centre */
+    check_close(at(&u, 0, 0.125 + 0.03, u.groove.lip - 0.04), 0.05, 1e-15);
+    check_close(at(&u, 0, 0.145, -0.1), 0.02, 1e-15); /* shoulder, other side */
+    check_close(at(&u, 0, 0.07, 0), -0.01, 1e-15);
+    check_close(at(&u, 0, 0.12, 0.1), -0.005, 1e-15);
 }
 
 /* Whether a region's border is within `near` of the point: sampled around it. */
@@ -95,26 +90,26 @@ static void test_derivatives(void **state)
     for (int i = 0; i < 6000; ++i) {
         const Shape s = grooved(i % SHAPES);
         const int face = i / SHAPES % shape_faces(s.kind);
-        const double rho = 0.16 + 0.14 * random_next(&seed), z = 0.3 * random_next(&seed);
-        const Vec3 p = point_at(&s, rho, 3 * random_next(&seed), z);
+        const double rho = 0.16 + 0.14 * fixture_random(&seed), z = 0.3 * fixture_random(&seed);
+        const Vec3 p = point_at(&s, rho, 3 * fixture_random(&seed), z);
         const ShapeProbe probe = shape_probe(&s, face, p);
-        assert_near(probe.distance, shape_face_distance(&s, face, p), 2e-15);
-        assert_near(v3_norm(probe.normal), 1, 1e-14);
+        check_close(probe.distance, shape_face_distance(&s, face, p), 2e-15);
+        check_close(v3_norm(probe.normal), 1, 1e-14);
         if (probe.distance < 1e-3 || near_border(&s, face, rho, z, 2e-3)) continue;
         ++looked_at;
         for (int c = 0; c < 3; ++c) {
             const Vec3 e = v3(c == 0, c == 1, c == 2);
             const ShapeProbe plus = shape_probe(&s, face, v3_axpy(p, step, e));
             const ShapeProbe minus = shape_probe(&s, face, v3_axpy(p, -step, e));
-            assert_near((plus.distance - minus.distance) / (2 * step), v3_dot(probe.normal, e), 1e-8);
+            check_close((plus.distance - minus.distance) / (2 * step), v3_dot(probe.normal, e), 1e-8);
             const Vec3 column = v3_scale(1 / (2 * step), v3_sub(plus.normal, minus.normal));
             /* third derivatives grow as the square of the curvature */
             double curvature = 1;
-            for (int k = 0; k < 9; ++k) curvature = fmax(curvature, fabs(probe.hessian.m[k]));
-            assert_true(v3_norm(v3_sub(column, m3_mul(&probe.hessian, e))) < 1e-9 * curvature * curvature * curvature);
+            for (int k = 0; k < 9; ++k) curvature = larger_of(curvature, fabs(probe.hessian.m[k]));
+            check_vec(column, m3_mul(&probe.hessian, e), 1e-9 * curvature * curvature * curvature);
         }
     }
-    assert_true(looked_at > 2000);
+    check_above(looked_at, 2000);
 }
 
 /* Two points a little apart: distances differ by no more than that anywhere, normals by little outside the body, except
@@ -127,18 +122,17 @@ static void test_no_jumps(void **state)
     for (int i = 0; i < 60000; ++i) {
         const Shape s = grooved(i % SHAPES);
         const int face = i / SHAPES % shape_faces(s.kind);
-        const double rho = 0.16 + 0.15 * random_next(&seed), z = 0.3 * random_next(&seed);
+        const double rho = 0.16 + 0.15 * fixture_random(&seed), z = 0.3 * fixture_random(&seed);
         const Vec3 p = point_at(&s, rho, 1, z);
         /* far apart, and close together: on random places, and straight across the regions' borders */
-        const double far = 0.2 * fabs(random_next(&seed));
-        const Vec3 q = v3_axpy(p, far, v3_unit(random_vector(&seed)));
-        assert_true(fabs(shape_face_distance(&s, face, p) - shape_face_distance(&s, face, q)) <=
-                    v3_norm(v3_sub(p, q)) + 1e-15);
-        const Vec3 r = v3_axpy(p, apart, v3_unit(random_vector(&seed)));
+        const double far = 0.2 * fabs(fixture_random(&seed));
+        const Vec3 q = v3_axpy(p, far, v3_unit(fixture_vector(&seed, 1)));
+        check_close(shape_face_distance(&s, face, p), shape_face_distance(&s, face, q), v3_norm(v3_sub(p, q)) + 1e-15);
+        const Vec3 r = v3_axpy(p, apart, v3_unit(fixture_vector(&seed, 1)));
         const ShapeProbe a = shape_probe(&s, face, p), b = shape_probe(&s, face, r);
-        assert_true(fabs(a.distance - b.distance) <= 1.0001 * apart);
+        check_close(a.distance, b.distance, 1.0001 * apart);
         const int above = s.kind == SHAPE_U_GROOVE && rho > s.radius + s.groove.radius - 0.01;
-        if (a.distance > 1e-3 && !above) assert_true(v3_norm(v3_sub(a.normal, b.normal)) < 2e3 * apart);
+        if (a.distance > 1e-3 && !above) check_vec(a.normal, b.normal, 2e3 * apart);
     }
 }
 
@@ -152,7 +146,7 @@ static void test_normals_over_lips(void **state)
         for (double z = 0.005; z < 0.25; z += 1e-5) {
             const Vec3 n = shape_probe(&s, 0, point_at(&s, s.radius + s.groove.depth + 0.005, 0, z)).normal;
             /* rounding a corner at 5 mm turns by 1e-5 / 5e-3 */
-            if (z > 0.0051) assert_true(v3_norm(v3_sub(n, before)) < 2.1e-3);
+            if (z > 0.0051) check_vec(n, before, 2.1e-3);
             before = n;
         }
     }
@@ -167,12 +161,12 @@ static void test_seat(void **state)
         const double cable[] = {0.01, 0.03, 0.044, 0.055, 0.11, 0.15};
         for (int i = 0; i < 6; ++i) {
             const double seat = shape_seat(&s, cable[i]);
-            assert_near(at(&s, 0, seat, 1e-12), cable[i], 1e-10);
-            if (s.kind == SHAPE_V_GROOVE) assert_near(at(&s, 1, seat, 1e-12), cable[i], 1e-10);
+            check_close(at(&s, 0, seat, 1e-12), cable[i], 1e-10);
+            if (s.kind == SHAPE_V_GROOVE) check_close(at(&s, 1, seat, 1e-12), cable[i], 1e-10);
         }
     }
     const Shape flat = {.kind = SHAPE_CYLINDER, .axis = {0, 1, 0}, .radius = 0.1, .half_width = 0.2};
-    assert_near(shape_seat(&flat, 0.04), 0.14, 0);
+    check_close(shape_seat(&flat, 0.04), 0.14, 0);
 }
 
 int main(void)

@@ -1,6 +1,6 @@
 /* A cable in grooves: both flanks of a V bear it and count as one roller; forces and moments balance and turn with the
  * scene; pushed over every edge the force never jumps; in a U a cable that lies askew finds its nearest point. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -28,15 +28,18 @@ static void test_both_flanks(void **state)
     ContactDetail hit[SCENE_HITS_MAX];
     assert_int_equal(contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit), 2);
     assert_int_equal(s.pairs.active, 2);
-    assert_true(hit[0].face == 0 && hit[1].face == 1 && hit[0].roller == 0 && hit[1].roller == 0);
+    check_equal(hit[0].face, 0);
+    check_equal(hit[1].face, 1);
+    check_equal(hit[0].roller, 0);
+    check_equal(hit[1].roller, 0);
     const double N_flank = s.model.impact.k * pow(depth, s.model.impact.e);
     for (int h = 0; h < 2; ++h) {
-        assert_true(fabs(hit[h].normal / N_flank - 1) < 1e-9);
-        assert_true(fabs(hit[h].point.x - 1.6) < 1e-9);
+        check_share(hit[h].normal, N_flank, 1e-12);
+        check_close(hit[h].point.x, 1.6, 1e-9);
     }
     /* one roller, one force: 2 N sin(half angle) down on it */
-    assert_true(fabs(s.on_roller[0].z / (-2 * N_flank * sin(half_angle)) - 1) < 1e-9);
-    assert_true(fabs(s.on_roller[0].x) + fabs(s.on_roller[0].y) < 1e-9 * N_flank);
+    check_share(s.on_roller[0].z, -2 * N_flank * sin(half_angle), 1e-12);
+    check_below(fabs(s.on_roller[0].x) + fabs(s.on_roller[0].y), 1e-12 * N_flank);
     scene_free(&s);
 }
 
@@ -54,7 +57,7 @@ static void test_wedge_friction(void **state)
     scene_refresh(&s);
     scene_forces(&s, 1);
     const double effective = roller->friction.mu_d / sin(half_angle);
-    assert_true(fabs(s.on_roller[0].x / -s.on_roller[0].z / effective - 1) < 1e-9);
+    check_share(s.on_roller[0].x / -s.on_roller[0].z, effective, 1e-9);
     scene_free(&s);
 }
 
@@ -64,10 +67,10 @@ static void groove_scene(TestScene *s, ShapeKind kind, Quat turn, Vec3 shift)
     uint64_t seed = 3;
     scene_new(s, GEOMETRY_SMOOTH, N, 0.5);
     for (int i = 0; i < N; ++i) {
-        const Vec3 a = v3_unit(v3_axpy(v3(1, 0, 0), 0.02, random_vector(&seed)));
-        vector_to(s->kin.a, i, a);
-        vector_to(s->kin.v, i, quat_rotate(turn, v3_scale(0.05, random_vector(&seed))));
-        vector_to(s->kin.w, i, quat_rotate(turn, v3_scale(0.1, random_vector(&seed))));
+        const Vec3 a = v3_unit(v3_axpy(v3(1, 0, 0), 0.02, fixture_vector(&seed, 1)));
+        vec_store(s->kin.a, i, a);
+        vec_store(s->kin.v, i, quat_rotate(turn, v3_scale(0.05, fixture_vector(&seed, 1))));
+        vec_store(s->kin.w, i, quat_rotate(turn, v3_scale(0.1, fixture_vector(&seed, 1))));
     }
     scene_join(s, v3(0, 0, 0));
     const Groove groove = kind == SHAPE_V_GROOVE ? groove_v(0.8, 0.12) : groove_u(0.06, 0.05);
@@ -79,8 +82,8 @@ static void groove_scene(TestScene *s, ShapeKind kind, Quat turn, Vec3 shift)
         grooved_roller(s, v3_add(shift, quat_rotate(turn, centre)), quat_rotate(turn, v3(0, 1, 0)), groove, kind);
     }
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.p, i, v3_add(shift, quat_rotate(turn, vector_of(s->kin.p, i))));
-        vector_to(s->kin.a, i, quat_rotate(turn, vector_of(s->kin.a, i)));
+        vec_store(s->kin.p, i, v3_add(shift, quat_rotate(turn, vec_load(s->kin.p, i))));
+        vec_store(s->kin.a, i, quat_rotate(turn, vec_load(s->kin.a, i)));
     }
     scene_refresh(s);
     scene_forces(s, 1);
@@ -94,22 +97,23 @@ static void test_balance_and_objectivity(void **state)
         TestScene s, t;
         groove_scene(&s, kind, (Quat){1, 0, 0, 0}, v3(0, 0, 0));
         groove_scene(&t, kind, turn, v3(2, -1, 3));
-        assert_true(s.pairs.active >= 3 && t.pairs.active == s.pairs.active);
+        check_at_least(s.pairs.active, 3);
+        check_equal(t.pairs.active, s.pairs.active);
         Vec3 sum = v3(0, 0, 0);
         double size = 0;
         for (int r = 0; r < 3; ++r) {
             sum = v3_add(sum, s.on_roller[r]);
             size += v3_norm(s.on_roller[r]);
             const Vec3 turned = quat_rotate(turn, s.on_roller[r]);
-            assert_true(v3_norm(v3_sub(turned, t.on_roller[r])) < 1e-9 * v3_norm(turned));
+            check_vec(turned, t.on_roller[r], 1e-10 * v3_norm(turned));
         }
         for (int i = 0; i < N; ++i) {
-            sum = v3_add(sum, vector_of(s.loads.f, i));
-            const Vec3 f = quat_rotate(turn, vector_of(s.loads.f, i)), m = quat_rotate(turn, vector_of(s.loads.m, i));
-            assert_true(v3_norm(v3_sub(f, vector_of(t.loads.f, i))) < 1e-9 * size);
-            assert_true(v3_norm(v3_sub(m, vector_of(t.loads.m, i))) < 1e-9 * size);
+            sum = v3_add(sum, vec_load(s.loads.f, i));
+            const Vec3 f = quat_rotate(turn, vec_load(s.loads.f, i)), m = quat_rotate(turn, vec_load(s.loads.m, i));
+            check_vec(f, vec_load(t.loads.f, i), 1e-11 * size);
+            check_vec(m, vec_load(t.loads.m, i), 1e-11 * size);
         }
-        assert_true(v3_norm(sum) < 1e-12 * size);
+        check_below(v3_norm(sum), 1e-12 * size);
         scene_free(&s);
         scene_free(&t);
     }
@@ -131,10 +135,10 @@ static double largest_jump(ShapeKind kind, Groove groove, double step)
         for (int i = 0; i < N; ++i) s.kin.p[1][i] = y;
         scene_forces(&s, 0);
         touching += s.pairs.active > 0;
-        if (y > -0.349) jump = fmax(jump, v3_norm(v3_sub(s.on_roller[0], before)));
+        if (y > -0.349) jump = larger_of(jump, v3_norm(v3_sub(s.on_roller[0], before)));
         before = s.on_roller[0];
     }
-    assert_true(touching > 1000);
+    check_above(touching, 1000);
     scene_free(&s);
     return jump;
 }
@@ -147,7 +151,8 @@ static void test_pushed_over_edges(void **state)
     for (int k = 0; k < 2; ++k) {
         const ShapeKind kind = k == 0 ? SHAPE_V_GROOVE : SHAPE_U_GROOVE;
         const double coarse = largest_jump(kind, groove[k], 4e-5), fine = largest_jump(kind, groove[k], 1e-5);
-        assert_true(coarse > 0 && fine < 0.3 * coarse);
+        check_above(coarse, 0);
+        check_below(fine, 0.3 * coarse);
     }
 }
 
@@ -160,8 +165,8 @@ static void test_askew_in_u(void **state)
         TestScene s;
         scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
         for (int i = 0; i < N; ++i) {
-            vector_to(s.kin.a, i, v3(cos(skew), sin(skew), 0));
-            vector_to(s.kin.p, i, v3_scale((i - 2) * 0.5, v3(cos(skew), sin(skew), 0)));
+            vec_store(s.kin.a, i, v3(cos(skew), sin(skew), 0));
+            vec_store(s.kin.p, i, v3_scale((i - 2) * 0.5, v3(cos(skew), sin(skew), 0)));
         }
         /* the middle of an arc is over the middle of the roller: the maximum, if there is one */
         grooved_roller(&s, v3(0.25 * cos(skew), 0.25 * sin(skew), -0.08 - s.chain.radius[0] + 1e-3), v3(0, 1, 0),
@@ -170,11 +175,11 @@ static void test_askew_in_u(void **state)
         ContactDetail hit[SCENE_HITS_MAX];
         const int hits = contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, hit);
         assert_int_equal(hits, 1);
-        assert_true(hit[0].normal > 0);
+        check_above(hit[0].normal, 0);
         const Element element = element_at(GEOMETRY_SMOOTH, N, hit[0].element);
         for (int side = -1; side <= 1; side += 2) {
             const Vec3 p = element_point(&element, &s.chain, &s.kin, hit[0].u + side * 1e-3);
-            assert_true(shape_distance(&s.roller[0].shape, p) - s.chain.radius[0] >= hit[0].gap - 1e-12);
+            check_at_least(shape_distance(&s.roller[0].shape, p) - s.chain.radius[0], hit[0].gap - 1e-12);
         }
         scene_free(&s);
     }

@@ -1,7 +1,7 @@
 /* Contact in the plane against contact in space: the same owners and forces for lines of every shape, where they touch
  * inside an arc, beyond an end, and where the radius changes; forces balance those on the rollers. */
 #include "contact/planar/planar_contact.h"
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 enum { N = 11 };
 
@@ -50,18 +50,18 @@ static void rig_new(Rig *r, ContactGeometry geometry, uint64_t seed)
     assert_true(planar_chain_alloc(&r->chain, N) && planar_kinematics_alloc(&r->kin, N));
     assert_true(planar_loads_alloc(&r->loads, N));
     for (int i = 0; i < N; ++i) {
-        const double angle = 0.15 * random_next(&seed);
-        vector_to(r->s.kin.a, i, v3(cos(angle), 0, sin(angle)));
-        vector_to(r->s.kin.v, i, v3(0.02 * random_next(&seed), 0, 0.02 * random_next(&seed)));
-        vector_to(r->s.kin.w, i, v3(0, 0.1 * random_next(&seed), 0));
+        const double angle = 0.15 * fixture_random(&seed);
+        vec_store(r->s.kin.a, i, v3(cos(angle), 0, sin(angle)));
+        vec_store(r->s.kin.v, i, v3(0.02 * fixture_random(&seed), 0, 0.02 * fixture_random(&seed)));
+        vec_store(r->s.kin.w, i, v3(0, 0.1 * fixture_random(&seed), 0));
         if (i > 7) r->s.chain.radius[i] = 0.01;
     }
     scene_join(&r->s, v3(0, 0, 0));
     for (int k = 0; k < SCENE_ROLLERS_MAX; ++k) {
         const int i = k == 0 ? 0 : 2 + 2 * k;
         const double side = k % 2 ? 1 : -1, radius = 0.1 + 0.02 * k, rc = r->s.chain.radius[i];
-        const Vec3 p = vector_of(r->s.kin.p, i), a = vector_of(r->s.kin.a, i), up = v3(-a.z, 0, a.x);
-        const Vec3 at = v3_axpy(p, k == 0 ? -0.26 : 0.2 * random_next(&seed), a);
+        const Vec3 p = vec_load(r->s.kin.p, i), a = vec_load(r->s.kin.a, i), up = v3(-a.z, 0, a.x);
+        const Vec3 at = v3_axpy(p, k == 0 ? -0.26 : 0.2 * fixture_random(&seed), a);
         scene_roller(&r->s, v3_axpy(at, side * (radius + rc - 2e-3), up), v3(0, 1, 0), radius, 0.3);
     }
     plane_copy(r);
@@ -98,20 +98,20 @@ static void test_space(void **state)
         assert_int_equal(r.s.pairs.n_hits, hits);
         contacts += active;
         for (int i = 0; i < N; ++i) {
-            worst = fmax(worst, fabs(r.loads.f[0][i] - r.s.loads.f[0][i]));
-            worst = fmax(worst, fabs(r.loads.f[1][i] - r.s.loads.f[2][i]));
-            worst = fmax(worst, fabs(r.loads.m[i] + r.s.loads.m[1][i]));
-            largest = fmax(largest, fabs(r.s.loads.f[2][i]));
+            worst = larger_of(worst, fabs(r.loads.f[0][i] - r.s.loads.f[0][i]));
+            worst = larger_of(worst, fabs(r.loads.f[1][i] - r.s.loads.f[2][i]));
+            worst = larger_of(worst, fabs(r.loads.m[i] + r.s.loads.m[1][i]));
+            largest = larger_of(largest, fabs(r.s.loads.f[2][i]));
         }
         for (int k = 0; k < SCENE_ROLLERS_MAX; ++k) {
-            worst = fmax(worst, fabs(r.on_roller[k][0] - r.s.on_roller[k].x));
-            worst = fmax(worst, fabs(r.on_roller[k][1] - r.s.on_roller[k].z));
+            worst = larger_of(worst, fabs(r.on_roller[k][0] - r.s.on_roller[k].x));
+            worst = larger_of(worst, fabs(r.on_roller[k][1] - r.s.on_roller[k].z));
         }
         rig_free(&r);
     }
     print_message("%d contacts, off by %.2g of %.0f N\n", contacts, worst, largest);
-    assert_true(contacts > 200);
-    assert_true(worst < 1e-11 * largest);
+    check_above(contacts, 200);
+    check_below(worst, 1e-13 * largest);
 }
 
 /* What the segments feel is what the rollers feel, back: forces, and moments about the origin. */
@@ -122,17 +122,17 @@ static void test_reaction(void **state)
         Rig r;
         double sum[2] = {0}, size = 0;
         rig_new(&r, GEOMETRY_SMOOTH, seed);
-        assert_true(planar_push(&r) >= 2);
+        check_at_least(planar_push(&r), 2);
         for (int i = 0; i < N; ++i) {
             for (int c = 0; c < 2; ++c) {
                 sum[c] += r.loads.f[c][i];
-                size = fmax(size, fabs(r.loads.f[c][i]));
+                size = larger_of(size, fabs(r.loads.f[c][i]));
             }
         }
         for (int k = 0; k < SCENE_ROLLERS_MAX; ++k) {
             for (int c = 0; c < 2; ++c) sum[c] += r.on_roller[k][c];
         }
-        assert_true(fabs(sum[0]) + fabs(sum[1]) < 1e-13 * size);
+        check_below(fabs(sum[0]) + fabs(sum[1]), 1e-13 * size);
         rig_free(&r);
     }
 }
@@ -149,15 +149,15 @@ static void test_moved(void **state)
         memcpy(then.p[c], r.kin.p[c], N * sizeof(double));
         memcpy(then.a[c], r.kin.a[c], N * sizeof(double));
     }
-    assert_true(planar_contact_moved(&r.chain, &r.kin, then.p, then.a) == 0);
+    check_equal(planar_contact_moved(&r.chain, &r.kin, then.p, then.a), 0);
     r.kin.p[0][4] += 0.3;
     r.kin.p[1][4] += 0.4;
     r.kin.a[0][N - 1] += 0.1;
-    assert_true(fabs(planar_contact_moved(&r.chain, &r.kin, then.p, then.a) - 0.5) < 1e-15);
+    check_close(planar_contact_moved(&r.chain, &r.kin, then.p, then.a), 0.5, 1e-15);
     r.kin.a[0][N - 1] += 3;
-    assert_true(fabs(planar_contact_moved(&r.chain, &r.kin, then.p, then.a) - 3.1 * r.chain.half[N - 1]) < 1e-15);
+    check_close(planar_contact_moved(&r.chain, &r.kin, then.p, then.a), 3.1 * r.chain.half[N - 1], 1e-15);
     r.kin.p[1][0] = NAN;
-    assert_true(isinf(planar_contact_moved(&r.chain, &r.kin, then.p, then.a)));
+    check_infinite(planar_contact_moved(&r.chain, &r.kin, then.p, then.a));
     planar_kinematics_free(&then);
     rig_free(&r);
 }

@@ -1,6 +1,6 @@
 /* The derivatives of cable on cable against finite differences: turns of a helix that lie on each other, strands that
  * cross, at rest and moving, shaken; the pattern holds every coupling that there is. */
-#include "tests/contact/self_scene.h"
+#include "tests/support/touch.h"
 
 #include "contact/fd/contact_fd.h"
 
@@ -24,11 +24,11 @@ static double difference(const SelfScene *s, const BlockChain *chain, const doub
         for (int row = 0; row < size; ++row) {
             const int kind = 2 * (row % 6 / 3) + col % 6 / 3;
             const double value = dense[(size_t)col * (size_t)size + (size_t)row];
-            most[kind] = fmax(most[kind], fabs(value));
-            apart[kind] = fmax(apart[kind], fabs(value - entry(s, chain, extra, row, col)));
+            most[kind] = larger_of(most[kind], fabs(value));
+            apart[kind] = larger_of(apart[kind], fabs(value - entry(s, chain, extra, row, col)));
         }
     }
-    for (int kind = 0; kind < 4; ++kind) worst = fmax(worst, most[kind] > 0 ? apart[kind] / most[kind] : 1);
+    for (int kind = 0; kind < 4; ++kind) worst = larger_of(worst, most[kind] <= 0 ? 1 : apart[kind] / most[kind]);
     return worst;
 }
 
@@ -41,14 +41,15 @@ static void compare(SelfScene *s, const char *what, int least)
     assert_true(block_chain_alloc(&k, n, 6) && block_chain_alloc(&d, n, 6) && dense[0] && dense[1]);
     self_fresh(s);
     self_load(s, 1);
-    assert_true(s->pairs.active[0] + s->pairs.active[1] >= least);
+    check_at_least(s->pairs.active[0] + s->pairs.active[1], least);
     block_extras_zero(&s->pairs.extras);
     self_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &k, &d);
     assert_true(self_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, 1e-7, 1e-7, dense[0], dense[1]));
     const double stiffness = difference(s, &k, s->pairs.extras.k, dense[0]);
     const double damping = difference(s, &d, s->pairs.extras.d, dense[1]);
     print_message("%s: %d pieces, K %.1g, D %.1g\n", what, s->pairs.active[0] + s->pairs.active[1], stiffness, damping);
-    assert_true(stiffness < 2e-6 && damping < 2e-6);
+    check_below(stiffness, 2e-7);
+    check_below(damping, 2e-7);
     block_chain_free(&k);
     block_chain_free(&d);
     free(dense[0]);

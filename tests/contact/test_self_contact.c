@@ -1,7 +1,7 @@
 /* Cable on cable: momentum is kept to rounding, forces turn with the world, strands that cross press as the law says,
  * strands side by side press evenly and without jumps however they slide, a round trip without friction takes no work
  * and gives none, and no candidate is missed. */
-#include "tests/contact/self_scene.h"
+#include "tests/support/touch.h"
 
 /* Two straight strands of six segments: one along x, one at `angle` to it, `apart` above, crossing it at `at`. */
 static void cross(SelfScene *s, double angle, double apart, double at)
@@ -24,17 +24,19 @@ static void test_momentum(void **state)
         self_shake(&s, 1e-3, 0.05, &seed);
         self_fresh(&s);
         self_load(&s, 1);
-        assert_true(s.pairs.active[0] > 10 && s.pairs.active[1] > 10);
+        check_above(s.pairs.active[0], 10);
+        check_above(s.pairs.active[1], 10);
         Vec3 force = v3(0, 0, 0), moment = v3(0, 0, 0);
         double size = 0;
         for (int i = 0; i < 32; ++i) {
-            const Vec3 f = vector_of(s.loads.f, i), arm = v3_sub(vector_of(s.kin.p, i), v3(3, -2, 1));
+            const Vec3 f = vec_load(s.loads.f, i), arm = v3_sub(vec_load(s.kin.p, i), v3(3, -2, 1));
             force = v3_add(force, f);
-            moment = v3_add(moment, v3_add(vector_of(s.loads.m, i), v3_cross(arm, f)));
+            moment = v3_add(moment, v3_add(vec_load(s.loads.m, i), v3_cross(arm, f)));
             size += v3_norm(f);
         }
-        assert_true(size > 1000);
-        assert_true(v3_norm(force) < 1e-14 * size && v3_norm(moment) < 1e-13 * size);
+        check_above(size, 1000);
+        check_below(v3_norm(force), 1e-14 * size);
+        check_below(v3_norm(moment), 2e-14 * size);
         self_free(&s);
     }
 }
@@ -51,10 +53,10 @@ static void test_objective(void **state)
     self_helix(&s, 0.5, 2 * SELF_RADIUS - 3e-3);
     self_shake(&s, 1e-3, 0.05, &seed);
     for (int i = 0; i < 32; ++i) {
-        vector_to(turned.kin.p, i, v3_add(quat_rotate(q, vector_of(s.kin.p, i)), v3(2, -3, 5)));
-        vector_to(turned.kin.a, i, quat_rotate(q, vector_of(s.kin.a, i)));
-        vector_to(turned.kin.v, i, quat_rotate(q, vector_of(s.kin.v, i)));
-        vector_to(turned.kin.w, i, quat_rotate(q, vector_of(s.kin.w, i)));
+        vec_store(turned.kin.p, i, v3_add(quat_rotate(q, vec_load(s.kin.p, i)), v3(2, -3, 5)));
+        vec_store(turned.kin.a, i, quat_rotate(q, vec_load(s.kin.a, i)));
+        vec_store(turned.kin.v, i, quat_rotate(q, vec_load(s.kin.v, i)));
+        vec_store(turned.kin.w, i, quat_rotate(q, vec_load(s.kin.w, i)));
     }
     self_fresh(&s);
     self_fresh(&turned);
@@ -62,12 +64,13 @@ static void test_objective(void **state)
     self_load(&turned, 1);
     double most = 0, apart = 0;
     for (int i = 0; i < 32; ++i) {
-        const Vec3 f = quat_rotate(q, vector_of(s.loads.f, i)), m = quat_rotate(q, vector_of(s.loads.m, i));
-        most = fmax(most, v3_norm(f));
-        apart = fmax(apart, v3_norm(v3_sub(f, vector_of(turned.loads.f, i))));
-        apart = fmax(apart, v3_norm(v3_sub(m, vector_of(turned.loads.m, i))));
+        const Vec3 f = quat_rotate(q, vec_load(s.loads.f, i)), m = quat_rotate(q, vec_load(s.loads.m, i));
+        most = larger_of(most, v3_norm(f));
+        apart = larger_of(apart, v3_norm(v3_sub(f, vec_load(turned.loads.f, i))));
+        apart = larger_of(apart, v3_norm(v3_sub(m, vec_load(turned.loads.m, i))));
     }
-    assert_true(most > 100 && apart < 1e-9 * most);
+    check_above(most, 100);
+    check_below(apart, 1e-11 * most);
     self_free(&s);
     self_free(&turned);
 }
@@ -87,8 +90,8 @@ static void test_crossing_force(void **state)
         const Vec3 f = self_force_on(&s, 6, 6);
         const double sum = 2 * SELF_RADIUS, q = depth - depth * depth / (2 * sum);
         const double expected = 1e7 * pow(q, 1.5) * (1 - depth / sum) / sin(angle);
-        if (fabs(f.z / expected - 1) > 1e-9) fail_msg("%.12g N, expected %.12g N", f.z, expected);
-        assert_true(fabs(f.x) + fabs(f.y) < 1e-9 * f.z);
+        check_share(f.z, expected, 1e-12);
+        check_below(fabs(f.x) + fabs(f.y), 1e-13 * f.z);
     }
     self_free(&s);
 }
@@ -109,8 +112,8 @@ static void test_parallel(void **state)
         self_load(&s, 1);
         /* the middle of the lower strand, which is covered from end to end */
         const double force = -self_force_on(&s, 4, 3).z, modulus = s.model.law.bed / sqrt(2 * SELF_RADIUS);
-        assert_true(fabs(force / (modulus * depth * 0.9) - 1) < 0.01);
-        assert_true(k == 0 || fabs(force / before - 1) < 1e-6);
+        check_share(force, modulus * depth * 0.9, 0.01);
+        if (k > 0) check_share(force, before, 1e-12);
         before = force;
     }
     Vec3 last[2] = {{0, 0, 0}, {0, 0, 0}};
@@ -121,15 +124,15 @@ static void test_parallel(void **state)
                     v3(-cos(angle), -sin(angle), 0));
         self_fresh(&s);
         self_load(&s, 1);
-        const Vec3 now[2] = {self_force_on(&s, 0, 12), vector_of(s.loads.m, 5)};
-        if (k > -400) jump = fmax(jump, v3_norm(v3_sub(now[0], last[0])) + v3_norm(v3_sub(now[1], last[1])));
-        largest = fmax(largest, v3_norm(now[0]));
+        const Vec3 now[2] = {self_force_on(&s, 0, 12), vec_load(s.loads.m, 5)};
+        if (k > -400) jump = larger_of(jump, v3_norm(v3_sub(now[0], last[0])) + v3_norm(v3_sub(now[1], last[1])));
+        largest = larger_of(largest, v3_norm(now[0]));
         last[0] = now[0];
         last[1] = now[1];
     }
     print_message("turning in steps of 0.5 mrad: largest force %.0f N, largest step %.0f N\n", largest, jump);
     /* a strand 3.6 m long leaves the other within 10 mrad: 0.05 of the force a step */
-    assert_true(jump < 0.06 * largest);
+    check_below(jump, 0.06 * largest);
     self_free(&s);
 }
 
@@ -146,18 +149,19 @@ static void test_sliding(void **state)
         /* the last turn slides over the rest */
         for (int i = 28; i < 40; ++i) {
             const Quat q = quat_exp(v3(0, 0, 2e-4 * k));
-            vector_to(s.kin.p, i, quat_rotate(q, vector_of(s.kin.p, i)));
-            vector_to(s.kin.a, i, quat_rotate(q, vector_of(s.kin.a, i)));
+            vec_store(s.kin.p, i, quat_rotate(q, vec_load(s.kin.p, i)));
+            vec_store(s.kin.a, i, quat_rotate(q, vec_load(s.kin.a, i)));
         }
         if (k % 20 == 0) self_fresh(&s);
         self_load(&s, 1);
-        const double now = vector_of(s.loads.f, 34).z;
-        if (k > 0) jump = fmax(jump, fabs(now - last));
-        largest = fmax(largest, fabs(now));
+        const double now = vec_load(s.loads.f, 34).z;
+        if (k > 0) jump = larger_of(jump, fabs(now - last));
+        largest = larger_of(largest, fabs(now));
         last = now;
     }
     print_message("sliding by 0.1 mm: largest force %.0f N, largest step %.2f N\n", largest, jump);
-    assert_true(largest > 100 && jump < 0.01 * largest);
+    check_above(largest, 100);
+    check_below(jump, 0.01 * largest);
     self_free(&s);
 }
 
@@ -178,8 +182,8 @@ static double work_round(SelfScene *s, int steps)
         moment[1] = v3(0, 0, 0);
         const Vec3 pole = v3(at[1], 0, apart[1]);
         for (int i = 6; i < 12; ++i) {
-            const Vec3 arm = v3_sub(vector_of(s->kin.p, i), pole);
-            moment[1] = v3_add(moment[1], v3_add(vector_of(s->loads.m, i), v3_cross(arm, vector_of(s->loads.f, i))));
+            const Vec3 arm = v3_sub(vec_load(s->kin.p, i), pole);
+            moment[1] = v3_add(moment[1], v3_add(vec_load(s->loads.m, i), v3_cross(arm, vec_load(s->loads.f, i))));
         }
         if (k > 0) {
             work += 0.5 * (force[0].x + force[1].x) * (at[1] - at[0]) +
@@ -203,7 +207,7 @@ static void test_energy(void **state)
     self_new(&s, 12, 0.3);
     const double work = work_round(&s, 4000), scale = 0.4 * 1e7 * pow(3e-3, 2.5);
     print_message("work round a closed path %.2g J; stored at most %.2g J\n", work, scale);
-    assert_true(fabs(work) < 1e-5 * scale);
+    check_close(work, 0, 1e-5 * scale);
     self_free(&s);
 }
 
@@ -224,11 +228,11 @@ static void test_dissipation(void **state)
         self_load(&s, 1);
         double power = 0;
         for (int i = 0; i < 12; ++i) {
-            const Vec3 f = v3_sub(vector_of(s.loads.f, i), vector_of(rest.f, i));
-            const Vec3 m = v3_sub(vector_of(s.loads.m, i), vector_of(rest.m, i));
-            power += v3_dot(f, vector_of(s.kin.v, i)) + v3_dot(m, vector_of(s.kin.w, i));
+            const Vec3 f = v3_sub(vec_load(s.loads.f, i), vec_load(rest.f, i));
+            const Vec3 m = v3_sub(vec_load(s.loads.m, i), vec_load(rest.m, i));
+            power += v3_dot(f, vec_load(s.kin.v, i)) + v3_dot(m, vec_load(s.kin.w, i));
         }
-        assert_true(power < 0);
+        check_below(power, 0);
         loads_free(&rest);
         self_free(&s);
     }
@@ -241,7 +245,7 @@ static double lines_apart(const SelfScene *s, int e, int f)
     for (int k = 0; k < 81; ++k) {
         const Vec3 a = line_spot(&s->chain, &s->kin, e, k % 9 / 8.0).p,
                    b = line_spot(&s->chain, &s->kin, f, k / 9 / 8.0).p;
-        least = fmin(least, v3_norm(v3_sub(a, b)));
+        least = smaller_of(least, v3_norm(v3_sub(a, b)));
     }
     return least;
 }
@@ -257,7 +261,7 @@ static void test_candidates(void **state)
     self_shake(&s, 0.02, 0, &seed);
     self_fresh(&s);
     const int skip = self_skip(&s.chain);
-    assert_true(skip >= 3);
+    check_at_least(skip, 3);
     int found = 0;
     for (int e = 0; e <= 64; ++e) {
         for (int f = e; f <= 64; ++f) {

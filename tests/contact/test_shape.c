@@ -1,5 +1,5 @@
 /* The finite cylinder's distance in its three outer regions, with its derivatives. */
-#include "tests/contact/contact_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -18,17 +18,15 @@ static Vec3 point_at(double rho, double angle, double z)
     return v3_axpy(p, rho * sin(angle), e2);
 }
 
-static void assert_near(double a, double b, double tolerance) { assert_true(fabs(a - b) <= tolerance); }
-
 static void test_known_distances(void **state)
 {
     (void)state;
-    assert_near(shape_distance(&roller, point_at(0.17, 1, 0.2)), 0.07, 1e-15); /* lateral */
-    assert_near(shape_distance(&roller, point_at(0.17, 1, -0.2)), 0.07, 1e-15);
-    assert_near(shape_distance(&roller, point_at(0.05, 2, 0.35)), 0.10, 1e-15);   /* face */
-    assert_near(shape_distance(&roller, point_at(0.13, 3, 0.29)), 0.05, 1e-15);   /* rim: 3-4-5 */
-    assert_near(shape_distance(&roller, point_at(0.09, 4, 0.1)), -0.01, 1e-15);   /* inside */
-    assert_near(shape_distance(&roller, point_at(0.02, 4, -0.24)), -0.01, 1e-15); /* inside, near a face */
+    check_close(shape_distance(&roller, point_at(0.17, 1, 0.2)), 0.07, 1e-15); /* lateral */
+    check_close(shape_distance(&roller, point_at(0.17, 1, -0.2)), 0.07, 1e-15);
+    check_close(shape_distance(&roller, point_at(0.05, 2, 0.35)), 0.10, 1e-15);   /* face */
+    check_close(shape_distance(&roller, point_at(0.13, 3, 0.29)), 0.05, 1e-15);   /* rim: 3-4-5 */
+    check_close(shape_distance(&roller, point_at(0.09, 4, 0.1)), -0.01, 1e-15);   /* inside */
+    check_close(shape_distance(&roller, point_at(0.02, 4, -0.24)), -0.01, 1e-15); /* inside, near a face */
 }
 
 /* Both implementations agree, and the derivatives are those of the distance. */
@@ -38,21 +36,21 @@ static void test_derivatives(void **state)
     uint64_t seed = 7;
     const double step = 1e-6;
     for (int i = 0; i < 400; ++i) {
-        const double rho = 0.16 + 0.14 * random_next(&seed), z = 0.45 * random_next(&seed);
-        const Vec3 p = point_at(rho, 3 * random_next(&seed), z);
+        const double rho = 0.16 + 0.14 * fixture_random(&seed), z = 0.45 * fixture_random(&seed);
+        const Vec3 p = point_at(rho, 3 * fixture_random(&seed), z);
         const double q_rho = rho - roller.radius, q_z = fabs(z) - roller.half_width;
         if (fabs(q_rho) < 1e-3 || fabs(q_z) < 1e-3 || (q_rho < 0 && q_z < 0)) continue; /* region borders */
         const ShapeProbe probe = shape_probe(&roller, 0, p);
-        assert_near(probe.distance, shape_distance(&roller, p), 1e-15);
-        assert_near(v3_norm(probe.normal), 1, 1e-14);
+        check_close(probe.distance, shape_distance(&roller, p), 1e-15);
+        check_close(v3_norm(probe.normal), 1, 1e-14);
         for (int c = 0; c < 3; ++c) {
             const Vec3 e = v3(c == 0, c == 1, c == 2);
             const ShapeProbe plus = shape_probe(&roller, 0, v3_axpy(p, step, e));
             const ShapeProbe minus = shape_probe(&roller, 0, v3_axpy(p, -step, e));
-            assert_near((plus.distance - minus.distance) / (2 * step), v3_dot(probe.normal, e), 1e-8);
+            check_close((plus.distance - minus.distance) / (2 * step), v3_dot(probe.normal, e), 1e-8);
             const Vec3 column = v3_scale(1 / (2 * step), v3_sub(plus.normal, minus.normal));
             /* third derivatives grow as 1/distance^2 near the rim */
-            assert_true(v3_norm(v3_sub(column, m3_mul(&probe.hessian, e))) < 1e-6 / fmin(1, fabs(probe.distance)));
+            check_vec(column, m3_mul(&probe.hessian, e), 1e-8 / fmin(1, fabs(probe.distance)));
         }
     }
 }
@@ -66,12 +64,12 @@ static void test_smooth_across_regions(void **state)
         for (double out = 0.01; out < 0.2; out += 0.05) {
             const ShapeProbe a = shape_probe(&roller, 0, point_at(0.1 + out, angle, 0.25 - tiny));
             const ShapeProbe b = shape_probe(&roller, 0, point_at(0.1 + out, angle, 0.25 + tiny));
-            assert_near(a.distance, b.distance, 1e-15);
-            assert_true(v3_norm(v3_sub(a.normal, b.normal)) < 3 * tiny / out);
+            check_close(a.distance, b.distance, 1e-15);
+            check_vec(a.normal, b.normal, 3 * tiny / out);
             const ShapeProbe c = shape_probe(&roller, 0, point_at(0.1 - tiny, angle, 0.25 + out));
             const ShapeProbe d = shape_probe(&roller, 0, point_at(0.1 + tiny, angle, 0.25 + out));
-            assert_near(c.distance, d.distance, 1e-15);
-            assert_true(v3_norm(v3_sub(c.normal, d.normal)) < 3 * tiny / out);
+            check_close(c.distance, d.distance, 1e-15);
+            check_vec(c.normal, d.normal, 3 * tiny / out);
         }
     }
 }
@@ -81,8 +79,8 @@ static void test_axis_is_finite(void **state)
 {
     (void)state;
     const ShapeProbe probe = shape_probe(&roller, 0, roller.centre);
-    assert_near(probe.distance, -0.1, 1e-15);
-    assert_true(isfinite(v3_norm(probe.normal)));
+    check_close(probe.distance, -0.1, 1e-15);
+    check_finite(v3_norm(probe.normal));
 }
 
 int main(void)

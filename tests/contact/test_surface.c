@@ -1,6 +1,6 @@
 /* Shapes and forces of surfaces: distance and normal against differences, continuity along the way, every point to one
  * part; action and reaction, objectivity, a stiffness that does not depend on the segments. */
-#include "tests/contact/surface_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -32,8 +32,8 @@ static void test_normal(void **state)
         shape.lift = 0.02;
         surfaces_add(&s, &shape);
         for (int trial = 0; trial < 400; ++trial) {
-            const double at = 5 + 4.9 * random_next(&seed);
-            const Vec3 p = beside(&s.route, at, 0.07 * random_next(&seed), -0.01 + 0.05 * random_next(&seed));
+            const double at = 5 + 4.9 * fixture_random(&seed);
+            const Vec3 p = beside(&s.route, at, 0.07 * fixture_random(&seed), -0.01 + 0.05 * fixture_random(&seed));
             for (int f = 0; f < s.model.n_patches; ++f) {
                 const SurfaceProbe here = surface_probe(&s.patch[f], p);
                 if (!here.owned) continue;
@@ -46,9 +46,9 @@ static void test_normal(void **state)
                                (2 * e);
                 }
                 const Vec3 gradient = v3(slope[0], slope[1], slope[2]);
-                assert_true(fabs(v3_norm(here.normal) - 1) < 1e-14);
-                assert_true(v3_norm(v3_sub(v3_unit(gradient), here.normal)) < 1e-7);
-                assert_true(fabs(v3_norm(gradient) - 1) < 2e-3);
+                check_close(v3_norm(here.normal), 1, 1e-14);
+                check_vec(v3_unit(gradient), here.normal, 1e-7);
+                check_close(v3_norm(gradient), 1, 2e-3);
             }
         }
         surfaces_free(&s);
@@ -91,8 +91,8 @@ static void test_continuous(void **state)
             const Vec3 p = beside(&s.route, 0.4 + 5e-4 * i, 0.02, -0.005);
             assert_int_equal(faces_at(&s, p, &now, &normal), faces);
             if (i > 0) {
-                assert_true(fabs(now - before) < 1e-4);
-                assert_true(v3_norm(v3_sub(normal, normal_before)) < 2e-3);
+                check_close(now, before, 1e-4);
+                check_vec(normal, normal_before, 2e-3);
             }
             before = now;
             normal_before = normal;
@@ -117,7 +117,7 @@ static void test_fades_meet(void **state)
             const SurfaceProbe here = surface_probe(&s.patch[f], beside(&s.route, at, 0.01, 0.01));
             if (here.owned) share += here.share;
         }
-        assert_true(fabs(share - 1) < 1e-12);
+        check_close(share, 1, 1e-12);
     }
     surfaces_free(&s);
 }
@@ -135,14 +135,14 @@ static void scene_moving(SurfaceScene *s, double heading)
     surfaces_lay(s, 0.1, 0, 0);
     const Vec3 turned = v3(cos(heading), sin(heading), 0);
     for (int i = 0; i < 18; ++i) {
-        const Vec3 left = v3(-turned.y, turned.x, 0), up = v3(0, 0, 1), r = random_vector(&seed),
-                   v = random_vector(&seed);
-        Vec3 p = vector_of(s->kin.p, i);
+        const Vec3 left = v3(-turned.y, turned.x, 0), up = v3(0, 0, 1), r = fixture_vector(&seed, 1),
+                   v = fixture_vector(&seed, 1);
+        Vec3 p = vec_load(s->kin.p, i);
         p = v3_axpy(p, i < 10 ? -0.0605 : -0.0005, up);
         p = v3_axpy(v3_axpy(v3_axpy(p, 2e-4 * r.x, turned), 2e-4 * r.y, left), 2e-4 * r.z, up);
-        vector_to(s->kin.p, i, p);
-        vector_to(s->kin.v, i, v3_axpy(v3_axpy(v3_scale(0.1 * v.x, turned), 0.1 * v.y, left), 0.01 * v.z, up));
-        vector_to(s->kin.w, i, v3_scale(0.1, v3_axpy(v3_axpy(v3_scale(r.y, turned), r.z, left), r.x, up)));
+        vec_store(s->kin.p, i, p);
+        vec_store(s->kin.v, i, v3_axpy(v3_axpy(v3_scale(0.1 * v.x, turned), 0.1 * v.y, left), 0.01 * v.z, up));
+        vec_store(s->kin.w, i, v3_scale(0.1, v3_axpy(v3_axpy(v3_scale(r.y, turned), r.z, left), r.x, up)));
     }
     surfaces_refresh(s);
 }
@@ -155,14 +155,15 @@ static void test_action_and_reaction(void **state)
     scene_moving(&s, 0);
     surfaces_forces(&s, 1);
     Vec3 total = {0, 0, 0};
-    for (int i = 0; i < s.chain.n; ++i) total = v3_add(total, vector_of(s.loads.f, i));
+    for (int i = 0; i < s.chain.n; ++i) total = v3_add(total, vec_load(s.loads.f, i));
     const Vec3 reaction = v3_add(s.tally[0].force, s.tally[1].force);
     print_message("%d points, on the cable %.3f %.3f %.3f N\n", s.pairs.active, total.x, total.y, total.z);
-    assert_true(s.pairs.active > 20 && v3_norm(total) > 1000);
-    assert_true(v3_norm(v3_add(total, reaction)) < 1e-12 * v3_norm(total));
+    check_above(s.pairs.active, 20);
+    check_above(v3_norm(total), 1000);
+    check_below(v3_norm(v3_add(total, reaction)), 2e-14 * v3_norm(total));
     /* friction is mu times the normal force where everything slides */
-    assert_true(s.tally[0].friction <= 0.25 * s.tally[0].normal + 1e-9);
-    assert_true(s.tally[0].friction > 0.1 * s.tally[0].normal);
+    check_at_most(s.tally[0].friction, 0.25 * s.tally[0].normal + 1e-9);
+    check_above(s.tally[0].friction, 0.1 * s.tally[0].normal);
     surfaces_free(&s);
 }
 
@@ -179,12 +180,13 @@ static void test_objectivity(void **state)
     const Quat turn = quat_exp(v3(0, 0, heading));
     double size = 0, off = 0;
     for (int i = 0; i < a.chain.n; ++i) {
-        const Vec3 f = quat_rotate(turn, vector_of(a.loads.f, i)), m = quat_rotate(turn, vector_of(a.loads.m, i));
-        off = fmax(off, v3_norm(v3_sub(f, vector_of(b.loads.f, i))) + v3_norm(v3_sub(m, vector_of(b.loads.m, i))));
-        size = fmax(size, v3_norm(f));
+        const Vec3 f = quat_rotate(turn, vec_load(a.loads.f, i)), m = quat_rotate(turn, vec_load(a.loads.m, i));
+        off = larger_of(off, v3_norm(v3_sub(f, vec_load(b.loads.f, i))) + v3_norm(v3_sub(m, vec_load(b.loads.m, i))));
+        size = larger_of(size, v3_norm(f));
     }
     print_message("off by %.2e of %.2e N\n", off, size);
-    assert_true(size > 100 && off < 1e-9 * size);
+    check_above(size, 100);
+    check_below(off, 1e-12 * size);
     surfaces_free(&a);
     surfaces_free(&b);
 }
@@ -213,7 +215,7 @@ static void test_halves(void **state)
     for (int c = 0; c < 3; ++c) {
         for (int i = 0; i < s.chain.n; ++i) {
             const double off = fabs(s.loads.f[c][i] - whole.f[c][i]);
-            assert_true(off <= 1e-12 * fabs(whole.f[c][i]) + 1e-12);
+            check_at_most(off, 1e-12 * fabs(whole.f[c][i]) + 1e-12);
         }
     }
     loads_free(&whole);
@@ -240,14 +242,14 @@ static void test_stiffness(void **state)
         surfaces_refresh(&s);
         surfaces_forces(&s, 1);
         const double each = 3e8 * pow(depth, s.model.impact.e);
-        assert_true(fabs(s.tally[0].normal / (length * each) - 1) < 1e-10);
-        assert_true(fabs(s.tally[0].force.z / (-length * each) - 1) < 1e-10);
-        assert_true(fabs(s.tally[0].line_load / each - 1) < 1e-10);
+        check_share(s.tally[0].normal, length * each, 2e-12);
+        check_share(s.tally[0].force.z, -length * each, 2e-12);
+        check_share(s.tally[0].line_load, each, 2e-12);
         assert_int_equal(s.pairs.active, SURFACE_POINTS * s.points.elements);
         /* all segments but those at the ends bear alike, and none is turned */
         for (int i = 1; i < n - 1; ++i) {
-            assert_true(fabs(s.loads.f[2][i] / (each * length / n) - 1) < 1e-10);
-            assert_true(fabs(s.loads.m[1][i]) < 1e-9 * each);
+            check_share(s.loads.f[2][i], each * length / n, 1e-10);
+            check_close(s.loads.m[1][i], 0, 1e-13 * each);
         }
         surfaces_free(&s);
     }
@@ -284,9 +286,9 @@ static void test_potential(void **state)
     for (int f = 0; f < s.model.n_patches; ++f) s.patch[f].along.used = 0; /* one duct from end to end, one V */
     surfaces_forces(&s, 0);
     double size = 0;
-    for (int i = 0; i < s.chain.n; ++i) size = fmax(size, v3_norm(vector_of(s.loads.f, i)));
+    for (int i = 0; i < s.chain.n; ++i) size = larger_of(size, v3_norm(vec_load(s.loads.f, i)));
     for (int i = 0; i < s.chain.n; ++i) {
-        const Vec3 axis = vector_of(s.kin.a, i);
+        const Vec3 axis = vec_load(s.kin.a, i);
         const double e = 1e-7;
         for (int c = 0; c < 3; ++c) {
             const double at = s.kin.p[c][i];
@@ -295,16 +297,16 @@ static void test_potential(void **state)
             s.kin.p[c][i] = at - e;
             const double minus = potential(&s);
             s.kin.p[c][i] = at;
-            assert_true(fabs((minus - plus) / (2 * e) - s.loads.f[c][i]) < 1e-5 * size);
+            check_close((minus - plus) / (2 * e), s.loads.f[c][i], 2e-7 * size);
             /* and the moments by turns */
             const Vec3 about = v3(c == 0, c == 1, c == 2);
-            vector_to(s.kin.a, i, quat_rotate(quat_exp(v3_scale(e, about)), axis));
+            vec_store(s.kin.a, i, quat_rotate(quat_exp(v3_scale(e, about)), axis));
             const double left = potential(&s);
-            vector_to(s.kin.a, i, quat_rotate(quat_exp(v3_scale(-e, about)), axis));
+            vec_store(s.kin.a, i, quat_rotate(quat_exp(v3_scale(-e, about)), axis));
             const double right = potential(&s);
-            vector_to(s.kin.a, i, axis);
-            const Vec3 m = vector_of(s.loads.m, i);
-            assert_true(fabs((right - left) / (2 * e) - v3_dot(m, about)) < 1e-5 * size);
+            vec_store(s.kin.a, i, axis);
+            const Vec3 m = vec_load(s.loads.m, i);
+            check_close((right - left) / (2 * e), v3_dot(m, about), 2e-8 * size);
         }
     }
     surfaces_free(&s);
@@ -329,13 +331,14 @@ static void test_floor_end(void **state)
     for (int k = 0; k < 200; ++k) {
         surfaces_forces(&s, 1);
         const double borne = s.tally[0].normal / each; /* m of cable; the floor has 4.17 */
-        ripple = fmax(ripple, fabs(borne - 4.17));
-        if (k > 0) step = fmax(step, fabs(borne - before));
+        ripple = larger_of(ripple, fabs(borne - 4.17));
+        if (k > 0) step = larger_of(step, fabs(borne - before));
         before = borne;
         for (int i = 0; i < 20; ++i) s.kin.p[0][i] += 2.5e-3;
     }
     print_message("ripple %.4f m, largest step %.5f m in 2.5 mm\n", ripple, step);
-    assert_true(ripple < 0.032 && step < 1.3e-3);
+    check_below(ripple, 0.032);
+    check_below(step, 1.3e-3);
     surfaces_free(&s);
 }
 
@@ -360,7 +363,7 @@ static void test_limits(void **state)
     /* beside it: the fade of 0.4 m ends 0.7 m from the middle */
     for (int i = 0; i < 4; ++i) s.kin.p[1][i] = 0.71;
     surfaces_forces(&s, 1);
-    assert_true(s.tally[0].normal == 0);
+    check_equal(s.tally[0].normal, 0);
     surfaces_free(&s);
 }
 

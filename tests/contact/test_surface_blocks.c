@@ -1,7 +1,7 @@
 /* The surfaces' analytic derivatives against finite differences on random states, for every kind of surface, on
  * straights, in level, upright and twisted bends, at the ends of stretches and at the edges of sides; both geometries.
  */
-#include "tests/contact/surface_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -20,16 +20,16 @@ static void chain_disturb(SurfaceScene *s, ContactGeometry geometry, double left
                           uint64_t *seed)
 {
     for (int i = 0; i < N; ++i) {
-        s->chain.half[i] = 0.25 + 0.05 * random_next(seed);
-        s->chain.radius[i] = CABLE_RADIUS + 0.004 * random_next(seed);
+        s->chain.half[i] = 0.25 + 0.05 * fixture_random(seed);
+        s->chain.radius[i] = CABLE_RADIUS + 0.004 * fixture_random(seed);
     }
     surfaces_points(s, geometry);
     surfaces_lay(s, 0.1, left, up);
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.a, i, v3_unit(v3_axpy(vector_of(s->kin.a, i), 0.05, random_vector(seed))));
-        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), 0.01, random_vector(seed)));
-        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
-        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+        vec_store(s->kin.a, i, v3_unit(v3_axpy(vec_load(s->kin.a, i), 0.05, fixture_vector(seed, 1))));
+        vec_store(s->kin.p, i, v3_axpy(vec_load(s->kin.p, i), 0.01, fixture_vector(seed, 1)));
+        vec_store(s->kin.v, i, v3_scale(speed, fixture_vector(seed, 1)));
+        vec_store(s->kin.w, i, v3_scale(2 * speed, fixture_vector(seed, 1)));
     }
 }
 
@@ -39,8 +39,8 @@ static void blocks_compare(const BlockChain *a, const BlockChain *b, double *dif
     const double *const pa[3] = {a->lower, a->diag, a->upper}, *const pb[3] = {b->lower, b->diag, b->upper};
     for (int part = 0; part < 3; ++part) {
         for (int i = 0; i < 36 * a->n; ++i) {
-            *difference = fmax(*difference, fabs(pa[part][i] - pb[part][i]));
-            *size = fmax(*size, fabs(pb[part][i]));
+            *difference = larger_of(*difference, fabs(pa[part][i] - pb[part][i]));
+            *size = larger_of(*size, fabs(pb[part][i]));
         }
     }
 }
@@ -58,12 +58,12 @@ static int compare(SurfaceScene *s, double friction, double tolerance)
     surface_blocks(&s->model, &s->chain, &s->kin, friction, &s->pairs, N / 2, N + 1, &k, &d);
     const double stray =
         surface_blocks_fd(&s->model, &s->chain, &s->kin, friction, &s->pairs, 1e-7, 1e-7, &k_fd, &d_fd);
-    assert_true(stray == 0);
+    check_equal(stray, 0);
     double k_off = 0, k_size = 1, d_off = 0, d_size = 1;
     blocks_compare(&k, &k_fd, &k_off, &k_size);
     blocks_compare(&d, &d_fd, &d_off, &d_size);
-    if (!(k_off <= tolerance * k_size)) fail_msg("K: %.3g of %.3g", k_off, k_size);
-    if (!(d_off <= tolerance * d_size)) fail_msg("D: %.3g of %.3g", d_off, d_size);
+    check_at_most(k_off, tolerance * k_size);
+    check_at_most(d_off, tolerance * d_size);
     block_chain_free(&k);
     block_chain_free(&d);
     block_chain_free(&k_fd);
@@ -94,7 +94,7 @@ static void check_kind(SurfaceKind kind, double left, double up, double height)
         surfaces_free(&s);
     }
     print_message("%d points touched\n", touched);
-    assert_true(touched > 100);
+    check_above(touched, 100);
 }
 
 static void test_duct(void **state)
@@ -151,7 +151,7 @@ static void test_plane(void **state)
         touched += compare(&s, 1, 2e-6);
         surfaces_free(&s);
     }
-    assert_true(touched > 30);
+    check_above(touched, 30);
 }
 
 int main(void)

@@ -1,6 +1,6 @@
 /* Friction that sticks on trays and planes: derivatives, what the points remember, no jump at a step's end, and that
  * only surfaces that stick remember anything. */
-#include "tests/contact/surface_scene.h"
+#include "tests/support/touch.h"
 
 #include <math.h>
 
@@ -22,10 +22,10 @@ static void scene_make(SurfaceScene *s, SurfaceKind kind, double speed, uint64_t
     surfaces_add(s, &shape);
     surfaces_lay(s, 6, 0, -5e-4);
     for (int i = 0; i < N; ++i) {
-        vector_to(s->kin.p, i, v3_axpy(vector_of(s->kin.p, i), 2e-4, random_vector(seed)));
-        vector_to(s->kin.a, i, v3_unit(v3_axpy(vector_of(s->kin.a, i), 5e-4, random_vector(seed))));
-        vector_to(s->kin.v, i, v3_scale(speed, random_vector(seed)));
-        vector_to(s->kin.w, i, v3_scale(2 * speed, random_vector(seed)));
+        vec_store(s->kin.p, i, v3_axpy(vec_load(s->kin.p, i), 2e-4, fixture_vector(seed, 1)));
+        vec_store(s->kin.a, i, v3_unit(v3_axpy(vec_load(s->kin.a, i), 5e-4, fixture_vector(seed, 1))));
+        vec_store(s->kin.v, i, v3_scale(speed, fixture_vector(seed, 1)));
+        vec_store(s->kin.w, i, v3_scale(2 * speed, fixture_vector(seed, 1)));
     }
     s->friction[0] = sticky;
     assert_true(surface_sticks(&s->model));
@@ -40,7 +40,7 @@ static double largest(const BlockChain *a, const BlockChain *b)
     const double *const pb[3] = {b ? b->lower : NULL, b ? b->diag : NULL, b ? b->upper : NULL};
     for (int i = 0; i < 3 * 36 * N; ++i) {
         const int part = i / (36 * N), at = i % (36 * N);
-        most = fmax(most, fabs(pa[part][at] - (b ? pb[part][at] : 0)));
+        most = larger_of(most, fabs(pa[part][at] - (b ? pb[part][at] : 0)));
     }
     return most;
 }
@@ -53,9 +53,9 @@ static double blocks_error(SurfaceScene *s, double step)
         block_chain_zero(&m[i]);
     }
     surface_blocks(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, 0, s->points.elements, &m[0], &m[1]);
-    assert_true(surface_blocks_fd(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, step, 1e-7, &m[2], &m[3]) == 0);
+    check_equal(surface_blocks_fd(&s->model, &s->chain, &s->kin, 0.9, &s->pairs, step, 1e-7, &m[2], &m[3]), 0);
     double error = 0;
-    for (int i = 0; i < 2; ++i) error = fmax(error, largest(&m[i], &m[i + 2]) / largest(&m[i + 2], NULL));
+    for (int i = 0; i < 2; ++i) error = larger_of(error, largest(&m[i], &m[i + 2]) / largest(&m[i + 2], NULL));
     for (int i = 0; i < 4; ++i) block_chain_free(&m[i]);
     return error;
 }
@@ -74,18 +74,18 @@ static void test_derivatives(void **state)
         for (int f = 0; f < SURFACE_FACES_MAX; ++f) {
             for (int e = 0; e <= N; ++e) {
                 for (int q = 0; q < SURFACE_POINTS; ++q) {
-                    vector_to(s.pairs.stick.bed[f].lean[q], e, v3_scale(0.8 * sticky.d_s, random_vector(&seed)));
+                    vec_store(s.pairs.stick.bed[f].lean[q], e, v3_scale(0.8 * sticky.d_s, fixture_vector(&seed, 1)));
                 }
             }
         }
         surface_clock(&s.pairs, 0.02);
         surfaces_forces(&s, 1);
-        assert_true(s.pairs.active > 0);
-        worst = fmax(worst, fmin(blocks_error(&s, 1e-7), blocks_error(&s, 2e-8)));
+        check_above(s.pairs.active, 0);
+        worst = larger_of(worst, smaller_of(blocks_error(&s, 1e-7), blocks_error(&s, 2e-8)));
         surfaces_free(&s);
     }
     print_message("worst %.2e\n", worst);
-    assert_true(worst < 1e-6);
+    check_below(worst, 1e-8);
 }
 
 /* Slid to and fro as a whole: nothing changes when a step is accepted, work is only taken, and after 1 mm and more the
@@ -101,9 +101,9 @@ static void test_steps(void **state)
         const Vec3 v = v3(i < 60 ? 2e-4 * i : 0.05 * sin(0.1 * i), 0, 0);
         const double h = 0.01;
         for (int k = 0; k < N; ++k) {
-            vector_to(s.kin.v, k, v);
-            vector_to(s.kin.w, k, v3(0, 0, 0));
-            vector_to(s.kin.p, k, v3_axpy(vector_of(s.kin.p, k), h, v));
+            vec_store(s.kin.v, k, v);
+            vec_store(s.kin.w, k, v3(0, 0, 0));
+            vec_store(s.kin.p, k, v3_axpy(vec_load(s.kin.p, k), h, v));
         }
         t += h;
         surface_clock(&s.pairs, t);
@@ -112,9 +112,9 @@ static void test_steps(void **state)
         work -= h * before * v.x;
         surface_accept(&s.model, &s.chain, &s.kin, t, &s.pairs);
         surfaces_forces(&s, 1);
-        assert_true(fabs(s.tally[0].force.x - before) < 1e-9 * normal);
-        assert_true(work < 1e-9);
-        if (i == 59) assert_true(before > sticky.mu_d * normal && before < 1.0001 * sticky.mu_s * normal);
+        check_close(s.tally[0].force.x, before, 1e-14 * normal);
+        check_below(work, 1e-9);
+        if (i == 59) check_between(before, sticky.mu_d * normal, 1.0001 * sticky.mu_s * normal);
     }
     surfaces_free(&s);
 }
@@ -126,14 +126,14 @@ static void test_holds(void **state)
     uint64_t seed = 8;
     SurfaceScene s;
     scene_make(&s, SURFACE_PLANE, 0, &seed);
-    for (int k = 0; k < N; ++k) vector_to(s.kin.v, k, v3(1e-2, 0, 0));
+    for (int k = 0; k < N; ++k) vec_store(s.kin.v, k, v3(1e-2, 0, 0));
     surface_accept(&s.model, &s.chain, &s.kin, 0.02, &s.pairs); /* 0.2 mm */
-    for (int k = 0; k < N; ++k) vector_to(s.kin.v, k, v3(0, 0, 0));
+    for (int k = 0; k < N; ++k) vec_store(s.kin.v, k, v3(0, 0, 0));
     for (int i = 1; i < 4; ++i) {
         surface_clock(&s.pairs, 3600 * i);
         surfaces_forces(&s, 1);
         const double x = 0.2, called = (3 * x - x * x * x) / 2;
-        assert_true(fabs(s.tally[0].force.x / (sticky.mu_s * called * s.tally[0].normal) - 1) < 1e-3);
+        check_share(s.tally[0].force.x, sticky.mu_s * called * s.tally[0].normal, 1e-12);
         surface_accept(&s.model, &s.chain, &s.kin, 3600 * i, &s.pairs);
     }
     surfaces_free(&s);
@@ -153,13 +153,13 @@ static void test_renumbered(void **state)
     for (int p = 0; p < 2; ++p) {
         assert_true(surface_pairs_sticks(&half[p], &s.model, N + 1));
         surface_carry(&s.pairs, &half[p], 1);
-        assert_true(half[p].stick.since == 0.02);
+        check_equal(half[p].stick.since, 0.02);
     }
     for (int e = 0; e <= N + 1; ++e) {
         const double found = half[e < 3 ? 0 : 1].stick.bed[0].lean[1][0][e];
         const double expected = e > 0 ? s.pairs.stick.bed[0].lean[1][0][e - 1] : 0;
-        assert_true(found == expected);
-        assert_true(half[e < 3 ? 1 : 0].stick.bed[0].lean[1][0][e] == 0);
+        check_equal(found, expected);
+        check_equal(half[e < 3 ? 1 : 0].stick.bed[0].lean[1][0][e], 0);
     }
     surface_pairs_free(&half[0]);
     surface_pairs_free(&half[1]);

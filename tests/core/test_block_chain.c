@@ -1,13 +1,8 @@
 /* The block tridiagonal matrix. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 #include "core/block_chain.h"
+#include "tests/support/check.h"
 
 /* Block (i, j) has entries 100 i + 10 j + row + column / 8, so that none equals another's. */
 static double entry(int i, int j, int r, int c) { return 100 * i + 10 * j + r + 0.125 * c; }
@@ -32,7 +27,7 @@ static void allocation(void **state)
     double *const blocks[3] = {a.lower, a.diag, a.upper};
     for (int d = 0; d < 3; ++d) {
         assert_int_equal((uintptr_t)blocks[d] % 64, 0);
-        for (int k = 0; k < 5 * 36 + 8; ++k) assert_true(blocks[d][k] == 0); /* and a vector beyond */
+        for (int k = 0; k < 5 * 36 + 8; ++k) check_equal(blocks[d][k], 0); /* and a vector beyond */
     }
     block_chain_free(&a);
     assert_null(a.diag);
@@ -56,7 +51,7 @@ static void product(void **state)
                     for (int j = i ? i - 1 : 0; j <= i + 1 && j < n; ++j) {
                         for (int c = 0; c < b; ++c) sum -= 2 * entry(i, j, r, c) * x[j * b + c];
                     }
-                    assert_true(fabs(y[i * b + r] - sum) <= 1e-12 * (1 + fabs(sum)));
+                    check_close(y[i * b + r], sum, 1e-12 * (1 + fabs(sum)));
                 }
             }
             block_chain_free(&a);
@@ -76,8 +71,13 @@ static void copy_and_zero(void **state)
     assert_memory_equal(a.diag, c.diag, 36 * sizeof(double));
     assert_memory_equal(a.upper, c.upper, 36 * sizeof(double));
     block_chain_zero(&a);
-    for (int k = 0; k < 36; ++k) assert_true(a.lower[k] == 0 && a.diag[k] == 0 && a.upper[k] == 0);
-    assert_true(c.diag[0] == entry(0, 0, 0, 0) && c.lower[9] == entry(1, 0, 0, 0));
+    for (int k = 0; k < 36; ++k) {
+        check_equal(a.lower[k], 0);
+        check_equal(a.diag[k], 0);
+        check_equal(a.upper[k], 0);
+    }
+    check_equal(c.diag[0], entry(0, 0, 0, 0));
+    check_equal(c.lower[9], entry(1, 0, 0, 0));
     block_chain_free(&a);
     block_chain_free(&c);
 }

@@ -1,14 +1,9 @@
 /* Blocks off the diagonals: places are found, values survive a change of the pattern, products are right. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 #include <string.h>
 
 #include "core/block_chain.h"
+#include "tests/support/check.h"
 
 enum { N = 7 };
 
@@ -28,7 +23,9 @@ static void test_pattern(void **state)
         for (int turned = 0; turned < 2; ++turned) {
             const int row = turned ? there[p].high : there[p].low, col = turned ? there[p].low : there[p].high;
             const int e = block_extras_find(&x, row, col);
-            assert_true(e >= 0 && x.row[e] == row && x.col[e] == col);
+            check_at_least(e, 0);
+            check_equal(x.row[e], row);
+            check_equal(x.col[e], col);
         }
     }
     assert_int_equal(block_extras_find(&x, 1, 4), -1);
@@ -57,11 +54,13 @@ static void test_values_stay(void **state)
     assert_true(block_extras_set(&x, 3, same));
     assert_int_equal(x.version, version);
     assert_true(block_extras_set(&x, 2, next));
-    assert_true(x.version > version);
+    check_above(x.version, version);
     const int kept = block_extras_find(&x, 4, 1), fresh = block_extras_find(&x, 2, 5);
     for (int c = 0; c < 36; ++c) {
-        assert_true(x.k[36 * kept + c] == 410 + c && x.d[36 * kept + c] == -(410 + c));
-        assert_true(x.k[36 * fresh + c] == 0 && x.d[36 * fresh + c] == 0);
+        check_equal(x.k[36 * kept + c], 410 + c);
+        check_equal(x.d[36 * kept + c], -(410 + c));
+        check_equal(x.k[36 * fresh + c], 0);
+        check_equal(x.d[36 * fresh + c], 0);
     }
     assert_true(block_extras_set(&x, 0, next));
     assert_int_equal(x.count, 0);
@@ -90,7 +89,7 @@ static void test_product(void **state)
         }
     }
     block_extras_gemv(&x, 0.5, z, y);
-    for (int c = 0; c < 6 * N; ++c) assert_true(y[c] == expected[c]);
+    for (int c = 0; c < 6 * N; ++c) check_equal(y[c], expected[c]);
     block_extras_free(&x);
 }
 

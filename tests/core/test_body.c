@@ -1,16 +1,12 @@
 /* The segments as rigid bodies: unpacking the state, the rates against a plain evaluation of their formulas, and the
  * inertia's derivatives against finite differences; chains that do and do not fill the last vector. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "core/base/lanes.h"
 #include "core/body.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
+#include "tests/support/check.h"
 
 static const int SIZES[] = {1, 2, 7, 8, 9, 370};
 enum { N_SIZES = sizeof SIZES / sizeof *SIZES };
@@ -90,13 +86,13 @@ static void test_kinematics(void **state)
         body_kinematics(r.n, r.y, 0, r.n, &r.kin);
         for (int i = 0; i < r.n; ++i) {
             const Quat q = quat_unit(turn_of(r.y, r.n, i));
-            assert_true(quat_apart(kinematics_quat(&r.kin, i), q) < 1e-15);
-            assert_true(apart(vec_load(r.kin.a, i), quat_rotate(q, v3(1, 0, 0))) < 1e-14);
-            assert_true(apart(vec_load(r.kin.p, i), part(r.y, r.n, STATE_P, i)) <= 0);
-            assert_true(apart(vec_load(r.kin.v, i), part(r.y, r.n, STATE_V, i)) <= 0);
-            assert_true(apart(vec_load(r.kin.w, i), part(r.y, r.n, STATE_W, i)) <= 0);
+            check_below(quat_apart(kinematics_quat(&r.kin, i), q), 1e-15);
+            check_below(apart(vec_load(r.kin.a, i), quat_rotate(q, v3(1, 0, 0))), 1e-14);
+            check_at_most(apart(vec_load(r.kin.p, i), part(r.y, r.n, STATE_P, i)), 0);
+            check_at_most(apart(vec_load(r.kin.v, i), part(r.y, r.n, STATE_V, i)), 0);
+            check_at_most(apart(vec_load(r.kin.w, i), part(r.y, r.n, STATE_W, i)), 0);
         }
-        assert_true(apart(vec_load(r.kin.p, -1), v3(5, 6, 7)) <= 0);
+        check_at_most(apart(vec_load(r.kin.p, -1), v3(5, 6, 7)), 0);
         rig_free(&r);
     }
 }
@@ -113,13 +109,13 @@ static void test_parts(void **state)
     memset(r.ydot, 0, sizeof whole);
     body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, MID, N, r.ydot);
     for (int c = 0; c < STATE_SIZE; ++c) {
-        for (int i = 0; i < MID; ++i) assert_true(fabs(r.ydot[c * N + i]) <= 0);
+        for (int i = 0; i < MID; ++i) check_equal(r.ydot[c * N + i], 0);
     }
     body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, MID, r.ydot);
     assert_memory_equal(r.ydot, whole, sizeof whole);
     vec_store(r.kin.p, 3, v3(1, 2, 3));
     body_kinematics(N, r.y, MID, N, &r.kin);
-    assert_true(apart(vec_load(r.kin.p, 3), v3(1, 2, 3)) <= 0);
+    check_at_most(apart(vec_load(r.kin.p, 3), v3(1, 2, 3)), 0);
     rig_free(&r);
 }
 
@@ -140,10 +136,10 @@ static void check_segment(const Rig *r, int i)
     for (int c = 0; c < 3; ++c) spin = v3_axpy(spin, v3_dot(axis[c], free_torque) / r->chain.inertia[c][i], axis[c]);
 
     const Quat rate = quat_mul((Quat){0, w.x / 2, w.y / 2, w.z / 2}, raw);
-    assert_true(apart(part(r->ydot, n, STATE_P, i), part(r->y, n, STATE_V, i)) <= 0);
-    assert_true(quat_apart(turn_of(r->ydot, n, i), rate) < 1e-15);
-    assert_true(apart(part(r->ydot, n, STATE_V, i), v3_scale(1 / r->chain.mass[i], force)) < 1e-14);
-    assert_true(apart(part(r->ydot, n, STATE_W, i), spin) < 1e-13 * (1 + v3_norm(spin)));
+    check_at_most(apart(part(r->ydot, n, STATE_P, i), part(r->y, n, STATE_V, i)), 0);
+    check_below(quat_apart(turn_of(r->ydot, n, i), rate), 1e-15);
+    check_below(apart(part(r->ydot, n, STATE_V, i), v3_scale(1 / r->chain.mass[i], force)), 1e-14);
+    check_below(apart(part(r->ydot, n, STATE_W, i), spin), 1e-13 * (1 + v3_norm(spin)));
 }
 
 static void test_rates(void **state)
@@ -175,8 +171,8 @@ static void test_gyroscopic(void **state)
         const Vec3 w = part(r.y, r.n, STATE_W, i);
         const Vec3 change = body_inertia_times(&r.chain, &r.kin, i, part(r.ydot, r.n, STATE_W, i));
         const Vec3 momentum = body_inertia_times(&r.chain, &r.kin, i, w);
-        assert_true(fabs(v3_dot(w, change)) < 1e-15);
-        assert_true(v3_norm(v3_add(change, v3_cross(w, momentum))) < 1e-15);
+        check_close(v3_dot(w, change), 0, 1e-15);
+        check_below(v3_norm(v3_add(change, v3_cross(w, momentum))), 1e-15);
     }
     rig_free(&r);
 }
@@ -217,12 +213,12 @@ static void test_blocks(void **state)
     body_blocks(&r.chain, &r.kin, r.ydot, 0, r.n, &k, &d);
     for (int i = 0; i < r.n; ++i) {
         for (int c = 0; c < 3; ++c) {
-            assert_true(column_error(&r, &k, i, c, 0) < 3e-8);
-            assert_true(column_error(&r, &d, i, c, 1) < 1e-10);
+            check_below(column_error(&r, &k, i, c, 0), 3e-8);
+            check_below(column_error(&r, &d, i, c, 1), 1e-10);
         }
         /* forces and positions have no part in it */
         for (int e = 0; e < 36; ++e) {
-            if (e < 18 || e % 6 < 3) assert_true(fabs(k.diag[36 * i + e]) + fabs(d.diag[36 * i + e]) <= 0);
+            if (e < 18 || e % 6 < 3) check_at_most(fabs(k.diag[36 * i + e]) + fabs(d.diag[36 * i + e]), 0);
         }
     }
     block_chain_free(&k);

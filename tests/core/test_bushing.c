@@ -1,13 +1,9 @@
 /* The bushing: potential, momentum, objectivity, and every block of its derivative against finite differences. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "core/bushing.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
+#include "tests/support/check.h"
 
 enum { N = 11 };
 
@@ -115,8 +111,8 @@ static void derivative_check(Rig r)
     bushing_blocks(&r.chain, &r.kin, 0, N + 1, &k, &d);
     for (int i = 0; i < N; ++i) {
         for (int c = 0; c < 6; ++c) {
-            assert_true(column_error(&r, &k, i, c, 0) < 1e-8);
-            assert_true(column_error(&r, &d, i, c, 1) < 1e-8);
+            check_below(column_error(&r, &k, i, c, 0), 1e-8);
+            check_below(column_error(&r, &d, i, c, 1), 1e-8);
         }
     }
     block_chain_free(&k);
@@ -170,7 +166,7 @@ static void test_momentum(void **state)
             const Vec3 arm = v3_sub(vec_load(r.kin.p, j - 1), vec_load(r.kin.p, j));
             const Vec3 moment =
                 v3_add(v3_add(vec_load(r.loads.torque_a, j), vec_load(r.loads.torque_b, j)), v3_cross(arm, f));
-            assert_true(v3_norm(moment) < 1e-13 * (1 + v3_norm(f)));
+            check_below(v3_norm(moment), 1e-13 * (1 + v3_norm(f)));
         }
         rig_free(&r);
     }
@@ -216,8 +212,8 @@ static void test_potential(void **state)
         }
         rig_free(&r);
     }
-    assert_true(worst[0] < 1e-8);
-    assert_true(worst[1] > 1e-3);
+    check_below(worst[0], 1e-8);
+    check_above(worst[1], 1e-3);
 }
 
 /* A rigid motion of the whole scene leaves the law's components as they are. */
@@ -240,7 +236,7 @@ static void objectivity_check(Rig r)
     }
     bushing_law(&r.chain, &r.kin, 0, N + 1, after);
     for (int c = 0; c < 6; ++c) {
-        for (int j = 0; j <= N; ++j) assert_true(fabs(after[c][j] - before[c][j]) < 1e-12);
+        for (int j = 0; j <= N; ++j) check_close(after[c][j], before[c][j], 1e-12);
         before[c] = chain_array_free(before[c]);
         after[c] = chain_array_free(after[c]);
     }
@@ -272,13 +268,15 @@ static void test_by_hand(void **state)
     r.chain.half[-1] = r.chain.half[N] = 0;
     bushing_law(&r.chain, &r.kin, 0, N + 1, law);
     for (int j = 1; j < N; ++j) {
-        assert_true(fabs(law[0][j] - 0.01 * r.chain.stiffness[0][j]) < 1e-14);
-        assert_true(fabs(law[3][j] - 0.2 * r.chain.stiffness[3][j]) < 1e-14);
-        for (int c = 1; c < 6; ++c) assert_true(c == 3 || fabs(law[c][j]) < 1e-14);
+        check_close(law[0][j], 0.01 * r.chain.stiffness[0][j], 1e-14);
+        check_close(law[3][j], 0.2 * r.chain.stiffness[3][j], 1e-14);
+        for (int c = 1; c < 6; ++c) {
+            if (c != 3) check_close(law[c][j], 0, 1e-14);
+        }
     }
     kinematics_turn_to(&r.kin, 5, quat_mul(kinematics_quat(&r.kin, 4), quat_exp(v3(0, 2.5, 0))));
     bushing_law(&r.chain, &r.kin, 0, N + 1, law);
-    assert_true(fabs(law[4][5] - 2.5 * r.chain.stiffness[4][5]) < 1e-12);
+    check_close(law[4][5], 2.5 * r.chain.stiffness[4][5], 1e-12);
     for (int c = 0; c < 6; ++c) law[c] = chain_array_free(law[c]);
     rig_free(&r);
 }
@@ -288,8 +286,8 @@ static double difference(const double *a, const double *b, int n)
 {
     double worst = 0, scale = 0;
     for (int k = 0; k < n; ++k) {
-        worst = fmax(worst, fabs(a[k] - b[k]));
-        scale = fmax(scale, fabs(a[k]));
+        worst = larger_of(worst, fabs(a[k] - b[k]));
+        scale = larger_of(scale, fabs(a[k]));
     }
     return worst / scale;
 }
@@ -313,11 +311,11 @@ static void test_lacks(void **state)
             chain_find_lacks(&r.chain);
         }
         assert_int_equal(r.chain.lacks, lacks);
-        assert_true(difference(loads[0], loads[1], 6 * N) < 1e-15);
-        assert_true(difference(k[0].diag, k[1].diag, 36 * N) < 1e-15);
-        assert_true(difference(k[0].lower, k[1].lower, 36 * N) < 1e-15);
-        assert_true(difference(k[0].upper, k[1].upper, 36 * N) < 1e-15);
-        for (int e = 0; e < 36 * N; ++e) assert_true(fabs(d[0].diag[e] - d[1].diag[e]) <= 0);
+        check_below(difference(loads[0], loads[1], 6 * N), 1e-15);
+        check_below(difference(k[0].diag, k[1].diag, 36 * N), 1e-15);
+        check_below(difference(k[0].lower, k[1].lower, 36 * N), 1e-15);
+        check_below(difference(k[0].upper, k[1].upper, 36 * N), 1e-15);
+        for (int e = 0; e < 36 * N; ++e) check_equal(d[0].diag[e], d[1].diag[e]);
         for (int way = 0; way < 2; ++way) {
             block_chain_free(&k[way]);
             block_chain_free(&d[way]);
@@ -363,8 +361,8 @@ static void power_check(Rig *r)
     const double taken = (after - before) / (2 * dt) + power.damping + power.sliding;
     print_message("given %.9g, taken %.9g W, damping %.3g, sliding %.3g\n", given, -taken, power.damping,
                   power.sliding);
-    assert_true(power.damping > 0.1);
-    assert_true(fabs(given + taken) < 1e-7 * (fabs(given) + power.damping));
+    check_above(power.damping, 0.1);
+    check_close(given, -taken, 1e-9 * (fabs(given) + power.damping));
 }
 
 static void power_closes(void **state)
@@ -397,8 +395,9 @@ static void sliders_that_hold(void **state)
     }
     r.chain.sliders.count = 0;
     const double stiffer = bushing_energy(&r.chain, &r.kin, 0, N + 1).elastic;
-    assert_true(fabs(with.elastic - bare) < 1e-12 * fabs(bare) && with.sliding > 1e-3);
-    assert_true(fabs(with.elastic + with.sliding - stiffer) < 1e-12 * fabs(stiffer));
+    check_share(with.elastic, bare, 1e-12);
+    check_above(with.sliding, 1e-3);
+    check_share(with.elastic + with.sliding, stiffer, 1e-12);
     r.chain.sliders.count = 1;
     rig_free(&r);
 }

@@ -1,15 +1,11 @@
 /* The planar chain by itself: sines and cosines of lanes, the wrenches against those in space, what they conserve and
  * derive from, and their derivatives against finite differences. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include "core/bushing.h"
 #include "core/planar/planar.h"
 #include "core/planar/plane_lanes.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
+#include "tests/support/check.h"
 
 enum { N = 13, STRIDE = 16 };
 
@@ -113,15 +109,16 @@ static void test_direction(void **state)
         const double x = (k % 3 == 0 ? 1 : k % 3 == 1 ? 10 : 1e4) * fixture_random(&seed);
         const Lane2 d = lane_direction(lane_set(x));
         for (int l = 0; l < LANES; l += 7) {
-            worst = fmax(worst, fmax(fabs(d.x[l] - cos(x)), fabs(d.z[l] - sin(x))));
+            worst = larger_of(worst, larger_of(fabs(d.x[l] - cos(x)), fabs(d.z[l] - sin(x))));
         }
     }
     print_message("sines and cosines: %.2g\n", worst);
-    assert_true(worst < 3e-16);
-    assert_true(isnan(lane_direction(lane_set(NAN)).x[3]));
+    check_below(worst, 3e-16);
+    check_nan(lane_direction(lane_set(NAN)).x[3]);
     for (int k = -8; k <= 8; ++k) {
         const Lane2 d = lane_direction(lane_set(k * M_PI / 2));
-        assert_true(fabs(d.x[0] - cos(k * M_PI / 2)) < 1e-16 && fabs(d.z[0] - sin(k * M_PI / 2)) < 1e-16);
+        check_close(d.x[0], cos(k * M_PI / 2), 1e-16);
+        check_close(d.z[0], sin(k * M_PI / 2), 1e-16);
     }
 }
 
@@ -135,15 +132,15 @@ static void test_space(void **state)
         planar_joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
         bushing_loads(&r.space, &r.kin3, 0, N + 1, &r.loads3);
         for (int j = 1; j < N; ++j) {
-            worst = fmax(worst, fabs(r.loads.force[0][j] - r.loads3.force[0][j]));
-            worst = fmax(worst, fabs(r.loads.force[1][j] - r.loads3.force[2][j]));
-            worst = fmax(worst, fabs(r.loads.torque_a[j] + r.loads3.torque_a[1][j]));
-            worst = fmax(worst, fabs(r.loads.torque_b[j] + r.loads3.torque_b[1][j]));
+            worst = larger_of(worst, fabs(r.loads.force[0][j] - r.loads3.force[0][j]));
+            worst = larger_of(worst, fabs(r.loads.force[1][j] - r.loads3.force[2][j]));
+            worst = larger_of(worst, fabs(r.loads.torque_a[j] + r.loads3.torque_a[1][j]));
+            worst = larger_of(worst, fabs(r.loads.torque_b[j] + r.loads3.torque_b[1][j]));
         }
         rig_free(&r);
     }
     print_message("wrenches against those in space: %.2g of order 1\n", worst);
-    assert_true(worst < 1e-12);
+    check_below(worst, 1e-12);
 }
 
 /* What a joint does to its two segments adds up to nothing about any point, and depends on no direction. */
@@ -169,11 +166,11 @@ static void test_action_and_reaction(void **state)
         for (int j = 1; j < N; ++j) {
             const double fx = r.loads.force[0][j], fz = r.loads.force[1][j];
             const double dx = r.y[j - 1] - r.y[j], dz = r.y[STRIDE + j - 1] - r.y[STRIDE + j];
-            assert_true(fabs(dx * fz - dz * fx + r.loads.torque_a[j] + r.loads.torque_b[j]) < 1e-13);
-            assert_true(fabs(turned.loads.force[0][j] - (c * fx - s * fz)) < 1e-13);
-            assert_true(fabs(turned.loads.force[1][j] - (s * fx + c * fz)) < 1e-13);
-            assert_true(fabs(turned.loads.torque_a[j] - r.loads.torque_a[j]) < 1e-13);
-            assert_true(fabs(turned.loads.torque_b[j] - r.loads.torque_b[j]) < 1e-13);
+            check_close(dx * fz - dz * fx + r.loads.torque_a[j] + r.loads.torque_b[j], 0, 1e-13);
+            check_close(turned.loads.force[0][j], c * fx - s * fz, 1e-13);
+            check_close(turned.loads.force[1][j], s * fx + c * fz, 1e-13);
+            check_close(turned.loads.torque_a[j], r.loads.torque_a[j], 1e-13);
+            check_close(turned.loads.torque_b[j], r.loads.torque_b[j], 1e-13);
         }
         rig_free(&r);
         rig_free(&turned);
@@ -222,7 +219,7 @@ static void test_differences(void **state)
                                     : i + 1 == segment ? b->upper[entry][i]
                                     : i - 1 == segment ? b->lower[entry][i]
                                                        : 0;
-                worst = fmax(worst, fabs((plus[row] - minus[row]) / (2 * e) - mine));
+                worst = larger_of(worst, fabs((plus[row] - minus[row]) / (2 * e) - mine));
             }
         }
         planar_blocks_free(&k);
@@ -230,7 +227,7 @@ static void test_differences(void **state)
         rig_free(&r);
     }
     print_message("derivatives of order 10: %.2g from finite differences\n", worst);
-    assert_true(worst < 1e-8);
+    check_below(worst, 1e-8);
 }
 
 /* What fills the arrays up does not move, wherever the ghost is that stands there. */
@@ -245,7 +242,7 @@ static void test_padding(void **state)
     planar_joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
     assert_true(planar_rates(&r.chain, &r.kin, &r.loads, loads, 0, N, rate));
     for (int k = 0; k < PLANAR_SIZE * STRIDE; ++k) {
-        if (k % STRIDE >= N) assert_true(rate[k] == 0);
+        if (k % STRIDE >= N) check_equal(rate[k], 0);
     }
     loads[1].m[4] = INFINITY;
     assert_false(planar_rates(&r.chain, &r.kin, &r.loads, loads, 0, N, rate));

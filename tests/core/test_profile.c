@@ -1,13 +1,8 @@
 /* Profiles: values, rates against finite differences, integrals against quadrature, corners. */
 #include "core/profile.h"
+#include "tests/support/check.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 static const double TABLE_T[] = {-1, 0.5, 2, 5}, TABLE_V[] = {3, -1, 4, 2.5};
 
@@ -24,13 +19,6 @@ static const Profile PROFILES[] = {
 };
 enum { N_PROFILES = sizeof PROFILES / sizeof *PROFILES };
 
-static void near(double found, double expected, double tolerance)
-{
-    if (!(fabs(found - expected) <= tolerance)) {
-        fail_msg("found %.17g, expected %.17g, tolerance %g", found, expected, tolerance);
-    }
-}
-
 /* Gauss-Legendre, 5 points: exact up to degree 9, more than any profile between corners. */
 static double quadrature(const Profile *p, double a, double b)
 {
@@ -46,16 +34,17 @@ static void step_values(void **state)
 {
     (void)state;
     double slope;
-    near(step_cubic(0.25, 0, 1, 1, 5, &slope), 1 + 4 * 0.0625 * 2.5, 1e-15);
-    near(slope, 4 * 6 * 0.25 * 0.75, 1e-15);
-    near(step_quintic(0.25, 0, 1, 1, 5, &slope), 1 + 4 * (10 / 64.0 - 15 / 256.0 + 6 / 1024.0), 1e-15);
-    near(slope, 4 * 30 * 0.0625 * 0.5625, 1e-14);
+    check_close(step_cubic(0.25, 0, 1, 1, 5, &slope), 1 + 4 * 0.0625 * 2.5, 1e-15);
+    check_close(slope, 4 * 6 * 0.25 * 0.75, 1e-15);
+    check_close(step_quintic(0.25, 0, 1, 1, 5, &slope), 1 + 4 * (10 / 64.0 - 15 / 256.0 + 6 / 1024.0), 1e-15);
+    check_close(slope, 4 * 30 * 0.0625 * 0.5625, 1e-14);
     /* Beyond the ends: the end values exactly, without slope. */
-    assert_true(step_cubic(-3, 0, 0.3, 1, 0.7, &slope) == 0.3 && slope == 0);
-    near(step_cubic(9, 0, 0.3, 1, 0.7, &slope), 0.7, 1e-16);
-    assert_true(slope == 0);
+    check_equal(step_cubic(-3, 0, 0.3, 1, 0.7, &slope), 0.3);
+    check_equal(slope, 0);
+    check_close(step_cubic(9, 0, 0.3, 1, 0.7, &slope), 0.7, 1e-16);
+    check_equal(slope, 0);
     /* ADAMS' friction uses STEP through zero: odd, and zero in the middle. */
-    near(step_cubic(0, -0.005, 0.2, 0.005, -0.2, NULL), 0, 1e-17);
+    check_close(step_cubic(0, -0.005, 0.2, 0.005, -0.2, NULL), 0, 1e-17);
 }
 
 static void rates_match_differences(void **state)
@@ -67,7 +56,7 @@ static void rates_match_differences(void **state)
             double corner;
             if (profile_next_corner(&PROFILES[k], t - 2 * h, &corner) && corner < t + 2 * h) continue;
             const double rise = profile_value(&PROFILES[k], t + h) - profile_value(&PROFILES[k], t - h);
-            near(profile_rate(&PROFILES[k], t), rise / (2 * h), 1e-9);
+            check_close(profile_rate(&PROFILES[k], t), rise / (2 * h), 1e-9);
         }
     }
 }
@@ -76,10 +65,10 @@ static void rate_at_a_corner_is_the_right_one(void **state)
 {
     (void)state;
     const Profile *table = &PROFILES[6];
-    near(profile_rate(table, 0.5), 5 / 1.5, 1e-14);
-    near(profile_rate(table, 2), -0.5, 1e-14);
-    assert_true(profile_rate(table, 5) == 0);
-    assert_true(profile_rate(table, -1.5) == 0);
+    check_close(profile_rate(table, 0.5), 5 / 1.5, 1e-14);
+    check_close(profile_rate(table, 2), -0.5, 1e-14);
+    check_equal(profile_rate(table, 5), 0);
+    check_equal(profile_rate(table, -1.5), 0);
 }
 
 static void integrals_are_exact(void **state)
@@ -88,16 +77,16 @@ static void integrals_are_exact(void **state)
     for (int k = 0; k < N_PROFILES; k++) {
         const Profile *p = &PROFILES[k];
         double sum = 0, t = 0, corner;
-        assert_true(profile_integral(p, 0) == 0);
+        check_equal(profile_integral(p, 0), 0);
         while (t < 20) {
             const double next = profile_next_corner(p, t, &corner) ? corner : 20;
             sum += quadrature(p, t, (t + next) / 2) + quadrature(p, (t + next) / 2, next);
-            near(profile_integral(p, next), sum, 1e-13 * (1 + fabs(sum)));
+            check_close(profile_integral(p, next), sum, 1e-13 * (1 + fabs(sum)));
             t = next;
         }
     }
     /* The paper's ramp to 6 m/min by 13 s: half of it is lost. */
-    near(profile_integral(&PROFILES[1], 30), 0.1 * (30 - 6.5), 1e-14);
+    check_close(profile_integral(&PROFILES[1], 30), 0.1 * (30 - 6.5), 1e-14);
 }
 
 static void corners_come_in_order(void **state)
@@ -106,14 +95,14 @@ static void corners_come_in_order(void **state)
     double corner;
     assert_int_equal(profile_next_corner(&PROFILES[0], 0, &corner), 0);
     assert_int_equal(profile_next_corner(&PROFILES[2], 0, &corner), 1);
-    assert_true(corner == 1);
+    check_equal(corner, 1);
     assert_int_equal(profile_next_corner(&PROFILES[2], 1, &corner), 1);
-    assert_true(corner == 4);
+    check_equal(corner, 4);
     assert_int_equal(profile_next_corner(&PROFILES[2], 4, &corner), 0);
     double t = -9;
     for (int i = 0; i < 4; i++) {
         assert_int_equal(profile_next_corner(&PROFILES[6], t, &corner), 1);
-        assert_true(corner == TABLE_T[i]);
+        check_equal(corner, TABLE_T[i]);
         t = corner;
     }
     assert_int_equal(profile_next_corner(&PROFILES[6], t, &corner), 0);
@@ -122,9 +111,11 @@ static void corners_come_in_order(void **state)
 static void table_is_constant_beyond_its_ends(void **state)
 {
     (void)state;
-    assert_true(profile_value(&PROFILES[6], -7) == 3 && profile_value(&PROFILES[6], 99) == 2.5);
-    near(profile_value(&PROFILES[6], 1.25), 1.5, 1e-15);
-    assert_true(profile_value(&PROFILES[7], -7) == 3 && profile_value(&PROFILES[7], 7) == 3);
+    check_equal(profile_value(&PROFILES[6], -7), 3);
+    check_equal(profile_value(&PROFILES[6], 99), 2.5);
+    check_close(profile_value(&PROFILES[6], 1.25), 1.5, 1e-15);
+    check_equal(profile_value(&PROFILES[7], -7), 3);
+    check_equal(profile_value(&PROFILES[7], 7), 3);
 }
 
 int main(void)

@@ -1,30 +1,9 @@
 /* Routes: continuity, arc length, curvature against finite differences, planes of bends, s beyond the ends.
  */
 #include "core/route.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 static const double PI = 3.14159265358979323846;
-
-static void near(double found, double expected, double tolerance)
-{
-    if (!(fabs(found - expected) <= tolerance)) {
-        fail_msg("found %.17g, expected %.17g, tolerance %g", found, expected, tolerance);
-    }
-}
-
-static void near3(Vec3 found, Vec3 expected, double tolerance)
-{
-    if (!(v3_norm(v3_sub(found, expected)) <= tolerance)) {
-        fail_msg("found (%.15g, %.15g, %.15g), expected (%.15g, %.15g, %.15g)", found.x, found.y, found.z, expected.x,
-                 expected.y, expected.z);
-    }
-}
 
 static RoutePieceDef straight(double length) { return (RoutePieceDef){.kind = ROUTE_STRAIGHT, .length = length}; }
 
@@ -60,10 +39,10 @@ static void starts_as_told(void **state)
     (void)state;
     Route r = winding_route();
     const RoutePoint at = route_at(&r, 0);
-    near3(at.position, v3(1, -2, 3), 0);
-    near3(at.tangent, v3(cos(0.2) * cos(0.3), cos(0.2) * sin(0.3), sin(0.2)), 1e-16);
-    near(route_slope(&r, 0), 0.2, 1e-15);
-    near(r.length, 4 + 3 + 2.1 + 2 + 5.5 + 2.25 + 3.2 + 3.2 + 3 + 1.5 + 2 * PI + 6, 1e-12);
+    check_vec(at.position, v3(1, -2, 3), 0);
+    check_vec(at.tangent, v3(cos(0.2) * cos(0.3), cos(0.2) * sin(0.3), sin(0.2)), 1e-16);
+    check_close(route_slope(&r, 0), 0.2, 1e-15);
+    check_close(r.length, 4 + 3 + 2.1 + 2 + 5.5 + 2.25 + 3.2 + 3.2 + 3 + 1.5 + 2 * PI + 6, 1e-12);
     route_clear(&r);
     assert_null(r.piece);
 }
@@ -78,8 +57,8 @@ static void is_continuous_with_its_tangent(void **state)
         assert_int_equal(a.piece, i - 1);
         assert_int_equal(b.piece, i);
         assert_int_equal(route_at(&r, s).piece, i);
-        near3(b.position, v3_axpy(a.position, 2 * e, a.tangent), 1e-14);
-        near3(b.tangent, a.tangent, 1e-9);
+        check_vec(b.position, v3_axpy(a.position, 2 * e, a.tangent), 1e-14);
+        check_vec(b.tangent, a.tangent, 1e-9);
     }
     route_clear(&r);
 }
@@ -91,11 +70,11 @@ static void derivatives_match_differences(void **state)
     const double h = 1e-4;
     for (double s = -2.013; s < r.length + 2; s += 0.0937) {
         const RoutePoint a = route_at(&r, s - h), at = route_at(&r, s), b = route_at(&r, s + h);
-        near(v3_norm(at.tangent), 1, 1e-15);
-        near(v3_dot(at.tangent, at.curvature), 0, 1e-15);
+        check_close(v3_norm(at.tangent), 1, 1e-15);
+        check_close(v3_dot(at.tangent, at.curvature), 0, 1e-15);
         if (a.piece != b.piece || (s - h) * (s + h) < 0) continue;
-        near3(v3_scale(0.5 / h, v3_sub(b.position, a.position)), at.tangent, 1e-9);
-        near3(v3_scale(0.5 / h, v3_sub(b.tangent, a.tangent)), at.curvature, 1e-9);
+        check_vec(v3_scale(0.5 / h, v3_sub(b.position, a.position)), at.tangent, 1e-9);
+        check_vec(v3_scale(0.5 / h, v3_sub(b.tangent, a.tangent)), at.curvature, 1e-9);
     }
     route_clear(&r);
 }
@@ -106,11 +85,12 @@ static void goes_on_straight_beyond_its_ends(void **state)
     Route r = winding_route();
     const RoutePoint first = route_at(&r, 0), last = route_at(&r, r.length);
     const RoutePoint before = route_at(&r, -7), after = route_at(&r, r.length + 7);
-    near3(before.position, v3_axpy(first.position, -7, first.tangent), 1e-14);
-    near3(after.position, v3_axpy(last.position, 7, last.tangent), 1e-13);
-    near3(before.tangent, first.tangent, 0);
-    near3(after.tangent, last.tangent, 0);
-    assert_true(v3_norm(before.curvature) == 0 && v3_norm(after.curvature) == 0);
+    check_vec(before.position, v3_axpy(first.position, -7, first.tangent), 1e-14);
+    check_vec(after.position, v3_axpy(last.position, 7, last.tangent), 1e-13);
+    check_vec(before.tangent, first.tangent, 0);
+    check_vec(after.tangent, last.tangent, 0);
+    check_equal(v3_norm(before.curvature), 0);
+    check_equal(v3_norm(after.curvature), 0);
     assert_int_equal(before.piece, 0);
     assert_int_equal(after.piece, r.n - 1);
     route_clear(&r);
@@ -125,9 +105,9 @@ static void planes_mean_what_they_say(void **state)
         const RoutePieceDef def = bend(2, PI / 2, k * PI / 2);
         Route r;
         assert_int_equal(route_build(&r, 1, &def, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
-        near3(route_at(&r, r.length).position, v3_scale(2, v3_add(v3(1, 0, 0), toward[k])), 1e-15);
-        near3(route_at(&r, r.length).tangent, toward[k], 1e-15);
-        near3(route_at(&r, 0).curvature, v3_scale(0.5, toward[k]), 1e-15);
+        check_vec(route_at(&r, r.length).position, v3_scale(2, v3_add(v3(1, 0, 0), toward[k])), 1e-15);
+        check_vec(route_at(&r, r.length).tangent, toward[k], 1e-15);
+        check_vec(route_at(&r, 0).curvature, v3_scale(0.5, toward[k]), 1e-15);
         route_clear(&r);
     }
 }
@@ -140,15 +120,15 @@ static void bends_on_slopes(void **state)
     const RoutePieceDef left = bend(5, 0.4, 0), up = bend(5, 0.4, PI / 2), down = bend(5, 0.7, 3 * PI / 2);
     Route r;
     assert_int_equal(route_build(&r, 1, &left, v3(0, 0, 0), 1.1, 0.3, NULL), HAWSER_OK);
-    near(r.piece[0].centre.z, 0, 1e-16);
-    near((route_slope(&r, 1e-5) - 0.3) / 1e-5, 0, 1e-5);
+    check_close(r.piece[0].centre.z, 0, 1e-16);
+    check_close((route_slope(&r, 1e-5) - 0.3) / 1e-5, 0, 1e-5);
     route_clear(&r);
     assert_int_equal(route_build(&r, 1, &up, v3(0, 0, 0), 1.1, 0.3, NULL), HAWSER_OK);
-    near(route_slope(&r, r.length), 0.7, 1e-15);
-    near3(route_left(&r, r.length), v3(-sin(1.1), cos(1.1), 0), 1e-15);
+    check_close(route_slope(&r, r.length), 0.7, 1e-15);
+    check_vec(route_left(&r, r.length), v3(-sin(1.1), cos(1.1), 0), 1e-15);
     route_clear(&r);
     assert_int_equal(route_build(&r, 1, &down, v3(0, 0, 0), 1.1, 0.3, NULL), HAWSER_OK);
-    near(route_slope(&r, r.length), -0.4, 1e-15);
+    check_close(route_slope(&r, r.length), -0.4, 1e-15);
     route_clear(&r);
 }
 
@@ -159,9 +139,9 @@ static void s_bend_restores_the_tangent(void **state)
     const RoutePieceDef def[] = {bend(4, 0.8, 0), bend(4, 0.8, PI)};
     Route r;
     assert_int_equal(route_build(&r, 2, def, v3(0, 0, 0), 0.2, 0, NULL), HAWSER_OK);
-    near3(route_at(&r, r.length).tangent, route_at(&r, 0).tangent, 1e-15);
-    near3(r.piece[1].centre,
-          v3_scale(-1, v3_axpy(v3_scale(cos(0.8), r.piece[0].centre), -sin(0.8), r.piece[0].tangent)), 1e-15);
+    check_vec(route_at(&r, r.length).tangent, route_at(&r, 0).tangent, 1e-15);
+    check_vec(r.piece[1].centre,
+              v3_scale(-1, v3_axpy(v3_scale(cos(0.8), r.piece[0].centre), -sin(0.8), r.piece[0].tangent)), 1e-15);
     route_clear(&r);
 }
 
@@ -173,11 +153,11 @@ static void left_survives_the_vertical(void **state)
     Route r;
     assert_int_equal(route_build(&r, 5, def, v3(0, 0, 0), 0.5, 0, NULL), HAWSER_OK);
     const Vec3 left = v3(-sin(0.5), cos(0.5), 0);
-    for (double s = 0.25; s < r.piece[3].s0; s += 0.25) near3(route_left(&r, s), left, 1e-6);
-    near3(route_left(&r, r.piece[2].s0), left, 1e-14);
-    near3(route_left(&r, r.piece[2].s0 + 2), left, 1e-14);
-    near3(route_at(&r, r.length).tangent, left, 1e-14);
-    near(route_at(&r, r.length).position.z, 3 + 5 + 3, 1e-14);
+    for (double s = 0.25; s < r.piece[3].s0; s += 0.25) check_vec(route_left(&r, s), left, 1e-12);
+    check_vec(route_left(&r, r.piece[2].s0), left, 1e-14);
+    check_vec(route_left(&r, r.piece[2].s0 + 2), left, 1e-14);
+    check_vec(route_at(&r, r.length).tangent, left, 1e-14);
+    check_close(route_at(&r, r.length).position.z, 3 + 5 + 3, 1e-14);
     route_clear(&r);
 }
 
@@ -189,10 +169,10 @@ static void left_inside_a_bend_through_the_vertical(void **state)
     const RoutePieceDef def = bend(2, PI, PI / 2);
     Route r;
     assert_int_equal(route_build(&r, 1, &def, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
-    near3(route_left(&r, r.length / 2), v3(0, 1, 0), 1e-12);
-    near3(route_left(&r, r.length / 2 - 0.1), v3(0, 1, 0), 1e-12);
-    near3(route_left(&r, r.length), v3(0, -1, 0), 1e-12);
-    near3(route_at(&r, r.length).position, v3(0, 0, 4), 1e-15);
+    check_vec(route_left(&r, r.length / 2), v3(0, 1, 0), 1e-12);
+    check_vec(route_left(&r, r.length / 2 - 0.1), v3(0, 1, 0), 1e-12);
+    check_vec(route_left(&r, r.length), v3(0, -1, 0), 1e-12);
+    check_vec(route_at(&r, r.length).position, v3(0, 0, 4), 1e-15);
     route_clear(&r);
 }
 

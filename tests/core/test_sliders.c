@@ -1,13 +1,9 @@
 /* Bending with hysteresis at one joint, against closed forms of Iwan's model: first loading, Masing's rules, the area
  * of a loop, circular bending, isotropy, dissipation, and the update between steps. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include "core/bushing.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
+#include "tests/support/check.h"
 
 enum { SLIDERS = 3, JOINT = 1 };
 
@@ -78,11 +74,6 @@ static double energy(const Rig *r, Vec3 theta)
     return sum;
 }
 
-static void assert_near(double found, double expected, double tolerance)
-{
-    if (!(fabs(found - expected) <= tolerance)) fail_msg("%.17g, expected %.17g", found, expected);
-}
-
 /* In any direction, in one step or in many. */
 static void test_first_loading(void **state)
 {
@@ -93,7 +84,7 @@ static void test_first_loading(void **state)
             for (int k = 1; k <= steps; ++k) {
                 const double theta = 0.2 * k / steps;
                 const Vec3 moment = step_to(&r, bending(theta, angle));
-                assert_near(v3_norm(v3_sub(moment, bending(first_loading(theta), angle))), 0, 1e-13);
+                check_close(v3_norm(v3_sub(moment, bending(first_loading(theta), angle))), 0, 1e-13);
             }
             rig_free(&r);
         }
@@ -110,16 +101,16 @@ static void test_masing(void **state)
     double moment = at_top;
     for (double theta = top; theta >= bottom; theta -= 0.001) {
         moment = step_to(&r, v3(0, theta, 0)).y;
-        assert_near(moment, at_top - 2 * first_loading((top - theta) / 2), 1e-13);
+        check_close(moment, at_top - 2 * first_loading((top - theta) / 2), 1e-13);
     }
     const double at_bottom = step_to(&r, v3(0, bottom, 0)).y;
     for (double theta = bottom; theta <= top; theta += 0.001) {
         moment = step_to(&r, v3(0, theta, 0)).y;
-        assert_near(moment, at_bottom + 2 * first_loading((theta - bottom) / 2), 1e-13);
+        check_close(moment, at_bottom + 2 * first_loading((theta - bottom) / 2), 1e-13);
     }
     /* the loop closes, and beyond it the first curve goes on as if nothing had been */
-    assert_near(step_to(&r, v3(0, top, 0)).y, at_top, 1e-13);
-    assert_near(step_to(&r, v3(0, 0.2, 0)).y, first_loading(0.2), 1e-13);
+    check_close(step_to(&r, v3(0, top, 0)).y, at_top, 1e-13);
+    check_close(step_to(&r, v3(0, 0.2, 0)).y, first_loading(0.2), 1e-13);
     rig_free(&r);
 }
 
@@ -152,8 +143,8 @@ static void test_hysteretic_bending_loop_area(void **state)
         cycle_work(&r, tops[t], 0.3, 400, &first);
         for (int cycle = 0; cycle < 20; ++cycle) {
             const double work = cycle_work(&r, tops[t], 0.3, 400, &moment);
-            assert_near(work, area, 1e-4 * area + 1e-15);
-            assert_near(moment, first, 1e-13); /* no drift */
+            check_close(work, area, 1e-4 * area + 1e-15);
+            check_close(moment, first, 1e-13); /* no drift */
         }
         rig_free(&r);
     }
@@ -183,9 +174,9 @@ static void test_circular_bending(void **state)
         across += STIFFNESS[s] * l * slip / radius;
     }
     /* the slider that holds remembers where it was: nowhere, so its spring is theta */
-    assert_near(work, expected, 1e-3 * expected);
-    assert_near(moment.y, along, 2e-3 * along);
-    assert_near(moment.z, across, 2e-3 * across);
+    check_share(work, expected, 1e-3);
+    check_share(moment.y, along, 2e-3);
+    check_share(moment.z, across, 2e-3);
     rig_free(&r);
 }
 
@@ -205,13 +196,13 @@ static void test_isotropy_and_dissipation(void **state)
         const double before = energy(&r, next); /* with the slips of before: all that is put in, were it elastic */
         const Vec3 moment = step_to(&r, next);
         const double loss = before - energy(&r, next);
-        assert_true(loss >= -1e-16);
+        check_at_least(loss, -1e-16);
         taken += loss;
         const Vec3 other = step_to(&turned, quat_rotate(turn, next));
-        assert_near(v3_norm(v3_sub(other, quat_rotate(turn, moment))), 0, 1e-13);
+        check_close(v3_norm(v3_sub(other, quat_rotate(turn, moment))), 0, 1e-13);
         theta = next;
     }
-    assert_true(taken > 1);
+    check_above(taken, 1);
     rig_free(&r);
     rig_free(&turned);
 }
@@ -226,13 +217,13 @@ static void test_update(void **state)
         const Vec3 a = v3_scale(0.2, fixture_vector(&seed, 1)), b = v3_scale(0.2, fixture_vector(&seed, 1));
         const Vec3 at_a = moment_at(&r, a);
         moment_at(&r, b);
-        assert_true(v3_norm(v3_sub(moment_at(&r, a), at_a)) <= 0);
+        check_vec(moment_at(&r, a), at_a, 0);
         step_to(&r, a);
-        assert_near(v3_norm(v3_sub(moment_at(&r, a), at_a)), 0, 1e-14);
+        check_close(v3_norm(v3_sub(moment_at(&r, a), at_a)), 0, 1e-14);
         double slip[2 * SLIDERS];
         for (int c = 0; c < 2 * SLIDERS; ++c) slip[c] = r.kin.slip[c][JOINT];
         step_to(&r, a);
-        for (int c = 0; c < 2 * SLIDERS; ++c) assert_near(r.kin.slip[c][JOINT], slip[c], 1e-16);
+        for (int c = 0; c < 2 * SLIDERS; ++c) check_close(r.kin.slip[c][JOINT], slip[c], 1e-16);
     }
     rig_free(&r);
 }

@@ -1,12 +1,8 @@
 /* Two threads: every share is done once, what they write is seen, and they wait for nobody for ever. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <time.h>
 
-#include <cmocka.h>
-
 #include "core/base/team.h"
+#include "tests/support/check.h"
 
 enum { VALUES = 1000 };
 

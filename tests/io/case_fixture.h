@@ -3,32 +3,15 @@
 #define HAWSER_TESTS_CASE_FIXTURE_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "io/case/case_read.h"
+#include "tests/support/check.h"
+#include "tests/support/data.h"
 
 #define NAME "pull.yaml"
-
-/* |a - b| <= share |b| */
-static inline void expect_near(double a, double b, double share)
-{
-    if (!(fabs(a - b) <= share * fabs(b))) fail_msg("%.17g is not %.17g", a, b);
-}
-
-/* The smallest case there is. */
-static const char SMALLEST[] =
-    "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"
-    "chain: [{cable: c, length: 5 m}]\n"
-    "route: {pieces: [{straight: 20 m}]}\n"
-    "run: {duration: 10 s}\n";
 
 /* Reads a text as a case called NAME, with one setting (key NULL: none). */
 static inline hawser_status read_with(const char *text, const char *key, const char *value, SceneDef *def,

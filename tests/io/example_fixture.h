@@ -3,15 +3,11 @@
 #define HAWSER_TESTS_EXAMPLE_FIXTURE_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "hawser/hawser.h"
+#include "tests/support/check.h"
 
 /* Builds cases/NAME.yaml; the settings themselves must be right, the simulation may be refused. */
 static inline hawser_status example_open(const char *name, const char *const *settings, hawser_sim **sim,

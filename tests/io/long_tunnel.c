@@ -1,15 +1,11 @@
 /* The whole tunnel, end to end: the winch's force as a function of where the cable's front is, against the reference
  * theory. Minutes. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include <math.h>
 #include <stdio.h>
 
 #include "hawser/hawser.h"
+#include "tests/support/check.h"
 
 static hawser_sim *tunnel_run(void)
 {
@@ -33,7 +29,7 @@ static void test_pull_along_the_tunnel(void **state)
     double largest = 0, sum = 0;
     for (int i = 0; i < n; ++i) {
         const double error = fabs(row[i].pull_N / row[i].reference_N - 1);
-        largest = fmax(largest, error);
+        largest = larger_of(largest, error);
         sum += error;
     }
     hawser_summary s;
@@ -41,8 +37,10 @@ static void test_pull_along_the_tunnel(void **state)
     print_message("%d stretches: error %.2f %% at most, %.2f %% in the mean; %.0f N at the end, %.1f s of wall time\n",
                   n, 100 * largest, 100 * sum / n, row[n - 1].pull_N, s.wall_time_s);
     assert_true(s.relaxation.reached);
-    assert_true(n > 100 && row[0].head_m < 10 && row[n - 1].head_m > 870);
-    assert_true(largest < 0.05);
+    check_above(n, 100);
+    check_below(row[0].head_m, 10);
+    check_above(row[n - 1].head_m, 870);
+    check_below(largest, 0.05);
     hawser_sim_free(sim);
 }
 

@@ -1,43 +1,17 @@
 /* The public interface: cases, simulations side by side, runs with and without a folder, stopping, errors. */
 #include "results_fixture.h"
+#include "tests/support/check.h"
+#include "tests/support/data.h"
 
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
 #include <jansson.h>
-
-/* Twenty segments, 200 kg, on a level row of rollers: the steady pull is mu m g. */
-static const char case_text[] = "title: A short pull\n"
-                                "cables:\n"
-                                "  power: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}\n"
-                                "chain:\n"
-                                "  - {cable: power, length: 10 m, segment: 500 mm}\n"
-                                "route:\n"
-                                "  head_at: 12 m\n"
-                                "  pieces: [{straight: 20 m, name: row}]\n"
-                                "rollers:\n"
-                                "  along: {spacing: 1 m, rating: 5 kN}\n"
-                                "friction: {mu: 0.2}\n"
-                                "drive:\n"
-                                "  winch: {speed: 6 m/min, to: 1 s}\n"
-                                "run: {duration: 2 s, steady_from: 1500 ms}\n"
-                                "output: {interval: 50 ms, states: 500 ms, stations: [{name: middle, at: 7 m}]}\n";
-
-/* cmocka compares in single precision. */
-static void assert_near(double a, double b, double tolerance)
-{
-    if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g is not within %g of %.17g", a, tolerance, b);
-}
 
 static hawser_case *make_case(void)
 {
     hawser_case *c = NULL;
     hawser_error err = {HAWSER_OK, ""};
-    if (hawser_case_parse(case_text, "pull.yaml", &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_parse(data_text("short-pull"), "pull.yaml", &c, &err)) fail_msg("%s", err.message);
     return c;
 }
 
@@ -62,12 +36,12 @@ static void test_wrong_cases(void **state)
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_case_load("/no/such/case.yaml", &c, &err), HAWSER_ERR_INPUT);
     assert_null(c);
-    assert_non_null(strstr(err.message, "/no/such/case.yaml"));
+    check_has(err.message, "/no/such/case.yaml");
     assert_int_equal(hawser_case_parse("a: [", "text", &c, &err), HAWSER_ERR_INPUT);
     assert_null(c);
     assert_int_equal(hawser_case_parse("tille: x\n", "text", &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "text:1"));
+    check_has(err.message, "text:1");
     hawser_sim *s = (hawser_sim *)1;
     assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_ERR_INPUT);
     assert_null(s);
@@ -92,12 +66,12 @@ static void test_settings(void **state)
     assert_int_equal(hawser_case_check(c, NULL), HAWSER_OK);
     assert_int_equal(hawser_case_set(c, "run.duration", "long", &err), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "run.duration"));
+    check_has(err.message, "run.duration");
     assert_int_equal(hawser_case_set(c, "run.duration", "3 s", NULL), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, NULL), HAWSER_OK);
     hawser_sim *s = NULL;
     assert_int_equal(hawser_sim_new(c, NULL, &s, NULL), HAWSER_OK);
-    assert_true(hawser_sim_end_time(s) == 3);
+    check_equal(hawser_sim_end_time(s), 3);
     hawser_sim_free(s);
     hawser_case_free(c);
 }
@@ -111,7 +85,7 @@ static void test_threads(void **state)
         const hawser_options options = {.threads = n};
         const int fine = n >= 0 && n <= 2;
         assert_int_equal(hawser_sim_new(c, &options, &s, NULL), fine ? HAWSER_OK : HAWSER_ERR_INPUT);
-        assert_true(fine == (s != NULL));
+        check_equal(fine, s != NULL);
         hawser_sim_free(s);
     }
     hawser_case_free(c);
@@ -125,15 +99,15 @@ static void test_texts(void **state)
     assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
     json_t *o = json_loads(text, 0, NULL);
     hawser_text_free(text);
-    assert_true(json_number_value(json_object_get(o, "segments")) == 20);
-    assert_near(json_number_value(json_object_get(o, "chain_mass_kg")), 200, 1e-9);
-    assert_near(json_number_value(json_object_get(o, "route_length_m")), 20, 1e-9);
+    check_equal(json_number_value(json_object_get(o, "segments")), 20);
+    check_close(json_number_value(json_object_get(o, "chain_mass_kg")), 200, 1e-9);
+    check_close(json_number_value(json_object_get(o, "route_length_m")), 20, 1e-9);
     json_decref(o);
     assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
     o = json_loads(text, 0, NULL);
     hawser_text_free(text);
-    assert_near(json_number_value(json_object_get(o, "reference_total_N")), 392.4, 1e-6);
-    assert_near(json_number_value(json_object_get(o, "paper_total_N")), 392.4, 1e-6);
+    check_close(json_number_value(json_object_get(o, "reference_total_N")), 392.4, 1e-6);
+    check_close(json_number_value(json_object_get(o, "paper_total_N")), 392.4, 1e-6);
     json_decref(o);
     hawser_case_free(c);
 }
@@ -158,9 +132,9 @@ static void test_side_by_side(void **state)
     for (int k = 0; k < 2; k++) {
         together[k] = winch_force(pair[k]);
         hawser_sim_free(pair[k]);
-        assert_true(together[k] == alone[k]);
+        check_equal(together[k], alone[k]);
     }
-    assert_true(alone[0] != alone[1]);
+    check_differs(alone[0], alone[1]);
 }
 
 /* What one thread of the next test does: everything, from the text to the folder. */
@@ -169,7 +143,7 @@ static void *run_thread(void *dir)
     hawser_case *c = NULL;
     hawser_sim *s = NULL;
     hawser_error *err = calloc(1, sizeof *err);
-    hawser_status status = hawser_case_parse(case_text, "pull.yaml", &c, err);
+    hawser_status status = hawser_case_parse(data_text("short-pull"), "pull.yaml", &c, err);
     if (!status) status = hawser_sim_new(c, NULL, &s, err);
     hawser_case_free(c);
     if (!status) status = hawser_sim_run(s, dir, NULL, NULL, err);
@@ -210,21 +184,21 @@ static void test_sample(void **state)
     hawser_relaxation relaxation;
     assert_int_equal(hawser_sim_relax(s, &relaxation, NULL), HAWSER_OK);
     assert_true(relaxation.reached);
-    assert_true(relaxation.residual_N <= relaxation.tolerance_N);
+    check_at_most(relaxation.residual_N, relaxation.tolerance_N);
     assert_int_equal(hawser_sim_advance(s, 2, 1, NULL), HAWSER_OK);
-    assert_true(hawser_sim_time(s) > 0 && hawser_sim_time(s) < 2);
+    check_between(hawser_sim_time(s), 0, 2);
     assert_int_equal(hawser_sim_advance(s, 2, 0, NULL), HAWSER_OK);
     const hawser_sample *look = hawser_sim_sample(s);
-    assert_true(look->t == hawser_sim_time(s));
+    check_equal(look->t, hawser_sim_time(s));
     assert_int_equal(look->segments, 20);
     assert_int_equal(look->joints, 21);
-    assert_near(look->winch_speed, 0.1, 1e-12);
+    check_close(look->winch_speed, 0.1, 1e-12);
     /* the ramp takes half its second */
-    assert_near(look->winch_travel, 0.15, 1e-9);
+    check_close(look->winch_travel, 0.15, 1e-9);
     double weight = 0;
     for (int r = 0; r < look->rollers; r++) weight += look->roller_load[r];
-    assert_near(weight, 200 * 9.81, 100);
-    for (int i = 0; i < 20; i++) assert_near(look->axial_speed[i], 0.1, 1e-3);
+    check_close(weight, 200 * 9.81, 100);
+    for (int i = 0; i < 20; i++) check_close(look->axial_speed[i], 0.1, 1e-5);
     /* it cannot be relaxed any more */
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_sim_relax(s, NULL, &err), HAWSER_ERR_INPUT);
@@ -239,7 +213,8 @@ typedef struct Watch {
 static int watch(void *user, const hawser_sample *sample, double wall_s, double end_s)
 {
     Watch *w = user;
-    assert_true(sample->t >= w->last_t && wall_s >= w->last_wall);
+    check_at_least(sample->t, w->last_t);
+    check_at_least(wall_s, w->last_wall);
     w->last_t = sample->t;
     w->last_wall = wall_s;
     w->end = end_s;
@@ -255,20 +230,23 @@ static void test_run(void **state)
     const hawser_station *station;
     const hawser_roller *roller;
     assert_int_equal(hawser_sim_run(s, NULL, watch, &w, NULL), HAWSER_OK);
-    assert_true(w.calls >= 2 && w.last_t == 2 && w.end == 2);
+    check_at_least(w.calls, 2);
+    check_equal(w.last_t, 2);
+    check_equal(w.end, 2);
     hawser_sim_summary(s, &sum);
     assert_int_equal(sum.segments, 20);
-    assert_true(sum.sim_time_s == 2);
-    assert_true(sum.steps > 0 && sum.wall_time_s > 0);
+    check_equal(sum.sim_time_s, 2);
+    check_above(sum.steps, 0);
+    check_above(sum.wall_time_s, 0);
     /* mu m g, less what the winch carries of the span to the next roller */
-    assert_near(sum.pull_mean_N, 392.4, 8);
-    assert_near(sum.steady_speed_m_per_s, 0.1, 5e-4);
+    check_close(sum.pull_mean_N, 392.4, 8);
+    check_close(sum.steady_speed_m_per_s, 0.1, 1e-6);
     assert_int_equal(hawser_sim_stations(s, &station), 1);
     assert_string_equal(station->name, "middle");
-    assert_near(station->mean_N, station->reference_N, 8);
+    check_close(station->mean_N, station->reference_N, 8);
     const int n = hawser_sim_rollers(s, &roller);
     assert_int_equal(n, hawser_sim_sample(s)->rollers);
-    assert_near(roller[0].rating_N, 5000, 1e-9);
+    check_close(roller[0].rating_N, 5000, 1e-9);
     assert_string_equal(hawser_sim_title(s), "A short pull");
     hawser_sim_free(s);
 }
@@ -283,7 +261,7 @@ static void test_phases(void **state)
     hawser_sim_summary(s, &sum);
     const hawser_phases *p = &sum.phases;
     const double parts = p->relax + p->rhs + p->contacts + p->jacobian + p->factor + p->solve + p->vector + p->output;
-    assert_near(parts + p->other, sum.wall_time_s, 1e-3 * sum.wall_time_s);
+    check_share(parts + p->other, sum.wall_time_s, 1e-3);
     hawser_sim_free(s);
 }
 
@@ -304,10 +282,11 @@ static void rows_check(const char *text, double interval, double end)
     int rows = 0;
     for (const char *line = strchr(text, '\n'); line && line[1]; line = strchr(line + 1, '\n'), ++rows) {
         t = strtod(line + 1, NULL);
-        assert_true(t >= rows * interval - 1e-9 && t < (rows + 1) * interval);
+        check_at_least(t, rows * interval - 1e-9);
+        check_below(t, (rows + 1) * interval);
     }
     assert_int_equal(rows, lround(end / interval) + 1);
-    assert_true(t == end);
+    check_equal(t, end);
 }
 
 static void test_run_into_folder(void **state)
@@ -317,13 +296,13 @@ static void test_run_into_folder(void **state)
     assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, NULL), HAWSER_OK);
     char *text = NULL;
     assert_int_equal(hawser_sim_summary_json(s, &text, NULL), HAWSER_OK);
-    assert_non_null(strstr(text, "\"outcome\": \"finished\""));
+    check_has(text, "\"outcome\": \"finished\"");
     hawser_text_free(text);
     hawser_sim_free(s);
     json_t *o = read_summary(f);
     assert_string_equal(json_string_value(json_object_get(o, "outcome")), "finished");
     assert_string_equal(json_string_value(json_object_get(o, "case")), "pull.yaml");
-    assert_true(json_number_value(json_object_get(o, "sim_time_s")) == 2);
+    check_equal(json_number_value(json_object_get(o, "sim_time_s")), 2);
     json_decref(o);
     text = read_text(fixture_path(f, "series.csv"));
     rows_check(text, 0.05, 2);
@@ -338,13 +317,13 @@ static void test_stop(void **state)
     Watch w = {.stop_at = 1};
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_sim_run(s, f->dir, watch, &w, &err), HAWSER_STOPPED);
-    assert_non_null(strstr(err.message, "stopped at t ="));
+    check_has(err.message, "stopped at t =");
     json_t *o = read_summary(f);
     assert_string_equal(json_string_value(json_object_get(o, "outcome")), "stopped");
     json_decref(o);
     /* the rest of the run may follow */
     assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_OK);
-    assert_true(hawser_sim_time(s) == 2);
+    check_equal(hawser_sim_time(s), 2);
     hawser_sim_free(s);
 }
 
@@ -367,9 +346,9 @@ static void test_by_hand(void **state)
     hawser_sim_summary(whole, &a);
     hawser_sim_summary(hand, &b);
     assert_int_equal(a.steps, b.steps);
-    assert_near(a.pull_mean_N, b.pull_mean_N, 0);
-    assert_true(a.pull_peak_N == b.pull_peak_N);
-    assert_true(winch_force(whole) == winch_force(hand));
+    check_close(a.pull_mean_N, b.pull_mean_N, 0);
+    check_equal(a.pull_peak_N, b.pull_peak_N);
+    check_equal(winch_force(whole), winch_force(hand));
     hawser_sim_free(whole);
     hawser_sim_free(hand);
 }
@@ -387,7 +366,7 @@ static void test_failed_run(void **state)
     assert_string_equal(json_string_value(json_object_get(o, "message")), err.message);
     json_decref(o);
     char *text = read_text(fixture_path(f, "series.csv"));
-    assert_non_null(strstr(text, "\n0,"));
+    check_has(text, "\n0,");
     free(text);
     hawser_sim_free(s);
 }
@@ -400,8 +379,8 @@ static void test_unwritable(void **state)
     hawser_error err = {HAWSER_OK, ""};
     fclose(fopen(fixture_path(f, "file"), "w"));
     assert_int_equal(hawser_sim_run(s, fixture_path(f, "file"), NULL, NULL, &err), HAWSER_ERR_OUTPUT);
-    assert_non_null(strstr(err.message, "file"));
-    assert_true(hawser_sim_time(s) == 0);
+    check_has(err.message, "file");
+    check_equal(hawser_sim_time(s), 0);
     assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, NULL), HAWSER_OK);
     hawser_sim_free(s);
 }

@@ -1,7 +1,6 @@
 /* Every key of the tables, wrong in every way: missing, misspelt, of the wrong type or unit, not a number, not finite,
  * out of range, with garbage behind it. Each must be refused with file, line and key. */
 #include "tests/io/case_fixture.h"
-#include "tests/io/case_texts.h"
 
 #include "io/case/case_parts.h"
 #include "io/yaml/yaml_tree.h"
@@ -102,7 +101,7 @@ static void missing(const Site *site, Coverage *coverage)
         refused(text, 0, site->path, "missing");
     } else if (read_with(text, NULL, NULL, &def, &err)) {
         assert_int_equal(err.status, HAWSER_ERR_INPUT);
-        assert_non_null(strstr(err.message, "key '"));
+        check_has(err.message, "key '");
     } else {
         scene_def_clear(&def);
     }
@@ -261,7 +260,7 @@ static void spoil(const char *text, const CaseNode *node, const CaseKey *key, Co
 {
     Site site = {.text = text, .node = node, .key = key};
     case_path(node, NULL, site.path);
-    assert_true(coverage->n < KEYS_MAX);
+    check_below(coverage->n, KEYS_MAX);
     coverage->met[coverage->n++] = key;
     misspelt(&site, coverage);
     missing(&site, coverage);
@@ -283,17 +282,19 @@ static void spoil_all(const char *text, const CaseNode *node, Coverage *coverage
 static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
-    static const char *const texts[] = {FULL_RAMPS,      FULL_TABLES,      FULL_TENSION, FULL_TENSION_TABLE, FULL_REEL,
-                                        FULL_REEL_TABLE, FULL_REEL_WEIGHT, FULL_ROD,     FULL_ROD_POLYLINE};
+    static const char *const names[] = {"full-ramps",         "full-tables", "full-tension",
+                                        "full-tension-table", "full-reel",   "full-reel-table",
+                                        "full-reel-weight",   "full-rod",    "full-rod-polyline"};
     Coverage coverage = {.n = 0};
-    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        const char *const text = data_text(names[k]);
         CaseTree *tree;
         hawser_error err;
         SceneDef def;
-        expect_good(texts[k], NULL, NULL, &def);
+        expect_good(text, NULL, NULL, &def);
         scene_def_clear(&def);
-        assert_int_equal(case_tree_parse(texts[k], NAME, &tree, &err), HAWSER_OK);
-        spoil_all(texts[k], tree->root, &coverage);
+        assert_int_equal(case_tree_parse(text, NAME, &tree, &err), HAWSER_OK);
+        spoil_all(text, tree->root, &coverage);
         case_tree_free(tree);
     }
     const CaseSection *all[CASE_SECTIONS_MAX];
@@ -312,15 +313,16 @@ static void every_key_wrong_in_every_way(void **state)
 static void settings_are_named(void **state)
 {
     (void)state;
-    expect_bad(FULL_RAMPS, "chain.0.length", "5 kg",
+    expect_bad(data_text("full-ramps"), "chain.0.length", "5 kg",
                "--set chain.0.length: key 'chain.0.length': value '5 kg' has the unit");
-    expect_bad(FULL_RAMPS, "chain.0.lenght", "5 m",
+    expect_bad(data_text("full-ramps"), "chain.0.lenght", "5 m",
                "--set chain.0.lenght: key 'chain.0.lenght': unknown key: did you mean 'length'?");
-    expect_bad(FULL_RAMPS, "drive.wnich.speed", "1",
+    expect_bad(data_text("full-ramps"), "drive.wnich.speed", "1",
                "--set drive.wnich.speed: key 'drive.wnich': unknown key: did you mean 'winch'?");
-    expect_bad(FULL_RAMPS, "solver.threads", "9",
+    expect_bad(data_text("full-ramps"), "solver.threads", "9",
                "--set solver.threads: key 'solver.threads': value '9' is out of range");
-    expect_bad(FULL_RAMPS, "gravity", "[0, 0, nan]", "--set gravity: key 'gravity.2': value 'nan' is not a number");
+    expect_bad(data_text("full-ramps"), "gravity", "[0, 0, nan]",
+               "--set gravity: key 'gravity.2': value 'nan' is not a number");
 }
 
 int main(void)

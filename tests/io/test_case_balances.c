@@ -54,8 +54,9 @@ static int case_closes(const char *file)
                       b->turnover_J, b->turnover_of, b->impulse_residual_share);
         const double most = strstr(file, "stick") ? STICKS_MOST : strstr(file, "/rollers-") ? SMALL_MOST : ENERGY_MOST;
         if (!(b->residual_share < most)) fail_msg("%s: energy %g J is not accounted for", file, b->residual_J);
-        assert_true(b->impulse_residual_share < MOMENTUM_MOST);
-        assert_true(b->n_terms > 3 && b->turnover_J > 0);
+        check_below(b->impulse_residual_share, MOMENTUM_MOST);
+        check_above(b->n_terms, 3);
+        check_above(b->turnover_J, 0);
     }
     const int any = b != NULL;
     hawser_sim_free(s);
@@ -70,7 +71,7 @@ static void every_case_closes(void **state)
     int closed = 0;
     assert_int_equal(glob(HAWSER_SOURCE_DIR "/cases/*.yaml", 0, NULL, &files), 0);
     for (size_t k = 0; k < files.gl_pathc; k++) closed += case_closes(files.gl_pathv[k]);
-    assert_true(closed >= 18);
+    check_at_least(closed, 18);
     globfree(&files);
 }
 
@@ -95,8 +96,10 @@ static void comers_and_goers(void **state)
     const hawser_balance *const b = sum.balance;
     print_message("%d joined: carried %.4g J, residual %.3g J of %.4g J\n", joined, b->carried_J, b->residual_J,
                   b->turnover_J);
-    assert_true(joined > 3 && fabs(b->carried_J) > 10 * fabs(b->residual_J));
-    assert_true(b->residual_share < 1e-5 && b->impulse_residual_share < 1e-5);
+    check_above(joined, 3);
+    check_above(fabs(b->carried_J), 10 * fabs(b->residual_J));
+    check_below(b->residual_share, 1e-5);
+    check_below(b->impulse_residual_share, 1e-5);
     hawser_sim_free(s);
     hawser_case_free(c);
 }

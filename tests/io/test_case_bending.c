@@ -4,12 +4,12 @@
 /* The smallest case with `value` as its cable's table. */
 static void table_good(const char *value, SceneDef *def)
 {
-    expect_good(SMALLEST, "cables.c.bending.table", value, def);
+    expect_good(data_text("smallest"), "cables.c.bending.table", value, def);
 }
 
 static void table_bad(const char *value, const char *part)
 {
-    expect_bad(SMALLEST, "cables.c.bending.table", value, part);
+    expect_bad(data_text("smallest"), "cables.c.bending.table", value, part);
 }
 
 static void table_is_read(void **state)
@@ -21,14 +21,14 @@ static void table_is_read(void **state)
     const double curvature[3] = {20, 50, 60}, moment[3] = {240, 420, 420};
     assert_int_equal(c->bending.rows, 3);
     for (int i = 0; i < 3; i++) {
-        expect_near(c->bending.curvature[i], curvature[i], 1e-15);
-        expect_near(c->bending.moment[i], moment[i], 1e-15);
+        check_share(c->bending.curvature[i], curvature[i], 1e-15);
+        check_share(c->bending.moment[i], moment[i], 1e-15);
     }
-    expect_near(c->ei_y, 12, 1e-15); /* not the shorthand's */
-    expect_near(c->ei_z, 12, 1e-15);
-    expect_near(c->ea, 115e9 * 5982.7e-6, 1e-15);
+    check_share(c->ei_y, 12, 1e-15); /* not the shorthand's */
+    check_share(c->ei_z, 12, 1e-15);
+    check_share(c->ea, 115e9 * 5982.7e-6, 1e-15);
     scene_def_clear(&def);
-    expect_good(SMALLEST, NULL, NULL, &def);
+    expect_good(data_text("smallest"), NULL, NULL, &def);
     assert_int_equal(def.cables[0].bending.rows, 0);
     scene_def_clear(&def);
     table_good("[[1, 8], [2, 15], [3, 21], [4, 26], [5, 30], [6, 33], [7, 35], [8, 36]]", &def);
@@ -56,8 +56,9 @@ static void wrong_tables_are_refused(void **state)
     table_bad("[[1, 8], [2 mm, 9]]",
               "has the unit 'mm', which is not that of a curvature: expected a curvature, such as");
     table_bad("[[1, 8], [2, 9 kg]]", "expected a moment");
-    expect_bad(SMALLEST, "cables.c.bending", "{}", "key 'cables.c.bending.table': missing: give 2 to 8 rows");
-    expect_bad(SMALLEST, "cables.c",
+    expect_bad(data_text("smallest"), "cables.c.bending", "{}",
+               "key 'cables.c.bending.table': missing: give 2 to 8 rows");
+    expect_bad(data_text("smallest"), "cables.c",
                "{EA: 1, GA: 1, GJ: 1, EI_y: 1, d: 1, mass: 1, bending: {table: [[1, 8], [2, 9]]}}",
                "key 'cables.c.EI_y': not allowed beside 'bending'");
 }
@@ -66,16 +67,16 @@ static void ratios_take_the_place_of_the_time(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "cables.c.damping_ratio", "{axial: 0.05, bending: 0, at: 5 Hz}", &def);
+    expect_good(data_text("smallest"), "cables.c.damping_ratio", "{axial: 0.05, bending: 0, at: 5 Hz}", &def);
     const CableDef *c = &def.cables[0];
     const double ratio[6] = {0.05, 0, 0, 0, 0, 0}, factor[6] = {1, 1, 1, 1, 0, 0};
     assert_memory_equal(c->damping_ratio, ratio, sizeof ratio);
     assert_memory_equal(c->damping_factor, factor, sizeof factor);
-    expect_near(c->damping_ratio_at, 5, 1e-15);
+    check_share(c->damping_ratio_at, 5, 1e-15);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "cables.c.damping_ratio", "{torsion: 0.3}", &def);
-    expect_near(def.cables[0].damping_ratio[3], 0.3, 0);
-    assert_true(def.cables[0].damping_ratio_at <= 0);
+    expect_good(data_text("smallest"), "cables.c.damping_ratio", "{torsion: 0.3}", &def);
+    check_share(def.cables[0].damping_ratio[3], 0.3, 0);
+    check_at_most(def.cables[0].damping_ratio_at, 0);
     scene_def_clear(&def);
 }
 

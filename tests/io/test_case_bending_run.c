@@ -1,14 +1,10 @@
 /* cases/bending-hysteresis.yaml, run: what the loops of bending add to the pull, against their area. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "hawser/hawser.h"
+#include "tests/support/check.h"
 
 /* The summary of the case without friction, with one more setting (NULL: none). */
 static hawser_summary run(const char *key, const char *value)
@@ -42,7 +38,7 @@ static void test_loss_in_bends(void **state)
     const double k[] = {12000 - 3000, 3000 - 377. / 0.471};
     const double expected = taken(k[0], 0.03, c) + taken(k[1], 0.1, c);
     print_message("%.1f N lost, %.1f N by the route's curvature\n", loss, expected);
-    assert_true(loss > expected && loss < 1.25 * expected);
+    check_between(loss, expected, 1.25 * expected);
 }
 
 /* Half the segments' length: the same pull. */
@@ -50,7 +46,7 @@ static void test_convergence(void **state)
 {
     (void)state;
     const hawser_summary coarse = run(NULL, NULL), fine = run("chain.0.segment", "125 mm");
-    assert_true(fabs(fine.pull_mean_N / coarse.pull_mean_N - 1) < 0.005);
+    check_share(fine.pull_mean_N, coarse.pull_mean_N, 0.005);
 }
 
 int main(void)

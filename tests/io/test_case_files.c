@@ -28,7 +28,7 @@ static void every_file_is_good(void **state)
         assert_true(*def.title);
         scene_def_clear(&def);
     }
-    assert_true(files.gl_pathc >= 2);
+    check_at_least(files.gl_pathc, 2);
     globfree(&files);
 }
 
@@ -41,12 +41,12 @@ static void huangjiahu_cable(void **state)
     assert_int_equal(def.pieces[1].segments, 65);
     assert_int_equal(def.pieces[1].swivel, 1);
     assert_int_equal(case_eye(&def), 305);
-    expect_near(def.cables[0].mass, 46.6710427, 1e-9);
-    expect_near(profile_value(&def.winch.speed, 13), 0.1, 1e-15);
-    assert_true(profile_value(&def.winch.speed, 12.9) < 0.1);
-    expect_near(profile_value(&def.tail.tension, def.duration), 15 * 9.8 * def.cables[0].mass, 1e-7);
-    expect_near(def.drag.force, 5 * 9.8 * def.cables[0].mass, 1e-7);
-    expect_near(paper_total(def.n_paper, def.paper, def.cables[0].mass, def.friction.mu_d, 9.8), 12903.21, 1e-7);
+    check_share(def.cables[0].mass, 46.6710427, 1e-14);
+    check_share(profile_value(&def.winch.speed, 13), 0.1, 1e-15);
+    check_below(profile_value(&def.winch.speed, 12.9), 0.1);
+    check_share(profile_value(&def.tail.tension, def.duration), 15 * 9.8 * def.cables[0].mass, 1e-7);
+    check_share(def.drag.force, 5 * 9.8 * def.cables[0].mass, 1e-7);
+    check_share(paper_total(def.n_paper, def.paper, def.cables[0].mass, def.friction.mu_d, 9.8), 12903.21, 1e-7);
     assert_int_equal(def.lead_in.present, 1);
     assert_int_equal(def.lead_in.carries_weight, 1);
     scene_def_clear(&def);
@@ -61,14 +61,14 @@ static void huangjiahu_route(void **state)
     Route route = route_of(&def);
     const double half_crest = 60 * 5 * DEG, D = 4 + half_crest + 21.28577, crest = D - half_crest;
     const double z = -4 * sin(5 * DEG) - 60 * (1 - cos(5 * DEG)) + (21.28577 - half_crest) * sin(10 * DEG);
-    assert_true(fabs(route.length - 58.5) < 1e-5);
-    assert_true(fabs(route_at(&route, crest).position.z - z) < 1e-5);
-    expect_near(route_slope(&route, crest - 1e-6), 10 * DEG, 1e-6);
-    assert_true(fabs(route_slope(&route, D + half_crest + 1e-6)) < 1e-6);
+    check_close(route.length, 58.5, 1e-5);
+    check_close(route_at(&route, crest).position.z, z, 5e-7);
+    check_share(route_slope(&route, crest - 1e-6), 10 * DEG, 1e-6);
+    check_close(route_slope(&route, D + half_crest + 1e-6), 0, 1e-6);
     const double E = D + 19.71424;
-    assert_true(fabs(route_slope(&route, E) + 2.5 * DEG) < 1e-6);
-    expect_near(route_slope(&route, 58.5), -5 * DEG, 1e-6);
-    expect_near(def.head_at, 58.5, 0);
+    check_close(route_slope(&route, E), -2.5 * DEG, 1e-6);
+    check_share(route_slope(&route, 58.5), -5 * DEG, 1e-6);
+    check_share(def.head_at, 58.5, 0);
     route_clear(&route);
     scene_def_clear(&def);
 }
@@ -79,13 +79,13 @@ static void huangjiahu_rollers_and_stations(void **state)
     SceneDef def;
     load(HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml", &def);
     assert_int_equal(def.n_rollers, 32);
-    expect_near(def.rollers[0].s, 0, 0);
-    expect_near(def.rollers[31].s, 58.5, 1e-12);
-    for (int k = 0; k < 32; k++) expect_near(def.rollers[k].rating, 160e3, 0);
+    check_share(def.rollers[0].s, 0, 0);
+    check_share(def.rollers[31].s, 58.5, 1e-12);
+    for (int k = 0; k < 32; k++) check_share(def.rollers[k].rating, 160e3, 0);
     const char *const names[] = {"A", "B", "C", "D", "E", "F"};
     int found = 0;
     for (int k = 0; k < def.n_stations; k++) {
-        assert_true(k == 0 || def.stations[k].s > def.stations[k - 1].s);
+        if (k > 0) check_above(def.stations[k].s, def.stations[k - 1].s);
         if (found < 6 && strcmp(def.stations[k].name, names[found]) == 0) found++;
     }
     assert_int_equal(found, 6);
@@ -101,15 +101,15 @@ static void straight_row(void **state)
     const int n = case_segments(&def);
     assert_int_equal(n, 370);
     const double segment_mass = def.cables[0].mass * def.pieces[0].length / n;
-    expect_near(segment_mass, 11, 1e-15);
-    expect_near(def.friction.mu_d * segment_mass * 9.81 * n, 7985.34, 1e-9);
-    expect_near(def.gravity.z, -9.81, 0);
-    expect_near(def.rollers[1].s - def.rollers[0].s, 2, 1e-12);
-    expect_near(def.rollers[0].radius, 0.1, 0);
+    check_share(segment_mass, 11, 1e-15);
+    check_share(def.friction.mu_d * segment_mass * 9.81 * n, 7985.34, 1e-9);
+    check_share(def.gravity.z, -9.81, 0);
+    check_share(def.rollers[1].s - def.rollers[0].s, 2, 1e-12);
+    check_share(def.rollers[0].radius, 0.1, 0);
     /* The row begins behind the tail and ends ahead of where the head arrives. */
     const double tail = def.head_at - def.pieces[0].length, travel = profile_integral(&def.winch.speed, def.duration);
-    assert_true(def.rollers[0].s < tail - 2);
-    assert_true(def.rollers[def.n_rollers - 1].s > def.head_at + travel + 2);
+    check_below(def.rollers[0].s, tail - 2);
+    check_above(def.rollers[def.n_rollers - 1].s, def.head_at + travel + 2);
     int under = 0;
     for (int k = 0; k < def.n_rollers; k++) under += def.rollers[k].s >= tail && def.rollers[k].s <= def.head_at;
     assert_in_range(under, 92, 93);

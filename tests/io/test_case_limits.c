@@ -1,27 +1,14 @@
 /* Limits from a case file to the verdict: each held and broken in a short run, what a run finds against the run's own
  * tables, the theory's tables, and mistakes that no table of keys can see. */
 #include "tests/io/case_fixture.h"
-#include "tests/io/case_texts.h"
 
 #include <jansson.h>
-
-/* 14 m of cable on a level row and round a bend with guides, its head beyond that. */
-static const char PULL[] =
-    "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 80 mm, mass: 20 kg/m}}\n"
-    "chain: [{cable: c, length: 14 m, segment: 500 mm}]\n"
-    "route: {head_at: 15 m, pieces: [{name: in, straight: 8 m}, {name: bend, bend: 20 deg, radius: 12 m, plane: left}, "
-    "{name: out, straight: 8 m}]}\n"
-    "rollers: {along: [{spacing: 1 m, rating: 5 kN}, {guide: inside, spacing: 500 mm, rating: 4 kN, name: G}]}\n"
-    "friction: {mu: 0.2}\n"
-    "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 2 kN, ramp: none}}\n"
-    "run: {duration: 3 s, steady_from: 2 s}\n"
-    "limits: {conductor: {material: copper, area: 800 mm2}, rope_strength: 100 kN}\n";
 
 /* A run's limits; the simulation is given back through *sim. */
 static int judged(const char *key, const char *value, hawser_limit *limit, hawser_sim **sim)
 {
     hawser_case *c = NULL;
-    assert_int_equal(hawser_case_parse(PULL, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_parse(data_text("limits"), NAME, &c, NULL), HAWSER_OK);
     if (key) assert_int_equal(hawser_case_set(c, key, value, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_new(c, NULL, sim, NULL), HAWSER_OK);
     hawser_case_free(c);
@@ -51,28 +38,28 @@ static void values_of_a_run(void **state)
     hawser_sim_summary(sim, &sum);
     double steady = 0, peak = 0;
     for (int i = hawser_sim_rollers(sim, &roller) - 1; i >= 0; i--) {
-        steady = fmax(steady, roller[i].steady_N / roller[i].rating_N);
-        peak = fmax(peak, roller[i].peak_N / roller[i].rating_N);
+        steady = larger_of(steady, roller[i].steady_N / roller[i].rating_N);
+        peak = larger_of(peak, roller[i].peak_N / roller[i].rating_N);
     }
     for (int i = 0; i < n; i++) {
         if (!limit[i].ok || !(limit[i].margin > 0)) fail_msg("%s does not hold", limit[i].name);
     }
     /* without a rope the winch pulls at the cable itself */
-    expect_near(find(n, limit, "pull")->value, sum.pull_peak_N, 1e-3);
-    expect_near(find(n, limit, "rope")->value, sum.pull_peak_N, 1e-12);
-    expect_near(find(n, limit, "rope")->limit, 20e3, 1e-12);
-    expect_near(find(n, limit, "pull")->limit, 56e3, 1e-12);
-    expect_near(1 - find(n, limit, "roller_steady")->margin, 1.6 * steady, 1e-12);
-    expect_near(1 - find(n, limit, "roller_peak")->margin, peak, 1e-12);
+    check_share(find(n, limit, "pull")->value, sum.pull_peak_N, 1e-3);
+    check_share(find(n, limit, "rope")->value, sum.pull_peak_N, 1e-12);
+    check_share(find(n, limit, "rope")->limit, 20e3, 1e-12);
+    check_share(find(n, limit, "pull")->limit, 56e3, 1e-12);
+    check_share(1 - find(n, limit, "roller_steady")->margin, 1.6 * steady, 1e-12);
+    check_share(1 - find(n, limit, "roller_peak")->margin, peak, 1e-12);
     /* the tension in the bend lies between the tail's and the winch's */
     const double sidewall = find(n, limit, "sidewall")->value;
-    assert_true(sidewall > 2000 / 12.0 && sidewall < sum.pull_peak_N / 12);
-    assert_non_null(strstr(find(n, limit, "sidewall")->where, "bend"));
+    check_between(sidewall, 2000 / 12.0, sum.pull_peak_N / 12);
+    check_has(find(n, limit, "sidewall")->where, "bend");
     /* on corner rollers a cable of this stiffness is a polygon with somewhat tighter corners than the route */
     const double radius = find(n, limit, "bend_radius")->value;
-    assert_true(radius > 4 && radius < 12.01);
+    check_between(radius, 4, 12.01);
     const double alpha = find(n, limit, "alpha")->value;
-    assert_true(alpha > 0.9 && alpha < 1.3);
+    check_between(alpha, 0.9, 1.3);
     hawser_sim_free(sim);
 }
 
@@ -99,7 +86,7 @@ static void each_can_break(void **state)
             }
         }
         assert_int_equal(hawser_limits_verdict(n, limit, verdict, sizeof verdict), 1);
-        assert_non_null(strstr(verdict, row[k].name));
+        check_has(verdict, row[k].name);
         hawser_sim_free(sim);
     }
     /* every roller too weak for the first load: steady and peak */
@@ -116,7 +103,7 @@ static void summary_has_them(void **state)
     hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char *text;
-    assert_int_equal(hawser_case_parse(PULL, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_parse(data_text("limits"), NAME, &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
     const int before = hawser_sim_limits(sim, limit);
     for (int i = 0; i < before; i++) assert_false(limit[i].judged);
@@ -134,11 +121,11 @@ static void summary_has_them(void **state)
     json_t *overload = json_object_get(o, "overload"), *rollers = json_object_get(overload, "rollers");
     hawser_summary sum;
     hawser_sim_summary(sim, &sum);
-    expect_near(json_number_value(json_object_get(overload, "trip_N")), 1.5 * sum.reference_total_N, 1e-8);
-    assert_true(json_array_size(rollers) >= 8);
+    check_share(json_number_value(json_object_get(overload, "trip_N")), 1.5 * sum.reference_total_N, 1e-8);
+    check_at_least(json_array_size(rollers), 8);
     for (size_t i = 0; i < json_array_size(rollers); i++) {
         json_t *r = json_array_get(rollers, i);
-        expect_near(json_number_value(json_object_get(r, "alpha")) *
+        check_share(json_number_value(json_object_get(r, "alpha")) *
                         json_number_value(json_object_get(r, "reference_N")),
                     json_number_value(json_object_get(r, "peak_N")), 1e-8);
     }
@@ -155,8 +142,8 @@ static void limits_change_nothing(void **state)
     hawser_sim *with, *without;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_summary a, b;
-    char text[sizeof PULL];
-    strcpy(text, PULL);
+    char text[sizeof data_text("limits")];
+    strcpy(text, data_text("limits"));
     *strstr(text, "limits:") = 0;
     judged(NULL, NULL, limit, &with);
     assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
@@ -164,7 +151,8 @@ static void limits_change_nothing(void **state)
     assert_int_equal(hawser_sim_run(without, NULL, NULL, NULL, NULL), HAWSER_OK);
     hawser_sim_summary(with, &a);
     hawser_sim_summary(without, &b);
-    assert_true(a.pull_peak_N == b.pull_peak_N && a.pull_mean_N == b.pull_mean_N);
+    check_equal(a.pull_peak_N, b.pull_peak_N);
+    check_equal(a.pull_mean_N, b.pull_mean_N);
     assert_int_equal(hawser_sim_limits(without, limit), 0);
     hawser_sim_free(with);
     hawser_sim_free(without);
@@ -200,25 +188,25 @@ static const char *word(json_t *o, const char *table, size_t row, const char *ke
 static void theory_by_hand(void **state)
 {
     (void)state;
-    json_t *o = theory(PULL, "friction.mu_s", "0.3");
+    json_t *o = theory(data_text("limits"), "friction.mu_s", "0.3");
     const double w = 20 * 9.81, wR = w * 12, turn = M_PI / 9;
     const double a = 2000 + 0.2 * w * 8, b = (a + wR) * exp(0.2 * turn) - wR, c = b + 0.2 * w * 8;
-    expect_near(number(o, "pieces", 0, "forward_end_N"), a, 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_end_N"), b, 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_closed_N"), b, 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_sidewall_N_per_m"), b / 12, 1e-9);
-    expect_near(number(o, "pieces", 2, "forward_end_N"), c, 1e-9);
-    expect_near(number(o, "directions", 0, "force_N"), c, 1e-9);
-    expect_near(number(o, "pieces", 0, "backward_end_N"), c, 1e-9);   /* the route is its own mirror */
-    expect_near(number(o, "pieces", 0, "forward_roller_N"), w, 1e-9); /* a metre of cable */
+    check_share(number(o, "pieces", 0, "forward_end_N"), a, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_end_N"), b, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_closed_N"), b, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_sidewall_N_per_m"), b / 12, 1e-9);
+    check_share(number(o, "pieces", 2, "forward_end_N"), c, 1e-9);
+    check_share(number(o, "directions", 0, "force_N"), c, 1e-9);
+    check_share(number(o, "pieces", 0, "backward_end_N"), c, 1e-9);   /* the route is its own mirror */
+    check_share(number(o, "pieces", 0, "forward_roller_N"), w, 1e-9); /* a metre of cable */
     /* in the bend too: the guides, two to a metre, bear less */
-    expect_near(number(o, "pieces", 1, "forward_roller_N"), w, 1e-9);
+    check_share(number(o, "pieces", 1, "forward_roller_N"), w, 1e-9);
     const double restart = ((2000 + 0.3 * w * 8 + wR) * exp(0.3 * turn) - wR) + 0.3 * w * 8;
-    expect_near(number(o, "directions", 0, "restart_N"), restart, 1e-9);
+    check_share(number(o, "directions", 0, "restart_N"), restart, 1e-9);
     assert_string_equal(word(o, "pieces", 0, "supports"), "resultant");
     assert_string_equal(word(o, "pieces", 1, "supports"), "separate");
-    expect_near(number(o, "pieces", 2, "forward_margin_pct"), 100 * (1 - c / 56e3), 1e-9);
-    expect_near(number(o, "pieces", 1, "forward_margin_pct"), 100 * fmin(1 - b / 56e3, 1 - b / 12 / 3000), 1e-9);
+    check_share(number(o, "pieces", 2, "forward_margin_pct"), 100 * (1 - c / 56e3), 1e-9);
+    check_share(number(o, "pieces", 1, "forward_margin_pct"), 100 * fmin(1 - b / 56e3, 1 - b / 12 / 3000), 1e-9);
     assert_int_equal(json_array_size(json_object_get(o, "limits")), 12);
     assert_memory_equal(json_string_value(json_object_get(o, "verdict_forward")), "SAFE: all 6", 11);
     json_decref(o);
@@ -228,40 +216,31 @@ static void theory_by_hand(void **state)
 static void theory_of_ducts_and_sags(void **state)
 {
     (void)state;
-    static const char DUCT[] =
-        "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 50 mm, mass: 5 kg/m}}\n"
-        "chain: [{cable: c, length: 10 m}]\n"
-        "route: {slope: -10 deg, pieces: [{straight: 20 m, name: down}, {bend: 10 deg, radius: 100 "
-        "m, plane: up, name: sag}]}\n"
-        "surfaces: {ducts: [{name: tube, to: 20 m, radius: 75 mm, friction: {mu: 0.3}}]}\n"
-        "drive: {winch: {speed: 0.1 m/s}}\n"
-        "run: {duration: 3 s}\n"
-        "theory: {cables: 3, reel: 15 m, rope: 5 m}\n";
-    json_t *o = theory(DUCT, NULL, NULL);
+    json_t *o = theory(data_text("limits-duct"), NULL, NULL);
     const double w = 3 * 5 * 9.81, factor = 4.0 / 3; /* a cradle at D/d = 3: 1 + 4/3 (1/2)^2 */
-    expect_near(number(o, "ducts", 0, "weight_factor"), factor, 1e-9);
-    expect_near(number(o, "ducts", 0, "jam_ratio"), 3.15, 1e-9);
-    expect_near(number(o, "directions", 0, "start_N"), 15 * w, 1e-9);
-    expect_near(number(o, "directions", 0, "rope_N"), 5 * w, 1e-9);
+    check_share(number(o, "ducts", 0, "weight_factor"), factor, 1e-9);
+    check_share(number(o, "ducts", 0, "jam_ratio"), 3.15, 1e-9);
+    check_share(number(o, "directions", 0, "start_N"), 15 * w, 1e-9);
+    check_share(number(o, "directions", 0, "rope_N"), 5 * w, 1e-9);
     const double end = 15 * w + 20 * w * (0.3 * factor * cos(M_PI / 18) - sin(M_PI / 18));
-    expect_near(number(o, "pieces", 0, "forward_end_N"), end, 1e-9);
-    expect_near(number(o, "pieces", 0, "forward_closed_N"), end, 1e-9);
+    check_share(number(o, "pieces", 0, "forward_end_N"), end, 1e-9);
+    check_share(number(o, "pieces", 0, "forward_closed_N"), end, 1e-9);
     json_decref(o);
     /* pulled backward up the duct with nothing behind it but 15 m of cable: T > 0 everywhere, so the form holds */
-    o = theory(DUCT, "theory.reel", "0 m");
+    o = theory(data_text("limits-duct"), "theory.reel", "0 m");
     hawser_case *c = NULL;
     hawser_error err;
-    assert_int_equal(hawser_case_parse(DUCT, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_parse(data_text("limits-duct"), NAME, &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_case_set(c, "surfaces.ducts.0.radius", "50 mm", NULL), HAWSER_OK);
     char *text = NULL;
     assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "duct 'tube'"));
+    check_has(err.message, "duct 'tube'");
     hawser_case_free(c);
     json_decref(o);
     /* running down a steep slope the cable would have to be pushed into the sag: refused, with the reason */
-    o = theory(DUCT, "route.slope", "-60 deg");
-    assert_true(json_array_size(json_object_get(o, "refused")) > 0);
-    assert_non_null(strstr(word(o, "refused", 0, "reason"), "does not push"));
+    o = theory(data_text("limits-duct"), "route.slope", "-60 deg");
+    check_above(json_array_size(json_object_get(o, "refused")), 0);
+    check_has(word(o, "refused", 0, "reason"), "does not push");
     json_decref(o);
 }
 
@@ -280,7 +259,7 @@ static void wrong_limits(void **state)
         {"theory", "{cables: 2, layout: cradle}", "'theory.layout': a cradle is of 3 cables"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
-        expect_bad(FULL_TENSION, cases[k].section, cases[k].value, cases[k].part);
+        expect_bad(data_text("full-tension"), cases[k].section, cases[k].value, cases[k].part);
 }
 
 int main(void)

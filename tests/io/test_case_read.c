@@ -1,6 +1,5 @@
 /* What a good case becomes, and the mistakes that only show when its parts are put together. */
 #include "tests/io/case_fixture.h"
-#include "tests/io/case_texts.h"
 
 #include "io/case/case_parts.h"
 
@@ -9,10 +8,10 @@ static const double DEG = 3.14159265358979323846 / 180;
 static void same_profile(const Profile *a, const Profile *b)
 {
     assert_int_equal(a->kind, b->kind);
-    expect_near(a->t0, b->t0, 0);
-    expect_near(a->v0, b->v0, 0);
-    expect_near(a->t1, b->t1, 0);
-    expect_near(a->v1, b->v1, 0);
+    check_share(a->t0, b->t0, 0);
+    check_share(a->v0, b->v0, 0);
+    check_share(a->t1, b->t1, 0);
+    check_share(a->v1, b->v1, 0);
     assert_int_equal(a->n, b->n);
 }
 
@@ -36,23 +35,23 @@ static void defaults_agree(void **state)
     (void)state;
     SceneDef def, usual;
     scene_def_defaults(&usual);
-    expect_good(SMALLEST, NULL, NULL, &def);
+    expect_good(data_text("smallest"), NULL, NULL, &def);
     assert_memory_equal(&def.gravity, &usual.gravity, sizeof def.gravity);
     assert_int_equal(def.frame, usual.frame);
     assert_int_equal(def.geometry, usual.geometry);
     assert_memory_equal(&def.impact, &usual.impact, sizeof def.impact);
     assert_memory_equal(&def.friction, &usual.friction, sizeof def.friction);
-    expect_near(def.contact_reach, usual.contact_reach, 0);
+    check_share(def.contact_reach, usual.contact_reach, 0);
     same_solver(&def.solver, &usual.solver);
     assert_memory_equal(&def.lead_in, &usual.lead_in, sizeof def.lead_in);
     assert_int_equal(def.winch.present, 0);
     same_profile(&def.winch.speed, &usual.winch.speed);
     same_profile(&def.tail.tension, &usual.tail.tension);
     assert_memory_equal(&def.drag, &usual.drag, sizeof def.drag);
-    expect_near(def.output.interval, usual.output.interval, 0);
-    expect_near(def.output.state_interval, usual.output.state_interval, 0);
-    expect_near(def.output.steady_from, 5, 0);
-    expect_near(def.head_at, 20, 0);
+    check_share(def.output.interval, usual.output.interval, 0);
+    check_share(def.output.state_interval, usual.output.state_interval, 0);
+    check_share(def.output.steady_from, 5, 0);
+    check_share(def.head_at, 20, 0);
     assert_int_equal(def.pieces[0].segments, 10);
     assert_int_equal(def.n_stations, 11);
     assert_int_equal(def.output.n_speed_segments, 2);
@@ -64,7 +63,8 @@ static void ramps_default_to_one_second(void **state)
     (void)state;
     SceneDef def, usual;
     scene_def_defaults(&usual);
-    expect_good(SMALLEST, "drive", "{winch: {speed: 0.2}, tail: {tension: 7}, rope_drag: {force: 3}}", &def);
+    expect_good(data_text("smallest"), "drive", "{winch: {speed: 0.2}, tail: {tension: 7}, rope_drag: {force: 3}}",
+                &def);
     usual.winch.speed.v1 = 0.2;
     usual.tail.tension.v1 = 7;
     usual.drag.force = 3;
@@ -78,18 +78,18 @@ static void cable_shorthand(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_RAMPS, NULL, NULL, &def);
+    expect_good(data_text("full-ramps"), NULL, NULL, &def);
     const CableDef *c = &def.cables[0];
     const double d = 87.3e-3, A = 5982.7e-6, J = 3.14159265358979323846 * d * d * d * d / 32;
     assert_string_equal(c->name, "power");
-    expect_near(c->ea, 115e9 * A, 1e-15);
-    expect_near(c->ga, 41.5e9 * A, 1e-15);
-    expect_near(c->gj, 41.5e9 * J, 1e-15);
-    expect_near(c->ei_y, 115e9 * J / 2, 1e-15);
-    expect_near(c->ei_z, 115e9 * J / 2, 1e-15);
-    expect_near(c->mass, 7801 * A, 1e-15);
-    expect_near(c->diameter, d, 1e-15);
-    expect_near(c->damping, 1e-3, 1e-15);
+    check_share(c->ea, 115e9 * A, 1e-15);
+    check_share(c->ga, 41.5e9 * A, 1e-15);
+    check_share(c->gj, 41.5e9 * J, 1e-15);
+    check_share(c->ei_y, 115e9 * J / 2, 1e-15);
+    check_share(c->ei_z, 115e9 * J / 2, 1e-15);
+    check_share(c->mass, 7801 * A, 1e-15);
+    check_share(c->diameter, d, 1e-15);
+    check_share(c->damping, 1e-3, 1e-15);
     const double factor[6] = {1, 2, 2, 10, 3, 3};
     assert_memory_equal(c->damping_factor, factor, sizeof factor);
     const double preload[6] = {5, 0.5, -0.5, 1, 2, -3};
@@ -97,7 +97,7 @@ static void cable_shorthand(void **state)
     const CableDef *rope = &def.cables[1];
     const double direct[6] = {15.7e6, 6.05e6, 263, 300, 301, 0.676};
     const double read[6] = {rope->ea, rope->ga, rope->gj, rope->ei_y, rope->ei_z, rope->mass};
-    for (int k = 0; k < 6; k++) expect_near(read[k], direct[k], 1e-15);
+    for (int k = 0; k < 6; k++) check_share(read[k], direct[k], 1e-15);
     scene_def_clear(&def);
 }
 
@@ -106,23 +106,23 @@ static void direct_wins_over_shorthand(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "cables.c.EI", "12 kN m2", &def);
-    expect_near(def.cables[0].ei_y, 12e3, 0);
-    expect_near(def.cables[0].ei_z, 12e3, 0);
-    expect_near(def.cables[0].ea, 115e9 * 5982.7e-6, 1e-15);
+    expect_good(data_text("smallest"), "cables.c.EI", "12 kN m2", &def);
+    check_share(def.cables[0].ei_y, 12e3, 0);
+    check_share(def.cables[0].ei_z, 12e3, 0);
+    check_share(def.cables[0].ea, 115e9 * 5982.7e-6, 1e-15);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "cables.c.EI_z", "7", &def);
-    expect_near(def.cables[0].ei_z, 7, 0);
-    expect_near(def.cables[0].ei_y, 327887.39, 1e-7);
+    expect_good(data_text("smallest"), "cables.c.EI_z", "7", &def);
+    check_share(def.cables[0].ei_z, 7, 0);
+    check_share(def.cables[0].ei_y, 327887.39, 1e-7);
     scene_def_clear(&def);
-    expect_bad(SMALLEST, "cables.c", "{G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801}",
+    expect_bad(data_text("smallest"), "cables.c", "{G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801}",
                "key 'cables.c.EA': missing: give it, or E and A");
-    expect_bad(SMALLEST, "cables.c", "{E: 1, d: 1, A: 1, density: 1}", "key 'cables.c.GA': missing");
-    expect_bad(SMALLEST, "cables.c", "{E: 1, G: 1, d: 1, A: 1}",
+    expect_bad(data_text("smallest"), "cables.c", "{E: 1, d: 1, A: 1, density: 1}", "key 'cables.c.GA': missing");
+    expect_bad(data_text("smallest"), "cables.c", "{E: 1, G: 1, d: 1, A: 1}",
                "key 'cables.c.mass': missing: give it, or density and A");
-    expect_bad(SMALLEST, "cables.c", "{EA: 1, GA: 1, GJ: 1, d: 1, mass: 1}",
+    expect_bad(data_text("smallest"), "cables.c", "{EA: 1, GA: 1, GJ: 1, d: 1, mass: 1}",
                "key 'cables.c.EI_y': missing: give it, or EI, or E");
-    expect_good(SMALLEST, "cables.c", "{EA: 1, GA: 1, GJ: 1, EI: 1, d: 1 mm, mass: 1}", &def);
+    expect_good(data_text("smallest"), "cables.c", "{EA: 1, GA: 1, GJ: 1, EI: 1, d: 1 mm, mass: 1}", &def);
     scene_def_clear(&def);
 }
 
@@ -130,9 +130,9 @@ static void everything_has_its_place(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_RAMPS, NULL, NULL, &def);
+    expect_good(data_text("full-ramps"), NULL, NULL, &def);
     assert_string_equal(def.title, "a pull");
-    expect_near(def.gravity.z, -9.8, 0);
+    check_share(def.gravity.z, -9.8, 0);
     assert_int_equal(def.frame, FRAME_ADAMS);
     assert_int_equal(def.n_pieces, 2);
     assert_int_equal(def.pieces[0].segments, 80);
@@ -141,22 +141,22 @@ static void everything_has_its_place(void **state)
     assert_int_equal(def.pieces[1].swivel, 1);
     assert_int_equal(def.n_route, 2);
     assert_int_equal(def.route[1].kind, ROUTE_BEND);
-    expect_near(def.route[1].angle, 15 * DEG, 1e-15);
-    expect_near(def.route[1].plane, 90 * DEG, 1e-15);
-    expect_near(def.route_start.y, 2, 0);
-    expect_near(def.route_heading, 30 * DEG, 1e-15);
-    expect_near(def.route_slope, -5 * DEG, 1e-15);
-    expect_near(def.head_at, 25, 0);
+    check_share(def.route[1].angle, 15 * DEG, 1e-15);
+    check_share(def.route[1].plane, 90 * DEG, 1e-15);
+    check_share(def.route_start.y, 2, 0);
+    check_share(def.route_heading, 30 * DEG, 1e-15);
+    check_share(def.route_slope, -5 * DEG, 1e-15);
+    check_share(def.head_at, 25, 0);
     assert_int_equal(def.lead_in.present, 1);
     assert_int_equal(def.lead_in.carries_weight, 0);
-    expect_near(def.lead_in.blend, 0.4, 1e-15);
+    check_share(def.lead_in.blend, 0.4, 1e-15);
     assert_int_equal(def.geometry, GEOMETRY_CYLINDER);
     const ImpactLaw impact = {.k = 1e8, .e = 1.4, .c = 5e3, .d = 0.2e-3};
     assert_memory_equal(&def.impact, &impact, sizeof impact);
-    expect_near(def.contact_reach, 2, 0);
-    expect_near(def.friction.mu_s, 0.12, 0);
-    expect_near(def.friction.mu_d, 0.11, 0);
-    expect_near(def.friction.v_d, 7e-3, 1e-15);
+    check_share(def.contact_reach, 2, 0);
+    check_share(def.friction.mu_s, 0.12, 0);
+    check_share(def.friction.mu_d, 0.11, 0);
+    check_share(def.friction.v_d, 7e-3, 1e-15);
     scene_def_clear(&def);
 }
 
@@ -164,33 +164,33 @@ static void drive_and_solver_have_their_places(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_RAMPS, NULL, NULL, &def);
+    expect_good(data_text("full-ramps"), NULL, NULL, &def);
     const Profile speed = {.kind = PROFILE_STEP5, .t0 = 1, .t1 = 13, .v1 = 0.1};
     assert_int_equal(def.winch.speed.kind, speed.kind);
-    expect_near(profile_value(&def.winch.speed, 7), profile_value(&speed, 7), 1e-15);
+    check_share(profile_value(&def.winch.speed, 7), profile_value(&speed, 7), 1e-15);
     assert_int_equal(def.winch.axial_only, 1);
     assert_int_equal(def.tail.tension.kind, PROFILE_CONSTANT);
-    expect_near(profile_value(&def.tail.tension, 0), 6800, 0);
-    expect_near(def.drag.force, 2200, 0);
-    expect_near(def.drag.ratio, 0.9, 0);
-    expect_near(def.duration, 30, 0);
-    expect_near(def.output.steady_from, 18, 0);
-    expect_near(def.solver.accuracy, 1e-4, 0);
-    expect_near(def.solver.atol_position, 1e-3, 0);
-    expect_near(def.solver.atol_rotation, DEG, 1e-15);
-    expect_near(def.solver.atol_velocity, 1e-3, 0);
-    expect_near(def.solver.atol_omega, DEG, 1e-15);
+    check_share(profile_value(&def.tail.tension, 0), 6800, 0);
+    check_share(def.drag.force, 2200, 0);
+    check_share(def.drag.ratio, 0.9, 0);
+    check_share(def.duration, 30, 0);
+    check_share(def.output.steady_from, 18, 0);
+    check_share(def.solver.accuracy, 1e-4, 0);
+    check_share(def.solver.atol_position, 1e-3, 0);
+    check_share(def.solver.atol_rotation, DEG, 1e-15);
+    check_share(def.solver.atol_velocity, 1e-3, 0);
+    check_share(def.solver.atol_omega, DEG, 1e-15);
     assert_int_equal(def.solver.max_order, 3);
-    expect_near(def.solver.max_step, 0.1, 1e-15);
-    expect_near(def.solver.first_step, 1e-3, 1e-15);
-    assert_true(def.solver.max_steps == 3000000000L);
+    check_share(def.solver.max_step, 0.1, 1e-15);
+    check_share(def.solver.first_step, 1e-3, 1e-15);
+    check_equal(def.solver.max_steps, 3000000000L);
     assert_int_equal(def.solver.linear.kind, LIN_KLU_FULL);
     assert_int_equal(def.solver.linear.ordering, ORDER_METIS);
     assert_int_equal(def.solver.linear.threads, 2);
     assert_int_equal(def.solver.relax, 0);
     assert_int_equal(def.solver.relax_iterations, 50);
-    expect_near(def.output.interval, 0.1, 1e-15);
-    expect_near(def.output.state_interval, 1, 0);
+    check_share(def.output.interval, 0.1, 1e-15);
+    check_share(def.output.state_interval, 1, 0);
     assert_int_equal(def.output.n_speed_segments, 3);
     assert_int_equal(def.output.speed_segments[2], 89);
     assert_int_equal(def.output.n_load_rollers, 2);
@@ -214,12 +214,12 @@ static void words_mean_what_they_say(void **state)
     } orderings[] = {{"auto", ORDER_AUTO}, {"amd", ORDER_AMD}, {"colamd", ORDER_COLAMD}, {"metis", ORDER_METIS}};
     SceneDef def;
     for (int k = 0; k < 7; k++) {
-        expect_good(SMALLEST, "solver.linear_solver", kinds[k].word, &def);
+        expect_good(data_text("smallest"), "solver.linear_solver", kinds[k].word, &def);
         assert_int_equal(def.solver.linear.kind, kinds[k].kind);
         scene_def_clear(&def);
     }
     for (int k = 0; k < 4; k++) {
-        expect_good(SMALLEST, "solver.ordering", orderings[k].word, &def);
+        expect_good(data_text("smallest"), "solver.ordering", orderings[k].word, &def);
         assert_int_equal(def.solver.linear.ordering, orderings[k].ordering);
         scene_def_clear(&def);
     }
@@ -236,8 +236,8 @@ static void planes_of_bends(void **state)
         SceneDef def;
         char piece[80];
         snprintf(piece, sizeof piece, "[{bend: 10 deg, radius: 10 m, plane: %s}]", planes[k].word);
-        expect_good(SMALLEST, "route.pieces", piece, &def);
-        expect_near(def.route[0].plane, planes[k].degrees * DEG, 1e-15);
+        expect_good(data_text("smallest"), "route.pieces", piece, &def);
+        check_share(def.route[0].plane, planes[k].degrees * DEG, 1e-15);
         scene_def_clear(&def);
     }
 }
@@ -255,7 +255,7 @@ static void segments_are_counted(void **state)
         SceneDef def;
         char chain[100];
         snprintf(chain, sizeof chain, "[{cable: c, length: %s, segment: %s}]", cases[k].length, cases[k].segment);
-        expect_good(SMALLEST, "chain", chain, &def);
+        expect_good(data_text("smallest"), "chain", chain, &def);
         assert_int_equal(def.pieces[0].segments, cases[k].segments);
         scene_def_clear(&def);
     }
@@ -265,41 +265,42 @@ static void tables_of_time(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_TABLES, NULL, NULL, &def);
-    expect_near(def.gravity.y, 0.2, 0);
+    expect_good(data_text("full-tables"), NULL, NULL, &def);
+    check_share(def.gravity.y, 0.2, 0);
     assert_int_equal(def.winch.speed.kind, PROFILE_TABLE);
     assert_int_equal(def.winch.speed.n, 3);
-    expect_near(profile_value(&def.winch.speed, 5), 0.05, 1e-15);
-    expect_near(profile_value(&def.winch.speed, 15), 0.15, 1e-15);
-    expect_near(profile_value(&def.tail.tension, 30), 2500, 1e-15);
+    check_share(profile_value(&def.winch.speed, 5), 0.05, 1e-15);
+    check_share(profile_value(&def.winch.speed, 15), 0.15, 1e-15);
+    check_share(profile_value(&def.tail.tension, 30), 2500, 1e-15);
     assert_ptr_equal(def.winch.speed.time, def.winch.table_time);
     scene_def_clear(&def);
-    expect_bad(FULL_TABLES, "drive.winch.table", "[[0, 0], [0, 1]]",
+    expect_bad(data_text("full-tables"), "drive.winch.table", "[[0, 0], [0, 1]]",
                "'drive.winch.table.1.0': value '0' is out of range: must be above the time before");
-    expect_bad(FULL_TABLES, "drive.winch.table", "[[0, 0]]", "expected two at least");
-    expect_bad(FULL_TABLES, "drive.winch.table", "[[0, 0], [1, 2, 3]]",
+    expect_bad(data_text("full-tables"), "drive.winch.table", "[[0, 0]]", "expected two at least");
+    expect_bad(data_text("full-tables"), "drive.winch.table", "[[0, 0], [1, 2, 3]]",
                "'drive.winch.table.1': the value is a list of 3: expected 2 numbers");
-    expect_bad(FULL_TABLES, "drive.winch.table", "[[0, 0], [1, -2]]",
+    expect_bad(data_text("full-tables"), "drive.winch.table", "[[0, 0], [1, -2]]",
                "'drive.winch.table.1.1': value '-2' is out of range");
-    expect_bad(FULL_TABLES, "drive.winch.table", "[[0, 0], [1, 5 kN]]", "not that of a speed");
-    expect_bad(FULL_TABLES, "drive.winch.table", "[[0, 0], [1, nan]]", "is not a number");
-    expect_bad(FULL_TABLES, "drive.winch.speed", "1", "'drive.winch.speed': not allowed beside 'table'");
-    expect_bad(FULL_TABLES, "drive.tail.ramp", "step", "'drive.tail.ramp': not allowed beside 'table'");
-    expect_bad(FULL_TABLES, "drive.tail", "{ramp: step}", "'drive.tail.tension': missing: give it, or a 'table'");
+    expect_bad(data_text("full-tables"), "drive.winch.table", "[[0, 0], [1, 5 kN]]", "not that of a speed");
+    expect_bad(data_text("full-tables"), "drive.winch.table", "[[0, 0], [1, nan]]", "is not a number");
+    expect_bad(data_text("full-tables"), "drive.winch.speed", "1", "'drive.winch.speed': not allowed beside 'table'");
+    expect_bad(data_text("full-tables"), "drive.tail.ramp", "step", "'drive.tail.ramp': not allowed beside 'table'");
+    expect_bad(data_text("full-tables"), "drive.tail", "{ramp: step}",
+               "'drive.tail.tension': missing: give it, or a 'table'");
 }
 
 static void stations_are_sorted(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_RAMPS, "output.stations.list.0.at", "10 m", &def);
+    expect_good(data_text("full-ramps"), "output.stations.list.0.at", "10 m", &def);
     /* 0, 5, 10 (named A), 15, 20, 25 of 25.708 m */
     assert_int_equal(def.n_stations, 6);
     assert_string_equal(def.stations[1].name, "5 m");
     assert_string_equal(def.stations[2].name, "A");
-    for (int k = 0; k < 6; k++) expect_near(def.stations[k].s, 5 * k, 1e-12);
+    for (int k = 0; k < 6; k++) check_share(def.stations[k].s, 5 * k, 1e-12);
     scene_def_clear(&def);
-    expect_good(FULL_TABLES, NULL, NULL, &def);
+    expect_good(data_text("full-tables"), NULL, NULL, &def);
     assert_int_equal(def.n_stations, 2);
     assert_string_equal(def.stations[0].name, "A");
     scene_def_clear(&def);
@@ -351,9 +352,9 @@ static void parts_must_fit(void **state)
         {"paper.terms.0.length", "11 m", "key 'paper.terms': lengths add up to 26.708 m: must be the route's 25.708 m"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        expect_bad(FULL_RAMPS, cases[k].key, cases[k].value, cases[k].part);
+        expect_bad(data_text("full-ramps"), cases[k].key, cases[k].value, cases[k].part);
     }
-    expect_bad(SMALLEST, "solver", "{max_order: 6}",
+    expect_bad(data_text("smallest"), "solver", "{max_order: 6}",
                "key 'solver.max_order': value '6' is out of range: must be at least 1, at most 5");
 }
 
@@ -363,21 +364,18 @@ static void names_too_long(void **state)
     char name[100], key[120];
     memset(name, 'n', sizeof name - 1);
     name[sizeof name - 1] = 0;
-    expect_bad(FULL_RAMPS, "rollers.list.0.name", name, "is too long: at most 63 characters");
+    expect_bad(data_text("full-ramps"), "rollers.list.0.name", name, "is too long: at most 63 characters");
     snprintf(key, sizeof key, "cables.%s", name);
-    expect_bad(SMALLEST, key, "{d: 1}", "the name is too long: at most 63 characters");
+    expect_bad(data_text("smallest"), key, "{d: 1}", "the name is too long: at most 63 characters");
 }
 
 /* A case is one document however it is written: file, line and key of a real file are named. */
 static void messages_name_the_line(void **state)
 {
     (void)state;
-    const char *text =
-        "cables:\n  c: {EA: 1, GA: 1, GJ: 1, EI: 1, d: 1 mm, mass: 1}\nchain:\n  - cable: c\n    length: 5 m\n"
-        "    segment: 500 mn\nroute: {pieces: [{straight: 20 m}]}\nrun: {duration: 10 s}\n";
-    expect_bad(text, NULL, NULL,
+    expect_bad(data_text("wrong-unit"), NULL, NULL,
                NAME
-               ":6: key 'chain.0.segment': value '500 mn' has an unknown unit 'mn': expected a length, such as 500 mm");
+               ":7: key 'chain.0.segment': value '500 mn' has an unknown unit 'mn': expected a length, such as 500 mm");
 }
 
 int main(void)

@@ -1,45 +1,27 @@
 /* The section `reel` and a winch that takes the rope in: what they mean, and what is refused. */
 #include "tests/io/case_fixture.h"
 
-/* 60 m of cable, of which 8 m lie on the route and 6 m between it and the drum; 20 m of rope. */
-static const char PAYOUT[] = "cables:\n"
-                             "  power: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 2 kN m2, mass: 14 kg/m}\n"
-                             "  other: {d: 60 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 2 kN m2, mass: 9 kg/m}\n"
-                             "  rope: {d: 14 mm, EA: 8 MN, GA: 3 MN, GJ: 100 N m2, EI: 50 N m2, mass: 0.68 kg/m}\n"
-                             "chain: [{cable: power, length: 60 m}, {cable: rope, length: 20 m}]\n"
-                             "route: {head_at: 8 m, pieces: [{straight: 30 m}]}\n"
-                             "reel: {distance: 6 m, barrel: 1.2 m, flange: 2 m, width: 1 m, inertia: 800 kg m2}\n"
-                             "drive: {winch: {speed: 0.1}}\n"
-                             "run: {duration: 10 s}\n";
-
-static const char WEIGHT[] = "gravity: 10 m/s2\n"
-                             "cables:\n"
-                             "  power: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 2 kN m2, mass: 14 kg/m}\n"
-                             "  rope: {d: 14 mm, EA: 8 MN, GA: 3 MN, GJ: 100 N m2, EI: 50 N m2, mass: 0.68 kg/m}\n"
-                             "chain: [{cable: power, length: 60 m}, {cable: rope, length: 20 m}]\n"
-                             "route: {head_at: 8 m, pieces: [{straight: 30 m}]}\n"
-                             "reel: {model: weight, length: 15 m, to: 4 s}\n"
-                             "run: {duration: 10 s}\n";
-
 /* The definition says what the case does; a reel brings its lead-in. */
 static void payout_is_read(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(PAYOUT, NULL, NULL, &def);
+    expect_good(data_text("reel-payout"), NULL, NULL, &def);
     assert_int_equal(def.reel.model, REEL_PAYOUT);
     assert_true(def.lead_in.present && def.lead_in.carries_weight);
-    expect_near(def.reel.distance, 6, 1e-15);
-    expect_near(def.reel.inertia, 800, 1e-15);
-    assert_true(def.reel.torque <= 0 && def.reel.bearing <= 0 && !def.reel.end_fixed);
+    check_share(def.reel.distance, 6, 1e-15);
+    check_share(def.reel.inertia, 800, 1e-15);
+    check_at_most(def.reel.torque, 0);
+    check_at_most(def.reel.bearing, 0);
+    assert_true(!def.reel.end_fixed);
     scene_def_clear(&def);
-    expect_good(PAYOUT, "reel.brake", "{law: proportional, torque: 2 kN m, speed: 6 m/min}", &def);
+    expect_good(data_text("reel-payout"), "reel.brake", "{law: proportional, torque: 2 kN m, speed: 6 m/min}", &def);
     assert_int_equal(def.reel.brake, BRAKE_PROPORTIONAL);
-    expect_near(def.reel.at_speed, 0.1, 1e-15);
-    expect_near(def.reel.torque, 2000, 1e-15);
+    check_share(def.reel.at_speed, 0.1, 1e-15);
+    check_share(def.reel.torque, 2000, 1e-15);
     scene_def_clear(&def);
-    expect_good(PAYOUT, "reel.back_tension", "{table: [[0, 0], [5 s, 2 kN]]}", &def);
-    expect_near(profile_value(&def.tail.tension, 2.5), 1000, 1e-15);
+    expect_good(data_text("reel-payout"), "reel.back_tension", "{table: [[0, 0], [5 s, 2 kN]]}", &def);
+    check_share(profile_value(&def.tail.tension, 2.5), 1000, 1e-15);
     scene_def_clear(&def);
 }
 
@@ -48,10 +30,10 @@ static void weight_is_a_tension(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(WEIGHT, NULL, NULL, &def);
+    expect_good(data_text("reel-weight"), NULL, NULL, &def);
     assert_int_equal(def.reel.model, REEL_NONE);
-    expect_near(profile_value(&def.tail.tension, 9), 2100, 1e-15);
-    expect_near(profile_value(&def.tail.tension, 2), 1050, 1e-15);
+    check_share(profile_value(&def.tail.tension, 9), 2100, 1e-15);
+    check_share(profile_value(&def.tail.tension, 2), 1050, 1e-15);
     scene_def_clear(&def);
 }
 
@@ -59,18 +41,18 @@ static void drum_must_hold_the_cable(void **state)
 {
     (void)state;
     /* 12 turns a layer, 5 layers: 2 pi 12 (5 * 0.6 + 12.5 * 0.08) = 301 m */
-    expect_bad(PAYOUT, "chain.0.length", "320 m",
+    expect_bad(data_text("reel-payout"), "chain.0.length", "320 m",
                "reel': more cable than fits: 306 m are wound at the start, the reel "
                "holds 301.593 m (12 turns a layer of 0.08 m cable");
     SceneDef def;
-    expect_good(PAYOUT, "chain.0.length", "315 m", &def);
+    expect_good(data_text("reel-payout"), "chain.0.length", "315 m", &def);
     scene_def_clear(&def);
-    expect_bad(PAYOUT, "reel.flange", "1.2 m",
+    expect_bad(data_text("reel-payout"), "reel.flange", "1.2 m",
                "key 'reel.flange': value '1.2 m' is out of range: must be above 'barrel'");
-    expect_bad(PAYOUT, "reel.width", "70 mm",
+    expect_bad(data_text("reel-payout"), "reel.width", "70 mm",
                "key 'reel.width': value '70 mm' is out of range: must be the cable's "
                "diameter at least, 0.08 m");
-    expect_bad(PAYOUT, "chain",
+    expect_bad(data_text("reel-payout"), "chain",
                "[{cable: power, length: 40 m}, {cable: other, length: 20 m}, {cable: rope, length: 9 m}]",
                "two kinds of cable, 'power' and 'other'");
 }
@@ -78,42 +60,47 @@ static void drum_must_hold_the_cable(void **state)
 static void cable_must_reach(void **state)
 {
     (void)state;
-    expect_bad(PAYOUT, "chain.0.length", "13 m",
+    expect_bad(data_text("reel-payout"), "chain.0.length", "13 m",
                "does not reach the reel: from there to its front at 'route.head_at' it "
                "takes 1 m more");
-    expect_bad(PAYOUT, "reel.distance", "1 m", "key 'reel.distance': 1 m is out of range: must be above 1.25 m");
+    expect_bad(data_text("reel-payout"), "reel.distance", "1 m",
+               "key 'reel.distance': 1 m is out of range: must be above 1.25 m");
 }
 
 static void keys_belong_to_models(void **state)
 {
     (void)state;
-    expect_bad(PAYOUT, "reel.length", "5 m", "key 'reel.length': not allowed with 'model: payout'");
-    expect_bad(WEIGHT, "reel.barrel", "1 m", "key 'reel.barrel': not allowed with 'model: weight'");
-    expect_bad(PAYOUT, "reel", "{barrel: 1 m}", "key 'reel.flange': missing: 'model: payout' needs it");
-    expect_bad(WEIGHT, "reel", "{model: weight}", "key 'reel.length': missing: 'model: weight' needs it");
-    expect_bad(PAYOUT, "drive.tail", "{tension: 1 kN}", "not allowed beside 'drive.tail'");
-    expect_bad(WEIGHT, "drive", "{tail: {tension: 1 kN}}", "not allowed beside 'drive.tail'");
-    expect_bad(PAYOUT, "reel.brake", "{torque: -1}", "key 'reel.brake.torque': value '-1' is out of range");
-    expect_bad(PAYOUT, "reel.brake", "{torque: 5, speed: 1}",
+    expect_bad(data_text("reel-payout"), "reel.length", "5 m", "key 'reel.length': not allowed with 'model: payout'");
+    expect_bad(data_text("reel-weight"), "reel.barrel", "1 m", "key 'reel.barrel': not allowed with 'model: weight'");
+    expect_bad(data_text("reel-payout"), "reel", "{barrel: 1 m}",
+               "key 'reel.flange': missing: 'model: payout' needs it");
+    expect_bad(data_text("reel-weight"), "reel", "{model: weight}",
+               "key 'reel.length': missing: 'model: weight' needs it");
+    expect_bad(data_text("reel-payout"), "drive.tail", "{tension: 1 kN}", "not allowed beside 'drive.tail'");
+    expect_bad(data_text("reel-weight"), "drive", "{tail: {tension: 1 kN}}", "not allowed beside 'drive.tail'");
+    expect_bad(data_text("reel-payout"), "reel.brake", "{torque: -1}",
+               "key 'reel.brake.torque': value '-1' is out of range");
+    expect_bad(data_text("reel-payout"), "reel.brake", "{torque: 5, speed: 1}",
                "key 'reel.brake.speed': not allowed with 'law: constant'");
-    expect_bad(PAYOUT, "reel.brake", "{law: speed, torque: 5}", "key 'reel.brake.speed': missing");
+    expect_bad(data_text("reel-payout"), "reel.brake", "{law: speed, torque: 5}", "key 'reel.brake.speed': missing");
 }
 
 static void winch_must_stand_on_the_rope(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(PAYOUT, "drive.winch", "{speed: 1, take_in: true, at: 28 m}", &def);
+    expect_good(data_text("reel-payout"), "drive.winch", "{speed: 1, take_in: true, at: 28 m}", &def);
     assert_true(def.winch.take_in);
-    expect_near(def.winch.at, 28, 1e-15);
+    check_share(def.winch.at, 28, 1e-15);
     scene_def_clear(&def);
-    expect_bad(PAYOUT, "drive.winch", "{speed: 1, at: 28 m}",
+    expect_bad(data_text("reel-payout"), "drive.winch", "{speed: 1, at: 28 m}",
                "key 'drive.winch.at': not allowed without 'take_in: true'");
     expect_bad(
-        PAYOUT, "drive.winch", "{speed: 1, take_in: true, at: 29 m}",
+        data_text("reel-payout"), "drive.winch", "{speed: 1, take_in: true, at: 29 m}",
         "key 'drive.winch.at': value '29 m' is out of range: must be above 'route.head_at', 8 m, and at most where "
         "the rope ends, 28 m");
-    expect_bad(PAYOUT, "drive.winch", "{speed: 1, take_in: true, at: 8 m}", "key 'drive.winch.at': value '8 m' is out");
+    expect_bad(data_text("reel-payout"), "drive.winch", "{speed: 1, take_in: true, at: 8 m}",
+               "key 'drive.winch.at': value '8 m' is out");
 }
 
 int main(void)

@@ -1,42 +1,42 @@
 /* Rollers along a route and by coordinates: where they stand, and that none begins inside the cable. */
 #include "tests/io/case_fixture.h"
 
-static const double RADIUS = 0.04365; /* of the cable in SMALLEST, m */
+static const double RADIUS = 0.04365; /* of the cable in data_text("smallest"), m */
 
 /* A roller is the sum of the radii from the route at its s, square to the tangent, with a level axis. */
 static void stands_right(const Route *route, const RollerDef *roller)
 {
     const RoutePoint at = route_at(route, roller->s);
     const Vec3 away = v3_sub(roller->centre, at.position);
-    expect_near(v3_norm(away), roller->radius + RADIUS, 1e-12);
-    assert_true(fabs(v3_dot(away, at.tangent)) < 1e-12);
-    assert_true(fabs(roller->axis.z) < 1e-12);
-    expect_near(v3_norm(roller->axis), 1, 1e-12);
-    assert_true(fabs(v3_dot(roller->axis, at.tangent)) < 1e-12);
-    assert_true((away.z > 0) == (roller->hold_down != 0));
+    check_share(v3_norm(away), roller->radius + RADIUS, 1e-12);
+    check_close(v3_dot(away, at.tangent), 0, 1e-12);
+    check_close(roller->axis.z, 0, 1e-12);
+    check_share(v3_norm(roller->axis), 1, 1e-12);
+    check_close(v3_dot(roller->axis, at.tangent), 0, 1e-12);
+    check_equal(away.z > 0, roller->hold_down != 0);
 }
 
 static void rows_by_count_and_spacing(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "rollers.along", "{count: 11, radius: 80 mm, width: 0.3, rating: 10 kN}", &def);
+    expect_good(data_text("smallest"), "rollers.along", "{count: 11, radius: 80 mm, width: 0.3, rating: 10 kN}", &def);
     assert_int_equal(def.n_rollers, 11);
-    for (int k = 0; k < 11; k++) expect_near(def.rollers[k].s, 2 * k, 1e-12);
+    for (int k = 0; k < 11; k++) check_share(def.rollers[k].s, 2 * k, 1e-12);
     assert_string_equal(def.rollers[10].name, "R11");
-    expect_near(def.rollers[3].centre.z, -0.08 - RADIUS, 1e-15);
-    expect_near(def.rollers[3].width, 0.3, 0);
-    expect_near(def.rollers[3].rating, 10e3, 0);
+    check_share(def.rollers[3].centre.z, -0.08 - RADIUS, 1e-15);
+    check_share(def.rollers[3].width, 0.3, 0);
+    check_share(def.rollers[3].rating, 10e3, 0);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "rollers.along", "{from: -4 m, to: 27.9 m, spacing: 2 m, name: P}", &def);
+    expect_good(data_text("smallest"), "rollers.along", "{from: -4 m, to: 27.9 m, spacing: 2 m, name: P}", &def);
     assert_int_equal(def.n_rollers, 16);
-    expect_near(def.rollers[0].centre.x, -4, 0);
-    expect_near(def.rollers[15].centre.x, 26, 1e-15);
+    check_share(def.rollers[0].centre.x, -4, 0);
+    check_share(def.rollers[15].centre.x, 26, 1e-15);
     assert_string_equal(def.rollers[15].name, "P16");
     scene_def_clear(&def);
-    expect_good(SMALLEST, "rollers.along", "{from: 3 m, count: 1}", &def);
+    expect_good(data_text("smallest"), "rollers.along", "{from: 3 m, count: 1}", &def);
     assert_int_equal(def.n_rollers, 1);
-    expect_near(def.rollers[0].s, 3, 0);
+    check_share(def.rollers[0].s, 3, 0);
     scene_def_clear(&def);
 }
 
@@ -44,7 +44,7 @@ static void several_rows_and_a_list(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "rollers",
+    expect_good(data_text("smallest"), "rollers",
                 "{along: [{to: 4 m, spacing: 2 m}, {from: 10 m, count: 3, name: Q, friction: {mu: 0.3}}], "
                 "list: [{centre: [0, 0, -1], axis: [0, -3, 0], friction: {mu_s: 0.5}}, "
                 "{centre: [0, 0, 1], axis: [0, 1, 1], name: top, radius: 0.2}]}",
@@ -54,14 +54,14 @@ static void several_rows_and_a_list(void **state)
     assert_string_equal(def.rollers[3].name, "Q4");
     assert_string_equal(def.rollers[6].name, "L1");
     assert_string_equal(def.rollers[7].name, "top");
-    expect_near(def.rollers[2].friction.mu_d, 0.2, 0);
-    expect_near(def.rollers[3].friction.mu_s, 0.3, 0);
-    expect_near(def.rollers[3].friction.mu_d, 0.3, 0);
-    expect_near(def.rollers[6].friction.mu_s, 0.5, 0);
-    expect_near(def.rollers[6].friction.mu_d, 0.2, 0);
-    expect_near(def.rollers[6].axis.y, -1, 0);
-    expect_near(def.rollers[7].axis.z, sqrt(0.5), 1e-15);
-    assert_true(isnan(def.rollers[7].s));
+    check_share(def.rollers[2].friction.mu_d, 0.2, 0);
+    check_share(def.rollers[3].friction.mu_s, 0.3, 0);
+    check_share(def.rollers[3].friction.mu_d, 0.3, 0);
+    check_share(def.rollers[6].friction.mu_s, 0.5, 0);
+    check_share(def.rollers[6].friction.mu_d, 0.2, 0);
+    check_share(def.rollers[6].axis.y, -1, 0);
+    check_share(def.rollers[7].axis.z, sqrt(0.5), 1e-15);
+    check_nan(def.rollers[7].s);
     scene_def_clear(&def);
 }
 
@@ -77,7 +77,7 @@ static void along_bends(void **state)
     SceneDef def;
     CaseTree *tree;
     hawser_error err;
-    assert_int_equal(case_tree_parse(SMALLEST, NAME, &tree, &err), HAWSER_OK);
+    assert_int_equal(case_tree_parse(data_text("smallest"), NAME, &tree, &err), HAWSER_OK);
     assert_int_equal(case_tree_set(tree, "route", BENDS, &err), HAWSER_OK);
     assert_int_equal(case_tree_set(tree, "rollers.along", "{spacing: 0.7, hold_down: sag}", &err), HAWSER_OK);
     if (case_read(tree, &def, &err)) fail_msg("%s", err.message);
@@ -89,10 +89,10 @@ static void along_bends(void **state)
         held += roller->hold_down;
         const double up = route_at(&route, roller->s).curvature.z;
         if (roller->hold_down) {
-            assert_true(up > 0);
+            check_above(up, 0);
             assert_string_equal(strchr(roller->name, ' '), " above");
         } else if (k + 1 < def.n_rollers && !def.rollers[k + 1].hold_down) {
-            assert_true(up < 1e-9);
+            check_below(up, 1e-9);
         }
     }
     /* 5.236 m of sag bend, and the left bend of a rising line turns level only */
@@ -106,13 +106,14 @@ static void held_down_where_asked(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(SMALLEST, "rollers.along", "{spacing: 2 m, hold_down: [[3.9 m, 8 m], [15 m, 16.5 m]]}", &def);
+    expect_good(data_text("smallest"), "rollers.along", "{spacing: 2 m, hold_down: [[3.9 m, 8 m], [15 m, 16.5 m]]}",
+                &def);
     int held = 0;
     for (int k = 0; k < def.n_rollers; k++) held += def.rollers[k].hold_down;
     assert_int_equal(held, 4); /* at 4, 6, 8 and 16 m */
     assert_int_equal(def.n_rollers, 15);
     scene_def_clear(&def);
-    expect_good(SMALLEST, "rollers.along", "{spacing: 2 m, hold_down: none}", &def);
+    expect_good(data_text("smallest"), "rollers.along", "{spacing: 2 m, hold_down: none}", &def);
     assert_int_equal(def.n_rollers, 11);
     scene_def_clear(&def);
 }
@@ -124,9 +125,10 @@ static void overlap_at(const char *centre, const char *axis, int inside)
     SceneDef def;
     snprintf(list, sizeof list, "[{centre: %s, axis: %s, name: it}]", centre, axis);
     if (inside) {
-        expect_bad(SMALLEST, "rollers.list", list, "key 'rollers.list.0': roller 'it' is inside the cable");
+        expect_bad(data_text("smallest"), "rollers.list", list,
+                   "key 'rollers.list.0': roller 'it' is inside the cable");
     } else {
-        expect_good(SMALLEST, "rollers.list", list, &def);
+        expect_good(data_text("smallest"), "rollers.list", list, &def);
         scene_def_clear(&def);
     }
 }
@@ -153,21 +155,17 @@ static void rollers_inside_the_cable(void **state)
 static void the_rope_is_thinner(void **state)
 {
     (void)state;
-    static const char text[] = "cables:\n  c: {EA: 1, GA: 1, GJ: 1, EI: 1, d: 80 mm, mass: 1}\n  r: {EA: 1, GA: 1, GJ: "
-                               "1, EI: 1, d: 10 mm, mass: 1}\n"
-                               "chain: [{cable: c, length: 3 m}, {cable: c, length: 2 m}, {cable: r, length: 5 m}]\n"
-                               "route: {head_at: 10 m, pieces: [{straight: 20 m}]}\nrun: {duration: 1}\n";
     SceneDef def;
-    expect_good(text, "rollers.list",
+    expect_good(data_text("rope-thinner"), "rollers.list",
                 "[{centre: [12, 0, -0.11], axis: [0, 1, 0]}, {centre: [4, 0, 0], axis: [0, 1, 0]}, {centre: [16, 0, "
                 "0], axis: [0, 1, 0]}]",
                 &def);
     scene_def_clear(&def);
-    expect_bad(text, "rollers.list", "[{centre: [12, 0, -0.1], axis: [0, 1, 0]}]",
+    expect_bad(data_text("rope-thinner"), "rollers.list", "[{centre: [12, 0, -0.1], axis: [0, 1, 0]}]",
                "at least the cable's radius, 0.005 m");
-    expect_bad(text, "rollers.list", "[{centre: [9, 0, -0.11], axis: [0, 1, 0]}]",
+    expect_bad(data_text("rope-thinner"), "rollers.list", "[{centre: [9, 0, -0.11], axis: [0, 1, 0]}]",
                "at least the cable's radius, 0.04 m");
-    expect_bad(text, "rollers.list", "[{centre: [6, 0, -0.11], axis: [0, 1, 0]}]",
+    expect_bad(data_text("rope-thinner"), "rollers.list", "[{centre: [6, 0, -0.11], axis: [0, 1, 0]}]",
                "at least the cable's radius, 0.04 m");
 }
 
@@ -175,12 +173,7 @@ static void the_rope_is_thinner(void **state)
 static void rows_inside_the_cable(void **state)
 {
     (void)state;
-    static const char text[] =
-        "cables: {c: {EA: 1, GA: 1, GJ: 1, EI: 1, d: 80 mm, mass: 1}}\nchain: [{cable: c, length: 5 m}]\n"
-        "route:\n  pieces:\n    - {straight: 2 m}\n    - {bend: 350 deg, radius: 120 mm, plane: down}\n    - "
-        "{straight: 2 m}\n"
-        "rollers:\n  along: {spacing: 200 mm, radius: 100 mm}\nrun: {duration: 1}\n";
-    expect_bad(text, NULL, NULL, NAME ":9: key 'rollers.along': roller 'R");
+    expect_bad(data_text("row-inside"), NULL, NULL, NAME ":10: key 'rollers.along': roller 'R");
 }
 
 int main(void)

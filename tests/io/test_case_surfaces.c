@@ -1,15 +1,8 @@
 /* Ducts, trays and planes of a case: what they become, and every mistake that goes beyond one key. */
 #include "tests/io/case_fixture.h"
 
-/* A cable 87.3 mm thick on a route with a bend; SURFACES stands in its place. */
-#define CASE(surfaces)                                                                                                 \
-    "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"                         \
-    "chain: [{cable: c, length: 15 m}]\n"                                                                              \
-    "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 3 m, plane: left}, {straight: 5 m}]}\n"                 \
-    "contact: {k: 1e8 N/m^1.5, c: 5 kN s/m, d: 0.2 mm}\n"                                                              \
-    "friction: {mu: 0.3}\n"                                                                                            \
-    "run: {duration: 10 s}\n"                                                                                          \
-    "surfaces: " surfaces "\n"
+/* A cable on a route with a bend, with these surfaces. */
+#define CASE(surfaces) data_with("surfaces", "surfaces: {}", "surfaces: " surfaces)
 
 static void ducts_are_read(void **state)
 {
@@ -23,13 +16,16 @@ static void ducts_are_read(void **state)
     assert_string_equal(a->name, "D1");
     assert_string_equal(b->name, "b");
     assert_int_equal(a->shape.kind, SURFACE_DUCT);
-    expect_near(a->shape.radius, 0.075, 1e-12);
-    expect_near(a->shape.cable_radius, 0.04365, 1e-12);
-    assert_true(a->shape.lift == 0 && a->friction.mu_d == 0.3);
-    expect_near(b->shape.lift, 0.1 - 0.04365, 1e-12);
-    expect_near(b->shape.to, 15 + 1.5 * M_PI, 1e-9);
-    assert_true(b->friction.mu_d == 0.1);
-    assert_true(def.line_impact.k == 1e8 && def.line_impact.c == 5e3 && def.line_impact.d == 2e-4);
+    check_share(a->shape.radius, 0.075, 1e-12);
+    check_share(a->shape.cable_radius, 0.04365, 1e-12);
+    check_equal(a->shape.lift, 0);
+    check_equal(a->friction.mu_d, 0.3);
+    check_share(b->shape.lift, 0.1 - 0.04365, 1e-12);
+    check_share(b->shape.to, 15 + 1.5 * M_PI, 1e-9);
+    check_equal(b->friction.mu_d, 0.1);
+    check_equal(def.line_impact.k, 1e8);
+    check_equal(def.line_impact.c, 5e3);
+    check_equal(def.line_impact.d, 2e-4);
     scene_def_clear(&def);
 }
 
@@ -43,17 +39,22 @@ static void trays_are_read(void **state)
     assert_int_equal(def.n_surfaces, 4);
     const SurfaceShape *const flat = &def.surfaces[0].shape, *const v = &def.surfaces[1].shape,
                               *const u = &def.surfaces[2].shape, *const plane = &def.surfaces[3].shape;
-    assert_true(flat->kind == SURFACE_FLAT && v->kind == SURFACE_V && u->kind == SURFACE_U);
-    expect_near(flat->depth, 0.04365, 1e-12);
-    assert_true(flat->height == 0 && flat->width == 0.4);
-    expect_near(v->angle, M_PI / 2, 1e-12);
-    expect_near(v->height, 4 * 0.04365, 1e-12);
-    expect_near(u->height, 0.09, 1e-12);
+    check_equal(flat->kind, SURFACE_FLAT);
+    check_equal(v->kind, SURFACE_V);
+    check_equal(u->kind, SURFACE_U);
+    check_share(flat->depth, 0.04365, 1e-12);
+    check_equal(flat->height, 0);
+    check_equal(flat->width, 0.4);
+    check_share(v->angle, M_PI / 2, 1e-12);
+    check_share(v->height, 4 * 0.04365, 1e-12);
+    check_share(u->height, 0.09, 1e-12);
     assert_int_equal(plane->kind, SURFACE_PLANE);
-    expect_near(plane->normal.z, 1, 1e-15);
-    expect_near(v3_norm(plane->along), 1, 1e-15);
-    assert_true(fabs(v3_dot(plane->along, plane->normal)) < 1e-15);
-    assert_true(def.line_impact.k == 2e6 && def.line_impact.e == 1 && def.line_impact.c == 5e3);
+    check_share(plane->normal.z, 1, 1e-15);
+    check_share(v3_norm(plane->along), 1, 1e-15);
+    check_close(v3_dot(plane->along, plane->normal), 0, 1e-15);
+    check_equal(def.line_impact.k, 2e6);
+    check_equal(def.line_impact.e, 1);
+    check_equal(def.line_impact.c, 5e3);
     scene_def_clear(&def);
 }
 
@@ -61,7 +62,7 @@ static void stretches_are_checked(void **state)
 {
     (void)state;
     expect_bad(CASE("{ducts: [{from: 2 m, to: 25 m, radius: 75 mm}]}"), NULL, NULL,
-               "pull.yaml:7: key 'surfaces.ducts.0.to': 25 m is out of range: must be on the route, at most 19.712");
+               "pull.yaml:8: key 'surfaces.ducts.0.to': 25 m is out of range: must be on the route, at most 19.712");
     expect_bad(CASE("{ducts: [{from: 9 m, to: 8 m, radius: 75 mm}]}"), NULL, NULL,
                "at least 'from' plus 'fade', 9.5 m");
     expect_bad(CASE("{ducts: [{to: 8 m, radius: 75 mm}, {from: 7 m, to: 9 m, radius: 75 mm}]}"), NULL, NULL,
@@ -109,16 +110,10 @@ static void planes_are_checked(void **state)
 static void upright_routes_are_refused(void **state)
 {
     (void)state;
-    static const char *const text =
-        "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"
-        "chain: [{cable: c, length: 5 m}]\n"
-        "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 3 m, plane: up}, {straight: 5 m}]}\n"
-        "run: {duration: 10 s}\n"
-        "surfaces: {ducts: [{radius: 75 mm}], trays: []}\n";
     SceneDef def;
-    expect_good(text, NULL, NULL, &def);
+    expect_good(data_text("surfaces-upright"), NULL, NULL, &def);
     scene_def_clear(&def);
-    expect_bad(text, "surfaces.ducts.0.place", "resting", "steeper than 80 deg at 14.2 m");
+    expect_bad(data_text("surfaces-upright"), "surfaces.ducts.0.place", "resting", "steeper than 80 deg at 14.2 m");
 }
 
 int main(void)

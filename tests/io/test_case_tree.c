@@ -212,7 +212,7 @@ static void forbidden_file(void **state)
     const int fd = mkstemp(path);
     CaseTree *tree;
     hawser_error err;
-    assert_true(fd >= 0);
+    check_at_least(fd, 0);
     assert_int_equal(write(fd, "a: 1\n", 5), 5);
     close(fd);
     assert_int_equal(case_tree_load(path, &tree, &err), HAWSER_OK);
@@ -298,14 +298,14 @@ static void shown_texts(void **state)
     assert_string_equal(case_shown("a\nb\tc", shown), "'a b c'");
     memset(longest, 'k', sizeof longest - 1);
     longest[sizeof longest - 1] = 0;
-    assert_true(strlen(case_shown(longest, shown)) < CASE_SHOWN_MAX);
-    assert_non_null(strstr(shown, "..."));
+    check_below(strlen(case_shown(longest, shown)), CASE_SHOWN_MAX);
+    check_has(shown, "...");
     for (int k = 0; k < 398; k += 2) memcpy(longest + k, "\xc3\xa9", 2);
     for (int shift = 0; shift < 2; shift++) {
         case_shown(longest + 2 * shift, shown);
         assert_int_equal((strlen(shown) - 5) % 2, 0);
     }
-    assert_true(strlen(case_place(longest, 7, place)) < CASE_PLACE_MAX);
+    check_below(strlen(case_place(longest, 7, place)), CASE_PLACE_MAX);
     assert_string_equal(case_place("f.yaml", 7, place), "f.yaml:7");
     assert_string_equal(case_place("--set a", 0, place), "--set a");
 }

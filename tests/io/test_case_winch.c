@@ -1,53 +1,49 @@
 /* Winches and conveyors in case files: what they become, and mistakes that no table of keys can see. */
 #include "tests/io/case_fixture.h"
-#include "tests/io/case_texts.h"
-
-/* A route of 20 m straight, a bend, and 10 m more, with a winch. */
-static const char ROUTE[] = "cables: {c: {E: 115 GPa, G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801 kg/m3}}\n"
-                            "chain: [{cable: c, length: 15 m}]\n"
-                            "route: {head_at: 16 m, pieces: [{straight: 20 m}, {bend: 30 deg, radius: 5 m, plane: "
-                            "left}, {straight: 10 m}]}\n"
-                            "drive: {winch: {speed: 0.1 m/s}}\n"
-                            "run: {duration: 10 s}\n";
 
 static void winches(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_TENSION, NULL, NULL, &def);
+    expect_good(data_text("full-tension"), NULL, NULL, &def);
     assert_int_equal(def.winch.mode, WINCH_TENSION);
     assert_int_equal(def.winch.tension.kind, PROFILE_STEP5);
-    expect_near(profile_value(&def.winch.tension, 4), 5000, 1e-15);
-    expect_near(def.winch.speed_limit, 0.1, 1e-15);
-    expect_near(def.winch.band, 0.1, 1e-15);
-    expect_near(def.winch.drum_mass, 300, 1e-15);
+    check_share(profile_value(&def.winch.tension, 4), 5000, 1e-15);
+    check_share(def.winch.speed_limit, 0.1, 1e-15);
+    check_share(def.winch.band, 0.1, 1e-15);
+    check_share(def.winch.drum_mass, 300, 1e-15);
     scene_def_clear(&def);
-    expect_good(FULL_TENSION_TABLE, NULL, NULL, &def);
-    expect_near(profile_value(&def.winch.tension, 5), 2500, 1e-15);
+    expect_good(data_text("full-tension-table"), NULL, NULL, &def);
+    check_share(profile_value(&def.winch.tension, 5), 2500, 1e-15);
     assert_ptr_equal(def.winch.tension.time, def.winch.tension_time);
     scene_def_clear(&def);
-    expect_good(FULL_RAMPS, NULL, NULL, &def);
+    expect_good(data_text("full-ramps"), NULL, NULL, &def);
     assert_int_equal(def.winch.mode, WINCH_SPEED);
-    expect_near(def.winch.trip.factor, 1.5, 1e-15);
-    assert_true(fabs(def.winch.trip.force) < 1e-300);
+    check_share(def.winch.trip.factor, 1.5, 1e-15);
+    check_close(def.winch.trip.force, 0, 1e-300);
     assert_int_equal(def.winch.trip.restarts, 2);
     assert_int_equal(def.winch.trip.ends_run, 1);
-    expect_near(def.winch.trip.pause, 4, 1e-15);
+    check_share(def.winch.trip.pause, 4, 1e-15);
     scene_def_clear(&def);
 }
 
 static void wrong_winches(void **state)
 {
     (void)state;
-    expect_bad(FULL_TENSION, "drive.winch.speed", "0.1", "'drive.winch.speed': not allowed beside 'tension'");
-    expect_bad(FULL_TENSION, "drive.winch.trip", "{force: 1 kN}", "'drive.winch.trip': not allowed beside 'tension'");
-    expect_bad(FULL_TENSION, "drive.winch.tension.table", "[[0, 0], [1, 1]]", "not allowed beside 'table'");
-    expect_bad(FULL_TENSION, "drive.winch.tension.to", "1 s", "must be above 'from'");
-    expect_bad(FULL_TENSION, "drive.winch.tension", "{ramp: step}", "'drive.winch.tension.force': missing");
-    expect_bad(FULL_TENSION, "drive.winch.tension.force", "-1 N", "out of range");
-    expect_bad(FULL_RAMPS, "drive.winch.trip.force", "1 kN", "'drive.winch.trip.factor': given beside force");
-    expect_bad(FULL_RAMPS, "drive.winch.trip", "{hold: 1 s}", "'drive.winch.trip.force': missing");
-    expect_bad(FULL_RAMPS, "drive.winch.trip.brake", "-1 s", "out of range");
+    expect_bad(data_text("full-tension"), "drive.winch.speed", "0.1",
+               "'drive.winch.speed': not allowed beside 'tension'");
+    expect_bad(data_text("full-tension"), "drive.winch.trip", "{force: 1 kN}",
+               "'drive.winch.trip': not allowed beside 'tension'");
+    expect_bad(data_text("full-tension"), "drive.winch.tension.table", "[[0, 0], [1, 1]]",
+               "not allowed beside 'table'");
+    expect_bad(data_text("full-tension"), "drive.winch.tension.to", "1 s", "must be above 'from'");
+    expect_bad(data_text("full-tension"), "drive.winch.tension", "{ramp: step}",
+               "'drive.winch.tension.force': missing");
+    expect_bad(data_text("full-tension"), "drive.winch.tension.force", "-1 N", "out of range");
+    expect_bad(data_text("full-ramps"), "drive.winch.trip.force", "1 kN",
+               "'drive.winch.trip.factor': given beside force");
+    expect_bad(data_text("full-ramps"), "drive.winch.trip", "{hold: 1 s}", "'drive.winch.trip.force': missing");
+    expect_bad(data_text("full-ramps"), "drive.winch.trip.brake", "-1 s", "out of range");
 }
 
 /* In the order of the route, with names, grips and belts. */
@@ -55,29 +51,29 @@ static void conveyors(void **state)
 {
     (void)state;
     SceneDef def;
-    expect_good(FULL_RAMPS, NULL, NULL, &def);
+    expect_good(data_text("full-ramps"), NULL, NULL, &def);
     assert_int_equal(def.n_conveyors, 2);
     const ConveyorDef *c = def.conveyors;
     assert_string_equal(c[0].name, "front");
     assert_int_equal(c[0].sync, 1);
     assert_int_equal(c[0].hold, 0);
-    expect_near(c[0].factor, 1.01, 1e-15);
-    expect_near(c[0].limit, 6000, 1e-15);
+    check_share(c[0].factor, 1.01, 1e-15);
+    check_share(c[0].limit, 6000, 1e-15);
     assert_string_equal(c[1].name, "C2");
     assert_int_equal(c[1].sync, 0);
-    expect_near(profile_value(&c[1].speed, 5), 7 / 60.0, 1e-14);
-    expect_near(c[1].v_d, 2e-4, 1e-14);
+    check_share(profile_value(&c[1].speed, 5), 7 / 60.0, 1e-14);
+    check_share(c[1].v_d, 2e-4, 1e-14);
     scene_def_clear(&def);
-    expect_good(ROUTE, "conveyors",
+    expect_good(data_text("winch-route"), "conveyors",
                 "[{from: 8, to: 9, clamp: 1}, {from: 1, to: 2, clamp: 2}, {from: 2, to: 3, clamp: 3}]", &def);
     for (int i = 0; i < 3; i++) assert_int_equal((int)def.conveyors[i].clamp, i == 2 ? 1 : i + 2);
     scene_def_clear(&def);
-    expect_good(FULL_TABLES, NULL, NULL, &def);
+    expect_good(data_text("full-tables"), NULL, NULL, &def);
     assert_ptr_equal(def.conveyors[0].speed.time, def.conveyors[0].table_time);
     SceneDef copy;
     assert_int_equal(scene_def_copy(&def, &copy, NULL), HAWSER_OK);
     scene_def_clear(&def);
-    expect_near(profile_value(&copy.conveyors[0].speed, 5), 3.5 / 60, 1e-14);
+    check_share(profile_value(&copy.conveyors[0].speed, 5), 3.5 / 60, 1e-14);
     scene_def_clear(&copy);
 }
 
@@ -103,10 +99,11 @@ static void wrong_conveyors(void **state)
         {"[{from: 4, to: 6, clamp: 1, belt: {ramp: step}}]", "'conveyors.0.belt.speed': missing"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        expect_bad(ROUTE, "conveyors", cases[k].value, cases[k].part);
+        expect_bad(data_text("winch-route"), "conveyors", cases[k].value, cases[k].part);
     }
-    expect_bad(SMALLEST, "conveyors", "[{from: 4, to: 6, clamp: 1}]", "'conveyors.0.belt': missing: a belt without");
-    expect_bad(FULL_TENSION, "conveyors", "[{from: 4, to: 6, clamp: 1}]",
+    expect_bad(data_text("smallest"), "conveyors", "[{from: 4, to: 6, clamp: 1}]",
+               "'conveyors.0.belt': missing: a belt without");
+    expect_bad(data_text("full-tension"), "conveyors", "[{from: 4, to: 6, clamp: 1}]",
                "'conveyors.0.belt': missing: a belt without");
 }
 

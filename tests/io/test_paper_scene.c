@@ -1,19 +1,10 @@
 /* The paper's case in code and in its file are the same scene: the same pull after the start, the same theory. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include <math.h>
 
 #include "hawser/hawser.h"
+#include "tests/support/check.h"
 #include "validate/paper_scene.h"
-
-static void assert_close(double a, double b)
-{
-    if (!(fabs(a - b) <= 1e-9 * fabs(b))) fail_msg("%.12g and %.12g", a, b);
-}
 
 static void test_same(void **state)
 {
@@ -37,11 +28,11 @@ static void test_same(void **state)
     sim_summary(by_code, &b);
     assert_int_equal(a.segments, b.segments);
     assert_int_equal(a.rollers, b.rollers);
-    assert_close(b.paper_total_N, a.paper_total_N);
-    assert_close(b.reference_total_N, a.reference_total_N);
+    check_share(b.paper_total_N, a.paper_total_N, 1e-9);
+    check_share(b.reference_total_N, a.reference_total_N, 1e-9);
     const double pull = hawser_sim_sample(by_file)->winch_force, same = sim_sample(by_code)->winch_force;
     print_message("%.9f N and %.9f N after %ld and %ld steps\n", pull, same, a.steps, b.steps);
-    if (!(fabs(same / pull - 1) < 1e-5)) fail_msg("%.9f and %.9f", same, pull);
+    check_share(same, pull, 1e-7);
     hawser_sim_free(by_file);
     sim_free(by_code);
 }

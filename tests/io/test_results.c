@@ -1,21 +1,16 @@
 /* The results folder: contents of every file, up to date while it grows, and every way in which writing can
  * fail. */
 #include "results_fixture.h"
+#include "tests/support/check.h"
 
 #include <errno.h>
 #include <hdf5.h>
 #include <locale.h>
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 static const char *const all_files[] = {"summary.json", "series.csv", "stations.csv",
                                         "rollers.csv",  "results.h5", "results.xdmf"};
@@ -52,7 +47,7 @@ static void expect_text(const Fixture *f, const char *name, const char *expected
 static double *read_set(const char *path, const char *name, int rank, const hsize_t *expected)
 {
     const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    assert_true(file >= 0);
+    check_at_least(file, 0);
     const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
     hsize_t dims[4] = {0}, count = 1;
     assert_int_equal(H5Sget_simple_extent_ndims(space), rank);
@@ -62,7 +57,7 @@ static double *read_set(const char *path, const char *name, int rank, const hsiz
         count *= dims[i];
     }
     double *values = malloc(sizeof *values * count);
-    assert_true(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    check_at_least(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), 0);
     H5Sclose(space);
     H5Dclose(set);
     H5Fclose(file);
@@ -124,14 +119,14 @@ static void test_states(void **state)
     double *frame = read_set(path, "frames/000002/tension", 1, (hsize_t[]){N - 1});
     for (int k = 0; k < 3; k++) {
         fixture_sample(f, k);
-        assert_true(time[k] == f->sample.t);
+        check_equal(time[k], f->sample.t);
         assert_memory_equal(position + 3 * N * k, f->position, sizeof f->position);
         assert_memory_equal(quaternion + 4 * N * k, f->quaternion, sizeof f->quaternion);
         assert_memory_equal(tension + (N + 1) * k, f->tension, sizeof f->tension);
         assert_memory_equal(load + R * k, f->load, sizeof f->load);
     }
     /* the frame has the tensions of the joints between two segments */
-    for (int j = 1; j < N; j++) assert_true(frame[j - 1] == (double)(float)f->tension[j]);
+    for (int j = 1; j < N; j++) check_equal(frame[j - 1], (double)(float)f->tension[j]);
     free(time), free(position), free(quaternion), free(tension), free(load), free(frame);
 }
 
@@ -193,7 +188,7 @@ static void test_attributes(void **state)
         char unit[64] = "";
         const hid_t set = H5Dopen2(file, units[i][0], H5P_DEFAULT), a = H5Aopen(set, "unit", H5P_DEFAULT);
         const hid_t type = H5Aget_type(a);
-        assert_true(H5Aread(a, type, unit) >= 0);
+        check_at_least(H5Aread(a, type, unit), 0);
         assert_string_equal(unit, units[i][1]);
         H5Tclose(type), H5Aclose(a), H5Dclose(set);
     }
@@ -227,8 +222,8 @@ static void test_xdmf_is_whole_at_any_time(void **state)
     results_free(r);
     text = read_text(fixture_path(f, "results.xdmf"));
     assert_int_equal(count_frames(text), 40);
-    assert_non_null(strstr(text, "<Time Value=\"3.9\"/>"));
-    assert_non_null(strstr(text, "results.h5:/frames/000039/position"));
+    check_has(text, "<Time Value=\"3.9\"/>");
+    check_has(text, "results.h5:/frames/000039/position");
     assert_null(strstr(text, "000040"));
     free(text);
 }
@@ -258,7 +253,7 @@ static void test_dropped_run(void **state)
     write_states(f, r, 7);
     results_free(r);
     char *text = read_text(fixture_path(f, "series.csv"));
-    assert_non_null(strstr(text, "\n0.6,7006,"));
+    check_has(text, "\n0.6,7006,");
     free(text);
     assert_int_equal(count_states(fixture_path(f, "results.h5")), 7);
     expect_text(f, "summary.json", "{\"outcome\": \"running\"}\n");
@@ -303,7 +298,7 @@ static void expect_refused(const char *dir, const char *path, int number)
     assert_int_equal(results_open(&r, dir, &fixture_def, "{}", &err), HAWSER_ERR_OUTPUT);
     assert_null(r);
     assert_int_equal(err.status, HAWSER_ERR_OUTPUT);
-    assert_non_null(strstr(err.message, path));
+    check_has(err.message, path);
     if (!strstr(err.message, strerror(number))) fail_msg("%s", err.message);
 }
 
@@ -386,7 +381,7 @@ static void test_disk_fills_up(void **state)
     results_free(r);
     assert_int_equal(status, HAWSER_ERR_OUTPUT);
     assert_int_equal(finished, HAWSER_ERR_OUTPUT);
-    assert_non_null(strstr(err.message, "results.h5"));
+    check_has(err.message, "results.h5");
     if (!strstr(err.message, strerror(EFBIG))) fail_msg("%s", err.message);
     const int kept = count_states(fixture_path(f, "results.h5"));
     assert_in_range(kept, 32, k);
@@ -409,7 +404,7 @@ static void test_locale(void **state)
     results_free(r);
     setlocale(LC_ALL, "C");
     char *text = read_text(fixture_path(f, "series.csv"));
-    assert_non_null(strstr(text, "\n0.1,7001,51,0.1,"));
+    check_has(text, "\n0.1,7001,51,0.1,");
     free(text);
 }
 

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/worst.h"
 #include "linsolve/newton_matrix.h"
 
 /* Uniform in [-1, 1], from a 64-bit linear congruential generator (Knuth's MMIX constants). */
@@ -99,7 +100,7 @@ static inline void fixture_chain_cable(BlockChain *a, int n, int b, double gamma
 static inline double fixture_norm(int count, const double *a)
 {
     double most = 0;
-    for (int k = 0; k < count; ++k) most = fabs(a[k]) <= most ? most : fabs(a[k]);
+    for (int k = 0; k < count; ++k) most = larger_of(most, fabs(a[k]));
     return most;
 }
 
@@ -121,7 +122,7 @@ static inline double fixture_backward_error(const NewtonMatrix *a, const double 
     }
     for (int i = 0; i < n; ++i) {
         const double error = fabs(residual[i] - r[i]), scale = size[i] + fabs(r[i]);
-        if (!(error <= worst * scale)) worst = scale > 0 ? error / scale : error;
+        worst = larger_of(worst, scale > 0 ? error / scale : error);
     }
     free(residual);
     free(size);

@@ -1,13 +1,9 @@
 /* The block LU itself: instruction sets, threads, pivoting, and when it hands over to KLU. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include "linsolve/block/block_factor.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
+#include "tests/support/check.h"
 
 /* Every instruction set that this machine has solves the same systems; two of them differ by rounding only. */
 static void instruction_sets(void **state)
@@ -27,7 +23,7 @@ static void instruction_sets(void **state)
                 memcpy(x, r, (size_t)(5 * n * b) * sizeof(double));
                 block_solver_solve(&s, 5, x);
                 for (int k = 0; k < 5; ++k) {
-                    assert_true(fixture_backward_error(&m, x + k * n * b, r + k * n * b) < 1e-15);
+                    check_below(fixture_backward_error(&m, x + k * n * b, r + k * n * b), 1e-15);
                 }
                 block_solver_release(&s);
             }
@@ -95,7 +91,7 @@ static LinStats solve_well(LinSolver *s, const BlockChain *a, double most)
     memcpy(x, r, (size_t)(a->n * a->b) * sizeof(double));
     assert_int_equal(linsolver_factor(s, a), 0);
     assert_int_equal(linsolver_solve(s, x), 0);
-    assert_true(fixture_backward_error(&m, x, r) < most);
+    check_below(fixture_backward_error(&m, x, r), most);
     free(r);
     free(x);
     linsolver_stats(s, &stats);
@@ -157,7 +153,7 @@ static void growth(void **state)
     s = block_new(&a, 1e20);
     const LinStats stats = solve_well(s, &a, 1e-5);
     assert_int_equal(stats.fallbacks, 0);
-    assert_true(stats.growth < 1e-7 && stats.growth > 1e-12);
+    check_between(stats.growth, 1e-12, 1e-7);
     linsolver_free(s);
     block_chain_free(&a);
 }
@@ -174,7 +170,7 @@ static void cable_is_easy(void **state)
         const LinStats stats = solve_well(s, &a, 1e-15);
         assert_int_equal(stats.pivoted, 0);
         assert_int_equal(stats.fallbacks, 0);
-        assert_true(stats.growth > 0.5);
+        check_above(stats.growth, 0.5);
         linsolver_free(s);
         block_chain_free(&a);
     }

@@ -1,13 +1,9 @@
 /* What surrounds a chain: leaf bodies, a border, couplings anywhere; and what auto makes of it. */
 #include <float.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
+#include "tests/support/check.h"
 
 enum { LEAVES = LEAF_MAX, EXTRAS = 3 };
 
@@ -96,7 +92,7 @@ static double solve_error(const NewtonMatrix *m, LinKind kind, LinOrdering order
         assert_int_equal(linsolver_size(s), size);
         assert_int_equal(linsolver_factor_newton(s, m), 0);
         assert_int_equal(linsolver_solve_many(s, COUNT, x), 0);
-        for (int k = 0; k < COUNT; ++k) error = fmax(error, fixture_backward_error(m, x + k * size, r + k * size));
+        for (int k = 0; k < COUNT; ++k) error = larger_of(error, fixture_backward_error(m, x + k * size, r + k * size));
         if (stats) linsolver_stats(s, stats);
     } else {
         assert_int_equal(err.status, HAWSER_ERR_INPUT);
@@ -121,13 +117,15 @@ static void all_shapes(void **state)
                         Scene s;
                         scene_init(&s, n, b, leaves, border, extras, &seed);
                         for (LinOrdering o = ORDER_AUTO; o <= ORDER_METIS; ++o) {
-                            assert_true(fabs(solve_error(&s.m, LIN_KLU, o, NULL)) < 1e-14);
+                            check_close(solve_error(&s.m, LIN_KLU, o, NULL), 0, 1e-14);
                         }
-                        assert_true(fabs(solve_error(&s.m, LIN_DENSE, ORDER_AUTO, NULL)) < 1e-14);
-                        assert_true(fabs(solve_error(&s.m, LIN_BAND, ORDER_AUTO, NULL)) < 1e-14);
-                        assert_true(fabs(solve_error(&s.m, LIN_AUTO, ORDER_AUTO, NULL)) < 1e-14);
+                        check_close(solve_error(&s.m, LIN_DENSE, ORDER_AUTO, NULL), 0, 1e-14);
+                        check_close(solve_error(&s.m, LIN_BAND, ORDER_AUTO, NULL), 0, 1e-14);
+                        check_close(solve_error(&s.m, LIN_AUTO, ORDER_AUTO, NULL), 0, 1e-14);
                         const double error = solve_error(&s.m, LIN_BORDERED, ORDER_AUTO, NULL);
-                        assert_true(extras ? error == -1 : error >= 0 && error < 1e-14);
+                        if (extras) check_equal(error, -1);
+                        if (!extras) check_at_least(error, 0);
+                        if (!extras) check_below(error, 1e-14);
                         scene_free(&s);
                     }
                 }
@@ -143,7 +141,7 @@ static void overlapping_blocks(void **state)
     uint64_t seed = 2;
     Scene s;
     scene_init(&s, 2, 6, 0, 0, EXTRAS, &seed);
-    assert_true(fabs(solve_error(&s.m, LIN_KLU, ORDER_AMD, NULL)) < 1e-14);
+    check_close(solve_error(&s.m, LIN_KLU, ORDER_AMD, NULL), 0, 1e-14);
     scene_free(&s);
 }
 
@@ -162,14 +160,14 @@ static void choice(void **state)
         Scene s;
         scene_init(&s, 7, 6, cases[k].leaves, cases[k].border, cases[k].extras, &seed);
         LinStats stats;
-        assert_true(fabs(solve_error(&s.m, LIN_AUTO, ORDER_AUTO, &stats)) < 1e-14);
+        check_close(solve_error(&s.m, LIN_AUTO, ORDER_AUTO, &stats), 0, 1e-14);
         assert_string_equal(stats.name, cases[k].name);
         assert_string_equal(stats.why, cases[k].why);
         assert_int_equal(stats.factors, 1);
         assert_int_equal(stats.solves, 3);
         const int plain = !cases[k].leaves && !cases[k].border && !cases[k].extras;
-        assert_true((solve_error(&s.m, LIN_BLOCK, ORDER_AUTO, NULL) == -1) == !plain);
-        assert_true(solve_error(&s.m, LIN_KLU_FULL, ORDER_AUTO, NULL) == -1);
+        check_equal(solve_error(&s.m, LIN_BLOCK, ORDER_AUTO, NULL) == -1, !plain);
+        check_equal(solve_error(&s.m, LIN_KLU_FULL, ORDER_AUTO, NULL), -1);
         scene_free(&s);
     }
 }
@@ -196,7 +194,7 @@ static void leaves_move(void **state)
             memcpy(x, r, (size_t)size * sizeof *x);
             assert_int_equal(linsolver_factor_newton(solver, &s.m), 0);
             assert_int_equal(linsolver_solve(solver, x), 0);
-            assert_true(fixture_backward_error(&s.m, x, r) < 1e-14);
+            check_below(fixture_backward_error(&s.m, x, r), 1e-14);
         }
         linsolver_free(solver);
         free(r);
@@ -218,7 +216,8 @@ static void fallback_leaf(void **state)
     s.leaf[0].from[0] = scene_values(&s, 6, &seed);
     LinStats stats;
     const double error = solve_error(&s.m, LIN_BORDERED, ORDER_AUTO, &stats);
-    assert_true(error >= 0 && error < 1e-13);
+    check_at_least(error, 0);
+    check_below(error, 1e-13);
     assert_int_equal(stats.fallbacks, 1);
     scene_free(&s);
 }
@@ -233,7 +232,8 @@ static void fallback_inner(void **state)
     block_chain_zero(&s.m.chain);
     LinStats stats;
     const double error = solve_error(&s.m, LIN_BORDERED, ORDER_AUTO, &stats);
-    assert_true(error >= 0 && error < 1e-13);
+    check_at_least(error, 0);
+    check_below(error, 1e-13);
     assert_int_equal(stats.fallbacks, 1);
     scene_free(&s);
 }
@@ -254,7 +254,7 @@ static void singular_border(void **state)
     bad.corner = corner;
     LinSolver *const solver = linsolver_new_newton(&s.m, &(LinOptions){.kind = LIN_AUTO, .threads = 2}, NULL);
     assert_non_null(solver);
-    assert_true(linsolver_factor_newton(solver, &bad) > 0);
+    check_above(linsolver_factor_newton(solver, &bad), 0);
     assert_int_equal(linsolver_factor_newton(solver, &s.m), 0);
     linsolver_free(solver);
     free(bottom);

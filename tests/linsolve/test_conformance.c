@@ -1,15 +1,11 @@
 /* What every back end must do: solve well, say so when it cannot, and give the same bits for the same values. */
 #include <float.h>
 #include <lapacke.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
-
-#include <cmocka.h>
 
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
+#include "tests/support/check.h"
 
 /* One way to solve a chain. */
 typedef struct Way {
@@ -120,7 +116,7 @@ static void check_against_dense(const BlockChain *a, double slack, double backwa
         assert_int_equal(subject_factor(&s, a), 0);
         double *const x = subject_solve(&s, size, r);
         double error = 0;
-        for (int k = 0; k < size; ++k) error = fmax(error, fabs(x[k] - expected[k]));
+        for (int k = 0; k < size; ++k) error = larger_of(error, fabs(x[k] - expected[k]));
         error /= fixture_norm(size, expected);
         const double residual = fixture_backward_error(&m, x, r);
         if (!(error <= slack * DBL_EPSILON / rcond)) fail_msg("%s: error %g, rcond %g", ways[w].name, error, rcond);
@@ -267,11 +263,11 @@ static void singular(void **state)
                 Subject s = subject_new(ways + w, &good);
                 for (int first = 0; first < 2; ++first) { /* spoilt at once, and after a good one */
                     if (subject_factor(&s, &bad) <= 0) fail_msg("%s accepts spoilt matrix %d", ways[w].name, how);
-                    assert_true(linsolver_solve(s.solver, (double[48]){0}) > 0);
+                    check_above(linsolver_solve(s.solver, (double[48]){0}), 0);
                     assert_int_equal(subject_factor(&s, &good), 0);
                 }
                 double *const x = subject_solve(&s, 6 * n, r);
-                assert_true(fixture_backward_error(&m, x, r) < 1e-14);
+                check_below(fixture_backward_error(&m, x, r), 1e-14);
                 free(x);
                 subject_free(&s);
             }
@@ -358,7 +354,7 @@ static void many_right_hand_sides(void **state)
         assert_int_equal(linsolver_solve_many(s.solver, COUNT, all), 0);
         for (int k = 0; k < COUNT; ++k) {
             double *const x = subject_solve(&s, SIZE, r + k * SIZE);
-            for (int i = 0; i < SIZE; ++i) assert_true(fabs(x[i] - all[k * SIZE + i]) <= 1e-13 * fabs(x[i]));
+            for (int i = 0; i < SIZE; ++i) check_close(x[i], all[k * SIZE + i], 1e-13 * fabs(x[i]));
             free(x);
         }
         subject_free(&s);
@@ -385,7 +381,7 @@ static void changing_patterns(void **state)
             const int size = a[k].n * a[k].b;
             const NewtonMatrix m = {.chain = a[k]};
             double *const r = fixture_vector(size, &seed), *const x = subject_solve(s + k, size, r);
-            assert_true(fixture_backward_error(&m, x, r) < 1e-14);
+            check_below(fixture_backward_error(&m, x, r), 1e-14);
             free(r);
             free(x);
             subject_free(s + k);

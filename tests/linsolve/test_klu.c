@@ -1,13 +1,9 @@
 /* KLU behind the contract: assembly into compressed columns, orderings, refactorisation and its way out. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include "linsolve/backend.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
+#include "tests/support/check.h"
 
 /* A ring of 30 blocks with a bridge: the chain's ends and two inner blocks are coupled both ways. */
 typedef struct Ring {
@@ -49,11 +45,11 @@ static void assembly(void **state)
         newton_gemv(&ring.m, 2, x, y);
         for (int c = 0; c < 180; ++c) {
             for (int k = s.a.p[c]; k < s.a.p[c + 1]; ++k) {
-                assert_true(k == s.a.p[c] || s.a.i[k] > s.a.i[k - 1]);
+                if (k > s.a.p[c]) check_above(s.a.i[k], s.a.i[k - 1]);
                 z[s.a.i[k]] += 2 * x[c] * s.a.x[k];
             }
         }
-        for (int i = 0; i < 180; ++i) assert_true(fabs(y[i] - z[i]) < 1e-12);
+        for (int i = 0; i < 180; ++i) check_close(y[i], z[i], 1e-12);
         free(x);
     }
     sparse_assembly_free(&s);
@@ -110,8 +106,10 @@ static void least_fill(void **state)
         assert_int_equal(stats.refactors, 2);
         assert_int_equal(stats.fallbacks, 0);
         assert_int_equal(stats.analyses, o == ORDER_AUTO ? 4 : 1);
-        assert_true(stats.growth > 0.1 && stats.growth <= 1);
-        assert_true(nonzeros[o] > 0 && nonzeros[ORDER_AUTO] <= nonzeros[o]);
+        check_above(stats.growth, 0.1);
+        check_at_most(stats.growth, 1);
+        check_above(nonzeros[o], 0);
+        check_at_most(nonzeros[ORDER_AUTO], nonzeros[o]);
         linsolver_free(s);
     }
     ring_free(&ring);
@@ -144,7 +142,7 @@ static void fallback_growth(void **state)
     assert_int_equal(stats.fallbacks, 1);
     memcpy(x, r, sizeof x);
     assert_int_equal(linsolver_solve(s, x), 0);
-    assert_true(fixture_backward_error(&m, x, r) < 1e-13);
+    check_below(fixture_backward_error(&m, x, r), 1e-13);
     assert_int_equal(linsolver_factor(s, &turned), 0);
     linsolver_stats(s, &stats);
     assert_int_equal(stats.fallbacks, 1); /* the new pivots serve from now on */
@@ -164,7 +162,7 @@ static void undecided(void **state)
     block_chain_alloc(&zero, 6, 6);
     LinStats stats;
     LinSolver *const s = linsolver_new(&zero, &(LinOptions){.kind = LIN_KLU}, NULL);
-    assert_true(linsolver_factor(s, &zero) > 0);
+    check_above(linsolver_factor(s, &zero), 0);
     linsolver_stats(s, &stats);
     assert_string_equal(stats.ordering, "undecided");
     assert_int_equal(linsolver_factor(s, &a), 0);

@@ -1,13 +1,9 @@
 /* Small dense systems: residuals of random ones that need pivoting, and what cannot be solved. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include "linsolve/small.h"
 #include "tests/linsolve/matrix_fixture.h"
+#include "tests/support/check.h"
 
 enum { MOST = 40 };
 
@@ -30,9 +26,9 @@ static void residuals(void **state)
                 rest -= a[c * n + i] * x[c];
                 size += fabs(a[c * n + i] * x[c]);
             }
-            worst = fmax(worst, fabs(rest) / size);
+            worst = larger_of(worst, fabs(rest) / size);
         }
-        assert_true(worst < 1e-13);
+        check_below(worst, 1e-13);
         free(a);
         free(b);
     }

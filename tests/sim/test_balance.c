@@ -1,7 +1,8 @@
 /* Balances of energy and momentum of whole runs: they close, better the more accurate the run; the same in the plane,
  * in space and on two threads; and their terms are what can be said by hand. */
+#include "sim/planar/plane.h"
 #include "sim/run/sim.h"
-#include "tests/sim/planar_fixture.h"
+#include "tests/support/scene.h"
 
 /* A run to the definition's end, with its balance. */
 static hawser_balance balance_of(SceneDef *def, int threads, int relax)
@@ -55,8 +56,12 @@ static void test_convergence(void **state)
             print_message("accuracy %.0e: energy %.2e of %.4g J, momentum %.2e\n", accuracy[k], share[k], b.turnover_J,
                           impulse[k]);
         }
-        assert_true(share[1] < 1e-4 && share[4] < 1e-6 && share[4] < share[0] / 100);
-        assert_true(impulse[1] < 1e-4 && impulse[4] < 1e-6 && impulse[4] < impulse[0] / 100);
+        check_below(share[1], 1e-4);
+        check_below(share[4], 1e-6);
+        check_below(share[4], share[0] / 100);
+        check_below(impulse[1], 1e-4);
+        check_below(impulse[4], 1e-6);
+        check_below(impulse[4], impulse[0] / 100);
     }
 }
 
@@ -69,13 +74,13 @@ static void test_planar(void **state)
     for (int k = 0; k < flat.n_terms; ++k) {
         const hawser_balance_term *const a = &flat.term[k], *const b = &full.term[k];
         assert_string_equal(a->name, b->name);
-        if (a->kind != HAWSER_BALANCE_IMPULSE) assert_true(fabs(a->J - b->J) < 2e-5 * flat.turnover_J);
+        if (a->kind != HAWSER_BALANCE_IMPULSE) check_close(a->J, b->J, 2e-5 * flat.turnover_J);
         for (int c = 0; c < 3; ++c)
-            assert_true(fabs(a->N_s[c] - b->N_s[c]) < 1e-4 * fabs(term(&flat, HAWSER_BALANCE_WORK, "winch")));
+            check_close(a->N_s[c], b->N_s[c], 1e-4 * fabs(term(&flat, HAWSER_BALANCE_WORK, "winch")));
     }
-    assert_true(term(&flat, HAWSER_BALANCE_LOSS, "roller_friction") > 1);
-    assert_true(term(&flat, HAWSER_BALANCE_LOSS, "rope_drag") > 1);
-    assert_true(term(&flat, HAWSER_BALANCE_WORK, "lead_in") != 0);
+    check_above(term(&flat, HAWSER_BALANCE_LOSS, "roller_friction"), 1);
+    check_above(term(&flat, HAWSER_BALANCE_LOSS, "rope_drag"), 1);
+    check_differs(term(&flat, HAWSER_BALANCE_WORK, "lead_in"), 0);
 }
 
 static void test_threads(void **state)
@@ -86,10 +91,10 @@ static void test_threads(void **state)
         const hawser_balance two = pulled(planar ? PLANAR_ON : PLANAR_OFF, 2, 1e-3);
         assert_int_equal(one.n_terms, two.n_terms);
         for (int k = 0; k < one.n_terms; ++k) {
-            if (one.term[k].kind != HAWSER_BALANCE_IMPULSE) assert_true(one.term[k].J == two.term[k].J);
+            if (one.term[k].kind != HAWSER_BALANCE_IMPULSE) check_equal(one.term[k].J, two.term[k].J);
             assert_memory_equal(one.term[k].N_s, two.term[k].N_s, sizeof one.term[k].N_s);
         }
-        assert_true(one.residual_J == two.residual_J);
+        check_equal(one.residual_J, two.residual_J);
     }
 }
 
@@ -118,9 +123,9 @@ static void test_level_row(void **state)
     const double expected = mu * weight / 9.80665 * gravity * way, moving = 20 * 12 * speed * speed / 2;
     print_message("friction %.3f J, by hand %.3f J; motion %.4f J, by hand %.4f J\n", friction, expected,
                   term(&b, HAWSER_BALANCE_STORED, "motion"), moving);
-    assert_true(fabs(friction / expected - 1) < 2e-3);
-    assert_true(fabs(term(&b, HAWSER_BALANCE_STORED, "motion") / moving - 1) < 2e-3);
-    assert_true(b.residual_share < 1e-3);
+    check_share(friction, expected, 2e-3);
+    check_share(term(&b, HAWSER_BALANCE_STORED, "motion"), moving, 2e-3);
+    check_below(b.residual_share, 1e-4);
 }
 
 /* A chain that nothing touches falls: what it loses of height it has in motion; m g t is its impulse. */
@@ -133,10 +138,13 @@ static void test_fall(void **state)
     def.duration = 1;
     const hawser_balance b = balance_of(&def, 1, 0);
     const double mass = 12 * 0.5 * 8, height = term(&b, HAWSER_BALANCE_STORED, "height");
-    assert_true(fabs(height / (-mass * 9.8 * 9.8 / 2) - 1) < 1e-3);
-    assert_true(b.residual_share < 1e-3 && b.impulse_residual_share < 1e-6);
-    assert_true(fabs(b.impulse_N_s[2] / (-mass * 9.8) - 1) < 1e-9);
-    assert_true(b.work_J == 0 && b.lost_J == 0 && b.carried_J == 0);
+    check_share(height, -mass * 9.8 * 9.8 / 2, 1e-4);
+    check_below(b.residual_share, 1e-4);
+    check_below(b.impulse_residual_share, 1e-12);
+    check_share(b.impulse_N_s[2], -mass * 9.8, 1e-13);
+    check_equal(b.work_J, 0);
+    check_equal(b.lost_J, 0);
+    check_equal(b.carried_J, 0);
 }
 
 int main(void)

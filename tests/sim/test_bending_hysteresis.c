@@ -3,18 +3,13 @@
 #include "sim/equipment/winch.h"
 #include "sim/newton/relax.h"
 #include "sim/run/sim.h"
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 static void rig_step(Rig *r, double stop)
 {
     hawser_error err = {0};
     if (!r->integrator && integrator_new(rig_motion(r), r->t, r->y, &r->integrator, &err)) fail_msg("%s", err.message);
     if (integrator_step(r->integrator, stop, &r->t, &err)) fail_msg("%s", err.message);
-}
-
-static void assert_share(double found, double expected, double share)
-{
-    if (!(fabs(found - expected) <= share * fabs(expected))) fail_msg("%.9g, expected %.9g", found, expected);
 }
 
 /* Wrenches of now into ws.joints. */
@@ -108,7 +103,7 @@ static double work_until(Rig *r, double to, double *force)
         work += (now + power) / 2 * (r->t - t);
         power = now;
         t = r->t;
-        *force = fmax(*force, fabs(r->ws.joints.force[2][0]));
+        *force = larger_of(*force, fabs(r->ws.joints.force[2][0]));
     }
     return work;
 }
@@ -120,10 +115,10 @@ static void test_hysteretic_bending_loop_area(void **state)
     Rig *r = cantilever_new();
     double force[3], work[3];
     for (int cycle = 0; cycle < 3; ++cycle) work[cycle] = work_until(r, (1 + 4 * cycle) * QUARTER, &force[cycle]);
-    assert_share(work[1], loops_expected(r, force[1]), 0.01);
-    assert_share(work[2], loops_expected(r, force[2]), 0.01);
-    assert_share(work[2], work[1], 2e-4);
-    assert_share(force[2], force[1], 1e-3); /* no drift */
+    check_share(work[1], loops_expected(r, force[1]), 0.01);
+    check_share(work[2], loops_expected(r, force[2]), 0.01);
+    check_share(work[2], work[1], 2e-4);
+    check_share(force[2], force[1], 1e-3); /* no drift */
     rig_free(r);
 }
 
@@ -196,12 +191,12 @@ static void test_free_chain(void **state)
     while (r->t < 1) {
         rig_step(r, 1);
         const Balance now = balance_of(r);
-        assert_true(now.energy - before.energy < 1e-6 * first.energy);
+        check_below(now.energy - before.energy, 1e-6 * first.energy);
         before = now;
     }
-    assert_true(before.energy < 0.8 * first.energy);
-    assert_true(v3_norm(v3_sub(before.p, first.p)) < 1e-6 * v3_norm(first.p));
-    assert_true(v3_norm(v3_sub(before.l, first.l)) < 1e-5 * v3_norm(first.l));
+    check_below(before.energy, 0.8 * first.energy);
+    check_vec(before.p, first.p, 1e-12 * v3_norm(first.p));
+    check_vec(before.l, first.l, 1e-5 * v3_norm(first.l));
     rig_free(r);
 }
 
@@ -231,19 +226,19 @@ static void test_relaxed_start(void **state)
     assert_true(relaxation.reached);
     double slipped = 0, jump = 0, largest = 0;
     double *const before = fixture_array(STATE_SIZE * n, sizeof *before);
-    for (int j = 0; j <= n; ++j) slipped = fmax(slipped, fabs(r->ws.kin.slip[1][j]));
-    assert_true(slipped <= 0);
+    for (int j = 0; j <= n; ++j) slipped = larger_of(slipped, fabs(r->ws.kin.slip[1][j]));
+    check_at_most(slipped, 0);
     rig_evaluate(r);
     memcpy(before, r->rate, (size_t)(STATE_SIZE * n) * sizeof *before);
     dynamics_accept(&r->scene, &r->ws, 0, r->y);
     rig_evaluate(r);
     for (int k = 0; k < STATE_SIZE * n; ++k) {
-        jump = fmax(jump, fabs(r->rate[k] - before[k]));
-        largest = fmax(largest, r->scene.chain.sliders.stiffness[0][1] / r->scene.chain.inertia[2][0]);
+        jump = larger_of(jump, fabs(r->rate[k] - before[k]));
+        largest = larger_of(largest, r->scene.chain.sliders.stiffness[0][1] / r->scene.chain.inertia[2][0]);
     }
-    for (int j = 0; j <= n; ++j) slipped = fmax(slipped, fabs(r->ws.kin.slip[1][j]));
-    assert_true(slipped > 1e-3);
-    assert_true(jump < 1e-14 * largest);
+    for (int j = 0; j <= n; ++j) slipped = larger_of(slipped, fabs(r->ws.kin.slip[1][j]));
+    check_above(slipped, 1e-3);
+    check_below(jump, 1e-14 * largest);
     free(before);
     rig_free(r);
 }
@@ -266,9 +261,9 @@ static void test_stiffness_of_joints(void **state)
         const int j = joint[k];
         double sum = c->stiffness[4][j];
         if (k > 1) sum = sqrt(c->stiffness[4][j] * c->stiffness[5][j]); /* the rope alone keeps its own two */
-        assert_share(sum, elastic[k], 1e-12);
+        check_share(sum, elastic[k], 1e-12);
         for (int s = 0; s < 2; ++s) sum += c->sliders.stiffness[s][j];
-        assert_share(sum, first[k], 1e-12);
+        check_share(sum, first[k], 1e-12);
     }
     rig_free(r);
 }
@@ -287,7 +282,7 @@ static void test_threads(void **state)
         if (sim_relax(sim[k], NULL, &err) || sim_advance(sim[k], 1, 0, &err)) fail_msg("%s", err.message);
     }
     const hawser_sample *const a = sim_sample(sim[0]), *const b = sim_sample(sim[1]);
-    assert_true(a->winch_force > 0);
+    check_above(a->winch_force, 0);
     assert_memory_equal(a->position, b->position, 3 * FIXTURE_SEGMENTS * sizeof(double));
     assert_memory_equal(a->tension, b->tension, FIXTURE_SEGMENTS * sizeof(double));
     sim_free(sim[0]);

@@ -4,7 +4,7 @@
 
 #include "sim/expected/expected.h"
 #include "sim/run/sim.h"
-#include "tests/sim/reel_fixture.h"
+#include "tests/support/scene.h"
 
 static void scene_for(const ReelChoice *choice, Scene *scene)
 {
@@ -25,15 +25,17 @@ static void test_theory(void **state)
     scene_for(&(ReelChoice){.payout = 1, .take_in = 1, .torque = 300, .bearing = 50, .tension = 800}, &scene);
     assert_int_equal(by_position_new(&b, &scene, &err), HAWSER_OK);
     /* STEP to 0.2 m/s within 3 s, then until 10 s */
-    assert_true(fabs(b.from - 6) < 1e-12 && fabs(b.to - 6 - 1.7) < 1e-12);
+    check_close(b.from, 6, 1e-12);
+    check_close(b.to - 6, 1.7, 1e-12);
     for (double s = 6; s < 7.7; s += 0.31) {
         /* 10 m are wound with the front at 6 m: one layer of 0.64 m radius */
         const double expected = 800 + 350 / 0.64 + mu * (cable * s + rope * (16 - s));
-        assert_true(fabs(by_position_reference(&b, s, 800) / expected - 1) < 1e-9);
+        check_share(by_position_reference(&b, s, 800), expected, 1e-13);
         /* the tension at the drum goes straight through on a level row */
-        assert_true(fabs(by_position_reference(&b, s, 500) - expected + 300) < 1e-6);
+        check_close(by_position_reference(&b, s, 500) - expected + 300, 0, 1e-10);
     }
-    assert_true(isnan(by_position_reference(&b, 5.9, 800)) && isnan(by_position_reference(&b, 7.8, 800)));
+    check_nan(by_position_reference(&b, 5.9, 800));
+    check_nan(by_position_reference(&b, 7.8, 800));
     by_position_free(&b);
     scene_clear(&scene);
 }
@@ -55,10 +57,10 @@ static void test_means(void **state)
     const int n = by_position_table(&b);
     assert_int_equal(n, 5);
     for (int i = 0; i < n; ++i) {
-        assert_true(fabs(b.out[i].pull_N - 1000 - 100 * b.out[i].head_m) < 1e-6);
-        assert_true(fabs(b.out[i].reference_N - 2000) < 1e-9);
-        assert_true(fabs(b.out[i].error_pct - (b.out[i].pull_N / 20 - 100)) < 1e-9);
-        assert_true(i == 0 || b.out[i].head_m > b.out[i - 1].head_m + 1);
+        check_close(b.out[i].pull_N - 1000, 100 * b.out[i].head_m, 1e-10);
+        check_close(b.out[i].reference_N, 2000, 1e-9);
+        check_close(b.out[i].error_pct, b.out[i].pull_N / 20 - 100, 1e-9);
+        if (i > 0) check_above(b.out[i].head_m, b.out[i - 1].head_m + 1);
     }
     by_position_free(&b);
     scene_clear(&scene);
@@ -78,7 +80,7 @@ static void test_none(void **state)
     assert_int_equal(by_position_new(&b, &scene, &err), HAWSER_OK);
     assert_int_equal(b.n_grid, 0);
     assert_int_equal(by_position_table(&b), 0);
-    assert_true(isnan(by_position_reference(&b, 3, 0)));
+    check_nan(by_position_reference(&b, 3, 0));
     by_position_free(&b);
     scene_clear(&scene);
 }
@@ -101,15 +103,15 @@ static void test_run(void **state)
         sim_record(s);
     }
     const int n = sim_positions(s, &row);
-    assert_true(n >= 2);
+    check_at_least(n, 2);
     for (int i = 0; i < n; ++i) {
         print_message("front at %.3f m: %.2f N, theory %.2f N, %.2f %%\n", row[i].head_m, row[i].pull_N,
                       row[i].reference_N, row[i].error_pct);
-        if (i > 0) assert_true(fabs(row[i].error_pct) < 1); /* the first still swings */
+        if (i > 0) check_close(row[i].error_pct, 0, 1); /* the first still swings */
     }
     /* the front is where the winch's travel has brought it, but for the stretch */
     const hawser_sample *const look = sim_sample(s);
-    assert_true(fabs(look->head_at - 6 - look->winch_travel) < 0.01);
+    check_close(look->head_at - 6, look->winch_travel, 0.01);
     sim_free(s);
 }
 

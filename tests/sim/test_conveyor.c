@@ -1,7 +1,7 @@
 /* A conveyor by itself: how its grip is spread, which segments it finds, forces and their derivatives. */
 #include "core/state.h"
 #include "sim/equipment/conveyor.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = 16 };
 
@@ -66,15 +66,18 @@ static void test_share(void **state)
     for (int k = 0; k < 2; ++k) {
         const Conveyor c = {.length = 2, .edge = k ? 1 : 0.3};
         double slope, before = 0;
-        assert_true(fabs(conveyor_share(&c, -0.1, &slope)) < 1e-15 && fabs(slope) < 1e-15);
-        assert_true(fabs(conveyor_share(&c, 2.1, &slope) - 1) < 1e-15 && fabs(slope) < 1e-15);
-        assert_true(fabs(conveyor_share(&c, 1, &slope) - 0.5) < 1e-15);
+        check_close(conveyor_share(&c, -0.1, &slope), 0, 1e-15);
+        check_close(slope, 0, 1e-15);
+        check_close(conveyor_share(&c, 2.1, &slope), 1, 1e-15);
+        check_close(slope, 0, 1e-15);
+        check_close(conveyor_share(&c, 1, &slope), 0.5, 1e-15);
         for (double x = -0.05; x < 2.1; x += 0.0137) {
             double ignored;
             const double share = conveyor_share(&c, x, &slope), e = 1e-6;
             const double fd = (conveyor_share(&c, x + e, &ignored) - conveyor_share(&c, x - e, &ignored)) / (2 * e);
-            assert_true(share >= before && fabs(fd - slope) < 1e-5);
-            assert_true(fabs(share + conveyor_share(&c, 2 - x, &ignored) - 1) < 1e-14);
+            check_at_least(share, before);
+            check_close(fd, slope, 5e-9);
+            check_close(share + conveyor_share(&c, 2 - x, &ignored), 1, 1e-14);
             before = share;
         }
     }
@@ -95,12 +98,14 @@ static void test_grip_is_whole(void **state)
         kinematics_set(&r, v3_axpy(r.c.origin, -2.3 + 0.005 * step, r.c.direction), r.c.direction, 0, 0.2, &seed);
         conveyor_find(&r.c, &r.chain, r.y, 0.1, &r.range);
         const ConveyorNow now = conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, &loads);
-        assert_true(fabs(now.cover - 1) < 1e-14 && fabs(now.force + 0.7 * 500) < 1e-9);
-        assert_true(fabs(now.belt - 0.102) < 1e-15 && fabs(now.slip - 0.098) < 3e-3);
+        check_close(now.cover, 1, 1e-14);
+        check_close(now.force, -0.7 * 500, 1e-9);
+        check_close(now.belt, 0.102, 1e-15);
+        check_close(now.slip, 0.098, 3e-3);
         assert_in_range(r.range.count, 6, 8);
         for (int i = 0; i < N; ++i) {
             const double f = v3_dot(v3(loads.f[0][i], loads.f[1][i], loads.f[2][i]), r.c.direction);
-            if (step > 0) assert_true(fabs(f - last[i]) < 350 / 2.2 * 0.0051); /* the plateau's force a metre */
+            if (step > 0) check_close(f, last[i], 350 / 2.2 * 0.0051); /* the plateau's force a metre */
             last[i] = f;
         }
         loads_free(&loads);
@@ -117,14 +122,14 @@ static void test_range(void **state)
     for (double reach = 0.01; reach < 20; reach *= 3) {
         conveyor_find(&r.c, &r.chain, r.y, reach, &r.range);
         const ConveyorNow now = conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, NULL);
-        assert_true(fabs(now.cover - 1) < 1e-14);
+        check_close(now.cover, 1, 1e-14);
         assert_false(conveyor_stale(&r.range, &r.chain, r.y));
     }
     assert_int_equal(r.range.count, N);
     for (int i = 0; i < N; ++i) r.y[N + i] += 4; /* past the machine, at some distance */
     conveyor_find(&r.c, &r.chain, r.y, 0.5, &r.range);
     assert_int_equal(r.range.count, 0);
-    assert_true(fabs(conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, NULL).force) < 1e-15);
+    check_close(conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 1, NULL).force, 0, 1e-15);
     rig_free(&r);
 }
 
@@ -144,11 +149,14 @@ static void test_stale(void **state)
         }
         for (int i = 0; i < N; ++i) { /* whoever is inside is known */
             const int inside = x + 0.5 * i + 0.25 > 0 && x + 0.5 * i - 0.25 < r.c.length;
-            if (inside) assert_true(i >= r.range.first && i < r.range.first + r.range.count);
+            if (inside) {
+                check_at_least(i, r.range.first);
+                check_below(i, r.range.first + r.range.count);
+            }
         }
     }
     print_message("found %d times in 46 m\n", found);
-    assert_true(found < 200);
+    check_below(found, 200);
     rig_free(&r);
 }
 
@@ -162,7 +170,7 @@ static void wrench(Rig *r, double friction, double out[3 * N])
     for (int i = 0; i < N; ++i) {
         for (int c = 0; c < 3; ++c) {
             out[3 * i + c] = loads.f[c][i];
-            assert_true(fabs(loads.m[c][i]) <= 0); /* pushes at the centres */
+            check_equal(loads.m[c][i], 0); /* pushes at the centres */
         }
     }
     loads_free(&loads);
@@ -193,8 +201,8 @@ static void test_blocks(void **state)
                 const double *const column = (c < 3 ? k.diag : d.diag) + 36 * i + 6 * (c % 3);
                 for (int row = 0; row < 3 * N; ++row) {
                     const double fd = (plus[row] - minus[row]) / (2 * e), here = row / 3 == i ? column[row % 3] : 0;
-                    worst = fmax(worst, fabs(fd - here));
-                    largest = fmax(largest, fabs(fd));
+                    worst = larger_of(worst, fabs(fd - here));
+                    largest = larger_of(largest, fabs(fd));
                 }
             }
         }
@@ -203,7 +211,8 @@ static void test_blocks(void **state)
         rig_free(&r);
     }
     print_message("largest entry %.3g, error %.2g\n", largest, worst);
-    assert_true(largest > 1e4 && worst < 1e-3 + 1e-6 * largest);
+    check_above(largest, 1e4);
+    check_below(worst, 1e-3 + 1e-8 * largest);
 }
 
 /* Pushing and holding dissipate: the power of both on the slip and the motion across, with the line at rest, is not
@@ -223,8 +232,8 @@ static void test_power(void **state)
             const Vec3 f = v3(loads.f[0][i], loads.f[1][i], loads.f[2][i]);
             power += v3_dot(f, v3_axpy(v, -now.belt, r.c.direction));
         }
-        assert_true(power < 0);
-        assert_true(fabs(conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 0, NULL).force) < 1e-15);
+        check_below(power, 0);
+        check_close(conveyor_loads(&r.c, &r.range, &r.winch, &r.chain, &r.kin, 0, 0, NULL).force, 0, 1e-15);
         loads_free(&loads);
         rig_free(&r);
     }

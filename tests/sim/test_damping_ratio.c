@@ -1,6 +1,6 @@
 /* Damping ratios against the logarithmic decrement of one mode: two free segments that swing against each other in one
  * component of the joint between them. */
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = 2, SIZE = STATE_SIZE * N, SWINGS = 4 };
 
@@ -69,7 +69,7 @@ static double ratio_seen(Rig *r, int c)
     for (int n = 0; n <= 2 * SWINGS;) {
         if (integrator_step(in, 1e3, &t, &err)) fail_msg("%s", err.message);
         const double rate = rate_of(r, c);
-        peak[n] = fmax(peak[n], fabs(rate));
+        peak[n] = larger_of(peak[n], fabs(rate));
         n += before > 0 ? rate <= 0 : rate > 0;
         before = rate;
     }
@@ -86,7 +86,7 @@ static void test_own_mode(void **state)
         for (int k = 0; k < 2; ++k) {
             Rig *const r = rig_new(c, ratio[k], 0);
             const double seen = ratio_seen(r, c);
-            if (fabs(seen - ratio[k]) > 5e-4 * ratio[k]) fail_msg("component %d: %g, not %g", c, seen, ratio[k]);
+            check_share(seen, ratio[k], 5e-4);
             rig_free(r);
         }
     }
@@ -102,7 +102,7 @@ static void test_at_frequency(void **state)
         rig_free(r);
         r = rig_new(c, 0.1, 2 * frequency);
         const double seen = ratio_seen(r, c);
-        if (fabs(seen - 0.05) > 5e-5) fail_msg("component %d: %g", c, seen);
+        check_close(seen, 0.05, 5e-5);
         rig_free(r);
     }
 }
@@ -120,10 +120,10 @@ static void test_beside_time(void **state)
     const Chain *const c = &scene.chain;
     const int eye = FIXTURE_CABLE;
     const double ka = 5e7 / 0.25, kb = 2.5e6 / 0.25, k = ka * kb / (ka + kb), beta = 0.03 / (M_PI * 10);
-    assert_true(fabs(c->damping[0][3] / (ka / 2) - beta) < 1e-12 * beta);
-    assert_true(fabs(c->damping[1][3] / c->stiffness[1][3] - 2e-3) < 1e-14);
-    assert_true(fabs(c->damping[0][eye + 2] / c->stiffness[0][eye + 2] - 2e-3) < 1e-14);
-    assert_true(fabs(c->damping[0][eye] / (k * k * (beta / ka + 2e-3 / kb)) - 1) < 1e-12);
+    check_share(c->damping[0][3] / (ka / 2), beta, 1e-12);
+    check_close(c->damping[1][3] / c->stiffness[1][3], 2e-3, 1e-14);
+    check_close(c->damping[0][eye + 2] / c->stiffness[0][eye + 2], 2e-3, 1e-14);
+    check_share(c->damping[0][eye], k * k * (beta / ka + 2e-3 / kb), 1e-12);
     scene_clear(&scene);
 }
 

@@ -1,8 +1,9 @@
 /* A drum with the cable wound on it: the lay keeps turns and layers apart, the hold of the end has the derivatives that
  * differences give and keeps angular momentum, Newton's matrix holds drum and layers together, and a cable that is
  * pulled off has the brake's torque over the radius as its tension. */
+#include "sim/equipment/drum.h"
 #include "sim/equipment/roller_motion.h"
-#include "tests/sim/drum_fixture.h"
+#include "tests/support/rig.h"
 
 /* Turns and layers that are not neighbours along the cable do not press on each other, whatever the layers. */
 static void test_lay(void **state)
@@ -22,14 +23,14 @@ static void test_lay(void **state)
         const SelfDetail deepest = self_deepest(&scene.self, &scene.chain, &ws.kin, &ws.self);
         print_message("%d turns a layer, %.2f in all: deepest %.3g mm\n", turns, scene.drum->turns,
                       1e3 * deepest.depth);
-        assert_true(scene.drum->turns > 1.5 * turns);
+        check_above(scene.drum->turns, 1.5 * turns);
         /* where the cable leaves, it leaves square and the turn before it does not; a start may be so deep (sim.c) */
-        assert_true(deepest.depth < D / 8);
+        check_below(deepest.depth, WOUND_DIAMETER / 8);
         for (int i = 0; i + 1 < n; ++i) { /* the joints are closed */
             const Vec3 a = state_vec(y, n, STATE_P, i), b = state_vec(y, n, STATE_P, i + 1);
-            const Vec3 ra = quat_rotate(state_quat(y, n, i), v3(H / 2, 0, 0));
-            const Vec3 rb = quat_rotate(state_quat(y, n, i + 1), v3(H / 2, 0, 0));
-            assert_true(v3_norm(v3_sub(v3_sub(b, rb), v3_add(a, ra))) < 1e-9);
+            const Vec3 ra = quat_rotate(state_quat(y, n, i), v3(WOUND_SEGMENT / 2, 0, 0));
+            const Vec3 rb = quat_rotate(state_quat(y, n, i + 1), v3(WOUND_SEGMENT / 2, 0, 0));
+            check_vec(v3_sub(b, rb), v3_add(a, ra), 1e-9);
         }
         workspace_free(&ws);
         scene_clear(&scene);
@@ -59,13 +60,13 @@ static void test_refused(void **state)
     char message[512];
     assert_int_equal(build_with(0, 0, 0, message), HAWSER_OK);
     assert_int_equal(build_with(0.62, 0, 0, message), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(message, "more cable than fits"));
-    assert_int_equal(build_with(0, 3 * D, 0, message), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(message, "reel.width"));
+    check_has(message, "more cable than fits");
+    assert_int_equal(build_with(0, 3 * WOUND_DIAMETER, 0, message), HAWSER_ERR_INPUT);
+    check_has(message, "reel.width");
     assert_int_equal(build_with(0, 0, 0.5, message), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(message, "reel.distance"));
+    check_has(message, "reel.distance");
     assert_int_equal(build_with(0, 0, 11, message), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(message, "no cable is left"));
+    check_has(message, "no cable is left");
 }
 
 /* newton_solve against differences of the rates: drum, layers, hold and chain in one matrix. */
@@ -79,7 +80,7 @@ static void test_newton(void **state)
     hawser_error err = {0};
     const LinOptions options = {.kind = LIN_AUTO, .threads = 1};
     wound_case(&def, 80, 2, 0.1);
-    def.drum.lay = 0.99 * D; /* turns press on each other */
+    def.drum.lay = 0.99 * WOUND_DIAMETER; /* turns press on each other */
     fixture_soften(&def);
     def.cables[0].ea = def.cables[0].ga = 5e4;
     fixture_build(&def, &scene);
@@ -106,11 +107,11 @@ static void test_newton(void **state)
         newton_form(&nw, gamma);
         assert_int_equal(newton_factor(&nw), 0);
     }
-    assert_true(ws.self.active[0] + ws.self.active[1] > 5);
+    check_above(ws.self.active[0] + ws.self.active[1], 5);
     for (int k = 0; k < size; ++k) x[k] = b[k] = fixture_random(&seed);
     assert_int_equal(newton_solve(&nw, x), 0);
     double largest = 0, error[3] = {0}, term[3] = {0};
-    for (int k = 0; k < size; ++k) largest = fmax(largest, fabs(x[k]));
+    for (int k = 0; k < size; ++k) largest = larger_of(largest, fabs(x[k]));
     const double e = 1e-6 / largest;
     double *const moved = fixture_array(size, sizeof(double));
     /* along x, and along x in disorder for the size of what cancels in it */
@@ -122,12 +123,12 @@ static void test_newton(void **state)
         for (int k = 0; k < size; ++k) {
             const int kind = k >= STATE_SIZE * n ? 2 : k >= STATE_V * n ? 1 : 0;
             const double jx = (up[k] - down[k]) / (2 * e);
-            if (!mixed) error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx - b[k]));
-            term[kind] = fmax(term[kind], fabs(x[k]) + fabs(gamma * jx) + fabs(b[k]));
+            if (!mixed) error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx - b[k]));
+            term[kind] = larger_of(term[kind], fabs(x[k]) + fabs(gamma * jx) + fabs(b[k]));
         }
     }
     print_message("residuals %.1g %.1g %.1g\n", error[0] / term[0], error[1] / term[1], error[2] / term[2]);
-    for (int kind = 0; kind < 3; ++kind) assert_true(error[kind] < 1e-6 * term[kind]);
+    for (int kind = 0; kind < 3; ++kind) check_below(error[kind], 1e-6 * term[kind]);
     newton_free(&nw);
     workspace_free(&ws);
     scene_clear(&scene);
@@ -139,9 +140,9 @@ static void test_newton(void **state)
 static void test_payout(void **state)
 {
     (void)state;
-    const double found = payout_pull(50, 5, 1.2, 2.2), expected = pull_at(0.25 + D / 2);
+    const double found = payout_pull(50, 5, 1.2, 2.2), expected = wound_pull_at(0.25 + WOUND_DIAMETER / 2);
     print_message("mean pull %.2f N, expected %.2f N\n", found, expected);
-    assert_true(fabs(found / expected - 1) < 0.01);
+    check_share(found, expected, 0.01);
 }
 
 int main(void)

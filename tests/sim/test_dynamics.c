@@ -1,6 +1,6 @@
 /* The whole scene's derivative blocks against finite differences of its forces, and the rates as a pure function. */
 #include "sim/dynamics.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS };
 
@@ -74,8 +74,8 @@ static void column_compare(Rig *r, const BlockChain *a, int k, int c, Kind kind[
     for (int row = 0; row < 6 * N; ++row) {
         const double fd = (plus[row] - minus[row]) / (2 * e);
         Kind *const at = &kind[row % 6 / 3][c / 3];
-        at->error = fmax(at->error, fabs(fd - entry(a, row / 6, k, row % 6, c % 6)));
-        at->size = fmax(at->size, fabs(fd));
+        at->error = larger_of(at->error, fabs(fd - entry(a, row / 6, k, row % 6, c % 6)));
+        at->size = larger_of(at->size, fabs(fd));
     }
 }
 
@@ -92,7 +92,7 @@ static double blocks_error(Rig *r)
     block_chain_free(&k);
     block_chain_free(&d);
     double worst = 0;
-    for (int m = 0; m < 8; ++m) worst = fmax(worst, kind[m / 4][m % 4].error / kind[m / 4][m % 4].size);
+    for (int m = 0; m < 8; ++m) worst = larger_of(worst, kind[m / 4][m % 4].error / kind[m / 4][m % 4].size);
     return worst;
 }
 
@@ -105,7 +105,7 @@ static void contacts_count(Rig *r, int *sliding, int *sticking)
     for (int part = 0; part < PARTS; ++part) {
         ContactPart *const p = &r->ws.contact[part];
         const int hits = contact_details(&p->model, &r->scene.chain, &r->ws.kin, 1, &p->pairs, ROOM, hit);
-        assert_true(hits <= ROOM);
+        check_at_most(hits, ROOM);
         for (int i = 0; i < hits; ++i) {
             if (!(hit[i].normal > 0)) continue;
             const double square = v3_dot(hit[i].force, hit[i].force) / (hit[i].normal * hit[i].normal) - 1;
@@ -125,13 +125,14 @@ static void check_blocks(BushingFrame frame)
         for (int k = 0; k < 3; ++k) {
             Rig *const r = rig_new(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, frame, speed[k], 11 + (uint64_t)k);
             contacts_count(r, &sliding, &sticking);
-            worst = fmax(worst, blocks_error(r));
+            worst = larger_of(worst, blocks_error(r));
             rig_free(r);
         }
     }
     print_message("worst relative error %.2g; %d sliding and %d sticking contacts\n", worst, sliding, sticking);
-    assert_true(sliding >= 10 && sticking >= 10);
-    assert_true(worst < 3e-7);
+    check_at_least(sliding, 10);
+    check_at_least(sticking, 10);
+    check_below(worst, 3e-7);
 }
 
 static void test_blocks_symmetric(void **state)
@@ -159,7 +160,9 @@ static void test_lead_in(void **state)
         behind += x < -w->blend / 2;
         ahead += x > w->blend / 2;
     }
-    assert_true(inside >= 1 && behind >= 4 && ahead >= 20);
+    check_at_least(inside, 1);
+    check_at_least(behind, 4);
+    check_at_least(ahead, 20);
     rig_free(r);
 }
 

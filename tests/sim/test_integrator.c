@@ -1,5 +1,5 @@
 /* CVODE on the chain: what a free chain must conserve, free flight, unit quaternions, and failures that are told. */
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = 12, SIZE = STATE_SIZE * N };
 
@@ -73,12 +73,12 @@ static void check_drifts(int max_order, double limit, double ratio)
         drifts(accuracy, max_order, drift[k]);
         print_message("order %d, accuracy %.0e: energy %.2g, momentum %.2g, angular momentum %.2g\n", max_order,
                       accuracy, drift[k][0], drift[k][1], drift[k][2]);
-        assert_true(drift[k][0] < limit * accuracy);
-        assert_true(drift[k][1] < 1e-14);
-        assert_true(drift[k][2] < 0.1 * accuracy);
+        check_below(drift[k][0], limit * accuracy);
+        check_below(drift[k][1], 1e-14);
+        check_below(drift[k][2], 0.1 * accuracy);
     }
-    assert_true(drift[3][0] * ratio < drift[0][0]);
-    assert_true(drift[3][2] * ratio < drift[0][2]);
+    check_below(drift[3][0] * ratio, drift[0][0]);
+    check_below(drift[3][2] * ratio, drift[0][2]);
 }
 
 static void test_drift_order_2(void **state)
@@ -113,15 +113,16 @@ static void test_free_flight(void **state)
         const Vec3 p = v3_add(state_vec(start, N, STATE_P, i), v3_scale(r->t, v));
         const Quat q = quat_mul(quat_exp(v3_scale(r->t, w)), state_quat(start, N, i));
         const Quat error = quat_mul(state_quat(r->y, N, i), quat_conj(q));
-        off = fmax(off, v3_norm(v3_sub(state_vec(r->y, N, STATE_P, i), p)));
-        turned = fmax(turned, 2 * v3_norm(v3(error.x, error.y, error.z)));
-        speed = fmax(speed, v3_norm(v3_sub(state_vec(r->y, N, STATE_V, i), v)));
-        speed = fmax(speed, v3_norm(v3_sub(state_vec(r->y, N, STATE_W, i), w)));
+        off = larger_of(off, v3_norm(v3_sub(state_vec(r->y, N, STATE_P, i), p)));
+        turned = larger_of(turned, 2 * v3_norm(v3(error.x, error.y, error.z)));
+        speed = larger_of(speed, v3_norm(v3_sub(state_vec(r->y, N, STATE_V, i), v)));
+        speed = larger_of(speed, v3_norm(v3_sub(state_vec(r->y, N, STATE_W, i), w)));
     }
     print_message("off by %.2g m, turned too far by %.2g rad, speeds wrong by %.2g\n", off, turned, speed);
-    assert_true(fabs(r->t - 1) < 1e-15);
-    assert_true(off < 1e-12 && speed < 1e-12);
-    assert_true(turned < 30 * 1e-4 * 0.1); /* accuracy times the scale of rotations */
+    check_close(r->t, 1, 1e-15);
+    check_below(off, 1e-12);
+    check_below(speed, 1e-12);
+    check_below(turned, 30 * 1e-4 * 0.1); /* accuracy times the scale of rotations */
     rig_free(r);
 }
 
@@ -140,16 +141,18 @@ static void test_unit_quaternions(void **state)
         assert_int_equal(integrator_step(r->integrator, 1, &r->t, &err), HAWSER_OK);
         for (int i = 0; i < N; ++i) {
             const Quat q = state_quat(r->y, N, i);
-            worst = fmax(worst, fabs(sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z) - 1));
+            worst = larger_of(worst, fabs(sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z) - 1));
         }
     }
     print_message("%d steps, lengths off by at most %.2g\n", steps, worst);
-    assert_true(steps > 20);
-    assert_true(worst < 1e-12);
+    check_above(steps, 20);
+    check_below(worst, 1e-12);
     IntegratorStats stats;
     integrator_stats(r->integrator, &stats);
     assert_int_equal(stats.steps, steps);
-    assert_true(stats.rhs_evals >= stats.steps && stats.jac_evals >= 1 && stats.lin_setups >= stats.jac_evals);
+    check_at_least(stats.rhs_evals, stats.steps);
+    check_at_least(stats.jac_evals, 1);
+    check_at_least(stats.lin_setups, stats.jac_evals);
     rig_free(r);
 }
 
@@ -170,10 +173,10 @@ static void test_failure_is_told(void **state)
     assert_int_equal(run_from(r, 1, &err), HAWSER_ERR_RUN);
     print_message("%s\n", err.message);
     assert_int_equal(err.status, HAWSER_ERR_RUN);
-    assert_non_null(strstr(err.message, "t = 0.5 s"));
-    assert_non_null(strstr(err.message, "at segment "));
-    assert_non_null(strstr(err.message, "infinite"));
-    assert_true(fabs(r->t - 0.5) < 1e-15);
+    check_has(err.message, "t = 0.5 s");
+    check_has(err.message, "at segment ");
+    check_has(err.message, "infinite");
+    check_close(r->t, 0.5, 1e-15);
     assert_memory_equal(good, r->y, sizeof good);
     rig_free(r);
 }
@@ -205,10 +208,10 @@ static void check_fall(long max_steps, double after, double before, const char *
     const hawser_status status = run_from(r, 1, &err);
     print_message("%s\n", err.message);
     assert_int_equal(status, HAWSER_ERR_RUN);
-    assert_non_null(strstr(err.message, says));
-    assert_non_null(strstr(err.message, "segment "));
-    assert_true(r->t > after && r->t < before);
-    for (int k = 0; k < SIZE; ++k) assert_true(isfinite(r->y[k]));
+    check_has(err.message, says);
+    check_has(err.message, "segment ");
+    check_between(r->t, after, before);
+    for (int k = 0; k < SIZE; ++k) check_finite(r->y[k]);
     rig_free(r);
 }
 
@@ -245,9 +248,9 @@ static double iterations(double accuracy)
 static void test_newton_share(void **state)
 {
     (void)state;
-    assert_true(iterations(1e-4) < 1.33);
-    assert_true(iterations(1e-5) < 1.17);
-    assert_true(iterations(1e-6) < 1.15);
+    check_below(iterations(1e-4), 1.33);
+    check_below(iterations(1e-5), 1.17);
+    check_below(iterations(1e-6), 1.15);
 }
 
 int main(void)

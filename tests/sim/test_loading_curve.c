@@ -1,14 +1,10 @@
 /* Curves of bending: the series of two unlike halves, its sliders, and that these follow the two halves through any
  * history in one plane. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include "sim/loading_curve.h"
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
+#include "tests/support/check.h"
 
 static const CableDef SHEATHED = {.ei_y = 12e3,
                                   .ei_z = 12e3,
@@ -62,11 +58,6 @@ static double shared(const Springs *a, const Springs *b, double theta)
     return (low + high) / 2;
 }
 
-static void assert_near(double found, double expected, double share)
-{
-    if (!(fabs(found - expected) <= share * fabs(expected))) fail_msg("%.15g, expected %.15g", found, expected);
-}
-
 /* Two halves of one cable: its table; corners at its curvatures times the length of both. */
 static void test_one_cable(void **state)
 {
@@ -75,11 +66,11 @@ static void test_one_cable(void **state)
     const LoadingCurve joint = loading_curve_series(&a, &b);
     const Springs s = springs_of(&joint);
     assert_int_equal(s.n, 2);
-    assert_near(s.limit[0], 0.03 * 0.5, 1e-14);
-    assert_near(s.limit[1], 0.1 * 0.5, 1e-14);
+    check_share(s.limit[0], 0.03 * 0.5, 1e-14);
+    check_share(s.limit[1], 0.1 * 0.5, 1e-14);
     const double expected[] = {360, 570, 890}, curvature[] = {0.03, 0.1, 0.5};
-    for (int k = 0; k < 3; ++k) assert_near(moment_of(&s, curvature[k] * 0.5), expected[k], 1e-13);
-    assert_near(moment_of(&s, 0.5), 890 + 0.5 * 800, 1e-13); /* the last piece goes on */
+    for (int k = 0; k < 3; ++k) check_share(moment_of(&s, curvature[k] * 0.5), expected[k], 1e-13);
+    check_share(moment_of(&s, 0.5), 890 + 0.5 * 800, 1e-13); /* the last piece goes on */
 }
 
 /* A level piece ends the joint's curve; an elastic cable has none. */
@@ -90,14 +81,15 @@ static void test_ends(void **state)
     const LoadingCurve joint = loading_curve_series(&soft, &elastic);
     const Springs s = springs_of(&joint), rope = springs_of(&elastic);
     assert_int_equal(rope.n, 0);
-    assert_near(rope.elastic, 600 / 0.25, 1e-14);
+    check_share(rope.elastic, 600 / 0.25, 1e-14);
     assert_int_equal(s.n, 2);
-    assert_true(s.elastic <= 0 && s.elastic >= 0);
-    assert_near(moment_of(&s, 5), 700, 1e-13);
-    assert_near(moment_of(&s, -5), -700, 1e-13);
+    check_at_most(s.elastic, 0);
+    check_at_least(s.elastic, 0);
+    check_share(moment_of(&s, 5), 700, 1e-13);
+    check_share(moment_of(&s, -5), -700, 1e-13);
     const LoadingCurve sheathed = loading_curve_of(&SHEATHED, 0.25), mixed = loading_curve_series(&sheathed, &soft);
     assert_int_equal(mixed.corners, 4); /* 360, 500, 570, 700 N m */
-    assert_true(isinf(mixed.compliance[4]));
+    check_infinite(mixed.compliance[4]);
 }
 
 /* The sliders of a joint of two unlike halves against the halves themselves, bent to and fro at random (HY2). */
@@ -116,13 +108,13 @@ static void test_history_of_unlike_halves(void **state)
         for (int k = 0; k < 2000; ++k) {
             theta = 0.97 * theta + 0.05 * fixture_random(&seed);
             const double first = shared(&one, &two, theta), moment = moment_of(&one, first);
-            assert_true(fabs(moment_of(&whole, theta) - moment) < 1e-9 * 700);
-            largest = fmax(largest, fabs(moment));
+            check_close(moment_of(&whole, theta), moment, 1e-13 * 700);
+            largest = larger_of(largest, fabs(moment));
             slip_to(&one, first);
             slip_to(&two, theta - first);
             slip_to(&whole, theta);
         }
-        assert_true(largest > 360);
+        check_above(largest, 360);
     }
 }
 

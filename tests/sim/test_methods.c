@@ -1,8 +1,9 @@
 /* The integrator against an explicit method that shares nothing with it but the rates: the classical Runge-Kutta method
  * with steps far below its limit of stability, on a pull over a slope, rollers and a bend, in space and in a plane. */
 #include "core/chain.h"
+#include "sim/planar/plane.h"
 #include "sim/run/stage.h"
-#include "tests/sim/planar_fixture.h"
+#include "tests/support/scene.h"
 
 /* The winch is in the middle of its ramp, and friction has turned over on some of the rollers; s. */
 static const double FROM = 0.6, TO = 0.8;
@@ -71,7 +72,8 @@ static double distance(const Stage *st, const double *a, const double *b)
     double *const weight = aligned_array_new(m->size), most = 0;
     assert_non_null(weight);
     m->ops->weights(m, weight);
-    for (int i = 0; i < m->size; ++i) most = fmax(most, fabs(a[i] - b[i]) * weight[i] * st->scene.def.solver.accuracy);
+    for (int i = 0; i < m->size; ++i)
+        most = larger_of(most, fabs(a[i] - b[i]) * weight[i] * st->scene.def.solver.accuracy);
     free(weight);
     return most;
 }
@@ -106,9 +108,8 @@ static void expect_close(int planar, double accuracy, const double *start, const
                          double newton)
 {
     const Compared c = compare(planar, accuracy, start, reached);
-    if (!(c.distance < most)) fail_msg("accuracy %g: the states are %g of their scales apart", accuracy, c.distance);
-    if (!(fabs(c.pull - c.explicit_pull) < newton))
-        fail_msg("accuracy %g: %g N, not %g", accuracy, c.pull, c.explicit_pull);
+    check_below(c.distance, most);
+    check_close(c.pull, c.explicit_pull, newton);
 }
 
 /* Runge-Kutta's method has converged, and the integrator comes to the same as its tolerances are tightened. */
@@ -125,7 +126,7 @@ static void expect_agreement(int planar)
     memcpy(twice, start, bytes);
     runge_kutta(st.motion, FROM, once, 20000);
     runge_kutta(st.motion, FROM, twice, 40000);
-    assert_true(distance(&st, once, twice) < 1e-8);
+    check_below(distance(&st, once, twice), 1e-8);
     expect_close(planar, 1e-4, start, twice, 0.012, 4);
     expect_close(planar, 1e-6, start, twice, 5e-4, 0.12);
     free(start);

@@ -1,6 +1,6 @@
 /* Vibrations of rods against closed forms, exact ones of the discrete chain and those of the continuum. */
 #include "sim/run/modes.h"
-#include "tests/sim/rod_fixture.h"
+#include "tests/support/rig.h"
 
 /* The modes of a rod about its equilibrium at t = 1 s; its ends: 0 free, 1 clamped, 2 pinned. */
 static void find(RodFixture f, int tail, int head, int wanted, Stage *stage, Modes *modes)
@@ -43,8 +43,8 @@ static void beams_bend(void **state)
         find(slender(50), ends[k][0], ends[k][1], 6 + spin, &stage, &modes);
         for (int m = 0; m < 6; ++m) {
             const double expected = beam(beta[k][m / 2]);
-            assert_near(modes.out[m + spin].frequency_Hz, expected, 0.005 * expected);
-            assert_near(modes.out[m + spin].growth_per_s, 0, 0);
+            check_share(modes.out[m + spin].frequency_Hz, expected, 0.005);
+            check_close(modes.out[m + spin].growth_per_s, 0, 0);
         }
         drop(&stage, &modes);
     }
@@ -66,7 +66,7 @@ static void frequencies_are_of_second_order(void **state)
     (void)state;
     const double f[4] = {first_of_cantilever(8), first_of_cantilever(16), first_of_cantilever(32),
                          first_of_cantilever(64)};
-    for (int k = 0; k < 2; ++k) assert_near((f[k] - f[k + 1]) / (f[k + 1] - f[k + 2]), 4, 0.2);
+    for (int k = 0; k < 2; ++k) check_close((f[k] - f[k + 1]) / (f[k + 1] - f[k + 2]), 4, 0.2);
 }
 
 /* Six rigid motions, then the free beam's 4.730041. */
@@ -76,8 +76,8 @@ static void a_free_rod_has_six_rigid_motions(void **state)
     Stage stage;
     Modes modes;
     find(slender(30), 0, 0, 8, &stage, &modes);
-    for (int m = 0; m < 6; ++m) assert_near(modes.out[m].frequency_Hz, 0, 1e-2);
-    for (int m = 6; m < 8; ++m) assert_near(modes.out[m].frequency_Hz, beam(4.730041), 0.005 * beam(4.730041));
+    for (int m = 0; m < 6; ++m) check_close(modes.out[m].frequency_Hz, 0, 1e-2);
+    for (int m = 6; m < 8; ++m) check_share(modes.out[m].frequency_Hz, beam(4.730041), 0.005);
     drop(&stage, &modes);
 }
 
@@ -105,8 +105,8 @@ static void bars_ring_as_chains_do(void **state)
         const double wave = sin((2 * i - 1) * M_PI / (4 * N)) / M_PI;
         const double along = wave * sqrt(c->stiffness[0][1] / c->mass[0]);
         const double about = wave * sqrt(c->stiffness[3][1] / c->inertia[0][0]);
-        assert_near(nearest(&modes, along), along, 1e-7 * along);
-        assert_near(nearest(&modes, about), about, 1e-7 * about);
+        check_share(nearest(&modes, along), along, 1e-11);
+        check_share(nearest(&modes, about), about, 1e-11);
     }
     drop(&stage, &modes);
 }
@@ -132,7 +132,7 @@ static void a_string_swings_as_its_segments_do(void **state)
                      inertia = 4 * c->inertia[1][0] / (c->mass[0] * h * h);
         const double w2 = 4 * pull / (c->mass[0] * h) * s * s / (1 - s * s + inertia * s * s),
                      expected = sqrt(w2) / (2 * M_PI);
-        assert_near(nearest(&modes, expected), expected, 1e-6 * expected);
+        check_share(nearest(&modes, expected), expected, 1e-6);
     }
     drop(&stage, &modes);
 }
@@ -160,10 +160,10 @@ static void shapes_swing_at_their_frequency(void **state)
         }
         for (int i = 0; i < 60; ++i) {
             const double expected = -w2 * modes.out[m].shape[6 * (i % 10) + i / 10];
-            assert_near((found[1][i] - found[0][i]) / (2 * e), expected, 1e-4 * w2);
-            largest = fmax(largest, fabs(modes.out[m].shape[6 * (i % 10) + i / 10]));
+            check_close((found[1][i] - found[0][i]) / (2 * e), expected, 1e-6 * w2);
+            largest = larger_of(largest, fabs(modes.out[m].shape[6 * (i % 10) + i / 10]));
         }
-        assert_true(largest >= 1 - 1e-12);
+        check_at_least(largest, 1 - 1e-12);
     }
     free(rate);
     drop(&stage, &modes);
@@ -193,11 +193,15 @@ static void columns_lose_stability(void **state)
 {
     (void)state;
     const hawser_mode below = column(0.98 * M_PI * M_PI / 4, 0), above = column(1.02 * M_PI * M_PI / 4, 0);
-    assert_true(below.omega_squared > 0 && below.growth_per_s <= 0);
-    assert_true(above.omega_squared < 0 && above.growth_per_s > 0 && above.frequency_Hz <= 0);
+    check_above(below.omega_squared, 0);
+    check_at_most(below.growth_per_s, 0);
+    check_below(above.omega_squared, 0);
+    check_above(above.growth_per_s, 0);
+    check_at_most(above.frequency_Hz, 0);
     const hawser_mode calm = column(19.5, 1), flutter = column(20.6, 1);
-    assert_near(calm.growth_per_s, 0, 1e-3);
-    assert_true(flutter.growth_per_s > 1 && flutter.frequency_Hz > 10);
+    check_close(calm.growth_per_s, 0, 1e-3);
+    check_above(flutter.growth_per_s, 1);
+    check_above(flutter.frequency_Hz, 10);
 }
 
 int main(void)

@@ -1,10 +1,10 @@
 /* What rollers that spin and rollers on mounts do, against closed forms: slowing down, being driven by a cable, hanging
  * down under a load, swinging, and precessing; and what they must not do: notice threads or the world's directions. */
+#include "sim/equipment/roller_motion.h"
 #include "sim/newton/relax.h"
 #include "sim/run/sim.h"
-#include "tests/sim/rig_fixture.h"
-#include "tests/sim/roller_fixture.h"
 #include "tests/sim/room_fixture.h"
+#include "tests/support/rig.h"
 
 static Rig *rig_new(SceneDef *def)
 {
@@ -47,10 +47,10 @@ static void test_slows_down(void **state)
     for (int k = 1; k <= 8; ++k) {
         rig_advance(r, 0.4 * k);
         const double expected = start - spin.torque / spin.inertia * r->t;
-        assert_true(fabs(rig_equipment(r)[0] - expected) < 1e-4);
+        check_close(rig_equipment(r)[0], expected, 1e-10);
     }
     rig_advance(r, 12); /* would be backward by then; the bearing only stops it */
-    assert_true(fabs(rig_equipment(r)[0]) < 1e-3);
+    check_close(rig_equipment(r)[0], 0, 1e-9);
     rig_free(r);
 }
 
@@ -88,8 +88,8 @@ static void test_cable_drives_roller(void **state)
     speed = momentum / mass;
     const double expected = v0 * mass / (mass + 0.6 / 0.01);
     print_message("v %.5f, rim %.5f, expected %.5f m/s\n", speed, 0.1 * rig_equipment(r)[0], expected);
-    assert_true(fabs(speed - expected) < 2e-3 * expected);
-    assert_true(fabs(0.1 * rig_equipment(r)[0] - expected) < 5e-3 * expected);
+    check_share(speed, expected, 2e-3);
+    check_share(0.1 * rig_equipment(r)[0], expected, 5e-3);
     rig_free(r);
 }
 
@@ -120,11 +120,11 @@ static void test_deflection(void **state)
         const Vec3 moved = v3_sub(at, v3(q->ground.p[0][2 * m], q->ground.p[1][2 * m], q->ground.p[2][2 * m]));
         const Vec3 force = quat_rotate(back, r->ws.on_roller[q->item[m].roller]);
         const Vec3 expected = v3(force.x / 2e5, force.y / 3e5, force.z / 4e5);
-        assert_true(v3_norm(v3_sub(quat_rotate(back, moved), expected)) < 1e-5 * v3_norm(expected) + 1e-9);
-        farthest = fmax(farthest, v3_norm(moved));
+        check_vec(quat_rotate(back, moved), expected, 1e-5 * v3_norm(expected) + 1e-9);
+        farthest = larger_of(farthest, v3_norm(moved));
     }
     print_message("up to %.2f mm\n", 1e3 * farthest);
-    assert_true(farthest > 1e-4);
+    check_above(farthest, 1e-4);
     rig_free(r);
 }
 
@@ -159,7 +159,8 @@ static void test_frequencies(void **state)
         const double fastest = size * 2 * pi / period;
         print_message("component %d: %.1f Hz, at a quarter %.4f, at the end %.4f of the speed\n", c, 1 / period,
                       out / fastest, back / fastest);
-        assert_true(fabs(out) < 0.01 * fastest && fabs(back - fastest) < 0.01 * fastest);
+        check_close(out, 0, 0.01 * fastest);
+        check_share(back, fastest, 0.01);
         rig_free(r);
     }
 }
@@ -204,14 +205,14 @@ static void test_gyroscope(void **state)
     double most = 0;
     for (int k = 1; k <= 20; ++k) {
         rig_advance(r, 0.005 * k);
-        most = fmax(most, fabs(*mount_entry(r, STATE_W + 2))); /* about z: by the spin alone */
+        most = larger_of(most, fabs(*mount_entry(r, STATE_W + 2))); /* about z: by the spin alone */
     }
     const double swing = 0.5 * 0.4 * 0.5 * 0.5; /* J, what the disturbance brought */
     print_message("energy changed by %.2g of the disturbance's, turned about z at up to %.3f rad/s\n",
                   (energy_of(r) - before) / swing, most);
-    assert_true(fabs(energy_of(r) - before) < 0.02 * swing);
-    assert_true(fabs(rig_equipment(r)[0] - fast) < 1e-3);
-    assert_true(most > 0.1);
+    check_close(energy_of(r), before, 2e-4 * swing);
+    check_close(rig_equipment(r)[0], fast, 1e-9);
+    check_above(most, 0.1);
     rig_free(r);
 }
 
@@ -235,10 +236,10 @@ static void test_at_rest_as_fixed(void **state)
     }
     double size = 0, apart = 0;
     for (int i = 0; i < STATE_SIZE * FIXTURE_SEGMENTS; ++i) {
-        size = fmax(size, fabs(rate[0][i]));
-        apart = fmax(apart, fabs(rate[0][i] - rate[1][i]));
+        size = larger_of(size, fabs(rate[0][i]));
+        apart = larger_of(apart, fabs(rate[0][i] - rate[1][i]));
     }
-    assert_true(apart < 1e-12 * size);
+    check_below(apart, 1e-14 * size);
 }
 
 /* One thread and two give the same bits. */
@@ -321,7 +322,7 @@ static void test_objectivity(void **state)
     }
     for (int i = 0; i < q->spins; ++i) {
         const double a = rate[0][STATE_SIZE * n + i], b = rate[1][STATE_SIZE * n + i];
-        assert_true(fabs(a - b) < 1e-9 * (1 + fabs(a)));
+        check_close(a, b, 1e-9 * (1 + fabs(a)));
     }
     const int offset[2] = {0, STATE_SIZE * n + q->spins};
     for (int g = 0; g < 2; ++g) {
@@ -329,11 +330,12 @@ static void test_objectivity(void **state)
         for (int i = 0; i < count[g]; ++i) {
             for (int at = STATE_V; at < STATE_SIZE; at += 3) {
                 const Vec3 expected = quat_rotate(turn, state_vec(rate[0] + offset[g], count[g], at, i));
-                apart = fmax(apart, v3_norm(v3_sub(expected, state_vec(rate[1] + offset[g], count[g], at, i))));
-                largest = fmax(largest, v3_norm(expected));
+                apart = larger_of(apart, v3_norm(v3_sub(expected, state_vec(rate[1] + offset[g], count[g], at, i))));
+                largest = larger_of(largest, v3_norm(expected));
             }
         }
-        assert_true(largest > 1 && apart < 1e-9 * largest);
+        check_above(largest, 1);
+        check_below(apart, 1e-11 * largest);
     }
     for (int k = 0; k < 2; ++k) {
         free(rate[k]);

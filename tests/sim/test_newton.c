@@ -1,6 +1,6 @@
 /* The reduced Newton matrix against the whole system: newton_solve must solve (1 - gamma J) x = b with J x taken by
  * differences of the rates, whatever the quaternions' lengths and however fast the segments spin. */
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = FIXTURE_SEGMENTS, SIZE = STATE_SIZE * N };
 
@@ -36,7 +36,7 @@ static int kind_of(int k)
 static void jacobian_times(Rig *r, const double *x, double *jx)
 {
     double size = 0, y[SIZE], minus[SIZE];
-    for (int k = 0; k < SIZE; ++k) size = fmax(size, fabs(x[k]));
+    for (int k = 0; k < SIZE; ++k) size = larger_of(size, fabs(x[k]));
     const double e = 4e-6 / size;
     for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] + e * x[k];
     dynamics_rates(&r->scene, &r->ws, T, y, 1, jx);
@@ -58,10 +58,10 @@ static double solve_error(Rig *r, double gamma)
     jacobian_times(r, z, jz);
     for (int k = 0; k < SIZE; ++k) {
         const int kind = kind_of(k);
-        error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
-        term[kind] = fmax(term[kind], fmax(fabs(x[k]), fmax(fabs(gamma * jz[k]), fabs(b[k]))));
+        error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
+        term[kind] = larger_of(term[kind], larger_of(fabs(x[k]), larger_of(fabs(gamma * jz[k]), fabs(b[k]))));
     }
-    for (int kind = 0; kind < 4; ++kind) worst = fmax(worst, error[kind] / term[kind]);
+    for (int kind = 0; kind < 4; ++kind) worst = larger_of(worst, error[kind] / term[kind]);
     return worst;
 }
 
@@ -73,7 +73,7 @@ static double gammas_error(Rig *r)
         const double gamma = pow(10, k);
         newton_form(&r->newton, gamma);
         assert_int_equal(newton_factor(&r->newton), 0);
-        worst = fmax(worst, solve_error(r, gamma));
+        worst = larger_of(worst, solve_error(r, gamma));
     }
     return worst;
 }
@@ -88,11 +88,11 @@ static void test_solve(void **state)
                                  .soft = 1,
                                  .heading = 1.1};
         Rig *const r = rig_new(&c, LIN_AUTO, 5, 100 + (uint64_t)choice);
-        worst = fmax(worst, gammas_error(r));
+        worst = larger_of(worst, gammas_error(r));
         rig_free(r);
     }
     print_message("worst relative residual %.2g\n", worst);
-    assert_true(worst < 1e-6);
+    check_below(worst, 1e-6);
 }
 
 /* Fast spin: gamma w of order 10, where the elimination of the quaternions is far from the identity. */
@@ -104,7 +104,7 @@ static void test_spin(void **state)
     assert_int_equal(newton_factor(&r->newton), 0);
     const double error = solve_error(r, 0.3);
     print_message("relative residual %.2g\n", error);
-    assert_true(error < 1e-6);
+    check_below(error, 1e-6);
     rig_free(r);
 }
 
@@ -143,11 +143,11 @@ static void test_solvers_agree(void **state)
         rig_free(r);
     }
     for (int c = 0; c < SIZE; ++c) {
-        size = fmax(size, fabs(x[0][c]));
-        apart = fmax(apart, fabs(x[0][c] - x[1][c]));
+        size = larger_of(size, fabs(x[0][c]));
+        apart = larger_of(apart, fabs(x[0][c] - x[1][c]));
     }
     print_message("solvers differ by %.2g of the largest entry\n", apart / size);
-    assert_true(apart < 1e-10 * size);
+    check_below(apart, 1e-11 * size);
 }
 
 /* Values that are not finite are reported, not solved. */
@@ -157,7 +157,7 @@ static void test_not_finite(void **state)
     Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 1, 8);
     r->newton.k.diag[36 * 7 + 3] = NAN;
     newton_form(&r->newton, 0.01);
-    assert_true(newton_factor(&r->newton) > 0);
+    check_above(newton_factor(&r->newton), 0);
     rig_free(r);
 }
 

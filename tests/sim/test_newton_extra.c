@@ -1,27 +1,27 @@
 /* Newton's matrix with cable on cable: it solves (1 - gamma J) x = b with J x by differences of the rates, KLU and a
  * dense solver agree, the solver follows a changed pattern, and what cannot hold the blocks is refused. */
-#include "tests/sim/self_fixture.h"
+#include "tests/support/rig.h"
 
 enum { N = 28 };
 
 /* Two and a half turns that lie on each other, in disorder and motion; the blocks are taken there. */
-static void wound_new(SelfRig *r, LinKind kind, uint64_t seed)
+static void wound_new(Rig *r, LinKind kind, uint64_t seed)
 {
     self_rig_new(r, N, 0.25, 9.81, 1, NULL, kind, NULL);
     self_rig_helix(r, 0.45, SELF_DIAMETER - 4e-3);
     state_shake(r->y, N, 1e-3, 4e-3, 0.05, 0.5, &seed);
     self_rig_refresh(r);
     dynamics_rates(&r->scene, &r->ws, 0, r->y, 1, r->rate);
-    assert_true(r->ws.self.active[0] + r->ws.self.active[1] > 20);
+    check_above(r->ws.self.active[0] + r->ws.self.active[1], 20);
     dynamics_blocks(&r->scene, &r->ws, 0, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
     newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
 }
 
 /* J x by a central difference that moves no coordinate by more than 1e-6. */
-static void jacobian_times(SelfRig *r, const double *x, double *jx)
+static void jacobian_times(Rig *r, const double *x, double *jx)
 {
     double size = 0, y[STATE_SIZE * N], minus[STATE_SIZE * N];
-    for (int k = 0; k < r->size; ++k) size = fmax(size, fabs(x[k]));
+    for (int k = 0; k < r->size; ++k) size = larger_of(size, fabs(x[k]));
     const double e = 1e-6 / size;
     for (int k = 0; k < r->size; ++k) y[k] = r->y[k] + e * x[k];
     dynamics_rates(&r->scene, &r->ws, 0, y, 1, jx);
@@ -40,7 +40,7 @@ static void test_solve(void **state)
 {
     (void)state;
     for (int p = -5; p <= -1; ++p) {
-        SelfRig r;
+        Rig r;
         const double gamma = pow(10, p);
         uint64_t seed = 40 + (uint64_t)(p + 5);
         double b[STATE_SIZE * N], x[STATE_SIZE * N], z[STATE_SIZE * N], jx[STATE_SIZE * N], jz[STATE_SIZE * N];
@@ -55,12 +55,12 @@ static void test_solve(void **state)
         jacobian_times(&r, z, jz);
         for (int k = 0; k < r.size; ++k) {
             const int kind = kind_of(k);
-            error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
-            term[kind] = fmax(term[kind], fmax(fabs(x[k]), fmax(fabs(gamma * jz[k]), fabs(b[k]))));
+            error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
+            term[kind] = larger_of(term[kind], larger_of(fabs(x[k]), larger_of(fabs(gamma * jz[k]), fabs(b[k]))));
         }
-        for (int kind = 0; kind < 4; ++kind) worst = fmax(worst, error[kind] / term[kind]);
+        for (int kind = 0; kind < 4; ++kind) worst = larger_of(worst, error[kind] / term[kind]);
         print_message("gamma 1e%d: relative residual %.2g\n", p, worst);
-        assert_true(worst < 1e-6);
+        check_below(worst, 1e-6);
         self_rig_free(&r);
     }
 }
@@ -71,7 +71,7 @@ static void test_klu_is_dense(void **state)
     const LinKind kind[2] = {LIN_DENSE, LIN_AUTO};
     double x[2][STATE_SIZE * N], size = 0, apart = 0;
     for (int k = 0; k < 2; ++k) {
-        SelfRig r;
+        Rig r;
         uint64_t seed = 77;
         LinStats stats;
         wound_new(&r, kind[k], 6);
@@ -84,24 +84,24 @@ static void test_klu_is_dense(void **state)
         self_rig_free(&r);
     }
     for (int c = 0; c < STATE_SIZE * N; ++c) {
-        size = fmax(size, fabs(x[0][c]));
-        apart = fmax(apart, fabs(x[0][c] - x[1][c]));
+        size = larger_of(size, fabs(x[0][c]));
+        apart = larger_of(apart, fabs(x[0][c] - x[1][c]));
     }
-    assert_true(apart < 1e-10 * size);
+    check_below(apart, 5e-12 * size);
 }
 
 /* The turns come apart and the blocks go: the solver is the chain's own again; then they come back. */
 static void test_pattern_follows(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     LinStats stats;
     wound_new(&r, LIN_AUTO, 6);
     const char *const name[3] = {"klu", "block", "klu"};
     for (int k = 0; k < 3; ++k) {
         self_rig_helix(&r, 0.45, k == 1 ? 2 : SELF_DIAMETER - 4e-3);
         self_rig_refresh(&r);
-        assert_true((r.ws.self.extras.count > 0) == (k != 1));
+        check_equal(r.ws.self.extras.count > 0, k != 1);
         newton_form(&r.newton, 1e-3);
         assert_int_equal(newton_factor(&r.newton), 0);
         newton_stats(&r.newton, &stats);
@@ -115,14 +115,14 @@ static void test_refused(void **state)
 {
     (void)state;
     const LinKind kind[] = {LIN_BLOCK, LIN_BORDERED, LIN_KLU_FULL, LIN_BAND};
-    SelfRig r;
+    Rig r;
     self_rig_new(&r, N, 0.25, 0, 1, NULL, LIN_AUTO, NULL);
     for (int k = 0; k < 4; ++k) {
         hawser_error err = {0};
         Newton other = {0};
         const LinOptions options = {.kind = kind[k], .threads = 1};
         assert_int_equal(newton_extra_attach(&other, &r.ws.self.extras, &options, &err), HAWSER_ERR_INPUT);
-        assert_non_null(strstr(err.message, linsolver_kind_name(kind[k])));
+        check_has(err.message, linsolver_kind_name(kind[k]));
         assert_null(other.extra);
     }
     self_rig_free(&r);

@@ -1,9 +1,10 @@
 /* Newton's matrix with rollers that spin and stand on mounts, as test_newton.c has it for the chain: newton_solve must
  * solve (1 - gamma J) x = b with J x by differences of the rates, whatever is leaf and whatever is border. */
 #include "sim/dynamics.h"
+#include "sim/equipment/roller_motion.h"
 #include "sim/newton/newton.h"
 #include "sim/newton/newton_leaves.h"
-#include "tests/sim/roller_fixture.h"
+#include "tests/support/scene.h"
 
 static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */
 
@@ -90,7 +91,7 @@ static void rates_add(Rig *r, const double *x, double e, double share, double *s
 static void jacobian_times(Rig *r, const double *x, double step, double *jx)
 {
     double size = 0;
-    for (int k = 0; k < r->size; ++k) size = fmax(size, fabs(x[k]));
+    for (int k = 0; k < r->size; ++k) size = larger_of(size, fabs(x[k]));
     const double e = step / size;
     memset(jx, 0, (size_t)r->size * sizeof *jx);
     rates_add(r, x, 2 * e, -1 / (12 * e), jx);
@@ -112,10 +113,10 @@ static double step_error(Rig *r, double gamma, double step)
     jacobian_times(r, z, step, jz);
     for (int k = 0; k < r->size; ++k) {
         const int kind = kind_of(r, k);
-        error[kind] = fmax(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
-        term[kind] = fmax(term[kind], fmax(fabs(x[k]), fmax(fabs(gamma * jz[k]), fabs(b[k]))));
+        error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
+        term[kind] = larger_of(term[kind], larger_of(fabs(x[k]), larger_of(fabs(gamma * jz[k]), fabs(b[k]))));
     }
-    for (int kind = 0; kind < 9; ++kind) worst = fmax(worst, term[kind] > 0 ? error[kind] / term[kind] : 0);
+    for (int kind = 0; kind < 9; ++kind) worst = larger_of(worst, term[kind] <= 0 ? 0 : error[kind] / term[kind]);
     return worst;
 }
 
@@ -123,7 +124,7 @@ static double step_error(Rig *r, double gamma, double step)
  * more rounding. */
 static double solve_error(Rig *r, double gamma)
 {
-    return fmin(step_error(r, gamma, 1.5e-5), step_error(r, gamma, 4e-6));
+    return smaller_of(step_error(r, gamma, 1.5e-5), step_error(r, gamma, 4e-6));
 }
 
 static double gammas_error(Rig *r)
@@ -132,7 +133,7 @@ static double gammas_error(Rig *r)
     for (int k = -6; k <= 0; ++k) {
         newton_form(&r->newton, pow(10, k));
         assert_int_equal(newton_factor(&r->newton), 0);
-        worst = fmax(worst, solve_error(r, pow(10, k)));
+        worst = larger_of(worst, solve_error(r, pow(10, k)));
     }
     return worst;
 }
@@ -150,10 +151,10 @@ static void test_leaves(void **state)
         Rig *const r = rig_new(&choice, 90 + (uint64_t)k);
         const double error = gammas_error(r);
         print_message("spins %d mounts %d cylinder %d: %.2g\n", choice.spins, choice.mounts, choice.cylinder, error);
-        worst = fmax(worst, error);
+        worst = larger_of(worst, error);
         rig_free(r);
     }
-    assert_true(worst < 1e-6);
+    check_below(worst, 1e-6);
 }
 
 /* A sheave that capsules touch side by side: as a leaf it is not exact, and it says so; in the border it is. */
@@ -178,8 +179,9 @@ static void test_border(void **state)
         newton_stats(&r->newton, &stats);
         print_message("%s: %.2g as a leaf, %.2g in the border (touches %d)\n", stats.why, before, after,
                       r->newton.leaves->item[r->scene.equipment->n - 1].touched);
-        assert_true(r->newton.leaves->item[r->scene.equipment->n - 1].touched > 2);
-        assert_true(before > 1e-3 && after < 3e-6); /* the 20 m of the sheave cost differences a digit */
+        check_above(r->newton.leaves->item[r->scene.equipment->n - 1].touched, 2);
+        check_above(before, 1e-3);
+        check_below(after, 3e-6); /* the 20 m of the sheave cost differences a digit */
         rig_free(r);
     }
 }
@@ -202,10 +204,10 @@ static void test_solvers_agree(void **state)
         rig_free(r);
     }
     for (int c = 0; c < length; ++c) {
-        size = fmax(size, fabs(x[0][c]));
-        apart = fmax(apart, fmax(fabs(x[0][c] - x[1][c]), fabs(x[0][c] - x[2][c])));
+        size = larger_of(size, fabs(x[0][c]));
+        apart = larger_of(apart, larger_of(fabs(x[0][c] - x[1][c]), fabs(x[0][c] - x[2][c])));
     }
-    assert_true(apart < 1e-10 * size);
+    check_below(apart, 5e-12 * size);
     for (int k = 0; k < 3; ++k) free(x[k]);
 }
 
@@ -224,7 +226,7 @@ static void test_refused(void **state)
         fixture_build(&def, &scene);
         const LinOptions options = {.kind = kind[k], .threads = 1};
         assert_int_equal(newton_new(&newton, &scene, &options, &err), HAWSER_ERR_INPUT);
-        assert_non_null(strstr(err.message, k ? "'block'" : "'klu-full'"));
+        check_has(err.message, k ? "'block'" : "'klu-full'");
         scene_clear(&scene);
     }
 }

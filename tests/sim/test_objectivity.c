@@ -1,7 +1,7 @@
 /* Turning the whole world, gravity, route, winch and rollers included, turns the rates and changes nothing else. */
 #include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, SIZE = STATE_SIZE * N };
 
@@ -55,8 +55,8 @@ static double part_error(const double *rate, const double *turned, int at, Quat 
     double error = 0, size = 0;
     for (int i = 0; i < N; ++i) {
         const Vec3 expected = quat_rotate(turn, state_vec(rate, N, at, i));
-        error = fmax(error, v3_norm(v3_sub(expected, state_vec(turned, N, at, i))));
-        size = fmax(size, v3_norm(expected));
+        error = larger_of(error, v3_norm(v3_sub(expected, state_vec(turned, N, at, i))));
+        size = larger_of(size, v3_norm(expected));
     }
     return error / size;
 }
@@ -77,12 +77,12 @@ static void check(const FixtureChoice *choice, uint64_t seed)
     state_move(y, &motion);
     rates_of(&scene, y, turned);
     /* rounding of coordinates of 20 m, times stiffness over the forces */
-    assert_true(part_error(rate, turned, STATE_P, motion.turn) < 1e-14);
-    assert_true(part_error(rate, turned, STATE_V, motion.turn) < 1e-10);
-    assert_true(part_error(rate, turned, STATE_W, motion.turn) < 1e-10);
+    check_below(part_error(rate, turned, STATE_P, motion.turn), 1e-14);
+    check_below(part_error(rate, turned, STATE_V, motion.turn), 1e-10);
+    check_below(part_error(rate, turned, STATE_W, motion.turn), 1e-10);
     for (int i = 0; i < N; ++i) {
         const Quat q = quat_mul(motion.turn, state_quat(rate, N, i)), found = state_quat(turned, N, i);
-        assert_true(fabs(q.w - found.w) + fabs(q.x - found.x) + fabs(q.y - found.y) + fabs(q.z - found.z) < 1e-14);
+        check_below(fabs(q.w - found.w) + fabs(q.x - found.x) + fabs(q.y - found.y) + fabs(q.z - found.z), 1e-14);
     }
     scene_clear(&scene);
 }

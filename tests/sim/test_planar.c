@@ -2,8 +2,9 @@
  * derivatives against finite differences; the Newton solution against the definition. */
 #include "sim/newton/newton.h"
 #include "sim/planar/planar.h"
+#include "sim/planar/plane.h"
 #include "sim/step/spatial.h"
-#include "tests/sim/planar_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, STRIDE = (N + 7) / 8 * 8, SIZE = PLANAR_SIZE * STRIDE };
 
@@ -73,11 +74,11 @@ static double rates_error(const Rig *r)
                                j * (fabs(b.z - mine[2 * STRIDE]) + fabs(b.x) + fabs(b.y))};
         const double most[2] = {m * (fabs(a.x) + fabs(a.y)), j * fabs(b.z)};
         for (int k = 0; k < 2; ++k) {
-            error[k] = fmax(error[k], off[k]);
-            size[k] = fmax(size[k], most[k]);
+            error[k] = larger_of(error[k], off[k]);
+            size[k] = larger_of(size[k], most[k]);
         }
     }
-    return fmax(error[0] / size[0], error[1] / size[1]);
+    return larger_of(error[0] / size[0], error[1] / size[1]);
 }
 
 static void test_rates(void **state)
@@ -89,17 +90,17 @@ static void test_rates(void **state)
         const double speed[] = {5e-4, 8e-3, 0.2};
         Rig *const r = rig_new(k % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, k % 4 / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
                                1, speed[k % 3], 7 + k);
-        worst = fmax(worst, rates_error(r));
+        worst = larger_of(worst, rates_error(r));
         active += r->planar_ws.contact[0].pairs.active + r->planar_ws.contact[1].pairs.active;
         assert_int_equal(r->planar_ws.contact[0].pairs.n_hits, r->ws.contact[0].pairs.n_hits);
         for (int i = 0; i < SIZE; ++i) {
-            if (i % STRIDE >= N) assert_true(r->rate[i] == 0);
+            if (i % STRIDE >= N) check_equal(r->rate[i], 0);
         }
         rig_free(r);
     }
     print_message("rates against those in space: %.2g relative, %d contacts\n", worst, active);
-    assert_true(active > 60);
-    assert_true(worst < 1e-12);
+    check_above(active, 60);
+    check_below(worst, 1e-12);
 }
 
 /* Entry (row, column) of a 6x6 block seen from the plane: coordinate 0, 1: its axes; 2: its normal. */
@@ -122,11 +123,11 @@ static double blocks_error(const Plane *p, double *const mine[9], const double *
         for (int e = 0; e < 9; ++e) {
             const int row = e % 3, column = e / 3, a = row == 2, b = column == 2;
             const double other = entry_in_plane(p, full + 36 * i, row, column);
-            error[a][b] = fmax(error[a][b], fabs(other - mine[e][i]));
-            size[a][b] = fmax(size[a][b], fabs(other));
+            error[a][b] = larger_of(error[a][b], fabs(other - mine[e][i]));
+            size[a][b] = larger_of(size[a][b], fabs(other));
         }
     }
-    for (int k = 0; k < 4; ++k) worst = fmax(worst, error[k / 2][k % 2] / size[k / 2][k % 2]);
+    for (int k = 0; k < 4; ++k) worst = larger_of(worst, error[k / 2][k % 2] / size[k / 2][k % 2]);
     return worst;
 }
 
@@ -134,7 +135,7 @@ static double all_blocks_error(const Rig *r, const PlanarBlocks *mine, const Blo
 {
     const double lower = blocks_error(&r->plane, mine->lower, full->lower, 1, N);
     const double diag = blocks_error(&r->plane, mine->diag, full->diag, 0, N);
-    return fmax(fmax(lower, diag), blocks_error(&r->plane, mine->upper, full->upper, 0, N - 1));
+    return larger_of(larger_of(lower, diag), blocks_error(&r->plane, mine->upper, full->upper, 0, N - 1));
 }
 
 static void test_blocks(void **state)
@@ -149,18 +150,20 @@ static void test_blocks(void **state)
                                1, speed[c % 3], 40 + c);
         dynamics_blocks(&r->scene, &r->ws, T, r->full, r->full_rate, 1, &k, &d);
         planar_blocks(&r->planar, T, r->y, 1);
-        worst = fmax(worst, all_blocks_error(r, &r->planar.newton.k, &k));
-        worst = fmax(worst, all_blocks_error(r, &r->planar.newton.d, &d));
+        worst = larger_of(worst, all_blocks_error(r, &r->planar.newton.k, &k));
+        worst = larger_of(worst, all_blocks_error(r, &r->planar.newton.d, &d));
         for (int e = 0; e < 9; ++e) { /* nothing couples the chain with its ghosts */
-            assert_true(r->planar.newton.k.lower[e][0] == 0 && r->planar.newton.k.upper[e][N - 1] == 0);
-            assert_true(r->planar.newton.k.lower[e][N] == 0 && r->planar.newton.d.lower[e][N] == 0);
+            check_equal(r->planar.newton.k.lower[e][0], 0);
+            check_equal(r->planar.newton.k.upper[e][N - 1], 0);
+            check_equal(r->planar.newton.k.lower[e][N], 0);
+            check_equal(r->planar.newton.d.lower[e][N], 0);
         }
         rig_free(r);
     }
     block_chain_free(&k);
     block_chain_free(&d);
     print_message("blocks against those in space: %.2g relative\n", worst);
-    assert_true(worst < 1e-11);
+    check_below(worst, 1e-11);
 }
 
 /* Largest error of K and D against central differences of the balance, by kind. */
@@ -189,12 +192,12 @@ static double differences_error(Rig *r)
                                             : i - 1 == segment ? b->lower
                                                                : NULL;
                 const double mine = part ? part[3 * (c % 3) + row][i] : 0;
-                error[c / 3][row == 2] = fmax(error[c / 3][row == 2], fabs(fd - mine));
-                size[c / 3][row == 2] = fmax(size[c / 3][row == 2], fabs(fd));
+                error[c / 3][row == 2] = larger_of(error[c / 3][row == 2], fabs(fd - mine));
+                size[c / 3][row == 2] = larger_of(size[c / 3][row == 2], fabs(fd));
             }
         }
     }
-    for (int k = 0; k < 4; ++k) worst = fmax(worst, error[k / 2][k % 2] / size[k / 2][k % 2]);
+    for (int k = 0; k < 4; ++k) worst = larger_of(worst, error[k / 2][k % 2] / size[k / 2][k % 2]);
     return worst;
 }
 
@@ -206,11 +209,11 @@ static void test_differences(void **state)
         const double speed[] = {5e-4, 8e-3, 0.2};
         Rig *const r = rig_new(c % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, c % 4 / 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
                                1, speed[c % 3], 70 + c);
-        worst = fmax(worst, differences_error(r));
+        worst = larger_of(worst, differences_error(r));
         rig_free(r);
     }
     print_message("blocks against finite differences: %.2g relative\n", worst);
-    assert_true(worst < 3e-7);
+    check_below(worst, 3e-7);
 }
 
 /* x - gamma J x = b, with J x by central differences of the rates; speeds small enough for them to see every term. */
@@ -234,12 +237,12 @@ static void test_newton(void **state)
     for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] - e * x[k];
     m->ops->rates(m, T, y, minus);
     for (int k = 0; k < SIZE; ++k) {
-        size = fmax(size, fabs(b[k]));
-        error = fmax(error, fabs(x[k] - gamma * (plus[k] - minus[k]) / (2 * e) - b[k]));
-        if (k % STRIDE >= N) assert_true(x[k] == 0);
+        size = larger_of(size, fabs(b[k]));
+        error = larger_of(error, fabs(x[k] - gamma * (plus[k] - minus[k]) / (2 * e) - b[k]));
+        if (k % STRIDE >= N) check_equal(x[k], 0);
     }
     print_message("Newton's system: residual %.2g\n", error / size);
-    assert_true(error < 1e-6 * size);
+    check_below(error, 1e-6 * size);
     rig_free(r);
 }
 
@@ -248,8 +251,8 @@ static double difference(int count, const double *a, const double *b)
 {
     double error = 0, size = 0;
     for (int k = 0; k < count; ++k) {
-        error = fmax(error, fabs(a[k] - b[k]));
-        size = fmax(size, fabs(b[k]));
+        error = larger_of(error, fabs(a[k] - b[k]));
+        size = larger_of(size, fabs(b[k]));
     }
     return error / size;
 }
@@ -263,23 +266,23 @@ static void test_look(void **state)
     Motion *const flat = &r->planar.motion, *const full = spatial_init(&spatial, &r->scene, &r->ws, NULL);
     double again[SIZE], lifted[STATE_SIZE * N];
     assert_int_equal(flat->ops->look(flat, T, r->y), full->ops->look(full, T, r->full));
-    assert_true(difference(N + 1, r->planar_ws.law[0], r->ws.law[0]) < 1e-11);
+    check_below(difference(N + 1, r->planar_ws.law[0], r->ws.law[0]), 1e-11);
     double *const *const mine[] = {r->planar_ws.kin.p, r->planar_ws.kin.q, r->planar_ws.kin.v, r->planar_ws.kin.w};
     double *const *const theirs[] = {r->ws.kin.p, r->ws.kin.q, r->ws.kin.v, r->ws.kin.w};
     for (int k = 0; k < 4; ++k) {
         for (int c = 0; c < (k == 1 ? 4 : 3); ++c) {
-            for (int i = 0; i < N; ++i) assert_true(fabs(mine[k][c][i] - theirs[k][c][i]) < 1e-13);
+            for (int i = 0; i < N; ++i) check_close(mine[k][c][i], theirs[k][c][i], 1e-13);
         }
     }
     for (int roller = 0; roller < r->scene.contact.n_rollers; ++roller) {
         const Vec3 a = r->planar_ws.on_roller[roller], b = r->ws.on_roller[roller];
-        assert_true(v3_norm(v3_sub(a, b)) <= 1e-11 * (1 + v3_norm(b)));
+        check_vec(a, b, 1e-11 * (1 + v3_norm(b)));
     }
-    assert_true(fabs(r->planar_ws.winch_pull / r->ws.winch_pull - 1) < 1e-11);
-    assert_true(fabs(flat->ops->winch_pull(flat, T, r->y) / r->ws.winch_pull - 1) < 1e-11);
+    check_share(r->planar_ws.winch_pull, r->ws.winch_pull, 1e-11);
+    check_share(flat->ops->winch_pull(flat, T, r->y), r->ws.winch_pull, 1e-11);
     flat->ops->unpack(flat, r->y, lifted);
-    assert_true(plane_press(&r->plane, N, lifted, again) < 1e-13);
-    assert_true(difference(SIZE, again, r->y) < 1e-14);
+    check_below(plane_press(&r->plane, N, lifted, again), 1e-13);
+    check_below(difference(SIZE, again, r->y), 1e-14);
     rig_free(r);
 }
 
@@ -300,10 +303,10 @@ static void test_norm(void **state)
     plane_lift(&r->plane, N, y, fx);
     for (int k = 0; k < STATE_SIZE * N; ++k) fx[k] -= r->full[k];
     const double a = flat->ops->norm(flat, x, w), b = full->ops->norm(full, fx, fw);
-    assert_true(fabs(a / b - 1) < 1e-6);
+    check_share(a, b, 1e-6);
     assert_int_equal(flat->ops->worst(flat, x, w), full->ops->worst(full, fx, fw));
     x[3 * STRIDE + 5] = NAN;
-    assert_true(isnan(flat->ops->norm(flat, x, w)));
+    check_nan(flat->ops->norm(flat, x, w));
     assert_int_equal(flat->ops->worst(flat, x, w), 5);
     rig_free(r);
 }
@@ -314,7 +317,7 @@ static void test_not_finite(void **state)
     (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 29);
     r->y[STRIDE + 3] = NAN;
-    assert_true(r->planar.motion.ops->rates(&r->planar.motion, T, r->y, r->rate) > 0);
+    check_above(r->planar.motion.ops->rates(&r->planar.motion, T, r->y, r->rate), 0);
     rig_free(r);
 }
 
@@ -339,7 +342,7 @@ static void near_suffices(Rig *r)
     assert_int_equal(planar_evaluate(&r->planar, T, r->y, 1, r->rate), 0);
     for (int half = 0; half < PARTS; ++half) {
         ContactPairs *const pairs = &r->planar_ws.contact[half].pairs;
-        assert_true(pairs->n_ranges < MOST);
+        check_below(pairs->n_ranges, MOST);
         n_kept[half] = pairs->n_near;
         memcpy(kept[half], pairs->near, (size_t)pairs->n_near * sizeof *pairs->near);
         contact_widen(pairs);
@@ -371,17 +374,20 @@ static void test_near(void **state)
     assert_int_equal(r->planar.motion.ops->renew(&r->planar.motion, T, r->y, NULL), HAWSER_OK);
     const int candidates = dynamics_candidates(&r->planar_ws);
     const long refreshes = r->planar_ws.refreshes;
-    assert_true(near_count(r) > 0 && near_count(r) < 2 * candidates / 3);
+    check_between(near_count(r), 0, 2 * candidates / 3);
     int renewed = 0;
     for (int k = 0; k < 60; ++k) {
         const double before = r->planar.near_moved;
         step_along(r, reach / 140);
         renewed += r->planar.near_moved < before;
-        assert_true(!r->planar.wide && near_count(r) < candidates);
+        assert_true(!r->planar.wide);
+        check_below(near_count(r), candidates);
     }
-    assert_true(renewed >= 2 && r->planar_ws.refreshes == refreshes);
+    check_at_least(renewed, 2);
+    check_equal(r->planar_ws.refreshes, refreshes);
     for (int k = 0; k < 60; ++k) step_along(r, reach / 140);
-    assert_true(r->planar_ws.refreshes == refreshes + 1 && !r->planar.wide);
+    check_equal(r->planar_ws.refreshes, refreshes + 1);
+    assert_true(!r->planar.wide);
     step_along(r, reach / 30);
     assert_true(r->planar.wide);
     assert_int_equal(near_count(r), dynamics_candidates(&r->planar_ws));

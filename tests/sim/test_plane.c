@@ -1,6 +1,7 @@
 /* Which scenes lie in a plane, which do not and why; and what a case's `solver.planar` makes of it. */
+#include "sim/planar/plane.h"
 #include "sim/run/sim.h"
-#include "tests/sim/planar_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS };
 
@@ -19,7 +20,7 @@ static void expect_refusal(SceneDef *def, const char *reason)
     Plane plane;
     char why[PLANE_WHY_MAX] = "";
     assert_false(verdict(def, &plane, why));
-    if (!strstr(why, reason)) fail_msg("'%s' does not say '%s'", why, reason);
+    check_has(why, reason);
 }
 
 static void expect_plane(SceneDef *def, Vec3 normal)
@@ -27,8 +28,8 @@ static void expect_plane(SceneDef *def, Vec3 normal)
     Plane plane;
     char why[PLANE_WHY_MAX] = "";
     if (!verdict(def, &plane, why)) fail_msg("refused: %s", why);
-    assert_true(v3_norm(v3_cross(plane.normal, normal)) < 1e-12);
-    assert_true(v3_norm(v3_sub(v3_cross(plane.e1, plane.e2), plane.normal)) < 1e-15);
+    check_below(v3_norm(v3_cross(plane.normal, normal)), 1e-12);
+    check_vec(v3_cross(plane.e1, plane.e2), plane.normal, 1e-15);
 }
 
 static SceneDef planar_scene(double heading)
@@ -50,7 +51,8 @@ static void test_vertical(void **state)
     Plane plane;
     char why[PLANE_WHY_MAX];
     assert_true(verdict(&def, &plane, why));
-    assert_true(v3_norm(v3_sub(plane.e1, v3(1, 0, 0))) < 1e-15 && v3_norm(v3_sub(plane.e2, v3(0, 0, 1))) < 1e-15);
+    check_vec(plane.e1, v3(1, 0, 0), 1e-15);
+    check_vec(plane.e2, v3(0, 0, 1), 1e-15);
 }
 
 /* A weightless chain on a bend in an inclined plane: no principal axis is along the normal, so that only a cable that
@@ -150,14 +152,14 @@ static void test_choice(void **state)
             scene_def_clear(&def);
             if (choice == PLANAR_ON && !flat) {
                 assert_int_equal(status, HAWSER_ERR_INPUT);
-                assert_non_null(strstr(err.message, "solver.planar: on: gravity"));
+                check_has(err.message, "solver.planar: on: gravity");
                 continue;
             }
             assert_int_equal(status, HAWSER_OK);
             sim_summary(s, &summary);
             assert_int_equal(summary.planar, flat && choice != PLANAR_OFF);
             if (choice == PLANAR_OFF) assert_string_equal(summary.planar_why, "solver.planar is off");
-            if (choice == PLANAR_AUTO) assert_non_null(strstr(summary.planar_why, flat ? "in one plane" : "gravity"));
+            if (choice == PLANAR_AUTO) check_has(summary.planar_why, flat ? "in one plane" : "gravity");
             sim_free(s);
         }
     }
@@ -175,15 +177,15 @@ static void test_press(void **state)
     assert_true(plane_find(&scene, &plane, why));
     const int stride = planar_stride(N);
     double y[STATE_SIZE * N], flat[PLANAR_SIZE * 32], again[PLANAR_SIZE * 32];
-    assert_true(stride <= 32);
+    check_at_most(stride, 32);
     scene_initial_state(&scene, y);
-    assert_true(plane_press(&plane, N, y, flat) < 1e-14);
+    check_below(plane_press(&plane, N, y, flat), 1e-14);
     for (int i = 0; i < N; ++i) flat[PLANAR_ANGLE * stride + i] = -0.4 * i; /* two turns over the chain */
     plane_lift(&plane, N, flat, y);
-    assert_true(plane_press(&plane, N, y, again) < 1e-14);
-    for (int k = 0; k < PLANAR_SIZE * stride; ++k) assert_true(fabs(again[k] - flat[k]) < 1e-13);
+    check_below(plane_press(&plane, N, y, again), 1e-14);
+    for (int k = 0; k < PLANAR_SIZE * stride; ++k) check_close(again[k], flat[k], 1e-13);
     state_set_vec(y, N, STATE_P, 4, v3_axpy(state_vec(y, N, STATE_P, 4), 1e-3, plane.normal));
-    assert_true(fabs(plane_press(&plane, N, y, again) - 1e-3) < 1e-14);
+    check_close(plane_press(&plane, N, y, again), 1e-3, 1e-14);
     scene_clear(&scene);
 }
 

@@ -3,8 +3,8 @@
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/stage.h"
-#include "tests/sim/reel_fixture.h"
 #include "tests/sim/room_fixture.h"
+#include "tests/support/scene.h"
 
 /* A scene whose window is made, with a drum of every choice. */
 static Stage *stage_for(const ReelChoice *choice)
@@ -55,8 +55,8 @@ static void test_resistance_slopes(void **state)
             const double s = (reel_resistance(&r, length, v + h, t, 1, NULL, NULL) -
                               reel_resistance(&r, length, v - h, t, 1, NULL, NULL)) /
                              (2 * h);
-            if (!(fabs(l - by_l) < 1e-5 * (fabs(l) + 100) && fabs(s - by_v) < 1e-4 * (fabs(s) + 100)))
-                fail_msg("law %d, v %g: %g %g, %g %g", k, v, by_l, l, by_v, s);
+            check_close(l, by_l, 3e-7 * (fabs(l) + 100));
+            check_close(s, by_v, 5e-7 * (fabs(s) + 100));
         }
         stage_done(st);
     }
@@ -103,7 +103,7 @@ static void test_blocks(void **state)
         for (int row = 0; row < 6; ++row) {
             const double found = (c < 6 ? k.diag + 6 * c : d.diag + 6 * (c - 6))[row];
             const double slope = (plus[row] - minus[row]) / (2 * h);
-            if (!(fabs(found - slope) < 1e-6 * (fabs(slope) + 1e3))) fail_msg("%d, %d: %g %g", row, c, found, slope);
+            check_close(found, slope, 2e-8 * (fabs(slope) + 1e3));
         }
     }
     block_chain_free(&k);
@@ -124,10 +124,10 @@ static void test_laws(void **state)
         const double expected[3] = {350 / radius, (50 + 300 * full / radius) / radius, 350 / radius};
         /* well above the set speed of 0.2 m/s, or at it */
         const double v = k == 2 ? 0.22 : 0.2, at = reel_resistance(r, r->half, v, 5, 1, NULL, NULL);
-        assert_true(fabs(at / expected[k] - 1) < 1e-12);
-        assert_true(fabs(reel_resistance(r, r->half, 0, 5, 1, NULL, NULL)) < 1e-12);
-        if (k == 2) assert_true(fabs(reel_resistance(r, r->half, 0.19, 5, 1, NULL, NULL) - 50 / radius) < 1e-12);
-        assert_true(fabs(reel_resistance(r, r->half, v, 5, 0, NULL, NULL)) < 1e-12); /* friction off */
+        check_share(at, expected[k], 1e-12);
+        check_close(reel_resistance(r, r->half, 0, 5, 1, NULL, NULL), 0, 1e-12);
+        if (k == 2) check_close(reel_resistance(r, r->half, 0.19, 5, 1, NULL, NULL), 50 / radius, 1e-12);
+        check_close(reel_resistance(r, r->half, v, 5, 0, NULL, NULL), 0, 1e-12); /* friction off */
         stage_done(st);
     }
 }
@@ -169,9 +169,9 @@ static void test_momentum(void **state)
         }
         dynamics_kinematics(&st.scene, &st.ws, st.t, st.y);
         const double work = F * winch_motion(st.scene.winch, &st.scene.chain, &st.ws.kin, st.t).travel;
-        if (!braked) assert_true(fabs(kinetic / work - 1) < 5e-3);
-        assert_true(st.joined >= 5);
-        assert_true(fabs(v / expected - 1) < 2e-3);
+        if (!braked) check_share(kinetic, work, 5e-3);
+        check_at_least(st.joined, 5);
+        check_share(v, expected, 2e-3);
         stage_free(&st);
         scene_def_clear(&def);
     }

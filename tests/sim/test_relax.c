@@ -1,8 +1,8 @@
 /* The relaxation: it balances the fixture, the start from it is free of motion, and it says when it did not get there.
  */
 #include "sim/newton/relax.h"
-#include "tests/sim/rig_fixture.h"
 #include "tests/sim/room_fixture.h"
+#include "tests/support/rig.h"
 
 static Rig *rig_new(SceneDef *def)
 {
@@ -16,7 +16,7 @@ static hawser_relaxation rig_relax(Rig *r)
     hawser_relaxation out;
     hawser_error err = {0};
     if (relax_to_equilibrium(&r->scene, &r->ws, &r->newton, 0, r->y, &out, &err)) fail_msg("%s", err.message);
-    for (int k = 0; k < STATE_SIZE * r->scene.chain.n; ++k) assert_true(isfinite(r->y[k]));
+    for (int k = 0; k < STATE_SIZE * r->scene.chain.n; ++k) check_finite(r->y[k]);
     return out;
 }
 
@@ -25,7 +25,7 @@ static double fastest(const Rig *r, const double *y)
 {
     const int n = r->scene.chain.n;
     double largest = 0;
-    for (int k = STATE_V * n; k < STATE_SIZE * n; ++k) largest = fmax(largest, fabs(y[k]));
+    for (int k = STATE_V * n; k < STATE_SIZE * n; ++k) largest = larger_of(largest, fabs(y[k]));
     return largest;
 }
 
@@ -40,16 +40,17 @@ static void test_reached(void **state)
         const hawser_relaxation out = rig_relax(r);
         print_message("%d iterations, residual %.2g of %.2g N, moved %.3f m\n", out.iterations, out.residual_N,
                       out.tolerance_N, out.moved_m);
-        assert_true(out.reached && out.residual_N <= out.tolerance_N);
-        assert_true(out.iterations > 2 && out.iterations < 60);
-        assert_true(out.moved_m > 0 && out.moved_m < 0.5);
-        assert_true(fastest(r, r->y) <= 0);
+        assert_true(out.reached);
+        check_at_most(out.residual_N, out.tolerance_N);
+        check_between(out.iterations, 2, 60);
+        check_between(out.moved_m, 0, 0.5);
+        check_at_most(fastest(r, r->y), 0);
         /* friction or not: at rest there is none */
         const int n = r->scene.chain.n;
         dynamics_rates(&r->scene, &r->ws, 0, r->y, 1, r->rate);
         for (int i = 0; i < n; ++i) {
             const double force = r->scene.chain.mass[i] * v3_norm(state_vec(r->rate, n, STATE_V, i));
-            assert_true(force <= out.tolerance_N * (1 + 1e-9));
+            check_at_most(force, out.tolerance_N * (1 + 1e-9));
         }
         rig_free(r);
     }
@@ -75,7 +76,7 @@ static void test_total_balance(void **state)
     room_look(&ROLLERS_ROOM, &r->scene, &r->ws);
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) sum = v3_sub(sum, r->ws.on_roller[k]);
     print_message("forces on the whole chain add up to %.2g N\n", v3_norm(sum));
-    assert_true(v3_norm(sum) < n * out.tolerance_N);
+    check_below(v3_norm(sum), n * out.tolerance_N);
     rig_free(r);
 }
 
@@ -112,9 +113,9 @@ static void test_light_rope(void **state)
     print_message("%d iterations, residual %.2g of %.2g N, moved %.4f m\n", out.iterations, out.residual_N,
                   out.tolerance_N, out.moved_m);
     assert_true(out.reached);
-    assert_true(out.iterations > r->scene.def.solver.relax_iterations); /* the first attempt did not do it */
+    check_above(out.iterations, r->scene.def.solver.relax_iterations); /* the first attempt did not do it */
     const int n = r->scene.chain.n;
-    assert_true(fabs(r->y[2 * n + n / 2] + 0.036) < 0.003); /* it lies on its rollers, sagging by millimetres */
+    check_close(r->y[2 * n + n / 2], -0.036, 0.003); /* it lies on its rollers, sagging by millimetres */
     /* the contacts have their stiffness back: with the winch they carry the weight */
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
     bushing_loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
@@ -122,8 +123,8 @@ static void test_light_rope(void **state)
     room_look(&ROLLERS_ROOM, &r->scene, &r->ws);
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) load -= r->ws.on_roller[k].z;
     print_message("carried %.2f N of %.2f N\n", load, 0.7 * 9.81 * 150);
-    assert_true(fabs(load / (0.7 * 9.81 * 150) - 1) < 1e-6);
-    assert_true(r->ws.contact[0].model.impact.k >= r->scene.contact.impact.k);
+    check_share(load, 0.7 * 9.81 * 150, 1e-6);
+    check_at_least(r->ws.contact[0].model.impact.k, r->scene.contact.impact.k);
     rig_free(r);
 }
 
@@ -145,10 +146,10 @@ static void test_start_is_still(void **state)
                      HAWSER_OK);
     while (t < 1) {
         if (integrator_step(in, 1, &t, &err)) fail_msg("%s", err.message);
-        largest = fmax(largest, fastest(r, r->y));
+        largest = larger_of(largest, fastest(r, r->y));
     }
     print_message("fastest motion in 1 s: %.2g m/s or rad/s\n", largest);
-    assert_true(largest < 1e-8);
+    check_below(largest, 1e-8);
     integrator_free(in);
     rig_free(r);
 }
@@ -164,8 +165,10 @@ static void test_too_few_iterations(void **state)
     const hawser_relaxation out = rig_relax(r);
     assert_false(out.reached);
     assert_int_equal(out.iterations, 2);
-    assert_true(out.residual_N > out.tolerance_N && isfinite(out.residual_N));
-    assert_true(out.segment >= 0 && out.segment < r->scene.chain.n);
+    check_above(out.residual_N, out.tolerance_N);
+    check_finite(out.residual_N);
+    check_at_least(out.segment, 0);
+    check_below(out.segment, r->scene.chain.n);
     rig_free(r);
 }
 
@@ -180,9 +183,10 @@ static void test_free_fall(void **state)
     const hawser_relaxation out = rig_relax(r);
     assert_false(out.reached);
     assert_int_equal(out.iterations, r->scene.def.solver.relax_iterations);
-    assert_true(fabs(out.residual_N - 9.81 * r->scene.chain.mass[0]) < 1e-6);
-    assert_true(out.moved_m > 0.1);
-    assert_true(out.segment >= 0 && out.segment < 12);
+    check_close(out.residual_N, 9.81 * r->scene.chain.mass[0], 1e-11);
+    check_above(out.moved_m, 0.1);
+    check_at_least(out.segment, 0);
+    check_below(out.segment, 12);
     rig_free(r);
 }
 
@@ -200,7 +204,7 @@ static void test_scale(void **state)
         Rig *const r = rig_new(&def);
         const hawser_relaxation out = rig_relax(r);
         const double load = fmax(tension[k], 20 * 0.5 * 9.81);
-        assert_true(fabs(out.tolerance_N - 1e-4 * load) < 1e-9);
+        check_close(out.tolerance_N, 1e-4 * load, 1e-9);
         assert_int_equal(out.iterations, 0);
         rig_free(r);
     }
@@ -217,10 +221,10 @@ static void test_preload(void **state)
     def.cables[0].preload[0] = f0;
     Rig *const r = rig_new(&def);
     const double stiffness = r->scene.chain.stiffness[0][1], first = r->y[0], last = r->y[SEGMENTS - 1];
-    assert_true(fabs(r->scene.chain.preload[0][1] - f0) < 1e-12);
+    check_close(r->scene.chain.preload[0][1], f0, 1e-12);
     assert_true(rig_relax(r).reached);
     const double shorter = fabs(last - first) - fabs(r->y[SEGMENTS - 1] - r->y[0]);
-    assert_true(fabs(shorter - (SEGMENTS - 1) * f0 / stiffness) < 1e-6 * shorter);
+    check_close(shorter, (SEGMENTS - 1) * f0 / stiffness, 1e-6 * shorter);
     rig_free(r);
 }
 

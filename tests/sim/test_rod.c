@@ -2,8 +2,8 @@
 #include "sim/def/rod_shape.h"
 #include "sim/equipment/rod.h"
 #include "sim/run/sim.h"
-#include "tests/sim/rod_fixture.h"
 #include "tests/sim/room_fixture.h"
+#include "tests/support/rig.h"
 
 /* A helix with loads of every kind, turned and shifted by a state that is shaken. */
 static RodFixture loaded_helix(void)
@@ -67,12 +67,12 @@ static void load_blocks_against_differences(void **state)
             state_nudge(y, n, i, c, e);
             for (int r = 0; r < 6; ++r) {
                 const double found = k.diag[36 * i + 6 * c + r];
-                assert_near(found, (plus[r] - minus[r]) / (2 * e), 1e-6);
-                largest = fmax(largest, fabs(found));
+                check_close(found, (plus[r] - minus[r]) / (2 * e), 1e-6);
+                largest = larger_of(largest, fabs(found));
             }
         }
     }
-    assert_true(largest > 50);
+    check_above(largest, 50);
     free(y);
     block_chain_free(&k);
     block_chain_free(&d);
@@ -109,10 +109,10 @@ static void ghosts_move_as_they_say(void **state)
         const Quat turned = quat_mul(q[1], quat_conj(q[0]));
         const Vec3 v = v3_scale(0.5 / e, v3_sub(p[1], p[0])), w = v3_scale(1 / e, v3(turned.x, turned.y, turned.z));
         for (int c = 0; c < 3; ++c) {
-            assert_near(kin.v[c][-1], c == 0 ? v.x : c == 1 ? v.y : v.z, 1e-7);
-            assert_near(kin.w[c][-1], c == 0 ? w.x : c == 1 ? w.y : w.z, 1e-7);
+            check_close(kin.v[c][-1], c == 0 ? v.x : c == 1 ? v.y : v.z, 1e-7);
+            check_close(kin.w[c][-1], c == 0 ? w.x : c == 1 ? w.y : w.z, 1e-7);
         }
-        assert_near(kin.p[0][2], 0, 0);
+        check_close(kin.p[0][2], 0, 0);
     }
     kinematics_free(&kin);
 }
@@ -127,13 +127,13 @@ static double strain_at_start(RodFixture f, double *gap)
     dynamics_look(&stage.scene, &stage.ws, 0, stage.y);
     double largest = 0;
     for (int j = 0; j <= f.n; ++j) {
-        for (int c = 0; c < 6; ++c) largest = fmax(largest, fabs(stage.ws.law[c][j]));
+        for (int c = 0; c < 6; ++c) largest = larger_of(largest, fabs(stage.ws.law[c][j]));
     }
     *gap = 0;
     for (int i = 0; i + 1 < f.n; ++i) {
         const Vec3 axis = quat_rotate(state_quat(stage.y, f.n, i + 1), v3(1, 0, 0));
         const Vec3 back = v3_axpy(state_vec(stage.y, f.n, STATE_P, i + 1), -stage.scene.chain.half[i + 1], axis);
-        *gap = fmax(*gap, v3_norm(v3_sub(back, rod_front(&stage, i))));
+        *gap = larger_of(*gap, v3_norm(v3_sub(back, rod_front(&stage, i))));
     }
     stage_free(&stage);
     return largest;
@@ -161,9 +161,9 @@ static void shapes_are_free_of_stress(void **state)
             }
             double gap;
             const double strain = strain_at_start(f, &gap);
-            assert_near(gap, 0, 1e-14);
-            if (free_of_stress) assert_near(strain, 0, 1e-8);
-            if (!free_of_stress) assert_true(strain > 100);
+            check_close(gap, 0, 1e-14);
+            if (free_of_stress) check_close(strain, 0, 1e-8);
+            if (!free_of_stress) check_above(strain, 100);
         }
     }
 }
@@ -185,10 +185,10 @@ static void arcs_lie_on_their_circle(void **state)
     Stage stage = {.y = scene.rod->start};
     stage.scene.chain = scene.chain;
     const Vec3 centre = v3(1, 1, 3);
-    for (int i = 0; i < 10; ++i) assert_near(v3_norm(v3_sub(rod_front(&stage, i), centre)), 2, 1e-12);
-    assert_near(v3_dot(quat_rotate(rod_attitude(scene.rod, 10, -1), v3(0, 1, 0)), v3(0, 0, 1)), sin(0.3), 1e-12);
+    for (int i = 0; i < 10; ++i) check_close(v3_norm(v3_sub(rod_front(&stage, i), centre)), 2, 1e-12);
+    check_close(v3_dot(quat_rotate(rod_attitude(scene.rod, 10, -1), v3(0, 1, 0)), v3(0, 0, 1)), sin(0.3), 1e-12);
     const Vec3 out = v3_sub(rod_front(&stage, 9), centre);
-    assert_near(v3_dot(out, quat_rotate(rod_attitude(scene.rod, 10, 10), v3(1, 0, 0))), 0, 1e-12);
+    check_close(v3_dot(out, quat_rotate(rod_attitude(scene.rod, 10, 10), v3(1, 0, 0))), 0, 1e-12);
     scene_clear(&scene);
 }
 
@@ -200,15 +200,15 @@ static void helices_climb_by_their_pitch(void **state)
     const RodLine line = rod_line(&def, v3(0, 0, 0), 0, M_PI / 2);
     const double turn = hypot(2 * M_PI * 2, 1.5), e = 1e-5;
     const Vec3 after = rod_line_at(&line, turn).position;
-    assert_near(v3_norm(v3_sub(after, v3(0, 0, 1.5))), 0, 1e-12);
+    check_close(v3_norm(v3_sub(after, v3(0, 0, 1.5))), 0, 1e-12);
     for (double s = 0; s < turn; s += 1.3) {
         const Vec3 step = v3_sub(rod_line_at(&line, s + e).position, rod_line_at(&line, s - e).position);
-        assert_near(v3_norm(v3_sub(v3_scale(0.5 / e, step), rod_line_at(&line, s).tangent)), 0, 1e-8);
+        check_close(v3_norm(v3_sub(v3_scale(0.5 / e, step), rod_line_at(&line, s).tangent)), 0, 1e-8);
     }
     /* right-handed: seen from above it climbs against the clock */
     const Vec3 axis = v3_scale(0.5, v3_add(rod_line_at(&line, 0).position, rod_line_at(&line, turn / 2).position));
     const Vec3 arm = v3_sub(rod_line_at(&line, 0).position, axis);
-    assert_true(v3_cross(arm, rod_line_at(&line, 0).tangent).z > 0);
+    check_above(v3_cross(arm, rod_line_at(&line, 0).tangent).z, 0);
 }
 
 /* Total and first moment of point masses are kept between centres. */
@@ -229,8 +229,8 @@ static void masses_keep_their_place(void **state)
             mass += scene.chain.mass[i];
             moment += scene.chain.mass[i] * (0.3 + 0.6 * i);
         }
-        assert_near(mass, 10, 1e-12);
-        assert_near(moment, 3 * 1.5 + 7 * at, 1e-12);
+        check_close(mass, 10, 1e-12);
+        check_close(moment, 3 * 1.5 + 7 * at, 1e-12);
         scene_clear(&scene);
     }
 }
@@ -258,7 +258,7 @@ static Vec3 helix_tip(double heading)
 static void scenes_may_be_turned(void **state)
 {
     (void)state;
-    assert_near(v3_norm(v3_sub(helix_tip(0), helix_tip(1.1))), 0, 1e-8);
+    check_close(v3_norm(v3_sub(helix_tip(0), helix_tip(1.1))), 0, 1e-8);
 }
 
 /* One run of the loaded helix in time, from rest. */
@@ -285,7 +285,7 @@ static void two_threads_give_the_same_bits(void **state)
     run_helix(1, one);
     run_helix(2, two);
     assert_memory_equal(one, two, sizeof one);
-    assert_true(fabs(one[26]) > 0.01);
+    check_above(fabs(one[26]), 0.01);
 }
 
 /* A rod that its tail's support takes along comes to rest one shift farther and turned, as stiff as it was. */
@@ -309,8 +309,8 @@ static void a_led_rod_follows(void **state)
     assert_int_equal(sim_new(&def, 0, &sim, &err), HAWSER_OK);
     if (sim_advance(sim, 3, 0, &err)) fail_msg("%s", err.message);
     const double *const last = sim_sample(sim)->position + 15;
-    assert_near(last[0], 1.1 * cos(1.2), 1e-3);
-    assert_near(last[1], 1.2 + 1.1 * sin(1.2), 1e-3);
+    check_close(last[0], 1.1 * cos(1.2), 1e-12);
+    check_close(last[1], 1.2 + 1.1 * sin(1.2), 1e-12);
     scene_def_clear(&def);
     sim_free(sim);
 }

@@ -1,6 +1,6 @@
 /* What errors are measured with: a norm that does not fade as the chain grows, weights from the accuracy. */
 #include "sim/step/scales.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { LARGE = 16000 };
 
@@ -28,9 +28,9 @@ static void test_not_diluted(void **state)
 {
     (void)state;
     const double expected = 3.0 / sqrt(SCALES_WINDOW);
-    assert_true(fabs(norm_of_one(16, 5, 3) - expected) < 1e-15);
+    check_close(norm_of_one(16, 5, 3), expected, 1e-15);
     const int place[] = {0, 15, 16, 8001, LARGE - 1};
-    for (int k = 0; k < 5; ++k) assert_true(fabs(norm_of_one(LARGE, place[k], 3) - expected) < 1e-15);
+    for (int k = 0; k < 5; ++k) check_close(norm_of_one(LARGE, place[k], 3), expected, 1e-15);
 }
 
 /* A uniform error of one tolerance has norm 1 for every length, also where the last window is short. */
@@ -40,12 +40,12 @@ static void test_uniform(void **state)
     const int n[] = {1, 3, 16, 17, 40, 370};
     for (int k = 0; k < 6; ++k) {
         double *const x = vector_new(n[k], -2), *const w = vector_new(n[k], 0.5);
-        assert_true(fabs(scales_norm(n[k], x, w) - 1) < 1e-14);
+        check_close(scales_norm(n[k], x, w), 1, 1e-14);
         free(x);
         free(w);
     }
     /* a short window is not diluted by what is not there */
-    assert_true(fabs(norm_of_one(17, 16, 3) - 3) < 1e-14);
+    check_close(norm_of_one(17, 16, 3), 3, 1e-14);
 }
 
 /* The definition, term by term, on random numbers. */
@@ -65,9 +65,9 @@ static void test_by_definition(void **state)
         for (int i = from; i < from + SCALES_WINDOW && i < N; ++i) {
             for (int c = 0; c < STATE_SIZE; ++c, ++terms) sum += pow(x[c * N + i] * w[c * N + i], 2);
         }
-        largest = fmax(largest, sqrt(sum / terms));
+        largest = larger_of(largest, sqrt(sum / terms));
     }
-    assert_true(fabs(scales_norm(N, x, w) - largest) < 1e-14);
+    check_close(scales_norm(N, x, w), largest, 1e-14);
 }
 
 /* NaN and infinity come through, wherever they stand, and whatever stands after them. */
@@ -79,11 +79,11 @@ static void test_not_finite(void **state)
     const int place[] = {0, 17, 7 * N + 33, STATE_SIZE * N - 1};
     for (int k = 0; k < 4; ++k) {
         x[place[k]] = NAN;
-        assert_true(isnan(scales_norm(N, x, w)));
+        check_nan(scales_norm(N, x, w));
         assert_int_equal(scales_worst_segment(N, x, w), place[k] % N);
         assert_false(scales_all_finite(x, STATE_SIZE * N));
         x[place[k]] = -INFINITY;
-        assert_true(isinf(scales_norm(N, x, w)));
+        check_infinite(scales_norm(N, x, w));
         assert_false(scales_all_finite(x, STATE_SIZE * N));
         x[place[k]] = 1e3;
     }
@@ -124,14 +124,14 @@ static void test_weights(void **state)
     scales_weights(&scene, weight);
     for (int k = 0; k < STATE_SIZE * N; ++k) {
         const int c = k / N, kind = c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3;
-        assert_true(fabs(weight[k] * expected[kind] - 1) < 1e-14);
+        check_close(weight[k] * expected[kind], 1, 1e-14);
     }
     scene.def.solver.atol_position = 0.5;
     scene.def.solver.atol_omega = 0.25;
     scales_weights(&scene, weight);
-    assert_true(fabs(weight[0] - 2) < 1e-15);
-    assert_true(fabs(weight[STATE_V * N] * expected[2] - 1) < 1e-14);
-    assert_true(fabs(weight[STATE_W * N] - 4) < 1e-15);
+    check_close(weight[0], 2, 1e-15);
+    check_close(weight[STATE_V * N] * expected[2], 1, 1e-14);
+    check_close(weight[STATE_W * N], 4, 1e-15);
     scene_clear(&scene);
 }
 

@@ -4,7 +4,7 @@
 #include "sim/newton/relax.h"
 #include "sim/step/integrator.h"
 #include "tests/sim/room_fixture.h"
-#include "tests/sim/self_fixture.h"
+#include "tests/support/rig.h"
 
 enum { STRAND = 6, N = 3 * STRAND };
 
@@ -21,7 +21,7 @@ static void bed_add(SceneDef *def)
 }
 
 /* Two strands on the rollers, the third across them, `high` above where it touches. */
-static void across_new(SelfRig *r, double high, Team *team)
+static void across_new(Rig *r, double high, Team *team)
 {
     self_rig_new(r, N, H, G, 0, team, LIN_AUTO, bed_add);
     self_rig_cut(r, STRAND);
@@ -33,7 +33,7 @@ static void across_new(SelfRig *r, double high, Team *team)
 }
 
 /* Vertical force between the strands and on the rollers, N. */
-static void loads_of(SelfRig *r, double *between, double *rollers)
+static void loads_of(Rig *r, double *between, double *rollers)
 {
     enum { ROOM = 16 };
     SelfDetail detail[ROOM];
@@ -49,21 +49,21 @@ static void loads_of(SelfRig *r, double *between, double *rollers)
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) *rollers += r->ws.on_roller[k].z;
 }
 
-static void assert_weights(SelfRig *r, double share)
+static void assert_weights(Rig *r, double share)
 {
     double between, rollers;
     loads_of(r, &between, &rollers);
     const double weight = 8 * STRAND * H * G; /* of one strand, N */
     print_message("%.6f N between the strands, %.6f N on the rollers; a strand weighs %.6f N\n", between, rollers,
                   weight);
-    assert_true(fabs(between + weight) < share * weight);
-    assert_true(fabs(rollers + 3 * weight) < share * weight);
+    check_close(between, -weight, share * weight);
+    check_close(rollers, -3 * weight, share * weight);
 }
 
 static void test_equilibrium(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     hawser_relaxation out;
     across_new(&r, -1e-4, NULL);
     assert_int_equal(relax_to_equilibrium(&r.scene, &r.ws, &r.newton, 0, r.y, &out, NULL), HAWSER_OK);
@@ -73,7 +73,7 @@ static void test_equilibrium(void **state)
 }
 
 /* Steps until t = until. */
-static void run(SelfRig *r, double until, double (*look)(SelfRig *), double *most)
+static void run(Rig *r, double until, double (*look)(Rig *), double *most)
 {
     Integrator *in;
     hawser_error err = {0};
@@ -82,7 +82,7 @@ static void run(SelfRig *r, double until, double (*look)(SelfRig *), double *mos
         fail_msg("%s", err.message);
     while (t < until) {
         if (integrator_step(in, until, &t, &err)) fail_msg("%s", err.message);
-        if (look) *most = fmax(*most, look(r));
+        if (look) *most = larger_of(*most, look(r));
     }
     integrator_free(in);
 }
@@ -91,12 +91,12 @@ static void run(SelfRig *r, double until, double (*look)(SelfRig *), double *mos
 static void test_falls_and_rests(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     across_new(&r, 0.05, NULL);
     run(&r, 3, NULL, NULL);
     const double kinetic = self_rig_kinetic(&r);
     print_message("kinetic energy at rest %.2g J, of %.3g J that it fell with\n", kinetic, 8 * STRAND * H * G * 0.05);
-    assert_true(kinetic < 1e-4 * 8 * STRAND * H * G * 0.05);
+    check_below(kinetic, 1e-7 * 8 * STRAND * H * G * 0.05);
     assert_weights(&r, 0.01);
     self_rig_free(&r);
 }
@@ -111,7 +111,7 @@ static void no_friction(SceneDef *def)
 static void test_flight(void **state)
 {
     (void)state;
-    SelfRig r;
+    Rig r;
     self_rig_new(&r, 2 * STRAND, H, 0, 0, NULL, LIN_AUTO, no_friction);
     self_rig_cut(&r, STRAND);
     self_rig_strand(&r, 0, STRAND, v3(-STRAND * H / 2, 0, 0), v3(1, 0, 0));
@@ -126,9 +126,9 @@ static void test_flight(void **state)
     const Vec3 lower = state_vec(r.y, r.n, STATE_V, 2);
     print_message("kinetic energy %.6f J before, %.6f J after, %.6f J at most; the lower strand moves at %.3f m/s\n",
                   before, self_rig_kinetic(&r), most, lower.z);
-    assert_true(lower.z < -0.05);
-    assert_true(v3_norm(v3_sub(momentum, v3(0.05 * STRAND, 0, -0.3 * STRAND))) < 1e-6);
-    assert_true(most < before * (1 + 1e-4));
+    check_below(lower.z, -0.05);
+    check_vec(momentum, v3(0.05 * STRAND, 0, -0.3 * STRAND), 1e-12);
+    check_below(most, before * (1 + 1e-4));
     self_rig_free(&r);
 }
 
@@ -138,14 +138,15 @@ static void test_threads(void **state)
     Team *const team = team_new(2);
     double rate[2][STATE_SIZE * 40];
     for (int k = 0; k < 2; ++k) {
-        SelfRig r;
+        Rig r;
         uint64_t seed = 8;
         self_rig_new(&r, 40, 0.25, G, 0, k ? team : NULL, LIN_AUTO, NULL);
         self_rig_helix(&r, 0.45, SELF_DIAMETER - 1e-3);
         state_shake(r.y, 40, 1e-4, 1e-3, 0.05, 0.5, &seed);
         self_rig_refresh(&r);
         dynamics_rates(&r.scene, &r.ws, 0, r.y, 1, rate[k]);
-        assert_true(r.ws.self.active[0] > 10 && r.ws.self.active[1] > 10);
+        check_above(r.ws.self.active[0], 10);
+        check_above(r.ws.self.active[1], 10);
         self_rig_free(&r);
     }
     assert_memory_equal(rate[0], rate[1], sizeof rate[0]);

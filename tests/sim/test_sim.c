@@ -1,6 +1,6 @@
 /* A simulation as a whole: a short pull, the same one elsewhere, twice, side by side and on two threads. */
 #include "sim/run/sim.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, ROLLERS_MAX = 32 };
 
@@ -72,17 +72,17 @@ static void test_pull(void **state)
         pull_run(&(FixtureChoice){.geometry = geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH}, 1, 3, &r);
         print_message("pull %.1f N after %ld steps\n", r.winch_force, r.steps);
         force[geometry] = r.winch_force;
-        assert_true(fabs(r.t - 3) < 1e-14);
-        assert_true(fabs(r.travel - 0.1 * 2.5) < 1e-14); /* STEP's area is half of its second */
+        check_close(r.t, 3, 1e-14);
+        check_close(r.travel, 0.1 * 2.5, 1e-14); /* STEP's area is half of its second */
         /* more than tail and drag, less than these with all the weight as friction and hoisted by 0.5 m */
-        assert_true(r.winch_force > 800 + 240 && r.winch_force < 800 + 300 + 0.3 * 12 * 20 * 9.81 + 20 * 9.81);
-        assert_true(fabs(r.tension[N] - r.winch_force) < 0.02 * r.winch_force);
+        check_between(r.winch_force, 800 + 240, 800 + 300 + 0.3 * 12 * 20 * 9.81 + 20 * 9.81);
+        check_share(r.tension[N], r.winch_force, 0.02);
         for (int i = 0; i < N; ++i) {
             const double *const v = r.velocity + 3 * i;
-            assert_true(fabs(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 0.1) < 0.02);
+            check_close(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), 0.1, 0.02);
         }
     }
-    assert_true(fabs(force[0] - force[1]) < 0.1 * force[0]); /* the capsules' ripple */
+    check_close(force[0], force[1], 0.01 * force[0]); /* the capsules' ripple */
 }
 
 /* Turned about the vertical and shifted, the pull is the same. */
@@ -93,11 +93,11 @@ static void test_elsewhere(void **state)
     pull_run(&(FixtureChoice){.accuracy = 1e-4}, 1, 3, &here);
     pull_run(&(FixtureChoice){.start = {3, -7, 2}, .heading = 2.2, .accuracy = 1e-4}, 1, 3, &there);
     double tension = fabs(here.winch_force - there.winch_force), load = 0;
-    for (int j = 0; j <= N; ++j) tension = fmax(tension, fabs(here.tension[j] - there.tension[j]));
-    for (int k = 0; k < here.rollers; ++k) load = fmax(load, fabs(here.roller_load[k] - there.roller_load[k]));
+    for (int j = 0; j <= N; ++j) tension = larger_of(tension, fabs(here.tension[j] - there.tension[j]));
+    for (int k = 0; k < here.rollers; ++k) load = larger_of(load, fabs(here.roller_load[k] - there.roller_load[k]));
     print_message("tensions differ by %.2g N of %.0f, roller loads by %.2g N\n", tension, here.winch_force, load);
-    assert_true(tension < 1e-3 * here.winch_force);
-    assert_true(load < 1e-3 * here.winch_force);
+    check_below(tension, 1e-4 * here.winch_force);
+    check_below(load, 1e-4 * here.winch_force);
 }
 
 /* The same run gives the same bits; so does a second thread. */
@@ -148,7 +148,8 @@ static void test_one_step(void **state)
     while (sim_time(s) < 1.75) {
         const double before = sim_time(s);
         assert_int_equal(sim_advance(s, 1.75, 1, NULL), HAWSER_OK);
-        assert_true(sim_time(s) > before && sim_time(s) <= 1.75);
+        check_above(sim_time(s), before);
+        check_at_most(sim_time(s), 1.75);
         for (int k = 0; k < 3; ++k) hit[k] += fabs(sim_time(s) - corner[k]) < 1e-12;
         ++calls;
     }
@@ -158,7 +159,7 @@ static void test_one_step(void **state)
     for (int k = 0; k < 3; ++k) assert_int_equal(hit[k], 1);
     /* what lies behind is no work */
     assert_int_equal(sim_advance(s, 1, 0, NULL), HAWSER_OK);
-    assert_true(fabs(sim_time(s) - 1.75) < 1e-15);
+    check_close(sim_time(s), 1.75, 1e-15);
     sim_free(s);
 }
 
@@ -194,15 +195,18 @@ static void test_summary(void **state)
     assert_int_equal(summary.bushings, N); /* between segments, and to the winch */
     assert_int_equal(summary.rollers, 14); /* 12 below, 2 beside the bend */
     assert_true(summary.relaxation.reached);
-    assert_true(summary.contact_candidates >= summary.rollers);
+    check_at_least(summary.contact_candidates, summary.rollers);
     assert_int_equal(summary.steps, 0);
-    assert_true(fabs(sim_end_time(s) - 3) < 1e-15);
+    check_close(sim_end_time(s), 3, 1e-15);
     advance(s, 0.5);
     sim_record(s);
     sim_summary(s, &summary);
-    assert_true(summary.steps > 5 && summary.rhs_evals >= summary.steps && summary.newton_iters >= summary.steps);
-    assert_true(summary.contact_active_max >= 5 && summary.contact_active_max <= summary.contact_candidates);
-    assert_true(summary.pull_peak_N > 0);
+    check_above(summary.steps, 5);
+    check_at_least(summary.rhs_evals, summary.steps);
+    check_at_least(summary.newton_iters, summary.steps);
+    check_at_least(summary.contact_active_max, 5);
+    check_at_most(summary.contact_active_max, summary.contact_candidates);
+    check_above(summary.pull_peak_N, 0);
     assert_non_null(summary.linear_solver);
     sim_free(s);
 }
@@ -218,11 +222,12 @@ static void test_roller_table(void **state)
     sim_record(s);
     const int count = sim_rollers(s, &roller);
     for (int k = 0; k < count; ++k) {
-        assert_true(roller[k].initial >= 0 && roller[k].peak >= roller[k].initial);
+        check_at_least(roller[k].initial, 0);
+        check_at_least(roller[k].peak, roller[k].initial);
         sum += roller[k].initial;
     }
     /* 9 m of cable at 20 kg/m, without what tension adds in the bends */
-    assert_true(sum > 0.9 * 9 * 20 * 9.81 && sum < 1.5 * 9 * 20 * 9.81);
+    check_between(sum, 0.9 * 9 * 20 * 9.81, 1.5 * 9 * 20 * 9.81);
     sim_free(s);
 }
 

@@ -1,7 +1,7 @@
 /* The statistics of a run on signals whose means, ripple and peaks are known. */
 #include "sim/watch/sample.h"
 #include "sim/watch/stats.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, STATIONS = 3 };
 
@@ -72,16 +72,16 @@ static void test_means(void **state)
     record(r, END, 5 + 2 * END, 0.1);
     record(r, END, 1e6, 9); /* no time has passed: it does not count */
     stats_summary(&r->stats, &out);
-    assert_true(fabs(out.pull_mean_N - 19) < 1e-10);
-    assert_true(fabs(out.pull_ripple_N - sqrt(12)) < 1e-4);
-    assert_true(fabs(out.pull_peak_N - 25) < 1e-12);
-    assert_true(fabs(out.steady_from_s - STEADY_FROM) + fabs(out.steady_to_s - END) < 1e-12);
-    assert_true(fabs(out.steady_speed_m_per_s - 0.1) < 1e-12);
+    check_close(out.pull_mean_N, 19, 1e-10);
+    check_close(out.pull_ripple_N, sqrt(12), 1e-4);
+    check_close(out.pull_peak_N, 25, 1e-12);
+    check_below(fabs(out.steady_from_s - STEADY_FROM) + fabs(out.steady_to_s - END), 1e-12);
+    check_close(out.steady_speed_m_per_s, 0.1, 1e-12);
     for (int k = 0; k < r->stats.n_rollers; ++k) {
         const SimRoller *const roller = &r->stats.roller_out[k];
-        assert_true(fabs(roller->steady - (k + 1) * 19) < 1e-9);
-        assert_true(fabs(roller->peak - (k + 1) * 25) < 1e-9);
-        assert_true(fabs(roller->initial - (k + 1) * 5) < 1e-9);
+        check_close(roller->steady, (k + 1) * 19, 1e-9);
+        check_close(roller->peak, (k + 1) * 25, 1e-9);
+        check_close(roller->initial, (k + 1) * 5, 1e-9);
     }
     rig_free(r);
 }
@@ -94,10 +94,11 @@ static void test_stations(void **state)
     for (int k = 0; k <= 20; ++k) record(r, 0.5 * k, 10, 0.1);
     const hawser_station *const at = r->stats.station_out;
     for (int k = 0; k < 2; ++k) {
-        assert_true(fabs(at[k].mean_N - 10 * at[k].s) < 1e-6);
-        assert_true(fabs(at[k].peak_N - 10 * at[k].s) < 1e-6);
+        check_close(at[k].mean_N, 10 * at[k].s, 1e-12);
+        check_close(at[k].peak_N, 10 * at[k].s, 1e-12);
     }
-    assert_true(isnan(at[2].mean_N) && isnan(at[2].peak_N));
+    check_nan(at[2].mean_N);
+    check_nan(at[2].peak_N);
     rig_free(r);
 }
 
@@ -112,7 +113,7 @@ static void test_settling(void **state)
         record(r, t, 1, 0.1 + swing);
     }
     stats_summary(&r->stats, &out);
-    assert_true(fabs(out.settle_time_s - log(50)) < 0.011);
+    check_close(out.settle_time_s, log(50), 0.011);
     rig_free(r);
 }
 
@@ -130,10 +131,10 @@ static void test_errors(void **state)
         at[k].paper_N = paper[k];
     }
     stats_summary(&r->stats, &out);
-    assert_true(fabs(out.error_max_pct - 5) < 1e-5);
-    assert_true(fabs(out.error_mean_pct - 3) < 1e-5);
-    assert_true(fabs(out.error_max_paper_pct - 10) < 1e-5);
-    assert_true(fabs(out.error_mean_paper_pct - 5) < 1e-5);
+    check_close(out.error_max_pct, 5, 1e-12);
+    check_close(out.error_mean_pct, 3, 1e-12);
+    check_close(out.error_max_paper_pct, 10, 1e-12);
+    check_close(out.error_mean_paper_pct, 5, 1e-12);
     rig_free(r);
 }
 
@@ -147,9 +148,9 @@ static void test_before_the_window(void **state)
     record(r, 1, 7, 0.1);
     record(r, 2, 4, 0.1);
     stats_summary(&r->stats, &out);
-    assert_true(fabs(out.pull_mean_N - 4) < 1e-15);
-    assert_true(fabs(out.pull_ripple_N) < 1e-15);
-    assert_true(fabs(out.pull_peak_N - 7) < 1e-15);
+    check_close(out.pull_mean_N, 4, 1e-15);
+    check_close(out.pull_ripple_N, 0, 1e-15);
+    check_close(out.pull_peak_N, 7, 1e-15);
     rig_free(r);
 }
 

@@ -1,7 +1,7 @@
 /* How far a step may carry the chain (N14), and what has turned too far to be followed (B16). */
 #include "sim/step/scales.h"
 #include "sim/watch/overturn.h"
-#include "tests/sim/rig_fixture.h"
+#include "tests/support/rig.h"
 
 static Rig *pull(void)
 {
@@ -17,13 +17,13 @@ static void test_most(void **state)
     (void)state;
     Rig *const r = pull();
     double thin = INFINITY;
-    for (int i = 0; i < r->scene.def.n_cables; ++i) thin = fmin(thin, r->scene.def.cables[i].diameter / 2);
-    assert_true(fabs(stride_most(&r->scene) - (0.1 + thin)) < 1e-15);
+    for (int i = 0; i < r->scene.def.n_cables; ++i) thin = smaller_of(thin, r->scene.def.cables[i].diameter / 2);
+    check_close(stride_most(&r->scene), 0.1 + thin, 1e-15);
     rig_free(r);
     SceneDef def;
     fixture_free_chain(&def, 12);
     Rig *const alone = rig_make(&def, NULL);
-    assert_true(isinf(stride_most(&alone->scene)));
+    check_infinite(stride_most(&alone->scene));
     rig_free(alone);
 }
 
@@ -38,7 +38,7 @@ static void test_speed(void **state)
         double *const y = r->y;
         y[STATE_V * n + i] = 3, y[(STATE_V + 2) * n + i] = -4, y[(STATE_W + 1) * n + i] = 12 / chain->half[i];
         const double speed = stride_speed(chain, n, 3, y + STATE_V * n, 3, y + STATE_W * n);
-        assert_true(fabs(speed - 13) < 1e-12);
+        check_close(speed, 13, 1e-12);
         y[STATE_V * n + i] = y[(STATE_V + 2) * n + i] = y[(STATE_W + 1) * n + i] = 0;
     }
     rig_free(r);

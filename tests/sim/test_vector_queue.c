@@ -1,14 +1,10 @@
 /* Operations on vectors that wait do what they would have done at once, to the last bit, with one thread and two. */
 #include "sim/step/sundials.h"
+#include "tests/support/check.h"
 
 #include <math.h>
 #include <nvector/nvector_serial.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 enum { LENGTH = 30011, VECTORS = 5 };
 
@@ -16,7 +12,7 @@ enum { LENGTH = 30011, VECTORS = 5 };
 static double largest(const void *owner, const double *x, const double *w)
 {
     double most = 0;
-    for (int i = 0; i < *(const int *)owner; ++i) most = fmax(most, fabs(x[i] * w[i]));
+    for (int i = 0; i < *(const int *)owner; ++i) most = larger_of(most, fabs(x[i] * w[i]));
     return most;
 }
 
@@ -108,17 +104,18 @@ static void test_waits(void **state)
     vectors_new(&s, 100, 1, NULL);
     N_VConst(3, s.v[0]);
     N_VScale(2, s.v[0], s.v[1]);
-    assert_true(fabs(s.data[5] - 3) > 1);
+    check_above(fabs(s.data[5] - 3), 1);
     assert_int_equal(s.family.queue.tasks, 2);
-    assert_true(fabs(N_VGetArrayPointer(s.v[2])[0] - sin(2001)) < 1e-15);
+    check_close(N_VGetArrayPointer(s.v[2])[0], sin(2001), 1e-15);
     assert_int_equal(s.family.queue.tasks, 0);
-    assert_true(fabs(s.data[5] - 3) < 1e-15 && fabs(NV_DATA_S(s.v[1])[5] - 6) < 1e-15);
+    check_close(s.data[5], 3, 1e-15);
+    check_close(NV_DATA_S(s.v[1])[5], 6, 1e-15);
     N_VScale(5, s.v[1], s.v[0]);
     vector_family_settle(&s.family);
-    assert_true(fabs(s.data[99] - 30) < 1e-15);
+    check_close(s.data[99], 30, 1e-15);
     N_VScale(2, s.v[1], s.v[2]); /* of a vector that goes away before it is done */
     N_VDestroy(s.v[1]);
-    assert_true(fabs(NV_DATA_S(s.v[2])[7] - 12) < 1e-15);
+    check_close(NV_DATA_S(s.v[2])[7], 12, 1e-15);
     s.v[1] = N_VClone(s.v[0]);
     vectors_free(&s);
 }
@@ -136,11 +133,12 @@ static void test_take(void **state)
     assert_int_equal(s.family.queue.tasks, 1);
     N_VScale(1, s.v[1], s.v[2]);
     N_VConst(0, s.v[1]);
-    assert_true(fabs(N_VGetArrayPointer(s.v[2])[0] - 2 * first) < 1e-15);
-    assert_true(fabs(N_VGetArrayPointer(s.v[1])[0]) < 1e-15);
+    check_close(N_VGetArrayPointer(s.v[2])[0], 2 * first, 1e-15);
+    check_close(N_VGetArrayPointer(s.v[1])[0], 0, 1e-15);
     N_VConst(3, s.v[0]); /* borrowed data stay where they are */
     vector_take(s.v[1], s.v[0]);
-    assert_true(N_VGetArrayPointer(s.v[0]) == s.data && fabs(N_VGetArrayPointer(s.v[1])[9] - 3) < 1e-15);
+    assert_ptr_equal(N_VGetArrayPointer(s.v[0]), s.data);
+    check_close(N_VGetArrayPointer(s.v[1])[9], 3, 1e-15);
     vectors_free(&s);
 }
 

@@ -1,7 +1,7 @@
 /* The winch by itself: motion by a profile, a set tension with its derivatives, and the trips as a machine. */
 #include "sim/equipment/rooms.h"
 #include "sim/equipment/winch.h"
-#include "tests/sim/scene_fixture.h"
+#include "tests/support/scene.h"
 
 enum { LAST = 2, N = LAST + 1 };
 
@@ -28,11 +28,13 @@ static void test_profile(void **state)
     const WinchDef def = speed_def();
     winch_init(&w, &def);
     for (double t = 0; t < 8; t += 0.37) {
-        assert_true(winch_speed(&w, t) - profile_value(&def.speed, t) == 0);
-        assert_true(winch_travel(&w, t) - profile_integral(&def.speed, t) == 0);
+        check_equal(winch_speed(&w, t), profile_value(&def.speed, t));
+        check_equal(winch_travel(&w, t), profile_integral(&def.speed, t));
     }
-    assert_true(next_stop(&w, 0) == 1 && next_stop(&w, 1) == 5 && isinf(next_stop(&w, 5)));
-    assert_true(fabs(winch_largest_speed(&w) - 0.1) < 1e-15);
+    check_equal(next_stop(&w, 0), 1);
+    check_equal(next_stop(&w, 1), 5);
+    check_infinite(next_stop(&w, 5));
+    check_close(winch_largest_speed(&w), 0.1, 1e-15);
 }
 
 /* Steps of dt up to `to` with stops where the winch wants them; every event must leave travel and speed as they were.
@@ -52,9 +54,10 @@ static int winch_run(Winch *w, PullOf pull, double dt, double to, Happening *out
         for (;;) {
             const double speed = winch_speed(w, t), travel = winch_travel(w, t);
             const WinchEvent event = winch_accept(w, t, pull(t));
-            assert_true(fabs(winch_speed(w, t) - speed) < 1e-14 && fabs(winch_travel(w, t) - travel) < 1e-14);
+            check_close(winch_speed(w, t), speed, 1e-14);
+            check_close(winch_travel(w, t), travel, 1e-14);
             if (event == WINCH_NOTHING) break;
-            assert_true(n < room);
+            check_below(n, room);
             out[n++] = (Happening){event, t};
         }
     }
@@ -77,18 +80,19 @@ static void test_trip_and_restart(void **state)
                                           WINCH_STOPPED, WINCH_STARTED, WINCH_RUNNING};
     assert_int_equal(n, 7);
     for (int i = 0; i < n; ++i) assert_int_equal(h[i].event, expected[i]);
-    assert_true(h[0].t > 7 && h[0].t < 7.02);
-    assert_true(fabs(h[1].t - h[0].t - 0.5) < 1e-12 && fabs(h[2].t - h[1].t - 4) < 1e-12);
-    assert_true(h[3].t > 12.5 && h[3].t < 12.52); /* inside the restart's ramp of 2 s from 11.5 s on */
-    assert_true(fabs(h[6].t - h[5].t - 2) < 1e-12);
-    assert_true(fabs(winch_speed(&w, 30) - 0.1) < 1e-15);
+    check_between(h[0].t, 7, 7.02);
+    check_close(h[1].t - h[0].t, 0.5, 1e-12);
+    check_close(h[2].t - h[1].t, 4, 1e-12);
+    check_between(h[3].t, 12.5, 12.52); /* inside the restart's ramp of 2 s from 11.5 s on */
+    check_close(h[6].t - h[5].t, 2, 1e-12);
+    check_close(winch_speed(&w, 30), 0.1, 1e-15);
     /* travel: the profile up to the trip, half the brake's way, the part of the ramp, its own brake, a ramp, the rest
      */
     const double part = (h[3].t - h[2].t) / 2, v = 0.1 * part * part * (3 - 2 * part);
     const double way = profile_integral(&def.speed, h[0].t) + 0.1 * 0.25 +
                        0.1 * 2 * (part * part * part - part * part * part * part / 2) + v * 0.25 + 0.1 * 1 +
                        0.1 * (30 - h[6].t);
-    assert_true(fabs(winch_travel(&w, 30) - way) < 1e-12);
+    check_close(winch_travel(&w, 30), way, 1e-12);
 }
 
 /* A trip on the way up: the restart comes back to the speed that was reached, and the profile goes on rising from
@@ -105,9 +109,9 @@ static void test_trip_on_the_ramp(void **state)
     assert_int_equal(winch_accept(&w, 6.5, 0), WINCH_STARTED);
     assert_int_equal(winch_accept(&w, 8.5, 0), WINCH_RUNNING);
     for (double t = 0; t < 5; t += 0.3) {
-        assert_true(fabs(winch_speed(&w, 8.5 + t) - profile_value(&def.speed, 2 + t)) < 1e-15);
+        check_close(winch_speed(&w, 8.5 + t), profile_value(&def.speed, 2 + t), 1e-15);
     }
-    assert_true(fabs(next_stop(&w, 8.5) - 11.5) < 1e-12); /* the profile's corner at 5 s, 6.5 s late */
+    check_close(next_stop(&w, 8.5), 11.5, 1e-12); /* the profile's corner at 5 s, 6.5 s late */
 }
 
 /* When no restart is left it stays, or ends the run. */
@@ -123,9 +127,10 @@ static void test_trip_for_good(void **state)
         const int n = winch_run(&w, pull_always, 0.01, 60, h, 16);
         assert_int_equal(n, 3 + 3 + 2); /* two restarts, each trips at once */
         assert_int_equal(h[n - 1].event, ends ? WINCH_ENDS_THE_RUN : WINCH_STAYS);
-        assert_true(fabs(winch_speed(&w, 60)) < 1e-15);
-        assert_true(ends ? fabs(w.phase.ended - h[n - 1].t) < 1e-12 : isinf(w.phase.ended));
-        assert_true(isinf(next_stop(&w, 60)));
+        check_close(winch_speed(&w, 60), 0, 1e-15);
+        if (ends) check_close(w.phase.ended, h[n - 1].t, 1e-12);
+        if (!ends) check_infinite(w.phase.ended);
+        check_infinite(next_stop(&w, 60));
     }
 }
 
@@ -146,7 +151,8 @@ static void test_hold(void **state)
     const int n = winch_run(&w, pull_peaks, 0.04, 9.9, h, 16);
     assert_int_equal(n, 1);
     assert_int_equal(h[0].event, WINCH_TRIPPED);
-    assert_true(h[0].t >= 9.5 - 1e-9 && h[0].t < 9.5 + 0.04);
+    check_at_least(h[0].t, 9.5 - 1e-9);
+    check_below(h[0].t, 9.5 + 0.04);
 }
 
 /* ----------------------------------------------------------------------------------------------------- tension */
@@ -167,19 +173,20 @@ static void test_tension_law(void **state)
     Winch w = {0};
     WinchDef def = tension_def();
     winch_init(&w, &def);
-    assert_true(fabs(winch_tension(&w, 3, 0.15, NULL) - 5000) < 1e-9);
-    assert_true(fabs(winch_tension(&w, 3, -1, NULL) - 5000) < 1e-9);
-    assert_true(fabs(winch_tension(&w, 1, 0, NULL) - 2500) < 1e-9);
-    assert_true(fabs(winch_tension(&w, 3, 0.175, NULL) - 2500) < 1e-9);
-    for (double v = 0.2; v < 1; v += 0.1) assert_true(fabs(winch_tension(&w, 3, v, NULL)) < 1e-12);
+    check_close(winch_tension(&w, 3, 0.15, NULL), 5000, 1e-9);
+    check_close(winch_tension(&w, 3, -1, NULL), 5000, 1e-9);
+    check_close(winch_tension(&w, 1, 0, NULL), 2500, 1e-9);
+    check_close(winch_tension(&w, 3, 0.175, NULL), 2500, 1e-9);
+    for (double v = 0.2; v < 1; v += 0.1) check_close(winch_tension(&w, 3, v, NULL), 0, 1e-12);
     for (double v = 0.1; v < 0.25; v += 0.0043) {
         double slope;
         winch_tension(&w, 3, v, &slope);
         const double fd = (winch_tension(&w, 3, v + 1e-6, NULL) - winch_tension(&w, 3, v - 1e-6, NULL)) / 2e-6;
-        assert_true(slope <= 0 && fabs(slope - fd) < 1e-4 * 1.5e5);
+        check_at_most(slope, 0);
+        check_close(slope, fd, 2e-8 * 1.5e5);
     }
     w.tension = (Profile){.v1 = -100}; /* never pushes */
-    assert_true(fabs(winch_tension(&w, 3, 0, NULL)) < 1e-12);
+    check_close(winch_tension(&w, 3, 0, NULL), 0, 1e-12);
 }
 
 /* A last segment that hangs askew of the pull's line and moves, under a guided winch at work or with its brake on. */
@@ -276,17 +283,18 @@ static void test_blocks(void **state)
             const double *const column = (c < 6 ? k.diag : d.diag) + 36 * LAST + 6 * (c % 6);
             for (int row = 0; row < 6; ++row) {
                 const double fd = (plus[row] - minus[row]) / (2 * e);
-                worst = fmax(worst, fabs(fd - column[row]));
-                largest = fmax(largest, fabs(fd));
+                worst = larger_of(worst, fabs(fd - column[row]));
+                largest = larger_of(largest, fabs(fd));
             }
         }
-        for (int i = 0; i < 36 * LAST; ++i) assert_true(k.diag[i] * k.diag[i] + d.diag[i] * d.diag[i] <= 0);
+        for (int i = 0; i < 36 * LAST; ++i) check_at_most(k.diag[i] * k.diag[i] + d.diag[i] * d.diag[i], 0);
         block_chain_free(&k);
         block_chain_free(&d);
         head_free(&h);
     }
     print_message("largest entry %.3g, error %.2g\n", largest, worst);
-    assert_true(largest > 1e4 && worst < 1e-8 * largest + 1e-3);
+    check_above(largest, 1e4);
+    check_below(worst, 1e-8 * largest + 1e-3);
 }
 
 /* Along the line and at rest the guide gives nothing, and the pull is what is applied. */
@@ -306,9 +314,13 @@ static void test_on_the_line(void **state)
     }
     head_wrench(&h, f);
     const WinchMotion m = winch_motion(&h.winch, &h.chain, &h.kin, 3);
-    assert_true(fabs(m.travel - 5) < 1e-12 && fabs(m.speed - 0.1) < 1e-15);
-    assert_true(fabs(winch_pull(&h.winch, &h.chain, &h.kin, 3) - 5000) < 1e-9);
-    for (int c = 0; c < 3; ++c) assert_true(fabs(f[c] - 5000 * axis[c]) < 1e-8 && fabs(f[3 + c]) < 1e-8);
+    check_close(m.travel, 5, 1e-12);
+    check_close(m.speed, 0.1, 1e-15);
+    check_close(winch_pull(&h.winch, &h.chain, &h.kin, 3), 5000, 1e-9);
+    for (int c = 0; c < 3; ++c) {
+        check_close(f[c], 5000 * axis[c], 1e-8);
+        check_close(f[3 + c], 0, 1e-8);
+    }
     head_free(&h);
 }
 

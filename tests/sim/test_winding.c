@@ -1,11 +1,6 @@
 /* Cable on a drum: layers, capacity, inertia and angle against sums over the cable's length. */
 #include "sim/equipment/winding.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 /* 1.2 m of bare drum, 6 turns of 80 mm cable a layer. */
 static const Winding DRUM = {.barrel = 0.6, .pitch = 0.08, .turns = 6, .line_mass = 12, .inertia = 40};
@@ -14,13 +9,13 @@ static const Winding DRUM = {.barrel = 0.6, .pitch = 0.08, .turns = 6, .line_mas
 static void test_capacity(void **state)
 {
     (void)state;
-    assert_true(winding_turns(0.5, 0.08) < 6.5 && winding_turns(0.5, 0.08) > 5.5);
-    assert_true(winding_turns(0.48, 0.08) > 5.5);
-    assert_true(winding_turns(0.07, 0.08) < 0.5);
+    check_between(winding_turns(0.5, 0.08), 5.5, 6.5);
+    check_above(winding_turns(0.48, 0.08), 5.5);
+    check_below(winding_turns(0.07, 0.08), 0.5);
     const double first = 2 * M_PI * 0.64 * 6, second = 2 * M_PI * 0.72 * 6;
-    assert_true(fabs(winding_capacity(&DRUM, 0.679)) < 1e-15);
-    assert_true(fabs(winding_capacity(&DRUM, 0.68) - first) < 1e-12);
-    assert_true(fabs(winding_capacity(&DRUM, 0.77) - first - second) < 1e-12);
+    check_close(winding_capacity(&DRUM, 0.679), 0, 1e-15);
+    check_close(winding_capacity(&DRUM, 0.68), first, 1e-12);
+    check_close(winding_capacity(&DRUM, 0.77) - first, second, 1e-12);
 }
 
 /* The radius is that of the layers, rises over their first turns without a jump, and its slope is its slope. */
@@ -28,15 +23,15 @@ static void test_radius(void **state)
 {
     (void)state;
     const double first = winding_capacity(&DRUM, 0.68), h = 1e-6;
-    assert_true(fabs(winding_radius(&DRUM, 0, NULL) - 0.64) < 1e-15);
-    assert_true(fabs(winding_radius(&DRUM, first - 1e-9, NULL) - 0.64) < 1e-12);
-    assert_true(fabs(winding_radius(&DRUM, first + 2 * M_PI * 0.72, NULL) - 0.72) < 1e-12);
+    check_close(winding_radius(&DRUM, 0, NULL), 0.64, 1e-15);
+    check_close(winding_radius(&DRUM, first - 1e-9, NULL), 0.64, 1e-12);
+    check_close(winding_radius(&DRUM, first + 2 * M_PI * 0.72, NULL), 0.72, 1e-12);
     for (double w = 0.37; w < 100; w += 0.37) {
         double slope;
         const double a = winding_radius(&DRUM, w - h, NULL), b = winding_radius(&DRUM, w + h, NULL);
         winding_radius(&DRUM, w, &slope);
-        assert_true(fabs(b - a) < 1e-6); /* never a step */
-        assert_true(fabs((b - a) / (2 * h) - slope) < 1e-8);
+        check_close(b, a, 1e-6); /* never a step */
+        check_close((b - a) / (2 * h), slope, 1e-8);
     }
 }
 
@@ -52,11 +47,11 @@ static void test_integrals(void **state)
         angle += dw / r;
         if (k % 50000) continue;
         const WindingPoint p = winding_point(&DRUM, w + dw);
-        assert_true(fabs(winding_inertia(&DRUM, w + dw) / inertia - 1) < 1e-8);
-        assert_true(fabs(p.angle - angle) < 1e-7);
-        assert_true(fabs(p.across) <= 0.2 + 1e-12); /* between the flanges: 5 pitches from end to end */
+        check_share(winding_inertia(&DRUM, w + dw), inertia, 5e-10);
+        check_close(p.angle, angle, 1e-7);
+        check_close(p.across, 0, 0.2 + 1e-12); /* between the flanges: 5 pitches from end to end */
     }
-    assert_true(fabs(winding_inertia(&DRUM, 0) - 40) < 1e-12);
+    check_close(winding_inertia(&DRUM, 0), 40, 1e-12);
 }
 
 int main(void)

@@ -3,13 +3,8 @@
 #include "sim/run/window.h"
 #include "sim/step/sundials.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
-
-#include "tests/core/chain_fixture.h"
+#include "tests/support/chain.h"
+#include "tests/support/check.h"
 
 enum { WHOLE = 9, SLIDERS = 2 };
 
@@ -48,22 +43,22 @@ static void test_chain(void **state)
             assert_int_equal(window.sliders.count, SLIDERS);
             for (int i = 0; i <= n; ++i) {
                 const int free = i == 0 && first > 0;
-                assert_true(fabs(window.half[i] - whole.half[first + i]) < 1e-15);
-                assert_true(fabs(window.mass[i] - whole.mass[first + i]) < 1e-15);
+                check_close(window.half[i], whole.half[first + i], 1e-15);
+                check_close(window.mass[i], whole.mass[first + i], 1e-15);
                 for (int k = 0; k < 6; ++k) {
-                    assert_true(fabs(window.stiffness[k][i] - (free ? 0 : whole.stiffness[k][first + i])) < 1e-15);
-                    assert_true(fabs(window.damping[k][i] - (free ? 0 : whole.damping[k][first + i])) < 1e-15);
-                    assert_true(fabs(window.preload[k][i] - (free ? 0 : whole.preload[k][first + i])) < 1e-15);
+                    check_close(window.stiffness[k][i], free ? 0 : whole.stiffness[k][first + i], 1e-15);
+                    check_close(window.damping[k][i], free ? 0 : whole.damping[k][first + i], 1e-15);
+                    check_close(window.preload[k][i], free ? 0 : whole.preload[k][first + i], 1e-15);
                 }
                 for (int k = 0; k < SLIDERS; ++k) {
                     const double spring = free ? 0 : whole.sliders.stiffness[k][first + i];
-                    assert_true(fabs(window.sliders.stiffness[k][i] - spring) < 1e-15);
-                    assert_true(fabs(window.sliders.limit[k][i] - whole.sliders.limit[k][first + i]) < 1e-15);
+                    check_close(window.sliders.stiffness[k][i], spring, 1e-15);
+                    check_close(window.sliders.limit[k][i], whole.sliders.limit[k][first + i], 1e-15);
                 }
             }
             window_end(&whole, &window);
-            assert_true(fabs(window.half[n]) < 1e-15);
-            assert_true(fabs(window.stiffness[0][n] - whole.stiffness[0][WHOLE]) < 1e-15);
+            check_close(window.half[n], 0, 1e-15);
+            check_close(window.stiffness[0][n], whole.stiffness[0][WHOLE], 1e-15);
             chain_free(&window);
         }
     }
@@ -88,12 +83,11 @@ static void test_map(void **state)
         }
         window_map(&m, EXTRA, is_state, from, to);
         for (int k = 0; k < STATE_SIZE; ++k) {
-            for (int i = 0; i < m.to - joined; ++i)
-                assert_true(fabs(to[k * m.to + joined + i] - from[k * N + i]) < 1e-15);
+            for (int i = 0; i < m.to - joined; ++i) check_close(to[k * m.to + joined + i], from[k * N + i], 1e-15);
             const double row = m.scale[k] * from[k * N] + (is_state ? m.offset[k] : 0);
-            if (joined) assert_true(fabs(to[k * m.to] - row) < 1e-12);
+            if (joined) check_close(to[k * m.to], row, 1e-12);
         }
-        for (int k = 0; k < EXTRA; ++k) assert_true(fabs(to[STATE_SIZE * m.to + k] - from[STATE_SIZE * N + k]) < 1e-15);
+        for (int k = 0; k < EXTRA; ++k) check_close(to[STATE_SIZE * m.to + k], from[STATE_SIZE * N + k], 1e-15);
     }
 }
 
@@ -129,10 +123,10 @@ static void test_family(void **state)
     assert_true(vector_family_resize(&family, length, longer, double_first, &length));
     assert_int_equal(N_VGetLength(a), 5);
     assert_int_equal(N_VGetLength(v), 5);
-    assert_true(N_VGetArrayPointer(v) == longer);
-    for (int k = 0; k < 5; ++k) assert_true(fabs(N_VGetArrayPointer(a)[k] - 8) < 1e-15);
+    assert_ptr_equal(N_VGetArrayPointer(v), longer);
+    for (int k = 0; k < 5; ++k) check_close(N_VGetArrayPointer(a)[k], 8, 1e-15);
     N_VLinearSum(1, a, 1, v, a); /* the kernels know of it */
-    assert_true(fabs(N_VGetArrayPointer(a)[4] - 13) < 1e-15);
+    check_close(N_VGetArrayPointer(a)[4], 13, 1e-15);
     N_VDestroy(a);
     N_VDestroy(v);
     assert_int_equal(family.n, 0);

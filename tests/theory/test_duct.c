@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "tests/theory/near.h"
+#include "tests/support/check.h"
 
 static DuctLoad load(double ratio, int cables, DuctLayout layout)
 {
@@ -19,17 +19,17 @@ static void factors(void **state)
     (void)state;
     const DuctLoad one = load(1.5, 1, DUCT_AUTO), two = load(3, 2, DUCT_AUTO), three = load(2.4, 3, DUCT_AUTO);
     const DuctLoad cradle = load(3, 3, DUCT_AUTO), four = load(3, 4, DUCT_AUTO);
-    near(one.weight_factor, 1, 0);
-    near(one.sidewall_factor, 1, 0);
+    check_close(one.weight_factor, 1, 0);
+    check_close(one.sidewall_factor, 1, 0);
     /* D/d = 3: x = 1/2. */
-    near(two.weight_factor, 2 / sqrt(3), 1e-15);
-    near(cradle.weight_factor, 1 + 1.0 / 3, 1e-15);
-    near(cradle.sidewall_factor, (3 * (1 + 1.0 / 3) - 2) / 3, 1e-15);
-    near(four.weight_factor, 1.5, 1e-15);
-    near(four.sidewall_factor, 0.5, 1e-15);
+    check_close(two.weight_factor, 2 / sqrt(3), 1e-15);
+    check_close(cradle.weight_factor, 1 + 1.0 / 3, 1e-15);
+    check_close(cradle.sidewall_factor, (3 * (1 + 1.0 / 3) - 2) / 3, 1e-15);
+    check_close(four.weight_factor, 1.5, 1e-15);
+    check_close(four.sidewall_factor, 0.5, 1e-15);
     const double x = 1 / 1.4;
-    near(three.weight_factor, 1 / sqrt(1 - x * x), 1e-14);
-    near(three.sidewall_factor, three.weight_factor / 2, 1e-15);
+    check_close(three.weight_factor, 1 / sqrt(1 - x * x), 1e-14);
+    check_close(three.sidewall_factor, three.weight_factor / 2, 1e-15);
 }
 
 /* The normal forces that the cables' own equilibria leave add up to the weight factor: three cradled cables,
@@ -41,12 +41,12 @@ static void cradle_balances(void **state)
     /* Outer cable: wall force N toward the centre, contact force F along the line of centres, weight 1. */
     const double det = -sin(beta) * sin(half) - cos(half) * cos(beta);
     const double N = -cos(half) / det, F = -sin(beta) / det;
-    near(-sin(beta) * N + cos(half) * F, 0, 1e-15);
-    near(cos(beta) * N + sin(half) * F, 1, 1e-15);
+    check_close(-sin(beta) * N + cos(half) * F, 0, 1e-15);
+    check_close(cos(beta) * N + sin(half) * F, 1, 1e-15);
     const double bottom = 1 + 2 * F * sin(half);
     const DuctLoad found = load(ratio, 3, DUCT_CRADLE);
-    near(found.weight_factor, (2 * N + bottom) / 3, 1e-14);
-    near(found.sidewall_factor, bottom / 3, 1e-14);
+    check_close(found.weight_factor, (2 * N + bottom) / 3, 1e-14);
+    check_close(found.sidewall_factor, bottom / 3, 1e-14);
 }
 
 static void layouts_follow_the_ratio(void **state)
@@ -63,14 +63,14 @@ static void layouts_follow_the_ratio(void **state)
 static void clearances(void **state)
 {
     (void)state;
-    near(load(1.5, 1, DUCT_AUTO).clearance, 0.025, 1e-16);
-    near(load(2 + 1e-9, 2, DUCT_AUTO).clearance, 0, 1e-5);
-    near(load(1 + 2 / sqrt(3) + 1e-9, 3, DUCT_TRIANGLE).clearance, 0, 1e-7);
-    near(load(1 + sqrt(2) + 1e-9, 4, DUCT_AUTO).clearance, 0, 1e-7);
+    check_close(load(1.5, 1, DUCT_AUTO).clearance, 0.025, 1e-16);
+    check_close(load(2 + 1e-9, 2, DUCT_AUTO).clearance, 0, 1e-5);
+    check_close(load(1 + 2 / sqrt(3) + 1e-9, 3, DUCT_TRIANGLE).clearance, 0, 1e-7);
+    check_close(load(1 + sqrt(2) + 1e-9, 4, DUCT_AUTO).clearance, 0, 1e-7);
     /* D = 4 d, triangle: D/2 - 1.366 d + (D - d)/2 sqrt(1 - x^2), the usual form. */
     const double d = 0.05;
-    near(load(4, 3, DUCT_TRIANGLE).clearance, 2 * d - (0.5 + sqrt(3) / 2) * d + 1.5 * d * sqrt(8.0 / 9), 1e-15);
-    near(load(4, 3, DUCT_AUTO).fill, 3.0 / 16, 1e-15);
+    check_close(load(4, 3, DUCT_TRIANGLE).clearance, 2 * d - (0.5 + sqrt(3) / 2) * d + 1.5 * d * sqrt(8.0 / 9), 1e-15);
+    check_close(load(4, 3, DUCT_AUTO).fill, 3.0 / 16, 1e-15);
 }
 
 static void jamming(void **state)
@@ -81,7 +81,7 @@ static void jamming(void **state)
                             JAM_MODERATE,   JAM_SMALL, JAM_VERY_SMALL};
     for (int i = 0; i < 7; i++) {
         const DuctLoad found = load(ratio[i], 3, DUCT_AUTO);
-        near(found.jam_ratio, 1.05 * ratio[i], 1e-15);
+        check_close(found.jam_ratio, 1.05 * ratio[i], 1e-15);
         assert_int_equal(found.jam_risk, risk[i]);
     }
     assert_int_equal(load(2.7, 4, DUCT_AUTO).jam_risk, JAM_NONE);

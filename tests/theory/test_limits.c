@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "tests/theory/near.h"
+#include "tests/support/check.h"
 
 static LimitsDef given(void)
 {
@@ -40,9 +40,9 @@ static void allowable_pull(void **state)
         } else {
             def.metal = row[i].material, def.area = row[i].mm2 * 1e-6;
         }
-        near(limits_pull(&def, 1, source), row[i].expected, 1e-9 * row[i].expected);
-        assert_non_null(strstr(source, def.code == CODE_PAPER ? "table 4" : "TB 889"));
-        near(limits_pull(&def, 3, source), 3 * row[i].expected, 1e-8 * row[i].expected);
+        check_share(limits_pull(&def, 1, source), row[i].expected, 1e-14);
+        check_has(source, def.code == CODE_PAPER ? "table 4" : "TB 889");
+        check_close(limits_pull(&def, 3, source), 3 * row[i].expected, 1e-13 * row[i].expected);
     }
 }
 
@@ -53,21 +53,21 @@ static void overrides(void **state)
     char source[160];
     LimitsDef def = given();
     def.area = 500e-6, def.stress = 55e6;
-    near(limits_pull(&def, 1, source), 27500, 1e-8);
-    assert_non_null(strstr(source, "limits.stress"));
+    check_close(limits_pull(&def, 1, source), 27500, 1e-8);
+    check_has(source, "limits.stress");
     def.pull = 12e3;
-    near(limits_pull(&def, 2, source), 24e3, 1e-9);
+    check_close(limits_pull(&def, 2, source), 24e3, 1e-9);
     static const double sidewall[] = {3000, 4900, 4400, 500}, factor[] = {20, 12, 20, 20};
     for (int k = 0; k < 4; k++) {
         def.practice = k;
-        near(limits_sidewall(&def, source), sidewall[k], 0);
-        near(limits_radius(&def, 0.1, source), factor[k] * 0.1, 1e-12);
+        check_close(limits_sidewall(&def, source), sidewall[k], 0);
+        check_close(limits_radius(&def, 0.1, source), factor[k] * 0.1, 1e-12);
     }
     def.sidewall = 1234, def.bend_factor = 15;
-    near(limits_sidewall(&def, source), 1234, 0);
-    near(limits_radius(&def, 0.1, source), 1.5, 1e-12);
+    check_close(limits_sidewall(&def, source), 1234, 0);
+    check_close(limits_radius(&def, 0.1, source), 1.5, 1e-12);
     def.bend_radius = 2.5;
-    near(limits_radius(&def, 0.1, source), 2.5, 0);
+    check_close(limits_radius(&def, 0.1, source), 2.5, 0);
 }
 
 /* Every limit just held and just broken: bounds 100 kN/1.6, 30 kN/5 ... with nothing else in the way. */
@@ -88,9 +88,11 @@ static void held_and_broken(void **state)
         }
         assert_int_equal(limits_judge(&def, 0.08, 1, f, out), LIMIT_KINDS);
         for (int k = 0; k < LIMIT_KINDS; k++) {
-            near(out[k].limit, bound[k], 1e-9 * bound[k]);
-            assert_true(out[k].judged && out[k].ok == !broken);
-            assert_true(fabs(fabs(out[k].margin) - 0.01) < 2e-4 && (out[k].margin < 0) == broken);
+            check_share(out[k].limit, bound[k], 1e-9);
+            assert_true(out[k].judged);
+            check_equal(out[k].ok, !broken);
+            check_close(fabs(out[k].margin), 0.01, 2e-4);
+            check_equal(out[k].margin < 0, broken);
             assert_string_equal(out[k].where, "here");
         }
     }
@@ -144,16 +146,17 @@ static void not_judged(void **state)
     f[LIMIT_BEND].value = INFINITY; /* a straight route */
     assert_int_equal(limits_judge(&def, 0.08, 1, f, out), LIMIT_KINDS - 1);
     assert_false(out[0].judged);
-    assert_non_null(strstr(out[0].source, "limits.conductor.area"));
-    assert_true(out[2].judged && out[2].ok && out[2].margin == 1);
-    assert_non_null(strstr(out[3].source, "no roller has a rating"));
-    assert_non_null(strstr(out[5].source, "rope_strength"));
+    check_has(out[0].source, "limits.conductor.area");
+    assert_true(out[2].judged && out[2].ok);
+    check_equal(out[2].margin, 1);
+    check_has(out[3].source, "no roller has a rating");
+    check_has(out[5].source, "rope_strength");
     assert_string_equal(out[6].source, "no rollers");
     assert_false(out[6].judged || out[6].ok);
     def.code = CODE_TB889, def.attachment = ATTACH_NET, def.sheath_area = 1e-3;
     limits_judge(&def, 0.08, 1, f, out);
     assert_false(out[0].judged);
-    assert_non_null(strstr(out[0].source, "hauling nets"));
+    check_has(out[0].source, "hauling nets");
     def.present = 0;
     assert_int_equal(limits_judge(&def, 0.08, 1, f, out), 0);
 }

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "tests/theory/near.h"
+#include "tests/support/check.h"
 
 static const double PI = 3.14159265358979323846, WEIGHT = 200, MU = 0.25;
 
@@ -44,24 +44,25 @@ static void both_directions(void **state)
     assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
     assert_int_equal(plan.n, 5);
     const PlanWay *there = &plan.way[PLAN_FORWARD], *back = &plan.way[PLAN_BACKWARD];
-    near(there->start, 15 * WEIGHT, 0);
-    near(there->rope, 5 * WEIGHT, 0);
-    near(there->force, there->pull.end_tension + 5 * WEIGHT, 0);
+    check_close(there->start, 15 * WEIGHT, 0);
+    check_close(there->rope, 5 * WEIGHT, 0);
+    check_close(there->force, there->pull.end_tension + 5 * WEIGHT, 0);
     /* Uphill first and the bends last costs more than the bends first and then downhill. */
     assert_int_equal(plan.better, PLAN_BACKWARD);
-    assert_true(back->force < there->force && back->force > back->start);
-    assert_true(there->restart_force > there->force && back->restart_force > back->force);
+    check_between(back->force, back->start, there->force);
+    check_above(there->restart_force, there->force);
+    check_above(back->restart_force, back->force);
     /* Pieces follow each other; the first straight is known exactly. */
     for (int i = 0; i < 4; i++) {
-        near(there->piece[i].t_out, there->piece[i + 1].t_in, 0);
-        near(back->piece[i + 1].t_out, back->piece[i].t_in, 0);
+        check_close(there->piece[i].t_out, there->piece[i + 1].t_in, 0);
+        check_close(back->piece[i + 1].t_out, back->piece[i].t_in, 0);
     }
-    near(there->piece[0].t_out, 15 * WEIGHT + 60 * WEIGHT * (MU * cos(0.2) + sin(0.2)), 1e-9);
-    near(there->piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
-    near(there->piece[2].roller_load, 2 * WEIGHT, 1e-10);
-    near(there->piece[3].roller_load, 2 * hypot(there->piece[3].t_out / 8, WEIGHT), 1e-9);
-    near(there->piece[3].sidewall, there->piece[3].t_out / 8, 1e-10);
-    near(there->max_sidewall, there->max_tension / 8, 1e-9);
+    check_close(there->piece[0].t_out, 15 * WEIGHT + 60 * WEIGHT * (MU * cos(0.2) + sin(0.2)), 1e-9);
+    check_close(there->piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
+    check_close(there->piece[2].roller_load, 2 * WEIGHT, 1e-10);
+    check_close(there->piece[3].roller_load, 2 * hypot(there->piece[3].t_out / 8, WEIGHT), 1e-9);
+    check_close(there->piece[3].sidewall, there->piece[3].t_out / 8, 1e-10);
+    check_close(there->max_sidewall, there->max_tension / 8, 1e-9);
     plan_clear(&plan);
     route_clear(&route);
 }
@@ -77,11 +78,11 @@ static void closed_forms_by_piece(void **state)
     for (int way = 0; way < PLAN_WAYS; way++) {
         for (int i = 0; i < 4; i++) {
             const PlanPiece *piece = &plan.way[way].piece[i];
-            near(piece->closed, piece->t_out, 1e-10 * piece->t_out);
+            check_share(piece->closed, piece->t_out, 5e-12);
             assert_string_equal(piece->reason, "");
         }
-        assert_true(isnan(plan.way[way].piece[4].closed));
-        assert_non_null(strstr(plan.way[way].piece[4].reason, "no closed form"));
+        check_nan(plan.way[way].piece[4].closed);
+        check_has(plan.way[way].piece[4].reason, "no closed form");
     }
     plan_clear(&plan);
     route_clear(&route);
@@ -101,13 +102,13 @@ static void conveyors(void **state)
     def.push = &conveyor;
     assert_int_equal(plan_build(&def, &with, NULL), HAWSER_OK);
     const PlanWay *a = &without.way[PLAN_FORWARD], *b = &with.way[PLAN_FORWARD];
-    near(pull_at(&b->pull, 80).tension, pull_at(&a->pull, 80).tension, 1e-9);
-    near(pull_at(&b->pull, 90).tension, pull_at(&a->pull, 90).tension - 3000, 1e-9);
-    assert_true(b->force < a->force - 3000); /* the bends beyond multiply what it takes off */
+    check_close(pull_at(&b->pull, 80).tension, pull_at(&a->pull, 80).tension, 1e-9);
+    check_close(pull_at(&b->pull, 90).tension, pull_at(&a->pull, 90).tension - 3000, 1e-9);
+    check_below(b->force, a->force - 3000); /* the bends beyond multiply what it takes off */
     /* The other way only the crest and the slope lie beyond it. */
-    near(with.way[PLAN_BACKWARD].force, without.way[PLAN_BACKWARD].force - 3000 * exp(MU * 0.2), 1e-7);
-    assert_non_null(strstr(b->piece[2].reason, "a push"));
-    near(b->piece[2].t_out, pull_at(&b->pull, route.piece[3].s0).tension, 0);
+    check_close(with.way[PLAN_BACKWARD].force, without.way[PLAN_BACKWARD].force - 3000 * exp(MU * 0.2), 1e-9);
+    check_has(b->piece[2].reason, "a push");
+    check_close(b->piece[2].t_out, pull_at(&b->pull, route.piece[3].s0).tension, 0);
     plan_clear(&without);
     plan_clear(&with);
     route_clear(&route);
@@ -130,12 +131,12 @@ static void ways_of_their_own(void **state)
     def.spacing = spacing;
     def.rope_force = 70;
     assert_int_equal(plan_build(&def, &with, NULL), HAWSER_OK);
-    near(pull_at(&with.way[0].pull, 90).tension, pull_at(&without.way[0].pull, 90).tension - 3000, 1e-9);
-    near(with.way[1].force, without.way[1].force + 500 * exp(MU * 0.2) + 70, 1e-7);
-    near(with.way[0].piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
-    near(with.way[0].piece[2].roller_load, 3 * WEIGHT, 1e-10);
-    near(with.way[0].piece[4].roller_load, 0, 0);
-    near(with.way[0].restart_max, with.way[0].restart_force - with.way[0].rope, 1e-9);
+    check_close(pull_at(&with.way[0].pull, 90).tension, pull_at(&without.way[0].pull, 90).tension - 3000, 1e-9);
+    check_close(with.way[1].force, without.way[1].force + 500 * exp(MU * 0.2) + 70, 1e-10);
+    check_close(with.way[0].piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
+    check_close(with.way[0].piece[2].roller_load, 3 * WEIGHT, 1e-10);
+    check_close(with.way[0].piece[4].roller_load, 0, 0);
+    check_close(with.way[0].restart_max, with.way[0].restart_force - with.way[0].rope, 1e-9);
     plan_clear(&without);
     plan_clear(&with);
     route_clear(&route);
@@ -152,14 +153,14 @@ static void duct_corrections(void **state)
     def.duct = &duct;
     Plan plan, same;
     assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
-    near(plan.duct.weight_factor, 4.0 / 3, 1e-14);
+    check_close(plan.duct.weight_factor, 4.0 / 3, 1e-14);
     const PullStretch corrected = {.weight = 3 * WEIGHT, .mu = MU * 4 / 3};
     def.duct = NULL;
     def.stretch = &corrected;
     assert_int_equal(plan_build(&def, &same, NULL), HAWSER_OK);
-    near(plan.way[0].force, same.way[0].force, 1e-8);
-    near(plan.way[0].max_sidewall, same.way[0].max_sidewall * 2 / 3, 1e-8);
-    near(plan.way[0].piece[3].sidewall, same.way[0].piece[3].sidewall * 2 / 3, 1e-8);
+    check_close(plan.way[0].force, same.way[0].force, 1e-8);
+    check_close(plan.way[0].max_sidewall, same.way[0].max_sidewall * 2 / 3, 1e-8);
+    check_close(plan.way[0].piece[3].sidewall, same.way[0].piece[3].sidewall * 2 / 3, 1e-8);
     plan_clear(&plan);
     plan_clear(&same);
     route_clear(&route);

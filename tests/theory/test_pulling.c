@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "tests/theory/near.h"
+#include "tests/support/check.h"
 #include "theory/closed_form.h"
 
 static const double PI = 3.14159265358979323846;
@@ -83,15 +83,16 @@ static void separate_supports(void **state)
     assert_int_equal(pull_solve(&def, &two, NULL), HAWSER_OK);
     cable.separate = 0;
     assert_int_equal(pull_solve(&def, &one, NULL), HAWSER_OK);
-    assert_true(two.end_tension > 1.01 * one.end_tension);
+    check_above(two.end_tension, 1.01 * one.end_tension);
     for (int i = 0; i < two.n; i++) {
         const PullSpan *span = &two.span[i];
         for (int k = 1; k < 20; k++) {
             const double s = span->s0 + k / 20.0 * (span->s1 - span->s0), T = pull_at(&two, s).tension;
-            near(span_rate(&span->law, s, T), separate_rate(&route, 1, 150, 0.2, s, T), 1e-9 * T);
+            check_close(span_rate(&span->law, s, T), separate_rate(&route, 1, 150, 0.2, s, T), 1e-14 * T);
             const double resultant = span_normal(&one.span[i].law, s, T), sum = span_normal(&span->law, s, T);
-            assert_true(sum >= resultant * (1 - 1e-12) && sum <= resultant * 1.4143);
-            assert_true(span_support(&span->law, s, T) <= resultant * (1 + 1e-12));
+            check_at_least(sum, resultant * (1 - 1e-12));
+            check_at_most(sum, resultant * 1.4143);
+            check_at_most(span_support(&span->law, s, T), resultant * (1 + 1e-12));
         }
     }
     pull_clear(&two);
@@ -114,13 +115,13 @@ static void separate_closed_forms(void **state)
     hawser_error err;
     assert_int_equal(pull_solve(&pull_def, &pull, NULL), HAWSER_OK);
     const double exact = (3000 + 1600) * exp(0.25 * 1.1) - 1600;
-    near(pull.span[0].t1, exact, 1e-8);
-    near(pull_piece_extremes(&pull, 0).down, 200, 1e-9);
-    near(pull_piece_extremes(&pull, 0).aside, exact / 8, 1e-9);
+    check_close(pull.span[0].t1, exact, 1e-8);
+    check_close(pull_piece_extremes(&pull, 0).down, 200, 1e-9);
+    check_close(pull_piece_extremes(&pull, 0).aside, exact / 8, 1e-9);
     assert_int_equal(bend_separate_tension(3000, 200, 0.25, 8, 1.1, &T2, NULL), HAWSER_OK);
-    near(T2, exact, 1e-10);
+    check_close(T2, exact, 1e-10);
     assert_int_equal(piece_tension(&route.piece[1], 1, exact, 200, 0.25, 1, &lifted, NULL), HAWSER_OK);
-    near(pull.end_tension, lifted, 1e-7);
+    check_close(pull.end_tension, lifted, 1e-7);
     assert_int_equal(bend_separate_tension(-1, 200, 0.25, 8, 1.1, &T2, &err), HAWSER_ERR_INPUT);
     pull_clear(&pull);
     route_clear(&route);
@@ -137,7 +138,7 @@ static void independent_integration_agrees(void **state)
         Pull pull;
         assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
         const double plain = plain_integral(&route, i % 2 ? -1 : 1, 150, cable.mu, def.start_tension, 20000);
-        near(pull.end_tension, plain, 1e-10 * fabs(plain));
+        check_share(pull.end_tension, plain, 1e-10);
         pull_clear(&pull);
     }
     route_clear(&route);
@@ -166,7 +167,7 @@ static void mirrored_routes_agree(void **state)
     first.plane = atan2(v3_dot(n, v3_cross(t, left)), v3_dot(n, left));
     const RoutePieceDef mirrored[] = {first, back[1], back[2], back[3]};
     assert_int_equal(route_build(&b, 4, mirrored, end.position, heading, slope, NULL), HAWSER_OK);
-    near(v3_norm(route_at(&b, b.length).position), 0, 1e-13);
+    check_close(v3_norm(route_at(&b, b.length).position), 0, 1e-13);
 
     const PullStretch cable = {.weight = 180, .mu = 0.3};
     PullDef backward = simple_def(&a, &cable, 2000), mirror = simple_def(&b, &cable, 2000);
@@ -177,8 +178,8 @@ static void mirrored_routes_agree(void **state)
     assert_int_equal(pull_solve(&mirror, &two, NULL), HAWSER_OK);
     for (double s = 0; s <= a.length; s += 0.5) {
         const PullPoint p = pull_at(&one, a.length - s), q = pull_at(&two, s);
-        near(p.tension, q.tension, 1e-9 * q.tension);
-        near(p.slope, -q.slope, 1e-12);
+        check_share(p.tension, q.tension, 1e-13);
+        check_close(p.slope, -q.slope, 1e-12);
     }
     pull_clear(&one);
     pull_clear(&two);
@@ -199,17 +200,17 @@ static void points_on_the_way(void **state)
         def.to = s;
         assert_int_equal(pull_solve(&def, &part, NULL), HAWSER_OK);
         const PullPoint at = pull_at(&whole, s);
-        near(at.tension, part.end_tension, 1e-10 * at.tension);
-        near(at.slope, route_slope(&route, s), 1e-12);
+        check_close(at.tension, part.end_tension, 1e-13 * at.tension);
+        check_close(at.slope, route_slope(&route, s), 1e-12);
         assert_int_equal(at.piece, route_at(&route, s).piece);
-        near(at.sidewall, at.tension * v3_norm(route_at(&route, s).curvature), 1e-9);
+        check_close(at.sidewall, at.tension * v3_norm(route_at(&route, s).curvature), 1e-9);
         const double rate = plain_rate(&route, 1, 150, 0.2, s, at.tension);
-        near(0.2 * at.normal + 150 * sin(at.slope), rate, 1e-9 * (1 + fabs(rate)));
+        check_close(0.2 * at.normal + 150 * sin(at.slope), rate, 1e-9 * (1 + fabs(rate)));
         pull_clear(&part);
     }
-    near(pull_at(&whole, 0).tension, 1200, 0);
-    near(pull_at(&whole, -5).tension, 1200, 0);
-    near(pull_at(&whole, route.length + 5).tension, whole.end_tension, 0);
+    check_close(pull_at(&whole, 0).tension, 1200, 0);
+    check_close(pull_at(&whole, -5).tension, 1200, 0);
+    check_close(pull_at(&whole, route.length + 5).tension, whole.end_tension, 0);
     pull_clear(&whole);
     route_clear(&route);
 }
@@ -236,23 +237,31 @@ static void stretches_and_steps(void **state)
                    .step = step};
     Pull pull;
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
-    near(pull_at(&pull, 5).tension, 1050, 1e-10);
-    near(pull_at(&pull, 40).tension, 1050 + 0.2 * 200 * 30, 1e-10); /* just before the conveyor */
-    near(pull_at(&pull, 40 + 1e-9).tension, 1050 + 0.2 * 200 * 30 - 900, 1e-6);
-    near(pull.end_tension, 1050 + 0.2 * 200 * 60 - 900 + 0.5 * 8 * 40 + 25, 1e-9);
-    near(pull.max_tension, 1050 + 0.2 * 200 * 60 - 900 + 0.5 * 8 * 40 + 25, 1e-9);
-    near(pull.min_tension, 1000, 0);
+    check_close(pull_at(&pull, 5).tension, 1050, 1e-10);
+    check_close(pull_at(&pull, 40).tension, 1050 + 0.2 * 200 * 30, 1e-10); /* just before the conveyor */
+    check_close(pull_at(&pull, 40 + 1e-9).tension, 1050 + 0.2 * 200 * 30 - 900, 1e-6);
+    check_close(pull.end_tension, 1050 + 0.2 * 200 * 60 - 900 + 0.5 * 8 * 40 + 25, 1e-9);
+    check_close(pull.max_tension, 1050 + 0.2 * 200 * 60 - 900 + 0.5 * 8 * 40 + 25, 1e-9);
+    check_close(pull.min_tension, 1000, 0);
     pull_clear(&pull);
 
     def.restart = 1; /* the second mu_static is below mu and does not count */
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
-    near(pull.end_tension, 1050 + 0.3 * 200 * 60 - 900 + 0.5 * 8 * 40 + 25, 1e-9);
+    check_close(pull.end_tension, 1050 + 0.3 * 200 * 60 - 900 + 0.5 * 8 * 40 + 25, 1e-9);
     pull_clear(&pull);
 
     def.from = 110, def.to = -20, def.restart = 0; /* the other way: the same steps, met in the other order */
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
-    near(pull.end_tension, 1075 + 0.5 * 8 * 40 - 900 + 0.2 * 200 * 60, 1e-9);
-    near(pull_at(&pull, 40).tension, 1025 + 0.5 * 8 * 40 + 0.2 * 200 * 30, 1e-9);
+    check_close(pull.end_tension, 1075 + 0.5 * 8 * 40 - 900 + 0.2 * 200 * 60, 1e-9);
+    check_close(pull_at(&pull, 40).tension, 1025 + 0.5 * 8 * 40 + 0.2 * 200 * 30, 1e-9);
+    pull_clear(&pull);
+
+    def.from = 0, def.to = 40; /* steps at both ends count: 50 N at the start, the conveyor at the end */
+    assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
+    check_close(pull.span[0].t0, 1050, 1e-9);
+    check_close(pull.span[pull.n - 1].t1, 1050 + 0.2 * 200 * 30, 1e-9);
+    check_close(pull.end_tension, 1050 + 0.2 * 200 * 30 - 900, 1e-9);
+    check_close(pull.max_tension, 1050 + 0.2 * 200 * 30, 1e-9);
     pull_clear(&pull);
     route_clear(&route);
 }
@@ -275,20 +284,21 @@ static void extremes(void **state)
     double low = INFINITY, sidewall = 0;
     for (double s = 0; s <= route.length; s += 0.001) {
         const PullPoint at = pull_at(&pull, s);
-        low = fmin(low, at.tension);
-        sidewall = fmax(sidewall, at.sidewall);
+        low = smaller_of(low, at.tension);
+        sidewall = larger_of(sidewall, at.sidewall);
     }
-    assert_true(pull.min_tension <= low * (1 + 1e-10));
-    near(pull.min_tension, low, 1e-5);
-    assert_true(pull.min_at > 50 && pull.min_at < 62);
-    near(pull.max_tension, 3000, 0);
-    near(pull.max_at, 0, 0);
-    near(pull.max_sidewall, sidewall, 1e-3);
+    check_at_most(pull.min_tension, low * (1 + 1e-10));
+    check_close(pull.min_tension, low, 2e-7);
+    check_between(pull.min_at, 50, 62);
+    check_close(pull.max_tension, 3000, 0);
+    check_close(pull.max_at, 0, 0);
+    check_close(pull.max_sidewall, sidewall, 1e-8);
     const PieceExtremes most = pull_piece_extremes(&pull, 1);
-    near(most.sidewall, pull.max_sidewall, 0);
-    near(most.sidewall, most.tension / 20, 1e-12);
-    assert_true(most.down >= pull_at(&pull, 56).normal && most.aside == 0);
-    assert_true(pull_piece_extremes(&pull, 0).sidewall == 0);
+    check_close(most.sidewall, pull.max_sidewall, 0);
+    check_close(most.sidewall, most.tension / 20, 1e-12);
+    check_at_least(most.down, pull_at(&pull, 56).normal);
+    check_equal(most.aside, 0);
+    check_equal(pull_piece_extremes(&pull, 0).sidewall, 0);
     pull_clear(&pull);
     route_clear(&route);
 }
@@ -310,11 +320,11 @@ static void nearly_planar_sags(void **state)
         assert_int_equal(pull_solve(&pull_def, &pull, NULL), HAWSER_OK);
         if (i == 0) {
             assert_int_equal(bend_any_vertical_tension(900, 200, 0.3, 6, -0.2, 1.0, &flat, NULL), HAWSER_OK);
-            near(pull.end_tension, flat, 1e-10 * flat);
+            check_share(pull.end_tension, flat, 5e-12);
         } else if (i < 5) {
-            near(pull.end_tension, plain_integral(&route, 1, 200, 0.3, 900, 400000), 1e-10 * flat);
+            check_close(pull.end_tension, plain_integral(&route, 1, 200, 0.3, 900, 400000), 1e-10 * flat);
         }
-        near(pull.end_tension, flat, 40 * 200 * 6 * aside * aside + 1e-10 * flat);
+        check_close(pull.end_tension, flat, 40 * 200 * 6 * aside * aside + 1e-10 * flat);
         pull_clear(&pull);
         route_clear(&route);
     }
@@ -329,17 +339,17 @@ static void limiting_cases(void **state)
     PullDef def = simple_def(&route, &cable, 0);
     Pull pull;
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
-    assert_true(pull.end_tension == 0);
+    check_equal(pull.end_tension, 0);
     pull_clear(&pull);
     /* Without weight every bend is a capstan. */
     def.start_tension = 500;
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
-    near(pull.end_tension, capstan_tension(500, 0.3, 0.8 + 0.7 + 2.8 + 0.6), 1e-7);
+    check_close(pull.end_tension, capstan_tension(500, 0.3, 0.8 + 0.7 + 2.8 + 0.6), 2e-8);
     pull_clear(&pull);
     /* Without friction only the height counts. */
     cable = (PullStretch){.weight = 150, .mu = 0};
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
-    near(pull.end_tension, 500 + 150 * route_at(&route, route.length).position.z, 1e-8);
+    check_close(pull.end_tension, 500 + 150 * route_at(&route, route.length).position.z, 1e-8);
     pull_clear(&pull);
     route_clear(&route);
 }

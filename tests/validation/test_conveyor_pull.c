@@ -1,7 +1,7 @@
 /* Conveyors that share a pull on a level row of rollers with the winch. */
 #include <stdio.h>
 
-#include "tests/validation/row_fixture.h"
+#include "tests/support/rig.h"
 
 static const RowChoice ROW = {.segments = 80, .pitch = 1, .mu = 0.2};
 
@@ -85,10 +85,11 @@ static void test_slipping_ahead(void **state)
     const double exact = ROW.mu * row_weight(&ROW) - 1200;
     print_message("pull %.2f N, exact %.2f N (%.3f %%), theory %.2f N\n", r.summary.pull_mean_N, exact,
                   100 * (r.summary.pull_mean_N / exact - 1), r.summary.reference_total_N);
-    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 5e-3);
-    assert_true(fabs(r.summary.reference_total_N / exact - 1) < 1e-6);
-    assert_true(fabs(r.conveyor[0].mean_N - 1200) < 1e-3 && fabs(r.conveyor[0].slip_m_per_s + 0.02) < 2e-4);
-    assert_true(r.conveyor[0].slipping > 0.999);
+    check_share(r.summary.pull_mean_N, exact, 5e-4);
+    check_share(r.summary.reference_total_N, exact, 1e-12);
+    check_close(r.conveyor[0].mean_N, 1200, 1e-3);
+    check_close(r.conveyor[0].slip_m_per_s, -0.02, 5e-6);
+    check_above(r.conveyor[0].slipping, 0.999);
 }
 
 /* A belt that is too slow brakes by as much. */
@@ -102,8 +103,8 @@ static void test_slow_belt(void **state)
     def.conveyors[0].speed = (Profile){.kind = PROFILE_STEP, .t1 = 1, .v1 = 0.08};
     const Shared r = shared_run(&def, 6, 1);
     const double exact = ROW.mu * row_weight(&ROW) + 300;
-    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 5e-3);
-    assert_true(fabs(r.summary.reference_total_N / exact - 1) < 1e-6);
+    check_share(r.summary.pull_mean_N, exact, 2e-4);
+    check_share(r.summary.reference_total_N, exact, 1e-12);
 }
 
 /* Synchronised belts with grip to spare do not slip, and how they share is the elasticity's: both ends of the cable
@@ -123,11 +124,12 @@ static void test_synchronised(void **state)
     const double ahead = (40 - 11) / 40.0 * ROW.mu * row_weight(&ROW), exact = ahead / 2;
     print_message("pull %.2f N, by elasticity %.2f N (%.2f %%); friction ahead of the belt %.2f N\n",
                   r.summary.pull_mean_N, exact, 100 * (r.summary.pull_mean_N / exact - 1), ahead);
-    assert_true(fabs(r.conveyor[0].slip_m_per_s) < 2e-6 && r.conveyor[0].slipping < 1e-9);
-    assert_true(fabs(r.summary.pull_mean_N / exact - 1) < 5e-3);
+    check_close(r.conveyor[0].slip_m_per_s, 0, 2e-6);
+    check_below(r.conveyor[0].slipping, 1e-9);
+    check_share(r.summary.pull_mean_N, exact, 5e-3);
     /* nothing is lost: the two together are the friction */
     const double whole = ROW.mu * row_weight(&ROW);
-    assert_true(fabs((r.summary.pull_mean_N + r.conveyor[0].mean_N) / whole - 1) < 5e-3);
+    check_share(r.summary.pull_mean_N + r.conveyor[0].mean_N, whole, 5e-4);
 }
 
 /* Several machines, one limited by its drive, one without a clamp; on two threads to the last bit. */
@@ -146,14 +148,17 @@ static void test_several(void **state)
     }
     const double exact = ROW.mu * row_weight(&ROW) - 1200 - 700;
     const ConveyorFigures *const c = r[0].conveyor;
-    assert_true(fabs(c[0].mean_N - 1200) < 1e-3 && fabs(c[1].mean_N - 700) < 1e-3 && fabs(c[2].mean_N) < 1e-9);
-    assert_true(fabs(c[0].reference_N - 1200) < 1e-9 && fabs(c[1].reference_N - 700) < 1e-9);
+    check_close(c[0].mean_N, 1200, 1e-3);
+    check_close(c[1].mean_N, 700, 1e-3);
+    check_close(c[2].mean_N, 0, 1e-9);
+    check_close(c[0].reference_N, 1200, 1e-9);
+    check_close(c[1].reference_N, 700, 1e-9);
     /* the last one carries the weight of its 2 m of cable, which therefore does not rub */
     const double carried = ROW.mu * ROW_MASS * ROW_G * 2;
     print_message("pull %.2f N, exact %.2f to %.2f N\n", r[0].summary.pull_mean_N, exact - carried, exact);
-    assert_true(r[0].summary.pull_mean_N < exact && r[0].summary.pull_mean_N > exact - carried);
-    assert_true(r[0].summary.pull_mean_N - r[1].summary.pull_mean_N == 0);
-    assert_true(r[0].summary.steps == r[1].summary.steps);
+    check_between(r[0].summary.pull_mean_N, exact - carried, exact);
+    check_equal(r[0].summary.pull_mean_N, r[1].summary.pull_mean_N);
+    check_equal(r[0].summary.steps, r[1].summary.steps);
     assert_memory_equal(r[0].conveyor, r[1].conveyor, sizeof r[0].conveyor);
 }
 
@@ -174,13 +179,13 @@ static void test_trip(void **state)
     while (sim_time(s) < 3) {
         if (sim_advance(s, 3, 1, &err)) fail_msg("%s", err.message);
         last = sim_sample(s)->axial_speed[20];
-        fastest = fmax(fastest, last);
+        fastest = larger_of(fastest, last);
     }
     const hawser_event *event;
     const int n = sim_events(s, &event);
     print_message("%d events; fastest %.4f m/s, at the end %.2g m/s\n", n, fastest, last);
     assert_int_equal(n, 2);
-    assert_true(fabs(last) < 1e-3);
+    check_close(last, 0, 1e-5);
     sim_free(s);
 }
 

@@ -1,6 +1,6 @@
 /* Straight rows of rollers: friction on the level, hoisting on a slope, and the ripple of the two contact geometries.
  */
-#include "tests/validation/row_fixture.h"
+#include "tests/support/rig.h"
 
 static const char *const NAME[] = {"smooth", "cylinder"};
 
@@ -15,9 +15,9 @@ static hawser_summary row_pulled(const RowChoice *row)
     print_message("%s, %d segments: pull %.2f N, exact %.2f N (%.3f %%), ripple %.2f N, %ld steps\n",
                   NAME[row->geometry], row->segments, out.pull_mean_N, exact, 100 * (out.pull_mean_N / exact - 1),
                   out.pull_ripple_N, out.steps);
-    assert_true(fabs(out.pull_mean_N / exact - 1) < 1e-3);
-    assert_true(fabs(out.reference_total_N / exact - 1) < 1e-9);
-    assert_true(fabs(out.steady_speed_m_per_s / 0.1 - 1) < 5e-3);
+    check_share(out.pull_mean_N, exact, 1e-3);
+    check_share(out.reference_total_N, exact, 1e-12);
+    check_share(out.steady_speed_m_per_s, 0.1, 5e-3);
     return out;
 }
 
@@ -42,7 +42,7 @@ static void test_ripple(void **state)
         const RowChoice row = {.segments = 370, .pitch = 1, .mu = 0.2, .geometry = (ContactGeometry)geometry};
         ripple[geometry] = row_pulled(&row).pull_ripple_N;
     }
-    assert_true(ripple[GEOMETRY_CYLINDER] > 10 * ripple[GEOMETRY_SMOOTH]);
+    check_above(ripple[GEOMETRY_CYLINDER], 10 * ripple[GEOMETRY_SMOOTH]);
 }
 
 /* At rest on smooth rollers the winch carries the weight's part along the slope, W L sin(slope). */
@@ -65,7 +65,7 @@ static void test_slope_at_rest(void **state)
         print_message("slope %.2f: winch %.3f N, exact %.3f N (%.4f %%)\n", slope[k], force, exact,
                       100 * (force / exact - 1));
         assert_true(relaxation.reached);
-        assert_true(fabs(force / exact - 1) < 1e-5);
+        check_share(force, exact, 1e-6);
         sim_free(s);
     }
 }
@@ -82,7 +82,7 @@ static void test_slope_up(void **state)
     pull_record(&def, 12, &out);
     print_message("pull %.2f N, exact %.2f N (%.3f %%), ripple %.2f N\n", out.pull_mean_N, exact,
                   100 * (out.pull_mean_N / exact - 1), out.pull_ripple_N);
-    assert_true(fabs(out.pull_mean_N / exact - 1) < 1e-3);
+    check_share(out.pull_mean_N, exact, 1e-4);
 }
 
 /* While the winch speeds up by STEP, v (3 x^2 - 2 x^3) over 1 s, the pull is largest half-way: all the friction, and
@@ -104,10 +104,10 @@ static void test_ramp_peak(void **state)
     assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
     while (sim_time(s) < 1.5) {
         if (sim_advance(s, 1.5, 1, &err)) fail_msg("%s", err.message);
-        peak = fmax(peak, sim_sample(s)->winch_force);
+        peak = larger_of(peak, sim_sample(s)->winch_force);
     }
     print_message("peak %.2f N, exact %.2f N\n", peak, exact);
-    assert_true(fabs(peak / exact - 1) < 0.01);
+    check_share(peak, exact, 0.01);
     sim_free(s);
 }
 

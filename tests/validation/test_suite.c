@@ -1,14 +1,10 @@
 /* The suite itself: what counts as outside, which cases there are, and the orders of convergence. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "tests/support/check.h"
 #include "validate/validate.h"
 
 static const ValidationCase some = {.name = "some", .source = "somewhere"};
@@ -33,8 +29,8 @@ static void test_verdicts(void **state)
         assert_ptr_equal(log.row[i].of, &some);
         if (log.row[i].ok != ok[i]) fail_msg("row %d: %g", i, log.row[i].error);
     }
-    assert_true(fabs(log.row[0].error - 0.45) < 1e-9);
-    assert_true(fabs(log.row[2].error - 0.55) < 1e-9);
+    check_close(log.row[0].error, 0.45, 1e-9);
+    check_close(log.row[2].error, 0.55, 1e-9);
     assert_int_equal(validation_outside(&log), 6);
     validation_clear(&log);
     assert_int_equal(validation_outside(&log), 0);
@@ -57,7 +53,9 @@ static void test_cases(void **state)
         fast += c->fast;
     }
     print_message("%d cases, %d of them fast\n", n, fast);
-    assert_true(n >= 24 && 2 * fast >= n && fast < n);
+    check_at_least(n, 24);
+    check_at_least(2 * fast, n);
+    check_below(fast, n);
     assert_null(validation_case(n));
 }
 
@@ -73,7 +71,7 @@ static void test_choice(void **state)
     assert_int_equal(validation_run("slope", 1, &log, &ran, NULL), HAWSER_OK);
     assert_int_equal(ran, 3);
     for (int i = 0; i < log.n; ++i) {
-        assert_non_null(strstr(log.row[i].of->name, "slope"));
+        check_has(log.row[i].of->name, "slope");
         assert_true(log.row[i].of->source[0] && log.row[i].of->proves[0]);
         assert_true(log.row[i].ok);
     }
@@ -87,7 +85,7 @@ static void test_convergence(void **state)
     ValidationLog log;
     int ran, orders = 0, refinements = 0;
     assert_int_equal(validation_run("convergence", 0, &log, &ran, NULL), HAWSER_OK);
-    assert_true(ran >= 3);
+    check_at_least(ran, 3);
     for (int i = 0; i < log.n; ++i) {
         const ValidationRow *const row = &log.row[i];
         if (strncmp(row->quantity, "order", 5)) {
@@ -95,7 +93,7 @@ static void test_convergence(void **state)
             continue;
         }
         print_message("%s: %s %.3f, expected %.3f\n", row->of->name, row->quantity, row->found, row->expected);
-        assert_true(refinements >= 4);
+        check_at_least(refinements, 4);
         refinements = 0;
         ++orders;
     }

@@ -1,5 +1,5 @@
 /* Winches at work on a level row of rollers: a set tension against closed forms, a trip with its restart. */
-#include "tests/validation/row_fixture.h"
+#include "tests/support/rig.h"
 
 static const RowChoice ROW = {.segments = 40, .pitch = 1, .mu = 0.2};
 
@@ -47,10 +47,10 @@ static void test_acceleration(void **state)
                  after = at_time(s, 4)->winch_speed, end = sim_sample(s)->winch_travel;
     const double found = (after - before) / 3;
     print_message("acceleration %.6f, exact %.6f m/s2 (%.3f %%)\n", found, exact, 100 * (found / exact - 1));
-    assert_true(fabs(found / exact - 1) < 2e-3);
+    check_share(found, exact, 2e-3);
     /* travel over the last second: its mean speed */
-    assert_true(fabs((end - middle) / (after - exact / 2) - 1) < 2e-3);
-    assert_true(fabs(sim_sample(s)->winch_force - force) < 1e-9 * force);
+    check_share(end - middle, after - exact / 2, 2e-3);
+    check_share(sim_sample(s)->winch_force, force, 1e-13);
     sim_free(s);
 }
 
@@ -70,8 +70,8 @@ static void test_speed_limit(void **state)
         pull += look->winch_force / 40;
     }
     print_message("speed %.6f m/s, exact %.6f; pull %.2f N, exact %.2f N\n", mean, 0.1 * 0.975, pull, friction);
-    assert_true(fabs(mean / (0.1 * 0.975) - 1) < 1e-3);
-    assert_true(fabs(pull / friction - 1) < 2e-3);
+    check_share(mean, 0.1 * 0.975, 1e-4);
+    check_share(pull, friction, 2e-3);
     sim_free(s);
 }
 
@@ -84,7 +84,7 @@ static void test_too_little(void **state)
     tension_row(&def, 0.5 * friction);
     Sim *s = started(&def, 3, 1);
     const double before = at_time(s, 2)->winch_travel, after = at_time(s, 3)->winch_travel;
-    assert_true(after - before > 0 && after - before < 1e-3); /* v_s for a second */
+    check_between(after - before, 0, 1e-3); /* v_s for a second */
     sim_free(s);
 }
 
@@ -128,9 +128,9 @@ static TripRun trip_run(double limit, int threads)
         const hawser_sample *const look = sim_sample(s);
         const hawser_event *event;
         const int events = sim_events(s, &event);
-        if (sim_time(s) < 3) out.first_peak = fmax(out.first_peak, look->winch_force);
-        if (events >= 3) out.restart_peak = fmax(out.restart_peak, look->winch_force);
-        out.peak = fmax(out.peak, look->winch_force);
+        if (sim_time(s) < 3) out.first_peak = larger_of(out.first_peak, look->winch_force);
+        if (events >= 3) out.restart_peak = larger_of(out.restart_peak, look->winch_force);
+        out.peak = larger_of(out.peak, look->winch_force);
         out.last = look->winch_force;
         out.speed = look->axial_speed[0];
     }
@@ -156,17 +156,18 @@ static void test_trip(void **state)
         0.2 * weight, 0.3 * weight, limit, r.first_peak, r.peak, r.restart_peak, r.last);
     assert_int_equal(r.n, 4);
     /* the tail's 2.5 kN are reached at 3.625 s */
-    assert_true(r.event[0].t > 3.6 && r.event[0].t < 3.7);
-    assert_true(r.event[0].pull_N > limit && r.event[0].pull_N < limit + 4000 * 0.05); /* N/s, s: one step */
-    assert_true(fabs(r.event[1].t - r.event[0].t - 0.2) < 1e-9);
-    assert_true(fabs(r.event[2].t - r.event[1].t - 3) < 1e-9);
-    assert_true(fabs(r.event[3].t - r.event[2].t - 1) < 1e-9);
+    check_between(r.event[0].t, 3.6, 3.7);
+    check_between(r.event[0].pull_N, limit, limit + 4000 * 0.05); /* N/s, s: one step */
+    check_close(r.event[1].t - r.event[0].t, 0.2, 1e-9);
+    check_close(r.event[2].t - r.event[1].t, 3, 1e-9);
+    check_close(r.event[3].t - r.event[2].t, 1, 1e-9);
     /* while it brakes the tail's tension goes on growing, and just before the end friction rises to mu_s */
-    assert_true(r.peak < limit + 4000 * (0.05 + 0.2) + 0.1 * weight);
+    check_below(r.peak, limit + 4000 * (0.05 + 0.2) + 0.1 * weight);
     /* both starts break away: mu_s of the weight, and less than 1 % for the mass */
-    assert_true(r.first_peak > 0.285 * weight && r.first_peak < 0.31 * weight + 0.15 * weight / ROW_G);
-    assert_true(r.restart_peak > 0.285 * weight && r.restart_peak < 0.31 * weight + 0.15 * weight / ROW_G);
-    assert_true(fabs(r.last / (0.2 * weight) - 1) < 0.01 && fabs(r.speed / 0.1 - 1) < 0.01);
+    check_between(r.first_peak, 0.285 * weight, 0.31 * weight + 0.15 * weight / ROW_G);
+    check_between(r.restart_peak, 0.285 * weight, 0.31 * weight + 0.15 * weight / ROW_G);
+    check_share(r.last, 0.2 * weight, 5e-4);
+    check_share(r.speed, 0.1, 5e-5);
 }
 
 /* Two threads change no bit of a run with trips, nor does a limit that is never reached one of a run without. */
@@ -178,7 +179,7 @@ static void test_trip_threads(void **state)
     assert_memory_equal(&one, &two, sizeof one);
     assert_memory_equal(&high, &none, sizeof high);
     assert_int_equal(none.n, 0);
-    assert_true(none.peak > limit + 1400);
+    check_above(none.peak, limit + 1400);
 }
 
 /* A trip that ends the run: the end comes nearer, and the run is told from one that was finished. */
@@ -191,9 +192,11 @@ static void test_trip_ends_the_run(void **state)
     def.winch.trip.ends_run = 1;
     Sim *s = started(&def, 12, 1);
     hawser_error err = {0};
-    assert_true(fabs(sim_end_time(s) - 12) < 1e-12 && !sim_tripped(s));
+    check_close(sim_end_time(s), 12, 1e-12);
+    assert_true(!sim_tripped(s));
     while (sim_time(s) < sim_end_time(s)) assert_int_equal(sim_advance(s, sim_end_time(s), 1, &err), HAWSER_OK);
-    assert_true(sim_tripped(s) && sim_time(s) > 3.8 && sim_time(s) < 3.9);
+    assert_true(sim_tripped(s));
+    check_between(sim_time(s), 3.8, 3.9);
     sim_free(s);
 }
 
@@ -209,13 +212,13 @@ static void test_trip_factor(void **state)
     at_time(s, 3.9);
     const hawser_event *event;
     assert_int_equal(sim_events(s, &event), 2);
-    assert_true(event[0].t > 3.6 && event[0].t < 3.7);
+    check_between(event[0].t, 3.6, 3.7);
     sim_free(s);
     trip_row(&def, 0);
     def.winch.trip.factor = 1.5;
     def.friction = (FrictionLaw){.mu_s = 0, .mu_d = 0, .v_s = 1e-3, .v_d = 5e-3};
     assert_int_equal(sim_new(&def, 1, &s, &err), HAWSER_ERR_INPUT);
-    assert_non_null(strstr(err.message, "drive.winch.trip.factor"));
+    check_has(err.message, "drive.winch.trip.factor");
     scene_def_clear(&def);
 }
 

@@ -1,41 +1,36 @@
-/* A chain in a random, strongly deformed state, for the tests of the mechanics. */
-#ifndef HAWSER_TESTS_CORE_CHAIN_FIXTURE_H
-#define HAWSER_TESTS_CORE_CHAIN_FIXTURE_H
+#include "tests/support/chain.h"
 
-#include <stdint.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
-#include "core/base/vec3.h"
-#include "core/chain.h"
-
-/* Uniform in [-1, 1], from a 64-bit linear congruential generator (Knuth's MMIX constants). */
-static inline double fixture_random(uint64_t *seed)
+double fixture_random(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
     return (double)(int64_t)*seed / 9223372036854775808.0;
 }
 
-static inline Vec3 fixture_vector(uint64_t *seed, double size)
+Vec3 fixture_vector(uint64_t *seed, double size)
 {
     const double x = fixture_random(seed), y = fixture_random(seed), z = fixture_random(seed);
     return v3(size * x, size * y, size * z);
 }
 
-static inline Quat kinematics_quat(const Kinematics *kin, int i)
+Quat kinematics_quat(const Kinematics *kin, int i)
 {
     return (Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
 }
 
-static inline void vec_store(double *const array[3], int i, Vec3 v)
+void vec_store(double *const array[3], int i, Vec3 v)
 {
     array[0][i] = v.x;
     array[1][i] = v.y;
     array[2][i] = v.z;
 }
 
-static inline Vec3 vec_load(double *const array[3], int i) { return v3(array[0][i], array[1][i], array[2][i]); }
+Vec3 vec_load(double *const array[3], int i) { return v3(array[0][i], array[1][i], array[2][i]); }
 
-/* Sets a body's attitude, and its axis with it. */
-static inline void kinematics_turn_to(Kinematics *kin, int i, Quat q)
+void kinematics_turn_to(Kinematics *kin, int i, Quat q)
 {
     q = quat_unit(q);
     kin->q[0][i] = q.w;
@@ -45,8 +40,7 @@ static inline void kinematics_turn_to(Kinematics *kin, int i, Quat q)
     vec_store(kin->a, i, quat_rotate(q, v3(1, 0, 0)));
 }
 
-/* Stiffness, damping and preload of order one, so that finite differences see every term; unlike lengths. */
-static inline void fixture_chain(Chain *chain, uint64_t *seed)
+void fixture_chain(Chain *chain, uint64_t *seed)
 {
     for (int i = 0; i < chain->n; ++i) {
         chain->half[i] = 0.25 + 0.1 * fixture_random(seed);
@@ -63,8 +57,7 @@ static inline void fixture_chain(Chain *chain, uint64_t *seed)
     }
 }
 
-/* Bodies -1..n roughly in a row, turned against each other by up to `bend` (rad) and displaced by up to `gap` (m). */
-static inline void fixture_state(const Chain *chain, Kinematics *kin, double bend, double gap, uint64_t *seed)
+void fixture_state(const Chain *chain, Kinematics *kin, double bend, double gap, uint64_t *seed)
 {
     Quat q = quat_unit((Quat){fixture_random(seed), fixture_random(seed), fixture_random(seed), fixture_random(seed)});
     Vec3 end = fixture_vector(seed, 1);
@@ -79,5 +72,3 @@ static inline void fixture_state(const Chain *chain, Kinematics *kin, double ben
         vec_store(kin->w, i, fixture_vector(seed, 1));
     }
 }
-
-#endif
