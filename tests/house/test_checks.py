@@ -54,14 +54,14 @@ class Includes(unittest.TestCase):
         self.assertTrue(self.check({"linsolve/a.c": '#include "contact/law/c.h"\n', "contact/law/c.h": ""}))
 
     def test_downward_within_a_folder(self):
-        self.assertEqual([], self.check({"sim/a.c": '#include "sim/equipment/b.h"\n', "sim/equipment/b.h": "",
+        self.assertEqual([], self.check({"sim/equipment/a.c": '#include "sim/b.h"\n', "sim/b.h": "",
                                          "sim/run/c.c": '#include "sim/a.h"\n', "sim/a.h": '#include "sim/e.h"\n',
                                          "sim/e.h": "", "io/api/d.c": '#include "io/yaml/y.h"\n', "io/yaml/y.h": ""}))
 
     def test_upward_within_a_folder(self):
-        found = self.check({"sim/equipment/b.c": '#include "sim/a.h"\n', "sim/a.h": '#include "sim/step/s.h"\n',
+        found = self.check({"sim/b.c": '#include "sim/equipment/a.h"\n', "sim/equipment/a.h": '#include "sim/step/s.h"\n',
                             "sim/step/s.h": ""})
-        self.assertEqual(["sim/a.h:1", "sim/equipment/b.c:1"], [c.split(": ")[0] for c in found])
+        self.assertEqual(["sim/b.c:1", "sim/equipment/a.h:1"], [c.split(": ")[0] for c in found])
 
     def test_sideways_within_a_folder(self):
         self.assertEqual(1, len(self.check({"contact/self/a.c": '#include "contact/surface/b.h"\n', "contact/surface/b.h": ""})))

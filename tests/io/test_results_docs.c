@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "io/results/results_file.h"
+#include "sim/room.h"
 
 enum { PART_MAX = 1 << 16, NAME_ROOM = 200, ROW_ROOM = 4000 };
 
@@ -103,6 +104,7 @@ static void series(void **state)
     part_of("## series.csv", part);
     for (int k = 0; k < sample_columns; k++) {
         const SampleColumn *const c = &sample_column[k];
+        if (c->of == OF_FIGURE) continue; /* below */
         const int axes = !c->name ? 0 : strchr(c->name, '@') ? 3 : 1;
         for (int axis = 0; axis < axes; axis++, n++) {
             char name[NAME_ROOM] = "";
@@ -110,6 +112,14 @@ static void series(void **state)
                 const char one[2] = {*p == '@' ? "xyz"[axis] : *p, 0};
                 strcat(name, *p != '*' ? one : c->of == OF_SEGMENT ? "K" : "NAME");
             }
+            expect_row(part, name, 1, unit_of(name));
+        }
+    }
+    for (int k = 0; ROOM_KINDS[k]; k++) {
+        const MachineKind *const kind = ROOM_KINDS[k]->machines;
+        for (int f = 0; kind && f < kind->n_now; f++, n++) {
+            char name[NAME_ROOM];
+            snprintf(name, sizeof name, "NAME_%s", kind->now[f]);
             expect_row(part, name, 1, unit_of(name));
         }
     }
@@ -147,6 +157,20 @@ static void every_key(void **state)
     static char part[PART_MAX];
     part_of("## summary.json", part);
     expect_keys(part, &summary_columns);
+    for (int k = 0; ROOM_KINDS[k]; k++) { /* the machines' lists, a row each */
+        const MachineKind *const kind = ROOM_KINDS[k]->machines;
+        char list[NAME_ROOM];
+        if (!kind) continue;
+        snprintf(list, sizeof list, "\n| `%s` ", kind->key);
+        const char *const row = strstr(part, list);
+        if (!row) fail_msg("no row of the machines' list `%s`", kind->key);
+        for (int f = 0; f < kind->n_figures; f++) {
+            char figure[NAME_ROOM];
+            snprintf(figure, sizeof figure, "`%s`", kind->figure[f]);
+            const char *const at = strstr(row, figure);
+            if (!at || at > row + strcspn(row + 1, "\n")) fail_msg("no %s in the row of `%s`", figure, kind->key);
+        }
+    }
 }
 
 int main(void)
