@@ -175,8 +175,21 @@ static const char *say_quantity(double value, const char *unit, char text[32])
     return text;
 }
 
+/* The conditions that do not hold. */
+static void report_trust(const hawser_summary *s)
+{
+    char found[32], allowed[32];
+    for (int i = 0, said = 0; i < s->n_conditions; i++) {
+        const hawser_condition *c = &s->conditions[i];
+        if (c->holds) continue;
+        if (!said++) printf("\nThe figures are not to be trusted\n  %-16s %12s %12s\n", "", "found", "allowed");
+        printf("  %-16s %12s %12s  %s\n", c->name, say_quantity(c->value, c->unit, found),
+               say_quantity(c->allowed, c->unit, allowed), c->remedy);
+    }
+}
+
 /* The limits one by one, and the verdict, which comes last of all. */
-static void report_limits(hawser_sim *s)
+static void report_limits(hawser_sim *s, const hawser_summary *sum)
 {
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char verdict[HAWSER_VERDICT_MAX], found[32], allowed[32];
@@ -190,7 +203,7 @@ static void report_limits(hawser_sim *s)
             printf("%7.1f %%  %-10s %s; %s\n", 100 * l->margin, l->ok ? "holds" : "BROKEN", l->where, l->source);
         if (!l->judged) printf("%9s  not judged: %s\n", "-", l->source);
     }
-    hawser_limits_verdict(n, limit, verdict, sizeof verdict);
+    hawser_verdict(sum->n_conditions, sum->conditions, n, limit, verdict, sizeof verdict);
     printf("\n%s\n", verdict);
 }
 
@@ -213,5 +226,6 @@ void report_run(hawser_sim *s, const char *dir)
     report_work(&sum);
     report_phases(&sum);
     printf("\nResults: %s\n", dir);
-    report_limits(s);
+    report_trust(&sum);
+    report_limits(s, &sum);
 }

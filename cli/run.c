@@ -17,12 +17,14 @@ static const char help[] =
     "                          may be given many times\n"
     "      --threads N         1 or 2; results do not depend on it\n"
     "      --linear-solver KIND  auto, block, bordered, klu, klu-full, band or dense\n"
-    "      --strict            a limit that is broken, or none that could be judged, is an error: status 1\n"
+    "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
+    "                            figures that are not to be trusted: status 6\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
     "\n"
-    "Exit status: 0 finished; 1 finished but not safe (--strict alone); 2 the case or the command line is\n"
+    "Exit status: 0 finished; 1 finished but not safe, 6 not to be trusted (--strict alone); 2 the case or the command "
+    "line is\n"
     "wrong; 3 the integration failed; 4 results could not be written; 5 no memory; 130 interrupted. With 3\n"
     "and 130, what was computed until then is in DIR.\n";
 
@@ -90,10 +92,13 @@ static int strict_verdict(hawser_sim *sim)
 {
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char verdict[HAWSER_VERDICT_MAX];
+    hawser_summary sum;
+    hawser_sim_summary(sim, &sum);
     const int n = hawser_sim_limits(sim, limit);
-    if (hawser_limits_verdict(n, limit, verdict, sizeof verdict) == 0) return 0;
+    const int found = hawser_verdict(sum.n_conditions, sum.conditions, n, limit, verdict, sizeof verdict);
+    if (found == 0) return 0;
     complain("%s", verdict);
-    return EXIT_NOT_HELD;
+    return found == -2 ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
 }
 
 /* What there is to say about a run that is over, whatever its end. */

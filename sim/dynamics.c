@@ -5,8 +5,8 @@
 
 #include "core/base/clock.h"
 #include "core/base/lanes.h"
-#include "core/bushing.h"
 #include "core/base/team.h"
+#include "core/bushing.h"
 #include "sim/weight.h"
 
 /* Segments from which joints with the contacts of rollers pay on two threads; HALVES_LONG is that of lighter loops. */

@@ -57,3 +57,18 @@ int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t s
     if (n > judged && judged > 0) add(&line, "; %d not judged", n - judged);
     return judged > 0 ? broken : -1;
 }
+
+int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
+                   size_t size)
+{
+    const int broken = hawser_limits_verdict(n, limit, text, size);
+    int failed = 0;
+    Line line = {text, size};
+    for (int i = 0; i < n_conditions; i++) {
+        if (condition[i].holds) continue;
+        if (failed++ == 0) *text = 0;
+        add(&line, failed == 1 ? "NOT TRUSTED: %s" : "; %s", condition[i].remedy);
+    }
+    if (failed && broken > 0) add(&line, "; besides, %d of the limits would be broken", broken);
+    return failed ? -2 : broken;
+}

@@ -202,6 +202,8 @@ typedef struct hawser_summary {
     const hawser_mode *modes; /* [n_modes], as hawser_sim_modes gives them */
     int n_probes;
     const hawser_probe *probes; /* [n_probes], as the last sample has them */
+    int n_conditions;
+    const hawser_condition *conditions; /* [n_conditions] whether the run is worth judging; the simulation's */
     int n_machines;
     const hawser_machine *machines; /* [n_machines], as hawser_sim_machines gives them */
     const hawser_balance *balance;  /* from t = 0 until now; NULL where nothing has moved */

@@ -5,11 +5,13 @@
 
 #include <stddef.h>
 
+#include "hawser/tables.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-enum { HAWSER_LIMITS_MAX = 8, HAWSER_VERDICT_MAX = 512 };
+enum { HAWSER_LIMITS_MAX = 8, HAWSER_VERDICT_MAX = 2048 };
 
 /* One limit of a pull. */
 typedef struct hawser_limit {
@@ -33,6 +35,11 @@ int hawser_sim_limits(struct hawser_sim *s, hawser_limit *out);
 /* One line that says whether the pull is safe: "SAFE: ...", "NOT SAFE: ..." or "NOT JUDGED: ..."; at most `size` bytes
  * (HAWSER_VERDICT_MAX is enough). Returns how many limits are broken, -1 if none could be judged. */
 int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size);
+
+/* The same for a run of which the conditions are known: "NOT TRUSTED: ..." and -2 if one of them fails, whatever the
+ * limits say; otherwise as above. */
+int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
+                   size_t size);
 
 #ifdef __cplusplus
 }

@@ -75,6 +75,16 @@ typedef struct hawser_position {
     double error_pct;   /* 100 (pull - reference) / reference */
 } hawser_position;
 
+/* A condition under which a run is worth judging (docs/limits.md, "Trust"). */
+enum { HAWSER_CONDITIONS_MAX = 16 };
+typedef struct hawser_condition {
+    const char *name; /* "energy"; lives for ever */
+    const char *unit;
+    double value, allowed; /* it holds where value <= allowed */
+    int holds;
+    char remedy[200]; /* what is wrong if it does not hold, and what to do */
+} hawser_condition;
+
 /* One station of the tension table (stations.csv). */
 typedef struct hawser_station {
     const char *name;

@@ -85,6 +85,13 @@ static const Column event_column[] = {
 };
 static const Columns event_columns = COLUMNS(hawser_event, event_column);
 
+static const Column condition_column[] = {
+    {COLUMN("name", TEXT, hawser_condition, name)},         {COLUMN("value", NUMBER, hawser_condition, value)},
+    {COLUMN("allowed", NUMBER, hawser_condition, allowed)}, {COLUMN("unit", TEXT, hawser_condition, unit)},
+    {COLUMN("holds", FLAG, hawser_condition, holds)},       {COLUMN("remedy", CHARS, hawser_condition, remedy)},
+};
+static const Columns condition_columns = COLUMNS(hawser_condition, condition_column);
+
 static double limit_holds(const void *row)
 {
     const hawser_limit *const l = row;
@@ -197,6 +204,7 @@ static const Column summary_column[] = {
     {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},
     {LIST("moving_rollers", Summary, l.roller, l.n_rollers, moving_columns), .keep = roller_moves},
     {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
+    {LIST("trust", Summary, s.conditions, s.n_conditions, condition_columns)},
     {COLUMN("verdict", CHARS, Summary, verdict)},
     {COLUMN("overload.trip_N", NUMBER, Summary, l.trip_N)},
     {LIST("overload.rollers", Summary, l.overload, l.n_overloads, overload_columns)},
@@ -349,7 +357,7 @@ static int machines_put(json_t *o, const hawser_summary *s)
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
     Summary all = {.s = *s, .l = *labels, .version = hawser_version()};
-    hawser_limits_verdict(labels->n_limits, labels->limit, all.verdict, sizeof all.verdict);
+    hawser_verdict(s->n_conditions, s->conditions, labels->n_limits, labels->limit, all.verdict, sizeof all.verdict);
     json_t *o = json_row(&summary_columns, &all);
     if (o && machines_put(o, s)) {
         json_decref(o);

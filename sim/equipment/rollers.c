@@ -155,8 +155,8 @@ static void rollers_blocks(const Room *room, const Moment *m, BlockChain *k, Blo
         if (p->model.n_rollers == 0) continue;
         Taker taker = {ws->equipment, p->first};
         if (p->model.motion) part_forces(m, half, m->friction, NULL);
-        contact_blocks(&p->model, chain, &ws->kin, m->friction, &p->pairs, k, d,
-                       p->model.motion ? coupling_take : NULL, &taker);
+        contact_blocks(&p->model, chain, &ws->kin, m->friction, &p->pairs, k, d, p->model.motion ? coupling_take : NULL,
+                       &taker);
     }
     if (room->states > 0) equipment_bushing_blocks(ws->equipment);
 }

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "core/base/team.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
-#include "core/base/team.h"
 
 static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
 {

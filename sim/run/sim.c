@@ -23,6 +23,7 @@
 #include "sim/watch/probes.h"
 #include "sim/watch/sample.h"
 #include "sim/watch/stats.h"
+#include "sim/watch/trust.h"
 
 struct Sim {
     Stage stage; /* scene, state, integrator */
@@ -42,6 +43,8 @@ struct Sim {
     Team *team;     /* of two, or NULL */
     int active_max; /* contacts */
     int turned;     /* what has turned too far, and was said */
+    Stray stray;
+    hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary */
 };
 
 /* A trip at a factor of what theory expects needs an expectation. */
@@ -80,7 +83,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     hawser_status status = stage_new(&s->stage, def, s->team, err);
     if (status) return status;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
-    if (!sample_alloc(&s->look, scene)) return error_memory(err);
+    s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
+    if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
     status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
@@ -131,6 +135,7 @@ Sim *sim_free(Sim *s)
     modes_free(&s->modes);
     stage_free(&s->stage);
     team_free(s->team);
+    free(s->condition);
     free(s);
     return NULL;
 }
@@ -264,6 +269,7 @@ static void record_now(Sim *s, SampleParts parts)
     const hawser_sample *const look = look_now(s, parts);
     const double start = clock_now();
     turned_watch(s, look);
+    stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
@@ -346,6 +352,15 @@ void sim_summary(const Sim *s, hawser_summary *out)
     out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
+    const TrustFacts facts = {.scene = scene,
+                              .t = s->stage.t,
+                              .end = sim_end_time(s),
+                              .relaxation = &s->relaxation,
+                              .balance = out->balance,
+                              .turned = s->turned,
+                              .stray = s->stray};
+    out->n_conditions = trust_judge(&facts, s->condition);
+    out->conditions = s->condition;
 }
 
 int sim_stations(const Sim *s, const hawser_station **out)

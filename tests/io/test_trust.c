@@ -1,0 +1,138 @@
+/* The conditions under which a run is worth judging: a good run meets them all, and each fails in a run that is spoiled
+ * in one way. Every one of these was called safe, or could have been, before there were conditions. */
+#include "tests/io/case_fixture.h"
+
+/* A run to its end, or to its failure; the summary's lists are the simulation's. */
+typedef struct Judged {
+    hawser_sim *sim;
+    hawser_summary sum;
+    int found; /* hawser_verdict */
+    char verdict[HAWSER_VERDICT_MAX];
+} Judged;
+
+static Judged judge(const char *text, const char *const *settings, hawser_status expected)
+{
+    Judged j = {.sim = NULL};
+    hawser_case *c = NULL;
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    hawser_error err = {0};
+    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    for (int i = 0; settings && settings[i]; i += 2) {
+        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
+    }
+    assert_int_equal(hawser_sim_new(c, NULL, &j.sim, NULL), HAWSER_OK);
+    hawser_case_free(c);
+    assert_int_equal(hawser_sim_run(j.sim, NULL, NULL, NULL, &err), expected);
+    hawser_sim_summary(j.sim, &j.sum);
+    const int n = hawser_sim_limits(j.sim, limit);
+    j.found = hawser_verdict(j.sum.n_conditions, j.sum.conditions, n, limit, j.verdict, sizeof j.verdict);
+    return j;
+}
+
+/* The spoiled run fails just these conditions, is never safe, and says what to do. */
+static void expect_failing(const char *text, const char *const *settings, hawser_status expected, const char *names,
+                           const char *says)
+{
+    Judged j = judge(text, settings, expected);
+    char failing[200] = "";
+    for (int i = 0; i < j.sum.n_conditions; i++) {
+        const hawser_condition *const c = &j.sum.conditions[i];
+        if (c->holds) continue;
+        const size_t used = strlen(failing);
+        snprintf(failing + used, sizeof failing - used, "%s%s", used ? " " : "", c->name);
+        if (!(c->value > c->allowed)) fail_msg("%s: %g is not above %g", c->name, c->value, c->allowed);
+    }
+    assert_string_equal(failing, names);
+    assert_int_equal(j.found, -2);
+    assert_int_equal(strncmp(j.verdict, "NOT TRUSTED: ", 13), 0);
+    check_has(j.verdict, says);
+    hawser_sim_free(j.sim);
+}
+
+static void a_good_run(void **state)
+{
+    (void)state;
+    Judged j = judge(data_text("trust"), NULL, HAWSER_OK);
+    for (int i = 0; i < j.sum.n_conditions; i++) {
+        const hawser_condition *const c = &j.sum.conditions[i];
+        if (!c->holds) fail_msg("%s: %g of %g: %s", c->name, c->value, c->allowed, c->remedy);
+        check_at_most(c->value, c->allowed);
+    }
+    check_at_least(j.sum.n_conditions, 8);
+    assert_int_equal(j.found, 0);
+    assert_int_equal(strncmp(j.verdict, "SAFE", 4), 0);
+    hawser_sim_free(j.sim);
+}
+
+/* Nothing under the cable: it fell freely and was safe with a margin of 100 %. */
+static void nothing_holds_it(void **state)
+{
+    (void)state;
+    const char *const row = "rollers: {along: {from: 0 m, to: 24 m, spacing: 2 m}}\n";
+    const char *const winch = "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 1 kN, ramp: none}}\n";
+    char *const text = strdup(data_with("trust", row, ""));
+    char *const at = strstr(text, winch);
+    assert_non_null(at);
+    memmove(at, at + strlen(winch), strlen(at + strlen(winch)) + 1);
+    char *const lead = strstr(text, "lead_in: {weight: carried}\n");
+    memmove(lead, lead + 27, strlen(lead + 27) + 1);
+    expect_failing(text, NULL, HAWSER_OK, "equilibrium on_route", "see that everything is supported");
+    free(text);
+}
+
+/* A run that failed early spoke of a mean over a window that it never saw. */
+static void not_to_the_end(void **state)
+{
+    (void)state;
+    const char *const few[] = {"solver.max_steps", "10", NULL};
+    expect_failing(data_text("trust"), few, HAWSER_ERR_RUN, "finished steady_window", "of no steady pull");
+}
+
+static void slower_than_friction(void **state)
+{
+    (void)state;
+    const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
+    expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed", "set friction.v_s below 0.02 m/s");
+}
+
+/* A stiff grip at the default accuracy: the pull was 12 times theory's. */
+static void energy_lost(void **state)
+{
+    (void)state;
+    const char *const loose[] = {"conveyors", "[{from: 6, to: 8, clamp: 9 kN, mu: 0.5, v_s: 0.1 mm/s}]",
+                                 "solver.accuracy", "1e-2", NULL};
+    Judged j = judge(data_text("trust"), loose, HAWSER_OK);
+    const int trusted = j.found != -2;
+    print_message("pull %.1f N, %s\n", j.sum.pull_mean_N, j.verdict);
+    /* trusted or not: a trusted figure must be right */
+    if (trusted) check_share(j.sum.pull_mean_N, j.sum.reference_total_N, 0.05);
+    hawser_sim_free(j.sim);
+}
+
+static void several_cables(void **state)
+{
+    (void)state;
+    const char *const three[] = {"theory", "{cables: 3}", NULL};
+    expect_failing(data_text("trust-duct"), three, HAWSER_OK, "bundle", "judge by `hawser theory`");
+}
+
+/* Arcs of 10 mm in a duct with 1 mm of room pulled 28 % too much; with 20 mm all is well. */
+static void coarse_in_a_duct(void **state)
+{
+    (void)state;
+    const char *const narrow[] = {"surfaces.ducts.0.radius", "31 mm", NULL};
+    expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "mesh_in_ducts", "set chain.segment to");
+    Judged j = judge(data_text("trust-duct"), NULL, HAWSER_OK);
+    assert_int_equal(j.found, 0);
+    hawser_sim_free(j.sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_good_run),           cmocka_unit_test(nothing_holds_it), cmocka_unit_test(not_to_the_end),
+        cmocka_unit_test(slower_than_friction), cmocka_unit_test(energy_lost),      cmocka_unit_test(several_cables),
+        cmocka_unit_test(coarse_in_a_duct),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
