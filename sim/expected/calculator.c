@@ -237,6 +237,26 @@ static hawser_status plan_fill(const Scene *scene, double start_tension, Calcula
     return status ? status : plan_build(&plan, &c->plan, err);
 }
 
+/* A cable cannot be pushed: where theory finds compression it slackens or runs away down a slope, and no figure behind
+ * that place holds. A back tension as large as the compression prevents it, wherever bends lie. */
+static void pulled_set(Calculator *c)
+{
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        const PlanWay *const way = &c->plan.way[k];
+        hawser_condition *const held = &c->pulled[k];
+        const double pushed = fmax(0, -way->min_tension);
+        double allowed = 1e-9 * fmax(1, way->max_tension); /* rounding; a machine may push a cable ahead of itself */
+        for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[k][i].force);
+        *held = (hawser_condition){
+            .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};
+        snprintf(
+            held->remedy, sizeof held->remedy,
+            "the cable would run away or slacken: at %.4g m it would have to be pushed with %.4g kN; it needs a brake "
+            "or back tension of up to %.4g kN more where the pull begins",
+            way->min_at, pushed / 1e3, pushed / 1e3);
+    }
+}
+
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err)
 {
     *out = (Calculator){.cables = scene->def.theory.cables};
@@ -245,6 +265,7 @@ hawser_status calculator_build(const Scene *scene, double start_tension, Calcula
     if (!status) status = plan_fill(scene, start_tension, out, err);
     if (!status) status = rules_find(scene, out, err);
     if (!status) limits_set(scene, out);
+    if (!status) pulled_set(out);
     return status;
 }
 

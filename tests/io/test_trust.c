@@ -127,12 +127,31 @@ static void coarse_in_a_duct(void **state)
     hawser_sim_free(j.sim);
 }
 
+/* A shaft of 60 m: theory found -11.7 kN at its foot and called it safe. */
+static void a_shaft_without_a_brake(void **state)
+{
+    (void)state;
+    const char *const route = "route: {head_at: 20 m, pieces: [{straight: 24 m}]}";
+    const char *const shaft =
+        "route: {slope: -89 deg, pieces: [{straight: 60 m}, {bend: 89 deg, radius: 3 m, plane: up}, {straight: 40 m}]}";
+    hawser_case *c = NULL;
+    char *text = NULL;
+    assert_int_equal(hawser_case_parse(data_with("trust", route, shaft), NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "rollers", "{}", NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "drive.tail.tension", "0 N", NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
+    check_has(text, "NOT TRUSTED: the cable would run away or slacken: at 60 m it would have to be pushed with 11.7");
+    hawser_text_free(text);
+    hawser_case_free(c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_run),           cmocka_unit_test(nothing_holds_it), cmocka_unit_test(not_to_the_end),
-        cmocka_unit_test(slower_than_friction), cmocka_unit_test(energy_lost),      cmocka_unit_test(several_cables),
-        cmocka_unit_test(coarse_in_a_duct),
+        cmocka_unit_test(a_good_run),       cmocka_unit_test(nothing_holds_it),
+        cmocka_unit_test(not_to_the_end),   cmocka_unit_test(slower_than_friction),
+        cmocka_unit_test(energy_lost),      cmocka_unit_test(several_cables),
+        cmocka_unit_test(coarse_in_a_duct), cmocka_unit_test(a_shaft_without_a_brake),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
