@@ -148,10 +148,10 @@ static Vec3 hold_force(const Conveyor *c, const Held *held)
     return v3_axpy(v3_scale(-c->hold, held->off), -c->hold_damping, held->v_off);
 }
 
-ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
-                           const Kinematics *kin, double t, double friction, Loads *loads)
+ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+                           const Kinematics *kin, double friction, Loads *loads)
 {
-    ConveyorNow now = {.belt = conveyor_belt(c, w, t)};
+    ConveyorNow now = {.belt = belt};
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
         double slope;
@@ -186,10 +186,9 @@ static void held_blocks(const Conveyor *c, const Held *held, double mass, double
     }
 }
 
-void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
-                     const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d)
+void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+                     const Kinematics *kin, double friction, BlockChain *k, BlockChain *d)
 {
-    const double belt = conveyor_belt(c, w, t);
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
         if (!held_at(c, belt, chain, kin, i, &held)) continue;
@@ -231,13 +230,19 @@ static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace 
     return (ws->room[room->number] = calloc((size_t)all->n + 1, sizeof(ConveyorRange))) != NULL;
 }
 
+/* Speed of conveyor i's belt now, m/s. */
+static double belt_of(const Conveyors *all, const Moment *m, int i)
+{
+    return conveyor_belt(&all->item[i], m->scene->winch, m->t);
+}
+
 /* Few segments, and their loads come in the order of the machines: no work for two. */
 static void conveyors_loads(const Room *room, const Moment *m, int part)
 {
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; part == 0 && i < all->n; ++i) {
-        conveyor_loads(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, m->friction,
+        conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction,
                        &m->ws->loads[0]);
     }
 }
@@ -247,8 +252,7 @@ static void conveyors_blocks(const Room *room, const Moment *m, BlockChain *k, B
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; i < all->n; ++i) {
-        conveyor_blocks(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, m->friction, k,
-                        d);
+        conveyor_blocks(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction, k, d);
     }
 }
 
@@ -280,7 +284,7 @@ static ConveyorNow now_of(const Room *room, const Moment *m, int i)
 {
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
-    return conveyor_loads(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, 1, NULL);
+    return conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, 1, NULL);
 }
 
 static void conveyors_work(const Room *room, const Moment *m, BalanceRates *out)
