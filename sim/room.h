@@ -3,7 +3,7 @@
  *
  * A kind of equipment is one file in sim/equipment/ that ends in its RoomKind: functions of which each is called at one
  * point of a scene's life or of a step, and NULL where the kind has nothing to do there. The list of kinds stands once,
- * in sim/equipment/rooms.c, and its order is the order in which they act. docs/architecture.md, "Rooms". */
+ * in sim/equipment/rooms.h, and its order is the order in which they act. docs/architecture.md, "Rooms". */
 #ifndef HAWSER_SIM_ROOM_H
 #define HAWSER_SIM_ROOM_H
 
@@ -64,6 +64,14 @@ struct Moment {
     double friction; /* scales every friction and drag force: 1, or 0 for the relaxation */
 };
 
+/* What a step has come to, for those who wait for something. */
+enum { WATCH_PULL = 1, WATCH_FRONT = 2 };
+typedef struct Occasion {
+    double t;     /* s, of the step that was accepted */
+    double pull;  /* N, of the winch */
+    double front; /* m along the route, of the cable's front; NAN: not watched, or past the winch */
+} Occasion;
+
 struct RoomKind {
     const char *name;
 
@@ -117,6 +125,11 @@ struct RoomKind {
     /* Whether its laws remember the last accepted step, and that one to the kinematics of now was accepted. */
     int (*remembers)(const Room *room, const Workspace *ws);
     void (*accept)(const Room *room, const Moment *m);
+    /* What of a step it waits for: of WATCH_PULL, WATCH_FRONT; 0: nothing can happen. */
+    int (*watches)(const Room *room);
+    /* A step was accepted: changes what the step has brought about, one event a call; returns it in words that live as
+     * long as the scene, NULL when there is nothing more. */
+    const char *(*happen)(Room *room, const Occasion *now);
     /* The first time after t at which it is not smooth, s; INFINITY: never. */
     double (*next_stop)(const Room *room, const Scene *scene, double t);
 
