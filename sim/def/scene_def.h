@@ -10,10 +10,10 @@
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
-#include "linsolve/linsolve.h"
 #include "sim/def/output_def.h"
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
+#include "sim/def/solver_def.h"
 #include "sim/def/theory_def.h"
 
 enum { NAME_MAX_LENGTH = 64 };
@@ -157,26 +157,6 @@ typedef struct StationDef {
     char name[NAME_MAX_LENGTH];
     double s; /* m along the route */
 } StationDef;
-
-/* Whether a scene that lies in one plane is solved there (sim/planar/plane.h): where it can be; or else it is an error;
- * never.
- */
-typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
-
-typedef struct SolverDef {
-    double accuracy;                                                /* one number for all tolerances */
-    double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
-    int max_order;                                                  /* BDF, 1..5 */
-    double max_step;                                                /* s, 0: none */
-    double first_step;                                              /* s, 0: CVODE's choice */
-    long max_steps;                                                 /* 0: none */
-    int relax;                                                      /* bring to equilibrium before t = 0 */
-    double relax_tolerance;                                         /* fraction of the largest segment weight or load */
-    int relax_iterations;
-    LinOptions linear;
-    PlanarChoice planar;
-    int threads;
-} SolverDef;
 
 typedef struct SceneDef {
     char title[256];
