@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
+#include "core/profile.h"
 #include "sim/balance_data.h"
 #include "sim/time_mean.h"
 
@@ -72,6 +73,13 @@ typedef struct Occasion {
     double front; /* m along the route, of the cable's front; NAN: not watched, or past the winch */
 } Occasion;
 
+/* What holds one thing of a room fast. It is owned by who seizes; the share changes between steps only. */
+typedef struct Seizure {
+    Profile share; /* of being held, over time: 0 free, 1 it stands */
+    double ramp;   /* s, over which it stops and starts */
+    double mu;     /* with which the cable drags over it when it stands; NAN: the usual */
+} Seizure;
+
 struct RoomKind {
     const char *name;
 
@@ -84,6 +92,9 @@ struct RoomKind {
     void (*join)(Room *room, Scene *scene);
     /* Last, when everything else is built. */
     hawser_status (*finish)(Room *room, Scene *scene, hawser_error *err);
+    /* Has `by` hold what is called `name` from then on, before any workspace is made; returns what that is, in a word;
+     * NULL: nothing here has the name. */
+    const char *(*seize)(Room *room, const Scene *scene, const char *name, const Seizure *by);
     void (*clear)(Room *room);
     /* Its own part of the initial state, [room->states]. */
     void (*start)(const Room *room, double *own);

@@ -24,6 +24,7 @@ static const DefList lists[] = {
     LIST(rollers),
     LIST(surfaces),
     LIST(conveyors),
+    LIST(jams),
     LIST(stations),
     LIST(paper),
     LIST_IN(output., speed_segments),
@@ -34,6 +35,12 @@ static const DefList lists[] = {
     LIST_IN(rod., loads),
 };
 enum { LISTS = sizeof lists / sizeof *lists };
+
+const char *scene_def_can_jam(const SceneDef *def, int i)
+{
+    if (i < def->n_rollers) return def->rollers[i].name;
+    return i - def->n_rollers < def->n_conveyors ? def->conveyors[i - def->n_rollers].name : NULL;
+}
 
 /* A copy of `count` items of `size`; counts of 0 give an allocation too. *ok becomes 0 if there is no memory. */
 static void *copy_of(const void *from, int count, size_t size, int *ok)

@@ -153,6 +153,16 @@ typedef struct ConveyorDef {
     int hold;               /* holds the cable on the machine's line */
 } ConveyorDef;
 
+/* A roller or machine that stops in mid-run. Times in s, places of the cable's front in m along the route: one of each
+ * pair, the other NAN; no release: both. */
+typedef struct JamDef {
+    char what[NAME_MAX_LENGTH]; /* its name */
+    double at, head_at;
+    double release, release_head_at;
+    double ramp;     /* s, over which it stops and starts */
+    double friction; /* coefficient with which the cable drags over a roller that stands; NAN: the usual */
+} JamDef;
+
 typedef struct StationDef {
     char name[NAME_MAX_LENGTH];
     double s; /* m along the route */
@@ -195,6 +205,8 @@ typedef struct SceneDef {
 
     int n_conveyors;
     ConveyorDef *conveyors;
+    int n_jams;
+    JamDef *jams;
     RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */
 
     int n_stations;
@@ -218,6 +230,8 @@ Shape roller_def_shape(const RollerDef *roller);
 /* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides. */
 int surface_along_route(const SurfaceDef *surface);
 double surface_theory_friction(const SurfaceDef *surface);
+/* The name of the i-th thing that can jam, rollers first; NULL behind the last. */
+const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
 

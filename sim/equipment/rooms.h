@@ -11,6 +11,7 @@
     ROOM(ROD_ROOM)                                                                                                     \
     ROOM(REEL_ROOM)                                                                                                    \
     ROOM(CONVEYOR_ROOM)                                                                                                \
+    ROOM(JAM_ROOM)                                                                                                     \
     ROOM(ROLLERS_ROOM)                                                                                                 \
     ROOM(SELF_ROOM)                                                                                                    \
     ROOM(SURFACES_ROOM)                                                                                                \
