@@ -3,13 +3,14 @@
  *
  * A kind of equipment is one file in sim/equipment/ that ends in its RoomKind: functions of which each is called at one
  * point of a scene's life or of a step, and NULL where the kind has nothing to do there. The list of kinds stands once,
- * in sim/equipment/rooms.c, and its order is the order in which they act. docs/architecture.md, "Rooms". */
+ * in sim/equipment/rooms.h, and its order is the order in which they act. docs/architecture.md, "Rooms". */
 #ifndef HAWSER_SIM_ROOM_H
 #define HAWSER_SIM_ROOM_H
 
 #include "core/base/error.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
+#include "core/profile.h"
 #include "sim/balance_data.h"
 #include "sim/time_mean.h"
 
@@ -64,6 +65,21 @@ struct Moment {
     double friction; /* scales every friction and drag force: 1, or 0 for the relaxation */
 };
 
+/* What a step has come to, for those who wait for something. */
+enum { WATCH_PULL = 1, WATCH_FRONT = 2 };
+typedef struct Occasion {
+    double t;     /* s, of the step that was accepted */
+    double pull;  /* N, of the winch */
+    double front; /* m along the route, of the cable's front; NAN: not watched, or past the winch */
+} Occasion;
+
+/* What holds one thing of a room fast. It is owned by who seizes; the share changes between steps only. */
+typedef struct Seizure {
+    Profile share; /* of being held, over time: 0 free, 1 it stands */
+    double ramp;   /* s, over which it stops and starts */
+    double mu;     /* with which the cable drags over it when it stands; NAN: the usual */
+} Seizure;
+
 struct RoomKind {
     const char *name;
 
@@ -76,6 +92,9 @@ struct RoomKind {
     void (*join)(Room *room, Scene *scene);
     /* Last, when everything else is built. */
     hawser_status (*finish)(Room *room, Scene *scene, hawser_error *err);
+    /* Has `by` hold what is called `name` from then on, before any workspace is made; returns what that is, in a word;
+     * NULL: nothing here has the name. */
+    const char *(*seize)(Room *room, const Scene *scene, const char *name, const Seizure *by);
     void (*clear)(Room *room);
     /* Its own part of the initial state, [room->states]. */
     void (*start)(const Room *room, double *own);
@@ -117,6 +136,11 @@ struct RoomKind {
     /* Whether its laws remember the last accepted step, and that one to the kinematics of now was accepted. */
     int (*remembers)(const Room *room, const Workspace *ws);
     void (*accept)(const Room *room, const Moment *m);
+    /* What of a step it waits for: of WATCH_PULL, WATCH_FRONT; 0: nothing can happen. */
+    int (*watches)(const Room *room);
+    /* A step was accepted: changes what the step has brought about, one event a call; returns it in words that live as
+     * long as the scene, NULL when there is nothing more. */
+    const char *(*happen)(Room *room, const Occasion *now);
     /* The first time after t at which it is not smooth, s; INFINITY: never. */
     double (*next_stop)(const Room *room, const Scene *scene, double t);
 

@@ -1,6 +1,6 @@
 /* The scene: what is simulated, built once from a SceneDef and immutable while a run lasts, but for what changes
- * between steps: the winch's phase, and which segments of the chain are simulated. Everything that acts on the cable is
- * a room of it (sim/room.h). */
+ * between steps: what rooms have seen happen (the winch's phase), and which segments of the chain are simulated.
+ * Everything that acts on the cable is a room of it (sim/room.h). */
 #ifndef HAWSER_SIM_SCENE_H
 #define HAWSER_SIM_SCENE_H
 

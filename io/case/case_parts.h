@@ -18,7 +18,7 @@ enum {
 extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, case_run, case_rod, case_rod_tail,
     case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_lead_in, case_contact,
     case_friction, case_groove, case_spin, case_mount, case_roller_row, case_rollers, case_surfaces, case_drive,
-    case_tail, case_back_tension, case_reel, case_conveyor, case_solver, case_output, case_probe, case_paper,
+    case_tail, case_back_tension, case_reel, case_conveyor, case_jam, case_solver, case_output, case_probe, case_paper,
     case_theory, case_limits;
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
@@ -87,6 +87,8 @@ hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const 
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section);
 /* After the drive, whose winch the belts may follow. */
 hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);
+/* After all that can jam. */
+hawser_status case_jams_read(CaseReader *r, const CaseNode *list);
 hawser_status case_reel_read(CaseReader *r, const CaseNode *node);
 hawser_status case_output_read(CaseReader *r, const CaseNode *node);
 /* Places of the chain that are watched. */

@@ -1,8 +1,46 @@
+/* A definition's arrays: a deep copy, and giving them back. */
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/error.h"
 #include "sim/def/scene_def.h"
+
+/* A list of the definition: where its pointer and its count are, and how large an item is. */
+typedef struct DefList {
+    size_t array, count, size;
+} DefList;
+#define LIST_IN(in, member)                                                                                            \
+    {                                                                                                                  \
+        offsetof(SceneDef, in member), offsetof(SceneDef, in n_##member), sizeof *((SceneDef *)NULL)->in member        \
+    }
+#define LIST(member) LIST_IN(, member)
+
+/* All of them; what an item owns besides is copied and freed below. */
+static const DefList lists[] = {
+    LIST(cables),
+    LIST(pieces),
+    LIST(route),
+    LIST(rollers),
+    LIST(surfaces),
+    LIST(conveyors),
+    LIST(jams),
+    LIST(stations),
+    LIST(paper),
+    LIST_IN(output., speed_segments),
+    LIST_IN(output., probes),
+    LIST_IN(output., load_rollers),
+    LIST_IN(rod., points),
+    LIST_IN(rod., masses),
+    LIST_IN(rod., loads),
+};
+enum { LISTS = sizeof lists / sizeof *lists };
+
+const char *scene_def_can_jam(const SceneDef *def, int i)
+{
+    if (i < def->n_rollers) return def->rollers[i].name;
+    return i - def->n_rollers < def->n_conveyors ? def->conveyors[i - def->n_rollers].name : NULL;
+}
 
 /* A copy of `count` items of `size`; counts of 0 give an allocation too. *ok becomes 0 if there is no memory. */
 static void *copy_of(const void *from, int count, size_t size, int *ok)
@@ -26,12 +64,9 @@ static void table_copy(Profile *profile, double **time, double **value, int *ok)
     profile->value = *value;
 }
 
-/* The rod's points, ends, loads and masses. */
+/* The profiles of the rod's loads, and what its ends do. */
 static void rod_copy(const RodDef *def, RodDef *out, int *ok)
 {
-    out->points = copy_of(def->points, def->n_points, sizeof *def->points, ok);
-    out->masses = copy_of(def->masses, def->n_masses, sizeof *def->masses, ok);
-    out->loads = copy_of(def->loads, def->n_loads, sizeof *def->loads, ok);
     for (int l = 0; out->loads && l < def->n_loads; ++l) {
         RodProfile *const by = &out->loads[l].by;
         table_copy(&by->size, &by->table_time, &by->table_value, ok);
@@ -50,26 +85,55 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
 {
     int ok = 1;
     *out = *def;
-    out->cables = copy_of(def->cables, def->n_cables, sizeof *def->cables, &ok);
-    out->pieces = copy_of(def->pieces, def->n_pieces, sizeof *def->pieces, &ok);
-    out->route = copy_of(def->route, def->n_route, sizeof *def->route, &ok);
-    out->rollers = copy_of(def->rollers, def->n_rollers, sizeof *def->rollers, &ok);
-    out->surfaces = copy_of(def->surfaces, def->n_surfaces, sizeof *def->surfaces, &ok);
-    out->conveyors = copy_of(def->conveyors, def->n_conveyors, sizeof *def->conveyors, &ok);
+    for (int l = 0; l < LISTS; ++l) {
+        void *from;
+        int count;
+        memcpy(&from, (const char *)def + lists[l].array, sizeof from);
+        memcpy(&count, (const char *)def + lists[l].count, sizeof count);
+        void *const to = copy_of(from, count, lists[l].size, &ok);
+        memcpy((char *)out + lists[l].array, &to, sizeof to);
+    }
     for (int i = 0; i < def->n_conveyors && out->conveyors; ++i) {
         ConveyorDef *const c = &out->conveyors[i];
         table_copy(&c->speed, &c->table_time, &c->table_value, &ok);
     }
-    out->stations = copy_of(def->stations, def->n_stations, sizeof *def->stations, &ok);
-    out->paper = copy_of(def->paper, def->n_paper, sizeof *def->paper, &ok);
-    out->output.speed_segments = copy_of(def->output.speed_segments, def->output.n_speed_segments, sizeof(int), &ok);
-    out->output.probes = copy_of(def->output.probes, def->output.n_probes, sizeof *def->output.probes, &ok);
     rod_copy(&def->rod, &out->rod, &ok);
-    out->output.load_rollers = copy_of(def->output.load_rollers, def->output.n_load_rollers, sizeof(int), &ok);
     table_copy(&out->winch.speed, &out->winch.table_time, &out->winch.table_value, &ok);
     table_copy(&out->winch.tension, &out->winch.tension_time, &out->winch.tension_value, &ok);
     table_copy(&out->tail.tension, &out->tail.table_time, &out->tail.table_value, &ok);
     if (ok) return HAWSER_OK;
     scene_def_clear(out);
     return error_memory(err);
+}
+
+static void profile_clear(RodProfile *by)
+{
+    free(by->table_time);
+    free(by->table_value);
+}
+
+void scene_def_clear(SceneDef *def)
+{
+    for (int e = 0; e < 2; ++e) {
+        RodEndDef *const end = &def->rod.end[e];
+        for (int m = 0; end->motions && m < end->n_motions; ++m) profile_clear(&end->motions[m].by);
+        free(end->motions);
+    }
+    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) profile_clear(&def->rod.loads[l].by);
+    for (int i = 0; i < def->n_conveyors && def->conveyors; ++i) {
+        free(def->conveyors[i].table_time);
+        free(def->conveyors[i].table_value);
+    }
+    free(def->winch.table_time);
+    free(def->winch.table_value);
+    free(def->winch.tension_time);
+    free(def->winch.tension_value);
+    free(def->tail.table_time);
+    free(def->tail.table_value);
+    for (int l = 0; l < LISTS; ++l) {
+        void *array;
+        memcpy(&array, (const char *)def + lists[l].array, sizeof array);
+        free(array);
+    }
+    memset(def, 0, sizeof *def);
 }

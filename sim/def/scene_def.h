@@ -10,10 +10,10 @@
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
-#include "linsolve/linsolve.h"
 #include "sim/def/output_def.h"
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
+#include "sim/def/solver_def.h"
 #include "sim/def/theory_def.h"
 
 enum { NAME_MAX_LENGTH = 64 };
@@ -153,30 +153,20 @@ typedef struct ConveyorDef {
     int hold;               /* holds the cable on the machine's line */
 } ConveyorDef;
 
+/* A roller or machine that stops in mid-run. Times in s, places of the cable's front in m along the route: one of each
+ * pair, the other NAN; no release: both. */
+typedef struct JamDef {
+    char what[NAME_MAX_LENGTH]; /* its name */
+    double at, head_at;
+    double release, release_head_at;
+    double ramp;     /* s, over which it stops and starts */
+    double friction; /* coefficient with which the cable drags over a roller that stands; NAN: the usual */
+} JamDef;
+
 typedef struct StationDef {
     char name[NAME_MAX_LENGTH];
     double s; /* m along the route */
 } StationDef;
-
-/* Whether a scene that lies in one plane is solved there (sim/planar/plane.h): where it can be; or else it is an error;
- * never.
- */
-typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
-
-typedef struct SolverDef {
-    double accuracy;                                                /* one number for all tolerances */
-    double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
-    int max_order;                                                  /* BDF, 1..5 */
-    double max_step;                                                /* s, 0: none */
-    double first_step;                                              /* s, 0: CVODE's choice */
-    long max_steps;                                                 /* 0: none */
-    int relax;                                                      /* bring to equilibrium before t = 0 */
-    double relax_tolerance;                                         /* fraction of the largest segment weight or load */
-    int relax_iterations;
-    LinOptions linear;
-    PlanarChoice planar;
-    int threads;
-} SolverDef;
 
 typedef struct SceneDef {
     char title[256];
@@ -215,6 +205,8 @@ typedef struct SceneDef {
 
     int n_conveyors;
     ConveyorDef *conveyors;
+    int n_jams;
+    JamDef *jams;
     RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */
 
     int n_stations;
@@ -238,6 +230,8 @@ Shape roller_def_shape(const RollerDef *roller);
 /* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides. */
 int surface_along_route(const SurfaceDef *surface);
 double surface_theory_friction(const SurfaceDef *surface);
+/* The name of the i-th thing that can jam, rollers first; NULL behind the last. */
+const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 #include "core/state.h"
@@ -148,10 +149,10 @@ static Vec3 hold_force(const Conveyor *c, const Held *held)
     return v3_axpy(v3_scale(-c->hold, held->off), -c->hold_damping, held->v_off);
 }
 
-ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
-                           const Kinematics *kin, double t, double friction, Loads *loads)
+ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+                           const Kinematics *kin, double friction, Loads *loads)
 {
-    ConveyorNow now = {.belt = conveyor_belt(c, w, t)};
+    ConveyorNow now = {.belt = belt};
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
         double slope;
@@ -186,10 +187,9 @@ static void held_blocks(const Conveyor *c, const Held *held, double mass, double
     }
 }
 
-void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
-                     const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d)
+void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+                     const Kinematics *kin, double friction, BlockChain *k, BlockChain *d)
 {
-    const double belt = conveyor_belt(c, w, t);
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
         if (!held_at(c, belt, chain, kin, i, &held)) continue;
@@ -202,7 +202,8 @@ void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Winch 
 /* The conveyors of a scene. */
 typedef struct Conveyors {
     int n;
-    Conveyor *item; /* [n], in the case's order */
+    Conveyor *item;         /* [n], in the case's order */
+    const Seizure **seized; /* [n] what stops it; NULL: nothing does */
 } Conveyors;
 
 static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err)
@@ -212,7 +213,8 @@ static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err
     if (!all) return error_memory(err);
     all->n = room->present = def->n_conveyors;
     all->item = calloc((size_t)def->n_conveyors + 1, sizeof *all->item);
-    if (!all->item) return error_memory(err);
+    all->seized = calloc((size_t)def->n_conveyors + 1, sizeof *all->seized);
+    if (!all->item || !all->seized) return error_memory(err);
     for (int i = 0; i < def->n_conveyors; ++i)
         all->item[i] = conveyor_of(&def->conveyors[i], &scene->route, v3_norm(def->gravity));
     return HAWSER_OK;
@@ -221,7 +223,21 @@ static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err
 static void conveyors_clear(Room *room)
 {
     Conveyors *const all = room->self;
-    if (all) free(all->item);
+    if (!all) return;
+    free(all->item);
+    free(all->seized);
+}
+
+static const char *conveyors_seize(Room *room, const Scene *scene, const char *name, const Seizure *by)
+{
+    (void)scene;
+    const Conveyors *const all = room->self;
+    for (int i = 0; i < all->n; ++i) {
+        if (strcmp(all->item[i].def->name, name) != 0) continue;
+        all->seized[i] = by;
+        return "conveyor";
+    }
+    return NULL;
 }
 
 static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
@@ -231,13 +247,20 @@ static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace 
     return (ws->room[room->number] = calloc((size_t)all->n + 1, sizeof(ConveyorRange))) != NULL;
 }
 
+/* Speed of conveyor i's belt now, m/s: it stops where it jams, whatever drives it (JA3). */
+static double belt_of(const Conveyors *all, const Moment *m, int i)
+{
+    const double belt = conveyor_belt(&all->item[i], m->scene->winch, m->t);
+    return all->seized[i] ? belt * (1 - profile_value(&all->seized[i]->share, m->t)) : belt;
+}
+
 /* Few segments, and their loads come in the order of the machines: no work for two. */
 static void conveyors_loads(const Room *room, const Moment *m, int part)
 {
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; part == 0 && i < all->n; ++i) {
-        conveyor_loads(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, m->friction,
+        conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction,
                        &m->ws->loads[0]);
     }
 }
@@ -247,8 +270,7 @@ static void conveyors_blocks(const Room *room, const Moment *m, BlockChain *k, B
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; i < all->n; ++i) {
-        conveyor_blocks(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, m->friction, k,
-                        d);
+        conveyor_blocks(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction, k, d);
     }
 }
 
@@ -280,7 +302,7 @@ static ConveyorNow now_of(const Room *room, const Moment *m, int i)
 {
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
-    return conveyor_loads(&all->item[i], &range[i], m->scene->winch, &m->scene->chain, &m->ws->kin, m->t, 1, NULL);
+    return conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, 1, NULL);
 }
 
 static void conveyors_work(const Room *room, const Moment *m, BalanceRates *out)
@@ -361,6 +383,7 @@ static double conveyors_push(const Room *room, const Scene *scene, int item, dou
 
 const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .build = conveyors_build,
+                                .seize = conveyors_seize,
                                 .clear = conveyors_clear,
                                 .work_alloc = conveyors_work_alloc,
                                 .loads = conveyors_loads,

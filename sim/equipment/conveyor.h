@@ -48,12 +48,12 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
 /* Whether they may have moved too far since. */
 int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double *y);
 
-/* Adds the forces on the segments of the range, the grip times `friction` (WI15)-(WI17); returns what there is to say.
- * loads may be NULL. */
-ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
-                           const Kinematics *kin, double t, double friction, Loads *loads);
+/* Adds the forces on the segments of the range for a belt at `belt` (m/s), the grip times `friction` (WI15)-(WI17);
+ * returns what there is to say. loads may be NULL. */
+ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+                           const Kinematics *kin, double friction, Loads *loads);
 /* Adds their derivatives to the diagonal blocks of k and d (WI18), (WI19). */
-void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Winch *w, const Chain *chain,
-                     const Kinematics *kin, double t, double friction, BlockChain *k, BlockChain *d);
+void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+                     const Kinematics *kin, double friction, BlockChain *k, BlockChain *d);
 
 #endif

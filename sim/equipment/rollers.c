@@ -1,16 +1,34 @@
 /* Rollers, fixed and moving: what the cable touches at single places. docs/model.md, "Contact", "Rollers that spin and
  * rollers on mounts". What moves them is in sim/equipment/moving_rollers.h and roller_motion.h. */
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/rooms.h"
 
+/* A roller that may be held fast. */
+typedef struct HeldRoller {
+    int roller;
+    const Seizure *by;
+    double mu;     /* with which the cable drags over it when it stands; NAN: as ever */
+    double torque; /* N m, of the jammed bearing besides what follows the load */
+} HeldRoller;
+
 typedef struct Rollers {
     ContactRoller *roller; /* [n], as the case puts them */
     Equipment equipment;   /* those that move */
+    int n_held;
+    HeldRoller *held; /* [n_held]; room for all jams there are */
 } Rollers;
+
+/* What a workspace has where rollers may be held: its own friction laws and bearings, by time. */
+typedef struct HeldWork {
+    ContactRoller *roller; /* [n] of the scene, where none moves */
+    Equipment equipment;   /* the scene's, but with items of its own */
+} HeldWork;
 
 /* ---------------------------------------------------------------------------------------------------- building */
 
@@ -22,7 +40,8 @@ static hawser_status rollers_build(Room *room, Scene *scene, hawser_error *err)
     if (!all) return error_memory(err);
     scene->equipment = &all->equipment;
     scene->rollers = all->roller = calloc((size_t)def->n_rollers + 1, sizeof *all->roller);
-    if (!all->roller) return error_memory(err);
+    all->held = calloc((size_t)def->n_jams + 1, sizeof *all->held);
+    if (!all->roller || !all->held) return error_memory(err);
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const d = &def->rollers[r];
         all->roller[r] = (ContactRoller){.shape = roller_def_shape(d), .friction = d->friction};
@@ -44,12 +63,92 @@ static void rollers_clear(Room *room)
     if (!all) return;
     equipment_clear(&all->equipment);
     free(all->roller);
+    free(all->held);
+}
+
+/* Of cable jackets on a steel shell that stands. */
+static const double STANDING_MU = 0.4;
+
+/* A roller that spins keeps its friction; one that does not has had its bearing in it, and drags. */
+static const char *rollers_seize(Room *room, const Scene *scene, const char *name, const Seizure *by)
+{
+    Rollers *const all = room->self;
+    const SceneDef *const def = &scene->def;
+    int r = 0;
+    while (r < def->n_rollers && strcmp(def->rollers[r].name, name) != 0) ++r;
+    if (r == def->n_rollers) return NULL;
+    const double inertia = def->rollers[r].spin.inertia;
+    all->held[all->n_held++] =
+        (HeldRoller){.roller = r,
+                     .by = by,
+                     .mu = isnan(by->mu) && !(inertia > 0) ? STANDING_MU : by->mu,
+                     .torque = inertia * scene->largest_speed / def->rollers[r].radius / by->ramp};
+    return "roller";
 }
 
 static void rollers_start(const Room *room, double *own)
 {
     const Rollers *const all = room->self;
     equipment_initial(&all->equipment, own);
+}
+
+/* ------------------------------------------------------------------------------------------ rollers that are held */
+
+/* Of what the cable can turn a roller with: the jammed bearing's limit (JA5). */
+static const double HOLD = 20;
+
+/* A coefficient that counts as friction and does nothing: candidates are sorted by whether there is any. */
+static const double HARDLY_ANY = 1e-12;
+
+/* (JA4) */
+static FrictionLaw held_friction(const HeldRoller *held, FrictionLaw law, double share)
+{
+    if (isnan(held->mu)) return law;
+    law.mu_s = fmax(law.mu_s + share * (held->mu - law.mu_s), HARDLY_ANY);
+    law.mu_d = fmax(law.mu_d + share * (held->mu - law.mu_d), HARDLY_ANY);
+    return law;
+}
+
+/* (JA5) */
+static Bearing held_bearing(const HeldRoller *held, Bearing bearing, double most, double share)
+{
+    bearing.journal = bearing.friction * bearing.journal + share * HOLD * most;
+    bearing.friction = 1;
+    bearing.torque += share * held->torque;
+    return bearing;
+}
+
+/* Friction laws and bearings of time t, into the workspace. */
+static void rollers_hold(const Room *room, Workspace *ws, double t)
+{
+    const Rollers *const all = room->self;
+    HeldWork *const own = ws->room[room->number];
+    const int moving = all->equipment.n > 0;
+    for (int h = 0; h < all->n_held; ++h) {
+        const HeldRoller *const held = &all->held[h];
+        const ContactRoller *const usual = &all->roller[held->roller];
+        const double share = profile_value(&held->by->share, t);
+        ContactRoller *const now = (moving ? ws->equipment->roller : own->roller) + held->roller;
+        now->friction = held_friction(held, usual->friction, share);
+        const int k = moving ? ws->equipment->item_of[held->roller] : -1;
+        if (k < 0) continue;
+        own->equipment.item[k].bearing =
+            held_bearing(held, all->equipment.item[k].bearing, now->friction.mu_s * usual->shape.radius, share);
+    }
+}
+
+static HeldWork *held_work_new(const Rollers *all, int n)
+{
+    HeldWork *const own = calloc(1, sizeof *own);
+    const int moving = all->equipment.n;
+    if (!own) return NULL;
+    own->roller = calloc((size_t)n + 1, sizeof *own->roller);
+    own->equipment = all->equipment;
+    own->equipment.item = calloc((size_t)moving + 1, sizeof *own->equipment.item);
+    if (own->roller) memcpy(own->roller, all->roller, (size_t)n * sizeof *own->roller);
+    if (own->equipment.item && moving > 0)
+        memcpy(own->equipment.item, all->equipment.item, (size_t)moving * sizeof *own->equipment.item);
+    return own;
 }
 
 /* In two halves by number, which is mostly their order along the route. */
@@ -59,11 +158,15 @@ static int rollers_work_alloc(const Room *room, const Scene *scene, Workspace *w
     const int n = scene->contact.n_rollers, half = n / 2;
     EquipmentWork *const moving = ws->equipment = calloc(1, sizeof *moving);
     ws->on_roller = calloc((size_t)n + 1, sizeof *ws->on_roller);
-    int ok = moving && ws->on_roller && equipment_work_alloc(moving, &all->equipment, n, all->roller);
+    HeldWork *const own = all->n_held ? held_work_new(all, n) : NULL;
+    ws->room[room->number] = own;
+    int ok = moving && ws->on_roller && (!all->n_held || (own && own->roller && own->equipment.item));
+    ok = ok && equipment_work_alloc(moving, own ? &own->equipment : &all->equipment, n, all->roller);
+    if (ok) rollers_hold(room, ws, 0);
     for (int p = 0; ok && p < PARTS; ++p) {
         ContactPart *const part = &ws->contact[p];
         part->model = scene->contact;
-        part->model.roller = scene->contact.roller + (p == 0 ? 0 : half);
+        part->model.roller = (own ? own->roller : scene->contact.roller) + (p == 0 ? 0 : half);
         part->model.n_rollers = p == 0 ? half : n - half;
         part->first = p == 0 ? 0 : half;
         part->sticks = contact_sticks(&part->model);
@@ -78,11 +181,14 @@ static int rollers_work_alloc(const Room *room, const Scene *scene, Workspace *w
 
 static void rollers_work_free(const Room *room, Workspace *ws)
 {
-    (void)room;
+    HeldWork *const own = ws->room[room->number];
     for (int p = 0; p < PARTS; ++p) contact_pairs_free(&ws->contact[p].pairs);
     if (ws->equipment) equipment_work_free(ws->equipment);
     free(ws->equipment);
     free(ws->on_roller);
+    if (!own) return;
+    free(own->roller);
+    free(own->equipment.item);
 }
 
 /* The leans of friction that sticks: rollers keep their half. */
@@ -100,6 +206,7 @@ static void rollers_carry(const Room *room, Workspace *from, Workspace *to, int 
 static void rollers_pose(const Room *room, const Moment *m, const double *own)
 {
     if (room->states > 0) equipment_pose(m->ws->equipment, own);
+    rollers_hold(room, m->ws, m->t);
 }
 
 /* Friction that sticks leans by what has been slid since the last accepted step (GR11). */
@@ -244,6 +351,7 @@ static const char *rollers_not_planar(const Room *room, const Scene *scene)
 
 const RoomKind ROLLERS_ROOM = {.name = "rollers",
                                .build = rollers_build,
+                               .seize = rollers_seize,
                                .clear = rollers_clear,
                                .start = rollers_start,
                                .work_alloc = rollers_work_alloc,

@@ -1,10 +1,23 @@
-/* Every kind of room (sim/room.h), by name. What each is stands at the head of its file. */
+/* Every kind of room (sim/room.h), in the order in which they act. What each is stands at the head of its file. */
 #ifndef HAWSER_SIM_EQUIPMENT_ROOMS_H
 #define HAWSER_SIM_EQUIPMENT_ROOMS_H
 
 #include "sim/room.h"
 
-extern const RoomKind ENDS_ROOM, WINCH_ROOM, ROD_ROOM, REEL_ROOM, CONVEYOR_ROOM, ROLLERS_ROOM, SELF_ROOM, SURFACES_ROOM,
-    DRUM_ROOM;
+/* The list of rooms: ROOM(kind) for each. Those that touch the cable come last: their time is told apart. */
+#define ROOMS(ROOM)                                                                                                    \
+    ROOM(ENDS_ROOM)                                                                                                    \
+    ROOM(WINCH_ROOM)                                                                                                   \
+    ROOM(ROD_ROOM)                                                                                                     \
+    ROOM(REEL_ROOM)                                                                                                    \
+    ROOM(CONVEYOR_ROOM)                                                                                                \
+    ROOM(JAM_ROOM)                                                                                                     \
+    ROOM(ROLLERS_ROOM)                                                                                                 \
+    ROOM(SELF_ROOM)                                                                                                    \
+    ROOM(SURFACES_ROOM)                                                                                                \
+    ROOM(DRUM_ROOM)
+
+#define ROOM_DECLARED(kind) extern const RoomKind kind;
+ROOMS(ROOM_DECLARED)
 
 #endif

@@ -340,6 +340,18 @@ const char *winch_event_name(WinchEvent event)
     return name[event];
 }
 
+static int winch_watches(const Room *room)
+{
+    const Winch *const w = room->self;
+    return w->trip_force > 0 ? WATCH_PULL : 0;
+}
+
+static const char *winch_happen(Room *room, const Occasion *now)
+{
+    const WinchEvent event = winch_accept(room->self, now->t, now->pull);
+    return event == WINCH_NOTHING ? NULL : winch_event_name(event);
+}
+
 /* ---------------------------------------------------------------------------------------------------- building */
 
 double winch_place(const Scene *scene)
@@ -436,6 +448,8 @@ const RoomKind WINCH_ROOM = {.name = "winch",
                              .ghosts = winch_ghost,
                              .loads = winch_loads,
                              .blocks = winch_blocks,
+                             .watches = winch_watches,
+                             .happen = winch_happen,
                              .next_stop = winch_next_stop,
                              .work = winch_work,
                              .look = winch_look,

@@ -7,6 +7,8 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/isa.h"
+#include "core/base/lanes.h"
+#include "core/body.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
@@ -170,15 +172,38 @@ static double next_stop(const Sim *s, double stop)
     return stop;
 }
 
-/* What a step may have brought about at the winch. */
-static hawser_status winch_watch(Sim *s, hawser_error *err)
+/* Where the cable's front is, m along the route; NAN if it is not simulated, or in the plane. Brings the kinematics of
+ * its segment up to date and leaves the ghosts to who comes next. */
+static double front_at(Stage *st)
 {
-    Winch *const w = s->stage.scene.winch;
-    if (!(w->trip_force > 0)) return HAWSER_OK;
-    const double pull = s->stage.motion->ops->winch_pull(s->stage.motion, s->stage.t, s->stage.y);
+    const Scene *const scene = &st->scene;
+    const int eye = scene->eye - scene->first, last = eye > 0 ? eye - 1 : 0, n = scene->chain.n;
+    if (st->motion != &st->spatial.motion || eye < 0 || eye > n) return NAN;
+    const int from = last / LANES * LANES, to = from + LANES < n ? from + LANES : n;
+    body_kinematics(n, st->y, from, to, &st->ws.kin);
+    return along_eye(scene, &st->ws.kin, winch_motion(scene->winch, &scene->chain, &st->ws.kin, st->t).travel);
+}
+
+/* What a step may have brought about, with the winch's pull as it was then. */
+static hawser_status events_watch(Sim *s, hawser_error *err)
+{
+    Stage *const st = &s->stage;
+    Scene *const scene = &st->scene;
+    Occasion now = {.t = st->t, .front = NAN};
+    int watched = 0;
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->watches) watched |= room->kind->watches(room);
+    }
+    if (!watched) return HAWSER_OK;
+    if (watched & WATCH_FRONT) now.front = front_at(st);
+    now.pull = st->motion->ops->winch_pull(st->motion, st->t, st->y);
     hawser_status status = HAWSER_OK;
-    for (WinchEvent event; !status && (event = winch_accept(w, s->stage.t, pull)) != WINCH_NOTHING;) {
-        status = events_add(&s->events, s->stage.t, winch_event_name(event), pull, err);
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        Room *const room = &scene->room[r];
+        if (!room->present || !room->kind->watches || !room->kind->watches(room)) continue;
+        for (const char *what; !status && (what = room->kind->happen(room, &now)) != NULL;)
+            status = events_add(&s->events, st->t, what, now.pull, err);
     }
     return status;
 }
@@ -209,7 +234,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     s->stage.scene.winch->phase.held = 0; /* the brake that held a winch of set tension is let off */
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
-        if (!status) status = winch_watch(s, err);
+        if (!status) status = events_watch(s, err);
         if (one_step) break;
     }
     return status;

@@ -1,7 +1,10 @@
 /* Newton's matrix with rollers that spin and stand on mounts, as test_newton.c has it for the chain: newton_solve must
  * solve (1 - gamma J) x = b with J x by differences of the rates, whatever is leaf and whatever is border. */
+#include <stdio.h>
+
 #include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
+#include "sim/equipment/rooms.h"
 #include "sim/newton/newton.h"
 #include "sim/newton/newton_leaves.h"
 #include "tests/support/scene.h"
@@ -18,7 +21,7 @@ typedef struct Rig {
 } Rig;
 
 typedef struct RigChoice {
-    int spins, mounts, sheave, cylinder;
+    int spins, mounts, sheave, cylinder, jams;
     LinKind kind;
 } RigChoice;
 
@@ -28,6 +31,28 @@ static void rig_linearise(Rig *r)
     dynamics_blocks(&r->scene, &r->ws, T, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
     newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
     newton_point_equipment(&r->newton, r->ws.equipment, r->y, 1);
+}
+
+/* Every roller jams at 0.5 s over 0.4 s, so that all are half-way at T. */
+static void jams_define(SceneDef *def)
+{
+    def->n_jams = def->n_rollers;
+    def->jams = fixture_array(def->n_jams, sizeof *def->jams);
+    for (int i = 0; i < def->n_jams; ++i) {
+        JamDef *const jam = &def->jams[i];
+        *jam =
+            (JamDef){.at = 0.5, .head_at = NAN, .release = NAN, .release_head_at = NAN, .ramp = 0.4, .friction = 0.5};
+        snprintf(jam->what, sizeof jam->what, "R%d", i);
+        snprintf(def->rollers[i].name, sizeof def->rollers[i].name, "R%d", i);
+    }
+}
+
+static void jams_begin(Scene *scene)
+{
+    const Occasion now = {.t = 0.5, .front = NAN};
+    Room *const jams = room_of(scene, &JAM_ROOM);
+    for (int i = 0; i < scene->def.n_jams; ++i) check_has(JAM_ROOM.happen(jams, &now), "jams");
+    assert_null(JAM_ROOM.happen(jams, &now));
 }
 
 static Rig *rig_new(const RigChoice *choice, uint64_t seed)
@@ -41,7 +66,9 @@ static Rig *rig_new(const RigChoice *choice, uint64_t seed)
     fixture_moving_rollers(&def, choice->spins, choice->mounts);
     if (choice->sheave) roller_spin(&def.rollers[def.n_rollers - 1]);
     if (choice->sheave) roller_mount(&def.rollers[def.n_rollers - 1]);
+    if (choice->jams) jams_define(&def);
     fixture_build(&def, &r->scene);
+    if (choice->jams) jams_begin(&r->scene);
     r->seed = seed;
     r->size = scene_state_size(&r->scene);
     assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
@@ -157,6 +184,27 @@ static void test_leaves(void **state)
     check_below(worst, 1e-6);
 }
 
+/* The same with every roller half-way into a jam: its friction or its bearing is another, and changes with time. */
+static void test_jammed(void **state)
+{
+    (void)state;
+    double worst = 0;
+    for (int k = 0; k < 4; ++k) {
+        const RigChoice choice = {.spins = k & 1, .mounts = k > 1, .cylinder = k > 2, .kind = LIN_AUTO, .jams = 1};
+        Rig *const r = rig_new(&choice, 50 + (uint64_t)k);
+        const double error = gammas_error(r);
+        print_message("jammed: spins %d mounts %d: %.2g\n", choice.spins, choice.mounts, error);
+        for (int i = 0; i < r->scene.equipment->n; ++i) {
+            const MovingRoller *const item = &r->scene.equipment->item[i];
+            const double journal = item->bearing.friction * item->bearing.journal;
+            if (item->spin >= 0) check_above(r->ws.equipment->q->item[i].bearing.journal, 100 * journal);
+        }
+        worst = larger_of(worst, error);
+        rig_free(r);
+    }
+    check_below(worst, 1e-6);
+}
+
 /* A sheave that capsules touch side by side: as a leaf it is not exact, and it says so; in the border it is. */
 static void test_border(void **state)
 {
@@ -233,7 +281,8 @@ static void test_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_leaves), cmocka_unit_test(test_border),
-                                       cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_leaves), cmocka_unit_test(test_jammed),
+                                       cmocka_unit_test(test_border), cmocka_unit_test(test_solvers_agree),
+                                       cmocka_unit_test(test_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,27 @@
+/* How a case is computed: tolerances, order, relaxation, linear solver. See sim/def/scene_def.h. */
+#ifndef HAWSER_SIM_DEF_SOLVER_DEF_H
+#define HAWSER_SIM_DEF_SOLVER_DEF_H
+
+#include "linsolve/linsolve.h"
+
+/* Whether a scene that lies in one plane is solved there (sim/planar/plane.h): where it can be; or else it is an error;
+ * never.
+ */
+typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
+
+typedef struct SolverDef {
+    double accuracy;                                                /* one number for all tolerances */
+    double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
+    int max_order;                                                  /* BDF, 1..5 */
+    double max_step;                                                /* s, 0: none */
+    double first_step;                                              /* s, 0: CVODE's choice */
+    long max_steps;                                                 /* 0: none */
+    int relax;                                                      /* bring to equilibrium before t = 0 */
+    double relax_tolerance;                                         /* fraction of the largest segment weight or load */
+    int relax_iterations;
+    LinOptions linear;
+    PlanarChoice planar;
+    int threads;
+} SolverDef;
+
+#endif
