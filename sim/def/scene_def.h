@@ -17,10 +17,22 @@
 #include "sim/def/rod_def.h"
 #include "sim/def/theory_def.h"
 
-/* A roller that spins: inertia about its axis, bearing (sim/equipment/moving_rollers.h). */
+/* The drive of a roller that spins. Speeds are those of its surface; torques and speeds are with the pull. */
+typedef enum MotorKind { MOTOR_NONE, MOTOR_TORQUE, MOTOR_SPEED } MotorKind;
+typedef struct MotorDef {
+    MotorKind kind;
+    Profile set;        /* N m; m/s */
+    double factor;      /* MOTOR_SPEED: runs with the winch at so many times its speed; 0: by `set` */
+    double limit;       /* MOTOR_SPEED: the largest torque, either way, N m */
+    double speed_limit; /* MOTOR_TORQUE: where the torque has fallen to zero, m/s; 0: nowhere */
+    double droop;       /* m/s over which the torque changes (SP16) */
+} MotorDef;
+
+/* A roller that spins: inertia about its axis, bearing (sim/equipment/moving_rollers.h), motor. */
 typedef struct SpinDef {
     double inertia;                          /* kg m2; 0: it does not spin */
     double friction, journal, torque, speed; /* 1, m, N m, rad/s */
+    MotorDef motor;
 } SpinDef;
 
 /* A roller on a bushing mount; components along the roller's axis, along the route, up, then rotations about these. */
