@@ -87,6 +87,52 @@ static void test_ways(void **state)
     rig_free(r);
 }
 
+/* In a bend to the left, with motors stronger than friction: in theory a carrier bears the weight of half the way to
+ * its neighbours, a guide on the inside what the tension presses, one above or on the outside nothing; each pushes with
+ * mu times that, beside the fixed roller that the theory has there. */
+static void test_theory(void **state)
+{
+    (void)state;
+    const double turn = 6, tension = 2000, mu = 0.2, mu_case = 0.05;
+    const RoutePieceDef bend = {.kind = ROUTE_BEND, .radius = turn, .angle = 1.5};
+    RollerDef roller[12];
+    Route route;
+    assert_int_equal(route_build(&route, 1, &bend, v3(0, 0, 5), 0, 0, NULL), HAWSER_OK);
+    for (int k = 0; k < 12; ++k) {
+        const double s = 3 + 1.5 * (k / 4);
+        const Vec3 left = route_left(&route, s), up = v3(0, 0, 1);
+        const Vec3 side[] = {v3_scale(-1, up), up, left, v3_scale(-1, left)};
+        const Vec3 place = v3_axpy(route_at(&route, s).position, 0.5, side[k % 4]);
+        roller[k] = driven_roller(place, k % 4 < 2 ? left : up, s);
+        roller[k].spin.motor = (MotorDef){.kind = MOTOR_TORQUE, .set = {.v1 = 1e4}, .droop = 0.01};
+    }
+    route_clear(&route);
+    SceneDef def;
+    scene_of(&def, 12, roller, 5);
+    def.route[0] = bend;
+    def.gravity = v3(0, 0, -9.81);
+    def.friction.mu_d = mu_case;
+    const double weight = def.cables[0].mass * 9.81;
+    Scene scene;
+    fixture_build(&def, &scene);
+    const Room *const room = room_of(&scene, &MOTORS_ROOM);
+    Pusher out[12];
+    assert_int_equal(MOTORS_ROOM.pushers(room, &scene, out), 12);
+    int carriers = 0, guides = 0, idle = 0;
+    for (int k = 0; k < 12; ++k) {
+        const double load = MOTORS_ROOM.push(room, &scene, k, tension) / (mu + mu_case);
+        const int carries = fabs(load / (1.5 * weight) - 1) < 1e-12;
+        const int guided = fabs(load / (1.5 * tension / turn) - 1) < 1e-12;
+        carriers += carries;
+        guides += guided;
+        idle += fabs(load) < 1e-9;
+    }
+    assert_int_equal(carriers, 3);
+    assert_int_equal(guides, 3);
+    assert_int_equal(idle, 6);
+    scene_clear(&scene);
+}
+
 /* Without a cable: a set torque speeds its roller up by torque over inertia, up to the speed limit; a set speed is
  * reached, over the ramp with the torque that this takes, and held. */
 static void test_free_run(void **state)
@@ -145,6 +191,7 @@ static void test_reaction(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_law), cmocka_unit_test(test_ways),
-                                       cmocka_unit_test(test_free_run), cmocka_unit_test(test_reaction)};
+                                       cmocka_unit_test(test_theory), cmocka_unit_test(test_free_run),
+                                       cmocka_unit_test(test_reaction)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
