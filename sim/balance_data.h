@@ -14,6 +14,7 @@ typedef enum BalanceWork {
     BY_CONVEYORS, /* belts and holds, what slips included */
     BY_ENDS,      /* what leads or holds a rod's ends */
     BY_LOADS,     /* a rod's loads */
+    BY_MOTORS,    /* of rollers, on these; what reaches the cable is the rollers' push */
     BY_EDGES,     /* surfaces, where they fade out or are twisted */
     BALANCE_WORKS
 } BalanceWork;

@@ -10,51 +10,30 @@
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
+#include "linsolve/linsolve.h"
+#include "sim/def/cable_def.h"
 #include "sim/def/output_def.h"
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
 #include "sim/def/solver_def.h"
 #include "sim/def/theory_def.h"
 
-enum { NAME_MAX_LENGTH = 64 };
+/* The drive of a roller that spins. Speeds are those of its surface; torques and speeds are with the pull. */
+typedef enum MotorKind { MOTOR_NONE, MOTOR_TORQUE, MOTOR_SPEED } MotorKind;
+typedef struct MotorDef {
+    MotorKind kind;
+    Profile set;        /* N m; m/s */
+    double factor;      /* MOTOR_SPEED: runs with the winch at so many times its speed; 0: by `set` */
+    double limit;       /* MOTOR_SPEED: the largest torque, either way, N m */
+    double speed_limit; /* MOTOR_TORQUE: where the torque has fallen to zero, m/s; 0: nowhere */
+    double droop;       /* m/s over which the torque changes (SP16) */
+} MotorDef;
 
-/* Moment by curvature at first bending, in straight pieces from the origin, concave; the last piece goes on. Unbending
- * and bending again follow the same curve doubled (HY3). */
-enum { BENDING_ROWS_MAX = 8 };
-typedef struct BendingTable {
-    int rows;                           /* 0: none, bending is elastic; otherwise 2 at least */
-    double curvature[BENDING_ROWS_MAX]; /* 1/m, rising, above 0 */
-    double moment[BENDING_ROWS_MAX];    /* N m, above 0 and not falling */
-} BendingTable;
-
-/* A kind of cable or rope, per unit length. */
-typedef struct CableDef {
-    char name[NAME_MAX_LENGTH];
-    double ea, ga;            /* N */
-    double gj;                /* N m2 */
-    double ei_y, ei_z;        /* N m2; with a table of bending, its first slope */
-    double mass;              /* kg/m */
-    double diameter;          /* m, outside: contact and rotary inertia */
-    double damping;           /* s: C = damping * factor * K */
-    double damping_factor[6]; /* axial, shear y, shear z, torsion, bending y, bending z */
-    double damping_ratio[6];  /* above 0: takes the place of damping * factor in this component (HY10), (HY12) */
-    double damping_ratio_at;  /* Hz, where the ratios hold; 0: in each bushing's own mode */
-    double preload[6];        /* N, N m: the wrench of an undeformed bushing, the same components (eq. 1) */
-    BendingTable bending;
-} CableDef;
-
-/* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */
-typedef struct ChainPieceDef {
-    int cable; /* index into cables */
-    double length;
-    int segments; /* >= 1 */
-    int swivel;   /* the joint to the piece before is an eye with a swivel: it transmits no torsion */
-} ChainPieceDef;
-
-/* A roller that spins: inertia about its axis, bearing (sim/equipment/moving_rollers.h). */
+/* A roller that spins: inertia about its axis, bearing (sim/equipment/moving_rollers.h), motor. */
 typedef struct SpinDef {
     double inertia;                          /* kg m2; 0: it does not spin */
     double friction, journal, torque, speed; /* 1, m, N m, rad/s */
+    MotorDef motor;
 } SpinDef;
 
 /* A roller on a bushing mount; components along the roller's axis, along the route, up, then rotations about these. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/bushing.h"
+#include "core/profile.h"
 
 enum { ROOM = 4 }; /* segments that a roller of the usual size can touch at a time: two contacts' */
 
@@ -63,9 +64,10 @@ int equipment_work_alloc(EquipmentWork *w, const Equipment *q, int n_rollers, co
     w->roller = malloc(rollers * sizeof *w->roller);
     w->motion = calloc(rollers, sizeof *w->motion);
     w->load = calloc(rollers, sizeof *w->load);
+    w->motor = calloc(n, sizeof *w->motor);
     w->sum = calloc(n, sizeof *w->sum);
     w->stood = calloc(2 * n, sizeof *w->stood);
-    int ok = w->item_of && w->roller && w->motion && w->load && w->sum && w->stood && mounts_alloc(w);
+    int ok = w->item_of && w->roller && w->motion && w->load && w->motor && w->sum && w->stood && mounts_alloc(w);
     for (int k = 0; ok && k < q->n; ++k) ok = equipment_room(w, k, ROOM);
     if (!ok) {
         equipment_work_free(w);
@@ -84,6 +86,7 @@ void equipment_work_free(EquipmentWork *w)
     free(w->roller);
     free(w->motion);
     free(w->load);
+    free(w->motor);
     free(w->sum);
     free(w->stood);
     kinematics_free(&w->kin);
@@ -142,17 +145,34 @@ double equipment_shift(const EquipmentWork *w, const MovingRoller *item)
     return v3_norm(v3_sub(w->roller[item->roller].shape.centre, stands));
 }
 
-/* Moment of contact and bearing about the axis of a roller that spins at s (SP8), N m. */
-static double axis_moment(EquipmentWork *w, const MovingRoller *item, double s, double friction)
+double motor_torque(const MotorNow *motor, double om, double *d_om)
 {
+    *d_om = 0;
+    if (!(motor->below > motor->above)) return motor->below;
+    return step_cubic(om, motor->from, motor->below, motor->to, motor->above, d_om);
+}
+
+double equipment_turning(const EquipmentWork *w, int k)
+{
+    const MovingRoller *const item = &w->q->item[k];
+    const Vec3 mount = item->mount >= 0 ? v3_load(w->kin.w, body_of(item->mount)) : v3(0, 0, 0);
+    return v3_dot(v3_sub(w->motion[item->roller].w, mount), w->roller[item->roller].shape.axis);
+}
+
+/* Moment of contact, bearing and motor about the axis of roller k, which spins at s (SP8), N m. */
+static double axis_moment(EquipmentWork *w, int k, double s, double friction)
+{
+    const MovingRoller *const item = &w->q->item[k];
     const RollerLoad *const load = &w->load[item->roller];
     const Vec3 b = w->roller[item->roller].shape.axis;
     const Vec3 turning = item->mount >= 0 ? v3_load(w->kin.w, body_of(item->mount)) : v3(0, 0, 0);
     double d_om, d_load;
     const double om = s - v3_dot(turning, b);
     const double held = friction * bearing_torque(&item->bearing, v3_norm(load->force), om, &d_om, &d_load);
+    const double driven = friction * motor_torque(&w->motor[k], om, &d_om);
     w->lost_bearings -= held * om;
-    return v3_dot(b, load->moment) + held;
+    w->by_motors += driven * om;
+    return v3_dot(b, load->moment) + held + driven;
 }
 
 /* Rates of mount m from the force and moment on it. */
@@ -173,14 +193,14 @@ static void mount_rates(const EquipmentWork *w, const MovingRoller *item, const 
 void equipment_rates(EquipmentWork *w, const double *e, double friction, double *rate)
 {
     const Equipment *const q = w->q;
-    w->lost_bearings = w->lost_mounts = 0;
+    w->lost_bearings = w->lost_mounts = w->by_motors = 0;
     if (q->mounts) w->lost_mounts = bushing_loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints).damping;
     for (int k = 0; k < q->n; ++k) {
         const MovingRoller *const item = &q->item[k];
         RollerLoad on = w->load[item->roller];
         double about = 0;
         if (item->spin >= 0) {
-            about = axis_moment(w, item, e[item->spin], friction);
+            about = axis_moment(w, k, e[item->spin], friction);
             rate[item->spin] = about / item->inertia;
         }
         if (item->mount < 0) continue;

@@ -15,6 +15,13 @@ typedef struct RollerSum {
     double (*from[2])[36];     /* [room]: rows of the roller, columns of the segment */
 } RollerSum;
 
+/* What the motor of a roller turns it with now, by its speed against the mount: `below` up to `from`, `above` from `to`
+ * on, STEP between (SP16). */
+typedef struct MotorNow {
+    double from, to;     /* rad/s */
+    double below, above; /* N m; both zero: no motor */
+} MotorNow;
+
 typedef struct EquipmentWork {
     const Equipment *q;    /* borrowed */
     int held;              /* mounts stand still: the relaxation's first stage (SP15) */
@@ -22,9 +29,11 @@ typedef struct EquipmentWork {
     ContactRoller *roller; /* [rollers] equipment_pose: the scene's, those on mounts where they are now */
     RollerMotion *motion;  /* [rollers] equipment_pose */
     RollerLoad *load;      /* [rollers] contact_forces */
+    MotorNow *motor;       /* [q->n] by time: what the room sets before equipment_rates or the derivatives */
     Kinematics kin;        /* equipment_pose: of the mounts' chain */
     JointLoads joints;     /* equipment_rates */
     double lost_bearings;  /* W, equipment_rates: what the bearings take */
+    double by_motors;      /* W, equipment_rates: what the motors do */
     double lost_mounts;    /* W, equipment_rates: what the mounts' damping takes */
     BlockChain k, d;       /* equipment_blocks: the mounts' bushings */
     RollerSum *sum;        /* [q->n] equipment_blocks_begin, equipment_blocks_take */
@@ -40,7 +49,11 @@ int equipment_room(EquipmentWork *w, int k, int room);
 
 /* Poses and motions from e (SP1). */
 void equipment_pose(EquipmentWork *w, const double *e);
-/* Rates of e (SP8), (SP10) from poses and loads; friction scales the bearings' torques. */
+/* Torque on the roller, N m, at angular speed om (rad/s) against its mount (SP16); *d_om gets its derivative, N m s. */
+double motor_torque(const MotorNow *motor, double om, double *d_om);
+/* How fast moving roller k turns against its mount, rad/s. */
+double equipment_turning(const EquipmentWork *w, int k);
+/* Rates of e (SP8), (SP10) from poses and loads; friction scales the torques of bearings and motors. */
 void equipment_rates(EquipmentWork *w, const double *e, double friction, double *rate);
 
 /* How far a roller on a mount is from where the case puts it, m. */

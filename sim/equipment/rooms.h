@@ -13,6 +13,7 @@
     ROOM(CONVEYOR_ROOM)                                                                                                \
     ROOM(JAM_ROOM)                                                                                                     \
     ROOM(ROLLERS_ROOM)                                                                                                 \
+    ROOM(MOTORS_ROOM)                                                                                                  \
     ROOM(SELF_ROOM)                                                                                                    \
     ROOM(SURFACES_ROOM)                                                                                                \
     ROOM(DRUM_ROOM)

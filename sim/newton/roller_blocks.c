@@ -8,7 +8,7 @@ typedef struct RollerPoint {
     RollerLoad load;
     Vec3 b, w;           /* axis; angular velocity of the mount */
     double s;            /* of the spin, rad/s */
-    double torque, d_om; /* bearing: T and its derivative by the relative speed */
+    double torque, d_om; /* bearing and motor: T + T_m and its derivative by the relative speed */
     Vec3 t;              /* and by the force on the roller */
 } RollerPoint;
 
@@ -26,10 +26,12 @@ static RollerPoint point_of(const EquipmentWork *w, int k, const double *e, doub
     }
     if (!spins(&r)) return r;
     const double force = v3_norm(r.load.force);
-    double d_load;
+    double d_load, driven;
     r.s = e[r.item->spin];
-    r.torque = friction * bearing_torque(&r.item->bearing, force, r.s - v3_dot(r.w, r.b), &r.d_om, &d_load);
-    r.d_om *= friction;
+    const double om = r.s - v3_dot(r.w, r.b);
+    r.torque = bearing_torque(&r.item->bearing, force, om, &r.d_om, &d_load);
+    r.torque = friction * (r.torque + motor_torque(&w->motor[k], om, &driven));
+    r.d_om = friction * (r.d_om + driven);
     if (force > 0) r.t = v3_scale(friction * d_load / force, r.load.force);
     return r;
 }

@@ -237,6 +237,7 @@ static const CaseSection *section_of(const CaseNode *map)
     static const char *const shared[][2] = {{"friction", "friction"},
                                             {"groove", "rollers.along.groove"},
                                             {"spin.bearing", "rollers.along.spin.bearing"},
+                                            {"spin.motor", "rollers.along.spin.motor"},
                                             {"spin", "rollers.along.spin"},
                                             {"mount", "rollers.along.mount"}};
     const char *known = general;

@@ -21,9 +21,22 @@ typedef struct Rig {
 } Rig;
 
 typedef struct RigChoice {
-    int spins, mounts, sheave, cylinder, jams;
+    int spins, mounts, sheave, cylinder, jams, motors;
     LinKind kind;
 } RigChoice;
+
+/* On rollers that spin, by turns with a set torque that its speed limit cuts and a set speed; wide enough that the
+ * speeds of equipment_shake, a few rad/s, are on the slopes. */
+static void motors_add(SceneDef *def)
+{
+    for (int k = 0; k < def->n_rollers; ++k) {
+        SpinDef *const spin = &def->rollers[k].spin;
+        const MotorKind kind = k % 4 == 1 ? MOTOR_TORQUE : MOTOR_SPEED;
+        if (!(spin->inertia > 0)) continue;
+        spin->motor = (MotorDef){.kind = kind, .limit = 20, .speed_limit = 0.2, .droop = 0.4};
+        spin->motor.set = (Profile){.kind = PROFILE_STEP, .t1 = 1, .v1 = kind == MOTOR_TORQUE ? 30 : 0.1};
+    }
+}
 
 static void rig_linearise(Rig *r)
 {
@@ -67,6 +80,7 @@ static Rig *rig_new(const RigChoice *choice, uint64_t seed)
     if (choice->sheave) roller_spin(&def.rollers[def.n_rollers - 1]);
     if (choice->sheave) roller_mount(&def.rollers[def.n_rollers - 1]);
     if (choice->jams) jams_define(&def);
+    if (choice->motors) motors_add(&def);
     fixture_build(&def, &r->scene);
     if (choice->jams) jams_begin(&r->scene);
     r->seed = seed;
@@ -165,19 +179,23 @@ static double gammas_error(Rig *r)
     return worst;
 }
 
-/* Leaves: each kind of roller, both geometries, three solvers. */
+/* Leaves: each kind of roller, with and without motors, both geometries, three solvers. */
 static void test_leaves(void **state)
 {
     (void)state;
     const LinKind kind[] = {LIN_AUTO, LIN_KLU, LIN_DENSE};
     double worst = 0;
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 24; ++k) {
         const int which = k % 3; /* spins, mounts, both */
-        const RigChoice choice = {
-            .spins = which != 1, .mounts = which != 0, .cylinder = k / 3 % 2, .kind = kind[(k + k / 3) % 3]};
-        Rig *const r = rig_new(&choice, 90 + (uint64_t)k);
+        const RigChoice choice = {.spins = which != 1,
+                                  .mounts = which != 0,
+                                  .cylinder = k / 3 % 2,
+                                  .motors = k / 12,
+                                  .kind = kind[(k + k / 3) % 3]};
+        Rig *const r = rig_new(&choice, 90 + (uint64_t)(k % 12));
         const double error = gammas_error(r);
-        print_message("spins %d mounts %d cylinder %d: %.2g\n", choice.spins, choice.mounts, choice.cylinder, error);
+        print_message("spins %d mounts %d cylinder %d motors %d: %.2g\n", choice.spins, choice.mounts, choice.cylinder,
+                      choice.motors, error);
         worst = larger_of(worst, error);
         rig_free(r);
     }

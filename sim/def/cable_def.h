@@ -1,0 +1,40 @@
+/* What a case says of cables and ropes, and of the chain they make: a part of SceneDef (sim/def/scene_def.h). */
+#ifndef HAWSER_SIM_DEF_CABLE_DEF_H
+#define HAWSER_SIM_DEF_CABLE_DEF_H
+
+enum { NAME_MAX_LENGTH = 64 };
+
+/* Moment by curvature at first bending, in straight pieces from the origin, concave; the last piece goes on. Unbending
+ * and bending again follow the same curve doubled (HY3). */
+enum { BENDING_ROWS_MAX = 8 };
+typedef struct BendingTable {
+    int rows;                           /* 0: none, bending is elastic; otherwise 2 at least */
+    double curvature[BENDING_ROWS_MAX]; /* 1/m, rising, above 0 */
+    double moment[BENDING_ROWS_MAX];    /* N m, above 0 and not falling */
+} BendingTable;
+
+/* A kind of cable or rope, per unit length. */
+typedef struct CableDef {
+    char name[NAME_MAX_LENGTH];
+    double ea, ga;            /* N */
+    double gj;                /* N m2 */
+    double ei_y, ei_z;        /* N m2; with a table of bending, its first slope */
+    double mass;              /* kg/m */
+    double diameter;          /* m, outside: contact and rotary inertia */
+    double damping;           /* s: C = damping * factor * K */
+    double damping_factor[6]; /* axial, shear y, shear z, torsion, bending y, bending z */
+    double damping_ratio[6];  /* above 0: takes the place of damping * factor in this component (HY10), (HY12) */
+    double damping_ratio_at;  /* Hz, where the ratios hold; 0: in each bushing's own mode */
+    double preload[6];        /* N, N m: the wrench of an undeformed bushing, the same components (eq. 1) */
+    BendingTable bending;
+} CableDef;
+
+/* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */
+typedef struct ChainPieceDef {
+    int cable; /* index into cables */
+    double length;
+    int segments; /* >= 1 */
+    int swivel;   /* the joint to the piece before is an eye with a swivel: it transmits no torsion */
+} ChainPieceDef;
+
+#endif
