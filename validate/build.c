@@ -5,19 +5,16 @@
 
 #include "core/base/error.h"
 
-/* One more than asked for, so that an empty array is one too. */
-static void *items(int count, size_t size) { return calloc((size_t)count + 1, size); }
-
-hawser_status build_start(SceneDef *def, SceneRoom room, hawser_error *err)
+hawser_status build_start(SceneDef *def, hawser_error *err)
 {
     scene_def_defaults(def);
-    def->cables = items(2, sizeof *def->cables);
-    def->pieces = items(2, sizeof *def->pieces);
-    def->route = items(room.route, sizeof *def->route);
-    def->rollers = items(room.rollers, sizeof *def->rollers);
-    def->surfaces = items(room.surfaces, sizeof *def->surfaces);
-    def->stations = items(room.stations, sizeof *def->stations);
-    def->paper = items(room.paper, sizeof *def->paper);
+    def->cables = calloc(2, sizeof *def->cables);
+    def->pieces = calloc(2, sizeof *def->pieces);
+    def->route = calloc(ROUTE_MOST, sizeof *def->route);
+    def->rollers = calloc(ROLLERS_MOST, sizeof *def->rollers);
+    def->surfaces = calloc(SURFACES_MOST, sizeof *def->surfaces);
+    def->stations = calloc(STATIONS_MOST, sizeof *def->stations);
+    def->paper = calloc(PAPER_MOST, sizeof *def->paper);
     if (def->cables && def->pieces && def->route && def->rollers && def->surfaces && def->stations && def->paper) {
         return HAWSER_OK;
     }
@@ -110,10 +107,10 @@ hawser_status pull_run(SceneDef *def, Sim **out, hawser_error *err)
     const double end = def->duration;
     hawser_status status = pull_start(def, out, err);
     if (status) return status;
-    sim_record(*out);
+    hawser_sim_record(*out);
     for (int k = 1; k * EVERY <= end + 1e-9 && !status; ++k) {
         status = sim_advance(*out, k * EVERY, 0, err);
-        if (!status) sim_record(*out);
+        if (!status) hawser_sim_record(*out);
     }
     if (status) *out = sim_free(*out);
     return status;

@@ -3,16 +3,15 @@
 #include <math.h>
 
 #include "validate/build.h"
-#include "validate/cases.h"
 #include "validate/motion.h"
-#include "validate/orders.h"
+#include "validate/validate.h"
 
 /* The free end of a cantilever 1 m long, clamped in the winch, under its own weight: how far it sinks, m. */
 static hawser_status cantilever_sinks(int n, double mass, double EI, double GA, double *out, hawser_error *err)
 {
     SceneDef def;
     Sim *sim;
-    hawser_status status = build_start(&def, (SceneRoom){.route = 1}, err);
+    hawser_status status = build_start(&def, err);
     if (status) return status;
     CableDef cable = build_cable(mass, 0.02, 1e6, EI);
     cable.ga = GA;
@@ -23,7 +22,7 @@ static hawser_status cantilever_sinks(int n, double mass, double EI, double GA, 
     def.solver.relax_tolerance = 1e-12;
     status = pull_start(&def, &sim, err);
     if (status) return status;
-    const hawser_sample *const look = sim_sample(sim);
+    const hawser_sample *const look = hawser_sim_sample(sim);
     const double *const q = look->quaternion;
     const Vec3 axis = quat_rotate((Quat){q[0], q[1], q[2], q[3]}, v3(1, 0, 0));
     *out = -(look->position[2] - axis.z / (2 * n));
@@ -74,7 +73,7 @@ static hawser_status swing_end(double accuracy, int max_order, Vec3 *out, hawser
 {
     SceneDef def;
     Stage stage;
-    hawser_status status = build_start(&def, (SceneRoom){.route = 1}, err);
+    hawser_status status = build_start(&def, err);
     if (status) return status;
     build_chain(&def, build_cable(8, 0.06, 1e6, 20), 5, 10);
     build_straight(&def, 5);

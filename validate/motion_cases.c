@@ -6,8 +6,8 @@
 #include "core/base/worst.h"
 #include "core/chain.h"
 #include "validate/build.h"
-#include "validate/cases.h"
 #include "validate/motion.h"
+#include "validate/validate.h"
 
 enum { SEGMENTS = 20 };
 static const double LENGTH = 10; /* m */
@@ -15,7 +15,7 @@ static const double LENGTH = 10; /* m */
 /* Straight, free at both ends, undamped. */
 static hawser_status chain_build(SceneDef *def, double ea, double ei, double accuracy, hawser_error *err)
 {
-    const hawser_status status = build_start(def, (SceneRoom){.route = 1}, err);
+    const hawser_status status = build_start(def, err);
     if (status) return status;
     CableDef cable = build_cable(8, 0.06, ea, ei);
     cable.damping = 0;

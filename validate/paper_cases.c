@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "validate/cases.h"
-#include "validate/paper_scene.h"
+#include "validate/build.h"
+#include "validate/validate.h"
 
 /* A real cable's bending stiffness, a twentieth of the solid bar's (references: 9-16 kN m2 tangent); and next to none.
  */
@@ -23,7 +23,7 @@ static hawser_status paper_pull(const PaperChoice *choice, Sim **out, hawser_sum
     SceneDef def;
     hawser_status status = paper_scene(choice, &def, err);
     if (!status) status = pull_run(&def, out, err);
-    if (!status) sim_summary(*out, sum);
+    if (!status) hawser_sim_summary(*out, sum);
     return status;
 }
 
@@ -44,7 +44,7 @@ static hawser_status table_run(const void *setup, ValidationLog *log, hawser_err
     const hawser_station *station;
     const hawser_status status = paper_pull(&e->choice, &sim, &sum, err);
     if (status) return status;
-    const int n = sim_stations(sim, &station);
+    const int n = hawser_sim_stations(sim, &station);
     for (int i = 0; i < n; ++i) {
         char quantity[VALIDATION_QUANTITY_MAX];
         if (station[i].name[0] < 'A' || station[i].name[0] > 'F') continue;

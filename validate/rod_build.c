@@ -1,4 +1,4 @@
-#include "validate/rod_build.h"
+#include "validate/build.h"
 
 #include <stdlib.h>
 
@@ -6,7 +6,7 @@
 
 hawser_status rod_start(SceneDef *def, CableDef cable, double length, int n, int steps, hawser_error *err)
 {
-    const hawser_status status = build_start(def, (SceneRoom){.route = 1}, err);
+    const hawser_status status = build_start(def, err);
     if (status) return status;
     cable.damping = 0;
     build_chain(def, cable, length, n);

@@ -1,8 +1,53 @@
+/* What a definition owns, named once: copying and clearing go over it. */
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/error.h"
 #include "sim/def/scene_def.h"
+
+/* An array of the definition's: where its pointer and its count are, and the size of an item. */
+typedef struct OwnedArray {
+    size_t pointer, count, size;
+} OwnedArray;
+
+#define OWNED(array, n)                                                                                                \
+    {                                                                                                                  \
+        offsetof(SceneDef, array), offsetof(SceneDef, n), sizeof *((SceneDef *)NULL)->array                            \
+    }
+
+static const OwnedArray owned[] = {
+    OWNED(cables, n_cables),
+    OWNED(pieces, n_pieces),
+    OWNED(route, n_route),
+    OWNED(rollers, n_rollers),
+    OWNED(surfaces, n_surfaces),
+    OWNED(conveyors, n_conveyors),
+    OWNED(stations, n_stations),
+    OWNED(paper, n_paper),
+    OWNED(output.speed_segments, output.n_speed_segments),
+    OWNED(output.load_rollers, output.n_load_rollers),
+    OWNED(output.probes, output.n_probes),
+    OWNED(rod.points, rod.n_points),
+    OWNED(rod.masses, rod.n_masses),
+    OWNED(rod.loads, rod.n_loads),
+    OWNED(rod.end[ROD_TAIL].motions, rod.end[ROD_TAIL].n_motions),
+    OWNED(rod.end[ROD_HEAD].motions, rod.end[ROD_HEAD].n_motions),
+};
+enum { OWNED_ARRAYS = sizeof owned / sizeof *owned };
+
+/* Where the pointer of an array is, whatever it points to. */
+static void *array_of(const SceneDef *def, const OwnedArray *a)
+{
+    void *array;
+    memcpy(&array, (const char *)def + a->pointer, sizeof array);
+    return array;
+}
+
+static void array_put(SceneDef *def, const OwnedArray *a, void *array)
+{
+    memcpy((char *)def + a->pointer, &array, sizeof array);
+}
 
 /* A copy of `count` items of `size`; counts of 0 give an allocation too. *ok becomes 0 if there is no memory. */
 static void *copy_of(const void *from, int count, size_t size, int *ok)
@@ -16,59 +61,64 @@ static void *copy_of(const void *from, int count, size_t size, int *ok)
     return to;
 }
 
-/* The table behind a profile, with the profile pointed at the copy. */
+/* What is done to the table behind a profile. */
+typedef void TableVisit(Profile *profile, double **time, double **value, int *ok);
+
+/* A table of its own, with the profile pointed at it. */
 static void table_copy(Profile *profile, double **time, double **value, int *ok)
 {
     const int n = profile->kind == PROFILE_TABLE ? profile->n : 0;
-    *time = copy_of(profile->time, n, sizeof(double), ok);
-    *value = copy_of(profile->value, n, sizeof(double), ok);
-    profile->time = *time;
-    profile->value = *value;
+    profile->time = *time = copy_of(profile->time, n, sizeof(double), ok);
+    profile->value = *value = copy_of(profile->value, n, sizeof(double), ok);
 }
 
-/* The rod's points, ends, loads and masses. */
-static void rod_copy(const RodDef *def, RodDef *out, int *ok)
+static void table_clear(Profile *profile, double **time, double **value, int *ok)
 {
-    out->points = copy_of(def->points, def->n_points, sizeof *def->points, ok);
-    out->masses = copy_of(def->masses, def->n_masses, sizeof *def->masses, ok);
-    out->loads = copy_of(def->loads, def->n_loads, sizeof *def->loads, ok);
-    for (int l = 0; out->loads && l < def->n_loads; ++l) {
-        RodProfile *const by = &out->loads[l].by;
-        table_copy(&by->size, &by->table_time, &by->table_value, ok);
+    (void)profile, (void)ok;
+    free(*time);
+    free(*value);
+}
+
+/* All tables there are: those of the definition itself, and of the items of its arrays. */
+static void tables_visit(SceneDef *def, TableVisit *visit, int *ok)
+{
+    visit(&def->winch.speed, &def->winch.table_time, &def->winch.table_value, ok);
+    visit(&def->winch.tension, &def->winch.tension_time, &def->winch.tension_value, ok);
+    visit(&def->tail.tension, &def->tail.table_time, &def->tail.table_value, ok);
+    for (int i = 0; def->conveyors && i < def->n_conveyors; ++i) {
+        ConveyorDef *const c = &def->conveyors[i];
+        visit(&c->speed, &c->table_time, &c->table_value, ok);
+    }
+    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) {
+        RodProfile *const by = &def->rod.loads[l].by;
+        visit(&by->size, &by->table_time, &by->table_value, ok);
     }
     for (int e = 0; e < 2; ++e) {
-        RodEndDef *const end = &out->end[e];
-        end->motions = copy_of(def->end[e].motions, end->n_motions, sizeof *end->motions, ok);
+        const RodEndDef *const end = &def->rod.end[e];
         for (int m = 0; end->motions && m < end->n_motions; ++m) {
             RodProfile *const by = &end->motions[m].by;
-            table_copy(&by->size, &by->table_time, &by->table_value, ok);
+            visit(&by->size, &by->table_time, &by->table_value, ok);
         }
     }
+}
+
+void scene_def_clear(SceneDef *def)
+{
+    tables_visit(def, table_clear, NULL);
+    for (int i = 0; i < OWNED_ARRAYS; ++i) free(array_of(def, &owned[i]));
+    memset(def, 0, sizeof *def);
 }
 
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err)
 {
     int ok = 1;
     *out = *def;
-    out->cables = copy_of(def->cables, def->n_cables, sizeof *def->cables, &ok);
-    out->pieces = copy_of(def->pieces, def->n_pieces, sizeof *def->pieces, &ok);
-    out->route = copy_of(def->route, def->n_route, sizeof *def->route, &ok);
-    out->rollers = copy_of(def->rollers, def->n_rollers, sizeof *def->rollers, &ok);
-    out->surfaces = copy_of(def->surfaces, def->n_surfaces, sizeof *def->surfaces, &ok);
-    out->conveyors = copy_of(def->conveyors, def->n_conveyors, sizeof *def->conveyors, &ok);
-    for (int i = 0; i < def->n_conveyors && out->conveyors; ++i) {
-        ConveyorDef *const c = &out->conveyors[i];
-        table_copy(&c->speed, &c->table_time, &c->table_value, &ok);
+    for (int i = 0; i < OWNED_ARRAYS; ++i) {
+        int count;
+        memcpy(&count, (const char *)def + owned[i].count, sizeof count);
+        array_put(out, &owned[i], copy_of(array_of(def, &owned[i]), count, owned[i].size, &ok));
     }
-    out->stations = copy_of(def->stations, def->n_stations, sizeof *def->stations, &ok);
-    out->paper = copy_of(def->paper, def->n_paper, sizeof *def->paper, &ok);
-    out->output.speed_segments = copy_of(def->output.speed_segments, def->output.n_speed_segments, sizeof(int), &ok);
-    out->output.probes = copy_of(def->output.probes, def->output.n_probes, sizeof *def->output.probes, &ok);
-    rod_copy(&def->rod, &out->rod, &ok);
-    out->output.load_rollers = copy_of(def->output.load_rollers, def->output.n_load_rollers, sizeof(int), &ok);
-    table_copy(&out->winch.speed, &out->winch.table_time, &out->winch.table_value, &ok);
-    table_copy(&out->winch.tension, &out->winch.tension_time, &out->winch.tension_value, &ok);
-    table_copy(&out->tail.tension, &out->tail.table_time, &out->tail.table_value, &ok);
+    tables_visit(out, table_copy, &ok);
     if (ok) return HAWSER_OK;
     scene_def_clear(out);
     return error_memory(err);

@@ -1,7 +1,6 @@
 #include "sim/def/scene_def.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm
@@ -72,50 +71,4 @@ double surface_theory_friction(const SurfaceDef *surface)
 {
     const double mu = surface->friction.mu_d;
     return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
-}
-
-static void profile_clear(RodProfile *by)
-{
-    free(by->table_time);
-    free(by->table_value);
-}
-
-static void rod_def_clear(RodDef *rod)
-{
-    for (int e = 0; e < 2; ++e) {
-        RodEndDef *const end = &rod->end[e];
-        for (int m = 0; end->motions && m < end->n_motions; ++m) profile_clear(&end->motions[m].by);
-        free(end->motions);
-    }
-    for (int l = 0; rod->loads && l < rod->n_loads; ++l) profile_clear(&rod->loads[l].by);
-    free(rod->loads);
-    free(rod->masses);
-    free(rod->points);
-}
-
-void scene_def_clear(SceneDef *def)
-{
-    rod_def_clear(&def->rod);
-    free(def->cables);
-    free(def->pieces);
-    free(def->route);
-    free(def->rollers);
-    free(def->surfaces);
-    free(def->winch.table_time);
-    free(def->winch.table_value);
-    free(def->winch.tension_time);
-    free(def->winch.tension_value);
-    free(def->tail.table_time);
-    free(def->tail.table_value);
-    for (int i = 0; i < def->n_conveyors && def->conveyors; ++i) {
-        free(def->conveyors[i].table_time);
-        free(def->conveyors[i].table_value);
-    }
-    free(def->conveyors);
-    free(def->stations);
-    free(def->paper);
-    free(def->output.speed_segments);
-    free(def->output.probes);
-    free(def->output.load_rollers);
-    memset(def, 0, sizeof *def);
 }

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/lanes.h"
 #include "core/base/team.h"
-#include "sim/balance_terms.h"
+#include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
 #include "sim/planar/planar_kernels.h"
 #include "sim/planar/planar_relax.h"

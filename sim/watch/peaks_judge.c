@@ -29,10 +29,10 @@ static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Sc
 {
     Finding f = of_peak(scene, peaks->sidewall);
     for (int i = 0; i < stats->n_surfaces; ++i) {
-        const SimSurface *const s = &stats->surface_out[i];
-        if (!(s->line_load > f.value)) continue;
-        f.value = s->line_load;
-        snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->at, s->name);
+        const hawser_surface *const s = &stats->surface_out[i];
+        if (!(s->line_load_N_per_m > f.value)) continue;
+        f.value = s->line_load_N_per_m;
+        snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->line_load_at_m, s->name);
     }
     if (!(f.value > 0)) *f.where = 0;
     return f;
@@ -51,12 +51,12 @@ static Finding roller_finding(const Stats *stats, int steady)
 {
     Finding worst = {.value = NAN};
     for (int r = 0; r < stats->n_rollers; ++r) {
-        const SimRoller *const roller = &stats->roller_out[r];
-        const double load = steady ? roller->steady : roller->peak;
-        if (!(roller->rating > 0) || (!isnan(worst.value) && !(load / roller->rating > worst.value / worst.rating)))
+        const hawser_roller *const roller = &stats->roller_out[r];
+        const double load = steady ? roller->steady_N : roller->peak_N;
+        if (!(roller->rating_N > 0) || (!isnan(worst.value) && !(load / roller->rating_N > worst.value / worst.rating)))
             continue;
         worst.value = load;
-        worst.rating = roller->rating;
+        worst.rating = roller->rating_N;
         snprintf(worst.where, sizeof worst.where, "%.75s", roller->name);
     }
     return worst;

@@ -1,29 +1,28 @@
 #include "sim/watch/stats.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/error.h"
 #include "core/base/worst.h"
-#include "sim/watch/arc_length.h"
 #include "theory/duct.h"
 
 /* Clearance and jam ratio of a duct with one cable in it; the sizes were checked when the case was read. */
-static void duct_fill(const SurfaceDef *def, SimSurface *out)
+static void duct_fill(const SurfaceDef *def, hawser_surface *out)
 {
     const DuctDef duct = {
         .duct_diameter = 2 * def->shape.radius, .cable_diameter = 2 * def->shape.cable_radius, .cables = 1};
     DuctLoad load;
-    out->clearance = out->jam_ratio = NAN;
+    out->clearance_m = out->jam_ratio = NAN;
     if (def->shape.kind != SURFACE_DUCT || duct_load(&duct, &load, NULL)) return;
-    out->clearance = load.clearance;
+    out->clearance_m = load.clearance;
     out->jam_ratio = load.jam_ratio;
 }
 
 /* The tables of the surfaces; 0 if there is no memory. */
 static int surfaces_new(Stats *stats, const SceneDef *def)
 {
+    static const char *const kinds[] = {"duct", "flat", "v", "u", "plane"};
     const size_t n = (size_t)def->n_surfaces + 1;
     stats->n_surfaces = def->n_surfaces;
     stats->surface[0] = calloc(n, sizeof(TimeMean));
@@ -31,11 +30,15 @@ static int surfaces_new(Stats *stats, const SceneDef *def)
     stats->surface_out = calloc(n, sizeof *stats->surface_out);
     if (!stats->surface[0] || !stats->surface[1] || !stats->surface_out) return 0;
     for (int i = 0; i < def->n_surfaces; ++i) {
-        SimSurface *const out = &stats->surface_out[i];
-        memcpy(out->name, def->surfaces[i].name, sizeof out->name);
-        out->def = &def->surfaces[i];
-        out->at = NAN;
-        duct_fill(out->def, out);
+        const SurfaceDef *const surface = &def->surfaces[i];
+        hawser_surface *const out = &stats->surface_out[i];
+        const int along = surface_along_route(surface);
+        *out = (hawser_surface){.name = surface->name,
+                                .kind = kinds[surface->shape.kind],
+                                .from_m = along ? surface->shape.from : NAN,
+                                .to_m = along ? surface->shape.to : NAN,
+                                .line_load_at_m = NAN};
+        duct_fill(surface, out);
     }
     return 1;
 }
@@ -65,11 +68,13 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
         stats->station_out[i].s = def->stations[i].s;
     }
     for (int r = 0; r < def->n_rollers; ++r) {
-        SimRoller *const out = &stats->roller_out[r];
-        snprintf(out->name, sizeof out->name, "%s", def->rollers[r].name);
-        out->s = def->rollers[r].s;
-        out->rating = def->rollers[r].rating;
-        out->spin = out->shift = out->peak_shift = NAN;
+        const RollerDef *const roller = &def->rollers[r];
+        stats->roller_out[r] = (hawser_roller){.name = roller->name,
+                                               .s = roller->s,
+                                               .rating_N = roller->rating,
+                                               .spin_rad_per_s = NAN,
+                                               .shift_m = NAN,
+                                               .peak_shift_m = NAN};
     }
     return HAWSER_OK;
 }
@@ -86,6 +91,43 @@ void stats_free(Stats *stats)
     free(stats->surface[1]);
     free(stats->surface_out);
     memset(stats, 0, sizeof *stats);
+}
+
+/* Route coordinate of point p, from a guess: the foot of the perpendicular on the route. */
+static double route_coordinate(const Route *route, Vec3 p, double guess)
+{
+    double step = INFINITY;
+    for (int it = 0; it < 3 && fabs(step) > 1e-8; ++it) { /* m; what is left is of the order of its square */
+        const RoutePoint at = route_at(route, guess);
+        const Vec3 off = v3_sub(p, at.position);
+        step = v3_dot(off, at.tangent) / (1 - v3_dot(off, at.curvature));
+        guess += step;
+    }
+    return guess;
+}
+
+/* The joint's place: the mean of the two facing ends is within the gap of the end of the segment before it. */
+static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
+{
+    const int i = j > 0 ? j - 1 : 0;
+    const double side = j > 0 ? 1 : -1;
+    const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+    const Vec3 p = v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]), a = quat_rotate(q, v3(1, 0, 0));
+    return v3_axpy(p, side * chain->half[i], a);
+}
+
+/* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the winch, m. Where it would be if nothing
+ * stretched is a good guess. */
+static double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j)
+{
+    const double guess = scene->joint_s[scene->first + j] + travel;
+    return route_coordinate(&scene->route, joint_position(kin, &scene->chain, j), guess);
+}
+
+double along_eye(const Scene *scene, const Kinematics *kin, double travel)
+{
+    const int j = scene->eye - scene->first;
+    return j >= 0 && j <= scene->chain.n ? along_joint(scene, kin, travel, j) : NAN;
 }
 
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
@@ -130,14 +172,14 @@ static void stations_record(Stats *stats, const Scene *scene, const Kinematics *
 static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
 {
     for (int i = 0; i < stats->n_surfaces; ++i) {
-        SimSurface *const out = &stats->surface_out[i];
+        hawser_surface *const out = &stats->surface_out[i];
         mean_add(&stats->surface[0][i], sample->surface_normal[i], dt, steady);
         mean_add(&stats->surface[1][i], sample->surface_friction[i], dt, steady);
-        out->normal = mean_of(&stats->surface[0][i]);
-        out->friction = mean_of(&stats->surface[1][i]);
-        if (!(sample->surface_line_load[i] > out->line_load)) continue;
-        out->line_load = sample->surface_line_load[i];
-        out->at = sample->surface_at[i];
+        out->normal_N = mean_of(&stats->surface[0][i]);
+        out->friction_N = mean_of(&stats->surface[1][i]);
+        if (!(sample->surface_line_load[i] > out->line_load_N_per_m)) continue;
+        out->line_load_N_per_m = sample->surface_line_load[i];
+        out->line_load_at_m = sample->surface_at[i];
     }
 }
 
@@ -149,12 +191,12 @@ static void tables_update(Stats *stats)
         stats->station_out[i].peak_N = m->started ? m->peak : NAN;
     }
     for (int r = 0; r < stats->n_rollers; ++r) {
-        stats->roller_out[r].steady = mean_of(&stats->roller[r]);
-        stats->roller_out[r].peak = stats->roller[r].peak;
+        stats->roller_out[r].steady_N = mean_of(&stats->roller[r]);
+        stats->roller_out[r].peak_N = stats->roller[r].peak;
         if (!stats->moving[0][r].started) continue;
-        stats->roller_out[r].spin = mean_of(&stats->moving[0][r]);
-        stats->roller_out[r].shift = mean_of(&stats->moving[1][r]);
-        stats->roller_out[r].peak_shift = stats->moving[1][r].peak;
+        stats->roller_out[r].spin_rad_per_s = mean_of(&stats->moving[0][r]);
+        stats->roller_out[r].shift_m = mean_of(&stats->moving[1][r]);
+        stats->roller_out[r].peak_shift_m = stats->moving[1][r].peak;
     }
 }
 
@@ -173,7 +215,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stations_record(stats, scene, kin, sample, dt, steady);
     for (int r = 0; r < stats->n_rollers; ++r) {
         mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
-        if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];
+        if (stats->last_t < 0) stats->roller_out[r].initial_N = sample->roller_load[r];
         if (!sample->roller_spin) continue;
         mean_add(&stats->moving[0][r], sample->roller_spin[r], dt, steady);
         mean_add(&stats->moving[1][r], sample->roller_shift[r], dt, steady);

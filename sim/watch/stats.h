@@ -7,25 +7,6 @@
 #include "sim/scene.h"
 #include "sim/time_mean.h"
 
-typedef struct SimRoller {
-    char name[NAME_MAX_LENGTH];
-    double s;                 /* m along the route, NAN if listed by coordinates */
-    double rating;            /* N, 0: none */
-    double steady;            /* N, mean load in the steady window */
-    double peak;              /* N, of the run */
-    double initial;           /* N, at equilibrium before t = 0 */
-    double spin;              /* rad/s, mean of the steady window; NAN: it does not spin */
-    double shift, peak_shift; /* m, mean of the steady window and largest of the run; NAN: it is not on a mount */
-} SimRoller;
-
-typedef struct SimSurface {
-    char name[NAME_MAX_LENGTH];
-    const SurfaceDef *def;       /* the scene's */
-    double normal, friction;     /* N, means of the steady window */
-    double line_load, at;        /* N/m, the largest of the run; m along the route, where that was */
-    double clearance, jam_ratio; /* ducts: m; 1; NAN for others */
-} SimSurface;
-
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
     double steady_from; /* s */
@@ -41,8 +22,8 @@ typedef struct Stats {
     TimeMean *moving[2];  /* [n_rollers], rad/s, m: spin, shift; filled where rollers move */
     TimeMean *surface[2]; /* [n_surfaces], N: normal force, friction */
     hawser_station *station_out;
-    SimRoller *roller_out;
-    SimSurface *surface_out;
+    hawser_roller *roller_out;
+    hawser_surface *surface_out;
 } Stats;
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
@@ -50,6 +31,9 @@ void stats_free(Stats *stats);
 /* Takes a sample in, of which it reads no positions and attitudes: those are
  * kin's. The tables station_out, roller_out and surface_out are up to date afterwards. */
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* Where along the route the pulling eye is now, the cable's front, m; travel: of the winch, m. NAN if that is not
+ * simulated: it is past the winch. */
+double along_eye(const Scene *scene, const Kinematics *kin, double travel);
 /* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
  * there. */
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s);
