@@ -113,7 +113,7 @@ static void print_result(const Task *task, Stage *stage)
     const double expected = stage->scene.def.friction.mu_d * weight;
     const int pulls = expected > 0 && strcmp(task->scene, "chain") != 0;
     const Vec3 middle = stage->motion->ops->place(stage->motion, stage->y, chain->n / 2);
-    printf("pull_ratio=%.9f middle_z=%.12g candidates=%d memory_kB=%ld", pulls ? stage->ws.winch_pull / expected : 1,
+    printf("pull_ratio=%.9f middle_z=%.12g candidates=%d memory_kB=%ld", pulls ? stage->ws.head_pull / expected : 1,
            middle.z, stage->ws.candidates_max, peak_kB());
     line_end();
 }

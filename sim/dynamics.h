@@ -35,7 +35,7 @@ struct Workspace {
     Vec3 *on_roller;                 /* [rollers] their room's look, N */
     SurfaceModel surfaces;           /* the scene's; the relaxation softens it */
     SurfaceTally *on_surface;        /* [surfaces] their room's look */
-    double winch_pull;               /* N, of the last look */
+    double head_pull;                /* N, on the chain's head, of the last look */
     /* what the last evaluation found to be done to the motion, beside the sums of the contacts */
     JointPower joint_power[PARTS];
     Push lead_in[PARTS];

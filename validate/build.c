@@ -81,10 +81,21 @@ hawser_status build_route(const SceneDef *def, Route *route, hawser_error *err)
     return route_build(route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, err);
 }
 
-/* It clamps the head and stands where the route ends: NAN. */
-WinchDef build_winch(double speed, double t1)
+hawser_status build_line(SceneDef *def, CableDef cable, double length, int n, hawser_error *err)
 {
-    return (WinchDef){.present = 1, .speed = {.kind = PROFILE_STEP, .t1 = t1, .v1 = speed}, .at = NAN};
+    const hawser_status status = build_start(def, err);
+    if (status) return status;
+    build_chain(def, cable, length, n);
+    build_straight(def, length);
+    def->head_at = length;
+    return HAWSER_OK;
+}
+
+/* The winch stands where the route ends: NAN. */
+void build_pull(SceneDef *def, double speed, double t1, int axial)
+{
+    def->winch = (WinchDef){
+        .present = 1, .axial_only = axial, .speed = {.kind = PROFILE_STEP, .t1 = t1, .v1 = speed}, .at = NAN};
 }
 
 hawser_status pull_start(SceneDef *def, Sim **out, hawser_error *err)

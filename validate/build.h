@@ -23,8 +23,10 @@ void build_station(SceneDef *def, const char *name, double s);
 void build_roller(SceneDef *def, const Route *route, double radius, double diameter, double s);
 /* The route of the definition so far; route_clear frees it. Errors: MEMORY. */
 hawser_status build_route(const SceneDef *def, Route *route, hawser_error *err);
-/* A winch that takes t1 s to come to `speed` (m/s). */
-WinchDef build_winch(double speed, double t1);
+/* Starts the definition of one cable in n segments on a level straight of its length. Errors: as build_start. */
+hawser_status build_line(SceneDef *def, CableDef cable, double length, int n, hawser_error *err);
+/* Pulls at the head, which comes to `speed` (m/s) in t1 s: clamped, or (axial) held along the pull only. */
+void build_pull(SceneDef *def, double speed, double t1, int axial);
 
 /* Builds the simulation and brings it to rest. The definition is taken apart in any case; *out is NULL after an error:
  * as sim_new, and RUN if there is no equilibrium. */

@@ -48,7 +48,7 @@ static hawser_status duct_start(SceneDef *def, double length, double radius, haw
                                             .radius = radius + ROOM,
                                             .lift = ROOM};
     def->line_impact.k *= 10; /* the cable sinks in by 0.1 mm under 1 kN/m */
-    def->winch = build_winch(0.1, 0.5);
+    build_pull(def, 0.1, 0.5, 0);
     def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = TAIL};
     def->output.steady_from = 2;
     def->duration = 6;

@@ -66,7 +66,7 @@ static hawser_status rollers_fill(const PaperChoice *choice, SceneDef *def, haws
 static void drive_fill(const PaperChoice *choice, SceneDef *def)
 {
     const double v_s = or_usual(choice->v_s, 1e-3);
-    def->winch = build_winch(SPEED, 13);
+    build_pull(def, SPEED, 13, 0);
     def->tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 13, .v1 = 6860.643};
     def->drag = (RopeDragDef){.force = 2286.881, .v_s = v_s, .v_d = 2 * v_s, .ratio = 1};
 }

@@ -25,7 +25,7 @@ static hawser_status turn_run(const void *setup, ValidationLog *log, hawser_erro
     def.head_at = 2 * SIDE + bend - 0.5;
     def.gravity = v3(0, 0, 0);
     def.friction = (FrictionLaw){.mu_s = MU, .mu_d = MU, .v_s = 1e-3, .v_d = 2e-3};
-    def.winch = build_winch(0.1, 1);
+    build_pull(&def, 0.1, 1, 0);
     def.tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = TAIL};
     def.output.steady_from = 2;
     def.duration = 5;
@@ -66,15 +66,11 @@ static hawser_status sag_run(const void *setup, ValidationLog *log, hawser_error
     SceneDef def;
     Sim *sim;
     Route route;
-    hawser_status status = build_start(&def, err);
-    if (status) return status;
     CableDef cable = build_cable(s->mass, 0.08, 5e7, EI);
     cable.ga = 1e10; /* shear would add w l^2 / 8 GA */
-    build_chain(&def, cable, length, (int)lround(length / SEGMENT));
-    build_straight(&def, length);
-    def.head_at = length;
-    def.winch = build_winch(0, 1);
-    def.winch.axial_only = 1;
+    hawser_status status = build_line(&def, cable, length, (int)lround(length / SEGMENT), err);
+    if (status) return status;
+    build_pull(&def, 0, 1, 1);
     status = build_route(&def, &route, err);
     for (int k = 0; k <= s->n && !status; ++k) build_roller(&def, &route, 0.02, 0.08, s->overhang + k * SPAN);
     if (!status) route_clear(&route);

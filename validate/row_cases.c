@@ -22,15 +22,12 @@ static const Row level = {.mu = 0.2}, uphill = {.slope = 0.2, .mu = 0.15},
 static hawser_status row_build(const Row *row, SceneDef *def, hawser_error *err)
 {
     Route route;
-    hawser_status status = build_start(def, err);
+    const CableDef cable = build_cable(MASS, DIAMETER, 5e7, 12e3);
+    hawser_status status = build_line(def, cable, LENGTH, (int)(LENGTH / SEGMENT), err);
     if (status) return status;
-    build_chain(def, build_cable(MASS, DIAMETER, 5e7, 12e3), LENGTH, (int)(LENGTH / SEGMENT));
-    build_straight(def, LENGTH);
     def->route_slope = row->slope;
-    def->head_at = LENGTH;
     def->friction = (FrictionLaw){.mu_s = row->mu, .mu_d = row->mu, .v_s = 1e-3, .v_d = 2e-3};
-    def->winch = build_winch(0.1, 1);
-    def->winch.axial_only = 1;
+    build_pull(def, 0.1, 1, 1);
     def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = row->tail};
     def->solver.accuracy = 3e-4; /* the ripple of the smooth line is finer than what 1e-3 resolves */
     def->output.steady_from = 2;

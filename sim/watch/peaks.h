@@ -17,7 +17,7 @@ typedef struct Peaks {
     Peak tension;   /* N, of the cable, eye included */
     Peak sidewall;  /* N/m, T/R of the route's bends */
     Peak curvature; /* 1/m, of the cable between neighbouring segments */
-    Peak rope;      /* N, of the rope, or at the winch */
+    Peak rope;      /* N, of the rope, or on its end */
     int n_rollers;
     double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
 } Peaks;

@@ -107,7 +107,7 @@ static void winch_take(hawser_sample *s, const Scene *scene, const Workspace *ws
     const Winch *const w = scene->winch;
     if (!w->present) return;
     const WinchMotion motion = winch_motion(w, &scene->chain, &ws->kin, t);
-    s->winch_force = ws->winch_pull;
+    s->winch_force = ws->head_pull;
     s->winch_speed = motion.speed;
     s->winch_travel = motion.travel;
 }

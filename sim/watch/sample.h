@@ -28,7 +28,7 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Wor
                                  SampleParts parts);
 /* Fills the rows of the segments that are not simulated, before the first and behind the last that is
  * (sim/watch/off_window.c). Wound segments lie in their layers on the drum, which turns, and move with its surface;
- * those taken in are all where the winch holds the rope. Both have tension 0. Without SAMPLE_ALL only speeds and
+ * those taken in are all where the rope is held. Both have tension 0. Without SAMPLE_ALL only speeds and
  * tensions. docs/model.md, "Reel and take-in". */
 void absent_take(SampleBuffers *b, const Scene *scene, const hawser_sample *sample, SampleParts parts);
 

@@ -19,47 +19,35 @@ static void duct_fill(const SurfaceDef *def, hawser_surface *out)
     out->jam_ratio = load.jam_ratio;
 }
 
-/* The tables of the surfaces; 0 if there is no memory. */
-static int surfaces_new(Stats *stats, const SceneDef *def)
+static hawser_surface surface_row(const SurfaceDef *def)
 {
     static const char *const kinds[] = {"duct", "flat", "v", "u", "plane"};
-    const size_t n = (size_t)def->n_surfaces + 1;
-    stats->n_surfaces = def->n_surfaces;
-    stats->surface[0] = calloc(n, sizeof(TimeMean));
-    stats->surface[1] = calloc(n, sizeof(TimeMean));
-    stats->surface_out = calloc(n, sizeof *stats->surface_out);
-    if (!stats->surface[0] || !stats->surface[1] || !stats->surface_out) return 0;
-    for (int i = 0; i < def->n_surfaces; ++i) {
-        const SurfaceDef *const surface = &def->surfaces[i];
-        hawser_surface *const out = &stats->surface_out[i];
-        const int along = surface_along_route(surface);
-        *out = (hawser_surface){.name = surface->name,
-                                .kind = kinds[surface->shape.kind],
-                                .from_m = along ? surface->shape.from : NAN,
-                                .to_m = along ? surface->shape.to : NAN,
-                                .line_load_at_m = NAN};
-        duct_fill(surface, out);
-    }
-    return 1;
+    const int along = surface_along_route(def);
+    hawser_surface row = {.name = def->name,
+                          .kind = kinds[def->shape.kind],
+                          .from_m = along ? def->shape.from : NAN,
+                          .to_m = along ? def->shape.to : NAN,
+                          .line_load_at_m = NAN};
+    duct_fill(def, &row);
+    return row;
 }
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
-    memset(stats, 0, sizeof *stats);
-    stats->last_t = -1;
-    stats->steady_from = def->output.steady_from;
-    stats->n_stations = def->n_stations;
-    stats->n_rollers = def->n_rollers;
-    const size_t ns = (size_t)def->n_stations + 1, nr = (size_t)def->n_rollers + 1;
-    stats->station = calloc(ns, sizeof *stats->station);
-    stats->roller = calloc(nr, sizeof *stats->roller);
-    stats->station_out = calloc(ns, sizeof *stats->station_out);
-    stats->roller_out = calloc(nr, sizeof *stats->roller_out);
-    stats->moving[0] = calloc(nr, sizeof *stats->roller);
-    stats->moving[1] = calloc(nr, sizeof *stats->roller);
-    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !stats->moving[0] ||
-        !stats->moving[1] || !surfaces_new(stats, def)) {
+    *stats = (Stats){.last_t = -1,
+                     .steady_from = def->output.steady_from,
+                     .n_stations = def->n_stations,
+                     .n_rollers = def->n_rollers,
+                     .n_surfaces = def->n_surfaces};
+    stats->station = calloc((size_t)def->n_stations + 1, sizeof *stats->station);
+    stats->station_out = calloc((size_t)def->n_stations + 1, sizeof *stats->station_out);
+    stats->roller = calloc((size_t)def->n_rollers + 1, sizeof *stats->roller);
+    stats->roller_out = calloc((size_t)def->n_rollers + 1, sizeof *stats->roller_out);
+    stats->surface = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface);
+    stats->surface_out = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface_out);
+    if (!stats->station || !stats->station_out || !stats->roller || !stats->roller_out || !stats->surface ||
+        !stats->surface_out) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -76,6 +64,7 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
                                                .shift_m = NAN,
                                                .peak_shift_m = NAN};
     }
+    for (int i = 0; i < def->n_surfaces; ++i) stats->surface_out[i] = surface_row(&def->surfaces[i]);
     return HAWSER_OK;
 }
 
@@ -85,10 +74,7 @@ void stats_free(Stats *stats)
     free(stats->roller);
     free(stats->station_out);
     free(stats->roller_out);
-    free(stats->moving[0]);
-    free(stats->moving[1]);
-    free(stats->surface[0]);
-    free(stats->surface[1]);
+    free(stats->surface);
     free(stats->surface_out);
     memset(stats, 0, sizeof *stats);
 }
@@ -116,7 +102,7 @@ static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
     return v3_axpy(p, side * chain->half[i], a);
 }
 
-/* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the winch, m. Where it would be if nothing
+/* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. Where it would be if nothing
  * stretched is a good guess. */
 static double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j)
 {
@@ -164,8 +150,30 @@ static void stations_record(Stats *stats, const Scene *scene, const Kinematics *
                             double dt, int steady)
 {
     for (int i = 0; i < stats->n_stations; ++i) {
-        const double tension = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
-        if (!isnan(tension)) mean_add(&stats->station[i], tension, dt, steady);
+        hawser_station *const out = &stats->station_out[i];
+        TimeMean *const mean = &stats->station[i];
+        const double tension = stats_tension_at(scene, kin, sample, out->s);
+        if (!isnan(tension)) mean_add(mean, tension, dt, steady);
+        out->mean_N = mean->started ? mean_of(mean) : NAN;
+        out->peak_N = mean->started ? mean->peak : NAN;
+    }
+}
+
+static void rollers_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
+{
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        hawser_roller *const out = &stats->roller_out[r];
+        RollerMeans *const means = &stats->roller[r];
+        mean_add(&means->load, sample->roller_load[r], dt, steady);
+        if (stats->last_t < 0) out->initial_N = sample->roller_load[r];
+        out->steady_N = mean_of(&means->load);
+        out->peak_N = means->load.peak;
+        if (!sample->roller_spin) continue;
+        mean_add(&means->spin, sample->roller_spin[r], dt, steady);
+        mean_add(&means->shift, sample->roller_shift[r], dt, steady);
+        out->spin_rad_per_s = mean_of(&means->spin);
+        out->shift_m = mean_of(&means->shift);
+        out->peak_shift_m = means->shift.peak;
     }
 }
 
@@ -173,30 +181,14 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
 {
     for (int i = 0; i < stats->n_surfaces; ++i) {
         hawser_surface *const out = &stats->surface_out[i];
-        mean_add(&stats->surface[0][i], sample->surface_normal[i], dt, steady);
-        mean_add(&stats->surface[1][i], sample->surface_friction[i], dt, steady);
-        out->normal_N = mean_of(&stats->surface[0][i]);
-        out->friction_N = mean_of(&stats->surface[1][i]);
+        SurfaceMeans *const means = &stats->surface[i];
+        mean_add(&means->normal, sample->surface_normal[i], dt, steady);
+        mean_add(&means->friction, sample->surface_friction[i], dt, steady);
+        out->normal_N = mean_of(&means->normal);
+        out->friction_N = mean_of(&means->friction);
         if (!(sample->surface_line_load[i] > out->line_load_N_per_m)) continue;
         out->line_load_N_per_m = sample->surface_line_load[i];
         out->line_load_at_m = sample->surface_at[i];
-    }
-}
-
-static void tables_update(Stats *stats)
-{
-    for (int i = 0; i < stats->n_stations; ++i) {
-        const TimeMean *const m = &stats->station[i];
-        stats->station_out[i].mean_N = m->started ? mean_of(m) : NAN;
-        stats->station_out[i].peak_N = m->started ? m->peak : NAN;
-    }
-    for (int r = 0; r < stats->n_rollers; ++r) {
-        stats->roller_out[r].steady_N = mean_of(&stats->roller[r]);
-        stats->roller_out[r].peak_N = stats->roller[r].peak;
-        if (!stats->moving[0][r].started) continue;
-        stats->roller_out[r].spin_rad_per_s = mean_of(&stats->moving[0][r]);
-        stats->roller_out[r].shift_m = mean_of(&stats->moving[1][r]);
-        stats->roller_out[r].peak_shift_m = stats->moving[1][r].peak;
     }
 }
 
@@ -213,16 +205,9 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
     stations_record(stats, scene, kin, sample, dt, steady);
-    for (int r = 0; r < stats->n_rollers; ++r) {
-        mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
-        if (stats->last_t < 0) stats->roller_out[r].initial_N = sample->roller_load[r];
-        if (!sample->roller_spin) continue;
-        mean_add(&stats->moving[0][r], sample->roller_spin[r], dt, steady);
-        mean_add(&stats->moving[1][r], sample->roller_shift[r], dt, steady);
-    }
+    rollers_record(stats, sample, dt, steady);
     surfaces_record(stats, sample, dt, steady);
     stats->last_t = sample->t;
-    tables_update(stats);
 }
 
 static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */

@@ -7,20 +7,28 @@
 #include "sim/scene.h"
 #include "sim/time_mean.h"
 
+/* What is averaged of a roller: its load, N; spin and shift where it moves, rad/s and m. */
+typedef struct RollerMeans {
+    TimeMean load, spin, shift;
+} RollerMeans;
+
+typedef struct SurfaceMeans {
+    TimeMean normal, friction; /* N */
+} SurfaceMeans;
+
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
     double steady_from; /* s */
     /* of the last sample: whether it was a new one; s since the one before; whether that counts for the means */
     int fresh, steady;
     double dt;
-    TimeMean pull;     /* N, winch force */
+    TimeMean pull;     /* N, on the rope's end */
     TimeMean speed;    /* m/s, axial speed of the cable's first segment that is simulated */
-    double settled_at; /* s, last time the speed was more than 2 % off the winch's final speed */
+    double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
-    TimeMean *station;    /* [n_stations], N */
-    TimeMean *roller;     /* [n_rollers], N */
-    TimeMean *moving[2];  /* [n_rollers], rad/s, m: spin, shift; filled where rollers move */
-    TimeMean *surface[2]; /* [n_surfaces], N: normal force, friction */
+    TimeMean *station; /* [n_stations], N */
+    RollerMeans *roller;
+    SurfaceMeans *surface;
     hawser_station *station_out;
     hawser_roller *roller_out;
     hawser_surface *surface_out;
@@ -31,8 +39,8 @@ void stats_free(Stats *stats);
 /* Takes a sample in, of which it reads no positions and attitudes: those are
  * kin's. The tables station_out, roller_out and surface_out are up to date afterwards. */
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
-/* Where along the route the pulling eye is now, the cable's front, m; travel: of the winch, m. NAN if that is not
- * simulated: it is past the winch. */
+/* Where along the route the pulling eye is now, the cable's front, m; travel: of the head, m. NAN if that is not
+ * simulated: it has been taken in. */
 double along_eye(const Scene *scene, const Kinematics *kin, double travel);
 /* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
  * there. */
