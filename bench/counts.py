@@ -15,7 +15,7 @@ from common import ROOT
 # Phase: functions at its door.
 DOORS = {"relax": ("sim_relax",), "rhs": ("call_rates",), "jacobian": ("call_system",), "factor": ("solver_setup",),
          "solve": ("solver_solve",),
-         "output": ("sim_record", "sim_record_row", "results_row", "results_state", "results_tick")}
+         "output": ("hawser_sim_record", "sim_record_row", "results_row", "results_state", "results_tick")}
 STEP = "integrator_step"  # the integrator with its call-backs; what is left of it without them is "vector"
 INSIDE = ("rhs", "jacobian", "factor", "solve")
 CONTACTS = ("planar_contact_forces", "contact_forces")  # in right-hand sides and in looks at the state

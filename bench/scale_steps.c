@@ -113,7 +113,7 @@ static void print_result(const Task *task, Stage *stage)
     const double expected = stage->scene.def.friction.mu_d * weight;
     const int pulls = expected > 0 && strcmp(task->scene, "chain") != 0;
     const Vec3 middle = stage->motion->ops->place(stage->motion, stage->y, chain->n / 2);
-    printf("pull_ratio=%.9f middle_z=%.12g candidates=%d memory_kB=%ld", pulls ? stage->ws.winch_pull / expected : 1,
+    printf("pull_ratio=%.9f middle_z=%.12g candidates=%d memory_kB=%ld", pulls ? stage->ws.head_pull / expected : 1,
            middle.z, stage->ws.candidates_max, peak_kB());
     line_end();
 }
@@ -165,8 +165,8 @@ static void run_stage(const Task *task, const SceneDef *def)
 static void sim_go(Sim *sim, Amount amount)
 {
     hawser_error err = {0};
-    const double end = amount.seconds > 0 ? sim_time(sim) + amount.seconds : 1e6;
-    for (long k = 0; amount.seconds > 0 ? sim_time(sim) < end : k < amount.steps; ++k) {
+    const double end = amount.seconds > 0 ? hawser_sim_time(sim) + amount.seconds : 1e6;
+    for (long k = 0; amount.seconds > 0 ? hawser_sim_time(sim) < end : k < amount.steps; ++k) {
         check(sim_advance(sim, end, 1, &err) == HAWSER_OK, err.message);
     }
 }
@@ -181,17 +181,17 @@ static void run_sim(const Task *task, const SceneDef *def)
     check(sim_new(def, task->threads, &sim, &err) == HAWSER_OK, err.message);
     check(sim_relax(sim, &relaxation, &err) == HAWSER_OK && relaxation.reached, "the cable did not come to rest");
     sim_go(sim, task->warm);
-    sim_record(sim);
-    sim_summary(sim, &summary);
+    hawser_sim_record(sim);
+    hawser_sim_summary(sim, &summary);
     printf("build_s=%.6f relax_s=%.6f relax_iterations=%d record_s=%.6f", summary.phases.other, summary.phases.relax,
            relaxation.iterations, summary.phases.output);
     line_end();
     while (fgets(line, sizeof line, stdin)) {
-        const double t = sim_time(sim);
+        const double t = hawser_sim_time(sim);
         const long steps = summary.steps;
         sim_go(sim, amount_of(line));
-        sim_summary(sim, &summary);
-        printf("steps=%ld simulated_s=%.9g", summary.steps - steps, sim_time(sim) - t);
+        hawser_sim_summary(sim, &summary);
+        printf("steps=%ld simulated_s=%.9g", summary.steps - steps, hawser_sim_time(sim) - t);
         line_end();
     }
     printf("candidates=%ld memory_kB=%ld", (long)summary.contact_candidates, peak_kB());

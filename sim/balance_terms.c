@@ -1,4 +1,4 @@
-#include "sim/balance_terms.h"
+#include "sim/dynamics.h"
 
 #include <string.h>
 

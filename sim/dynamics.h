@@ -35,7 +35,7 @@ struct Workspace {
     Vec3 *on_roller;                 /* [rollers] their room's look, N */
     SurfaceModel surfaces;           /* the scene's; the relaxation softens it */
     SurfaceTally *on_surface;        /* [surfaces] their room's look */
-    double winch_pull;               /* N, of the last look */
+    double head_pull;                /* N, on the chain's head, of the last look */
     /* what the last evaluation found to be done to the motion, beside the sums of the contacts */
     JointPower joint_power[PARTS];
     Push lead_in[PARTS];
@@ -82,5 +82,16 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
                                hawser_error *err);
 /* New candidate pairs for the kinematics in the workspace. Errors: MEMORY. */
 hawser_status dynamics_find_candidates(const Scene *scene, Workspace *ws, hawser_error *err);
+
+/* ---- The terms of the balances at one state, from what the equations of motion have computed there
+ * (sim/balance_terms.c). docs/model.md, "Balances" (BA1)-(BA8). */
+/* Adds what the last evaluation of the equations of motion has summed on its way, rooms aside: joints, lead-in. */
+void balance_gather(const Workspace *ws, BalanceRates *out);
+/* All rates of a chain in space: those just named at the last evaluation, the others at (t, y), for which the
+ * kinematics of the chain's first and last segments are brought up to date. Overwrites out. */
+void balance_spatial(const Scene *scene, Workspace *ws, double t, const double *y, BalanceRates *out);
+/* What is stored at the kinematics in the workspace, and in its rooms by the last evaluation, which must have been
+ * there; own: the rooms' part of that state (NULL: there is none). */
+void balance_stock(const Scene *scene, Workspace *ws, const double *own, BalanceStock *out);
 
 #endif

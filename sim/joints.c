@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "core/base/error.h"
-#include "sim/loading_curve.h"
 
 /* One side of a bushing: half a segment of a cable. */
 typedef struct Side {

@@ -1,4 +1,4 @@
-#include "sim/loading_curve.h"
+#include "sim/joints.h"
 
 #include <assert.h>
 #include <math.h>

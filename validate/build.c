@@ -5,19 +5,16 @@
 
 #include "core/base/error.h"
 
-/* One more than asked for, so that an empty array is one too. */
-static void *items(int count, size_t size) { return calloc((size_t)count + 1, size); }
-
-hawser_status build_start(SceneDef *def, SceneRoom room, hawser_error *err)
+hawser_status build_start(SceneDef *def, hawser_error *err)
 {
     scene_def_defaults(def);
-    def->cables = items(2, sizeof *def->cables);
-    def->pieces = items(2, sizeof *def->pieces);
-    def->route = items(room.route, sizeof *def->route);
-    def->rollers = items(room.rollers, sizeof *def->rollers);
-    def->surfaces = items(room.surfaces, sizeof *def->surfaces);
-    def->stations = items(room.stations, sizeof *def->stations);
-    def->paper = items(room.paper, sizeof *def->paper);
+    def->cables = calloc(2, sizeof *def->cables);
+    def->pieces = calloc(2, sizeof *def->pieces);
+    def->route = calloc(ROUTE_MOST, sizeof *def->route);
+    def->rollers = calloc(ROLLERS_MOST, sizeof *def->rollers);
+    def->surfaces = calloc(SURFACES_MOST, sizeof *def->surfaces);
+    def->stations = calloc(STATIONS_MOST, sizeof *def->stations);
+    def->paper = calloc(PAPER_MOST, sizeof *def->paper);
     if (def->cables && def->pieces && def->route && def->rollers && def->surfaces && def->stations && def->paper) {
         return HAWSER_OK;
     }
@@ -84,10 +81,21 @@ hawser_status build_route(const SceneDef *def, Route *route, hawser_error *err)
     return route_build(route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope, err);
 }
 
-/* It clamps the head and stands where the route ends: NAN. */
-WinchDef build_winch(double speed, double t1)
+hawser_status build_line(SceneDef *def, CableDef cable, double length, int n, hawser_error *err)
 {
-    return (WinchDef){.present = 1, .speed = {.kind = PROFILE_STEP, .t1 = t1, .v1 = speed}, .at = NAN};
+    const hawser_status status = build_start(def, err);
+    if (status) return status;
+    build_chain(def, cable, length, n);
+    build_straight(def, length);
+    def->head_at = length;
+    return HAWSER_OK;
+}
+
+/* The winch stands where the route ends: NAN. */
+void build_pull(SceneDef *def, double speed, double t1, int axial)
+{
+    def->winch = (WinchDef){
+        .present = 1, .axial_only = axial, .speed = {.kind = PROFILE_STEP, .t1 = t1, .v1 = speed}, .at = NAN};
 }
 
 hawser_status pull_start(SceneDef *def, Sim **out, hawser_error *err)
@@ -110,10 +118,10 @@ hawser_status pull_run(SceneDef *def, Sim **out, hawser_error *err)
     const double end = def->duration;
     hawser_status status = pull_start(def, out, err);
     if (status) return status;
-    sim_record(*out);
+    hawser_sim_record(*out);
     for (int k = 1; k * EVERY <= end + 1e-9 && !status; ++k) {
         status = sim_advance(*out, k * EVERY, 0, err);
-        if (!status) sim_record(*out);
+        if (!status) hawser_sim_record(*out);
     }
     if (status) *out = sim_free(*out);
     return status;

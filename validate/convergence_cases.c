@@ -3,27 +3,23 @@
 #include <math.h>
 
 #include "validate/build.h"
-#include "validate/cases.h"
 #include "validate/motion.h"
-#include "validate/orders.h"
+#include "validate/validate.h"
 
-/* The free end of a cantilever 1 m long, clamped in the winch, under its own weight: how far it sinks, m. */
+/* The free end of a cantilever 1 m long, clamped at its head, under its own weight: how far it sinks, m. */
 static hawser_status cantilever_sinks(int n, double mass, double EI, double GA, double *out, hawser_error *err)
 {
     SceneDef def;
     Sim *sim;
-    hawser_status status = build_start(&def, (SceneRoom){.route = 1}, err);
-    if (status) return status;
     CableDef cable = build_cable(mass, 0.02, 1e6, EI);
     cable.ga = GA;
-    build_chain(&def, cable, 1, n);
-    build_straight(&def, 1);
-    def.head_at = 1;
-    def.winch = build_winch(0, 1);
+    hawser_status status = build_line(&def, cable, 1, n, err);
+    if (status) return status;
+    build_pull(&def, 0, 1, 0);
     def.solver.relax_tolerance = 1e-12;
     status = pull_start(&def, &sim, err);
     if (status) return status;
-    const hawser_sample *const look = sim_sample(sim);
+    const hawser_sample *const look = hawser_sim_sample(sim);
     const double *const q = look->quaternion;
     const Vec3 axis = quat_rotate((Quat){q[0], q[1], q[2], q[3]}, v3(1, 0, 0));
     *out = -(look->position[2] - axis.z / (2 * n));
@@ -74,13 +70,10 @@ static hawser_status swing_end(double accuracy, int max_order, Vec3 *out, hawser
 {
     SceneDef def;
     Stage stage;
-    hawser_status status = build_start(&def, (SceneRoom){.route = 1}, err);
+    hawser_status status = build_line(&def, build_cable(8, 0.06, 1e6, 20), 5, 10, err);
     if (status) return status;
-    build_chain(&def, build_cable(8, 0.06, 1e6, 20), 5, 10);
-    build_straight(&def, 5);
-    def.head_at = 5;
     def.route_slope = 0.5;
-    def.winch = build_winch(0, 1);
+    build_pull(&def, 0, 1, 0);
     def.solver.accuracy = accuracy;
     def.solver.max_order = max_order;
     def.duration = 2;

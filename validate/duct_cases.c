@@ -4,7 +4,7 @@
 
 #include "theory/closed_form.h"
 #include "validate/build.h"
-#include "validate/cases.h"
+#include "validate/validate.h"
 
 /* kg/m, m/s2; friction of a lubricated duct; N at the tail. The room around the cable and the segments, m: what is left
  * of the lost turn (DU14) is below 0.1 % of the tension. */
@@ -32,7 +32,7 @@ static const Bend capstan_90 = {.radius = 3, .angle = M_PI / 2, .weightless = 1,
 /* The pieces of the route are the caller's to add; 1 m of it is ahead of the cable of `length`. */
 static hawser_status duct_start(SceneDef *def, double length, double radius, hawser_error *err)
 {
-    const hawser_status status = build_start(def, (SceneRoom){.route = 4, .surfaces = 1, .stations = 8}, err);
+    const hawser_status status = build_start(def, err);
     if (status) return status;
     CableDef cable = build_cable(MASS, 2 * radius, 5e7, 5);
     cable.gj = 500;
@@ -48,7 +48,7 @@ static hawser_status duct_start(SceneDef *def, double length, double radius, haw
                                             .radius = radius + ROOM,
                                             .lift = ROOM};
     def->line_impact.k *= 10; /* the cable sinks in by 0.1 mm under 1 kN/m */
-    def->winch = build_winch(0.1, 0.5);
+    build_pull(def, 0.1, 0.5, 0);
     def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = TAIL};
     def->output.steady_from = 2;
     def->duration = 6;
@@ -92,7 +92,7 @@ static hawser_status bend_run(const void *setup, ValidationLog *log, hawser_erro
     build_station(&def, "behind", out + 1.5);
     status = pull_run(&def, &sim, err);
     if (status) return status;
-    sim_stations(sim, &at);
+    hawser_sim_stations(sim, &at);
     const double enters = slope_tension(at[0].mean_N, w, MU, 1, b->slope);
     const double leaves = slope_tension(bend_expected(b, enters), w, MU, 1.5, b->slope + turn);
     log_share(log, "tension before the bend", "N", at[0].reference_N, at[0].mean_N, 0.5);
@@ -120,7 +120,7 @@ static hawser_status s_bend_run(const void *setup, ValidationLog *log, hawser_er
     for (int i = 0; i < 6; ++i) build_station(&def, name[i], place[i]);
     status = pull_run(&def, &sim, err);
     if (status) return status;
-    sim_stations(sim, &at);
+    hawser_sim_stations(sim, &at);
     for (int i = 0; i < 6; ++i) log_share(log, name[i], "N", at[i].reference_N, at[i].mean_N, 0.5);
     sim_free(sim);
     return HAWSER_OK;
@@ -144,7 +144,7 @@ static hawser_status segments_pull(int n, double *pull, hawser_error *err)
     def.cables[0].ei_y = def.cables[0].ei_z = 100;
     status = pull_run(&def, &sim, err);
     if (status) return status;
-    sim_summary(sim, &sum);
+    hawser_sim_summary(sim, &sum);
     *pull = sum.pull_mean_N;
     sim_free(sim);
     return HAWSER_OK;

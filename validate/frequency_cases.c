@@ -4,12 +4,10 @@
 #include <math.h>
 
 #include "core/base/worst.h"
-#include "sim/run/modes.h"
 #include "sim/run/statics.h"
-#include "validate/cases.h"
+#include "validate/build.h"
 #include "validate/motion.h"
-#include "validate/orders.h"
-#include "validate/rod_build.h"
+#include "validate/validate.h"
 
 enum { SEGMENTS = 50, MODES = 3 };
 static const double LENGTH = 1, MASS = 1, EI = 1e3, TENSION = 1e3; /* m, kg/m, N m2, N */

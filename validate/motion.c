@@ -55,7 +55,7 @@ void motion_turn(Stage *stage, int i, Quat attitude)
     q[3 * n] = attitude.z;
 }
 
-/* Joints n and 0 too: the ground's ends of a rod or a winch are set with the kinematics. */
+/* Joints n and 0 too: the ground's ends are set with the kinematics. */
 double *const *motion_law(Stage *stage)
 {
     dynamics_kinematics(&stage->scene, &stage->ws, stage->t, stage->y);

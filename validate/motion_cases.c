@@ -6,8 +6,8 @@
 #include "core/base/worst.h"
 #include "core/chain.h"
 #include "validate/build.h"
-#include "validate/cases.h"
 #include "validate/motion.h"
+#include "validate/validate.h"
 
 enum { SEGMENTS = 20 };
 static const double LENGTH = 10; /* m */
@@ -15,13 +15,10 @@ static const double LENGTH = 10; /* m */
 /* Straight, free at both ends, undamped. */
 static hawser_status chain_build(SceneDef *def, double ea, double ei, double accuracy, hawser_error *err)
 {
-    const hawser_status status = build_start(def, (SceneRoom){.route = 1}, err);
-    if (status) return status;
     CableDef cable = build_cable(8, 0.06, ea, ei);
     cable.damping = 0;
-    build_chain(def, cable, LENGTH, SEGMENTS);
-    build_straight(def, LENGTH);
-    def->head_at = LENGTH;
+    const hawser_status status = build_line(def, cable, LENGTH, SEGMENTS, err);
+    if (status) return status;
     def->solver.accuracy = accuracy;
     def->duration = 10;
     return HAWSER_OK;
@@ -79,7 +76,7 @@ static hawser_status pendulum_run(const void *setup, ValidationLog *log, hawser_
     hawser_status status = chain_build(&def, 1e6, 0.1, 1e-6, err);
     if (status) return status;
     def.route_slope = SLOPE;
-    def.winch = build_winch(0, 1);
+    build_pull(&def, 0, 1, 0);
     status = motion_start(&def, &stage, err);
     if (status) return status;
     const Balance a = motion_balance(&stage);

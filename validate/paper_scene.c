@@ -1,4 +1,4 @@
-#include "validate/paper_scene.h"
+#include "validate/build.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -66,7 +66,7 @@ static hawser_status rollers_fill(const PaperChoice *choice, SceneDef *def, haws
 static void drive_fill(const PaperChoice *choice, SceneDef *def)
 {
     const double v_s = or_usual(choice->v_s, 1e-3);
-    def->winch = build_winch(SPEED, 13);
+    build_pull(def, SPEED, 13, 0);
     def->tail.tension = (Profile){.kind = PROFILE_STEP, .t1 = 13, .v1 = 6860.643};
     def->drag = (RopeDragDef){.force = 2286.881, .v_s = v_s, .v_d = 2 * v_s, .ratio = 1};
 }
@@ -101,8 +101,7 @@ static void terms_fill(SceneDef *def)
 hawser_status paper_scene(const PaperChoice *choice, SceneDef *def, hawser_error *err)
 {
     const double v_s = or_usual(choice->v_s, 1e-3);
-    const SceneRoom room = {.route = 7, .rollers = 256, .stations = 40, .paper = 7};
-    hawser_status status = build_start(def, room, err);
+    hawser_status status = build_start(def, err);
     if (status) return status;
     def->gravity = v3(0, 0, -9.8);
     def->friction = (FrictionLaw){.mu_s = 0.1, .mu_d = 0.1, .v_s = v_s, .v_d = 2 * v_s};

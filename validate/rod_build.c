@@ -1,4 +1,4 @@
-#include "validate/rod_build.h"
+#include "validate/build.h"
 
 #include <stdlib.h>
 
@@ -6,12 +6,9 @@
 
 hawser_status rod_start(SceneDef *def, CableDef cable, double length, int n, int steps, hawser_error *err)
 {
-    const hawser_status status = build_start(def, (SceneRoom){.route = 1}, err);
-    if (status) return status;
     cable.damping = 0;
-    build_chain(def, cable, length, n);
-    build_straight(def, length);
-    def->head_at = length;
+    const hawser_status status = build_line(def, cable, length, n, err);
+    if (status) return status;
     def->gravity = v3(0, 0, 0);
     def->rod.present = 1;
     def->rod.loads = calloc(3, sizeof *def->rod.loads);

@@ -6,10 +6,9 @@
 
 #include "core/base/error.h"
 #include "sim/run/statics.h"
-#include "validate/cases.h"
+#include "validate/build.h"
 #include "validate/motion.h"
-#include "validate/orders.h"
-#include "validate/rod_build.h"
+#include "validate/validate.h"
 
 /* Takes the definition; equilibria at even load steps up to t = 1 s. *stage must be freed if OK. */
 static hawser_status rod_solve(SceneDef *def, Stage *stage, hawser_error *err)

@@ -3,7 +3,7 @@
 
 #include "theory/closed_form.h"
 #include "validate/build.h"
-#include "validate/cases.h"
+#include "validate/validate.h"
 
 /* One roller turns a weightless limp cable down by 20 deg; the cable is free in the air on both sides. */
 static hawser_status turn_run(const void *setup, ValidationLog *log, hawser_error *err)
@@ -15,7 +15,7 @@ static hawser_status turn_run(const void *setup, ValidationLog *log, hawser_erro
     Route route;
     hawser_summary sum;
     double expected = NAN;
-    hawser_status status = build_start(&def, (SceneRoom){.route = 3, .rollers = 1}, err);
+    hawser_status status = build_start(&def, err);
     if (status) return status;
     const double bend = (RADIUS + HALF) * TURN;
     build_chain(&def, build_cable(10, 2 * HALF, 5e7, 20), 2 * SIDE + bend - 1, 100);
@@ -25,7 +25,7 @@ static hawser_status turn_run(const void *setup, ValidationLog *log, hawser_erro
     def.head_at = 2 * SIDE + bend - 0.5;
     def.gravity = v3(0, 0, 0);
     def.friction = (FrictionLaw){.mu_s = MU, .mu_d = MU, .v_s = 1e-3, .v_d = 2e-3};
-    def.winch = build_winch(0.1, 1);
+    build_pull(&def, 0.1, 1, 0);
     def.tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = TAIL};
     def.output.steady_from = 2;
     def.duration = 5;
@@ -39,7 +39,7 @@ static hawser_status turn_run(const void *setup, ValidationLog *log, hawser_erro
     }
     if (!status) status = roller_tension(TAIL, MU, TURN, &expected, err);
     if (status) return status;
-    sim_summary(sim, &sum);
+    hawser_sim_summary(sim, &sum);
     log_share(log, "pull", "N", expected, sum.pull_mean_N, 0.5);
     sim_free(sim);
     return HAWSER_OK;
@@ -66,21 +66,17 @@ static hawser_status sag_run(const void *setup, ValidationLog *log, hawser_error
     SceneDef def;
     Sim *sim;
     Route route;
-    hawser_status status = build_start(&def, (SceneRoom){.route = 1, .rollers = s->n + 1}, err);
-    if (status) return status;
     CableDef cable = build_cable(s->mass, 0.08, 5e7, EI);
     cable.ga = 1e10; /* shear would add w l^2 / 8 GA */
-    build_chain(&def, cable, length, (int)lround(length / SEGMENT));
-    build_straight(&def, length);
-    def.head_at = length;
-    def.winch = build_winch(0, 1);
-    def.winch.axial_only = 1;
+    hawser_status status = build_line(&def, cable, length, (int)lround(length / SEGMENT), err);
+    if (status) return status;
+    build_pull(&def, 0, 1, 1);
     status = build_route(&def, &route, err);
     for (int k = 0; k <= s->n && !status; ++k) build_roller(&def, &route, 0.02, 0.08, s->overhang + k * SPAN);
     if (!status) route_clear(&route);
     if (!status) status = pull_start(&def, &sim, err);
     if (status) return status;
-    const double *const p = sim_sample(sim)->position;
+    const double *const p = hawser_sim_sample(sim)->position;
     const int half = s->n / 2, roller = (int)floor((s->overhang + SPAN * half) / SEGMENT),
               span = (int)lround(SPAN / SEGMENT);
     const double sag = (p[3 * roller + 2] + p[3 * (roller + span) + 2]) / 2 - p[3 * (roller + span / 2) + 2];

@@ -5,7 +5,7 @@
 #include "sim/watch/stats.h"
 #include "theory/closed_form.h"
 #include "validate/build.h"
-#include "validate/cases.h"
+#include "validate/validate.h"
 
 static const double MASS = 20, DIAMETER = 0.08, G = 9.81;  /* kg/m, m, m/s2: a cable of 800 mm2 */
 static const double PITCH = 1, SEGMENT = 0.5, LENGTH = 30; /* m */
@@ -22,15 +22,12 @@ static const Row level = {.mu = 0.2}, uphill = {.slope = 0.2, .mu = 0.15},
 static hawser_status row_build(const Row *row, SceneDef *def, hawser_error *err)
 {
     Route route;
-    hawser_status status = build_start(def, (SceneRoom){.route = 1, .rollers = (int)((LENGTH + 8) / PITCH) + 2}, err);
+    const CableDef cable = build_cable(MASS, DIAMETER, 5e7, 12e3);
+    hawser_status status = build_line(def, cable, LENGTH, (int)(LENGTH / SEGMENT), err);
     if (status) return status;
-    build_chain(def, build_cable(MASS, DIAMETER, 5e7, 12e3), LENGTH, (int)(LENGTH / SEGMENT));
-    build_straight(def, LENGTH);
     def->route_slope = row->slope;
-    def->head_at = LENGTH;
     def->friction = (FrictionLaw){.mu_s = row->mu, .mu_d = row->mu, .v_s = 1e-3, .v_d = 2e-3};
-    def->winch = build_winch(0.1, 1);
-    def->winch.axial_only = 1;
+    build_pull(def, 0.1, 1, 1);
     def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = row->tail};
     def->solver.accuracy = 3e-4; /* the ripple of the smooth line is finer than what 1e-3 resolves */
     def->output.steady_from = 2;
@@ -56,7 +53,7 @@ static hawser_status row_run(const void *setup, ValidationLog *log, hawser_error
     hawser_status status = row_build(row, &def, err);
     if (!status) status = pull_run(&def, &sim, err);
     if (status) return status;
-    sim_summary(sim, &sum);
+    hawser_sim_summary(sim, &sum);
     log_share(log, "pull", "N", slope_tension(row->tail, MASS * G, row->mu, LENGTH, row->slope), sum.pull_mean_N, 0.5);
     log_share(log, "speed", "m/s", 0.1, sum.steady_speed_m_per_s, 0.5);
     sim_free(sim);
@@ -73,7 +70,7 @@ static hawser_status rest_run(const void *setup, ValidationLog *log, hawser_erro
     hawser_status status = row_build(&row, &def, err);
     if (!status) status = pull_start(&def, &sim, err);
     if (status) return status;
-    log_share(log, "hold", "N", MASS * G * LENGTH * sin(row.slope), sim_sample(sim)->winch_force, 0.01);
+    log_share(log, "hold", "N", MASS * G * LENGTH * sin(row.slope), hawser_sim_sample(sim)->winch_force, 0.01);
     sim_free(sim);
     return HAWSER_OK;
 }
@@ -85,13 +82,14 @@ static hawser_status load_run(const void *setup, ValidationLog *log, hawser_erro
     const Row *const row = setup;
     SceneDef def;
     Sim *sim;
-    const SimRoller *roller;
+    const hawser_roller *roller;
     hawser_status status = row_build(row, &def, err);
     if (!status) status = pull_run(&def, &sim, err);
     if (status) return status;
-    const int middle = sim_rollers(sim, &roller) / 2;
-    log_share(log, "load at rest", "N", MASS * G * PITCH, roller[middle].initial, 0.5);
-    log_share(log, "load while the cable moves", "N", MASS * G * PITCH * hypot(1, row->mu), roller[middle].steady, 0.5);
+    const int middle = hawser_sim_rollers(sim, &roller) / 2;
+    log_share(log, "load at rest", "N", MASS * G * PITCH, roller[middle].initial_N, 0.5);
+    log_share(log, "load while the cable moves", "N", MASS * G * PITCH * hypot(1, row->mu), roller[middle].steady_N,
+              0.5);
     sim_free(sim);
     return HAWSER_OK;
 }

@@ -6,68 +6,71 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "validate/cases.h"
 
 static const ValidationGroup *const groups[] = {&paper_group,  &row_group,       &duct_group,
                                                 &roller_group, &wave_group,      &motion_group,
                                                 &rod_group,    &frequency_group, &convergence_group};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
-/* Room for one more row; NULL if there is no memory, which is remembered. */
-static ValidationRow *row_new(ValidationLog *log)
+/* Room for one more row. No memory for it is remembered. What a NAN was found for is not ok. */
+static void row_add(ValidationLog *log, const char *quantity, ValidationRow row)
 {
     if (log->n == log->room) {
         const int room = 2 * log->room + 64;
         ValidationRow *const grown = realloc(log->row, (size_t)room * sizeof *grown);
-        if (!grown) {
-            log->no_memory = 1;
-            return NULL;
-        }
+        log->no_memory = log->no_memory || !grown;
+        if (!grown) return;
         log->row = grown;
         log->room = room;
     }
-    return &log->row[log->n++];
-}
-
-/* What a NAN was found for is not ok. */
-static void row_add(ValidationLog *log, const char *quantity, ValidationRow row)
-{
-    ValidationRow *const at = row_new(log);
-    if (!at) return;
     row.of = log->now;
     row.ok = fabs(row.error) <= row.tolerance;
     snprintf(row.quantity, sizeof row.quantity, "%s", quantity);
-    *at = row;
+    log->row[log->n++] = row;
 }
 
 void log_share(ValidationLog *log, const char *quantity, const char *unit, double expected, double found,
                double percent)
 {
-    row_add(log, quantity,
-            (ValidationRow){.unit = unit,
-                            .kind = WITHIN_SHARE,
-                            .expected = expected,
-                            .found = found,
-                            .tolerance = percent,
-                            .error = 100 * (found / expected - 1)});
+    const double error = 100 * (found / expected - 1);
+    row_add(log, quantity, (ValidationRow){NULL, "", unit, WITHIN_SHARE, expected, found, percent, error, 0});
 }
 
 void log_near(ValidationLog *log, const char *quantity, const char *unit, double expected, double found,
               double tolerance)
 {
-    row_add(log, quantity,
-            (ValidationRow){.unit = unit,
-                            .kind = WITHIN,
-                            .expected = expected,
-                            .found = found,
-                            .tolerance = tolerance,
-                            .error = found - expected});
+    row_add(log, quantity, (ValidationRow){NULL, "", unit, WITHIN, expected, found, tolerance, found - expected, 0});
 }
 
 void log_limit(ValidationLog *log, const char *quantity, const char *unit, double found, double limit)
 {
-    row_add(log, quantity,
-            (ValidationRow){.unit = unit, .kind = AT_MOST, .found = found, .tolerance = limit, .error = found});
+    row_add(log, quantity, (ValidationRow){NULL, "", unit, AT_MOST, 0, found, limit, found, 0});
+}
+
+/* (VA2) */
+double order_of(int n, const double *x, const double *y)
+{
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int i = 0; i < n; ++i) {
+        const double a = log(x[i]), b = log(fabs(y[i]));
+        sx += a;
+        sy += b;
+        sxx += a * a;
+        sxy += a * b;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+void order_log(ValidationLog *log, int n, const double *x, const double *error, const char *of, double expected,
+               double tolerance)
+{
+    char quantity[VALIDATION_QUANTITY_MAX];
+    for (int i = 0; i < n; ++i) {
+        snprintf(quantity, sizeof quantity, "error at %s %.3g", of, x[i]);
+        log_limit(log, quantity, "%", 100 * fabs(error[i]), INFINITY);
+    }
+    snprintf(quantity, sizeof quantity, "order in %s", of);
+    log_near(log, quantity, "1", expected, order_of(n, x, error), tolerance);
 }
 
 /* A case that cannot be run is a quantity of its own, and the suite goes on. */

@@ -42,6 +42,21 @@ struct ValidationCase {
     hawser_status (*run)(const void *setup, ValidationLog *log, hawser_error *err);
 };
 
+/* The tables of cases, one a subject. */
+typedef struct ValidationGroup {
+    int n;
+    const ValidationCase *cases; /* [n] */
+} ValidationGroup;
+
+/* A group of all the cases of an array. */
+#define VALIDATION_GROUP(array)                                                                                        \
+    {                                                                                                                  \
+        .n = (int)(sizeof(array) / sizeof(array)[0]), .cases = (array)                                                 \
+    }
+
+extern const ValidationGroup rod_group, frequency_group, paper_group, row_group, duct_group, roller_group, wave_group,
+    motion_group, convergence_group;
+
 /* Adds a quantity of the running case. Tolerance: per cent of `expected`. */
 void log_share(ValidationLog *log, const char *quantity, const char *unit, double expected, double found,
                double percent);
@@ -50,6 +65,14 @@ void log_near(ValidationLog *log, const char *quantity, const char *unit, double
               double tolerance);
 /* Something that should be small: at most `limit`. */
 void log_limit(ValidationLog *log, const char *quantity, const char *unit, double found, double limit);
+
+/* Orders of convergence by regression. docs/model.md, "Validation" (VA2). */
+/* The slope of log y over log x, least squares over n points. */
+double order_of(int n, const double *x, const double *y);
+/* Adds the relative errors of n refinements, of which nothing is asked, and their order over x (`of`: what x is), which
+ * should be near `expected`. */
+void order_log(ValidationLog *log, int n, const double *x, const double *error, const char *of, double expected,
+               double tolerance);
 
 /* Case number i of the suite, in its order; NULL behind the last. */
 const ValidationCase *validation_case(int i);

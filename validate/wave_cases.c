@@ -2,8 +2,8 @@
  * toward the head only is set up, v = f(x - c t) with strain -v/c, and looked at where it has come to. */
 #include <math.h>
 
-#include "validate/cases.h"
 #include "validate/motion.h"
+#include "validate/validate.h"
 
 #include "validate/build.h"
 
@@ -17,7 +17,7 @@ static hawser_status chain_start(CableDef first, double length, CableDef second,
                                  hawser_error *err)
 {
     SceneDef def;
-    const hawser_status status = build_start(&def, (SceneRoom){.route = 1}, err);
+    const hawser_status status = build_start(&def, err);
     if (status) return status;
     build_chain(&def, first, length, (int)lround(length / SEGMENT));
     if (rest > 0) {

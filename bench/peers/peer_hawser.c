@@ -75,8 +75,8 @@ static int define(SceneDef *def, PeerRun *run)
 /* Takes what the problem is judged by out of the state of now; of the pull not before it has its speed. */
 static void look(PeerRun *run, Sim *sim)
 {
-    if (run->problem == PEER_STRAIGHT && sim_time(sim) < STRAIGHT_RAMP) return;
-    const hawser_sample *const sample = sim_sample(sim);
+    if (run->problem == PEER_STRAIGHT && hawser_sim_time(sim) < STRAIGHT_RAMP) return;
+    const hawser_sample *const sample = hawser_sim_sample(sim);
     if (run->problem == PEER_STRAIGHT) peer_force(run, sample->t, sample->winch_force);
     if (run->problem == PEER_HANG) peer_force(run, sample->t, sample->probe[0].force[0]);
     if (run->problem == PEER_SWING)
@@ -90,7 +90,7 @@ static hawser_status integrate(PeerRun *run, Sim *sim, hawser_error *err)
     hawser_relaxation relaxation;
     hawser_status status = run->problem != PEER_SWING ? sim_relax(sim, &relaxation, err) : HAWSER_OK;
     look(run, sim);
-    while (!status && sim_time(sim) < run->until - 1e-12 && !peer_over_limit(run)) {
+    while (!status && hawser_sim_time(sim) < run->until - 1e-12 && !peer_over_limit(run)) {
         const double next = run->problem == PEER_SWING ? run->points * TRACE_EVERY : run->until;
         status = sim_advance(sim, fmin(next, run->until), run->problem != PEER_SWING, err);
         look(run, sim);
@@ -112,8 +112,8 @@ int main(int argc, char **argv)
     peer_loop(&run);
     status = integrate(&run, sim, &err);
     if (status) fprintf(stderr, "hawser: %s\n", err.message);
-    sim_summary(sim, &summary);
-    peer_finish(&run, sim_time(sim), summary.steps, status != HAWSER_OK);
+    hawser_sim_summary(sim, &summary);
+    peer_finish(&run, hawser_sim_time(sim), summary.steps, status != HAWSER_OK);
     sim_free(sim);
     return 0;
 }

@@ -60,14 +60,14 @@ typedef struct hawser_balance {
     hawser_balance_term term[HAWSER_BALANCE_TERMS]; /* [n_terms], those that there are */
 } hawser_balance;
 
-/* Something that happened: the winch trips, stops, starts again. */
+/* Something that happened: what pulls trips, stops, starts again. */
 typedef struct hawser_event {
     double t;         /* s */
     const char *what; /* in words; lives for ever */
-    double pull_N;    /* the winch's force then */
+    double pull_N;    /* on the rope's end then */
 } hawser_event;
 
-/* The winch's force while the cable's front passed a stretch of a few metres, the winch at its speed. */
+/* The pull while the cable's front passed a stretch of a few metres, at full speed. */
 typedef struct hawser_position {
     double head_m;      /* m along the route, mean place of the front */
     double pull_N;      /* simulated, mean */

@@ -60,7 +60,7 @@ static const Column surface_column[] = {
 typedef struct Description {
     const SceneDef *def;
     hawser_summary summary;
-    const SimSurface *surfaces;
+    const hawser_surface *surfaces;
     Route route;
     PieceRow *piece;     /* [n_pieces] */
     RouteRow *leg;       /* [n_route] */
@@ -88,7 +88,7 @@ static void fill_rows(Description *d)
                                .rise = route_at(&d->route, end).position.z - p->start.z};
     }
     for (int i = 0; i < def->n_surfaces; i++) {
-        const hawser_surface s = api_surface(&d->surfaces[i]);
+        const hawser_surface s = d->surfaces[i];
         d->surface[i] = (SurfaceRow){s, def->surfaces[i].friction.mu_d, 1e3 * s.clearance_m};
     }
 }
@@ -172,8 +172,8 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     Sim *sim = NULL;
     hawser_status status = sim_new(d.def, 0, &sim, err);
     if (status) return case_name_error(c, status, err);
-    sim_summary(sim, &d.summary);
-    sim_surfaces(sim, &d.surfaces);
+    hawser_sim_summary(sim, &d.summary);
+    hawser_sim_surfaces(sim, &d.surfaces);
     status = gather(&d, err);
     if (!status) status = write_description(&d, d.def->title[0] ? d.def->title : c->name, format, text, err);
     route_clear(&d.route);

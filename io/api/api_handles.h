@@ -16,20 +16,6 @@ struct hawser_case {
     SceneDef def; /* cleared while not read */
 };
 
-struct hawser_sim {
-    Sim *sim;
-    char *case_name;
-    char *title;
-    int wants_relaxation, relaxed;
-    int running;                      /* inside hawser_sim_run */
-    hawser_status outcome;            /* of the last call that computed */
-    hawser_roller *roller;            /* [rollers] work of hawser_sim_rollers and the summary */
-    hawser_surface *surface;          /* [surfaces] likewise */
-    char message[HAWSER_MESSAGE_MAX]; /* why the run did not finish */
-};
-
-/* A surface of the simulation as the interface shows it. */
-hawser_surface api_surface(const SimSurface *surface);
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT

@@ -27,7 +27,7 @@ typedef struct Run {
     double started, last_progress; /* clock_now() */
     Beat row, state;
     double last_row, last_state; /* simulated time, s */
-    const hawser_sample *look;   /* the simulation's, brought up to date by sim_sample and sim_record */
+    const hawser_sample *look;   /* the simulation's, brought up to date by each look */
 } Run;
 
 /* Counted, not summed: the thousandth beat is not late by rounding. */
@@ -45,24 +45,24 @@ static int beat_due(Beat *b, double t)
 /* Statistics with a row, and a state. */
 static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
 {
-    Sim *sim = run->s->sim;
-    if (row) run->last_row = sim_time(sim);
-    if (state) run->last_state = sim_time(sim);
-    if (row && state) sim_record(sim);
+    Sim *sim = run->s;
+    if (row) run->last_row = hawser_sim_time(sim);
+    if (state) run->last_state = hawser_sim_time(sim);
+    if (row && state) hawser_sim_record(sim);
     if (row && !state) sim_record_row(sim);
     if (!run->results) return HAWSER_OK;
     const double start = clock_now();
     hawser_status status = row ? results_row(run->results, run->look, err) : HAWSER_OK;
     if (!status && state) status = results_state(run->results, run->look, err);
     if (!status) status = results_tick(run->results, err);
-    sim_add_output_time(sim, clock_now() - start);
+    sim->output_s += clock_now() - start;
     return status;
 }
 
 /* What is due now. A state always has its row. */
 static hawser_status write_due(Run *run, hawser_error *err)
 {
-    const double t = sim_time(run->s->sim);
+    const double t = hawser_sim_time(run->s);
     const int state = beat_due(&run->state, t), row = beat_due(&run->row, t) || state;
     return row ? write_now(run, row, state, err) : HAWSER_OK;
 }
@@ -70,9 +70,9 @@ static hawser_status write_due(Run *run, hawser_error *err)
 /* The state in which a run ends, so far as the beats have not just written it. */
 static hawser_status write_last(Run *run, hawser_error *err)
 {
-    const double t = sim_time(run->s->sim);
+    const double t = hawser_sim_time(run->s);
     const int row = t > run->last_row, state = run->state.interval > 0 && t > run->last_state;
-    if (state && !row) sim_sample(run->s->sim);
+    if (state && !row) hawser_sim_sample(run->s);
     return row || state ? write_now(run, row, state, err) : HAWSER_OK;
 }
 
@@ -82,28 +82,28 @@ static hawser_status tell_progress(Run *run, int now, hawser_error *err)
     const double wall = clock_now();
     if (!run->progress || (!now && wall - run->last_progress < progress_interval)) return HAWSER_OK;
     run->last_progress = wall;
-    Sim *sim = run->s->sim;
-    const int stop = run->progress(run->user, sim_sample(sim), wall - run->started, sim_end_time(sim));
-    return stop ? error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s", sim_time(sim)) : HAWSER_OK;
+    Sim *sim = run->s;
+    const int stop = run->progress(run->user, hawser_sim_sample(sim), wall - run->started, hawser_sim_end_time(sim));
+    return stop ? error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s", hawser_sim_time(sim)) : HAWSER_OK;
 }
 
 /* Only once, and only before anything has moved; the case may forbid it. */
 static hawser_status run_relaxation(Run *run, hawser_error *err)
 {
     hawser_sim *s = run->s;
-    if (!s->wants_relaxation || s->relaxed || sim_time(s->sim) > 0) return HAWSER_OK;
+    if (!s->stage.scene.def.solver.relax || s->relaxed || hawser_sim_time(s) > 0) return HAWSER_OK;
     return hawser_sim_relax(s, NULL, err);
 }
 
 /* From the state of now to the end of the case. */
 static hawser_status run_steps(Run *run, hawser_error *err)
 {
-    Sim *sim = run->s->sim;
+    Sim *sim = run->s;
     hawser_status status = run_relaxation(run, err);
     if (!status) status = write_due(run, err);
     if (!status) status = tell_progress(run, 1, err);
-    while (!status && sim_time(sim) < sim_end_time(sim)) { /* a trip may bring the end nearer */
-        status = sim_advance(sim, sim_end_time(sim), 1, err);
+    while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may bring the end nearer */
+        status = sim_advance(sim, hawser_sim_end_time(sim), 1, err);
         if (!status) status = write_due(run, err);
         if (!status) status = tell_progress(run, 0, err);
     }
@@ -116,7 +116,7 @@ static hawser_status run_steps(Run *run, hawser_error *err)
 static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
 {
     hawser_sim *s = run->s;
-    const OutputDef *output = sim_output(s->sim);
+    const OutputDef *output = &s->stage.scene.def.output;
     ResultsDef def = {.title = s->title,
                       .segments = run->look->segments,
                       .reel = !isnan(run->look->paid_out),
@@ -125,7 +125,7 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
                       .watched = output->speed_segments,
                       .n_loads = output->n_load_rollers,
                       .loads = output->load_rollers,
-                      .states = output->state_interval > 0 ? sim_end_time(s->sim) / output->state_interval + 1 : 0};
+                      .states = output->state_interval > 0 ? hawser_sim_end_time(s) / output->state_interval + 1 : 0};
     def.probes = run->look->probes;
     def.probe = run->look->probe;
     def.rollers = hawser_sim_rollers(s, &def.roller);
@@ -147,9 +147,9 @@ static hawser_status finish_results(Run *run, hawser_error *err)
     char *summary;
     hawser_status status = hawser_sim_summary_json(s, &summary, err);
     if (status) return status;
-    tables.n_stations = sim_stations(s->sim, &tables.station);
+    tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
-    tables.n_modes = sim_modes(s->sim, &tables.mode);
+    tables.n_modes = hawser_sim_modes(s, &tables.mode);
     tables.segments = run->look->segments;
     tables.summary = summary;
     status = results_finish(run->results, &tables, err);
@@ -160,7 +160,7 @@ static hawser_status finish_results(Run *run, hawser_error *err)
 /* Beats that go on from time t (0 unless the caller has advanced before). */
 static void start_beats(Run *run, double t)
 {
-    const OutputDef *output = sim_output(run->s->sim);
+    const OutputDef *output = &run->s->stage.scene.def.output;
     run->row.interval = output->interval;
     run->state.interval = output->state_interval;
     Beat *beats[] = {&run->row, &run->state};
@@ -185,11 +185,15 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
 {
     hawser_error local = {HAWSER_OK, ""}, late = {HAWSER_OK, ""};
     hawser_error *e = err ? err : &local;
-    Run run = {
-        .s = s, .progress = progress, .user = user, .started = clock_now(), .last_row = -1, .look = sim_sample(s->sim)};
+    Run run = {.s = s,
+               .progress = progress,
+               .user = user,
+               .started = clock_now(),
+               .last_row = -1,
+               .look = hawser_sim_sample(s)};
     s->running = 1;
     s->outcome = HAWSER_OK;
-    start_beats(&run, sim_time(s->sim));
+    start_beats(&run, hawser_sim_time(s));
     hawser_status status = dir ? open_results(&run, dir, e) : HAWSER_OK;
     if (status) return settle(s, status, e);
     status = run_steps(&run, e);

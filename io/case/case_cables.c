@@ -72,7 +72,7 @@ typedef struct PieceRecord {
     double segment;
 } PieceRecord;
 
-/* Pieces follow each other from the tail to the winch. */
+/* Pieces follow each other from the tail to the head. */
 static const CaseKey chain_piece_keys[] = {
     {"cable", KEY_TEXT, .required = 1, AT(PieceRecord, cable)},
     {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(PieceRecord, piece.length)},

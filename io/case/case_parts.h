@@ -85,7 +85,7 @@ hawser_status case_drive_read(CaseReader *r, const CaseNode *node);
 hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
                                 Profile *profile, double **time, double **values);
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section);
-/* After the drive, whose winch the belts may follow. */
+/* After the drive, whose speed the belts may follow. */
 hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);
 /* After all that can jam. */
 hawser_status case_jams_read(CaseReader *r, const CaseNode *list);

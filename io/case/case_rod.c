@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "sim/def/rod_shape.h"
+#include "sim/def/rod_def.h"
 
 static const char *const shapes[] = {"straight", "arc", "helix", "polyline", NULL};
 

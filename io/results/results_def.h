@@ -3,7 +3,7 @@
 #define HAWSER_IO_RESULTS_RESULTS_DEF_H
 
 #include "hawser/hawser.h"
-#include "sim/watch/overload.h"
+#include "sim/watch/peaks.h"
 
 /* Sizes, names and what is wanted. Strings and arrays are borrowed until the folder is
  * open. */

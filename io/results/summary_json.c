@@ -49,7 +49,7 @@ static int roller_moves(const void *row)
     return !isnan(r->spin_rad_per_s) || !isnan(r->shift_m);
 }
 
-/* The winch's force by the place of the cable's front. */
+/* The pull by the place of the cable's front. */
 static const Column position_column[] = {
     {COLUMN("head_m", NUMBER, hawser_position, head_m)},
     {COLUMN("pull_N", NUMBER, hawser_position, pull_N)},

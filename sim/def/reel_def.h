@@ -1,4 +1,4 @@
-/* What a case says of the reel: a part of SceneDef (sim/def/scene_def.h). */
+/* What a case says of the reel or the drum behind the route: parts of SceneDef (sim/def/scene_def.h). */
 #ifndef HAWSER_SIM_DEF_REEL_DEF_H
 #define HAWSER_SIM_DEF_REEL_DEF_H
 
@@ -23,5 +23,15 @@ typedef struct ReelDef {
     double over;     /* m/s above it at which that brake is fully on */
     double v_s;      /* m/s of the cable below which brake and bearing fade */
 } ReelDef;
+
+/* A drum on which the cable behind the route is wound, touched by every turn. */
+typedef struct DrumDef {
+    int present;
+    double distance;              /* m from where the cable leaves the drum to the route's start */
+    double barrel, flange, width; /* m: diameters of the bare drum and of its flanges, length between these */
+    double lay;                   /* m from turn to turn; 0: 2.5 diameters of the cable */
+    double inertia;               /* kg m2, of the empty drum */
+    double torque;                /* N m: brake and bearing */
+} DrumDef;
 
 #endif

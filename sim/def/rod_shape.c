@@ -1,4 +1,4 @@
-#include "sim/def/rod_shape.h"
+#include "sim/def/rod_def.h"
 
 /* Unit vectors of a heading and a slope; `left` is level, whatever the slope. */
 static void axes_of(double heading, double slope, RodLine *line)

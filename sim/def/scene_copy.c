@@ -1,4 +1,4 @@
-/* A definition's arrays: a deep copy, and giving them back. */
+/* What a definition owns, named once: copying and clearing go over it. */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,40 +6,54 @@
 #include "core/base/error.h"
 #include "sim/def/scene_def.h"
 
-/* A list of the definition: where its pointer and its count are, and how large an item is. */
-typedef struct DefList {
-    size_t array, count, size;
-} DefList;
-#define LIST_IN(in, member)                                                                                            \
-    {                                                                                                                  \
-        offsetof(SceneDef, in member), offsetof(SceneDef, in n_##member), sizeof *((SceneDef *)NULL)->in member        \
-    }
-#define LIST(member) LIST_IN(, member)
+/* An array of the definition's: where its pointer and its count are, and the size of an item. */
+typedef struct OwnedArray {
+    size_t pointer, count, size;
+} OwnedArray;
 
-/* All of them; what an item owns besides is copied and freed below. */
-static const DefList lists[] = {
-    LIST(cables),
-    LIST(pieces),
-    LIST(route),
-    LIST(rollers),
-    LIST(surfaces),
-    LIST(conveyors),
-    LIST(jams),
-    LIST(stations),
-    LIST(paper),
-    LIST_IN(output., speed_segments),
-    LIST_IN(output., probes),
-    LIST_IN(output., load_rollers),
-    LIST_IN(rod., points),
-    LIST_IN(rod., masses),
-    LIST_IN(rod., loads),
+#define OWNED(array, n)                                                                                                \
+    {                                                                                                                  \
+        offsetof(SceneDef, array), offsetof(SceneDef, n), sizeof *((SceneDef *)NULL)->array                            \
+    }
+
+static const OwnedArray owned[] = {
+    OWNED(cables, n_cables),
+    OWNED(pieces, n_pieces),
+    OWNED(route, n_route),
+    OWNED(rollers, n_rollers),
+    OWNED(surfaces, n_surfaces),
+    OWNED(conveyors, n_conveyors),
+    OWNED(jams, n_jams),
+    OWNED(stations, n_stations),
+    OWNED(paper, n_paper),
+    OWNED(output.speed_segments, output.n_speed_segments),
+    OWNED(output.load_rollers, output.n_load_rollers),
+    OWNED(output.probes, output.n_probes),
+    OWNED(rod.points, rod.n_points),
+    OWNED(rod.masses, rod.n_masses),
+    OWNED(rod.loads, rod.n_loads),
+    OWNED(rod.end[ROD_TAIL].motions, rod.end[ROD_TAIL].n_motions),
+    OWNED(rod.end[ROD_HEAD].motions, rod.end[ROD_HEAD].n_motions),
 };
-enum { LISTS = sizeof lists / sizeof *lists };
+enum { OWNED_ARRAYS = sizeof owned / sizeof *owned };
 
 const char *scene_def_can_jam(const SceneDef *def, int i)
 {
     if (i < def->n_rollers) return def->rollers[i].name;
     return i - def->n_rollers < def->n_conveyors ? def->conveyors[i - def->n_rollers].name : NULL;
+}
+
+/* Where the pointer of an array is, whatever it points to. */
+static void *array_of(const SceneDef *def, const OwnedArray *a)
+{
+    void *array;
+    memcpy(&array, (const char *)def + a->pointer, sizeof array);
+    return array;
+}
+
+static void array_put(SceneDef *def, const OwnedArray *a, void *array)
+{
+    memcpy((char *)def + a->pointer, &array, sizeof array);
 }
 
 /* A copy of `count` items of `size`; counts of 0 give an allocation too. *ok becomes 0 if there is no memory. */
@@ -54,86 +68,65 @@ static void *copy_of(const void *from, int count, size_t size, int *ok)
     return to;
 }
 
-/* The table behind a profile, with the profile pointed at the copy. */
+/* What is done to the table behind a profile. */
+typedef void TableVisit(Profile *profile, double **time, double **value, int *ok);
+
+/* A table of its own, with the profile pointed at it. */
 static void table_copy(Profile *profile, double **time, double **value, int *ok)
 {
     const int n = profile->kind == PROFILE_TABLE ? profile->n : 0;
-    *time = copy_of(profile->time, n, sizeof(double), ok);
-    *value = copy_of(profile->value, n, sizeof(double), ok);
-    profile->time = *time;
-    profile->value = *value;
+    profile->time = *time = copy_of(profile->time, n, sizeof(double), ok);
+    profile->value = *value = copy_of(profile->value, n, sizeof(double), ok);
 }
 
-/* The profiles of the rod's loads, and what its ends do. */
-static void rod_copy(const RodDef *def, RodDef *out, int *ok)
+static void table_clear(Profile *profile, double **time, double **value, int *ok)
 {
-    for (int l = 0; out->loads && l < def->n_loads; ++l) {
-        RodProfile *const by = &out->loads[l].by;
-        table_copy(&by->size, &by->table_time, &by->table_value, ok);
+    (void)profile, (void)ok;
+    free(*time);
+    free(*value);
+}
+
+/* All tables there are: those of the definition itself, and of the items of its arrays. */
+static void tables_visit(SceneDef *def, TableVisit *visit, int *ok)
+{
+    visit(&def->winch.speed, &def->winch.table_time, &def->winch.table_value, ok);
+    visit(&def->winch.tension, &def->winch.tension_time, &def->winch.tension_value, ok);
+    visit(&def->tail.tension, &def->tail.table_time, &def->tail.table_value, ok);
+    for (int i = 0; def->conveyors && i < def->n_conveyors; ++i) {
+        ConveyorDef *const c = &def->conveyors[i];
+        visit(&c->speed, &c->table_time, &c->table_value, ok);
+    }
+    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) {
+        RodProfile *const by = &def->rod.loads[l].by;
+        visit(&by->size, &by->table_time, &by->table_value, ok);
     }
     for (int e = 0; e < 2; ++e) {
-        RodEndDef *const end = &out->end[e];
-        end->motions = copy_of(def->end[e].motions, end->n_motions, sizeof *end->motions, ok);
+        const RodEndDef *const end = &def->rod.end[e];
         for (int m = 0; end->motions && m < end->n_motions; ++m) {
             RodProfile *const by = &end->motions[m].by;
-            table_copy(&by->size, &by->table_time, &by->table_value, ok);
+            visit(&by->size, &by->table_time, &by->table_value, ok);
         }
     }
+}
+
+void scene_def_clear(SceneDef *def)
+{
+    tables_visit(def, table_clear, NULL);
+    for (int i = 0; i < OWNED_ARRAYS; ++i) free(array_of(def, &owned[i]));
+    memset(def, 0, sizeof *def);
 }
 
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err)
 {
     int ok = 1;
     *out = *def;
-    for (int l = 0; l < LISTS; ++l) {
-        void *from;
+    for (int i = 0; i < OWNED_ARRAYS; ++i) {
         int count;
-        memcpy(&from, (const char *)def + lists[l].array, sizeof from);
-        memcpy(&count, (const char *)def + lists[l].count, sizeof count);
-        void *const to = copy_of(from, count, lists[l].size, &ok);
-        memcpy((char *)out + lists[l].array, &to, sizeof to);
+        memcpy(&count, (const char *)def + owned[i].count, sizeof count);
+        array_put(out, &owned[i], copy_of(array_of(def, &owned[i]), count, owned[i].size, &ok));
     }
-    for (int i = 0; i < def->n_conveyors && out->conveyors; ++i) {
-        ConveyorDef *const c = &out->conveyors[i];
-        table_copy(&c->speed, &c->table_time, &c->table_value, &ok);
-    }
-    rod_copy(&def->rod, &out->rod, &ok);
-    table_copy(&out->winch.speed, &out->winch.table_time, &out->winch.table_value, &ok);
-    table_copy(&out->winch.tension, &out->winch.tension_time, &out->winch.tension_value, &ok);
-    table_copy(&out->tail.tension, &out->tail.table_time, &out->tail.table_value, &ok);
+    tables_visit(out, table_copy, &ok);
     if (ok) return HAWSER_OK;
     scene_def_clear(out);
     return error_memory(err);
-}
-
-static void profile_clear(RodProfile *by)
-{
-    free(by->table_time);
-    free(by->table_value);
-}
-
-void scene_def_clear(SceneDef *def)
-{
-    for (int e = 0; e < 2; ++e) {
-        RodEndDef *const end = &def->rod.end[e];
-        for (int m = 0; end->motions && m < end->n_motions; ++m) profile_clear(&end->motions[m].by);
-        free(end->motions);
-    }
-    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) profile_clear(&def->rod.loads[l].by);
-    for (int i = 0; i < def->n_conveyors && def->conveyors; ++i) {
-        free(def->conveyors[i].table_time);
-        free(def->conveyors[i].table_value);
-    }
-    free(def->winch.table_time);
-    free(def->winch.table_value);
-    free(def->winch.tension_time);
-    free(def->winch.tension_value);
-    free(def->tail.table_time);
-    free(def->tail.table_value);
-    for (int l = 0; l < LISTS; ++l) {
-        void *array;
-        memcpy(&array, (const char *)def + lists[l].array, sizeof array);
-        free(array);
-    }
-    memset(def, 0, sizeof *def);
 }

@@ -1,7 +1,6 @@
 #include "sim/def/scene_def.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm

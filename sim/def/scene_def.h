@@ -16,7 +16,6 @@
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
 #include "sim/def/solver_def.h"
-#include "sim/def/theory_def.h"
 
 /* The drive of a roller that spins. Speeds are those of its surface; torques and speeds are with the pull. */
 typedef enum MotorKind { MOTOR_NONE, MOTOR_TORQUE, MOTOR_SPEED } MotorKind;
@@ -105,16 +104,6 @@ typedef struct TailDef {
     Profile tension; /* N, back along the route's start direction */
     double *table_time, *table_value;
 } TailDef;
-
-/* A drum on which the cable behind the route is wound, touched by every turn. */
-typedef struct DrumDef {
-    int present;
-    double distance;              /* m from where the cable leaves the drum to the route's start */
-    double barrel, flange, width; /* m: diameters of the bare drum and of its flanges, length between these */
-    double lay;                   /* m from turn to turn; 0: 2.5 diameters of the cable */
-    double inertia;               /* kg m2, of the empty drum */
-    double torque;                /* N m: brake and bearing */
-} DrumDef;
 
 /* A caterpillar conveyor: two belts that clamp the cable over a stretch of the route. */
 typedef struct ConveyorDef {

@@ -227,7 +227,7 @@ static void winch_work(const Room *room, const Moment *m, BalanceRates *out)
 static int winch_look(const Room *room, const Moment *m)
 {
     (void)room;
-    m->ws->winch_pull = winch_pull_now(m->scene, m->ws, m->t);
+    m->ws->head_pull = winch_pull_now(m->scene, m->ws, m->t);
     return 0;
 }
 

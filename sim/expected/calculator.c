@@ -153,26 +153,13 @@ static hawser_status rules_find(const Scene *scene, Calculator *c, hawser_error 
 
 /* ------------------------------------------------------------------------------------------------- limits */
 
-static void name_place(const Route *route, double s, char *text, size_t size)
-{
-    const RoutePiece *const piece = &route->piece[route_at(route, s).piece];
-    snprintf(text, size, "%.1f m%s%s%s", s, *piece->name ? " (" : "", piece->name, *piece->name ? ")" : "");
-}
-
-static Finding found_at(const Route *route, double value, double s)
-{
-    Finding f = {.value = value};
-    name_place(route, s, f.where, sizeof f.where);
-    return f;
-}
-
 /* The route's own smallest radius. */
 static Finding bend_finding(const Route *route)
 {
     Finding f = {.value = INFINITY};
     for (int p = 0; p < route->n; ++p) {
         const RoutePiece *const piece = &route->piece[p];
-        if (piece->kind == ROUTE_BEND && piece->radius < f.value) f = found_at(route, piece->radius, piece->s0);
+        if (piece->kind == ROUTE_BEND && piece->radius < f.value) f = finding_at(route, piece->radius, piece->s0);
     }
     return f;
 }
@@ -185,10 +172,7 @@ static Finding roller_finding(const Scene *scene, const PlanWay *way)
         const RollerDef *const roller = &scene->def.rollers[r];
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
         const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
-        if (!(load > 0) || (!isnan(worst.value) && !(load / roller->rating > worst.value / worst.rating))) continue;
-        worst.value = load;
-        worst.rating = roller->rating;
-        snprintf(worst.where, sizeof worst.where, "%.75s", roller->name);
+        if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
     }
     return worst;
 }
@@ -199,9 +183,9 @@ static void limits_set(const Scene *scene, Calculator *c)
     for (int k = 0; k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
         Finding f[LIMIT_KINDS] = {[LIMIT_ROLLER_PEAK] = {.absent = 1}, [LIMIT_ALPHA] = {.absent = 1}};
-        f[LIMIT_PULL] = found_at(route, way->max_tension, way->max_at);
-        f[LIMIT_RESTART] = found_at(route, way->restart_max, way->restart_at);
-        f[LIMIT_SIDEWALL] = found_at(route, way->max_sidewall, way->sidewall_at);
+        f[LIMIT_PULL] = finding_at(route, way->max_tension, way->max_at);
+        f[LIMIT_RESTART] = finding_at(route, way->restart_max, way->restart_at);
+        f[LIMIT_SIDEWALL] = finding_at(route, way->max_sidewall, way->sidewall_at);
         if (!(way->max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
         f[LIMIT_BEND] = bend_finding(route);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);

@@ -1,6 +1,7 @@
 #include "sim/expected/expected.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/base/error.h"
@@ -215,4 +216,21 @@ hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, 
     }
     pull_clear(&pull);
     return HAWSER_OK;
+}
+
+Finding finding_at(const Route *route, double value, double s)
+{
+    Finding f = {.value = value};
+    const RoutePiece *const piece = &route->piece[route_at(route, s).piece];
+    const char *const where = s < 0 ? "before the route" : s > route->length ? "beyond the route" : piece->name;
+    snprintf(f.where, sizeof f.where, "%.1f m%s%s%s", s, *where ? " (" : "", where, *where ? ")" : "");
+    return f;
+}
+
+void finding_load(Finding *worst, const char *roller, double load, double rating)
+{
+    if (!(rating > 0) || (!isnan(worst->value) && !(load / rating > worst->value / worst->rating))) return;
+    worst->value = load;
+    worst->rating = rating;
+    snprintf(worst->where, sizeof worst->where, "%.75s", roller);
 }

@@ -1,9 +1,10 @@
-/* What theory says of the scene: the tension at the stations and the winch's force, by the paper's formulas and by the
+/* What theory says of the scene: the tension at the stations and the pull, by the paper's formulas and by the
  * bend ODE. docs/model.md, "Pulling theory". */
 #ifndef HAWSER_SIM_EXPECTED_EXPECTED_H
 #define HAWSER_SIM_EXPECTED_EXPECTED_H
 
 #include "sim/scene.h"
+#include "theory/limits.h"
 #include "theory/pulling.h"
 
 typedef struct Expected {
@@ -12,10 +13,10 @@ typedef struct Expected {
     double passed;        /* m: cable passes all stations before this during the whole window */
     double start_tension; /* N, at `from` */
     int n_steps;
-    Pusher *pusher;         /* [n_steps] owned, by the route's order: what pushes the cable */
-    PullStep *step;         /* [n_steps] owned: their pushes, negative */
-    double paper_total;     /* N, winch force: eq. 10, or without capstan terms along the route if the case has none */
-    double reference_total; /* N, winch force by the bend ODE, rope drag included */
+    Pusher *pusher;     /* [n_steps] owned, by the route's order: what pushes the cable */
+    PullStep *step;     /* [n_steps] owned: their pushes, negative */
+    double paper_total; /* N, pull on the rope: eq. 10, or without capstan terms along the route if the case has none */
+    double reference_total; /* N, the same by the bend ODE, rope drag included */
 } Expected;
 
 /* Fills `out` (to be given back by expected_free, also after an error), and paper_N and reference_N of the n stations
@@ -23,10 +24,10 @@ typedef struct Expected {
 hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, Expected *out, hawser_error *err);
 
 /* What theory says with the cable's front at `front` m along the route and the back tension `back` (N) at the tail or
- * of the reel, which turns at the winch's full speed; the rope ahead counts as far as it lies on the route. Only the
+ * of the reel, which turns at the full speed; the rope ahead counts as far as it lies on the route. Only the
  * stretch, the start tension and the steps are set. Errors: as pull_solve. */
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err);
-/* Whether theory follows the cable's front, as it does where the chain begins at a reel or ends at a winch. */
+/* Whether theory follows the cable's front, as it does where the chain begins at a reel or is taken in. */
 int expected_follows(const Scene *scene);
 /* The case's back tension at time t, N. */
 double expected_back(const Scene *scene, double t);
@@ -39,5 +40,10 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
 /* What a room's item is reckoned to push with, N; NAN if it is no pusher. */
 double expected_push(const Expected *e, const Room *room, int item);
 void expected_free(Expected *e);
+
+/* For limits: a value that was found at s m along the route, with the place in words. */
+Finding finding_at(const Route *route, double value, double s);
+/* Takes the rated roller with this load (N) in, if it has more of its rating than the worst so far. */
+void finding_load(Finding *worst, const char *roller, double load, double rating);
 
 #endif

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/lanes.h"
 #include "core/base/team.h"
-#include "sim/balance_terms.h"
+#include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
 #include "sim/planar/planar_kernels.h"
 #include "sim/planar/planar_relax.h"
@@ -106,7 +106,7 @@ static int planar_look(Motion *m, double t, const double *y)
     planar_place(p, t, y);
     kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
     planar_tension(&p->ps.chain, &p->kin, 0, n + 1, p->ws->law[0]);
-    p->ws->winch_pull = head_pull(p);
+    p->ws->head_pull = head_pull(p);
     return roller_forces(p);
 }
 

@@ -1,4 +1,4 @@
-#include "sim/run/modes.h"
+#include "sim/run/statics.h"
 
 #include <stdlib.h>
 #include <string.h>

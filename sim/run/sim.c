@@ -12,42 +12,8 @@
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/expected.h"
-#include "sim/run/modes.h"
-#include "sim/run/stage.h"
 #include "sim/run/statics.h"
-#include "sim/watch/arc_length.h"
 #include "sim/watch/events.h"
-#include "sim/watch/machines.h"
-#include "sim/watch/overturn.h"
-#include "sim/watch/peaks.h"
-#include "sim/watch/position_table.h"
-#include "sim/watch/probes.h"
-#include "sim/watch/sample.h"
-#include "sim/watch/stats.h"
-#include "sim/watch/trust.h"
-
-struct Sim {
-    Stage stage; /* scene, state, integrator */
-    SampleBuffers look;
-    Probes probes;
-    Modes modes;
-    Stats stats;
-    Machines machines;
-    Peaks peaks;
-    Expected expected;
-    ByPosition by_position;
-    EventLog events;
-    hawser_relaxation relaxation;
-    LinStats lin;                                /* what was chosen, and why */
-    double build_s, relax_s, output_s, record_s; /* s */
-    int threads;
-    Team *team;     /* of two, or NULL */
-    int active_max; /* contacts */
-    int turned;     /* what has turned too far, and was said */
-    Stray stray;
-    hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary */
-};
 
 /* A trip at a factor of what theory expects needs an expectation. */
 static hawser_status trip_set(Sim *s, hawser_error *err)
@@ -138,6 +104,8 @@ Sim *sim_free(Sim *s)
     stage_free(&s->stage);
     team_free(s->team);
     free(s->condition);
+    free(s->case_name);
+    free(s->title);
     free(s);
     return NULL;
 }
@@ -240,11 +208,12 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     return status;
 }
 
-double sim_time(const Sim *s) { return s->stage.t; }
-double sim_end_time(const Sim *s) { return fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended); }
-int sim_tripped(const Sim *s) { return s->stage.scene.winch->phase.ended < s->stage.scene.def.duration; }
-const OutputDef *sim_output(const Sim *s) { return &s->stage.scene.def.output; }
-const char *sim_title(const Sim *s) { return s->stage.scene.def.title; }
+double hawser_sim_time(const Sim *s) { return s->stage.t; }
+double hawser_sim_end_time(const Sim *s)
+{
+    return fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended);
+}
+const char *hawser_sim_title(const Sim *s) { return s->title; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
@@ -276,17 +245,17 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     return look;
 }
 
-const hawser_sample *sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
+const hawser_sample *hawser_sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
 {
     Stage *const st = &s->stage;
-    const int now = turned(&st->scene, st->motion == &st->planar.motion, &st->ws.kin) & ~s->turned;
+    const int now = turned(&st->scene, st->motion == &st->planar.motion, &st->ws.kin) & ~s->overturned;
     hawser_error only_a_note;
     if (now & TURNED_JOINT) events_add(&s->events, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
     if (now & TURNED_HEAD) events_add(&s->events, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
-    s->turned |= now;
+    s->overturned |= now;
 }
 
 static void record_now(Sim *s, SampleParts parts)
@@ -305,10 +274,8 @@ static void record_now(Sim *s, SampleParts parts)
     s->record_s += clock_now() - start;
 }
 
-void sim_record(Sim *s) { record_now(s, SAMPLE_ALL); }
+void hawser_sim_record(Sim *s) { record_now(s, SAMPLE_ALL); }
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
-
-void sim_add_output_time(Sim *s, double seconds) { s->output_s += seconds; }
 
 static void integration_fill(const Sim *s, hawser_summary *out)
 {
@@ -335,7 +302,7 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->balance = balance_close(s->stage.balance, s->stage.motion, s->stage.t, s->stage.y);
 }
 
-void sim_summary(const Sim *s, hawser_summary *out)
+void hawser_sim_summary(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
@@ -379,66 +346,58 @@ void sim_summary(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
-                              .end = sim_end_time(s),
+                              .end = hawser_sim_end_time(s),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
-                              .turned = s->turned,
+                              .turned = s->overturned,
                               .stray = s->stray};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;
 }
 
-int sim_stations(const Sim *s, const hawser_station **out)
+int hawser_sim_stations(const Sim *s, const hawser_station **out)
 {
     *out = s->stats.station_out;
     return s->stats.n_stations;
 }
 
-int sim_rollers(const Sim *s, const SimRoller **out)
+int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 {
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
 }
 
-int sim_positions(const Sim *s, const hawser_position **out)
+int hawser_sim_positions(const Sim *s, const hawser_position **out)
 {
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
 }
 
-int sim_modes(const Sim *s, const hawser_mode **out)
+int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 {
     *out = s->modes.out;
     return s->modes.n;
 }
 
-int sim_events(const Sim *s, const hawser_event **out)
+int hawser_sim_events(const Sim *s, const hawser_event **out)
 {
     *out = s->events.event;
     return s->events.n;
 }
 
-int sim_surfaces(const Sim *s, const SimSurface **out)
+int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 {
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
 }
 
-int sim_machines(const Sim *s, const hawser_machine **out)
+int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 {
     *out = s->machines.out;
     return s->machines.n;
 }
 
-int sim_limits(const Sim *s, hawser_limit *out)
+int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
-}
-
-int sim_overload(const Sim *s, Overload **out) { return peaks_overload(&s->peaks, &s->stage.scene, &s->expected, out); }
-
-double sim_trip_force(const Sim *s)
-{
-    const LimitsDef *const limits = &s->stage.scene.def.limits;
-    return limits->present ? limits->alpha * s->expected.reference_total : NAN;
 }

@@ -1,4 +1,4 @@
-/* What is simulated now: the scene's chain as far as it has left the reel and not yet passed the winch, with everything
+/* What is simulated now: the scene's chain as far as it has left the reel and not yet been taken in, with everything
  * that is made for it. Between two steps segments join behind the tail and leave at the head; the integrator goes on
  * from where it was. docs/model.md, "Reel and take-in" (RL10)-(RL17). */
 #ifndef HAWSER_SIM_RUN_STAGE_H

@@ -7,7 +7,7 @@
 #include "core/state.h"
 
 /* Copies segments first..first+n-1 with their joints. What lies beyond the head keeps its length and its joint, as the
- * last segment that is past a winch does (RL16); the tail's joint is free unless it is the whole chain's. Returns 0 if
+ * last segment that was taken in does (RL16); the tail's joint is free unless it is the whole chain's. Returns 0 if
  * there is no memory. */
 int window_chain(const Chain *whole, int first, int n, Chain *out);
 

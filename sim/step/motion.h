@@ -45,7 +45,7 @@ typedef struct MotionOps {
     int (*look)(Motion *m, double t, const double *y);
     /* The winch's pull at (t, y), N: winch_pull_at. */
     double (*winch_pull)(Motion *m, double t, const double *y);
-    /* What works on the motion at (t, y), a state whose rates were evaluated last or close by (balance_terms.h). */
+    /* What works on the motion at (t, y), a state whose rates were evaluated last or close by (sim/dynamics.h). */
     void (*work)(Motion *m, double t, const double *y, BalanceRates *out);
     /* What is stored at (t, y), whose rates were the last evaluated. */
     void (*stock)(Motion *m, double t, const double *y, BalanceStock *out);

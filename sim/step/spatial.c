@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "sim/balance_terms.h"
+#include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
 #include "sim/newton/relax.h"

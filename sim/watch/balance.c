@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/balance_terms.h"
+#include "sim/dynamics.h"
 
 /* Rates are summed as one run of numbers. */
 enum { RATES = sizeof(BalanceRates) / sizeof(double), POWERS = BALANCE_WORKS + BALANCE_LOSSES };

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/winch.h"
 
 hawser_status events_add(EventLog *log, double t, const char *what, double pull, hawser_error *err)
 {
@@ -26,4 +27,31 @@ void events_free(EventLog *log)
 {
     free(log->event);
     memset(log, 0, sizeof *log);
+}
+
+/* cos(150 deg / 2): of the angle between two orientations q and p the half has the cosine |q.p|; cos 30 deg. */
+static const double HALF_FAR = 0.25881904510252076, HEAD_FAR = 0.8660254037844386;
+
+static int joint_turned(const Chain *chain, const Kinematics *kin)
+{
+    for (int j = 0; j <= chain->n; ++j) {
+        double dot = 0;
+        for (int c = 0; c < 4; ++c) dot += kin->q[c][j - 1] * kin->q[c][j];
+        if (fabs(dot) < HALF_FAR && chain->stiffness[3][j] > 0) return TURNED_JOINT;
+    }
+    return 0;
+}
+
+static int head_turned(const Scene *scene, const Kinematics *kin)
+{
+    const Winch *const w = scene->winch;
+    const int i = scene->chain.n - 1;
+    if (!w->present || !scene->def.winch.axial_only || w->mode != WINCH_SPEED) return 0;
+    const double along = v3_dot(w->direction, v3(kin->a[0][i], kin->a[1][i], kin->a[2][i]));
+    return along < HEAD_FAR ? TURNED_HEAD : 0;
+}
+
+int turned(const Scene *scene, int planar, const Kinematics *kin)
+{
+    return (planar ? 0 : joint_turned(&scene->chain, kin)) | head_turned(scene, kin);
 }

@@ -3,6 +3,7 @@
 #define HAWSER_SIM_WATCH_EVENTS_H
 
 #include "hawser/hawser.h"
+#include "sim/scene.h"
 
 enum { EVENTS_MAX = 10000 }; /* kept; later ones are only counted */
 
@@ -15,5 +16,20 @@ typedef struct EventLog {
 /* Adds an event: t (s), what (a text that outlives the log), pull (N). Errors: MEMORY. */
 hawser_status events_add(EventLog *log, double t, const char *what, double pull, hawser_error *err);
 void events_free(EventLog *log);
+
+/* What has turned farther than the model can follow. A run goes on then, but its results must not be taken for good
+ * without a word: hawser_sim_record notes it as an event. */
+enum { TURNED_JOINT = 1, TURNED_HEAD = 2 };
+#define TURNED_JOINT_SAYS                                                                                              \
+    "a joint is turned by more than 150 deg and snaps back at 180: the chain needs shorter segments"
+#define TURNED_HEAD_SAYS                                                                                               \
+    "the head is turned by more than 30 deg from the winch's line: 'grip: axial' pulls along the head, 'clamp' holds " \
+    "it"
+
+/* TURNED_JOINT: two neighbours differ by more than 150 deg in orientation (B16); joints that turn freely about the
+ * axis (swivels, free ends) do not count, and in a plane there is no such limit. TURNED_HEAD: a head that a winch of
+ * set speed pulls along its own axis has left the winch's line by more than 30 deg. Both or 0. kin: with ghosts, of
+ * now. */
+int turned(const Scene *scene, int planar, const Kinematics *kin);
 
 #endif

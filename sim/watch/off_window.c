@@ -1,4 +1,4 @@
-#include "sim/watch/off_window.h"
+#include "sim/watch/sample.h"
 
 #include <string.h>
 

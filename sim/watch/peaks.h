@@ -4,7 +4,6 @@
 #define HAWSER_SIM_WATCH_PEAKS_H
 
 #include "sim/expected/expected.h"
-#include "sim/watch/overload.h"
 #include "sim/watch/stats.h"
 
 /* A largest value and where it was, m along the route. */
@@ -18,10 +17,18 @@ typedef struct Peaks {
     Peak tension;   /* N, of the cable, eye included */
     Peak sidewall;  /* N/m, T/R of the route's bends */
     Peak curvature; /* 1/m, of the cable between neighbouring segments */
-    Peak rope;      /* N, of the rope, or at the winch */
+    Peak rope;      /* N, of the rope, or on its end */
     int n_rollers;
     double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
 } Peaks;
+
+/* The overload factor of eq. 12 at one roller. */
+typedef struct Overload {
+    const char *name;       /* the scene's */
+    double s;               /* m along the route */
+    double peak, reference; /* N; reference: at speed, by the reference theory */
+    double alpha;           /* peak / reference; NAN where there is no measure */
+} Overload;
 
 /* Errors: MEMORY. */
 hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err);

@@ -9,30 +9,15 @@
  * newtons would make any ratio. */
 static const double MEASURE = 0.1;
 
-static void place_text(const Scene *scene, double s, char *text, size_t size)
-{
-    const Route *const route = &scene->route;
-    const RoutePiece *const piece = &route->piece[route_at(route, s).piece];
-    const char *const where = s < 0 ? "before the route" : s > route->length ? "beyond the route" : piece->name;
-    snprintf(text, size, "%.1f m%s%s%s", s, *where ? " (" : "", where, *where ? ")" : "");
-}
-
-static Finding of_peak(const Scene *scene, Peak peak)
-{
-    Finding f = {.value = peak.value};
-    place_text(scene, peak.at, f.where, sizeof f.where);
-    return f;
-}
-
 /* The route's bends by T/R, surfaces by the force per length that was found on them. */
 static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Scene *scene)
 {
-    Finding f = of_peak(scene, peaks->sidewall);
+    Finding f = finding_at(&scene->route, peaks->sidewall.value, peaks->sidewall.at);
     for (int i = 0; i < stats->n_surfaces; ++i) {
-        const SimSurface *const s = &stats->surface_out[i];
-        if (!(s->line_load > f.value)) continue;
-        f.value = s->line_load;
-        snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->at, s->name);
+        const hawser_surface *const s = &stats->surface_out[i];
+        if (!(s->line_load_N_per_m > f.value)) continue;
+        f.value = s->line_load_N_per_m;
+        snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->line_load_at_m, s->name);
     }
     if (!(f.value > 0)) *f.where = 0;
     return f;
@@ -40,7 +25,7 @@ static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Sc
 
 static Finding bend_finding(const Peaks *peaks, const Scene *scene)
 {
-    Finding f = of_peak(scene, peaks->curvature);
+    Finding f = finding_at(&scene->route, peaks->curvature.value, peaks->curvature.at);
     f.value = 1 / peaks->curvature.value; /* a cable that is straight has no radius that could be too small */
     if (!isfinite(f.value)) *f.where = 0;
     return f;
@@ -51,13 +36,8 @@ static Finding roller_finding(const Stats *stats, int steady)
 {
     Finding worst = {.value = NAN};
     for (int r = 0; r < stats->n_rollers; ++r) {
-        const SimRoller *const roller = &stats->roller_out[r];
-        const double load = steady ? roller->steady : roller->peak;
-        if (!(roller->rating > 0) || (!isnan(worst.value) && !(load / roller->rating > worst.value / worst.rating)))
-            continue;
-        worst.value = load;
-        worst.rating = roller->rating;
-        snprintf(worst.where, sizeof worst.where, "%.75s", roller->name);
+        const hawser_roller *const roller = &stats->roller_out[r];
+        finding_load(&worst, roller->name, steady ? roller->steady_N : roller->peak_N, roller->rating_N);
     }
     return worst;
 }
@@ -107,12 +87,12 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
     Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}};
     if (!peaks->present) return 0;
     if (peaks->recorded > 0) {
-        f[LIMIT_PULL] = of_peak(scene, peaks->tension);
+        f[LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);
         f[LIMIT_SIDEWALL] = sidewall_finding(peaks, stats, scene);
         f[LIMIT_BEND] = bend_finding(peaks, scene);
         f[LIMIT_ROLLER_STEADY] = roller_finding(stats, 1);
         f[LIMIT_ROLLER_PEAK] = roller_finding(stats, 0);
-        f[LIMIT_ROPE] = of_peak(scene, peaks->rope);
+        f[LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
         f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {

@@ -11,7 +11,7 @@ enum { GRID_MOST = 400, BINS_MOST = 200 };
 static const double GRID = 0.5, BIN = 2; /* m, at least */
 static const double SHIFT = 100;         /* N, of the back tension for its gain */
 
-/* The winch's force with the front at s; NAN if theory has none, or no memory, which *no_memory keeps. */
+/* The pull with the front at s; NAN if theory has none, or no memory, which *no_memory keeps. */
 static double theory_at(const Scene *scene, double s, double back, int *no_memory)
 {
     Expected e;
@@ -43,14 +43,9 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
     b->n_bins = parts_of(b, BIN, BINS_MOST);
     b->theory = calloc((size_t)b->n_grid, sizeof(double));
     b->gain = calloc((size_t)b->n_grid, sizeof(double));
-    b->time = calloc((size_t)b->n_bins, sizeof(double));
+    b->bin = calloc((size_t)b->n_bins, sizeof *b->bin);
     b->out = calloc((size_t)b->n_bins, sizeof *b->out);
-    int ok = b->theory && b->gain && b->time && b->out;
-    for (int k = 0; k < 3; ++k) {
-        b->sum[k] = calloc((size_t)b->n_bins, sizeof(double));
-        ok = ok && b->sum[k];
-    }
-    if (!ok) {
+    if (!b->theory || !b->gain || !b->bin || !b->out) {
         by_position_free(b);
         return error_memory(err);
     }
@@ -70,9 +65,8 @@ void by_position_free(ByPosition *b)
 {
     free(b->theory);
     free(b->gain);
-    free(b->time);
+    free(b->bin);
     free(b->out);
-    for (int k = 0; k < 3; ++k) free(b->sum[k]);
     memset(b, 0, sizeof *b);
 }
 
@@ -92,9 +86,11 @@ void by_position_record(ByPosition *b, double t, double s, double force, double 
     if (!steady || !(dt > 0) || isnan(reference)) return;
     const double x = (s - b->from) / (b->to - b->from) * b->n_bins;
     const int i = x < 0 ? 0 : x < b->n_bins ? (int)x : b->n_bins - 1;
-    const double value[3] = {s, force, reference};
-    for (int k = 0; k < 3; ++k) b->sum[k][i] += value[k] * dt;
-    b->time[i] += dt;
+    PositionBin *const bin = &b->bin[i];
+    bin->front += s * dt;
+    bin->force += force * dt;
+    bin->reference += reference * dt;
+    bin->time += dt;
 }
 
 void by_position_window(ByPosition *b, double reference, double dt)
@@ -110,9 +106,10 @@ int by_position_table(const ByPosition *b)
 {
     int n = 0;
     for (int i = 0; i < b->n_bins; ++i) {
-        if (!(b->time[i] > 0)) continue;
-        const double force = b->sum[1][i] / b->time[i], reference = b->sum[2][i] / b->time[i];
-        b->out[n++] = (hawser_position){.head_m = b->sum[0][i] / b->time[i],
+        const PositionBin *const bin = &b->bin[i];
+        if (!(bin->time > 0)) continue;
+        const double force = bin->force / bin->time, reference = bin->reference / bin->time;
+        b->out[n++] = (hawser_position){.head_m = bin->front / bin->time,
                                         .pull_N = force,
                                         .reference_N = reference,
                                         .error_pct = 100 * (force / reference - 1)};

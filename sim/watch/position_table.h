@@ -1,9 +1,14 @@
-/* The winch's force by the place of the cable's front, simulated beside the reference theory: what a planner compares.
+/* The pull by the place of the cable's front, simulated beside the reference theory: what a planner compares.
  * docs/model.md, "Reel and take-in" (RL18). */
 #ifndef HAWSER_SIM_WATCH_POSITION_TABLE_H
 #define HAWSER_SIM_WATCH_POSITION_TABLE_H
 
 #include "sim/scene.h"
+
+/* A stretch of the front's way: the time spent there, s, and the integrals over it. */
+typedef struct PositionBin {
+    double time, front, force, reference;
+} PositionBin;
 
 typedef struct ByPosition {
     double from, to; /* m along the route: where the front may be */
@@ -12,8 +17,7 @@ typedef struct ByPosition {
     double *theory;  /* [n_grid] N, reference at places evenly from..to */
     double *gain;    /* [n_grid] its slope by the back tension */
     int n_bins;
-    double *sum[3];       /* [n_bins]: integrals over time of front, force and reference */
-    double *time;         /* [n_bins] s */
+    PositionBin *bin;     /* [n_bins] */
     double last_t;        /* s, of the last look */
     double mean[2];       /* of the reference over the steady window: its integral, N s, and the time, s */
     hawser_position *out; /* [n_bins] */
@@ -24,8 +28,8 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
 void by_position_free(ByPosition *b);
 /* The reference for the front at s and a back tension (N), N; NAN outside. */
 double by_position_reference(const ByPosition *b, double s, double back);
-/* Takes in that the winch pulls with `force` at time t with the front at s, where theory has `reference`; `steady`: it
- * runs at its speed. */
+/* Takes in that the rope is pulled with `force` at time t with the front at s, where theory has `reference`; `steady`:
+ * it runs at its speed. */
 void by_position_record(ByPosition *b, double t, double s, double force, double reference, int steady);
 /* The reference's mean over the window so far in which by_position_window was called, N; NAN if it was not. */
 double by_position_mean(const ByPosition *b);

@@ -7,38 +7,37 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
-#include "sim/watch/off_window.h"
 
-/* Spin and shift of every roller, not known until a look, and never for those that do not move. */
-static int moving_alloc(SampleBuffers *b, int rollers)
+/* The next `count` numbers of the memory. */
+static double *piece_of(double **memory, size_t count)
 {
-    for (int k = 0; k < 2; ++k) {
-        b->moving[k] = malloc((size_t)rollers * sizeof(double));
-        for (int r = 0; b->moving[k] && r < rollers; ++r) b->moving[k][r] = NAN;
-    }
-    return b->moving[0] && b->moving[1];
+    double *const piece = *memory;
+    *memory += count;
+    return piece;
 }
 
 int sample_alloc(SampleBuffers *b, const Scene *scene)
 {
-    const size_t n = (size_t)scene->total;
-    memset(b, 0, sizeof *b);
-    b->position = calloc(3 * n, sizeof(double));
-    b->quaternion = calloc(4 * n, sizeof(double));
-    b->velocity = calloc(3 * n, sizeof(double));
-    b->omega = calloc(3 * n, sizeof(double));
-    b->tension = calloc(n + 1, sizeof(double));
-    b->axial_speed = calloc(n, sizeof(double));
-    b->roller_load = calloc((size_t)scene->contact.n_rollers + 1, sizeof(double));
-    const int surfaces = scene->surfaces.model.n_surfaces;
-    int ok = scene->equipment->n == 0 || moving_alloc(b, scene->contact.n_rollers);
-    for (int k = 0; k < 4; ++k) {
-        b->surface[k] = calloc((size_t)surfaces + 1, sizeof(double));
-        ok = ok && b->surface[k];
+    const int rollers = scene->contact.n_rollers, surfaces = scene->surfaces.model.n_surfaces;
+    const size_t n = (size_t)scene->total, nr = (size_t)rollers, ns = (size_t)surfaces;
+    *b = (SampleBuffers){.memory = calloc(15 * n + 1 + 3 * nr + 4 * ns, sizeof(double))};
+    if (!b->memory) return 0;
+    double *memory = b->memory;
+    b->position = piece_of(&memory, 3 * n);
+    b->quaternion = piece_of(&memory, 4 * n);
+    b->velocity = piece_of(&memory, 3 * n);
+    b->omega = piece_of(&memory, 3 * n);
+    b->axial_speed = piece_of(&memory, n);
+    b->tension = piece_of(&memory, n + 1);
+    b->roller_load = piece_of(&memory, nr);
+    for (int k = 0; k < 2 && scene->equipment->n > 0; ++k) { /* NAN for good where a roller does not move */
+        b->moving[k] = piece_of(&memory, nr);
+        for (int r = 0; r < rollers; ++r) b->moving[k][r] = NAN;
     }
+    for (int k = 0; k < 4; ++k) b->surface[k] = piece_of(&memory, ns);
     b->sample = (hawser_sample){.segments = scene->total,
                                 .joints = scene->total + 1,
-                                .rollers = scene->contact.n_rollers,
+                                .rollers = rollers,
                                 .position = b->position,
                                 .quaternion = b->quaternion,
                                 .velocity = b->velocity,
@@ -55,22 +54,13 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .surface_friction = b->surface[1],
                                 .surface_line_load = b->surface[2],
                                 .surface_at = b->surface[3]};
-    return ok && b->position && b->quaternion && b->velocity && b->omega && b->tension && b->axial_speed &&
-           b->roller_load;
+    return 1;
 }
 
 void sample_free(SampleBuffers *b)
 {
-    free(b->position);
-    free(b->quaternion);
-    free(b->velocity);
-    free(b->omega);
-    free(b->tension);
-    free(b->axial_speed);
-    free(b->roller_load);
-    for (int k = 0; k < 4; ++k) free(b->surface[k]);
-    for (int k = 0; k < 2; ++k) free(b->moving[k]);
-    memset(b, 0, sizeof *b);
+    free(b->memory);
+    *b = (SampleBuffers){0};
 }
 
 /* Structure of arrays to one row a segment. */
@@ -117,7 +107,7 @@ static void winch_take(hawser_sample *s, const Scene *scene, const Workspace *ws
     const Winch *const w = scene->winch;
     if (!w->present) return;
     const WinchMotion motion = winch_motion(w, &scene->chain, &ws->kin, t);
-    s->winch_force = ws->winch_pull;
+    s->winch_force = ws->head_pull;
     s->winch_speed = motion.speed;
     s->winch_travel = motion.travel;
 }

@@ -2,8 +2,23 @@
 #ifndef HAWSER_SIM_WATCH_SAMPLE_H
 #define HAWSER_SIM_WATCH_SAMPLE_H
 
+#include "hawser/hawser.h"
 #include "sim/dynamics.h"
-#include "sim/watch/sample_data.h"
+
+typedef struct SampleBuffers {
+    hawser_sample sample;
+    double *position, *quaternion, *velocity, *omega; /* [3n], [4n], [3n], [3n]; n: segments of the whole chain */
+    double *tension, *axial_speed, *roller_load;      /* [n+1], [n], [rollers] */
+    double *moving[2];                                /* [rollers]: spin, shift; NULL where no roller moves */
+    double *surface[4];                               /* [surfaces]: normal force, friction, largest line load, where */
+    double *memory;                                   /* of all of these, owned */
+} SampleBuffers;
+
+/* What of a sample is wanted. */
+typedef enum SampleParts {
+    SAMPLE_ROW, /* what a row of series.csv and the statistics read: not position, quaternion, velocity, omega */
+    SAMPLE_ALL
+} SampleParts;
 
 /* 0 if there is no memory. */
 int sample_alloc(SampleBuffers *b, const Scene *scene);
@@ -11,5 +26,10 @@ void sample_free(SampleBuffers *b);
 /* The sample of time t from a workspace that has just looked (Motion's look, which returned `active`). */
 const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Workspace *ws, double t, int active,
                                  SampleParts parts);
+/* Fills the rows of the segments that are not simulated, before the first and behind the last that is
+ * (sim/watch/off_window.c). Wound segments lie in their layers on the drum, which turns, and move with its surface;
+ * those taken in are all where the rope is held. Both have tension 0. Without SAMPLE_ALL only speeds and
+ * tensions. docs/model.md, "Reel and take-in". */
+void absent_take(SampleBuffers *b, const Scene *scene, const hawser_sample *sample, SampleParts parts);
 
 #endif

@@ -1,62 +1,53 @@
 #include "sim/watch/stats.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/error.h"
 #include "core/base/worst.h"
-#include "sim/watch/arc_length.h"
 #include "theory/duct.h"
 
 /* Clearance and jam ratio of a duct with one cable in it; the sizes were checked when the case was read. */
-static void duct_fill(const SurfaceDef *def, SimSurface *out)
+static void duct_fill(const SurfaceDef *def, hawser_surface *out)
 {
     const DuctDef duct = {
         .duct_diameter = 2 * def->shape.radius, .cable_diameter = 2 * def->shape.cable_radius, .cables = 1};
     DuctLoad load;
-    out->clearance = out->jam_ratio = NAN;
+    out->clearance_m = out->jam_ratio = NAN;
     if (def->shape.kind != SURFACE_DUCT || duct_load(&duct, &load, NULL)) return;
-    out->clearance = load.clearance;
+    out->clearance_m = load.clearance;
     out->jam_ratio = load.jam_ratio;
 }
 
-/* The tables of the surfaces; 0 if there is no memory. */
-static int surfaces_new(Stats *stats, const SceneDef *def)
+static hawser_surface surface_row(const SurfaceDef *def)
 {
-    const size_t n = (size_t)def->n_surfaces + 1;
-    stats->n_surfaces = def->n_surfaces;
-    stats->surface[0] = calloc(n, sizeof(TimeMean));
-    stats->surface[1] = calloc(n, sizeof(TimeMean));
-    stats->surface_out = calloc(n, sizeof *stats->surface_out);
-    if (!stats->surface[0] || !stats->surface[1] || !stats->surface_out) return 0;
-    for (int i = 0; i < def->n_surfaces; ++i) {
-        SimSurface *const out = &stats->surface_out[i];
-        memcpy(out->name, def->surfaces[i].name, sizeof out->name);
-        out->def = &def->surfaces[i];
-        out->at = NAN;
-        duct_fill(out->def, out);
-    }
-    return 1;
+    static const char *const kinds[] = {"duct", "flat", "v", "u", "plane"};
+    const int along = surface_along_route(def);
+    hawser_surface row = {.name = def->name,
+                          .kind = kinds[def->shape.kind],
+                          .from_m = along ? def->shape.from : NAN,
+                          .to_m = along ? def->shape.to : NAN,
+                          .line_load_at_m = NAN};
+    duct_fill(def, &row);
+    return row;
 }
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
-    memset(stats, 0, sizeof *stats);
-    stats->last_t = -1;
-    stats->steady_from = def->output.steady_from;
-    stats->n_stations = def->n_stations;
-    stats->n_rollers = def->n_rollers;
-    const size_t ns = (size_t)def->n_stations + 1, nr = (size_t)def->n_rollers + 1;
-    stats->station = calloc(ns, sizeof *stats->station);
-    stats->roller = calloc(nr, sizeof *stats->roller);
-    stats->station_out = calloc(ns, sizeof *stats->station_out);
-    stats->roller_out = calloc(nr, sizeof *stats->roller_out);
-    stats->moving[0] = calloc(nr, sizeof *stats->roller);
-    stats->moving[1] = calloc(nr, sizeof *stats->roller);
-    if (!stats->station || !stats->roller || !stats->station_out || !stats->roller_out || !stats->moving[0] ||
-        !stats->moving[1] || !surfaces_new(stats, def)) {
+    *stats = (Stats){.last_t = -1,
+                     .steady_from = def->output.steady_from,
+                     .n_stations = def->n_stations,
+                     .n_rollers = def->n_rollers,
+                     .n_surfaces = def->n_surfaces};
+    stats->station = calloc((size_t)def->n_stations + 1, sizeof *stats->station);
+    stats->station_out = calloc((size_t)def->n_stations + 1, sizeof *stats->station_out);
+    stats->roller = calloc((size_t)def->n_rollers + 1, sizeof *stats->roller);
+    stats->roller_out = calloc((size_t)def->n_rollers + 1, sizeof *stats->roller_out);
+    stats->surface = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface);
+    stats->surface_out = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface_out);
+    if (!stats->station || !stats->station_out || !stats->roller || !stats->roller_out || !stats->surface ||
+        !stats->surface_out) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -65,12 +56,15 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
         stats->station_out[i].s = def->stations[i].s;
     }
     for (int r = 0; r < def->n_rollers; ++r) {
-        SimRoller *const out = &stats->roller_out[r];
-        snprintf(out->name, sizeof out->name, "%s", def->rollers[r].name);
-        out->s = def->rollers[r].s;
-        out->rating = def->rollers[r].rating;
-        out->spin = out->shift = out->peak_shift = NAN;
+        const RollerDef *const roller = &def->rollers[r];
+        stats->roller_out[r] = (hawser_roller){.name = roller->name,
+                                               .s = roller->s,
+                                               .rating_N = roller->rating,
+                                               .spin_rad_per_s = NAN,
+                                               .shift_m = NAN,
+                                               .peak_shift_m = NAN};
     }
+    for (int i = 0; i < def->n_surfaces; ++i) stats->surface_out[i] = surface_row(&def->surfaces[i]);
     return HAWSER_OK;
 }
 
@@ -80,12 +74,46 @@ void stats_free(Stats *stats)
     free(stats->roller);
     free(stats->station_out);
     free(stats->roller_out);
-    free(stats->moving[0]);
-    free(stats->moving[1]);
-    free(stats->surface[0]);
-    free(stats->surface[1]);
+    free(stats->surface);
     free(stats->surface_out);
     memset(stats, 0, sizeof *stats);
+}
+
+/* Route coordinate of point p, from a guess: the foot of the perpendicular on the route. */
+static double route_coordinate(const Route *route, Vec3 p, double guess)
+{
+    double step = INFINITY;
+    for (int it = 0; it < 3 && fabs(step) > 1e-8; ++it) { /* m; what is left is of the order of its square */
+        const RoutePoint at = route_at(route, guess);
+        const Vec3 off = v3_sub(p, at.position);
+        step = v3_dot(off, at.tangent) / (1 - v3_dot(off, at.curvature));
+        guess += step;
+    }
+    return guess;
+}
+
+/* The joint's place: the mean of the two facing ends is within the gap of the end of the segment before it. */
+static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
+{
+    const int i = j > 0 ? j - 1 : 0;
+    const double side = j > 0 ? 1 : -1;
+    const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+    const Vec3 p = v3(kin->p[0][i], kin->p[1][i], kin->p[2][i]), a = quat_rotate(q, v3(1, 0, 0));
+    return v3_axpy(p, side * chain->half[i], a);
+}
+
+/* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. Where it would be if nothing
+ * stretched is a good guess. */
+double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j)
+{
+    const double guess = scene->joint_s[scene->first + j] + travel;
+    return route_coordinate(&scene->route, joint_position(kin, &scene->chain, j), guess);
+}
+
+double along_eye(const Scene *scene, const Kinematics *kin, double travel)
+{
+    const int j = scene->eye - scene->first;
+    return j >= 0 && j <= scene->chain.n ? along_joint(scene, kin, travel, j) : NAN;
 }
 
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
@@ -122,39 +150,45 @@ static void stations_record(Stats *stats, const Scene *scene, const Kinematics *
                             double dt, int steady)
 {
     for (int i = 0; i < stats->n_stations; ++i) {
-        const double tension = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
-        if (!isnan(tension)) mean_add(&stats->station[i], tension, dt, steady);
+        hawser_station *const out = &stats->station_out[i];
+        TimeMean *const mean = &stats->station[i];
+        const double tension = stats_tension_at(scene, kin, sample, out->s);
+        if (!isnan(tension)) mean_add(mean, tension, dt, steady);
+        out->mean_N = mean->started ? mean_of(mean) : NAN;
+        out->peak_N = mean->started ? mean->peak : NAN;
+    }
+}
+
+static void rollers_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
+{
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        hawser_roller *const out = &stats->roller_out[r];
+        RollerMeans *const means = &stats->roller[r];
+        mean_add(&means->load, sample->roller_load[r], dt, steady);
+        if (stats->last_t < 0) out->initial_N = sample->roller_load[r];
+        out->steady_N = mean_of(&means->load);
+        out->peak_N = means->load.peak;
+        if (!sample->roller_spin) continue;
+        mean_add(&means->spin, sample->roller_spin[r], dt, steady);
+        mean_add(&means->shift, sample->roller_shift[r], dt, steady);
+        out->spin_rad_per_s = mean_of(&means->spin);
+        out->shift_m = mean_of(&means->shift);
+        out->peak_shift_m = means->shift.peak;
     }
 }
 
 static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
 {
     for (int i = 0; i < stats->n_surfaces; ++i) {
-        SimSurface *const out = &stats->surface_out[i];
-        mean_add(&stats->surface[0][i], sample->surface_normal[i], dt, steady);
-        mean_add(&stats->surface[1][i], sample->surface_friction[i], dt, steady);
-        out->normal = mean_of(&stats->surface[0][i]);
-        out->friction = mean_of(&stats->surface[1][i]);
-        if (!(sample->surface_line_load[i] > out->line_load)) continue;
-        out->line_load = sample->surface_line_load[i];
-        out->at = sample->surface_at[i];
-    }
-}
-
-static void tables_update(Stats *stats)
-{
-    for (int i = 0; i < stats->n_stations; ++i) {
-        const TimeMean *const m = &stats->station[i];
-        stats->station_out[i].mean_N = m->started ? mean_of(m) : NAN;
-        stats->station_out[i].peak_N = m->started ? m->peak : NAN;
-    }
-    for (int r = 0; r < stats->n_rollers; ++r) {
-        stats->roller_out[r].steady = mean_of(&stats->roller[r]);
-        stats->roller_out[r].peak = stats->roller[r].peak;
-        if (!stats->moving[0][r].started) continue;
-        stats->roller_out[r].spin = mean_of(&stats->moving[0][r]);
-        stats->roller_out[r].shift = mean_of(&stats->moving[1][r]);
-        stats->roller_out[r].peak_shift = stats->moving[1][r].peak;
+        hawser_surface *const out = &stats->surface_out[i];
+        SurfaceMeans *const means = &stats->surface[i];
+        mean_add(&means->normal, sample->surface_normal[i], dt, steady);
+        mean_add(&means->friction, sample->surface_friction[i], dt, steady);
+        out->normal_N = mean_of(&means->normal);
+        out->friction_N = mean_of(&means->friction);
+        if (!(sample->surface_line_load[i] > out->line_load_N_per_m)) continue;
+        out->line_load_N_per_m = sample->surface_line_load[i];
+        out->line_load_at_m = sample->surface_at[i];
     }
 }
 
@@ -171,16 +205,9 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
     stations_record(stats, scene, kin, sample, dt, steady);
-    for (int r = 0; r < stats->n_rollers; ++r) {
-        mean_add(&stats->roller[r], sample->roller_load[r], dt, steady);
-        if (stats->last_t < 0) stats->roller_out[r].initial = sample->roller_load[r];
-        if (!sample->roller_spin) continue;
-        mean_add(&stats->moving[0][r], sample->roller_spin[r], dt, steady);
-        mean_add(&stats->moving[1][r], sample->roller_shift[r], dt, steady);
-    }
+    rollers_record(stats, sample, dt, steady);
     surfaces_record(stats, sample, dt, steady);
     stats->last_t = sample->t;
-    tables_update(stats);
 }
 
 static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */

@@ -7,24 +7,14 @@
 #include "sim/scene.h"
 #include "sim/time_mean.h"
 
-typedef struct SimRoller {
-    char name[NAME_MAX_LENGTH];
-    double s;                 /* m along the route, NAN if listed by coordinates */
-    double rating;            /* N, 0: none */
-    double steady;            /* N, mean load in the steady window */
-    double peak;              /* N, of the run */
-    double initial;           /* N, at equilibrium before t = 0 */
-    double spin;              /* rad/s, mean of the steady window; NAN: it does not spin */
-    double shift, peak_shift; /* m, mean of the steady window and largest of the run; NAN: it is not on a mount */
-} SimRoller;
+/* What is averaged of a roller: its load, N; spin and shift where it moves, rad/s and m. */
+typedef struct RollerMeans {
+    TimeMean load, spin, shift;
+} RollerMeans;
 
-typedef struct SimSurface {
-    char name[NAME_MAX_LENGTH];
-    const SurfaceDef *def;       /* the scene's */
-    double normal, friction;     /* N, means of the steady window */
-    double line_load, at;        /* N/m, the largest of the run; m along the route, where that was */
-    double clearance, jam_ratio; /* ducts: m; 1; NAN for others */
-} SimSurface;
+typedef struct SurfaceMeans {
+    TimeMean normal, friction; /* N */
+} SurfaceMeans;
 
 typedef struct Stats {
     double last_t;      /* s, of the last sample; < 0: none */
@@ -32,17 +22,16 @@ typedef struct Stats {
     /* of the last sample: whether it was a new one; s since the one before; whether that counts for the means */
     int fresh, steady;
     double dt;
-    TimeMean pull;     /* N, winch force */
+    TimeMean pull;     /* N, on the rope's end */
     TimeMean speed;    /* m/s, axial speed of the cable's first segment that is simulated */
-    double settled_at; /* s, last time the speed was more than 2 % off the winch's final speed */
+    double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
-    TimeMean *station;    /* [n_stations], N */
-    TimeMean *roller;     /* [n_rollers], N */
-    TimeMean *moving[2];  /* [n_rollers], rad/s, m: spin, shift; filled where rollers move */
-    TimeMean *surface[2]; /* [n_surfaces], N: normal force, friction */
+    TimeMean *station; /* [n_stations], N */
+    RollerMeans *roller;
+    SurfaceMeans *surface;
     hawser_station *station_out;
-    SimRoller *roller_out;
-    SimSurface *surface_out;
+    hawser_roller *roller_out;
+    hawser_surface *surface_out;
 } Stats;
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
@@ -50,6 +39,11 @@ void stats_free(Stats *stats);
 /* Takes a sample in, of which it reads no positions and attitudes: those are
  * kin's. The tables station_out, roller_out and surface_out are up to date afterwards. */
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. */
+double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j);
+/* Where along the route the pulling eye is now, the cable's front, m; travel: of the head, m. NAN if that is not
+ * simulated: it has been taken in. */
+double along_eye(const Scene *scene, const Kinematics *kin, double travel);
 /* Tension of the cable where it passes route coordinate s, linear between the joints around it. NAN if no cable is
  * there. */
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s);

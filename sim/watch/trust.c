@@ -5,8 +5,8 @@
 
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
-#include "sim/watch/arc_length.h"
-#include "sim/watch/overturn.h"
+#include "sim/watch/events.h"
+#include "sim/watch/stats.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
 static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */

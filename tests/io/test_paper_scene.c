@@ -4,7 +4,7 @@
 
 #include "hawser/hawser.h"
 #include "tests/support/check.h"
-#include "validate/paper_scene.h"
+#include "validate/build.h"
 
 static void test_same(void **state)
 {
@@ -25,12 +25,12 @@ static void test_same(void **state)
     assert_int_equal(hawser_sim_advance(by_file, TIME, 0, &err), HAWSER_OK);
     assert_int_equal(sim_advance(by_code, TIME, 0, &err), HAWSER_OK);
     hawser_sim_summary(by_file, &a);
-    sim_summary(by_code, &b);
+    hawser_sim_summary(by_code, &b);
     assert_int_equal(a.segments, b.segments);
     assert_int_equal(a.rollers, b.rollers);
     check_share(b.paper_total_N, a.paper_total_N, 1e-9);
     check_share(b.reference_total_N, a.reference_total_N, 1e-9);
-    const double pull = hawser_sim_sample(by_file)->winch_force, same = sim_sample(by_code)->winch_force;
+    const double pull = hawser_sim_sample(by_file)->winch_force, same = hawser_sim_sample(by_code)->winch_force;
     print_message("%.9f N and %.9f N after %ld and %ld steps\n", pull, same, a.steps, b.steps);
     check_share(same, pull, 1e-7);
     hawser_sim_free(by_file);

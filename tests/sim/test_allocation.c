@@ -44,13 +44,13 @@ static long pull_allocations_with(LinKind kind, int threads, int planar, int mov
     allocations = 0;
     counting = 1;
     hawser_status status = HAWSER_OK;
-    while (!status && sim_time(s) < 2) {
+    while (!status && hawser_sim_time(s) < 2) {
         status = sim_advance(s, 2, 1, &err);
-        sim_record(s);
+        hawser_sim_record(s);
     }
     counting = 0;
     hawser_summary summary;
-    sim_summary(s, &summary);
+    hawser_sim_summary(s, &summary);
     if (status) fail_msg("%s", err.message);
     assert_int_equal(summary.planar, planar);
     check_above(summary.steps, 100);

@@ -14,10 +14,10 @@ static hawser_balance balance_of(SceneDef *def, int threads, int relax)
     if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
     scene_def_clear(def);
     if (relax) assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
-    sim_summary(s, &summary);
+    hawser_sim_summary(s, &summary);
     assert_null(summary.balance);
     if (sim_advance(s, end, 0, &err)) fail_msg("%s", err.message);
-    sim_summary(s, &summary);
+    hawser_sim_summary(s, &summary);
     assert_non_null(summary.balance);
     const hawser_balance balance = *summary.balance;
     sim_free(s);

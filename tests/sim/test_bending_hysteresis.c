@@ -281,7 +281,7 @@ static void test_threads(void **state)
         scene_def_clear(&def);
         if (sim_relax(sim[k], NULL, &err) || sim_advance(sim[k], 1, 0, &err)) fail_msg("%s", err.message);
     }
-    const hawser_sample *const a = sim_sample(sim[0]), *const b = sim_sample(sim[1]);
+    const hawser_sample *const a = hawser_sim_sample(sim[0]), *const b = hawser_sim_sample(sim[1]);
     check_above(a->winch_force, 0);
     assert_memory_equal(a->position, b->position, 3 * FIXTURE_SEGMENTS * sizeof(double));
     assert_memory_equal(a->tension, b->tension, FIXTURE_SEGMENTS * sizeof(double));

@@ -98,11 +98,11 @@ static void test_run(void **state)
     assert_int_equal(sim_new(&def, 1, &s, &err), HAWSER_OK);
     scene_def_clear(&def);
     assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
-    while (sim_time(s) < 10) {
-        if (sim_advance(s, sim_time(s) + 0.05, 0, &err)) fail_msg("%s", err.message);
-        sim_record(s);
+    while (hawser_sim_time(s) < 10) {
+        if (sim_advance(s, hawser_sim_time(s) + 0.05, 0, &err)) fail_msg("%s", err.message);
+        hawser_sim_record(s);
     }
-    const int n = sim_positions(s, &row);
+    const int n = hawser_sim_positions(s, &row);
     check_at_least(n, 2);
     for (int i = 0; i < n; ++i) {
         print_message("front at %.3f m: %.2f N, theory %.2f N, %.2f %%\n", row[i].head_m, row[i].pull_N,
@@ -110,7 +110,7 @@ static void test_run(void **state)
         if (i > 0) check_close(row[i].error_pct, 0, 1); /* the first still swings */
     }
     /* the front is where the winch's travel has brought it, but for the stretch */
-    const hawser_sample *const look = sim_sample(s);
+    const hawser_sample *const look = hawser_sim_sample(s);
     check_close(look->head_at - 6, look->winch_travel, 0.01);
     sim_free(s);
 }

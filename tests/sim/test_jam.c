@@ -44,7 +44,7 @@ static Sim *run(SceneDef *def, int threads, int n, Window window[])
     assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
     for (int k = 1; k * 0.02 <= end + 1e-9; ++k) {
         if (sim_advance(s, k * 0.02, 0, &err)) fail_msg("%s", err.message);
-        const double t = sim_time(s), pull = sim_sample(s)->winch_force;
+        const double t = hawser_sim_time(s), pull = hawser_sim_sample(s)->winch_force;
         for (int w = 0; w < n; ++w) {
             if (t < window[w].from || t > window[w].to) continue;
             window[w].mean += (pull - window[w].mean) / ++count[w];
@@ -68,7 +68,7 @@ static void test_row(void **state)
     Sim *const s = run(&def, 1, 3, window);
     const double free = 0.1 * row_weight(&ROW), more = (0.4 - 0.1) * ROW_MASS * ROW_G;
     const hawser_event *event;
-    assert_int_equal(sim_events(s, &event), 2);
+    assert_int_equal(hawser_sim_events(s, &event), 2);
     assert_string_equal(event[0].what, "roller R8 jams");
     assert_string_equal(event[1].what, "roller R8 is free again");
     check_close(event[0].t, 14, 1e-9);
@@ -78,7 +78,7 @@ static void test_row(void **state)
     check_share(window[2].mean, free, 2e-4);
     check_share(event[1].pull_N, free + more, 5e-3);
     hawser_summary sum;
-    sim_summary(s, &sum);
+    hawser_sim_summary(s, &sum);
     assert_non_null(sum.balance);
     check_below(sum.balance->residual_share, 5e-5);
     check_below(sum.balance->impulse_residual_share, 5e-5);
@@ -120,7 +120,7 @@ static void test_front(void **state)
     def.duration = 12;
     Sim *const s = run(&def, 1, 0, NULL);
     const hawser_event *event;
-    assert_int_equal(sim_events(s, &event), 2);
+    assert_int_equal(hawser_sim_events(s, &event), 2);
     /* the winch's travel, STEP over the first second: 0.1 (t - 0.5); the cable stretches by micrometres */
     check_between(event[0].t, 5.5 - 1e-3, 5.5 + 0.021);
     check_between(event[1].t, 10.5 - 1e-3, 10.5 + 0.021);
@@ -140,7 +140,7 @@ static void test_waits_for_the_ramp(void **state)
     def.duration = 5;
     Sim *const s = run(&def, 1, 0, NULL);
     const hawser_event *event;
-    assert_int_equal(sim_events(s, &event), 2);
+    assert_int_equal(hawser_sim_events(s, &event), 2);
     check_close(event[1].t, 3.7, 1e-9);
     sim_free(s);
 }
@@ -174,10 +174,10 @@ static void test_belt(void **state)
     const double row = 0.1 * row_weight(&ROW), sign[3] = {-1, 1, -1};
     for (int w = 0; w < 3; ++w) check_share(window[w].mean, row + sign[w] * grip, 1e-4);
     const hawser_event *event;
-    assert_int_equal(sim_events(s, &event), 2);
+    assert_int_equal(hawser_sim_events(s, &event), 2);
     assert_string_equal(event[0].what, "conveyor C1 jams");
     hawser_summary sum;
-    sim_summary(s, &sum);
+    hawser_sim_summary(s, &sum);
     check_below(sum.balance->residual_share, 5e-5);
     check_below(sum.balance->impulse_residual_share, 5e-5);
     sim_free(s);
@@ -208,7 +208,7 @@ static void test_spinning(void **state)
     assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
     for (int k = 1; k <= 2000; ++k) {
         if (sim_advance(s, k * 0.02, 0, &err)) fail_msg("%s", err.message);
-        const hawser_sample *const look = sim_sample(s);
+        const hawser_sample *const look = hawser_sim_sample(s);
         const double spin = fabs(look->roller_spin[MIDDLE]);
         for (int w = 0; w < 3; ++w) {
             if (look->t < window[w].from || look->t > window[w].to) continue;
@@ -222,7 +222,7 @@ static void test_spinning(void **state)
     check_share(window[1].mean, bearing + 0.1 * metre, 0.02);
     check_close(window[2].mean, bearing, 5e-4 * metre);
     hawser_summary sum;
-    sim_summary(s, &sum);
+    hawser_sim_summary(s, &sum);
     check_below(sum.balance->residual_share, 1e-3);
     sim_free(s);
 }
@@ -254,13 +254,13 @@ static void test_joins(void **state)
         int count = 0;
         for (int k = 1; k <= 900; ++k) {
             if (sim_advance(s, 0.02 * k, 0, &err)) fail_msg("%s", err.message);
-            const hawser_sample *const look = sim_sample(s);
+            const hawser_sample *const look = hawser_sim_sample(s);
             if (look->t < 8) continue;
             ++count;
             pull[jammed] += (look->winch_force - pull[jammed]) / count;
             if (jammed) load += (look->roller_load[3] - load) / count;
         }
-        sim_summary(s, &sum);
+        hawser_sim_summary(s, &sum);
         check_below(sum.balance->residual_share, 1e-3);
         sim_free(s);
     }
@@ -291,7 +291,7 @@ static void test_repeats(void **state)
         assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
         for (int i = 0; i < 4; ++i) {
             if (sim_advance(s, 0.15 + 0.4 * i, 0, &err)) fail_msg("%s", err.message);
-            force[k][i] = sim_sample(s)->winch_force;
+            force[k][i] = hawser_sim_sample(s)->winch_force;
         }
         sim_free(s);
     }

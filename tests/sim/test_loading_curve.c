@@ -2,7 +2,7 @@
  * history in one plane. */
 #include <math.h>
 
-#include "sim/loading_curve.h"
+#include "sim/joints.h"
 #include "tests/support/chain.h"
 #include "tests/support/check.h"
 

@@ -257,7 +257,7 @@ static void test_threads(void **state)
         scene_def_clear(&def);
         assert_int_equal(sim_relax(sim[k], NULL, &err), HAWSER_OK);
         if (sim_advance(sim[k], 1.5, 0, &err)) fail_msg("%s", err.message);
-        look[k] = sim_sample(sim[k]);
+        look[k] = hawser_sim_sample(sim[k]);
     }
     assert_memory_equal(look[0]->position, look[1]->position, 3 * FIXTURE_SEGMENTS * sizeof(double));
     assert_memory_equal(look[0]->roller_load, look[1]->roller_load, (size_t)look[0]->rollers * sizeof(double));

@@ -278,8 +278,8 @@ static void test_look(void **state)
         const Vec3 a = r->planar_ws.on_roller[roller], b = r->ws.on_roller[roller];
         check_vec(a, b, 1e-11 * (1 + v3_norm(b)));
     }
-    check_share(r->planar_ws.winch_pull, r->ws.winch_pull, 1e-11);
-    check_share(flat->ops->winch_pull(flat, T, r->y), r->ws.winch_pull, 1e-11);
+    check_share(r->planar_ws.head_pull, r->ws.head_pull, 1e-11);
+    check_share(flat->ops->winch_pull(flat, T, r->y), r->ws.head_pull, 1e-11);
     flat->ops->unpack(flat, r->y, lifted);
     check_below(plane_press(&r->plane, N, lifted, again), 1e-13);
     check_below(difference(SIZE, again, r->y), 1e-14);

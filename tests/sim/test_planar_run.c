@@ -26,18 +26,18 @@ static void pull_at_reach(Pulled *out, PlanarChoice planar, ContactGeometry geom
     scene_def_clear(&def);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     assert_true(relaxation.reached);
-    sim_record(s);
+    hawser_sim_record(s);
     for (int k = 1; k <= 60; ++k) {
         if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
         if (k % 2) sim_record_row(s);
-        if (k % 2 == 0) sim_record(s);
+        if (k % 2 == 0) hawser_sim_record(s);
     }
-    const hawser_sample *const look = sim_sample(s);
+    const hawser_sample *const look = hawser_sim_sample(s);
     memset(out, 0, sizeof *out);
     memcpy(out->tension, look->tension, sizeof out->tension);
     memcpy(out->place, look->position, sizeof out->place);
     memcpy(out->load, look->roller_load, (size_t)look->rollers * sizeof(double));
-    sim_summary(s, &out->summary);
+    hawser_sim_summary(s, &out->summary);
     assert_int_equal(out->summary.planar, planar != PLANAR_OFF);
     sim_free(s);
 }
@@ -123,9 +123,9 @@ static void test_rows(void **state)
         scene_def_clear(&def);
         for (int k = 0; k <= 20; ++k) {
             if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
-            (whole ? sim_record : sim_record_row)(s);
+            (whole ? hawser_sim_record : sim_record_row)(s);
         }
-        sim_summary(s, &summary[whole]);
+        hawser_sim_summary(s, &summary[whole]);
         sim_free(s);
     }
     check_equal(summary[0].pull_mean_N, summary[1].pull_mean_N);

@@ -156,7 +156,7 @@ static void test_choice(void **state)
                 continue;
             }
             assert_int_equal(status, HAWSER_OK);
-            sim_summary(s, &summary);
+            hawser_sim_summary(s, &summary);
             assert_int_equal(summary.planar, flat && choice != PLANAR_OFF);
             if (choice == PLANAR_OFF) assert_string_equal(summary.planar_why, "solver.planar is off");
             if (choice == PLANAR_AUTO) check_has(summary.planar_why, flat ? "in one plane" : "gravity");

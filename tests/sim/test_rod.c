@@ -1,5 +1,5 @@
 /* Rods: their shapes, ground bodies, loads and masses, each against what it stands for. */
-#include "sim/def/rod_shape.h"
+#include "sim/def/rod_def.h"
 #include "sim/equipment/rod.h"
 #include "sim/run/sim.h"
 #include "tests/sim/room_fixture.h"
@@ -273,7 +273,7 @@ static void run_helix(int threads, double *position)
     assert_int_equal(sim_new(&def, threads, &sim, &err), HAWSER_OK);
     assert_int_equal(sim_relax(sim, NULL, &err), HAWSER_OK);
     if (sim_advance(sim, 0.3, 0, &err)) fail_msg("%s", err.message);
-    memcpy(position, sim_sample(sim)->position, 27 * sizeof(double));
+    memcpy(position, hawser_sim_sample(sim)->position, 27 * sizeof(double));
     scene_def_clear(&def);
     sim_free(sim);
 }
@@ -308,7 +308,7 @@ static void a_led_rod_follows(void **state)
     def.cables[0].damping = 0.02;
     assert_int_equal(sim_new(&def, 0, &sim, &err), HAWSER_OK);
     if (sim_advance(sim, 3, 0, &err)) fail_msg("%s", err.message);
-    const double *const last = sim_sample(sim)->position + 15;
+    const double *const last = hawser_sim_sample(sim)->position + 15;
     check_close(last[0], 1.1 * cos(1.2), 1e-12);
     check_close(last[1], 1.2 + 1.1 * sin(1.2), 1e-12);
     scene_def_clear(&def);

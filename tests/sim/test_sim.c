@@ -33,9 +33,9 @@ static void advance(Sim *s, double t)
 static void result_take(Sim *s, Result *out)
 {
     memset(out, 0, sizeof *out); /* padding too: results are compared bit by bit */
-    const hawser_sample *const look = sim_sample(s);
+    const hawser_sample *const look = hawser_sim_sample(s);
     hawser_summary summary;
-    sim_summary(s, &summary);
+    hawser_sim_summary(s, &summary);
     out->t = look->t;
     out->winch_force = look->winch_force;
     out->travel = look->winch_travel;
@@ -125,7 +125,7 @@ static void test_side_by_side(void **state)
     }
     for (int k = 0; k < 2; ++k) assert_int_equal(sim_relax(s[k], NULL, NULL), HAWSER_OK);
     for (double to = 0.5; to < 2; to += 1) { /* 0.5, 1.5: as pull_run stops */
-        while (sim_time(s[0]) < to || sim_time(s[1]) < to) {
+        while (hawser_sim_time(s[0]) < to || hawser_sim_time(s[1]) < to) {
             for (int k = 0; k < 2; ++k) assert_int_equal(sim_advance(s[k], to, 1, NULL), HAWSER_OK);
         }
     }
@@ -145,21 +145,21 @@ static void test_one_step(void **state)
     int hit[3] = {0};
     long calls = 0;
     assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
-    while (sim_time(s) < 1.75) {
-        const double before = sim_time(s);
+    while (hawser_sim_time(s) < 1.75) {
+        const double before = hawser_sim_time(s);
         assert_int_equal(sim_advance(s, 1.75, 1, NULL), HAWSER_OK);
-        check_above(sim_time(s), before);
-        check_at_most(sim_time(s), 1.75);
-        for (int k = 0; k < 3; ++k) hit[k] += fabs(sim_time(s) - corner[k]) < 1e-12;
+        check_above(hawser_sim_time(s), before);
+        check_at_most(hawser_sim_time(s), 1.75);
+        for (int k = 0; k < 3; ++k) hit[k] += fabs(hawser_sim_time(s) - corner[k]) < 1e-12;
         ++calls;
     }
     hawser_summary summary;
-    sim_summary(s, &summary);
+    hawser_sim_summary(s, &summary);
     assert_int_equal(summary.steps, calls);
     for (int k = 0; k < 3; ++k) assert_int_equal(hit[k], 1);
     /* what lies behind is no work */
     assert_int_equal(sim_advance(s, 1, 0, NULL), HAWSER_OK);
-    check_close(sim_time(s), 1.75, 1e-15);
+    check_close(hawser_sim_time(s), 1.75, 1e-15);
     sim_free(s);
 }
 
@@ -173,9 +173,9 @@ static void test_sample_is_pure(void **state)
     assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
     const double stop[] = {1.6 / 3, 1.6};
     for (int k = 0; k < 2; ++k) {
-        while (sim_time(s) < stop[k]) {
+        while (hawser_sim_time(s) < stop[k]) {
             assert_int_equal(sim_advance(s, stop[k], 1, NULL), HAWSER_OK);
-            sim_record(s);
+            hawser_sim_record(s);
         }
     }
     result_take(s, &seen);
@@ -190,17 +190,17 @@ static void test_summary(void **state)
     Sim *s = pull_new(&(FixtureChoice){0}, 1);
     hawser_summary summary;
     assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
-    sim_summary(s, &summary);
+    hawser_sim_summary(s, &summary);
     assert_int_equal(summary.segments, N);
     assert_int_equal(summary.bushings, N); /* between segments, and to the winch */
     assert_int_equal(summary.rollers, 14); /* 12 below, 2 beside the bend */
     assert_true(summary.relaxation.reached);
     check_at_least(summary.contact_candidates, summary.rollers);
     assert_int_equal(summary.steps, 0);
-    check_close(sim_end_time(s), 3, 1e-15);
+    check_close(hawser_sim_end_time(s), 3, 1e-15);
     advance(s, 0.5);
-    sim_record(s);
-    sim_summary(s, &summary);
+    hawser_sim_record(s);
+    hawser_sim_summary(s, &summary);
     check_above(summary.steps, 5);
     check_at_least(summary.rhs_evals, summary.steps);
     check_at_least(summary.newton_iters, summary.steps);
@@ -216,15 +216,15 @@ static void test_roller_table(void **state)
 {
     (void)state;
     Sim *s = pull_new(&(FixtureChoice){0}, 1);
-    const SimRoller *roller;
+    const hawser_roller *roller;
     double sum = 0;
     assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
-    sim_record(s);
-    const int count = sim_rollers(s, &roller);
+    hawser_sim_record(s);
+    const int count = hawser_sim_rollers(s, &roller);
     for (int k = 0; k < count; ++k) {
-        check_at_least(roller[k].initial, 0);
-        check_at_least(roller[k].peak, roller[k].initial);
-        sum += roller[k].initial;
+        check_at_least(roller[k].initial_N, 0);
+        check_at_least(roller[k].peak_N, roller[k].initial_N);
+        sum += roller[k].initial_N;
     }
     /* 9 m of cable at 20 kg/m, without what tension adds in the bends */
     check_between(sum, 0.9 * 9 * 20 * 9.81, 1.5 * 9 * 20 * 9.81);

@@ -179,7 +179,7 @@ static Sim *sim_begin(const ReelChoice *choice, int threads, void (*change)(Scen
 
 static void pulled_take(Sim *s, Pulled *out)
 {
-    const hawser_sample *const look = sim_sample(s);
+    const hawser_sample *const look = hawser_sim_sample(s);
     out->last = look->winch_force;
     out->count = 3 * look->segments;
     check_at_most(out->count + look->joints, 6000);
@@ -193,12 +193,12 @@ static void sim_go(Sim *s, double to, Pulled *out)
     hawser_error err = {0};
     memset(out, 0, sizeof *out);
     double sum = 0, time = 0;
-    while (sim_time(s) < to) {
-        const double before = sim_time(s);
+    while (hawser_sim_time(s) < to) {
+        const double before = hawser_sim_time(s);
         must(sim_advance(s, to, 1, &err), &err);
         if (before < to / 2) continue;
-        sum += sim_sample(s)->winch_force * (sim_time(s) - before);
-        time += sim_time(s) - before;
+        sum += hawser_sim_sample(s)->winch_force * (hawser_sim_time(s) - before);
+        time += hawser_sim_time(s) - before;
     }
     out->mean = time > 0 ? sum / time : 0;
     pulled_take(s, out);
@@ -251,7 +251,7 @@ static void test_repeated(void **state)
     sim_free(s);
     assert_memory_equal(&one, &two, sizeof one);
     s = sim_begin(&PULL, 1, NULL);
-    while (sim_time(s) < 8) {
+    while (hawser_sim_time(s) < 8) {
         assert_int_equal(sim_advance(s, 8, 1, NULL), HAWSER_OK);
         assert_int_equal(sim_advance(next, 8, 1, NULL), HAWSER_OK);
     }
@@ -298,7 +298,7 @@ static void test_end(void **state)
     sim_go(s, 6, &before);
     sim_go(s, 16, &after);
     print_message("pull %.1f N before the end has left the drum, %.1f N after\n", before.last, after.last);
-    const hawser_sample *look = sim_sample(s);
+    const hawser_sample *look = hawser_sim_sample(s);
     assert_int_equal(look->first, 0);
     check_close(look->tail_tension, 0, 1e-9);
     check_close(look->wound, 0, 1e-12);
@@ -310,7 +310,7 @@ static void test_end(void **state)
     s = sim_begin(&choice, 1, NULL);
     sim_go(s, 11.7, &after);
     print_message("pull %.1f N with a fixed end\n", after.last);
-    look = sim_sample(s);
+    look = hawser_sim_sample(s);
     check_above(look->tail_tension, 3 * before.last);
     sim_free(s);
 }
@@ -374,14 +374,14 @@ static void test_tension(void **state)
         choice.take_in = taken;
         Sim *const s = sim_begin(&choice, 1, hard_tension);
         double before = 0;
-        while (sim_time(s) < 12) {
+        while (hawser_sim_time(s) < 12) {
             hawser_error err = {0};
             must(sim_advance(s, 12, 1, &err), &err);
-            const hawser_sample *const look = sim_sample(s);
+            const hawser_sample *const look = hawser_sim_sample(s);
             check_between(look->winch_travel, before - 1e-6, before + 0.02);
             before = look->winch_travel;
         }
-        const hawser_sample *const look = sim_sample(s);
+        const hawser_sample *const look = hawser_sim_sample(s);
         if (taken) check_below(look->first + look->active, look->segments - 2);
         travel[taken] = look->winch_travel;
         force[taken] = look->winch_force;
@@ -399,7 +399,7 @@ static void test_absent(void **state)
     static Pulled p;
     Sim *s = sim_begin(&PULL, 1, NULL);
     sim_go(s, 10, &p);
-    const hawser_sample *const look = sim_sample(s);
+    const hawser_sample *const look = hawser_sim_sample(s);
     check_above(look->first, 0);
     check_below(look->first + look->active, look->segments);
     for (int i = 0; i < look->first; ++i) {

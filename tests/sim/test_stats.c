@@ -78,10 +78,10 @@ static void test_means(void **state)
     check_below(fabs(out.steady_from_s - STEADY_FROM) + fabs(out.steady_to_s - END), 1e-12);
     check_close(out.steady_speed_m_per_s, 0.1, 1e-12);
     for (int k = 0; k < r->stats.n_rollers; ++k) {
-        const SimRoller *const roller = &r->stats.roller_out[k];
-        check_close(roller->steady, (k + 1) * 19, 1e-9);
-        check_close(roller->peak, (k + 1) * 25, 1e-9);
-        check_close(roller->initial, (k + 1) * 5, 1e-9);
+        const hawser_roller *const roller = &r->stats.roller_out[k];
+        check_close(roller->steady_N, (k + 1) * 19, 1e-9);
+        check_close(roller->peak_N, (k + 1) * 25, 1e-9);
+        check_close(roller->initial_N, (k + 1) * 5, 1e-9);
     }
     rig_free(r);
 }

@@ -175,7 +175,7 @@ double payout_pull(int n, int turns, double from, double until)
     for (double t = 0.02; t < until; t += 0.02) {
         if (sim_advance(sim, t, 0, &err)) fail_msg("%s", err.message);
         if (t <= from) continue;
-        mean += sim_sample(sim)->winch_force;
+        mean += hawser_sim_sample(sim)->winch_force;
         ++count;
     }
     sim_free(sim);
@@ -193,12 +193,12 @@ void pull_record(SceneDef *def, double duration, hawser_summary *out)
     scene_def_clear(def);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     assert_true(relaxation.reached);
-    sim_record(s);
+    hawser_sim_record(s);
     for (int k = 1; k * 0.05 <= duration + 1e-9; ++k) {
         if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
-        sim_record(s);
+        hawser_sim_record(s);
     }
-    sim_summary(s, out);
+    hawser_sim_summary(s, out);
     out->linear_solver = out->linear_solver_why = out->ordering = out->planar_why = NULL; /* the simulation's */
     sim_free(s);
 }

@@ -50,12 +50,12 @@ static Shared shared_run(SceneDef *def, double duration, int threads)
     scene_def_clear(def);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     assert_true(relaxation.reached);
-    sim_record(s);
+    hawser_sim_record(s);
     for (int k = 1; k * 0.05 <= duration + 1e-9; ++k) {
         if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
-        sim_record(s);
+        hawser_sim_record(s);
     }
-    sim_summary(s, &out.summary);
+    hawser_sim_summary(s, &out.summary);
     assert_in_range(out.summary.n_machines, 0, CONVEYORS_MOST);
     for (int i = 0; i < out.summary.n_machines; ++i) {
         const hawser_machine *const m = &out.summary.machines[i];
@@ -176,13 +176,13 @@ static void test_trip(void **state)
     scene_def_clear(&def);
     assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
     double fastest = 0, last = 1;
-    while (sim_time(s) < 3) {
+    while (hawser_sim_time(s) < 3) {
         if (sim_advance(s, 3, 1, &err)) fail_msg("%s", err.message);
-        last = sim_sample(s)->axial_speed[20];
+        last = hawser_sim_sample(s)->axial_speed[20];
         fastest = larger_of(fastest, last);
     }
     const hawser_event *event;
-    const int n = sim_events(s, &event);
+    const int n = hawser_sim_events(s, &event);
     print_message("%d events; fastest %.4f m/s, at the end %.2g m/s\n", n, fastest, last);
     assert_int_equal(n, 2);
     check_close(last, 0, 1e-5);

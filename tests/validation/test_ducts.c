@@ -52,10 +52,10 @@ static Sim *pull(SceneDef *def, int threads)
     scene_def_clear(def);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     check_at_most(relaxation.residual_N, relaxation.tolerance_N);
-    sim_record(s);
+    hawser_sim_record(s);
     for (int k = 1; k * 0.05 <= end + 1e-9; ++k) {
         if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
-        sim_record(s);
+        hawser_sim_record(s);
     }
     return s;
 }
@@ -71,7 +71,7 @@ static void bend_check(RoutePieceDef bend, double (*exact)(double T1, double R, 
     duct_scene(&def, 3, route, out + 2, 0.25);
     scene_stations(&def, 4, stations);
     Sim *const s = pull(&def, 1);
-    assert_int_equal(sim_stations(s, &found), 4);
+    assert_int_equal(hawser_sim_stations(s, &found), 4);
     const double w = MASS * G;
     check_share(found[1].mean_N - found[0].mean_N, slope_tension(0, w, 0.25, 2, 0), 0.01);
     const double enters = slope_tension(found[1].mean_N, w, 0.25, 1, 0);
@@ -133,7 +133,7 @@ static void test_s_bend(void **state)
     duct_scene(&def, 4, route, 15, 0.25);
     scene_stations(&def, 6, stations);
     Sim *const s = pull(&def, 1);
-    sim_stations(s, &found);
+    hawser_sim_stations(s, &found);
     for (int i = 0; i < 6; ++i) check_share(found[i].mean_N, found[i].reference_N, 0.006);
     sim_free(s);
 }
@@ -156,7 +156,7 @@ static void test_segments(void **state)
         def.cables[0].ei_y = def.cables[0].ei_z = 100;
         def.duration = 4;
         Sim *const s = pull(&def, 1);
-        sim_summary(s, &summary);
+        hawser_sim_summary(s, &summary);
         pulled[k] = summary.pull_mean_N;
         print_message("%.3f m: %.2f N\n", segment[k], pulled[k]);
         sim_free(s);
@@ -179,7 +179,7 @@ static void test_threads(void **state)
         duct_scene(&def, 3, route, 10, 0.25);
         def.duration = 1;
         s[k] = pull(&def, 1 + k);
-        look[k] = sim_sample(s[k]);
+        look[k] = hawser_sim_sample(s[k]);
     }
     assert_memory_equal(look[0]->position, look[1]->position, 3 * (size_t)look[0]->segments * sizeof(double));
     assert_memory_equal(look[0]->velocity, look[1]->velocity, 3 * (size_t)look[0]->segments * sizeof(double));
@@ -229,7 +229,7 @@ static void test_fall(void **state)
     plane_scene(&def, 0, 0.05, 0.3);
     const double k = def.line_impact.k;
     Sim *const s = release(&def, 3);
-    const hawser_sample *const look = sim_sample(s);
+    const hawser_sample *const look = hawser_sim_sample(s);
     double fastest = 0;
     for (int i = 0; i < 3 * look->segments; ++i) fastest = larger_of(fastest, fabs(look->velocity[i]));
     const double middle = look->position[3 * (look->segments / 2) + 2], settled = pow(MASS * G / k, 1 / 1.5);
@@ -248,10 +248,10 @@ static void test_slide(void **state)
     const double slope = 0.4, mu = 0.2, exact = -G * (sin(slope) - mu * cos(slope));
     plane_scene(&def, slope, 0, mu);
     Sim *const s = release(&def, 0.5);
-    const double before = sim_sample(s)->axial_speed[10];
+    const double before = hawser_sim_sample(s)->axial_speed[10];
     hawser_error err;
     assert_int_equal(sim_advance(s, 1, 0, &err), HAWSER_OK);
-    const double after = sim_sample(s)->axial_speed[10];
+    const double after = hawser_sim_sample(s)->axial_speed[10];
     check_share((after - before) / 0.5, exact, 1e-5);
     sim_free(s);
 }

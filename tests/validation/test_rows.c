@@ -61,7 +61,7 @@ static void test_slope_at_rest(void **state)
         if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
         scene_def_clear(&def);
         assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
-        const double force = sim_sample(s)->winch_force;
+        const double force = hawser_sim_sample(s)->winch_force;
         print_message("slope %.2f: winch %.3f N, exact %.3f N (%.4f %%)\n", slope[k], force, exact,
                       100 * (force / exact - 1));
         assert_true(relaxation.reached);
@@ -102,9 +102,9 @@ static void test_ramp_peak(void **state)
     if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
     scene_def_clear(&def);
     assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
-    while (sim_time(s) < 1.5) {
+    while (hawser_sim_time(s) < 1.5) {
         if (sim_advance(s, 1.5, 1, &err)) fail_msg("%s", err.message);
-        peak = larger_of(peak, sim_sample(s)->winch_force);
+        peak = larger_of(peak, hawser_sim_sample(s)->winch_force);
     }
     print_message("peak %.2f N, exact %.2f N\n", peak, exact);
     check_share(peak, exact, 0.01);
