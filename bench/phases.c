@@ -18,6 +18,7 @@
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
+#include "sim/step/vector_kernels.h"
 #include "sim/watch/sample.h"
 
 static const double GAMMA = 0.01; /* s, of a BDF step of order 2 in the steady pull */
@@ -83,7 +84,7 @@ static void phase_solve(Bench *b)
 static void phase_vector(Bench *b)
 {
     vectors_step(b->vector, GAMMA);
-    scales_project(b->scene.chain.n, b->y, N_VGetArrayPointer(b->vector[3]), NULL);
+    vector_kernels()->project(b->scene.chain.n, b->y, N_VGetArrayPointer(b->vector[3]), NULL);
 }
 
 static void phase_sample(Bench *b)

@@ -38,6 +38,6 @@ typedef struct BodyKernels {
                   const double *y, int from, int to, double *ydot);
 } BodyKernels;
 
-extern const BodyKernels body_kernels_generic, body_kernels_avx2, body_kernels_avx512;
+ISA_KERNELS(BodyKernels, body_kernels)
 
 #endif

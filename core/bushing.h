@@ -46,6 +46,6 @@ typedef struct BushingKernels {
     void (*slip)(const Chain *chain, Kinematics *kin, int from, int to);
 } BushingKernels;
 
-extern const BushingKernels bushing_kernels_generic, bushing_kernels_avx2, bushing_kernels_avx512;
+ISA_KERNELS(BushingKernels, bushing_kernels)
 
 #endif

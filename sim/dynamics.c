@@ -5,8 +5,8 @@
 
 #include "core/base/clock.h"
 #include "core/base/lanes.h"
-#include "core/bushing.h"
 #include "core/base/team.h"
+#include "core/bushing.h"
 #include "sim/weight.h"
 
 /* Segments from which joints with the contacts of rollers pay on two threads; HALVES_LONG is that of lighter loops. */
@@ -27,8 +27,8 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
     ws->team = team;
     ws->middle = halves_middle(n);
     int ok = kinematics_alloc(&ws->kin, n) && kinematics_alloc_slips(&ws->kin, &scene->chain);
-    ok = ok && joint_loads_alloc(&ws->joints, n);
-    for (int p = 0; p < PARTS; ++p) ok = ok && loads_alloc(&ws->loads[p], n);
+    ok = ok && chain_struct_alloc(&ws->joints, n);
+    for (int p = 0; p < PARTS; ++p) ok = ok && chain_struct_alloc(&ws->loads[p], n);
     ok &= chain_arrays_new(ws->law, 6, n, 0);
     EACH_ROOM(room, scene, work_alloc) ok = ok && room->kind->work_alloc(room, scene, ws);
     if (!ok) workspace_free(ws);
@@ -39,8 +39,8 @@ void workspace_free(Workspace *ws)
 {
     if (!ws->scene) return;
     kinematics_free(&ws->kin);
-    joint_loads_free(&ws->joints);
-    for (int p = 0; p < PARTS; ++p) loads_free(&ws->loads[p]);
+    chain_struct_free(&ws->joints);
+    for (int p = 0; p < PARTS; ++p) chain_struct_free(&ws->loads[p]);
     chain_arrays_free(ws->law, 6);
     EACH_ROOM(room, ws->scene, work_free) room->kind->work_free(room, ws);
     for (int r = 0; r < ROOMS_MAX; ++r) free(ws->room[r]);

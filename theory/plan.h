@@ -8,7 +8,7 @@
 
 enum { PLAN_FORWARD, PLAN_BACKWARD, PLAN_WAYS, PLAN_REASON_MAX = 200 };
 
-/* What is pulled. Plain data; plan_defaults gives the paper's allowances. */
+/* What is pulled. Plain data; the paper's allowances are 15 m of cable on the reel and 5 m for the rope. */
 typedef struct PlanDef {
     const Route *route;
     int n_stretches; /* >= 1: weight of all cables together (N/m) and friction, without a duct's correction */
@@ -57,7 +57,6 @@ typedef struct Plan {
     int better;    /* the way that needs the smaller force */
 } Plan;
 
-void plan_defaults(PlanDef *def);
 /* Errors: INPUT as pull_solve and duct_load give them, negative lengths, spacings, pushes
  * that are no numbers or off the route; MEMORY. Nothing is left allocated then. The plan borrows
  * nothing. */

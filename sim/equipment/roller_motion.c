@@ -41,7 +41,7 @@ static int mounts_alloc(EquipmentWork *w)
 {
     const int bodies = 2 * w->q->mounts;
     if (bodies == 0) return 1;
-    int ok = kinematics_alloc(&w->kin, bodies) && joint_loads_alloc(&w->joints, bodies) &&
+    int ok = kinematics_alloc(&w->kin, bodies) && chain_struct_alloc(&w->joints, bodies) &&
              block_chain_alloc(&w->k, bodies, 6) && block_chain_alloc(&w->d, bodies, 6);
     for (int i = 0; ok && i < bodies; ++i) {
         for (int c = 0; c < 3; ++c) {
@@ -87,7 +87,7 @@ void equipment_work_free(EquipmentWork *w)
     free(w->sum);
     free(w->stood);
     kinematics_free(&w->kin);
-    joint_loads_free(&w->joints);
+    chain_struct_free(&w->joints);
     block_chain_free(&w->k);
     block_chain_free(&w->d);
     memset(w, 0, sizeof *w);

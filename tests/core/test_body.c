@@ -26,7 +26,8 @@ static Rig rig_new(int n)
 {
     Rig r = {.n = n, .seed = 17 + (uint64_t)n};
     assert_true(chain_alloc(&r.chain, n) && kinematics_alloc(&r.kin, n));
-    assert_true(joint_loads_alloc(&r.joints, n) && loads_alloc(&r.loads[0], n) && loads_alloc(&r.loads[1], n));
+    assert_true(chain_struct_alloc(&r.joints, n) && chain_struct_alloc(&r.loads[0], n) &&
+                chain_struct_alloc(&r.loads[1], n));
     r.y = malloc((size_t)(STATE_SIZE * n) * sizeof(double));
     r.ydot = malloc((size_t)(STATE_SIZE * n) * sizeof(double));
     assert_true(r.y && r.ydot);
@@ -55,8 +56,8 @@ static void rig_free(Rig *r)
 {
     chain_free(&r->chain);
     kinematics_free(&r->kin);
-    joint_loads_free(&r->joints);
-    for (int k = 0; k < 2; ++k) loads_free(&r->loads[k]);
+    chain_struct_free(&r->joints);
+    for (int k = 0; k < 2; ++k) chain_struct_free(&r->loads[k]);
     free(r->y);
     free(r->ydot);
 }

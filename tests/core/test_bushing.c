@@ -19,7 +19,7 @@ static Rig rig_new(BushingFrame frame, double bend, uint64_t seed)
     Rig r = {.seed = seed};
     assert_true(chain_alloc(&r.chain, N));
     assert_true(kinematics_alloc(&r.kin, N));
-    assert_true(joint_loads_alloc(&r.loads, N));
+    assert_true(chain_struct_alloc(&r.loads, N));
     r.chain.frame = frame;
     fixture_chain(&r.chain, &r.seed);
     fixture_state(&r.chain, &r.kin, bend, 0.05, &r.seed);
@@ -46,7 +46,7 @@ static void rig_free(Rig *r)
 {
     chain_free(&r->chain);
     kinematics_free(&r->kin);
-    joint_loads_free(&r->loads);
+    chain_struct_free(&r->loads);
 }
 
 /* Force and moment of the bushings on every segment. */

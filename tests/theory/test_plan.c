@@ -25,12 +25,7 @@ static Route hill_route(void)
 
 static PlanDef hill_def(const Route *route, const PullStretch *cable)
 {
-    PlanDef def;
-    plan_defaults(&def);
-    def.route = route;
-    def.n_stretches = 1;
-    def.stretch = cable;
-    return def;
+    return (PlanDef){.route = route, .n_stretches = 1, .stretch = cable, .reel_length = 15, .rope_length = 5};
 }
 
 static void both_directions(void **state)
