@@ -99,7 +99,7 @@ static void bushings(Bench *b, int lacks, int sliders)
     Chain chain = b->scene.chain;
     chain.lacks = lacks;
     if (sliders) chain.sliders = b->sliders;
-    bushing_loads(&chain, &b->ws.kin, 0, chain.n + 1, &b->ws.joints);
+    bushing_kernels()->loads(&chain, &b->ws.kin, 0, chain.n + 1, &b->ws.joints);
 }
 static void phase_bushings_full(Bench *b) { bushings(b, 0, 0); }
 static void phase_bushings(Bench *b) { bushings(b, CHAIN_NO_PRELOAD, 0); }

@@ -3,21 +3,6 @@
 #include <stddef.h>
 #include <string.h>
 
-JointPower bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads)
-{
-    return bushing_kernels()->loads(chain, kin, from, to, loads);
-}
-
-JointEnergy bushing_energy(const Chain *chain, const Kinematics *kin, int from, int to)
-{
-    return bushing_kernels()->energy(chain, kin, from, to);
-}
-
-void bushing_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6])
-{
-    bushing_kernels()->law(chain, kin, from, to, law);
-}
-
 void bushing_slip(const Chain *chain, Kinematics *kin, int from, int to)
 {
     if (chain->sliders.count > 0) bushing_kernels()->slip(chain, kin, from, to);

@@ -139,12 +139,6 @@ static hawser_status solve_way(const PlanDef *def, const Inputs *in, int backwar
     status = pull_solve(&pull, &way->pull, err);
     if (status) return status;
     way->force = way->pull.end_tension + way->rope;
-    way->max_tension = way->pull.max_tension;
-    way->max_at = way->pull.max_at;
-    way->min_tension = way->pull.min_tension;
-    way->min_at = way->pull.min_at;
-    way->max_sidewall = way->pull.max_sidewall;
-    way->sidewall_at = way->pull.sidewall_at;
     way->piece = calloc((size_t)def->route->n, sizeof *way->piece);
     if (!way->piece) return error_memory(err);
     fill_pieces(def, way);

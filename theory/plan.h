@@ -38,16 +38,13 @@ typedef struct PlanPiece {
 } PlanPiece;
 
 typedef struct PlanWay {
-    Pull pull;                        /* at speed */
-    double start;                     /* N, reel and brake (T24) */
-    double rope;                      /* N, the rope's allowance (T25) */
-    double force;                     /* N: tension at the end plus rope */
-    double restart_force;             /* N: the same with static friction */
-    double restart_max, restart_at;   /* N, m; of the cable then */
-    double max_tension, max_at;       /* N, m; of the cable, at speed */
-    double min_tension, min_at;       /* below 0 the cable would have to be pushed there */
-    double max_sidewall, sidewall_at; /* N/m, of the worst loaded cable */
-    PlanPiece *piece;                 /* [n], by the route's order */
+    Pull pull;                      /* at speed: tensions and sidewall pressures of the worst loaded cable, and where */
+    double start;                   /* N, reel and brake (T24) */
+    double rope;                    /* N, the rope's allowance (T25) */
+    double force;                   /* N: tension at the end plus rope */
+    double restart_force;           /* N: the same with static friction */
+    double restart_max, restart_at; /* N, m; of the cable then */
+    PlanPiece *piece;               /* [n], by the route's order */
 } PlanWay;
 
 typedef struct Plan {

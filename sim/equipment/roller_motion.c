@@ -174,7 +174,8 @@ void equipment_rates(EquipmentWork *w, const double *e, double friction, double 
 {
     const Equipment *const q = w->q;
     w->lost_bearings = w->lost_mounts = 0;
-    if (q->mounts) w->lost_mounts = bushing_loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints).damping;
+    if (q->mounts)
+        w->lost_mounts = bushing_kernels()->loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints).damping;
     for (int k = 0; k < q->n; ++k) {
         const MovingRoller *const item = &q->item[k];
         RollerLoad on = w->load[item->roller];
@@ -294,5 +295,5 @@ double equipment_energy(const EquipmentWork *work, const double *e)
             sum += (item->mass * v * v + item->turning * w * w) / 2;
         }
     }
-    return q->mounts ? sum + bushing_energy(&q->bushings, &work->kin, 0, 2 * q->mounts).elastic : sum;
+    return q->mounts ? sum + bushing_kernels()->energy(&q->bushings, &work->kin, 0, 2 * q->mounts).elastic : sum;
 }

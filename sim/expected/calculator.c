@@ -199,10 +199,10 @@ static void limits_set(const Scene *scene, Calculator *c)
     for (int k = 0; k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
         Finding f[LIMIT_KINDS] = {[LIMIT_ROLLER_PEAK] = {.absent = 1}, [LIMIT_ALPHA] = {.absent = 1}};
-        f[LIMIT_PULL] = found_at(route, way->max_tension, way->max_at);
+        f[LIMIT_PULL] = found_at(route, way->pull.max_tension, way->pull.max_at);
         f[LIMIT_RESTART] = found_at(route, way->restart_max, way->restart_at);
-        f[LIMIT_SIDEWALL] = found_at(route, way->max_sidewall, way->sidewall_at);
-        if (!(way->max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
+        f[LIMIT_SIDEWALL] = found_at(route, way->pull.max_sidewall, way->pull.sidewall_at);
+        if (!(way->pull.max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
         f[LIMIT_BEND] = bend_finding(route);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
         f[LIMIT_ROPE].value = fmax(way->force, way->restart_force);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/base/team.h"
+#include "core/base/worst.h"
 #include "sim/step/vector_kernels.h"
 
 static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */
@@ -61,7 +62,7 @@ double scales_chain_norm(Team *team, int n, WindowSquare *square, const void *ow
     NormHalf h = {n, n / 2 / SCALES_WINDOW * SCALES_WINDOW, square, owner, x, weight, {0}};
     if (n < HALVES_LONG) return sqrt(square(owner, 0, n, x, weight));
     halves_run(team, 1, norm_half, &h);
-    return sqrt(scales_larger(h.largest[0], h.largest[1]));
+    return sqrt(larger_of(h.largest[0], h.largest[1]));
 }
 
 double scales_equipment_norm(const Equipment *q, const double *x, const double *weight)
@@ -71,8 +72,7 @@ double scales_equipment_norm(const Equipment *q, const double *x, const double *
         const int to = from + SCALES_WINDOW < q->spins ? from + SCALES_WINDOW : q->spins;
         double sum = 0;
         for (int i = from; i < to; ++i) sum += x[i] * weight[i] * x[i] * weight[i];
-        const double mean = sqrt(sum / (to - from));
-        if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays */
+        largest = larger_of(largest, sqrt(sum / (to - from)));
     }
     return largest;
 }

@@ -28,9 +28,6 @@ double scales_norm(int n, const double *x, const double *weight);
 typedef double WindowSquare(const void *owner, int from, int to, const double *x, const double *weight);
 double scales_chain_norm(Team *team, int n, WindowSquare *square, const void *owner, const double *x,
                          const double *weight);
-/* The larger of two norms; a NaN wins. */
-static inline double scales_larger(double a, double b) { return b > a || isnan(b) ? b : a; }
-
 /* The segment with the largest sum of squares of x w; the first with a NaN, if any. x and w are `components` arrays
  * that begin `pitch` apart. */
 int scales_worst_segment(int n, int pitch, int components, const double *x, const double *weight);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "core/base/worst.h"
 #include "sim/balance_terms.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
@@ -44,7 +45,7 @@ static double spatial_norm(const Motion *m, const double *x, const double *w)
     const double chain = scales_chain_norm(m->team, n, window_square, &m->scene->chain, x, w);
     if (m->scene->equipment->n == 0) return chain;
     const double beside = scales_equipment_norm(m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
-    return scales_larger(chain, beside);
+    return larger_of(chain, beside);
 }
 
 static double spatial_speed(const Motion *m, const double *y)

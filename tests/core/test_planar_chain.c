@@ -130,7 +130,7 @@ static void test_space(void **state)
     for (uint64_t k = 0; k < 20; ++k) {
         Rig r = rig_new(k % 2 ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.1 * (double)(k % 10), 3.0 * (double)k - 20, k);
         planar_kernels()->joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
-        bushing_loads(&r.space, &r.kin3, 0, N + 1, &r.loads3);
+        bushing_kernels()->loads(&r.space, &r.kin3, 0, N + 1, &r.loads3);
         for (int j = 1; j < N; ++j) {
             worst = larger_of(worst, fabs(r.loads.force[0][j] - r.loads3.force[0][j]));
             worst = larger_of(worst, fabs(r.loads.force[1][j] - r.loads3.force[2][j]));
