@@ -18,6 +18,7 @@
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
+#include "sim/step/vector_kernels.h"
 #include "sim/watch/sample.h"
 
 static const double GAMMA = 0.01; /* s, of a BDF step of order 2 in the steady pull */
@@ -83,7 +84,7 @@ static void phase_solve(Bench *b)
 static void phase_vector(Bench *b)
 {
     vectors_step(b->vector, GAMMA);
-    scales_project(b->scene.chain.n, b->y, N_VGetArrayPointer(b->vector[3]), NULL);
+    vector_kernels()->project(b->scene.chain.n, b->y, N_VGetArrayPointer(b->vector[3]), NULL);
 }
 
 static void phase_sample(Bench *b)
@@ -98,7 +99,7 @@ static void bushings(Bench *b, int lacks, int sliders)
     Chain chain = b->scene.chain;
     chain.lacks = lacks;
     if (sliders) chain.sliders = b->sliders;
-    bushing_loads(&chain, &b->ws.kin, 0, chain.n + 1, &b->ws.joints);
+    bushing_kernels()->loads(&chain, &b->ws.kin, 0, chain.n + 1, &b->ws.joints);
 }
 static void phase_bushings_full(Bench *b) { bushings(b, 0, 0); }
 static void phase_bushings(Bench *b) { bushings(b, CHAIN_NO_PRELOAD, 0); }

@@ -32,8 +32,6 @@ static inline void block6_add(double *block, int column, Vec3 force, Vec3 moment
 }
 /* The blocks of `from`, which has the same sizes. */
 void block_chain_copy(BlockChain *to, const BlockChain *from);
-/* y = y + s A x for vectors of n*b. */
-void block_chain_gemv(const BlockChain *a, double s, const double *x, double *y);
 
 /* Blocks of K and D outside the three diagonals: what couples segments that are not neighbours (cable on cable). The
  * pattern is symmetric and changes with the contact candidates, never inside a step. */

@@ -1,18 +1,5 @@
 #include "core/body.h"
 
-ISA_KERNELS(BodyKernels, body_kernels)
-
-void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin)
-{
-    kernels()->kinematics(n, y, from, to, kin);
-}
-
-void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
-                const double *y, int from, int to, double *ydot)
-{
-    kernels()->rates(chain, kin, joints, loads, y, from, to, ydot);
-}
-
 Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a)
 {
     const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};

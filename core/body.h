@@ -10,17 +10,6 @@
 #include "core/chain.h"
 #include "core/state.h"
 
-/* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. from is a
- * multiple of LANES. Entries up to the next multiple of LANES after `to` are overwritten: set the head ghost
- * afterwards. */
-void body_kinematics(int n, const double *y, int from, int to, Kinematics *kin);
-
-/* Rates of y for segments from..to-1 (S1)-(S3): v, half w q, (sum of forces)/m, and Euler's equation, from the joints'
- * loads, and the two sets of other loads on the segments. y is needed for its quaternions as they are (not normalised).
- * from is a multiple of LANES. */
-void body_rates(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
-                const double *y, int from, int to, double *ydot);
-
 /* Adds to the rotation parts of k and d what the turning of the inertia and the gyroscopic moment contribute to
  * d(moment - I w')/d(phi) and /d(w) (S4), for segments from..to-1; ydot holds w'. */
 void body_blocks(const Chain *chain, const Kinematics *kin, const double *ydot, int from, int to, BlockChain *k,
@@ -31,13 +20,19 @@ Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a
 
 /* ------------------------------------------------------------------------------------------------------ kernels */
 
-/* What body_lanes.c offers to body.c, once for every instruction set. */
+/* The loops over segments (body_lanes.c), once for every instruction set: body_kernels()->rates(...). `from` is a
+ * multiple of LANES. */
 typedef struct BodyKernels {
+    /* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. Entries up to
+     * the next multiple of LANES after `to` are overwritten: set the head ghost afterwards. */
     void (*kinematics)(int n, const double *y, int from, int to, Kinematics *kin);
+    /* Rates of y for segments from..to-1 (S1)-(S3): v, half w q, (sum of forces)/m, and Euler's equation, from the
+     * joints' loads, and the two sets of other loads on the segments. y is needed for its quaternions as they are (not
+     * normalised). */
     void (*rates)(const Chain *chain, const Kinematics *kin, const JointLoads *joints, const Loads loads[2],
                   const double *y, int from, int to, double *ydot);
 } BodyKernels;
 
-extern const BodyKernels body_kernels_generic, body_kernels_avx2, body_kernels_avx512;
+ISA_KERNELS(BodyKernels, body_kernels)
 
 #endif

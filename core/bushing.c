@@ -3,26 +3,9 @@
 #include <stddef.h>
 #include <string.h>
 
-ISA_KERNELS(BushingKernels, bushing_kernels)
-
-JointPower bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads)
-{
-    return kernels()->loads(chain, kin, from, to, loads);
-}
-
-JointEnergy bushing_energy(const Chain *chain, const Kinematics *kin, int from, int to)
-{
-    return kernels()->energy(chain, kin, from, to);
-}
-
-void bushing_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6])
-{
-    kernels()->law(chain, kin, from, to, law);
-}
-
 void bushing_slip(const Chain *chain, Kinematics *kin, int from, int to)
 {
-    if (chain->sliders.count > 0) kernels()->slip(chain, kin, from, to);
+    if (chain->sliders.count > 0) bushing_kernels()->slip(chain, kin, from, to);
 }
 
 /* block += sign * the 3x3 part of m at (row part r, column part c), placed at (3 * into_r, 3 * into_c). */
@@ -73,7 +56,7 @@ static void joint_blocks_add(BlockChain *out, const JointMatrix *m, int lane, in
 
 void bushing_blocks(const Chain *chain, const Kinematics *kin, int from, int to, BlockChain *k, BlockChain *d)
 {
-    const BushingKernels *const kernel = kernels();
+    const BushingKernels *const kernel = bushing_kernels();
     JointMatrix mk, md;
     for (int jj = from; jj < to; jj += LANES) {
         kernel->columns(chain, kin, jj, &mk, &md);

@@ -8,17 +8,6 @@
 #include "core/block_chain.h"
 #include "core/chain.h"
 
-/* Wrenches of joints from..to-1 for the given kinematics (ghosts included). from is a multiple of LANES; joints up to
- * the next multiple of LANES after `to` may be written too. Returns what these joints take out of the motion. */
-JointPower bushing_loads(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
-
-/* What joints from..to-1 hold; from as above. */
-JointEnergy bushing_energy(const Chain *chain, const Kinematics *kin, int from, int to);
-
-/* The law's own components of every joint (B8): law[0..2] force, law[3..5] moment, in the bushing's frame, N and N m;
- * law[0] is the axial force, positive in tension. */
-void bushing_law(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6]);
-
 /* A step has been accepted: the sliders of joints from..to-1 follow the rotations of kin, as far as they are beyond
  * their limits (HY8), into kin->slip. Wrenches at the same kinematics stay as they are (HY9); their derivatives do not.
  */
@@ -31,21 +20,29 @@ void bushing_blocks(const Chain *chain, const Kinematics *kin, int from, int to,
 
 /* ------------------------------------------------------------------------------------------------------ kernels */
 
-/* What bushing_lanes.c offers to bushing.c, once for every instruction set. */
 /* Derivatives of LANES joints' force, moment on A and moment on B (9 rows) with respect to relative displacement,
  * rotation of A and rotation of B (9 columns), or to the rates of these; world. */
 typedef struct JointMatrix {
     double entry[9][9][LANES]; /* [column][row][joint] */
 } JointMatrix;
 
+/* The loops over joints (bushing_lanes.c), once for every instruction set: bushing_kernels()->loads(...). Kinematics
+ * have their ghosts; `from` is a multiple of LANES. */
 typedef struct BushingKernels {
+    /* Wrenches of joints from..to-1; joints up to the next multiple of LANES after `to` may be written too. Returns
+     * what these joints take out of the motion. */
     JointPower (*loads)(const Chain *chain, const Kinematics *kin, int from, int to, JointLoads *loads);
+    /* The law's own components of every joint (B8): law[0..2] force, law[3..5] moment, in the bushing's frame, N and
+     * N m; law[0] is the axial force, positive in tension. */
     void (*law)(const Chain *chain, const Kinematics *kin, int from, int to, double *const law[6]);
+    /* Derivatives of the wrenches of LANES joints from `joint` on. */
     void (*columns)(const Chain *chain, const Kinematics *kin, int joint, JointMatrix *k, JointMatrix *d);
+    /* What joints from..to-1 hold. */
     JointEnergy (*energy)(const Chain *chain, const Kinematics *kin, int from, int to);
+    /* bushing_slip */
     void (*slip)(const Chain *chain, Kinematics *kin, int from, int to);
 } BushingKernels;
 
-extern const BushingKernels bushing_kernels_generic, bushing_kernels_avx2, bushing_kernels_avx512;
+ISA_KERNELS(BushingKernels, bushing_kernels)
 
 #endif

@@ -9,6 +9,8 @@
 
 /* Entries before index 0, so that index 0 is aligned and index -1 exists. */
 enum { FRONT = LANES, ALIGNMENT = 64 };
+/* Arrays of a struct that are allocated in one go: from Chain.half to preload, from Kinematics.p to a. */
+enum { CHAIN_ARRAYS = 24, KINEMATICS_ARRAYS = 16 };
 
 int chain_stride(int n) { return FRONT + (n + 1 + LANES - 1) / LANES * LANES + LANES; }
 
@@ -23,7 +25,7 @@ double *chain_array_new(int n, double fill)
 
 double *aligned_array_new(int count)
 {
-    const size_t bytes = ((size_t)count * sizeof(double) / ALIGNMENT + 1) * ALIGNMENT;
+    const size_t bytes = ((size_t)count * sizeof(double) / ALIGNMENT + 2) * ALIGNMENT;
     double *const array = aligned_alloc(ALIGNMENT, bytes);
     if (array) memset(array, 0, bytes);
     return array;
@@ -50,31 +52,31 @@ void chain_arrays_free(double **array, int count)
     for (int c = 0; c < count; ++c) array[c] = chain_array_free(array[c]);
 }
 
+int chain_struct_new(double **array, int count, int n)
+{
+    const int ok = chain_arrays_new(array, count, n, 0);
+    if (!ok) chain_arrays_free(array, count);
+    return ok;
+}
+
+void chain_array_fill(double *array, int n, double fill)
+{
+    const int length = chain_stride(n);
+    for (int i = 0; i < length; ++i) array[i - FRONT] = fill;
+}
+
 int chain_alloc(Chain *chain, int n)
 {
-    memset(chain, 0, sizeof *chain);
-    chain->n = n;
-    chain->stride = chain_stride(n);
-    int ok = chain_arrays_new(&chain->half, 1, n, 0);
-    ok &= chain_arrays_new(&chain->mass, 1, n, 1);
-    ok &= chain_arrays_new(chain->inertia, 3, n, 1);
-    ok &= chain_arrays_new(&chain->radius, 1, n, 0);
-    ok &= chain_arrays_new(chain->stiffness, 6, n, 0);
-    ok &= chain_arrays_new(chain->damping, 6, n, 0);
-    ok &= chain_arrays_new(chain->preload, 6, n, 0);
-    if (!ok) chain_free(chain);
-    return ok;
+    *chain = (Chain){.n = n, .stride = chain_stride(n)};
+    if (!chain_struct_new(&chain->half, CHAIN_ARRAYS, n)) return 0;
+    chain_array_fill(chain->mass, n, 1);
+    for (int c = 0; c < 3; ++c) chain_array_fill(chain->inertia[c], n, 1);
+    return 1;
 }
 
 void chain_free(Chain *chain)
 {
-    chain_arrays_free(&chain->half, 1);
-    chain_arrays_free(&chain->mass, 1);
-    chain_arrays_free(chain->inertia, 3);
-    chain_arrays_free(&chain->radius, 1);
-    chain_arrays_free(chain->stiffness, 6);
-    chain_arrays_free(chain->damping, 6);
-    chain_arrays_free(chain->preload, 6);
+    chain_arrays_free(&chain->half, CHAIN_ARRAYS);
     chain_arrays_free(chain->sliders.stiffness, SLIDERS_MAX);
     chain_arrays_free(chain->sliders.limit, SLIDERS_MAX);
     chain->sliders.count = 0;
@@ -107,16 +109,11 @@ int chain_alloc_sliders(Chain *chain, int count)
 
 int kinematics_alloc(Kinematics *kin, int n)
 {
-    memset(kin, 0, sizeof *kin);
-    int ok = chain_arrays_new(kin->p, 3, n, 0);
-    ok &= chain_arrays_new(kin->q, 1, n, 1);
-    ok &= chain_arrays_new(kin->q + 1, 3, n, 0);
-    ok &= chain_arrays_new(kin->v, 3, n, 0);
-    ok &= chain_arrays_new(kin->w, 3, n, 0);
-    ok &= chain_arrays_new(kin->a, 1, n, 1);
-    ok &= chain_arrays_new(kin->a + 1, 2, n, 0);
-    if (!ok) kinematics_free(kin);
-    return ok;
+    *kin = (Kinematics){0};
+    if (!chain_struct_new(kin->p, KINEMATICS_ARRAYS, n)) return 0;
+    chain_array_fill(kin->q[0], n, 1);
+    chain_array_fill(kin->a[0], n, 1);
+    return 1;
 }
 
 int kinematics_alloc_slips(Kinematics *kin, const Chain *chain)
@@ -124,30 +121,7 @@ int kinematics_alloc_slips(Kinematics *kin, const Chain *chain)
     return chain_arrays_new(kin->slip, 2 * chain->sliders.count, chain->n, 0);
 }
 
-void kinematics_free(Kinematics *kin)
-{
-    chain_arrays_free(kin->p, 3);
-    chain_arrays_free(kin->q, 4);
-    chain_arrays_free(kin->v, 3);
-    chain_arrays_free(kin->w, 3);
-    chain_arrays_free(kin->a, 3);
-    chain_arrays_free(kin->slip, 2 * SLIDERS_MAX);
-}
-
-int loads_alloc(Loads *loads, int n)
-{
-    memset(loads, 0, sizeof *loads);
-    int ok = chain_arrays_new(loads->f, 3, n, 0);
-    ok &= chain_arrays_new(loads->m, 3, n, 0);
-    if (!ok) loads_free(loads);
-    return ok;
-}
-
-void loads_free(Loads *loads)
-{
-    chain_arrays_free(loads->f, 3);
-    chain_arrays_free(loads->m, 3);
-}
+void kinematics_free(Kinematics *kin) { chain_struct_free(kin); }
 
 void loads_zero(Loads *loads, int n)
 {
@@ -155,20 +129,4 @@ void loads_zero(Loads *loads, int n)
         memset(loads->f[c], 0, (size_t)n * sizeof(double));
         memset(loads->m[c], 0, (size_t)n * sizeof(double));
     }
-}
-
-int joint_loads_alloc(JointLoads *loads, int n)
-{
-    memset(loads, 0, sizeof *loads);
-    const int ok = chain_arrays_new(loads->force, 3, n, 0) & chain_arrays_new(loads->torque_a, 3, n, 0) &
-                   chain_arrays_new(loads->torque_b, 3, n, 0);
-    if (!ok) joint_loads_free(loads);
-    return ok;
-}
-
-void joint_loads_free(JointLoads *loads)
-{
-    chain_arrays_free(loads->force, 3);
-    chain_arrays_free(loads->torque_a, 3);
-    chain_arrays_free(loads->torque_b, 3);
 }

@@ -88,8 +88,15 @@ double *chain_array_free(double *array);
 /* `count` of them into array[]; 0 if one could not be had (the others stay for the free). */
 int chain_arrays_new(double **array, int count, int n, double fill);
 void chain_arrays_free(double **array, int count);
-/* Plain zeros, at the start of a cache line, so that no vector of a loop over all of them crosses one; free() frees it.
- */
+/* All arrays of a struct of nothing else, like Loads, zeros; 0 if there is no memory (and nothing is left allocated).
+ * The free may be called on a zeroed struct. */
+int chain_struct_new(double **array, int count, int n);
+#define chain_struct_alloc(s, n) chain_struct_new((double **)(s), (int)(sizeof *(s) / sizeof(double *)), n)
+#define chain_struct_free(s)     chain_arrays_free((double **)(s), (int)(sizeof *(s) / sizeof(double *)))
+/* Every entry of a chain array becomes `fill`. */
+void chain_array_fill(double *array, int n, double fill);
+/* Plain zeros, at the start of a cache line, so that no vector of a loop over all of them crosses one, and readable a
+ * vector beyond their end; free() frees it. */
 double *aligned_array_new(int count);
 /* The length of a chain array's allocation. */
 int chain_stride(int n);
@@ -106,8 +113,6 @@ int kinematics_alloc(Kinematics *kin, int n);
 /* Adds the slips of a chain's sliders, all zero: nothing has slipped yet. Returns 0 if there is no memory. */
 int kinematics_alloc_slips(Kinematics *kin, const Chain *chain);
 void kinematics_free(Kinematics *kin);
-int loads_alloc(Loads *loads, int n);
-void loads_free(Loads *loads);
 void loads_zero(Loads *loads, int n);
 /* One more force (N) at and moment (N m) about the centre of segment i. */
 static inline void loads_add(Loads *loads, int i, Vec3 force, Vec3 moment)
@@ -115,7 +120,5 @@ static inline void loads_add(Loads *loads, int i, Vec3 force, Vec3 moment)
     v3_gather(loads->f, i, force);
     v3_gather(loads->m, i, moment);
 }
-int joint_loads_alloc(JointLoads *loads, int n);
-void joint_loads_free(JointLoads *loads);
 
 #endif

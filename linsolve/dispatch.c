@@ -33,8 +33,8 @@ static const struct {
              [LIN_BORDERED] = {"bordered", &bordered_backend},
              [LIN_KLU] = {"klu", &klu_backend},
              [LIN_KLU_FULL] = {"klu-full", &klu_backend},
-             [LIN_BAND] = {"band", &band_backend},
-             [LIN_DENSE] = {"dense", &dense_backend}};
+             [LIN_BAND] = {"band", &lapack_backend},
+             [LIN_DENSE] = {"dense", &lapack_backend}};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -250,8 +250,6 @@ int linsolver_solve_many(LinSolver *s, int count, double *x)
     if (s->use_backup) return linsolver_solve_many(s->backup, count, x);
     return s->backend->solve(s->self, count, x);
 }
-
-int linsolver_size(const LinSolver *s) { return s->size; }
 
 void linsolver_stats(const LinSolver *s, LinStats *stats)
 {

@@ -46,8 +46,10 @@ static void bandwidths(const SparseMatrix *m, int *below, int *above)
     }
 }
 
-static void *lapack_make(const SparseMatrix *m, int banded)
+static void *lapack_make(const LinMatrix *a, const LinOptions *options)
 {
+    const SparseMatrix *const m = a->sparse;
+    const int banded = options->kind == LIN_BAND;
     LapackSolver *const s = calloc(1, sizeof *s);
     if (!s) return NULL;
     s->n = m->n;
@@ -59,18 +61,6 @@ static void *lapack_make(const SparseMatrix *m, int banded)
     if (s->lu && s->pivot && lapack_load(&s->lapack)) return s;
     lapack_drop(s);
     return NULL;
-}
-
-static void *band_make(const LinMatrix *a, const LinOptions *options)
-{
-    (void)options;
-    return lapack_make(a->sparse, 1);
-}
-
-static void *dense_make(const LinMatrix *a, const LinOptions *options)
-{
-    (void)options;
-    return lapack_make(a->sparse, 0);
 }
 
 /* Spreads m into the storage; returns its 1-norm (NaN or infinite if a value is) and its largest entry. */
@@ -137,15 +127,9 @@ static void lapack_stats(const void *self, LinStats *stats)
     stats->growth = s->growth;
 }
 
-const LinBackend band_backend = {.sparse = 1,
-                                 .make = band_make,
-                                 .drop = lapack_drop,
-                                 .factor = lapack_factor,
-                                 .solve = lapack_solve,
-                                 .stats = lapack_stats};
-const LinBackend dense_backend = {.sparse = 1,
-                                  .make = dense_make,
-                                  .drop = lapack_drop,
-                                  .factor = lapack_factor,
-                                  .solve = lapack_solve,
-                                  .stats = lapack_stats};
+const LinBackend lapack_backend = {.sparse = 1,
+                                   .make = lapack_make,
+                                   .drop = lapack_drop,
+                                   .factor = lapack_factor,
+                                   .solve = lapack_solve,
+                                   .stats = lapack_stats};

@@ -45,12 +45,11 @@ int linsolver_factor(LinSolver *s, const BlockChain *a);
 int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a);
 int linsolver_factor_sparse(LinSolver *s, const SparseMatrix *a);
 
-/* x (linsolver_size() values, in: right-hand side) becomes the solution. Same returns; needs a factorisation. */
+/* x (a value an unknown, in: right-hand side) becomes the solution. Same returns; needs a factorisation. */
 int linsolver_solve(LinSolver *s, double *x);
 /* The same for `count` right-hand sides, one after the other in x; each comes out as linsolver_solve would give it. */
 int linsolver_solve_many(LinSolver *s, int count, double *x);
 
-int linsolver_size(const LinSolver *s);
 void linsolver_stats(const LinSolver *s, LinStats *stats);
 /* "auto", "block", ... */
 const char *linsolver_kind_name(LinKind kind);

@@ -1,6 +1,5 @@
 #include "linsolve/newton_matrix.h"
 
-#include <assert.h>
 #include <stddef.h>
 
 /* Pieces of a leaf: its diagonal, and for each of two chain blocks the coupling there and back. */
@@ -57,18 +56,6 @@ Piece newton_piece(const NewtonMatrix *a, int k)
     k -= a->extras;
     if (k < LEAF_PIECES * a->leaves) return leaf_piece(a, k / LEAF_PIECES, k % LEAF_PIECES);
     return border_piece(a, k - LEAF_PIECES * a->leaves);
-}
-
-void newton_gemv(const NewtonMatrix *a, double s, const double *x, double *y)
-{
-    for (int k = 0; k < newton_pieces(a); ++k) {
-        const Piece p = newton_piece(a, k);
-        assert(p.value);
-        for (int c = 0; c < p.cols; ++c) {
-            const double *const column = p.value + (size_t)c * (size_t)p.rows;
-            for (int r = 0; r < p.rows; ++r) y[p.row + r] += s * x[p.col + c] * column[r];
-        }
-    }
 }
 
 int newton_groups(const NewtonMatrix *a, int *at)

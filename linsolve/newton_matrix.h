@@ -39,8 +39,6 @@ typedef struct NewtonMatrix {
 /* Unknowns of chain and leaves; of everything. */
 int newton_inner(const NewtonMatrix *a);
 int newton_size(const NewtonMatrix *a);
-/* y = y + s A x for vectors of newton_size(). */
-void newton_gemv(const NewtonMatrix *a, double s, const double *x, double *y);
 
 /* The matrix as a list of dense pieces, in a fixed order; values may be NULL where a caller asks for the pattern only.
  */

@@ -21,10 +21,10 @@ static void ends_look(const Moment *m, const double *y)
     const Scene *const scene = m->scene;
     Workspace *const ws = m->ws;
     const int n = scene->chain.n, last = (n - 1) / LANES * LANES;
-    body_kinematics(n, y, 0, LANES < n ? LANES : n, &ws->kin);
-    body_kinematics(n, y, last, n, &ws->kin);
+    body_kernels()->kinematics(n, y, 0, LANES < n ? LANES : n, &ws->kin);
+    body_kernels()->kinematics(n, y, last, n, &ws->kin);
     scene_ghosts(scene, m->t, &ws->kin);
-    bushing_loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints);
+    bushing_kernels()->loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints);
 }
 
 void balance_spatial(const Scene *scene, Workspace *ws, double t, const double *y, BalanceRates *out)
@@ -59,7 +59,7 @@ void balance_stock(const Scene *scene, Workspace *ws, const double *own, Balance
     const Moment m = {.scene = scene, .ws = ws, .friction = 1};
     memset(out, 0, sizeof *out);
     bodies_stock(scene, &ws->kin, out);
-    const JointEnergy joints = bushing_energy(&scene->chain, &ws->kin, 0, scene->chain.n + 1);
+    const JointEnergy joints = bushing_kernels()->energy(&scene->chain, &ws->kin, 0, scene->chain.n + 1);
     out->energy[IN_JOINTS] = joints.elastic;
     out->energy[IN_BENDING] = joints.sliding;
     for (int r = 0; r < scene->n_rooms; ++r) {

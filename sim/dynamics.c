@@ -27,8 +27,8 @@ int workspace_alloc(Workspace *ws, const Scene *scene, Team *team)
     ws->team = team;
     ws->middle = halves_middle(n);
     int ok = kinematics_alloc(&ws->kin, n) && kinematics_alloc_slips(&ws->kin, &scene->chain);
-    ok = ok && joint_loads_alloc(&ws->joints, n);
-    for (int p = 0; p < PARTS; ++p) ok = ok && loads_alloc(&ws->loads[p], n);
+    ok = ok && chain_struct_alloc(&ws->joints, n);
+    for (int p = 0; p < PARTS; ++p) ok = ok && chain_struct_alloc(&ws->loads[p], n);
     ok &= chain_arrays_new(ws->law, 6, n, 0);
     EACH_ROOM(room, scene, work_alloc) ok = ok && room->kind->work_alloc(room, scene, ws);
     if (!ok) workspace_free(ws);
@@ -39,8 +39,8 @@ void workspace_free(Workspace *ws)
 {
     if (!ws->scene) return;
     kinematics_free(&ws->kin);
-    joint_loads_free(&ws->joints);
-    for (int p = 0; p < PARTS; ++p) loads_free(&ws->loads[p]);
+    chain_struct_free(&ws->joints);
+    for (int p = 0; p < PARTS; ++p) chain_struct_free(&ws->loads[p]);
     chain_arrays_free(ws->law, 6);
     EACH_ROOM(room, ws->scene, work_free) room->kind->work_free(room, ws);
     for (int r = 0; r < ROOMS_MAX; ++r) free(ws->room[r]);
@@ -87,7 +87,7 @@ static void rooms_pose(const Moment *m, const double *y)
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y)
 {
     const Moment m = {.scene = scene, .ws = ws, .t = t};
-    body_kinematics(scene->chain.n, y, 0, scene->chain.n, &ws->kin);
+    body_kernels()->kinematics(scene->chain.n, y, 0, scene->chain.n, &ws->kin);
     rooms_pose(&m, y);
 }
 
@@ -112,7 +112,7 @@ static void kinematics_job(void *arg, int rank)
     const Scene *const scene = e->m.scene;
     Workspace *const ws = e->m.ws;
     const int n = scene->chain.n, from = share_from(ws, rank), to = share_to(ws, rank, n);
-    body_kinematics(n, e->y, from, to, &ws->kin);
+    body_kernels()->kinematics(n, e->y, from, to, &ws->kin);
     ws->lead_in[rank] = weight_loads(scene, &ws->kin, from, to, &ws->loads[0]);
     for (int c = 0; c < 3; ++c) {
         memset(ws->loads[1].f[c] + from, 0, (size_t)(to - from) * sizeof(double));
@@ -129,7 +129,7 @@ static void loads_job(void *arg, int rank)
     const Chain *const chain = &m->scene->chain;
     double start = -1;
     ws->joint_power[rank] =
-        bushing_loads(chain, &ws->kin, share_from(ws, rank), share_to(ws, rank, chain->n + 1), &ws->joints);
+        bushing_kernels()->loads(chain, &ws->kin, share_from(ws, rank), share_to(ws, rank, chain->n + 1), &ws->joints);
     EACH_ROOM(room, m->scene, loads)
     {
         if (room->kind->touches && start < 0) start = clock_now();
@@ -143,8 +143,8 @@ static void motion_job(void *arg, int rank)
     const Evaluation *const e = arg;
     const Workspace *const ws = e->m.ws;
     const Chain *const chain = &e->m.scene->chain;
-    body_rates(chain, &ws->kin, &ws->joints, ws->loads, e->y, share_from(ws, rank), share_to(ws, rank, chain->n),
-               e->ydot);
+    body_kernels()->rates(chain, &ws->kin, &ws->joints, ws->loads, e->y, share_from(ws, rank),
+                          share_to(ws, rank, chain->n), e->ydot);
 }
 
 /* Whether joints and contacts gain more from a second thread than it takes to wake it and to send it the state. */
@@ -221,7 +221,7 @@ Push dynamics_ghost_push(const Moment *m, int joint)
 
 void dynamics_tail_pull(const Scene *scene, Workspace *ws)
 {
-    bushing_loads(&scene->chain, &ws->kin, 0, 2, &ws->joints);
+    bushing_kernels()->loads(&scene->chain, &ws->kin, 0, 2, &ws->joints);
 }
 
 void dynamics_soften(const Scene *scene, Workspace *ws, double share)
@@ -235,7 +235,7 @@ int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y)
     const Moment m = {scene, ws, t, 1};
     int active = 0;
     dynamics_kinematics(scene, ws, t, y);
-    bushing_law(&scene->chain, &ws->kin, 0, scene->chain.n + 1, ws->law);
+    bushing_kernels()->law(&scene->chain, &ws->kin, 0, scene->chain.n + 1, ws->law);
     EACH_ROOM(room, scene, look) active += room->kind->look(room, &m);
     return active;
 }

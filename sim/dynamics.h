@@ -24,10 +24,10 @@ struct Workspace {
     const Scene *scene;    /* borrowed */
     Team *team;            /* borrowed; NULL: one thread */
     int middle;            /* segments before it are the first part's; a multiple of LANES */
-    Kinematics kin;        /* body_kinematics, scene_ghosts */
-    JointLoads joints;     /* bushing_loads */
+    Kinematics kin;        /* body_kernels: kinematics; scene_ghosts */
+    JointLoads joints;     /* bushing_kernels: loads */
     Loads loads[PARTS];    /* on segments: weight and what acts in part 0; what acts in part 1 */
-    double *law[6];        /* bushing_law: [n+1] */
+    double *law[6];        /* bushing_kernels: law; [n+1] */
     void *room[ROOMS_MAX]; /* the rooms' own; and what others ask for too: */
     ContactPart contact[PARTS];
     SelfPairs self;                  /* cable on cable */

@@ -186,8 +186,6 @@ double roller_load(double T1, double T2, double turn)
     return sqrt((T1 - T2) * (T1 - T2) + 4 * T1 * T2 * half * half);
 }
 
-double roller_load_in_bend(double T, double R, double spacing) { return 2 * T * sin(spacing / (2 * R)); }
-
 /* Slopes at both ends of a bend in a vertical plane: the tangent's vertical component, and the side of the
  * centre, say by how much the slope rises. */
 static hawser_status vertical_piece(const RoutePiece *p, int direction, double T1, double w, double mu, double *T2,

@@ -38,9 +38,6 @@ hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R
 hawser_status roller_tension(double T1, double mu, double turn, double *T2, hawser_error *err);
 /* Size of the force on a roller between tensions T1 and T2 that turn by `turn`, N. (T18) */
 double roller_load(double T1, double T2, double turn);
-/* The same in a bend of radius R with rollers every `spacing` m and weight left out: 2 T sin(spacing / 2R),
- * which is T spacing / R for close rollers. (T18) */
-double roller_load_in_bend(double T, double R, double spacing);
 
 /* The closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1), its supports
  * separate or not. Refuses what has none: bends that are neither level nor in a vertical plane, and those that the

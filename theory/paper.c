@@ -67,10 +67,3 @@ double paper_tension(int n, const PaperTermDef *term, double W, double mu, doubl
     }
     return tension;
 }
-
-/* (T4): the paper's factor in braces over sin theta1. */
-double paper_slope_length(double h1, double R1, double theta1)
-{
-    const double half = sin(theta1 / 2);
-    return (h1 - R1 * 2 * half * half) / sin(theta1);
-}

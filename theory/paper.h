@@ -27,8 +27,5 @@ double paper_total(int n, const PaperTermDef *term, double W, double mu, double 
  * path up to s (linear inside a slope, exact inside an arc), never the rope. s outside the path is taken at
  * its nearer end. */
 double paper_tension(int n, const PaperTermDef *term, double W, double mu, double g, double s);
-/* Length of the straight slope A-B of eq. 4 from its height h1 (m, down to the level of C), the radius R1 (m)
- * of the arc that follows and the angle theta1 (rad, > 0) between slope and level. */
-double paper_slope_length(double h1, double R1, double theta1);
 
 #endif

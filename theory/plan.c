@@ -7,8 +7,6 @@
 #include "core/base/error.h"
 #include "theory/closed_form.h"
 
-void plan_defaults(PlanDef *def) { *def = (PlanDef){.reel_length = 15, .rope_length = 5}; }
-
 static int is_length(double x) { return x >= 0 && isfinite(x); }
 
 static hawser_status check_def(const PlanDef *def, hawser_error *err)
@@ -72,14 +70,6 @@ static hawser_status inputs_set(const PlanDef *def, const DuctLoad *duct, Inputs
     return HAWSER_OK;
 }
 
-/* Weight per length of what lies where the pull starts: it is what the reel pays out. */
-static double weight_at(const PlanDef *def, double s)
-{
-    int i = 0;
-    while (i + 1 < def->n_stretches && def->stretch[i + 1].from <= s) i++;
-    return def->stretch[i].weight;
-}
-
 /* One span's outcome by the closed form, where the piece is a single span. */
 static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *piece)
 {
@@ -125,8 +115,10 @@ static void fill_pieces(const PlanDef *def, PlanWay *way)
 static hawser_status solve_way(const PlanDef *def, const Inputs *in, int backward, PlanWay *way, hawser_error *err)
 {
     const double first = backward ? def->route->length : 0, last = backward ? 0 : def->route->length;
-    way->start = weight_at(def, first) * def->reel_length + def->back_tension; /* (T24) */
-    way->rope = weight_at(def, first) * def->rope_length + def->rope_force;    /* (T25) */
+    /* of what lies where the pull starts: it is what the reel pays out */
+    const double weight = stretch_at(def->n_stretches, def->stretch, first)->weight;
+    way->start = weight * def->reel_length + def->back_tension; /* (T24) */
+    way->rope = weight * def->rope_length + def->rope_force;    /* (T25) */
     PullDef pull = {.route = def->route,
                     .from = first,
                     .to = last,
@@ -147,12 +139,6 @@ static hawser_status solve_way(const PlanDef *def, const Inputs *in, int backwar
     status = pull_solve(&pull, &way->pull, err);
     if (status) return status;
     way->force = way->pull.end_tension + way->rope;
-    way->max_tension = way->pull.max_tension;
-    way->max_at = way->pull.max_at;
-    way->min_tension = way->pull.min_tension;
-    way->min_at = way->pull.min_at;
-    way->max_sidewall = way->pull.max_sidewall;
-    way->sidewall_at = way->pull.sidewall_at;
     way->piece = calloc((size_t)def->route->n, sizeof *way->piece);
     if (!way->piece) return error_memory(err);
     fill_pieces(def, way);

@@ -8,7 +8,7 @@
 
 enum { PLAN_FORWARD, PLAN_BACKWARD, PLAN_WAYS, PLAN_REASON_MAX = 200 };
 
-/* What is pulled. Plain data; plan_defaults gives the paper's allowances. */
+/* What is pulled. Plain data; the paper's allowances are 15 m of cable on the reel and 5 m for the rope. */
 typedef struct PlanDef {
     const Route *route;
     int n_stretches; /* >= 1: weight of all cables together (N/m) and friction, without a duct's correction */
@@ -38,16 +38,13 @@ typedef struct PlanPiece {
 } PlanPiece;
 
 typedef struct PlanWay {
-    Pull pull;                        /* at speed */
-    double start;                     /* N, reel and brake (T24) */
-    double rope;                      /* N, the rope's allowance (T25) */
-    double force;                     /* N: tension at the end plus rope */
-    double restart_force;             /* N: the same with static friction */
-    double restart_max, restart_at;   /* N, m; of the cable then */
-    double max_tension, max_at;       /* N, m; of the cable, at speed */
-    double min_tension, min_at;       /* below 0 the cable would have to be pushed there */
-    double max_sidewall, sidewall_at; /* N/m, of the worst loaded cable */
-    PlanPiece *piece;                 /* [n], by the route's order */
+    Pull pull;                      /* at speed: tensions and sidewall pressures of the worst loaded cable, and where */
+    double start;                   /* N, reel and brake (T24) */
+    double rope;                    /* N, the rope's allowance (T25) */
+    double force;                   /* N: tension at the end plus rope */
+    double restart_force;           /* N: the same with static friction */
+    double restart_max, restart_at; /* N, m; of the cable then */
+    PlanPiece *piece;               /* [n], by the route's order */
 } PlanWay;
 
 typedef struct Plan {
@@ -57,7 +54,6 @@ typedef struct Plan {
     int better;    /* the way that needs the smaller force */
 } Plan;
 
-void plan_defaults(PlanDef *def);
 /* Errors: INPUT as pull_solve and duct_load give them, negative lengths, spacings, pushes
  * that are no numbers or off the route; MEMORY. Nothing is left allocated then. The plan borrows
  * nothing. */

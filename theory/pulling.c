@@ -61,19 +61,18 @@ static int collect_cuts(const PullDef *def, double *cut)
     return kept;
 }
 
-/* The stretch around s. */
-static const PullStretch *stretch_at(const PullDef *def, double s)
+const PullStretch *stretch_at(int n, const PullStretch *stretch, double s)
 {
     int i = 0;
-    while (i + 1 < def->n_stretches && def->stretch[i + 1].from <= s) i++;
-    return &def->stretch[i];
+    while (i + 1 < n && stretch[i + 1].from <= s) i++;
+    return &stretch[i];
 }
 
 /* The law that holds between two neighbouring cuts. */
 static SpanLaw law_between(const PullDef *def, double low, double high)
 {
     const double middle = low + (high - low) / 2;
-    const PullStretch *a = stretch_at(def, middle);
+    const PullStretch *a = stretch_at(def->n_stretches, def->stretch, middle);
     return (SpanLaw){.law = def->law,
                      .direction = def->to > def->from ? 1 : -1,
                      .weight = a->weight,
@@ -126,7 +125,7 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
         *span = (PullSpan){.s0 = forward ? low : high, .s1 = forward ? high : low};
         span->piece = route_at(def->route, low + (high - low) / 2).piece;
         span->law = law_between(def, low, high);
-        const double share = stretch_at(def, low + (high - low) / 2)->share;
+        const double share = stretch_at(def->n_stretches, def->stretch, low + (high - low) / 2)->share;
         span->share = share > 0 ? share : 1;
         span->t0 = tension + steps_at(def, span->s0);
         span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY};

@@ -21,6 +21,9 @@ typedef struct PullStretch {
     double share;     /* of T/R that presses on the worst loaded cable, of several; 0: all of it */
 } PullStretch;
 
+/* The one of n that lies around s (m). */
+const PullStretch *stretch_at(int n, const PullStretch *stretch, double s);
+
 /* A force that acts at one point against the pull: the tension rises by it. Conveyors push: negative. */
 typedef struct PullStep {
     double at;    /* m along the route */

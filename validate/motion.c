@@ -59,7 +59,7 @@ void motion_turn(Stage *stage, int i, Quat attitude)
 double *const *motion_law(Stage *stage)
 {
     dynamics_kinematics(&stage->scene, &stage->ws, stage->t, stage->y);
-    bushing_law(&stage->scene.chain, &stage->ws.kin, 0, stage->scene.chain.n + 1, stage->ws.law);
+    bushing_kernels()->law(&stage->scene.chain, &stage->ws.kin, 0, stage->scene.chain.n + 1, stage->ws.law);
     return stage->ws.law;
 }
 

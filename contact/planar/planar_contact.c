@@ -8,8 +8,6 @@
 
 #include "contact/law/tally_lanes.h"
 
-ISA_KERNELS(PlanarContactKernels, planar_contact_kernels)
-
 /* Room was made by the refresh: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, int roller, int element)
 {
@@ -46,7 +44,7 @@ static void hits_cylinder(const PlanarContactModel *model, const PlanarChain *ch
 static void hits_find(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                       ContactPairs *pairs)
 {
-    const PlanarContactKernels *const kernel = kernels();
+    const PlanarContactKernels *const kernel = planar_contact_kernels();
     pairs->n_hits = 0;
     for (int i = 0; i < pairs->n_near; ++i) {
         if (model->geometry == GEOMETRY_SMOOTH) {
@@ -147,7 +145,7 @@ static void push_add(const PlanarBatch *batch, const PlanarPush *push, int l, Pl
 void planar_contact_forces(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarLoads *loads, double (*on_roller)[2])
 {
-    const PlanarContactKernels *const kernel = kernels();
+    const PlanarContactKernels *const kernel = planar_contact_kernels();
     PlanarBatch batch = {.impact = &model->impact, .friction_scale = friction_scale};
     PlanarPush push;
     hits_find(model, chain, kin, pairs);
@@ -193,7 +191,7 @@ static void matrix_add(const PlanarBatch *batch, const PlanarContactMatrix *m, i
 void planar_contact_blocks(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarBlocks *k, PlanarBlocks *d)
 {
-    const PlanarContactKernels *const kernel = kernels();
+    const PlanarContactKernels *const kernel = planar_contact_kernels();
     PlanarBatch batch = {.impact = &model->impact, .friction_scale = friction_scale};
     PlanarContactMatrix by_shift, by_speed;
     double normal[LANES];
@@ -207,10 +205,4 @@ void planar_contact_blocks(const PlanarContactModel *model, const PlanarChain *c
             matrix_add(&batch, &by_speed, l, d);
         }
     }
-}
-
-double planar_contact_moved(const PlanarChain *chain, const PlanarKinematics *kin, double *const at_p[2],
-                            double *const at_a[2])
-{
-    return kernels()->moved(chain, kin, at_p, at_a);
 }

@@ -40,11 +40,6 @@ void planar_contact_narrow(const PlanarContactModel *model, const PlanarChain *c
 void planar_contact_blocks(const PlanarContactModel *model, const PlanarChain *chain, const PlanarKinematics *kin,
                            double friction_scale, ContactPairs *pairs, PlanarBlocks *k, PlanarBlocks *d);
 
-/* The largest |dx| + half |da| of a segment between (p, a) and (at_p, at_a), m: no point of the line has moved farther
- * (C20). NaN counts as infinite. */
-double planar_contact_moved(const PlanarChain *chain, const PlanarKinematics *kin, double *const at_p[2],
-                            double *const at_a[2]);
-
 /* ------------------------------------------------------------------------------------------------------ kernels */
 
 /* What planar_contact_lanes.c offers to planar_contact.c, once for every instruction set. */
@@ -89,11 +84,12 @@ typedef struct PlanarContactKernels {
     void (*push)(const PlanarBatch *batch, PlanarPush *out);
     /* returns 0, and writes nothing, if no hit carries force */
     int (*columns)(const PlanarBatch *batch, PlanarContactMatrix *k, PlanarContactMatrix *d, double normal[LANES]);
+    /* The largest |dx| + half |da| of a segment between (p, a) and (at_p, at_a), m: no point of the line has moved
+     * farther (C20). NaN counts as infinite. */
     double (*moved)(const PlanarChain *chain, const PlanarKinematics *kin, double *const at_p[2],
                     double *const at_a[2]);
 } PlanarContactKernels;
 
-extern const PlanarContactKernels planar_contact_kernels_generic, planar_contact_kernels_avx2,
-    planar_contact_kernels_avx512;
+ISA_KERNELS(PlanarContactKernels, planar_contact_kernels)
 
 #endif

@@ -9,8 +9,6 @@
 #include "contact/law/tally_lanes.h"
 #include "contact/roller/contact_kernels.h"
 
-ISA_KERNELS(ContactKernels, contact_kernels)
-
 /* Room was made by the refresh: a candidate is a hit at most once. */
 static void hit_add(ContactPairs *pairs, ContactRange range, int element)
 {
@@ -52,7 +50,7 @@ static void hits_cylinder(const ContactKernels *kernel, const Shape *shape, cons
 /* All places worth a closer look, in the order of the candidates. */
 static void hits_find(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs)
 {
-    const ContactKernels *const kernel = kernels();
+    const ContactKernels *const kernel = contact_kernels();
     pairs->n_hits = 0;
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const ContactRange range = pairs->range[i];
@@ -156,7 +154,7 @@ static ContactVariant batch_variant(const ContactModel *model, const ContactBatc
 }
 static void batch_push(const ContactModel *model, const ContactBatch *batch, ContactPush *push)
 {
-    kernels()->push[batch_variant(model, batch)](batch, push);
+    contact_kernels()->push[batch_variant(model, batch)](batch, push);
 }
 
 /* Adds one lane's wrench to its segments. */
@@ -225,7 +223,7 @@ void contact_blocks(const ContactModel *model, const Chain *chain, const Kinemat
     hits_find(model, chain, kin, pairs);
     for (int next = 0; next < pairs->n_hits;) {
         next = batch_fill(&batch, model, chain, kin, friction_scale, pairs, next);
-        const int done = kernels()->columns[batch_variant(model, &batch)](&batch, &by_shift, &by_speed, normal);
+        const int done = contact_kernels()->columns[batch_variant(model, &batch)](&batch, &by_shift, &by_speed, normal);
         if (!done) continue;
         for (int l = 0; l < batch.count; ++l) {
             if (!(normal[l] > 0)) continue;

@@ -111,6 +111,6 @@ typedef struct ContactKernels {
     ContactColumnsKernel *columns[CONTACT_VARIANTS];
 } ContactKernels;
 
-extern const ContactKernels contact_kernels_generic, contact_kernels_avx2, contact_kernels_avx512;
+ISA_KERNELS(ContactKernels, contact_kernels)
 
 #endif

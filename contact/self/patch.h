@@ -4,7 +4,7 @@
 #define HAWSER_CONTACT_SELF_PATCH_H
 
 #include "contact/law/contact_law.h"
-#include "contact/shape/line_spot.h"
+#include "contact/shape/element.h"
 
 /* The law of cable on cable. */
 typedef struct PatchLaw {

@@ -37,24 +37,6 @@ LineWeights element_weights(const Element *e, double u)
 
 /* Whether `body` is a segment at all: an element at an end has only one. */
 static int carries(const Chain *chain, int body) { return body >= 0 && body < chain->n; }
-/* r_i: from the centre of segment i to its front end. */
-static Vec3 body_arm(const Chain *chain, const Kinematics *kin, int i)
-{
-    return v3_scale(chain->half[i], v3_load(kin->a, i));
-}
-
-/* (C1), term by term: missing bodies have no weight. */
-Vec3 element_point(const Element *element, const Chain *chain, const Kinematics *kin, double u)
-{
-    const LineWeights w = element_weights(element, u);
-    Vec3 p = v3(0, 0, 0);
-    for (int b = 0; b < 2; ++b) {
-        const int i = element->body[b];
-        if (!carries(chain, i)) continue;
-        p = v3_axpy(v3_axpy(p, w.alpha[b], v3_load(kin->p, i)), w.beta[b], body_arm(chain, kin, i));
-    }
-    return p;
-}
 
 /* (C4). */
 double element_radius(const Element *element, const Chain *chain, double u)

@@ -33,8 +33,7 @@ typedef struct LineWeights {
 /* (C2), (C3) at u. */
 LineWeights element_weights(const Element *element, double u);
 
-/* Point of the line (m) and contact radius there (m) at u (C1), (C4). */
-Vec3 element_point(const Element *element, const Chain *chain, const Kinematics *kin, double u);
+/* Contact radius there, m (C4). */
 double element_radius(const Element *element, const Chain *chain, double u);
 
 /* A sphere that holds the element with its contact radius (C18): centre and radius, m. */
@@ -61,5 +60,26 @@ int sphere_tree_alloc(SphereTree *tree, int n);
 void sphere_tree_free(SphereTree *tree);
 /* Spheres around the elements where they are now, and around runs of them (C19). */
 void sphere_tree_build(SphereTree *tree, ContactGeometry geometry, const Chain *chain, const Kinematics *kin);
+
+/* ------------------------------------------------------------------- the smooth line at one place (line_spot.c) */
+
+/* A point of the line with everything that a contact between two cables needs of it. */
+typedef struct LineSpot {
+    int body[2];                 /* segments; outside 0..n-1: none, with no weight */
+    LineWeights weight, weight1; /* and their first derivatives */
+    Vec3 p, p1, p2;              /* the line and its derivatives by the parameter, m */
+    double radius, radius1;      /* contact radius and its derivative, m */
+} LineSpot;
+
+/* Element e of the smooth line at parameter u in [0, 1]. */
+LineSpot line_spot(const Chain *chain, const Kinematics *kin, int e, double u);
+
+/* Half the slope of the squared distance from p at segment i's centre: positive where the line runs away from p. i = -1
+ * and i = n stand for what is beyond the line's ends, where it always recedes. */
+double line_slope(const Chain *chain, const Kinematics *kin, int i, Vec3 p);
+
+/* The parameter of element e that is nearest to p, where line_slope is negative before the element and not behind it
+ * (CC1). *inside: 0 if it is held at the line's end. */
+double line_foot(const Chain *chain, const Kinematics *kin, int e, Vec3 p, int *inside);
 
 #endif

@@ -1,4 +1,4 @@
-#include "contact/shape/line_spot.h"
+#include "contact/shape/element.h"
 
 /* First and second derivatives of (C2), (C3) by u. */
 static void weights_by(const Element *e, double u, LineWeights *w1, LineWeights *w2)

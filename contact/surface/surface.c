@@ -10,28 +10,15 @@
 #include "contact/surface/surface_kernels.h"
 #include "core/base/error.h"
 
-ISA_KERNELS(SurfaceKernels, surface_kernels)
-
 SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p)
 {
     SurfaceProbe out;
-    kernels()->probe(patch, p, &out);
+    surface_kernels()->probe(patch, p, &out);
     return out;
 }
 
 /* Gauss points on [0, 1] and their weights, half the length each. */
 static const double gauss_u[SURFACE_POINTS] = {0.21132486540518712, 0.78867513459481288};
-
-static int points_arrays(SurfacePoints *points, int n)
-{
-    int ok = 1;
-    for (int q = 0; q < SURFACE_POINTS; ++q) {
-        double **const array[5] = {&points->alpha[q], &points->beta[q][0], &points->beta[q][1], &points->length[q],
-                                   &points->radius[q]};
-        for (int k = 0; k < 5; ++k) ok &= chain_arrays_new(array[k], 1, n, 0);
-    }
-    return ok;
-}
 
 /* A segment's value, 0 for a segment that is not there. */
 static double segment_value(const double *array, int i, int n) { return i >= 0 && i < n ? array[i] : 0; }
@@ -51,30 +38,19 @@ static void point_set(SurfacePoints *points, ContactGeometry geometry, const Cha
     points->length[q][e] = length / SURFACE_POINTS;
 }
 
+enum { POINTS_ARRAYS = 5 * SURFACE_POINTS }; /* from SurfacePoints.alpha on */
+
 int surface_points_alloc(SurfacePoints *points, ContactGeometry geometry, const Chain *chain)
 {
-    memset(points, 0, sizeof *points);
-    if (!points_arrays(points, chain->n)) {
-        surface_points_free(points);
-        return 0;
-    }
     points->elements = element_count(geometry, chain->n);
+    if (!chain_struct_new(points->alpha, POINTS_ARRAYS, chain->n)) return 0;
     for (int e = 0; e < points->elements; ++e) {
         for (int q = 0; q < SURFACE_POINTS; ++q) point_set(points, geometry, chain, e, q);
     }
     return 1;
 }
 
-void surface_points_free(SurfacePoints *points)
-{
-    for (int q = 0; q < SURFACE_POINTS; ++q) {
-        chain_arrays_free(&points->alpha[q], 1);
-        chain_arrays_free(points->beta[q], 2);
-        chain_arrays_free(&points->length[q], 1);
-        chain_arrays_free(&points->radius[q], 1);
-    }
-    memset(points, 0, sizeof *points);
-}
+void surface_points_free(SurfacePoints *points) { chain_arrays_free(points->alpha, POINTS_ARRAYS); }
 
 void surface_pairs_init(SurfacePairs *pairs, int from, int to)
 {
@@ -95,16 +71,6 @@ int surface_sticks(const SurfaceModel *model)
     int any = 0;
     for (int i = 0; i < model->n_surfaces; ++i) any |= friction_kind(&model->friction[i]) == FRICTION_STICK;
     return any;
-}
-
-int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n)
-{
-    int *const sticks = calloc((size_t)model->n_surfaces + 1, sizeof *sticks);
-    if (!sticks) return 0;
-    for (int i = 0; i < model->n_surfaces; ++i) sticks[i] = friction_kind(&model->friction[i]) == FRICTION_STICK;
-    const int ok = surface_stick_alloc(&pairs->stick, n, model->n_surfaces, sticks);
-    free(sticks);
-    return ok;
 }
 
 /* Elements first .. first + count - 1 against a patch. */
@@ -184,7 +150,7 @@ static int run_refresh(const SurfaceModel *model, const Chain *chain, const Kine
     for (int first = from; first < to; first += LANES) {
         int near[LANES];
         const SurfaceStrip strip = strip_of(model, chain, kin, 0, &pairs->stick, patch, first, to - first);
-        kernels()->near(&strip, model->reach, near);
+        surface_kernels()->near(&strip, model->reach, near);
         for (int l = 0; l < strip.count; ++l) {
             if (near[l] && !candidate_add(pairs, patch, first + l)) return 0;
         }
@@ -236,7 +202,7 @@ static void tally_element(const SurfaceStrip *strip, const SurfacePush *push, in
 void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     SurfacePairs *pairs, Loads *loads, SurfaceTally *tally)
 {
-    const SurfaceKernels *const kernel = kernels();
+    const SurfaceKernels *const kernel = surface_kernels();
     SurfacePush push;
     if (tally) pairs->active = 0;
     pairs->work = (ContactTally){0};
@@ -258,7 +224,7 @@ void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinemat
                     const SurfacePairs *pairs, int from, int to, BlockChain *k, BlockChain *d)
 {
     assert(k->b == 6 && d->b == 6 && k->n == chain->n && d->n == chain->n);
-    const SurfaceKernels *const kernel = kernels();
+    const SurfaceKernels *const kernel = surface_kernels();
     ContactMatrix by_shift, by_speed;
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
@@ -291,7 +257,7 @@ void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinemat
         for (int done = 0; done < r.count; done += LANES) {
             const SurfaceStrip strip =
                 strip_of(model, chain, kin, 1, &pairs->stick, r.patch, r.first + done, r.count - done);
-            if (strip.bed) kernels()->keep(&strip);
+            if (strip.bed) surface_kernels()->keep(&strip);
         }
     }
     surface_stick_accept(&pairs->stick, t);

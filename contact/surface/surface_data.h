@@ -5,9 +5,11 @@
 #include "contact/law/contact_law.h"
 #include "contact/shape/element.h"
 #include "contact/surface/surface_patch.h"
-#include "contact/surface/surface_stick.h"
 #include "core/block_chain.h"
 #include "hawser/hawser.h"
+
+enum { SURFACE_POINTS = 2 }; /* Gauss points of an element (DU1) */
+enum { SURFACE_FACES_MAX = 3 };
 
 /* The points of a chain's line, by element e (chain arrays; bodies e-1 and e, a missing one has no weight) (DU2). */
 typedef struct SurfacePoints {
@@ -33,6 +35,22 @@ typedef struct SurfaceRange {
     int patch, first, count;
 } SurfaceRange;
 
+/* What the points of the line remember between steps where friction on surfaces sticks: the lean of each point's
+ * bristle against each face. docs/model.md, "Friction that sticks". The points are fixed on the cable, so a lean stays
+ * with its point; arrays over elements, as the kernels want them. Part of a run's state, beside y, as StickStore is. */
+
+/* One face of a surface that sticks. */
+typedef struct SurfaceBed {
+    double *lean[SURFACE_POINTS][3]; /* chain arrays, m, world: at the last accepted step; zero where nothing touched */
+    double *fresh[SURFACE_POINTS][3]; /* being collected for the next */
+} SurfaceBed;
+
+typedef struct SurfaceStick {
+    double since, elapsed; /* s, as in StickStore */
+    int n_beds;            /* SURFACE_FACES_MAX for each surface; 0: nothing sticks */
+    SurfaceBed *bed;       /* [n_beds] those of surfaces that do not stick have no arrays */
+} SurfaceStick;
+
 /* The candidates among elements from .. to-1; by surface_refresh. */
 typedef struct SurfacePairs {
     int from, to;
@@ -52,5 +70,13 @@ typedef struct SurfaceTally {
     double line_load; /* N/m, the largest normal force of an element on a face over the element's length */
     double at; /* m along the route, where that is; NAN: nothing touches, or the surface is not along the route */
 } SurfaceTally;
+
+/* ------------------------------------------------------------------- surface_stick.c, for surface.c */
+
+void surface_stick_free(SurfaceStick *stick);
+/* Nothing collected yet, for elements from .. to-1. */
+void surface_stick_begin(SurfaceStick *stick, int from, int to);
+/* A step to t has been accepted: what was collected is what is remembered. */
+void surface_stick_accept(SurfaceStick *stick, double t);
 
 #endif

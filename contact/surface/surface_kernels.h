@@ -40,6 +40,6 @@ typedef struct SurfaceKernels {
     void (*probe)(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out);
 } SurfaceKernels;
 
-extern const SurfaceKernels surface_kernels_generic, surface_kernels_avx2, surface_kernels_avx512;
+ISA_KERNELS(SurfaceKernels, surface_kernels)
 
 #endif

@@ -34,7 +34,7 @@ typedef struct SurfaceFade {
 } SurfaceFade;
 
 typedef struct SurfacePatch {
-    int surface, face; /* of its cross-section, below SURFACE_FACES_MAX (surface_stick.h) */
+    int surface, face; /* of its cross-section, below SURFACE_FACES_MAX (surface_data.h) */
     /* the way: s runs along it from its start */
     double s0, length;   /* m along the route at the start (NAN: none); m, 0: without end */
     Vec3 start, tangent; /* m; unit, at the start */

@@ -1,4 +1,4 @@
-#include "contact/surface/surface_stick.h"
+#include "contact/surface/surface.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -7,28 +7,23 @@
 
 enum { ARRAYS = 3 * SURFACE_POINTS };
 
-int surface_stick_alloc(SurfaceStick *stick, int n, int n_surfaces, const int *sticks)
+int surface_pairs_sticks(SurfacePairs *pairs, const SurfaceModel *model, int n)
 {
-    memset(stick, 0, sizeof *stick);
-    stick->bed = calloc((size_t)(n_surfaces * SURFACE_FACES_MAX) + 1, sizeof *stick->bed);
+    SurfaceStick *const stick = &pairs->stick;
+    *stick = (SurfaceStick){.bed = calloc((size_t)(model->n_surfaces * SURFACE_FACES_MAX) + 1, sizeof *stick->bed)};
     if (!stick->bed) return 0;
-    stick->n_beds = n_surfaces * SURFACE_FACES_MAX;
+    stick->n_beds = model->n_surfaces * SURFACE_FACES_MAX;
     for (int b = 0; b < stick->n_beds; ++b) {
         SurfaceBed *const bed = &stick->bed[b];
-        if (!sticks[b / SURFACE_FACES_MAX]) continue;
-        if (!chain_arrays_new(&bed->lean[0][0], ARRAYS, n, 0) || !chain_arrays_new(&bed->fresh[0][0], ARRAYS, n, 0)) {
-            return 0;
-        }
+        if (friction_kind(&model->friction[b / SURFACE_FACES_MAX]) != FRICTION_STICK) continue;
+        if (!chain_struct_alloc(bed, n)) return 0;
     }
     return 1;
 }
 
 void surface_stick_free(SurfaceStick *stick)
 {
-    for (int b = 0; b < stick->n_beds; ++b) {
-        chain_arrays_free(&stick->bed[b].lean[0][0], ARRAYS);
-        chain_arrays_free(&stick->bed[b].fresh[0][0], ARRAYS);
-    }
+    for (int b = 0; b < stick->n_beds; ++b) chain_struct_free(&stick->bed[b]);
     free(stick->bed);
     memset(stick, 0, sizeof *stick);
 }

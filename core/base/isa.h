@@ -20,16 +20,6 @@ const char *isa_complaint(void);
 #define ISA_NAME(f)     ISA_JOIN(f, HAWSER_ISA)
 #endif
 
-/* Defines kernels(): the best instruction set's table of this type, of those named name_generic, name_avx2,
- * name_avx512.
- */
-#define ISA_KERNELS(Type, name)                                                                                        \
-    static const Type *kernels(void)                                                                                   \
-    {                                                                                                                  \
-        static const Type *const table[] = ISA_TABLE(name);                                                            \
-        return table[isa_best()];                                                                                      \
-    }
-
 /* ISA_TABLE(f): initialiser of an array over Isa of pointers to f_generic, f_avx2, f_avx512. */
 #ifdef HAWSER_X86
 #define ISA_TABLE(f)                                                                                                   \
@@ -42,5 +32,15 @@ const char *isa_complaint(void);
         &f##_generic, &f##_generic, &f##_generic                                                                       \
     }
 #endif
+
+/* For the header of a table of kernels: declares name_generic, name_avx2, name_avx512 and defines name(), which is the
+ * best instruction set's. */
+#define ISA_KERNELS(Type, name)                                                                                        \
+    extern const Type name##_generic, name##_avx2, name##_avx512;                                                      \
+    static inline const Type *name(void)                                                                               \
+    {                                                                                                                  \
+        static const Type *const table[] = ISA_TABLE(name);                                                            \
+        return table[isa_best()];                                                                                      \
+    }
 
 #endif

@@ -97,10 +97,10 @@ static const Column way_column[] = {
     {COLUMN("rope_N", NUMBER, WayRow, way.rope), .label = "rope, N", .decimals = 1},
     {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "winch, N", .decimals = 1},
     {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart, N", .decimals = 1},
-    {COLUMN("max_tension_N", NUMBER, WayRow, way.max_tension), .label = "largest tension, N", .decimals = 1},
-    {COLUMN("max_tension_at_m", NUMBER, WayRow, way.max_at), .label = "at, m", .decimals = 1},
-    {COLUMN("min_tension_N", NUMBER, WayRow, way.min_tension), .label = "least, N", .decimals = 1},
-    {COLUMN("max_sidewall_N_per_m", NUMBER, WayRow, way.max_sidewall), .label = "largest T/R, N/m", .decimals = 1},
+    {COLUMN("max_tension_N", NUMBER, WayRow, way.pull.max_tension), .label = "largest tension, N", .decimals = 1},
+    {COLUMN("max_tension_at_m", NUMBER, WayRow, way.pull.max_at), .label = "at, m", .decimals = 1},
+    {COLUMN("min_tension_N", NUMBER, WayRow, way.pull.min_tension), .label = "least, N", .decimals = 1},
+    {COLUMN("max_sidewall_N_per_m", NUMBER, WayRow, way.pull.max_sidewall), .label = "largest T/R, N/m", .decimals = 1},
     {COLUMN("max_sidewall_at_m", NUMBER, WayRow, sidewall_at), .label = "at, m", .decimals = 1},
 };
 static const Columns way_columns = COLUMNS(WayRow, way_column);
@@ -110,7 +110,7 @@ static int ways_add(const Calculator *c, TheoryTables *t)
     WayRow *const row = table_add(t, "directions", "Both directions", way_columns, PLAN_WAYS);
     for (int k = 0; row && k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
-        row[k] = (WayRow){ways[k], *way, way->max_sidewall > 0 ? way->sidewall_at : NAN};
+        row[k] = (WayRow){ways[k], *way, way->pull.max_sidewall > 0 ? way->pull.sidewall_at : NAN};
     }
     return row != NULL;
 }

@@ -2,8 +2,8 @@
 
 #include <assert.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "core/chain.h"
 #include "linsolve/backend.h"
 
 /* From how many blocks, and from how many entries in the diagonal ones, the second thread pays: measured,
@@ -17,25 +17,16 @@ static const BlockKernels *kernels_for(int b, Isa isa)
     return b == 6 ? six[isa] : three[isa];
 }
 
-/* Zeroed, aligned, with room for one vector load past the end. */
-static double *cells_new(size_t count)
-{
-    const size_t bytes = (count * sizeof(double) / ALIGNMENT + 2) * ALIGNMENT;
-    double *const p = aligned_alloc(ALIGNMENT, bytes);
-    if (p) memset(p, 0, bytes);
-    return p;
-}
-
 int block_solver_init(BlockSolver *s, int n, int b, Isa isa, double growth_limit, Team *team)
 {
     assert(n > 0 && (b == 3 || b == 6));
     const int width = b == 6 ? 8 : 4;
-    const size_t cell = (size_t)(b * b), rows = (size_t)n;
+    const int cell = b * b;
     *s = (BlockSolver){.kernels = kernels_for(b, isa), .team = team, .report = {.growth = 1}};
     s->f = (BlockFactor){.n = n, .b = b, .width = width, .middle = n / 2, .growth_limit = growth_limit};
-    s->f.front = cells_new(2 * cell * rows);
-    s->f.back = cells_new(cell * rows);
-    s->f.z = cells_new(rows * BLOCK_RHS * (size_t)width);
+    s->f.front = aligned_array_new(2 * cell * n);
+    s->f.back = aligned_array_new(cell * n);
+    s->f.z = aligned_array_new(n * BLOCK_RHS * width);
     if (s->f.front && s->f.back && s->f.z) return 1;
     block_solver_release(s);
     return 0;

@@ -261,7 +261,7 @@ static void rod_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     const Rod *const rod = room->self;
     const Kinematics *const kin = &m->ws->kin;
-    bushing_loads(&m->scene->chain, kin, 0, 1, &m->ws->joints);
+    bushing_kernels()->loads(&m->scene->chain, kin, 0, 1, &m->ws->joints);
     balance_work(out, BY_ENDS, dynamics_ghost_push(m, 0));
     balance_work(out, BY_ENDS, dynamics_ghost_push(m, m->scene->chain.n));
     Push sum = {0};

@@ -42,7 +42,7 @@ static int mounts_alloc(EquipmentWork *w)
 {
     const int bodies = 2 * w->q->mounts;
     if (bodies == 0) return 1;
-    int ok = kinematics_alloc(&w->kin, bodies) && joint_loads_alloc(&w->joints, bodies) &&
+    int ok = kinematics_alloc(&w->kin, bodies) && chain_struct_alloc(&w->joints, bodies) &&
              block_chain_alloc(&w->k, bodies, 6) && block_chain_alloc(&w->d, bodies, 6);
     for (int i = 0; ok && i < bodies; ++i) {
         for (int c = 0; c < 3; ++c) {
@@ -90,7 +90,7 @@ void equipment_work_free(EquipmentWork *w)
     free(w->sum);
     free(w->stood);
     kinematics_free(&w->kin);
-    joint_loads_free(&w->joints);
+    chain_struct_free(&w->joints);
     block_chain_free(&w->k);
     block_chain_free(&w->d);
     memset(w, 0, sizeof *w);
@@ -194,7 +194,8 @@ void equipment_rates(EquipmentWork *w, const double *e, double friction, double 
 {
     const Equipment *const q = w->q;
     w->lost_bearings = w->lost_mounts = w->by_motors = 0;
-    if (q->mounts) w->lost_mounts = bushing_loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints).damping;
+    if (q->mounts)
+        w->lost_mounts = bushing_kernels()->loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints).damping;
     for (int k = 0; k < q->n; ++k) {
         const MovingRoller *const item = &q->item[k];
         RollerLoad on = w->load[item->roller];
@@ -314,5 +315,5 @@ double equipment_energy(const EquipmentWork *work, const double *e)
             sum += (item->mass * v * v + item->turning * w * w) / 2;
         }
     }
-    return q->mounts ? sum + bushing_energy(&q->bushings, &work->kin, 0, 2 * q->mounts).elastic : sum;
+    return q->mounts ? sum + bushing_kernels()->energy(&q->bushings, &work->kin, 0, 2 * q->mounts).elastic : sum;
 }

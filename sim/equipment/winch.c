@@ -200,14 +200,15 @@ double winch_pull_now(const Scene *scene, Workspace *ws, double t)
     const int n = scene->chain.n;
     if (!w->present) return 0;
     if (w->mode == WINCH_TENSION) return winch_pull(w, &scene->chain, &ws->kin, t);
-    bushing_loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints); /* the last lane holds the head's */
+    bushing_kernels()->loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1,
+                             &ws->joints); /* the last lane holds the head's */
     return v3_dot(v3_load(ws->joints.force, n), w->direction);
 }
 
 double winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y)
 {
     const int n = scene->chain.n;
-    body_kinematics(n, y, (n - 1) / LANES * LANES, n, &ws->kin);
+    body_kernels()->kinematics(n, y, (n - 1) / LANES * LANES, n, &ws->kin);
     scene_ghosts(scene, t, &ws->kin);
     return winch_pull_now(scene, ws, t);
 }

@@ -183,10 +183,10 @@ static void limits_set(const Scene *scene, Calculator *c)
     for (int k = 0; k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
         Finding f[LIMIT_KINDS] = {[LIMIT_ROLLER_PEAK] = {.absent = 1}, [LIMIT_ALPHA] = {.absent = 1}};
-        f[LIMIT_PULL] = finding_at(route, way->max_tension, way->max_at);
+        f[LIMIT_PULL] = finding_at(route, way->pull.max_tension, way->pull.max_at);
         f[LIMIT_RESTART] = finding_at(route, way->restart_max, way->restart_at);
-        f[LIMIT_SIDEWALL] = finding_at(route, way->max_sidewall, way->sidewall_at);
-        if (!(way->max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
+        f[LIMIT_SIDEWALL] = finding_at(route, way->pull.max_sidewall, way->pull.sidewall_at);
+        if (!(way->pull.max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
         f[LIMIT_BEND] = bend_finding(route);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
         f[LIMIT_ROPE].value = fmax(way->force, way->restart_force);
@@ -228,8 +228,8 @@ static void pulled_set(Calculator *c)
     for (int k = 0; k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
         hawser_condition *const held = &c->pulled[k];
-        const double pushed = fmax(0, -way->min_tension);
-        double allowed = 1e-9 * fmax(1, way->max_tension); /* rounding; a machine may push a cable ahead of itself */
+        const double pushed = fmax(0, -way->pull.min_tension);
+        double allowed = 1e-9 * fmax(1, way->pull.max_tension); /* rounding; a machine may push a cable ahead of itself */
         for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[k][i].force);
         *held = (hawser_condition){
             .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};
@@ -237,7 +237,7 @@ static void pulled_set(Calculator *c)
             held->remedy, sizeof held->remedy,
             "the cable would run away or slacken: at %.4g m it would have to be pushed with %.4g kN; it needs a brake "
             "or back tension of up to %.4g kN more where the pull begins",
-            way->min_at, pushed / 1e3, pushed / 1e3);
+            way->pull.min_at, pushed / 1e3, pushed / 1e3);
     }
 }
 

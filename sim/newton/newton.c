@@ -7,12 +7,6 @@
 #include "sim/newton/newton_extra.h"
 #include "sim/newton/newton_leaves.h"
 
-const NewtonKernels *newton_kernels(void)
-{
-    static const NewtonKernels *const table[] = ISA_TABLE(newton_kernels);
-    return table[isa_best()];
-}
-
 /* The solver that the options ask for, for the present pattern. */
 static hawser_status solver_new(Newton *nw, hawser_error *err)
 {

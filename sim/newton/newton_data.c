@@ -5,16 +5,19 @@
 #include "core/base/lanes.h"
 #include "core/chain.h"
 
+enum { POINT_ARRAYS = 17 }; /* from Newton.mass to w */
+
 int newton_parts_new(Newton *nw, int extra)
 {
     const int n = nw->n;
-    int ok = chain_arrays_new(&nw->mass, 1, n, 1) & chain_arrays_new(nw->inertia, 9, n, 0) &
-             chain_arrays_new(nw->w, 3, n, 0);
-    ok &= chain_arrays_new(nw->q, 1, n, 1) & chain_arrays_new(nw->q + 1, 3, n, 0);
-    ok &= block_chain_alloc(&nw->k, n, 6) & block_chain_alloc(&nw->d, n, 6) & block_chain_alloc(&nw->a, n, 6);
+    const int ok = chain_struct_new(&nw->mass, POINT_ARRAYS, n) & block_chain_alloc(&nw->k, n, 6) &
+                   block_chain_alloc(&nw->d, n, 6) & block_chain_alloc(&nw->a, n, 6);
     nw->z = calloc((size_t)(6 * n) + LANES, sizeof(double));
     nw->x = calloc((size_t)(6 * n + extra) + LANES, sizeof(double));
-    return ok && nw->z && nw->x;
+    if (!ok || !nw->z || !nw->x) return 0;
+    chain_array_fill(nw->mass, n, 1);
+    chain_array_fill(nw->q[0], n, 1);
+    return 1;
 }
 
 void newton_parts_free(Newton *nw)
@@ -22,10 +25,7 @@ void newton_parts_free(Newton *nw)
     block_chain_free(&nw->k);
     block_chain_free(&nw->d);
     block_chain_free(&nw->a);
-    chain_arrays_free(&nw->mass, 1);
-    chain_arrays_free(nw->inertia, 9);
-    chain_arrays_free(nw->q, 4);
-    chain_arrays_free(nw->w, 3);
+    chain_arrays_free(&nw->mass, POINT_ARRAYS);
     free(nw->z);
     free(nw->x);
 }

@@ -63,8 +63,7 @@ static inline void newton_turn(double gamma, Vec3 w, double s[9])
 }
 
 /* Those of the best instruction set. */
-const NewtonKernels *newton_kernels(void);
-extern const NewtonKernels newton_kernels_generic, newton_kernels_avx2, newton_kernels_avx512;
+ISA_KERNELS(NewtonKernels, newton_kernels)
 
 /* ----------------------------------------------------------------------------------------- the unreduced matrix */
 

@@ -39,6 +39,20 @@ double relax_shorten(double scale, double move, double turn)
     return fmin(scale, fmin(MOVE_MAX / (move + 1e-300), TURN_MAX / (turn + 1e-300)));
 }
 
+double relax_farthest(int n, int pitch, int dims, const double *y, const double *from)
+{
+    double far = 0;
+    for (int i = 0; i < n; ++i) {
+        double square = 0;
+        for (int k = i; k < dims * pitch; k += pitch) {
+            const double away = y[k] - (from ? from[k] : 0);
+            square += away * away;
+        }
+        far = fmax(far, sqrt(square));
+    }
+    return far;
+}
+
 double relax_rounding(const Scene *scene, double far)
 {
     const Chain *const chain = &scene->chain;
@@ -263,23 +277,10 @@ static void move(void *self, double dt)
     }
 }
 
-static double farthest_place(const Relaxation *r)
+static double farthest_place(const Relaxation *r, const double *from)
 {
     const int n = r->scene->chain.n;
-    double far = 0;
-    for (int i = 0; i < n; ++i) far = fmax(far, v3_norm(v3(r->y[i], r->y[n + i], r->y[2 * n + i])));
-    return far;
-}
-
-static double farthest_move(const Relaxation *r)
-{
-    const int n = r->scene->chain.n;
-    double farthest = 0;
-    for (int i = 0; i < n; ++i) {
-        const Vec3 d = v3(r->y[i] - r->start[i], r->y[n + i] - r->start[n + i], r->y[2 * n + i] - r->start[2 * n + i]);
-        farthest = fmax(farthest, v3_norm(d));
-    }
-    return farthest;
+    return relax_farthest(n, n, 3, r->y, from);
 }
 
 /* Candidates are judged by where things are now. */
@@ -354,23 +355,36 @@ static hawser_status newton_iterate(Relaxation *r, double share, double floor, h
     return status;
 }
 
+/* From rest, at t; 0 if there is no memory. relaxation_end may follow either way. */
+static int relaxation_begin(Relaxation *r)
+{
+    const size_t n = (size_t)r->scene->chain.n;
+    r->size = scene_state_size(r->scene);
+    r->rate = malloc((size_t)r->size * sizeof(double));
+    r->start = malloc(3 * n * sizeof(double));
+    if (!r->rate || !r->start) return 0;
+    memcpy(r->start, r->y, 3 * n * sizeof(double));
+    memset(r->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
+    equipment_halt(r->scene->equipment, r->y + STATE_SIZE * n);
+    return 1;
+}
+
+static void relaxation_end(Relaxation *r)
+{
+    free(r->rate);
+    free(r->start);
+}
+
 hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
                            hawser_relaxation *out, hawser_error *err)
 {
-    const size_t n = (size_t)scene->chain.n;
-    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y, .size = scene_state_size(scene)};
-    r.rate = malloc((size_t)r.size * sizeof(double));
-    r.start = malloc(3 * n * sizeof(double));
-    hawser_status status = r.rate && r.start ? HAWSER_OK : error_memory(err);
+    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
+    hawser_status status = relaxation_begin(&r) ? HAWSER_OK : error_memory(err);
     if (!status) {
-        memcpy(r.start, y, 3 * n * sizeof(double));
-        memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
-        equipment_halt(scene->equipment, y + STATE_SIZE * n);
-        status = newton_iterate(&r, share, relax_rounding(scene, farthest_place(&r)), out, err);
-        out->moved_m = fmax(out->moved_m, farthest_move(&r));
+        status = newton_iterate(&r, share, relax_rounding(scene, farthest_place(&r, NULL)), out, err);
+        out->moved_m = fmax(out->moved_m, farthest_place(&r, r.start));
     }
-    free(r.rate);
-    free(r.start);
+    relaxation_end(&r);
     return status;
 }
 
@@ -378,23 +392,14 @@ hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *ne
                                    hawser_relaxation *out, hawser_error *err)
 {
     static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
-    const size_t n = (size_t)scene->chain.n;
-    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y, .size = scene_state_size(scene)};
-    r.rate = malloc((size_t)r.size * sizeof(double));
-    r.start = malloc(3 * n * sizeof(double));
+    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
     *out = (hawser_relaxation){0};
-    hawser_status status = HAWSER_OK;
-    if (r.rate && r.start) {
-        memcpy(r.start, y, 3 * n * sizeof(double));
-        memset(y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
-        equipment_halt(scene->equipment, y + STATE_SIZE * n);
-        out->tolerance_N = relax_tolerance(scene, t, farthest_place(&r));
+    hawser_status status = relaxation_begin(&r) ? HAWSER_OK : error_memory(err);
+    if (!status) {
+        out->tolerance_N = relax_tolerance(scene, t, farthest_place(&r, NULL));
         status = stages(&r, &ops, out, err);
-        out->moved_m = farthest_move(&r);
-    } else {
-        status = error_memory(err);
+        out->moved_m = farthest_place(&r, r.start);
     }
-    free(r.rate);
-    free(r.start);
+    relaxation_end(&r);
     return status;
 }

@@ -35,6 +35,8 @@ typedef struct RelaxOps {
 /* y [size] is the chain's state; out->tolerance_N is given. Errors: MEMORY. */
 hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int size, double *y,
                         hawser_relaxation *out, hawser_error *err);
+/* Largest length among the n vectors of y - from, of which component c begins at c pitch; from NULL: of y. */
+double relax_farthest(int n, int pitch, int dims, const double *y, const double *from);
 /* What counts as balanced, N: the tolerance times the largest of the segments' weights and the loads of t, but never
  * less than what rounding of coordinates as large as `far` (m) does to the stiffest bushing. */
 double relax_tolerance(const Scene *scene, double t, double far);

@@ -8,18 +8,10 @@
 #include "core/base/team.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
-#include "sim/planar/planar_kernels.h"
-#include "sim/planar/planar_relax.h"
 #include "sim/step/scales.h"
 
 static Planar *planar_of(Motion *m) { return (Planar *)m; }
 static const Planar *planar_in(const Motion *m) { return (const Planar *)m; }
-
-static const PlanarSimKernels *kernels(void)
-{
-    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
-    return table[isa_best()];
-}
 
 static int segments(const Planar *p) { return p->ps.chain.n; }
 
@@ -44,7 +36,7 @@ static double head_pull(Planar *p)
 {
     const int n = segments(p);
     if (!p->motion.scene->winch->present) return 0;
-    planar_joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
+    planar_kernels()->joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
     return p->joints.force[0][n] * p->ps.winch_direction[0] + p->joints.force[1][n] * p->ps.winch_direction[1];
 }
 
@@ -53,9 +45,9 @@ static Push winch_push_now(Planar *p, double t, const double *y)
 {
     const int n = segments(p);
     if (!p->motion.scene->winch->present) return (Push){0};
-    planar_kinematics(&p->ps.chain, y, (n - 1) / LANES * LANES, n, &p->kin);
+    planar_kernels()->kinematics(&p->ps.chain, y, (n - 1) / LANES * LANES, n, &p->kin);
     planar_scene_ghosts(&p->ps, t, &p->kin);
-    planar_joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
+    planar_kernels()->joint_loads(&p->ps.chain, &p->kin, n / LANES * LANES, n + 1, &p->joints);
     const double f[2] = {p->joints.force[0][n], p->joints.force[1][n]};
     return (Push){f[0] * p->kin.v[0][n] + f[1] * p->kin.v[1][n], plane_vector(&p->ps.plane, f[0], f[1])};
 }
@@ -70,7 +62,7 @@ static void planar_work(Motion *m, double t, const double *y, BalanceRates *out)
         balance_contact(out, LOST_ROLLERS, PUSH_ROLLERS, &p->ws->contact[half].pairs.tally);
     const Vec3 flat = out->push[PUSH_ROLLERS];
     out->push[PUSH_ROLLERS] = plane_vector(&p->ps.plane, flat.x, flat.y);
-    planar_kinematics(&p->ps.chain, y, 0, LANES < n ? LANES : n, &p->kin);
+    planar_kernels()->kinematics(&p->ps.chain, y, 0, LANES < n ? LANES : n, &p->kin);
     const Push winch = winch_push_now(p, t, y), tail = planar_tail(&p->ps, &p->kin, t);
     const Push drag = planar_drag(&p->ps, &p->kin);
     out->work[BY_WINCH] = winch.power;
@@ -85,7 +77,7 @@ static void planar_stock(Motion *m, double t, const double *y, BalanceStock *out
 {
     Planar *const p = planar_of(m);
     planar_place(p, t, y);
-    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    planar_sim_kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
     balance_stock(m->scene, p->ws, NULL, out);
 }
 
@@ -93,7 +85,7 @@ static double motion_winch_pull(Motion *m, double t, const double *y)
 {
     Planar *const p = planar_of(m);
     const int n = segments(p);
-    planar_kinematics(&p->ps.chain, y, (n - 1) / LANES * LANES, n, &p->kin);
+    planar_kernels()->kinematics(&p->ps.chain, y, (n - 1) / LANES * LANES, n, &p->kin);
     planar_scene_ghosts(&p->ps, t, &p->kin);
     return head_pull(p);
 }
@@ -104,8 +96,8 @@ static int planar_look(Motion *m, double t, const double *y)
     Planar *const p = planar_of(m);
     const int n = segments(p);
     planar_place(p, t, y);
-    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
-    planar_tension(&p->ps.chain, &p->kin, 0, n + 1, p->ws->law[0]);
+    planar_sim_kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    planar_kernels()->tension(&p->ps.chain, &p->kin, 0, n + 1, p->ws->law[0]);
     p->ws->head_pull = head_pull(p);
     return roller_forces(p);
 }
@@ -124,7 +116,12 @@ static void motion_linearise(Motion *m, double t, const double *y, const double 
 }
 
 static void motion_form(Motion *m, double gamma) { planar_newton_form(&planar_of(m)->newton, gamma); }
-static int motion_factor(Motion *m) { return planar_newton_factor(&planar_of(m)->newton); }
+static int motion_factor(Motion *m)
+{
+    PlanarNewton *const nw = &planar_of(m)->newton;
+    return linsolver_factor(nw->solver, &nw->a);
+}
+
 static int motion_solve(Motion *m, double *b) { return planar_newton_solve(&planar_of(m)->newton, b); }
 
 /* The same tolerances as in space: an angle's for half of it in the quaternion (PL18). */
@@ -138,37 +135,21 @@ static void motion_weights(const Motion *m, double *weight)
     }
 }
 
-/* The windows of half of the chain. */
-typedef struct NormHalf {
-    const Planar *p;
-    const double *x, *w;
-    double square[2];
-} NormHalf;
-
-static void norm_half(void *arg, int rank)
+static double window_square(const void *owner, int from, int to, const double *x, const double *w)
 {
-    NormHalf *const h = arg;
-    const int n = segments(h->p), middle = n / 2 / SCALES_WINDOW * SCALES_WINDOW;
-    h->square[rank] = kernels()->window_square(&h->p->ps.chain, rank ? middle : 0, rank ? n : middle, h->x, h->w);
+    return planar_sim_kernels()->window_square(owner, from, to, x, w);
 }
 
 static double motion_norm(const Motion *m, const double *x, const double *w)
 {
-    const Planar *const p = planar_in(m);
-    NormHalf h = {.p = p, .x = x, .w = w};
-    halves_run(m->team, segments(p) >= HALVES_LONG, norm_half, &h);
-    return sqrt(scales_larger(h.square[0], h.square[1]));
+    const PlanarChain *const chain = &planar_in(m)->ps.chain;
+    return scales_chain_norm(m->team, chain->n, window_square, chain, x, w);
 }
 
 static double motion_speed(const Motion *m, const double *y)
 {
     const int stride = planar_in(m)->ps.chain.stride;
     return stride_speed(&m->scene->chain, stride, 2, y + 3 * stride, 1, y + 5 * stride);
-}
-
-static hawser_status motion_accept(Motion *m, double t, const double *y, hawser_error *err)
-{
-    return planar_accept(planar_of(m), t, y, err);
 }
 
 static hawser_status motion_renew(Motion *m, double t, const double *y, hawser_error *err)
@@ -181,18 +162,7 @@ static hawser_status motion_renew(Motion *m, double t, const double *y, hawser_e
 static int motion_worst(const Motion *m, const double *error, const double *weight)
 {
     const PlanarChain *const chain = &planar_in(m)->ps.chain;
-    int worst = 0;
-    double largest = -1;
-    for (int i = 0; i < chain->n; ++i) {
-        double sum = 0;
-        for (int k = i; k < m->size; k += chain->stride) sum += error[k] * weight[k] * error[k] * weight[k];
-        if (isnan(sum)) return i;
-        if (sum > largest) {
-            largest = sum;
-            worst = i;
-        }
-    }
-    return worst;
+    return scales_worst_segment(chain->n, chain->stride, PLANAR_SIZE, error, weight);
 }
 
 static Vec3 motion_place(const Motion *m, const double *y, int segment)
@@ -216,22 +186,16 @@ static void motion_pack(Motion *m, const double *full, double *y)
 
 static void motion_lin_stats(const Motion *m, LinStats *stats) { linsolver_stats(planar_in(m)->newton.solver, stats); }
 
-static hawser_status motion_relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
-{
-    return planar_relax(planar_of(m), t, y, out, err);
-}
-
 /* ------------------------------------------------------------------------------------------------------- life */
 
 static int parts_new(Planar *p)
 {
     const int n = segments(p);
-    int ok = planar_kinematics_alloc(&p->kin, n) & planar_joint_loads_alloc(&p->joints, n);
-    ok &= chain_arrays_new(p->at_p, 2, n, 0) & chain_arrays_new(p->at_a, 2, n, 0);
-    ok &= chain_arrays_new(p->near_p, 2, n, 0) & chain_arrays_new(p->near_a, 2, n, 0);
+    int ok = planar_kinematics_alloc(&p->kin, n) & chain_struct_alloc(&p->joints, n);
+    ok &= chain_struct_alloc(&p->at, n) & chain_struct_alloc(&p->near, n);
     for (int half = 0, first = 0; half < PARTS; first += p->model[half++].n_rollers) {
         const ContactModel *const model = &p->ws->contact[half].model;
-        ok &= planar_loads_alloc(&p->loads[half], n);
+        ok &= chain_struct_alloc(&p->loads[half], n);
         p->model[half] = (PlanarContactModel){.geometry = model->geometry,
                                               .impact = model->impact,
                                               .n_rollers = model->n_rollers,
@@ -252,7 +216,7 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .weights = motion_weights,
                                   .norm = motion_norm,
                                   .speed = motion_speed,
-                                  .accept = motion_accept,
+                                  .accept = planar_accept,
                                   .renew = motion_renew,
                                   .worst = motion_worst,
                                   .place = motion_place,
@@ -260,7 +224,7 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .winch_pull = motion_winch_pull,
                                   .work = planar_work,
                                   .stock = planar_stock,
-                                  .relax = motion_relax,
+                                  .relax = planar_relax,
                                   .pack = motion_pack,
                                   .unpack = motion_unpack,
                                   .lin_stats = motion_lin_stats};
@@ -278,13 +242,11 @@ void planar_free(Planar *p)
 {
     if (!p->motion.ops) return;
     planar_newton_free(&p->newton);
-    planar_kinematics_free(&p->kin);
-    planar_joint_loads_free(&p->joints);
-    chain_arrays_free(p->at_p, 2);
-    chain_arrays_free(p->at_a, 2);
-    chain_arrays_free(p->near_p, 2);
-    chain_arrays_free(p->near_a, 2);
-    for (int half = 0; half < PARTS; ++half) planar_loads_free(&p->loads[half]);
+    chain_struct_free(&p->kin);
+    chain_struct_free(&p->joints);
+    chain_struct_free(&p->at);
+    chain_struct_free(&p->near);
+    for (int half = 0; half < PARTS; ++half) chain_struct_free(&p->loads[half]);
     free(p->on_roller);
     planar_scene_free(&p->ps);
     memset(p, 0, sizeof *p);

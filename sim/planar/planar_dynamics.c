@@ -1,17 +1,10 @@
-#include "sim/planar/planar_dynamics.h"
+#include "sim/planar/planar.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "core/base/clock.h"
 #include "core/base/team.h"
-#include "sim/planar/planar_kernels.h"
-
-static const PlanarSimKernels *kernels(void)
-{
-    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
-    return table[isa_best()];
-}
 
 static int segments(const Planar *p) { return p->ps.chain.n; }
 
@@ -33,7 +26,7 @@ static void kinematics_job(void *arg, int rank)
     const Evaluation *const e = arg;
     Planar *const p = e->p;
     const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
-    planar_kinematics(&p->ps.chain, e->y, from, to, &p->kin);
+    planar_kernels()->kinematics(&p->ps.chain, e->y, from, to, &p->kin);
     p->ws->lead_in[rank] = planar_weight(&p->ps, &p->kin, from, to, &p->loads[0]);
     double *const second[3] = {p->loads[1].f[0], p->loads[1].f[1], p->loads[1].m};
     for (int c = 0; c < 3; ++c) memset(second[c] + from, 0, (size_t)(to - from) * sizeof(double));
@@ -44,8 +37,8 @@ static void loads_job(void *arg, int rank)
 {
     const Evaluation *const e = arg;
     Planar *const p = e->p;
-    p->ws->joint_power[rank].damping =
-        planar_joint_loads(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->joints);
+    p->ws->joint_power[rank].damping = planar_kernels()->joint_loads(&p->ps.chain, &p->kin, share_from(p, rank),
+                                                                     share_to(p, rank, segments(p) + 1), &p->joints);
     if (rank == 0) planar_ends(&p->ps, &p->kin, e->t, e->friction, &p->loads[0]);
     if (p->model[rank].n_rollers == 0) return;
     ContactPart *const part = &p->ws->contact[rank];
@@ -58,15 +51,15 @@ static void motion_job(void *arg, int rank)
 {
     Evaluation *const e = arg;
     Planar *const p = e->p;
-    e->finite[rank] = planar_rates(&p->ps.chain, &p->kin, &p->joints, p->loads, share_from(p, rank),
-                                   share_to(p, rank, segments(p)), e->ydot);
+    e->finite[rank] = planar_kernels()->rates(&p->ps.chain, &p->kin, &p->joints, p->loads, share_from(p, rank),
+                                              share_to(p, rank, segments(p)), e->ydot);
 }
 
 static void both(Planar *p, TeamJob job, Evaluation *e) { halves_run(p->ws->team, segments(p) >= HALVES_LONG, job, e); }
 
 void planar_place(Planar *p, double t, const double *y)
 {
-    planar_kinematics(&p->ps.chain, y, 0, segments(p), &p->kin);
+    planar_kernels()->kinematics(&p->ps.chain, y, 0, segments(p), &p->kin);
     planar_scene_ghosts(&p->ps, t, &p->kin);
 }
 
@@ -85,16 +78,16 @@ int planar_evaluate(Planar *p, double t, const double *y, double friction, doubl
 static void joint_blocks_job(void *arg, int rank)
 {
     Planar *const p = ((Evaluation *)arg)->p;
-    planar_joint_blocks(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1), &p->newton.k,
-                        &p->newton.d);
+    planar_kernels()->joint_blocks(&p->ps.chain, &p->kin, share_from(p, rank), share_to(p, rank, segments(p) + 1),
+                                   &p->newton.k, &p->newton.d);
 }
 
 static void join_job(void *arg, int rank)
 {
     Planar *const p = ((Evaluation *)arg)->p;
     const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
-    planar_blocks_join(&p->newton.k, from, to);
-    planar_blocks_join(&p->newton.d, from, to);
+    planar_kernels()->blocks_join(&p->newton.k, from, to);
+    planar_kernels()->blocks_join(&p->newton.d, from, to);
 }
 
 void planar_blocks(Planar *p, double t, const double *y, double friction)
@@ -121,18 +114,17 @@ void planar_blocks(Planar *p, double t, const double *y, double friction)
 /* Shares of the reach: within what candidates are near; what a step may move so that they suffice for the next. */
 static const double NEAR = 1. / 4, NEAR_STEP = 1. / 128;
 
-static double moved_since(const Planar *p, double *const at_p[2], double *const at_a[2])
+static double moved_since(const Planar *p, const PlanarStand *then)
 {
-    return planar_contact_moved(&p->ps.chain, &p->kin, at_p, at_a);
+    return planar_contact_kernels()->moved(&p->ps.chain, &p->kin, then->p, then->a);
 }
 
-/* Keeps centres and axes of now. */
-static void stand(const Planar *p, double *at_p[2], double *at_a[2])
+static void stand(const Planar *p, PlanarStand *now)
 {
     const size_t bytes = (size_t)segments(p) * sizeof(double);
     for (int c = 0; c < 2; ++c) {
-        memcpy(at_p[c], p->kin.p[c], bytes);
-        memcpy(at_a[c], p->kin.a[c], bytes);
+        memcpy(now->p[c], p->kin.p[c], bytes);
+        memcpy(now->a[c], p->kin.a[c], bytes);
     }
 }
 
@@ -148,7 +140,7 @@ static void near_choose(Planar *p, double spent, int wide)
             planar_contact_narrow(&p->model[half], &p->ps.chain, &p->kin, NEAR * reach, pairs);
         }
     }
-    stand(p, p->near_p, p->near_a);
+    stand(p, &p->near);
     p->near_usable = wide ? left : fmin(left, CONTACT_USABLE * NEAR * reach);
     p->near_moved = 0;
     p->wide = wide;
@@ -156,27 +148,28 @@ static void near_choose(Planar *p, double spent, int wide)
 
 void planar_widen(Planar *p)
 {
-    if (p->motion.scene->contact.n_rollers > 0) near_choose(p, moved_since(p, p->at_p, p->at_a), 1);
+    if (p->motion.scene->contact.n_rollers > 0) near_choose(p, moved_since(p, &p->at), 1);
 }
 
 void planar_narrow(Planar *p, double t, const double *y)
 {
     if (p->motion.scene->contact.n_rollers == 0) return;
     planar_place(p, t, y);
-    near_choose(p, moved_since(p, p->at_p, p->at_a), 0);
+    near_choose(p, moved_since(p, &p->at), 0);
 }
 
 /* (PL19), with the last evaluation for y as below. */
-hawser_status planar_accept(Planar *p, double t, const double *y, hawser_error *err)
+hawser_status planar_accept(Motion *m, double t, const double *y, hawser_error *err)
 {
-    const Scene *const scene = p->motion.scene;
+    Planar *const p = (Planar *)m;
+    const Scene *const scene = m->scene;
     const double reach = scene->contact.reach;
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
-    const double moved = moved_since(p, p->near_p, p->near_a), step = fabs(moved - p->near_moved);
+    const double moved = moved_since(p, &p->near), step = fabs(moved - p->near_moved);
     const int fast = !(step <= NEAR_STEP * reach);
     p->near_moved = moved;
     if (moved <= p->near_usable && (p->wide || !fast)) return HAWSER_OK;
-    const double spent = moved_since(p, p->at_p, p->at_a);
+    const double spent = moved_since(p, &p->at);
     if (spent <= CONTACT_USABLE * reach) {
         near_choose(p, spent, fast);
         return HAWSER_OK;
@@ -191,10 +184,10 @@ hawser_status planar_refresh(Planar *p, double t, const double *y, int always, h
     const Scene *const scene = p->motion.scene;
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
     /* (C20), with the last evaluation for y, which is nearer to it than the reach's reserve */
-    const double moved = always ? 0 : moved_since(p, p->at_p, p->at_a);
+    const double moved = always ? 0 : moved_since(p, &p->at);
     if (!always && moved <= CONTACT_USABLE * scene->contact.reach) return HAWSER_OK;
     planar_place(p, t, y);
-    kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
-    stand(p, p->at_p, p->at_a);
+    planar_sim_kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
+    stand(p, &p->at);
     return dynamics_find_candidates(scene, p->ws, err);
 }

@@ -1,10 +1,10 @@
-/* The kernels of planar_kernels.h for one instruction set. */
+/* The kernels of planar_newton.h for one instruction set. */
 #include <math.h>
 
 #include "core/planar/plane_lanes.h"
 #include "core/state.h"
 #include "sim/newton/form_lanes.h"
-#include "sim/planar/planar_kernels.h"
+#include "sim/planar/planar_newton.h"
 #include "sim/step/scales.h"
 
 /* What the lead-in does to LANES segments, per mass held: what it takes off gravity, and its hold across its line; and

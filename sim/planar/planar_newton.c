@@ -6,14 +6,11 @@
 #include "core/base/error.h"
 #include "core/base/lanes.h"
 #include "core/base/team.h"
-#include "sim/planar/planar_kernels.h"
-
-ISA_KERNELS(PlanarSimKernels, planar_sim_kernels)
 
 static int parts_new(PlanarNewton *nw)
 {
     const int n = nw->chain->n;
-    const int ok = planar_blocks_alloc(&nw->k, n) & planar_blocks_alloc(&nw->d, n) & block_chain_alloc(&nw->a, n, 3) &
+    const int ok = chain_struct_alloc(&nw->k, n) & chain_struct_alloc(&nw->d, n) & block_chain_alloc(&nw->a, n, 3) &
                    chain_arrays_new(nw->z, 3, n, 0);
     nw->x = calloc((size_t)(3 * nw->chain->stride) + LANES, sizeof *nw->x);
     return ok && nw->x;
@@ -33,8 +30,8 @@ hawser_status planar_newton_new(PlanarNewton *nw, const PlanarChain *chain, cons
 
 void planar_newton_free(PlanarNewton *nw)
 {
-    planar_blocks_free(&nw->k);
-    planar_blocks_free(&nw->d);
+    chain_struct_free(&nw->k);
+    chain_struct_free(&nw->d);
     block_chain_free(&nw->a);
     chain_arrays_free(nw->z, 3);
     free(nw->x);
@@ -54,7 +51,7 @@ static int share_to(const PlanarNewton *nw, int rank) { return rank == 0 ? nw->m
 static void form_job(void *arg, int rank)
 {
     PlanarNewton *const nw = ((Share *)arg)->nw;
-    kernels()->form(nw, share_from(nw, rank), share_to(nw, rank));
+    planar_sim_kernels()->form(nw, share_from(nw, rank), share_to(nw, rank));
 }
 
 /* Rows that are eliminated, then coupled, while what the first wrote for the second is in the nearest cache; whole
@@ -71,8 +68,8 @@ static void reduce_job(void *arg, int rank)
     int coupled = rank == 0 ? from : from + LANES;
     for (int i = from; i < to; i += TILE) {
         const int end = i + TILE < to ? i + TILE : to, last = end == to && rank == 1 ? to : end - LANES;
-        kernels()->eliminate(nw, s->b, i, end);
-        if (last > coupled) kernels()->couple(nw, s->b, coupled, last);
+        planar_sim_kernels()->eliminate(nw, s->b, i, end);
+        if (last > coupled) planar_sim_kernels()->couple(nw, s->b, coupled, last);
         if (last > coupled) coupled = last;
     }
 }
@@ -80,7 +77,7 @@ static void reduce_job(void *arg, int rank)
 static void expand_job(void *arg, int rank)
 {
     const Share *const s = arg;
-    kernels()->expand(s->nw, s->b, share_from(s->nw, rank), share_to(s->nw, rank));
+    planar_sim_kernels()->expand(s->nw, s->b, share_from(s->nw, rank), share_to(s->nw, rank));
 }
 
 static void both(TeamJob job, Share *share)
@@ -96,14 +93,12 @@ void planar_newton_form(PlanarNewton *nw, double gamma)
     both(form_job, &share);
 }
 
-int planar_newton_factor(PlanarNewton *nw) { return linsolver_factor(nw->solver, &nw->a); }
-
 int planar_newton_solve(PlanarNewton *nw, double *b)
 {
     Share share = {.nw = nw, .b = b};
     const int n = nw->chain->n, before = nw->middle > 0 ? nw->middle - LANES : 0;
     both(reduce_job, &share);
-    kernels()->couple(nw, b, before, nw->middle + LANES < n ? nw->middle + LANES : n);
+    planar_sim_kernels()->couple(nw, b, before, nw->middle + LANES < n ? nw->middle + LANES : n);
     const int status = linsolver_solve(nw->solver, nw->x);
     if (!status) both(expand_job, &share);
     return status;

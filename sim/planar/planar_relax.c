@@ -1,4 +1,4 @@
-#include "sim/planar/planar_relax.h"
+#include "sim/planar/planar.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -40,7 +40,7 @@ static int implicit_step(void *self, double dt)
     const int stride = r->p->ps.chain.stride;
     planar_blocks(r->p, r->t, r->y, 0);
     planar_newton_form(&r->p->newton, dt);
-    const int status = planar_newton_factor(&r->p->newton);
+    const int status = linsolver_factor(r->p->newton.solver, &r->p->newton.a);
     if (status) return status;
     memset(r->rate, 0, (size_t)(PLANAR_V * stride) * sizeof(double));
     for (int k = PLANAR_V * stride; k < PLANAR_SIZE * stride; ++k) r->rate[k] *= dt;
@@ -80,23 +80,13 @@ static void soften(void *self, double share)
     for (int half = 0; half < PARTS; ++half) p->model[half].impact.k = share * p->motion.scene->contact.impact.k;
 }
 
-/* Largest length of y - from among the segments' places; from NULL: of y. */
-static double farthest(const Relaxation *r, const double *from)
-{
-    const int n = r->p->ps.chain.n, stride = r->p->ps.chain.stride;
-    double most = 0;
-    for (int i = 0; i < n; ++i) {
-        const double x = r->y[i] - (from ? from[i] : 0), z = r->y[stride + i] - (from ? from[stride + i] : 0);
-        most = fmax(most, sqrt(x * x + z * z));
-    }
-    return most;
-}
-
-hawser_status planar_relax(Planar *p, double t, double *y, hawser_relaxation *out, hawser_error *err)
+hawser_status planar_relax(Motion *m, double t, double *y, hawser_relaxation *out, hawser_error *err)
 {
     static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
-    const Scene *const scene = p->motion.scene;
-    const size_t stride = (size_t)p->ps.chain.stride;
+    Planar *const p = (Planar *)m;
+    const Scene *const scene = m->scene;
+    const PlanarChain *const chain = &p->ps.chain;
+    const size_t stride = (size_t)chain->stride;
     Relaxation r = {.p = p, .t = t, .y = y};
     r.rate = malloc(PLANAR_SIZE * stride * sizeof(double));
     r.start = malloc(2 * stride * sizeof(double));
@@ -105,11 +95,11 @@ hawser_status planar_relax(Planar *p, double t, double *y, hawser_relaxation *ou
     if (r.rate && r.start) {
         memcpy(r.start, y, 2 * stride * sizeof(double));
         memset(y + PLANAR_V * stride, 0, (PLANAR_SIZE - PLANAR_V) * stride * sizeof(double));
-        out->tolerance_N = relax_tolerance(scene, t, farthest(&r, NULL));
+        out->tolerance_N = relax_tolerance(scene, t, relax_farthest(chain->n, chain->stride, 2, y, NULL));
         planar_widen(p); /* the relaxation moves farther at once than steps do */
         status = relax_run(scene, &ops, &r, p->motion.size, y, out, err);
         if (!status) planar_narrow(p, t, y);
-        out->moved_m = farthest(&r, r.start);
+        out->moved_m = relax_farthest(chain->n, chain->stride, 2, y, r.start);
     } else {
         status = error_memory(err);
     }

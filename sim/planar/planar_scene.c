@@ -5,13 +5,6 @@
 
 #include "sim/equipment/ends.h"
 #include "sim/equipment/winch.h"
-#include "sim/planar/planar_kernels.h"
-
-static const PlanarSimKernels *kernels(void)
-{
-    static const PlanarSimKernels *const table[] = ISA_TABLE(planar_sim_kernels);
-    return table[isa_best()];
-}
 
 /* ------------------------------------------------------------------------------------------------- building */
 
@@ -139,7 +132,7 @@ void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
 
 Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads)
 {
-    const PlanarPower by = kernels()->weight(&ps->weight, &ps->chain, kin, from, to, loads);
+    const PlanarPower by = planar_sim_kernels()->weight(&ps->weight, &ps->chain, kin, from, to, loads);
     return (Push){by.power, plane_vector(&ps->plane, by.force[0], by.force[1])};
 }
 

@@ -148,7 +148,7 @@ static double front_at(Stage *st)
     const int eye = scene->eye - scene->first, last = eye > 0 ? eye - 1 : 0, n = scene->chain.n;
     if (st->motion != &st->spatial.motion || eye < 0 || eye > n) return NAN;
     const int from = last / LANES * LANES, to = from + LANES < n ? from + LANES : n;
-    body_kinematics(n, st->y, from, to, &st->ws.kin);
+    body_kernels()->kinematics(n, st->y, from, to, &st->ws.kin);
     return along_eye(scene, &st->ws.kin, winch_motion(scene->winch, &scene->chain, &st->ws.kin, st->t).travel);
 }
 

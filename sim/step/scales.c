@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/base/team.h"
+#include "core/base/worst.h"
 #include "sim/step/vector_kernels.h"
 
 static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */
@@ -43,28 +44,25 @@ double scales_norm(int n, const double *x, const double *weight)
 /* The windows of half of a chain. */
 typedef struct NormHalf {
     int n, middle;
+    WindowSquare *square;
+    const void *owner;
     const double *x, *weight;
-    double square[2];
+    double largest[2];
 } NormHalf;
 
 static void norm_half(void *arg, int rank)
 {
     NormHalf *const h = arg;
-    const int from = rank ? h->middle : 0, to = rank ? h->n : h->middle;
-    h->square[rank] = vector_kernels()->window_square_even(h->n, from, to, h->x, h->weight);
+    h->largest[rank] = h->square(h->owner, rank ? h->middle : 0, rank ? h->n : h->middle, h->x, h->weight);
 }
 
-double scales_chain_norm(Team *team, int n, const double *x, const double *weight)
+double scales_chain_norm(Team *team, int n, WindowSquare *square, const void *owner, const double *x,
+                         const double *weight)
 {
-    NormHalf h = {.n = n, .middle = n / 2 / SCALES_WINDOW * SCALES_WINDOW, .x = x, .weight = weight};
-    if (n < HALVES_LONG) return sqrt(vector_kernels()->window_square_even(n, 0, n, x, weight));
+    NormHalf h = {n, n / 2 / SCALES_WINDOW * SCALES_WINDOW, square, owner, x, weight, {0}};
+    if (n < HALVES_LONG) return sqrt(square(owner, 0, n, x, weight));
     halves_run(team, 1, norm_half, &h);
-    return sqrt(scales_larger(h.square[0], h.square[1]));
-}
-
-void scales_project(int n, const double *y, double *correction, double *error)
-{
-    vector_kernels()->project(n, y, correction, error);
+    return sqrt(larger_of(h.largest[0], h.largest[1]));
 }
 
 double scales_equipment_norm(const Equipment *q, const double *x, const double *weight)
@@ -74,8 +72,7 @@ double scales_equipment_norm(const Equipment *q, const double *x, const double *
         const int to = from + SCALES_WINDOW < q->spins ? from + SCALES_WINDOW : q->spins;
         double sum = 0;
         for (int i = from; i < to; ++i) sum += x[i] * weight[i] * x[i] * weight[i];
-        const double mean = sqrt(sum / (to - from));
-        if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays */
+        largest = larger_of(largest, sqrt(sum / (to - from)));
     }
     return largest;
 }
@@ -83,18 +80,16 @@ double scales_equipment_norm(const Equipment *q, const double *x, const double *
 void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error)
 {
     memset(correction, 0, (size_t)q->spins * sizeof *correction);
-    scales_project(q->mounts, e + q->spins, correction + q->spins, error ? error + q->spins : NULL);
+    vector_kernels()->project(q->mounts, e + q->spins, correction + q->spins, error ? error + q->spins : NULL);
 }
 
-int scales_all_finite(const double *x, int count) { return vector_kernels()->all_finite(count, x); }
-
-int scales_worst_segment(int n, const double *x, const double *weight)
+int scales_worst_segment(int n, int pitch, int components, const double *x, const double *weight)
 {
     int worst = 0;
     double largest = -1;
     for (int i = 0; i < n; ++i) {
         double sum = 0;
-        for (int c = 0; c < STATE_SIZE; ++c) sum += x[c * n + i] * weight[c * n + i] * x[c * n + i] * weight[c * n + i];
+        for (int k = i; k < components * pitch; k += pitch) sum += x[k] * weight[k] * x[k] * weight[k];
         if (isnan(sum)) return i;
         if (sum > largest) {
             largest = sum;

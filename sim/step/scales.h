@@ -23,25 +23,18 @@ void scales_weights(const Scene *scene, double *weight);
  */
 enum { SCALES_WINDOW = 16 };
 double scales_norm(int n, const double *x, const double *weight);
-/* The same for weights that are one number a component, those of scales_weights; only their first is read. team: NULL,
- * or who does it for long chains. */
-double scales_chain_norm(Team *team, int n, const double *x, const double *weight);
-/* The larger of two norms; a NaN wins. */
-static inline double scales_larger(double a, double b) { return b > a || isnan(b) ? b : a; }
+/* The same for weights that are one number a component, those of scales_weights, of which only the first is read: sqrt
+ * of the largest square over the windows of a chain of n segments. team: NULL, or who does it for long chains. */
+typedef double WindowSquare(const void *owner, int from, int to, const double *x, const double *weight);
+double scales_chain_norm(Team *team, int n, WindowSquare *square, const void *owner, const double *x,
+                         const double *weight);
+/* The segment with the largest sum of squares of x w; the first with a NaN, if any. x and w are `components` arrays
+ * that begin `pitch` apart. */
+int scales_worst_segment(int n, int pitch, int components, const double *x, const double *weight);
 
-/* The segment with the largest sum of squares of x w; the first with a NaN, if any. */
-int scales_worst_segment(int n, const double *x, const double *weight);
-
-/* Correction of the quaternions of y [13 n] to unit length, zero elsewhere; error (NULL: none) loses its part along
- * them (N9). */
-void scales_project(int n, const double *y, double *correction, double *error);
-
-/* The same for the part of the state that belongs to rollers that move (SP14). */
+/* Norm and projection (VectorKernels.project) of the part of the state that belongs to rollers that move (SP14). */
 double scales_equipment_norm(const Equipment *q, const double *x, const double *weight);
 void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error);
-
-/* 1 if all of x[count] is finite. */
-int scales_all_finite(const double *x, int count);
 
 /* How far the chain may move in one step, m; INFINITY where there is nothing to pass through. Contacts are looked at
  * where a step ends, so that a longer one could carry the cable through a roller, or through itself, without either

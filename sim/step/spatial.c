@@ -2,18 +2,20 @@
 
 #include <string.h>
 
+#include "core/base/worst.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
 #include "sim/newton/relax.h"
 #include "sim/step/scales.h"
+#include "sim/step/vector_kernels.h"
 
 static Spatial *spatial_of(Motion *m) { return (Spatial *)m; }
 
 static int spatial_rates(Motion *m, double t, const double *y, double *ydot)
 {
     dynamics_rates(m->scene, spatial_of(m)->ws, t, y, 1.0, ydot);
-    return !scales_all_finite(ydot, m->size);
+    return !vector_kernels()->all_finite(m->size, ydot);
 }
 
 static void spatial_linearise(Motion *m, double t, const double *y, const double *ydot)
@@ -32,13 +34,18 @@ static int spatial_solve(Motion *m, double *b) { return newton_solve(spatial_of(
 
 static void spatial_weights(const Motion *m, double *weight) { scales_weights(m->scene, weight); }
 
+static double window_square(const void *owner, int from, int to, const double *x, const double *w)
+{
+    return vector_kernels()->window_square_even(((const Chain *)owner)->n, from, to, x, w);
+}
+
 static double spatial_norm(const Motion *m, const double *x, const double *w)
 {
     const int n = m->scene->chain.n;
-    const double chain = scales_chain_norm(m->team, n, x, w);
+    const double chain = scales_chain_norm(m->team, n, window_square, &m->scene->chain, x, w);
     if (m->scene->equipment->n == 0) return chain;
     const double beside = scales_equipment_norm(m->scene->equipment, x + STATE_SIZE * n, w + STATE_SIZE * n);
-    return scales_larger(chain, beside);
+    return larger_of(chain, beside);
 }
 
 static double spatial_speed(const Motion *m, const double *y)
@@ -51,7 +58,7 @@ static double spatial_speed(const Motion *m, const double *y)
 static void spatial_project(const Motion *m, const double *y, double *correction, double *error)
 {
     const int n = m->scene->chain.n, chain = STATE_SIZE * n;
-    scales_project(n, y, correction, error);
+    vector_kernels()->project(n, y, correction, error);
     if (m->scene->equipment->n == 0) return;
     scales_equipment_project(m->scene->equipment, y + chain, correction + chain, error ? error + chain : NULL);
 }
@@ -87,7 +94,7 @@ static hawser_status spatial_renew(Motion *m, double t, const double *y, hawser_
 
 static int spatial_worst(const Motion *m, const double *error, const double *weight)
 {
-    const int n = m->scene->chain.n, worst = scales_worst_segment(n, error, weight);
+    const int n = m->scene->chain.n, worst = scales_worst_segment(n, n, STATE_SIZE, error, weight);
     double sum = 0, beside;
     for (int c = 0; c < STATE_SIZE; ++c) sum += pow(error[c * n + worst] * weight[c * n + worst], 2);
     const int roller = equipment_worst(m->scene->equipment, error + STATE_SIZE * n, weight + STATE_SIZE * n, &beside);

@@ -27,13 +27,6 @@ typedef struct VectorKernels {
     void (*project)(int n, const double *y, double *correction, double *error);
 } VectorKernels;
 
-extern const VectorKernels vector_kernels_generic, vector_kernels_avx2, vector_kernels_avx512;
-
-/* Those of this machine. */
-static inline const VectorKernels *vector_kernels(void)
-{
-    static const VectorKernels *const table[] = ISA_TABLE(vector_kernels);
-    return table[isa_best()];
-}
+ISA_KERNELS(VectorKernels, vector_kernels)
 
 #endif

@@ -85,7 +85,7 @@ void probes_look(Probes *probes, const Scene *scene, Workspace *ws)
 {
     if (probes->n == 0) return;
     const Kinematics *const kin = &ws->kin;
-    bushing_loads(&scene->chain, kin, 0, scene->chain.n + 1, &ws->joints);
+    bushing_kernels()->loads(&scene->chain, kin, 0, scene->chain.n + 1, &ws->joints);
     for (int k = 0; k < probes->n; ++k) {
         const ProbePlace *const p = &probes->place[k];
         const int i = p->segment;

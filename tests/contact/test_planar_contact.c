@@ -48,7 +48,7 @@ static void rig_new(Rig *r, ContactGeometry geometry, uint64_t seed)
     memset(r, 0, sizeof *r);
     scene_new(&r->s, geometry, N, h);
     assert_true(planar_chain_alloc(&r->chain, N) && planar_kinematics_alloc(&r->kin, N));
-    assert_true(planar_loads_alloc(&r->loads, N));
+    assert_true(chain_struct_alloc(&r->loads, N));
     for (int i = 0; i < N; ++i) {
         const double angle = 0.15 * fixture_random(&seed);
         vec_store(r->s.kin.a, i, v3(cos(angle), 0, sin(angle)));
@@ -72,8 +72,8 @@ static void rig_free(Rig *r)
 {
     scene_free(&r->s);
     planar_chain_free(&r->chain);
-    planar_kinematics_free(&r->kin);
-    planar_loads_free(&r->loads);
+    chain_struct_free(&r->kin);
+    chain_struct_free(&r->loads);
 }
 
 /* Loads of the planar chain from zero; returns how many contacts push. */
@@ -137,7 +137,7 @@ static void test_reaction(void **state)
     }
 }
 
-/* No line point moves farther than planar_contact_moved says; a NaN is infinitely far. */
+/* No line point moves farther than the kernel says; a NaN is infinitely far. */
 static void test_moved(void **state)
 {
     (void)state;
@@ -149,16 +149,16 @@ static void test_moved(void **state)
         memcpy(then.p[c], r.kin.p[c], N * sizeof(double));
         memcpy(then.a[c], r.kin.a[c], N * sizeof(double));
     }
-    check_equal(planar_contact_moved(&r.chain, &r.kin, then.p, then.a), 0);
+    check_equal(planar_contact_kernels()->moved(&r.chain, &r.kin, then.p, then.a), 0);
     r.kin.p[0][4] += 0.3;
     r.kin.p[1][4] += 0.4;
     r.kin.a[0][N - 1] += 0.1;
-    check_close(planar_contact_moved(&r.chain, &r.kin, then.p, then.a), 0.5, 1e-15);
+    check_close(planar_contact_kernels()->moved(&r.chain, &r.kin, then.p, then.a), 0.5, 1e-15);
     r.kin.a[0][N - 1] += 3;
-    check_close(planar_contact_moved(&r.chain, &r.kin, then.p, then.a), 3.1 * r.chain.half[N - 1], 1e-15);
+    check_close(planar_contact_kernels()->moved(&r.chain, &r.kin, then.p, then.a), 3.1 * r.chain.half[N - 1], 1e-15);
     r.kin.p[1][0] = NAN;
-    check_infinite(planar_contact_moved(&r.chain, &r.kin, then.p, then.a));
-    planar_kinematics_free(&then);
+    check_infinite(planar_contact_kernels()->moved(&r.chain, &r.kin, then.p, then.a));
+    chain_struct_free(&then);
     rig_free(&r);
 }
 

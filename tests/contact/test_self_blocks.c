@@ -2,7 +2,7 @@
  * cross, at rest and moving, shaken; the pattern holds every coupling that there is. */
 #include "tests/support/touch.h"
 
-#include "contact/fd/contact_fd.h"
+#include "tests/support/contact_fd.h"
 
 /* Entry (row, col) of the analytic matrices. */
 static double entry(const SelfScene *s, const BlockChain *chain, const double *extra, int row, int col)

@@ -223,7 +223,7 @@ static void test_dissipation(void **state)
         self_fresh(&s);
         self_load(&s, 1);
         Loads rest = s.loads;
-        assert_true(loads_alloc(&s.loads, 12));
+        assert_true(chain_struct_alloc(&s.loads, 12));
         self_shake(&s, 0, 0.05, &seed);
         self_load(&s, 1);
         double power = 0;
@@ -233,7 +233,7 @@ static void test_dissipation(void **state)
             power += v3_dot(f, vec_load(s.kin.v, i)) + v3_dot(m, vec_load(s.kin.w, i));
         }
         check_below(power, 0);
-        loads_free(&rest);
+        chain_struct_free(&rest);
         self_free(&s);
     }
 }

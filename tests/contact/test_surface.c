@@ -199,7 +199,7 @@ static void test_halves(void **state)
     Loads whole;
     scene_moving(&s, 0);
     surfaces_forces(&s, 1);
-    assert_true(loads_alloc(&whole, s.chain.n));
+    assert_true(chain_struct_alloc(&whole, s.chain.n));
     for (int c = 0; c < 3; ++c) memcpy(whole.f[c], s.loads.f[c], (size_t)s.chain.n * sizeof(double));
     const int candidates = s.pairs.candidates, elements = s.points.elements;
     loads_zero(&s.loads, s.chain.n);
@@ -218,7 +218,7 @@ static void test_halves(void **state)
             check_at_most(off, 1e-12 * fabs(whole.f[c][i]) + 1e-12);
         }
     }
-    loads_free(&whole);
+    chain_struct_free(&whole);
     surfaces_free(&s);
 }
 

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "contact/fd/contact_fd.h"
+#include "tests/support/contact_fd.h"
 
 enum { N = 12 };
 

@@ -34,31 +34,6 @@ static void allocation(void **state)
     block_chain_free(&a);
 }
 
-static void product(void **state)
-{
-    (void)state;
-    for (int b = 3; b <= 6; b += 3) {
-        for (int n = 1; n <= 4; ++n) {
-            BlockChain a;
-            double x[24], y[24];
-            block_chain_alloc(&a, n, b);
-            fill(&a);
-            for (int k = 0; k < n * b; ++k) x[k] = k % 3 - 0.75, y[k] = 1;
-            block_chain_gemv(&a, -2, x, y);
-            for (int i = 0; i < n; ++i) {
-                for (int r = 0; r < b; ++r) {
-                    double sum = 1;
-                    for (int j = i ? i - 1 : 0; j <= i + 1 && j < n; ++j) {
-                        for (int c = 0; c < b; ++c) sum -= 2 * entry(i, j, r, c) * x[j * b + c];
-                    }
-                    check_close(y[i * b + r], sum, 1e-12 * (1 + fabs(sum)));
-                }
-            }
-            block_chain_free(&a);
-        }
-    }
-}
-
 static void copy_and_zero(void **state)
 {
     (void)state;
@@ -86,7 +61,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(allocation),
-        cmocka_unit_test(product),
         cmocka_unit_test(copy_and_zero),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -26,7 +26,8 @@ static Rig rig_new(int n)
 {
     Rig r = {.n = n, .seed = 17 + (uint64_t)n};
     assert_true(chain_alloc(&r.chain, n) && kinematics_alloc(&r.kin, n));
-    assert_true(joint_loads_alloc(&r.joints, n) && loads_alloc(&r.loads[0], n) && loads_alloc(&r.loads[1], n));
+    assert_true(chain_struct_alloc(&r.joints, n) && chain_struct_alloc(&r.loads[0], n) &&
+                chain_struct_alloc(&r.loads[1], n));
     r.y = malloc((size_t)(STATE_SIZE * n) * sizeof(double));
     r.ydot = malloc((size_t)(STATE_SIZE * n) * sizeof(double));
     assert_true(r.y && r.ydot);
@@ -55,8 +56,8 @@ static void rig_free(Rig *r)
 {
     chain_free(&r->chain);
     kinematics_free(&r->kin);
-    joint_loads_free(&r->joints);
-    for (int k = 0; k < 2; ++k) loads_free(&r->loads[k]);
+    chain_struct_free(&r->joints);
+    for (int k = 0; k < 2; ++k) chain_struct_free(&r->loads[k]);
     free(r->y);
     free(r->ydot);
 }
@@ -83,7 +84,7 @@ static void test_kinematics(void **state)
     for (int k = 0; k < N_SIZES; ++k) {
         Rig r = rig_new(SIZES[k]);
         vec_store(r.kin.p, -1, v3(5, 6, 7));
-        body_kinematics(r.n, r.y, 0, r.n, &r.kin);
+        body_kernels()->kinematics(r.n, r.y, 0, r.n, &r.kin);
         for (int i = 0; i < r.n; ++i) {
             const Quat q = quat_unit(turn_of(r.y, r.n, i));
             check_below(quat_apart(kinematics_quat(&r.kin, i), q), 1e-15);
@@ -104,17 +105,17 @@ static void test_parts(void **state)
     enum { N = 30, MID = 2 * LANES };
     Rig r = rig_new(N);
     double whole[STATE_SIZE * N];
-    body_kinematics(N, r.y, 0, N, &r.kin);
-    body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, N, whole);
+    body_kernels()->kinematics(N, r.y, 0, N, &r.kin);
+    body_kernels()->rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, N, whole);
     memset(r.ydot, 0, sizeof whole);
-    body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, MID, N, r.ydot);
+    body_kernels()->rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, MID, N, r.ydot);
     for (int c = 0; c < STATE_SIZE; ++c) {
         for (int i = 0; i < MID; ++i) check_equal(r.ydot[c * N + i], 0);
     }
-    body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, MID, r.ydot);
+    body_kernels()->rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, MID, r.ydot);
     assert_memory_equal(r.ydot, whole, sizeof whole);
     vec_store(r.kin.p, 3, v3(1, 2, 3));
-    body_kinematics(N, r.y, MID, N, &r.kin);
+    body_kernels()->kinematics(N, r.y, MID, N, &r.kin);
     check_at_most(apart(vec_load(r.kin.p, 3), v3(1, 2, 3)), 0);
     rig_free(&r);
 }
@@ -147,8 +148,8 @@ static void test_rates(void **state)
     (void)state;
     for (int k = 0; k < N_SIZES; ++k) {
         Rig r = rig_new(SIZES[k]);
-        body_kinematics(r.n, r.y, 0, r.n, &r.kin);
-        body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, r.n, r.ydot);
+        body_kernels()->kinematics(r.n, r.y, 0, r.n, &r.kin);
+        body_kernels()->rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, r.n, r.ydot);
         for (int i = 0; i < r.n; ++i) check_segment(&r, i);
         rig_free(&r);
     }
@@ -165,8 +166,8 @@ static void test_gyroscopic(void **state)
     }
     for (int i = 0; i < r.n; ++i) vec_store(r.loads[0].m, i, v3(0, 0, 0));
     for (int i = 0; i < r.n; ++i) vec_store(r.loads[1].m, i, v3(0, 0, 0));
-    body_kinematics(r.n, r.y, 0, r.n, &r.kin);
-    body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, r.n, r.ydot);
+    body_kernels()->kinematics(r.n, r.y, 0, r.n, &r.kin);
+    body_kernels()->rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, r.n, r.ydot);
     for (int i = 0; i < r.n; ++i) {
         const Vec3 w = part(r.y, r.n, STATE_W, i);
         const Vec3 change = body_inertia_times(&r.chain, &r.kin, i, part(r.ydot, r.n, STATE_W, i));
@@ -208,8 +209,8 @@ static void test_blocks(void **state)
     Rig r = rig_new(9);
     BlockChain k, d;
     assert_true(block_chain_alloc(&k, r.n, 6) && block_chain_alloc(&d, r.n, 6));
-    body_kinematics(r.n, r.y, 0, r.n, &r.kin);
-    body_rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, r.n, r.ydot);
+    body_kernels()->kinematics(r.n, r.y, 0, r.n, &r.kin);
+    body_kernels()->rates(&r.chain, &r.kin, &r.joints, r.loads, r.y, 0, r.n, r.ydot);
     body_blocks(&r.chain, &r.kin, r.ydot, 0, r.n, &k, &d);
     for (int i = 0; i < r.n; ++i) {
         for (int c = 0; c < 3; ++c) {

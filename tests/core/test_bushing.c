@@ -19,7 +19,7 @@ static Rig rig_new(BushingFrame frame, double bend, uint64_t seed)
     Rig r = {.seed = seed};
     assert_true(chain_alloc(&r.chain, N));
     assert_true(kinematics_alloc(&r.kin, N));
-    assert_true(joint_loads_alloc(&r.loads, N));
+    assert_true(chain_struct_alloc(&r.loads, N));
     r.chain.frame = frame;
     fixture_chain(&r.chain, &r.seed);
     fixture_state(&r.chain, &r.kin, bend, 0.05, &r.seed);
@@ -46,13 +46,13 @@ static void rig_free(Rig *r)
 {
     chain_free(&r->chain);
     kinematics_free(&r->kin);
-    joint_loads_free(&r->loads);
+    chain_struct_free(&r->loads);
 }
 
 /* Force and moment of the bushings on every segment. */
 static void segment_loads(Rig *r, double out[6 * N])
 {
-    bushing_loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
+    bushing_kernels()->loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
     for (int i = 0; i < N; ++i) {
         for (int c = 0; c < 3; ++c) {
             out[6 * i + c] = r->loads.force[c][i + 1] - r->loads.force[c][i];
@@ -160,7 +160,7 @@ static void test_momentum(void **state)
     for (int kind = 0; kind < 4; ++kind) {
         const BushingFrame frame = kind % 2 ? FRAME_ADAMS : FRAME_SYMMETRIC;
         Rig r = kind < 2 ? rig_new(frame, 0.8, 7) : sliding_rig(frame, 0.8, 7);
-        bushing_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
+        bushing_kernels()->loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
         for (int j = 1; j < N; ++j) {
             const Vec3 f = vec_load(r.loads.force, j);
             const Vec3 arm = v3_sub(vec_load(r.kin.p, j - 1), vec_load(r.kin.p, j));
@@ -177,7 +177,7 @@ static double potential(Rig *r)
 {
     double *law[6], sum = 0;
     for (int c = 0; c < 6; ++c) law[c] = chain_array_new(N, 0);
-    bushing_law(&r->chain, &r->kin, 0, N + 1, law);
+    bushing_kernels()->law(&r->chain, &r->kin, 0, N + 1, law);
     for (int j = 0; j <= N; ++j) {
         for (int c = 0; c < 6; ++c) sum += law[c][j] * law[c][j] / (2 * r->chain.stiffness[c][j]);
     }
@@ -224,7 +224,7 @@ static void objectivity_check(Rig r)
         before[c] = chain_array_new(N, 0);
         after[c] = chain_array_new(N, 0);
     }
-    bushing_law(&r.chain, &r.kin, 0, N + 1, before);
+    bushing_kernels()->law(&r.chain, &r.kin, 0, N + 1, before);
     const Quat turn = quat_exp(v3(0.7, -1.9, 0.4));
     const Vec3 spin = v3(0.3, 2.0, -1.1), drift = v3(5, -3, 2);
     for (int i = -1; i <= N; ++i) {
@@ -234,7 +234,7 @@ static void objectivity_check(Rig r)
         vec_store(r.kin.w, i, v3_add(quat_rotate(turn, vec_load(r.kin.w, i)), spin));
         vec_store(r.kin.p, i, v3_add(p, drift));
     }
-    bushing_law(&r.chain, &r.kin, 0, N + 1, after);
+    bushing_kernels()->law(&r.chain, &r.kin, 0, N + 1, after);
     for (int c = 0; c < 6; ++c) {
         for (int j = 0; j <= N; ++j) check_close(after[c][j], before[c][j], 1e-12);
         before[c] = chain_array_free(before[c]);
@@ -266,7 +266,7 @@ static void test_by_hand(void **state)
         vec_store(r.kin.p, i, v3(0.51 * i, 0, 0));
     }
     r.chain.half[-1] = r.chain.half[N] = 0;
-    bushing_law(&r.chain, &r.kin, 0, N + 1, law);
+    bushing_kernels()->law(&r.chain, &r.kin, 0, N + 1, law);
     for (int j = 1; j < N; ++j) {
         check_close(law[0][j], 0.01 * r.chain.stiffness[0][j], 1e-14);
         check_close(law[3][j], 0.2 * r.chain.stiffness[3][j], 1e-14);
@@ -275,7 +275,7 @@ static void test_by_hand(void **state)
         }
     }
     kinematics_turn_to(&r.kin, 5, quat_mul(kinematics_quat(&r.kin, 4), quat_exp(v3(0, 2.5, 0))));
-    bushing_law(&r.chain, &r.kin, 0, N + 1, law);
+    bushing_kernels()->law(&r.chain, &r.kin, 0, N + 1, law);
     check_close(law[4][5], 2.5 * r.chain.stiffness[4][5], 1e-12);
     for (int c = 0; c < 6; ++c) law[c] = chain_array_free(law[c]);
     rig_free(&r);
@@ -352,12 +352,12 @@ static double wrench_power(const Rig *r)
 static void power_check(Rig *r)
 {
     const double dt = 1e-5;
-    const JointPower power = bushing_loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
+    const JointPower power = bushing_kernels()->loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
     const double given = wrench_power(r);
     drift(r, dt);
-    const double after = bushing_energy(&r->chain, &r->kin, 0, N + 1).elastic;
+    const double after = bushing_kernels()->energy(&r->chain, &r->kin, 0, N + 1).elastic;
     drift(r, -2 * dt);
-    const double before = bushing_energy(&r->chain, &r->kin, 0, N + 1).elastic;
+    const double before = bushing_kernels()->energy(&r->chain, &r->kin, 0, N + 1).elastic;
     const double taken = (after - before) / (2 * dt) + power.damping + power.sliding;
     print_message("given %.9g, taken %.9g W, damping %.3g, sliding %.3g\n", given, -taken, power.damping,
                   power.sliding);
@@ -382,19 +382,19 @@ static void sliders_that_hold(void **state)
 {
     (void)state;
     Rig r = rig_new(FRAME_SYMMETRIC, 0.5, 7);
-    const double bare = bushing_energy(&r.chain, &r.kin, 0, N + 1).elastic;
+    const double bare = bushing_kernels()->energy(&r.chain, &r.kin, 0, N + 1).elastic;
     assert_true(chain_alloc_sliders(&r.chain, 1) && kinematics_alloc_slips(&r.kin, &r.chain));
     for (int j = 0; j <= N; ++j) {
         r.chain.sliders.stiffness[0][j] = 2.5;
         r.chain.sliders.limit[0][j] = 100;
     }
-    const JointEnergy with = bushing_energy(&r.chain, &r.kin, 0, N + 1);
+    const JointEnergy with = bushing_kernels()->energy(&r.chain, &r.kin, 0, N + 1);
     for (int j = 0; j <= N; ++j) {
         r.chain.stiffness[4][j] += 2.5;
         r.chain.stiffness[5][j] += 2.5;
     }
     r.chain.sliders.count = 0;
-    const double stiffer = bushing_energy(&r.chain, &r.kin, 0, N + 1).elastic;
+    const double stiffer = bushing_kernels()->energy(&r.chain, &r.kin, 0, N + 1).elastic;
     check_share(with.elastic, bare, 1e-12);
     check_above(with.sliding, 1e-3);
     check_share(with.elastic + with.sliding, stiffer, 1e-12);

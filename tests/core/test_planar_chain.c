@@ -47,7 +47,7 @@ static void chain_copy(Rig *r)
 /* Kinematics of y in both; the ghosts stand at the origin, at rest. */
 static void place(Rig *r)
 {
-    planar_kinematics(&r->chain, r->y, 0, N, &r->kin);
+    planar_kernels()->kinematics(&r->chain, r->y, 0, N, &r->kin);
     double *const ghost[] = {r->kin.p[0], r->kin.p[1], r->kin.angle, r->kin.v[0], r->kin.v[1], r->kin.w};
     for (int c = 0; c < 6; ++c) ghost[c][N] = 0;
     r->kin.h[0][N] = r->kin.a[0][N] = 1;
@@ -66,9 +66,9 @@ static void place(Rig *r)
 static Rig rig_new(BushingFrame frame, double bend, double turn, uint64_t seed)
 {
     Rig r = {.seed = seed};
-    assert_true(chain_alloc(&r.space, N) && kinematics_alloc(&r.kin3, N) && joint_loads_alloc(&r.loads3, N));
+    assert_true(chain_alloc(&r.space, N) && kinematics_alloc(&r.kin3, N) && chain_struct_alloc(&r.loads3, N));
     assert_true(planar_chain_alloc(&r.chain, N) && planar_kinematics_alloc(&r.kin, N));
-    assert_true(planar_joint_loads_alloc(&r.loads, N));
+    assert_true(chain_struct_alloc(&r.loads, N));
     assert_int_equal(r.chain.stride, STRIDE);
     r.space.frame = frame;
     fixture_chain(&r.space, &r.seed);
@@ -93,10 +93,10 @@ static void rig_free(Rig *r)
 {
     chain_free(&r->space);
     kinematics_free(&r->kin3);
-    joint_loads_free(&r->loads3);
+    chain_struct_free(&r->loads3);
     planar_chain_free(&r->chain);
-    planar_kinematics_free(&r->kin);
-    planar_joint_loads_free(&r->loads);
+    chain_struct_free(&r->kin);
+    chain_struct_free(&r->loads);
 }
 
 /* To the last bit or two, in every quarter of the circle and many turns away. */
@@ -129,8 +129,8 @@ static void test_space(void **state)
     double worst = 0;
     for (uint64_t k = 0; k < 20; ++k) {
         Rig r = rig_new(k % 2 ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.1 * (double)(k % 10), 3.0 * (double)k - 20, k);
-        planar_joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
-        bushing_loads(&r.space, &r.kin3, 0, N + 1, &r.loads3);
+        planar_kernels()->joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
+        bushing_kernels()->loads(&r.space, &r.kin3, 0, N + 1, &r.loads3);
         for (int j = 1; j < N; ++j) {
             worst = larger_of(worst, fabs(r.loads.force[0][j] - r.loads3.force[0][j]));
             worst = larger_of(worst, fabs(r.loads.force[1][j] - r.loads3.force[2][j]));
@@ -161,8 +161,8 @@ static void test_action_and_reaction(void **state)
             at[2 * STRIDE] += by;
         }
         place(&turned);
-        planar_joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
-        planar_joint_loads(&turned.chain, &turned.kin, 0, N + 1, &turned.loads);
+        planar_kernels()->joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
+        planar_kernels()->joint_loads(&turned.chain, &turned.kin, 0, N + 1, &turned.loads);
         for (int j = 1; j < N; ++j) {
             const double fx = r.loads.force[0][j], fz = r.loads.force[1][j];
             const double dx = r.y[j - 1] - r.y[j], dz = r.y[STRIDE + j - 1] - r.y[STRIDE + j];
@@ -181,7 +181,7 @@ static void test_action_and_reaction(void **state)
 static void segment_loads(Rig *r, double out[3 * N])
 {
     place(r);
-    planar_joint_loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
+    planar_kernels()->joint_loads(&r->chain, &r->kin, 0, N + 1, &r->loads);
     for (int i = 0; i < N; ++i) {
         out[3 * i] = r->loads.force[0][i + 1] - r->loads.force[0][i];
         out[3 * i + 1] = r->loads.force[1][i + 1] - r->loads.force[1][i];
@@ -197,10 +197,10 @@ static void test_differences(void **state)
     for (int frame = 0; frame < 2; ++frame) {
         Rig r = rig_new(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.9, -2, 9);
         PlanarBlocks k, d;
-        assert_true(planar_blocks_alloc(&k, N) && planar_blocks_alloc(&d, N));
-        planar_joint_blocks(&r.chain, &r.kin, 0, N + 1, &k, &d);
-        planar_blocks_join(&k, 0, N);
-        planar_blocks_join(&d, 0, N);
+        assert_true(chain_struct_alloc(&k, N) && chain_struct_alloc(&d, N));
+        planar_kernels()->joint_blocks(&r.chain, &r.kin, 0, N + 1, &k, &d);
+        planar_kernels()->blocks_join(&k, 0, N);
+        planar_kernels()->blocks_join(&d, 0, N);
         planar_blocks_trim(&k, N);
         planar_blocks_trim(&d, N);
         for (int column = 0; column < 6 * N; ++column) {
@@ -222,8 +222,8 @@ static void test_differences(void **state)
                 worst = larger_of(worst, fabs((plus[row] - minus[row]) / (2 * e) - mine));
             }
         }
-        planar_blocks_free(&k);
-        planar_blocks_free(&d);
+        chain_struct_free(&k);
+        chain_struct_free(&d);
         rig_free(&r);
     }
     print_message("derivatives of order 10: %.2g from finite differences\n", worst);
@@ -237,16 +237,16 @@ static void test_padding(void **state)
     Rig r = rig_new(FRAME_SYMMETRIC, 0.5, 0, 3);
     PlanarLoads loads[2];
     double rate[PLANAR_SIZE * STRIDE];
-    for (int k = 0; k < 2; ++k) assert_true(planar_loads_alloc(&loads[k], N));
+    for (int k = 0; k < 2; ++k) assert_true(chain_struct_alloc(&loads[k], N));
     r.kin.v[0][N] = r.kin.w[N] = 7;
-    planar_joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
-    assert_true(planar_rates(&r.chain, &r.kin, &r.loads, loads, 0, N, rate));
+    planar_kernels()->joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
+    assert_true(planar_kernels()->rates(&r.chain, &r.kin, &r.loads, loads, 0, N, rate));
     for (int k = 0; k < PLANAR_SIZE * STRIDE; ++k) {
         if (k % STRIDE >= N) check_equal(rate[k], 0);
     }
     loads[1].m[4] = INFINITY;
-    assert_false(planar_rates(&r.chain, &r.kin, &r.loads, loads, 0, N, rate));
-    for (int k = 0; k < 2; ++k) planar_loads_free(&loads[k]);
+    assert_false(planar_kernels()->rates(&r.chain, &r.kin, &r.loads, loads, 0, N, rate));
+    for (int k = 0; k < 2; ++k) chain_struct_free(&loads[k]);
     rig_free(&r);
 }
 

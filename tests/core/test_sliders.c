@@ -43,7 +43,7 @@ static Vec3 bending(double size, double angle) { return v3(0, size * cos(angle),
 static Vec3 moment_at(Rig *r, Vec3 theta)
 {
     kinematics_turn_to(&r->kin, 1, quat_exp(theta));
-    bushing_law(&r->chain, &r->kin, 0, 3, r->law);
+    bushing_kernels()->law(&r->chain, &r->kin, 0, 3, r->law);
     return v3(r->law[3][JOINT], r->law[4][JOINT], r->law[5][JOINT]);
 }
 

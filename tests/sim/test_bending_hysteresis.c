@@ -158,7 +158,7 @@ static Balance balance_of(Rig *r)
     const int n = c->n;
     Balance b = {0};
     dynamics_kinematics(&r->scene, &r->ws, r->t, r->y);
-    bushing_law(c, &r->ws.kin, 0, n + 1, r->ws.law);
+    bushing_kernels()->law(c, &r->ws.kin, 0, n + 1, r->ws.law);
     for (int i = 0; i < n; ++i) {
         const Vec3 v = state_vec(r->y, n, STATE_V, i), w = state_vec(r->y, n, STATE_W, i);
         const Vec3 spin = body_inertia_times(c, &r->ws.kin, i, w), push = v3_scale(c->mass[i], v);

@@ -94,7 +94,7 @@ static void test_grip_is_whole(void **state)
     for (int step = 0; step <= 400; ++step) {
         uint64_t seed = 5;
         Loads loads;
-        assert_true(loads_alloc(&loads, N));
+        assert_true(chain_struct_alloc(&loads, N));
         kinematics_set(&r, v3_axpy(r.c.origin, -2.3 + 0.005 * step, r.c.direction), r.c.direction, 0, 0.2, &seed);
         conveyor_find(&r.c, &r.chain, r.y, 0.1, &r.range);
         const ConveyorNow now =
@@ -109,7 +109,7 @@ static void test_grip_is_whole(void **state)
             if (step > 0) check_close(f, last[i], 350 / 2.2 * 0.0051); /* the plateau's force a metre */
             last[i] = f;
         }
-        loads_free(&loads);
+        chain_struct_free(&loads);
     }
     rig_free(&r);
 }
@@ -168,7 +168,7 @@ static void test_stale(void **state)
 static void wrench(Rig *r, double friction, double out[3 * N])
 {
     Loads loads;
-    assert_true(loads_alloc(&loads, N));
+    assert_true(chain_struct_alloc(&loads, N));
     conveyor_loads(&r->c, &r->range, conveyor_belt(&r->c, &r->winch, 0.5), &r->chain, &r->kin, friction, &loads);
     for (int i = 0; i < N; ++i) {
         for (int c = 0; c < 3; ++c) {
@@ -176,7 +176,7 @@ static void wrench(Rig *r, double friction, double out[3 * N])
             check_equal(loads.m[c][i], 0); /* pushes at the centres */
         }
     }
-    loads_free(&loads);
+    chain_struct_free(&loads);
 }
 
 /* (WI18), (WI19) against central differences, segments in the edges and in the middle, creeping and slipping; only
@@ -228,7 +228,7 @@ static void test_power(void **state)
         Loads loads;
         double power = 0;
         rig_new(&r, 0, 50 + (uint64_t)trial);
-        assert_true(loads_alloc(&loads, N));
+        assert_true(chain_struct_alloc(&loads, N));
         const ConveyorNow now =
             conveyor_loads(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0), &r.chain, &r.kin, 1, &loads);
         for (int i = 0; i < N; ++i) {
@@ -239,7 +239,7 @@ static void test_power(void **state)
         check_below(power, 0);
         check_close(conveyor_loads(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0), &r.chain, &r.kin, 0, NULL).force,
                     0, 1e-15);
-        loads_free(&loads);
+        chain_struct_free(&loads);
         rig_free(&r);
     }
 }

@@ -37,7 +37,7 @@ static Balance balance_of(Rig *r)
         b.p = v3_add(b.p, push);
         b.l = v3_add(b.l, v3_add(spin, v3_cross(state_vec(r->y, N, STATE_P, i), push)));
     }
-    bushing_law(c, &r->ws.kin, 0, N + 1, r->ws.law);
+    bushing_kernels()->law(c, &r->ws.kin, 0, N + 1, r->ws.law);
     for (int j = 1; j < N; ++j) {
         for (int k = 0; k < 6; ++k) b.energy += r->ws.law[k][j] * r->ws.law[k][j] / (2 * c->stiffness[k][j]);
     }

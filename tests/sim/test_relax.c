@@ -69,7 +69,7 @@ static void test_total_balance(void **state)
     const int n = r->scene.chain.n;
     assert_true(out.reached);
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
-    bushing_loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
+    bushing_kernels()->loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
     Vec3 sum = vec_load(r->ws.joints.force, n);
     for (int i = 0; i < n; ++i) sum = v3_axpy(sum, r->scene.chain.mass[i], r->scene.weight.gravity);
     sum = v3_axpy(sum, -profile_value(&r->scene.tail, 0), r->scene.weight.direction);
@@ -118,7 +118,7 @@ static void test_light_rope(void **state)
     check_close(r->y[2 * n + n / 2], -0.036, 0.003); /* it lies on its rollers, sagging by millimetres */
     /* the contacts have their stiffness back: with the winch they carry the weight */
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
-    bushing_loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
+    bushing_kernels()->loads(&r->scene.chain, &r->ws.kin, 0, n + 1, &r->ws.joints);
     double load = r->ws.joints.force[2][n];
     room_look(&ROLLERS_ROOM, &r->scene, &r->ws);
     for (int k = 0; k < r->scene.contact.n_rollers; ++k) load -= r->ws.on_roller[k].z;

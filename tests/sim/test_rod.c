@@ -28,7 +28,7 @@ static void loads_on(Scene *scene, const double *y, int i, Workspace *ws, double
 {
     const int n = scene->chain.n;
     const Loads *const loads = &ws->loads[0];
-    body_kinematics(n, y, 0, n, &ws->kin);
+    body_kernels()->kinematics(n, y, 0, n, &ws->kin);
     loads_zero(&ws->loads[0], n);
     room_loads(&ROD_ROOM, scene, ws, 0.7, 1);
     for (int c = 0; c < 3; ++c) {
@@ -53,7 +53,7 @@ static void load_blocks_against_differences(void **state)
     scene_initial_state(&scene, y);
     uint64_t seed = 5;
     state_shake(y, n, 0.1, 0.8, 0, 0, &seed);
-    body_kinematics(n, y, 0, n, &ws.kin);
+    body_kernels()->kinematics(n, y, 0, n, &ws.kin);
     room_blocks(&ROD_ROOM, &scene, &ws, 0.7, 1, &k, &d);
     const double e = 1e-6;
     double largest = 0;

@@ -168,7 +168,7 @@ static void catenary(void **state)
     rod_stage(&def, &stage);
     rod_solve(&stage);
     dynamics_look(&stage.scene, &stage.ws, 1, stage.y);
-    bushing_loads(&stage.scene.chain, &stage.ws.kin, 0, 61, &stage.ws.joints);
+    bushing_kernels()->loads(&stage.scene.chain, &stage.ws.kin, 0, 61, &stage.ws.joints);
     const JointLoads *const j = &stage.ws.joints;
     check_close(rod_front(&stage, 29).z, -2.923438, 0.001 * 2.923438);
     check_share(v3_norm(v3(j->force[0][60], j->force[1][60], j->force[2][60])), 76.18853, 0.002);
@@ -194,7 +194,7 @@ static void reactions_balance_the_loads(void **state)
     rod_solve(&stage);
     Workspace *const ws = &stage.ws;
     dynamics_look(&stage.scene, ws, 1, stage.y);
-    bushing_loads(&stage.scene.chain, &ws->kin, 0, 13, &ws->joints);
+    bushing_kernels()->loads(&stage.scene.chain, &ws->kin, 0, 13, &ws->joints);
     loads_zero(&ws->loads[0], 12);
     room_loads(&ROD_ROOM, &stage.scene, ws, 1, 1);
     Vec3 force = v3(0, 0, 0), moment = v3(0, 0, 0);
@@ -232,7 +232,7 @@ static void a_led_end_bends_the_rod(void **state)
     rod_stage(&def, &stage);
     rod_solve(&stage);
     dynamics_look(&stage.scene, &stage.ws, 1, stage.y);
-    bushing_loads(&stage.scene.chain, &stage.ws.kin, 0, 21, &stage.ws.joints);
+    bushing_kernels()->loads(&stage.scene.chain, &stage.ws.kin, 0, 21, &stage.ws.joints);
     for (int j = 0; j <= 20; ++j) check_close(stage.ws.joints.torque_a[1][j], -0.9 * M_PI * 1e3 / 10, 1e-7);
     stage_free(&stage);
 }

@@ -1,5 +1,6 @@
 /* What errors are measured with: a norm that does not fade as the chain grows, weights from the accuracy. */
 #include "sim/step/scales.h"
+#include "sim/step/vector_kernels.h"
 #include "tests/support/scene.h"
 
 enum { LARGE = 16000 };
@@ -80,17 +81,17 @@ static void test_not_finite(void **state)
     for (int k = 0; k < 4; ++k) {
         x[place[k]] = NAN;
         check_nan(scales_norm(N, x, w));
-        assert_int_equal(scales_worst_segment(N, x, w), place[k] % N);
-        assert_false(scales_all_finite(x, STATE_SIZE * N));
+        assert_int_equal(scales_worst_segment(N, N, STATE_SIZE, x, w), place[k] % N);
+        assert_false(vector_kernels()->all_finite(STATE_SIZE * N, x));
         x[place[k]] = -INFINITY;
         check_infinite(scales_norm(N, x, w));
-        assert_false(scales_all_finite(x, STATE_SIZE * N));
+        assert_false(vector_kernels()->all_finite(STATE_SIZE * N, x));
         x[place[k]] = 1e3;
     }
-    assert_true(scales_all_finite(x, STATE_SIZE * N));
-    assert_true(scales_all_finite(x, 0));
+    assert_true(vector_kernels()->all_finite(STATE_SIZE * N, x));
+    assert_true(vector_kernels()->all_finite(0, x));
     x[5] = 1e300; /* large is finite */
-    assert_true(scales_all_finite(x, STATE_SIZE * N));
+    assert_true(vector_kernels()->all_finite(STATE_SIZE * N, x));
     free(x);
     free(w);
 }
@@ -101,9 +102,9 @@ static void test_worst_segment(void **state)
     enum { N = 40 };
     double *const x = vector_new(N, 0.1), *const w = vector_new(N, 1);
     x[11 * N + 23] = -5;
-    assert_int_equal(scales_worst_segment(N, x, w), 23);
+    assert_int_equal(scales_worst_segment(N, N, STATE_SIZE, x, w), 23);
     w[3 * N + 31] = 100; /* a tight tolerance weighs as much as a large error */
-    assert_int_equal(scales_worst_segment(N, x, w), 31);
+    assert_int_equal(scales_worst_segment(N, N, STATE_SIZE, x, w), 31);
     free(x);
     free(w);
 }

@@ -44,7 +44,7 @@ static void look_take(Stage *st, Look *out)
     assert_true(out->y && out->rate && out->tension);
     memcpy(out->y, st->y, size);
     dynamics_rates(&st->scene, &st->ws, st->t, st->y, 1, out->rate);
-    bushing_law(c, &st->ws.kin, 0, c->n + 1, st->ws.law);
+    bushing_kernels()->law(c, &st->ws.kin, 0, c->n + 1, st->ws.law);
     memcpy(out->tension, st->ws.law[0], (size_t)(c->n + 1) * sizeof(double));
     for (int i = 0; i < c->n; ++i) {
         const Vec3 v = state_vec(st->y, c->n, STATE_V, i);

@@ -231,7 +231,7 @@ static void head_free(Head *h)
 static void head_wrench(Head *h, double out[6])
 {
     Loads loads;
-    assert_true(loads_alloc(&loads, N));
+    assert_true(chain_struct_alloc(&loads, N));
     const Room room = {.kind = &WINCH_ROOM, .present = 1, .self = &h->winch};
     const Scene scene = {.chain = h->chain};
     Workspace ws = {.kin = h->kin, .loads = {loads}};
@@ -240,7 +240,7 @@ static void head_wrench(Head *h, double out[6])
         out[c] = loads.f[c][LAST];
         out[3 + c] = loads.m[c][LAST];
     }
-    loads_free(&loads);
+    chain_struct_free(&loads);
 }
 
 /* Moves coordinate c of 12 (shift, turn, velocity, spin) by e. */

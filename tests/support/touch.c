@@ -4,12 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
+Vec3 element_point(const Element *element, const Chain *chain, const Kinematics *kin, double u)
+{
+    const LineWeights w = element_weights(element, u);
+    Vec3 p = v3(0, 0, 0);
+    for (int b = 0; b < 2; ++b) {
+        const int i = element->body[b];
+        if (i < 0 || i >= chain->n) continue;
+        const Vec3 arm = v3_scale(chain->half[i], v3_load(kin->a, i));
+        p = v3_axpy(v3_axpy(p, w.alpha[b], v3_load(kin->p, i)), w.beta[b], arm);
+    }
+    return p;
+}
+
 void scene_new(TestScene *s, ContactGeometry geometry, int n, double h)
 {
     memset(s, 0, sizeof *s);
     assert_true(chain_alloc(&s->chain, n));
     assert_true(kinematics_alloc(&s->kin, n));
-    assert_true(loads_alloc(&s->loads, n));
+    assert_true(chain_struct_alloc(&s->loads, n));
     assert_true(contact_pairs_alloc(&s->pairs, n));
     for (int i = 0; i < n; ++i) {
         s->chain.half[i] = h / 2;
@@ -24,7 +37,7 @@ void scene_free(TestScene *s)
 {
     chain_free(&s->chain);
     kinematics_free(&s->kin);
-    loads_free(&s->loads);
+    chain_struct_free(&s->loads);
     contact_pairs_free(&s->pairs);
 }
 
@@ -61,7 +74,7 @@ void scene_join(TestScene *s, Vec3 start)
 void self_new(SelfScene *s, int n, double h)
 {
     memset(s, 0, sizeof *s);
-    assert_true(chain_alloc(&s->chain, n) && kinematics_alloc(&s->kin, n) && loads_alloc(&s->loads, n));
+    assert_true(chain_alloc(&s->chain, n) && kinematics_alloc(&s->kin, n) && chain_struct_alloc(&s->loads, n));
     assert_true(self_pairs_alloc(&s->pairs, n));
     for (int i = 0; i < n; ++i) {
         s->chain.half[i] = h / 2;
@@ -76,7 +89,7 @@ void self_free(SelfScene *s)
 {
     chain_free(&s->chain);
     kinematics_free(&s->kin);
-    loads_free(&s->loads);
+    chain_struct_free(&s->loads);
     self_pairs_free(&s->pairs);
 }
 
@@ -143,7 +156,7 @@ void surfaces_new(SurfaceScene *s, int n, double h)
     memset(s, 0, sizeof *s);
     assert_true(chain_alloc(&s->chain, n));
     assert_true(kinematics_alloc(&s->kin, n));
-    assert_true(loads_alloc(&s->loads, n));
+    assert_true(chain_struct_alloc(&s->loads, n));
     for (int i = 0; i < n; ++i) {
         s->chain.half[i] = h / 2;
         s->chain.radius[i] = CABLE_RADIUS;
@@ -168,7 +181,7 @@ void surfaces_free(SurfaceScene *s)
 {
     chain_free(&s->chain);
     kinematics_free(&s->kin);
-    loads_free(&s->loads);
+    chain_struct_free(&s->loads);
     route_clear(&s->route);
     surface_points_free(&s->points);
     surface_pairs_free(&s->pairs);

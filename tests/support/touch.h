@@ -8,6 +8,9 @@
 #include "contact/surface/surface.h"
 #include "tests/support/chain.h"
 
+/* Point of the line at u, m (C1), term by term: missing bodies have no weight. */
+Vec3 element_point(const Element *element, const Chain *chain, const Kinematics *kin, double u);
+
 enum { SCENE_ROLLERS_MAX = 4, SCENE_HITS_MAX = 64 };
 
 typedef struct TestScene {

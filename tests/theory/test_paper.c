@@ -27,14 +27,23 @@ static void every_term(void **state)
     check_close(paper_total(N_TERMS, TERMS, W, MU, G), 12903.21, 0.005);
 }
 
+/* (T4), length of the straight slope A-B of eq. 4 from its height h1 (m, down to the level of C), the radius R1 (m) of
+ * the arc that follows and the angle theta1 (rad, > 0) between slope and level: the paper's factor in braces over sin
+ * theta1. */
+static double slope_length(double h1, double R1, double theta1)
+{
+    const double half = sin(theta1 / 2);
+    return (h1 - R1 * 2 * half * half) / sin(theta1);
+}
+
 /* Eq. 4 as printed: 9.8 W {h1 - R1 [1 - sin(pi/2 - theta1)]} csc theta1 (mu cos theta1 - sin theta1). */
 static void eq_4_from_its_height(void **state)
 {
     (void)state;
     const double h1 = 0.57694, R1 = 60, t = 5 * DEG;
-    check_close(paper_slope_length(h1, R1, t), 4.0, 1e-4);
+    check_close(slope_length(h1, R1, t), 4.0, 1e-4);
     const double printed = G * W * (h1 - R1 * (1 - sin(PI / 2 - t))) / sin(t) * (MU * cos(t) - sin(t));
-    const PaperTermDef slope = {.kind = PAPER_SLOPE, .length = paper_slope_length(h1, R1, t), .slope = -t};
+    const PaperTermDef slope = {.kind = PAPER_SLOPE, .length = slope_length(h1, R1, t), .slope = -t};
     check_close(paper_term_force(&slope, W, MU, G), printed, 1e-12);
     check_close(printed, 22.80, 0.005);
 }

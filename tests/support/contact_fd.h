@@ -1,7 +1,7 @@
 /* The finite-difference twins of contact_blocks, surface_blocks and self_blocks, kept to test these. Everything that
  * the analytic derivatives could have forgotten is in the forces by construction. */
-#ifndef HAWSER_CONTACT_FD_CONTACT_FD_H
-#define HAWSER_CONTACT_FD_CONTACT_FD_H
+#ifndef HAWSER_TESTS_SUPPORT_CONTACT_FD_H
+#define HAWSER_TESTS_SUPPORT_CONTACT_FD_H
 
 #include "contact/roller/contact.h"
 #include "contact/self/self_contact.h"

@@ -1,5 +1,5 @@
 /* Column by column: move one coordinate of one segment both ways, take all forces, divide. */
-#include "contact/fd/contact_fd.h"
+#include "tests/support/contact_fd.h"
 
 /* The 12 coordinates of a segment: shifts, turns, velocities, angular velocities, three each. */
 enum { SHIFT, TURN, SPEED, SPIN };
@@ -61,7 +61,7 @@ static int differences(Call *call, Kinematics *kin)
 {
     const int n = call->chain->n;
     Loads plus = {0}, minus = {0};
-    const int ok = loads_alloc(&plus, n) && loads_alloc(&minus, n);
+    const int ok = chain_struct_alloc(&plus, n) && chain_struct_alloc(&minus, n);
     for (int column = 0; ok && column < 12 * n; ++column) {
         const int i = column / 12, kind = column % 12 / 3, axis = column % 3;
         const double by = kind < SPEED ? call->step : call->speed_step;
@@ -69,8 +69,8 @@ static int differences(Call *call, Kinematics *kin)
         forces_moved(call, kin, i, kind, axis, -by, &minus);
         column_put(call, &plus, &minus, by, kind >= SPEED, 6 * i + column % 6);
     }
-    loads_free(&plus);
-    loads_free(&minus);
+    chain_struct_free(&plus);
+    chain_struct_free(&minus);
     return ok;
 }
 
