@@ -34,6 +34,11 @@ typedef struct Shape {
 Groove groove_v(double half_angle, double depth);
 Groove groove_u(double radius, double depth);
 
+/* What the kernels know of a kind beside centre, axis, radius and half width: the members of its form in the order of
+ * its lanes (kinds_lanes.h), for one face. */
+enum { SHAPE_FORM = 6 };
+void shape_form(const Shape *shape, int face, double form[SHAPE_FORM]);
+
 /* A point's relation to a shape. */
 typedef struct ShapeProbe {
     double distance; /* m to the surface, negative inside */

@@ -3,8 +3,9 @@
 #include "contact/shape/shape.h"
 
 #include <assert.h>
+#include <string.h>
 
-#include "contact/shape/groove_lanes.h"
+#include "contact/shape/kinds_lanes.h"
 
 /* A V's lips are as far apart as its flanks make them at the depth. */
 Groove groove_v(double half_angle, double depth)
@@ -85,6 +86,13 @@ double shape_seat(const Shape *shape, double cable_radius)
     return shape->radius + (shape->kind == SHAPE_V_GROOVE ? cable_radius / g->sine : cable_radius);
 }
 
+void shape_form(const Shape *shape, int face, double form[SHAPE_FORM])
+{
+    const Groove *const g = &shape->groove;
+    const double grooved[SHAPE_FORM] = {g->depth, g->lip, g->cosine, g->sine, g->radius, face == 0 ? 1 : -1};
+    memcpy(form, grooved, sizeof grooved);
+}
+
 static Vec3 lane3_first(Lane3 a) { return v3(a.x[0], a.y[0], a.z[0]); }
 
 /* matrix += k t t^T */
@@ -97,14 +105,11 @@ static void outer_add(Mat3 *matrix, double k, Vec3 t)
 /* One lane of the kernels' function, with the Hessian put together from its principal directions. */
 ShapeProbe shape_probe(const Shape *shape, int face, Vec3 p)
 {
-    const LaneShape s = {l3_spread(shape->centre), l3_spread(shape->axis), lane_set(shape->radius),
-                         lane_set(shape->half_width)};
-    const Groove *const g = &shape->groove;
-    const LaneGroove groove = {lane_set(g->depth), lane_set(g->lip),    lane_set(g->cosine),
-                               lane_set(g->sine),  lane_set(g->radius), lane_set(face == 0 ? 1 : -1)};
+    const LaneShape s = shape_spread(shape);
+    const LaneForm form = form_spread(shape, face);
     const Lane3 at = l3_spread(p);
     LaneProbe lanes = shape_cylinder(&s, at);
-    if (shape->kind != SHAPE_CYLINDER) shape_grooved(shape->kind, &s, &groove, &at, &lanes);
+    if (shape->kind != SHAPE_CYLINDER) shape_by_kind(shape->kind, &s, &form, &at, &lanes);
     ShapeProbe probe = {.distance = lanes.distance[0], .normal = lane3_first(lanes.normal)};
     outer_add(&probe.hessian, lanes.k1[0], lane3_first(lanes.t1));
     outer_add(&probe.hessian, lanes.k2[0], lane3_first(lanes.t2));
