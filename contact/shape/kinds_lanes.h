@@ -5,11 +5,14 @@
 #define HAWSER_CONTACT_SHAPE_KINDS_LANES_H
 
 #include "contact/shape/groove_lanes.h"
+#include "contact/shape/obstacle_lanes.h"
 
 /* What shape_form gives, in lanes. */
 typedef union LaneForm {
     Lane row[SHAPE_FORM];
     LaneGroove groove;
+    LaneBox box;
+    LaneBell bell;
 } LaneForm;
 
 /* One face of a shape in every lane. */
@@ -30,7 +33,13 @@ LANE_INLINE LaneShape shape_spread(const Shape *shape)
 /* Probe of any kind but the cylinder. */
 LANE_INLINE void shape_by_kind(ShapeKind kind, const LaneShape *s, const LaneForm *form, const Lane3 *p, LaneProbe *out)
 {
-    shape_grooved(kind, s, &form->groove, p, out);
+    if (kind == SHAPE_BOX) {
+        shape_box(s, &form->box, p, out);
+    } else if (kind == SHAPE_BELL) {
+        shape_bell(s, &form->bell, p, out);
+    } else {
+        shape_grooved(kind, s, &form->groove, p, out);
+    }
 }
 
 #endif

@@ -59,12 +59,30 @@ static double hollow_distance(const Shape *shape, double rho, double zeta)
     return cylinder > 0 ? cylinder : fmax(cylinder, from_arc);
 }
 
+/* (OB1). */
+static double box_distance(const Shape *shape, Vec3 from_centre)
+{
+    const BoxSection *const b = &shape->box;
+    const double at[3] = {v3_dot(from_centre, shape->axis), v3_dot(from_centre, b->side),
+                          v3_dot(from_centre, v3_cross(shape->axis, b->side))};
+    const double half[3] = {shape->half_width, b->half[0], b->half[1]};
+    double square = 0, deep = -INFINITY;
+    for (int c = 0; c < 3; ++c) {
+        const double q = fabs(at[c]) - (half[c] - b->edge);
+        if (q > 0) square += q * q;
+        deep = fmax(deep, q);
+    }
+    return (square > 0 ? sqrt(square) : deep) - b->edge;
+}
+
 double shape_face_distance(const Shape *shape, int face, Vec3 p)
 {
     const Vec3 from_centre = v3_sub(p, shape->centre);
     const double z = v3_dot(from_centre, shape->axis);
     const double rho = v3_norm(v3_axpy(from_centre, -z, shape->axis));
     if (shape->kind == SHAPE_V_GROOVE) return flank_distance(shape, rho, face == 0 ? z : -z);
+    if (shape->kind == SHAPE_BOX) return box_distance(shape, from_centre);
+    if (shape->kind == SHAPE_BELL) return hypot(rho - shape->bell.ring, z) - shape->radius; /* (OB4) */
     if (shape->kind == SHAPE_U_GROOVE) return hollow_distance(shape, rho, fabs(z));
     return corner_distance(rho - shape->radius, fabs(z) - shape->half_width);
 }
@@ -89,8 +107,17 @@ double shape_seat(const Shape *shape, double cable_radius)
 void shape_form(const Shape *shape, int face, double form[SHAPE_FORM])
 {
     const Groove *const g = &shape->groove;
-    const double grooved[SHAPE_FORM] = {g->depth, g->lip, g->cosine, g->sine, g->radius, face == 0 ? 1 : -1};
-    memcpy(form, grooved, sizeof grooved);
+    const BoxSection *const b = &shape->box;
+    if (shape->kind == SHAPE_BOX) {
+        const double boxed[SHAPE_FORM] = {b->side.x, b->side.y, b->side.z, b->half[0], b->half[1], b->edge};
+        memcpy(form, boxed, sizeof boxed);
+    } else if (shape->kind == SHAPE_BELL) {
+        const double ringed[SHAPE_FORM] = {shape->bell.ring};
+        memcpy(form, ringed, sizeof ringed);
+    } else {
+        const double grooved[SHAPE_FORM] = {g->depth, g->lip, g->cosine, g->sine, g->radius, face == 0 ? 1 : -1};
+        memcpy(form, grooved, sizeof grooved);
+    }
 }
 
 static Vec3 lane3_first(Lane3 a) { return v3(a.x[0], a.y[0], a.z[0]); }
