@@ -77,11 +77,12 @@ static void batch_body(ContactBatch *batch, const Chain *chain, const Kinematics
     }
 }
 
-/* The groove of lane l. */
-static void batch_groove(ContactBatch *batch, const Groove *g, int l)
+/* What lane l's kind of shape has beside a cylinder's numbers. */
+static void batch_form(ContactBatch *batch, const Shape *shape, int l)
 {
-    const double value[6] = {g->depth, g->lip, g->cosine, g->sine, g->radius, batch->face[l] == 0 ? 1 : -1};
-    for (int i = 0; i < 6; ++i) batch->groove[i][l] = value[i];
+    double value[SHAPE_FORM];
+    shape_form(shape, batch->face[l], value);
+    for (int i = 0; i < SHAPE_FORM; ++i) batch->form[i][l] = value[i];
 }
 
 /* The roller of lane l: shape and friction law. */
@@ -93,7 +94,7 @@ static void batch_roller(ContactBatch *batch, const ContactRoller *roller, int l
     batch->shape_radius[l] = shape->radius;
     batch->shape_half_width[l] = shape->half_width;
     batch->friction[l] = &roller->friction;
-    if (shape->kind != SHAPE_CYLINDER) batch_groove(batch, &shape->groove, l);
+    if (shape->kind != SHAPE_CYLINDER) batch_form(batch, shape, l);
 }
 
 /* One hit into lane l: the weights of its element, its segments, its roller. */

@@ -22,11 +22,11 @@ typedef struct ContactBatch {
     double centre[3][LANES], axis[3][LANES]; /* of the shape, m and unit */
     double shape_radius[LANES], shape_half_width[LANES];
     double roller_v[3][LANES], roller_w[3][LANES]; /* of the roller, m/s and rad/s; set where rollers move */
-    double groove[6][LANES]; /* of grooved kinds: depth, lip, cosine, sine, radius, side (LaneGroove) */
-    ShapeKind kind;          /* of all lanes */
-    FrictionKind rubs;       /* likewise; FRICTION_NONE too where friction_scale is 0 */
-    double kept[3][LANES];   /* where it sticks: s0 of each contact, m */
-    double elapsed;          /* s since then */
+    double form[SHAPE_FORM][LANES];                /* of kinds beside the cylinder: shape_form */
+    ShapeKind kind;                                /* of all lanes */
+    FrictionKind rubs;                             /* likewise; FRICTION_NONE too where friction_scale is 0 */
+    double kept[3][LANES];                         /* where it sticks: s0 of each contact, m */
+    double elapsed;                                /* s since then */
     const FrictionLaw *friction[LANES];
     const ImpactLaw *impact;
     double friction_scale;

@@ -1,29 +1,16 @@
 /* The force kernels of contact_kernels.h for one instruction set. */
 #include "contact/roller/contact_lanes.h"
 
-/* One shape in every lane. */
-static LaneShape shape_spread(const Shape *shape)
-{
-    return (LaneShape){l3_spread(shape->centre), l3_spread(shape->axis), lane_set(shape->radius),
-                       lane_set(shape->half_width)};
-}
-
-static LaneGroove groove_spread(const Groove *g, int face)
-{
-    return (LaneGroove){lane_set(g->depth), lane_set(g->lip),    lane_set(g->cosine),
-                        lane_set(g->sine),  lane_set(g->radius), lane_set(face == 0 ? 1 : -1)};
-}
-
-/* The same as below for the grooved kinds: slopes, or distances. */
-static void nodes_grooved(const Shape *shape, int face, const Kinematics *kin, int from, int to, int slopes,
+/* The same as below for the kinds beside the cylinder: slopes, or distances. */
+static void nodes_by_kind(const Shape *shape, int face, const Kinematics *kin, int from, int to, int slopes,
                           double *node)
 {
     const LaneShape s = shape_spread(shape);
-    const LaneGroove g = groove_spread(&shape->groove, face);
+    const LaneForm form = form_spread(shape, face);
     for (int i = from; i < to; i += LANES) {
         const Lane3 p = l3_load(kin->p, i);
         LaneProbe probe;
-        shape_grooved(shape->kind, &s, &g, &p, &probe);
+        shape_by_kind(shape->kind, &s, &form, &p, &probe);
         lane_store(node + i, slopes ? l3_dot(probe.normal, l3_load(kin->a, i)) : probe.distance);
     }
 }
@@ -32,7 +19,7 @@ static void nodes_grooved(const Shape *shape, int face, const Kinematics *kin, i
 static void kernel_slopes(const Shape *shape, int face, const Kinematics *kin, int from, int to, double *node)
 {
     if (shape->kind != SHAPE_CYLINDER) {
-        nodes_grooved(shape, face, kin, from, to, 1, node);
+        nodes_by_kind(shape, face, kin, from, to, 1, node);
         return;
     }
     const LaneShape s = shape_spread(shape);
@@ -44,7 +31,7 @@ static void kernel_slopes(const Shape *shape, int face, const Kinematics *kin, i
 static void kernel_distances(const Shape *shape, int face, const Kinematics *kin, int from, int to, double *node)
 {
     if (shape->kind != SHAPE_CYLINDER) {
-        nodes_grooved(shape, face, kin, from, to, 0, node);
+        nodes_by_kind(shape, face, kin, from, to, 0, node);
         return;
     }
     const LaneShape s = shape_spread(shape);

@@ -4,7 +4,7 @@
 #define HAWSER_CONTACT_ROLLER_LINE_LANES_H
 
 #include "contact/roller/contact_kernels.h"
-#include "contact/shape/groove_lanes.h"
+#include "contact/shape/kinds_lanes.h"
 #include "contact/shape/weights_lanes.h"
 
 /* One of an element's two segments: centre, arm to the front end, velocities, contact radius. */
@@ -18,7 +18,7 @@ typedef struct Line {
     LaneBody body[2];
     LaneShares shares;
     LaneShape shape;
-    LaneGroove groove; /* of grooved kinds */
+    LaneForm form; /* of kinds beside the cylinder */
     ShapeKind kind;
 } Line;
 
@@ -44,12 +44,6 @@ LANE_INLINE void batch_vector_store(double a[3][LANES], Lane3 v)
     lane_store(a[2], v.z);
 }
 
-LANE_INLINE LaneGroove groove_load(const ContactBatch *batch)
-{
-    return (LaneGroove){lane_load(batch->groove[0]), lane_load(batch->groove[1]), lane_load(batch->groove[2]),
-                        lane_load(batch->groove[3]), lane_load(batch->groove[4]), lane_load(batch->groove[5])};
-}
-
 /* The batch's numbers as lanes; they stay in memory until used. grooved is a constant. */
 LANE_INLINE Line line_load(const ContactBatch *batch, int grooved)
 {
@@ -61,7 +55,7 @@ LANE_INLINE Line line_load(const ContactBatch *batch, int grooved)
     line.shares = shares_load(batch->arc, batch->alpha, batch->beta);
     line.shape = (LaneShape){batch_vector(batch->centre), batch_vector(batch->axis), lane_load(batch->shape_radius),
                              lane_load(batch->shape_half_width)};
-    if (grooved) line.groove = groove_load(batch);
+    for (int i = 0; grooved && i < SHAPE_FORM; ++i) line.form.row[i] = lane_load(batch->form[i]);
     line.kind = batch->kind;
     return line;
 }
@@ -87,7 +81,7 @@ LANE_INLINE LinePoint line_at(const Line *line, int grooved, Lane u)
     at.radius1 = at.weight1.alpha[1] * (k->radius - j->radius);
     const Lane radius2 = weight2.alpha[1] * (k->radius - j->radius);
     if (grooved && line->kind != SHAPE_CYLINDER) {
-        shape_grooved(line->kind, &line->shape, &line->groove, &at.p, &at.probe);
+        shape_by_kind(line->kind, &line->shape, &line->form, &at.p, &at.probe);
     } else {
         at.probe = shape_cylinder(&line->shape, at.p);
     }

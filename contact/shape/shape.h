@@ -1,15 +1,16 @@
-/* Shapes that the cable can touch, as signed distance functions. docs/model.md, "Contact" and "Grooved rollers".
+/* Shapes that the cable can touch, as signed distance functions. docs/model.md, "Contact", "Grooved rollers", "Boxes,
+ * edges and bell-mouths".
  *
- * All are solids of revolution about the roller's axis. A further kind needs: its data in Shape, its distance in
- * shape_probe.c and its function over lanes in shape_lanes.h or beside it. Candidates are sorted by kind and a batch of
- * contacts holds one kind only, so kinds never mix inside a kernel. */
+ * A further kind needs: its data in Shape, its distance and its form in shape_probe.c, and its function over lanes,
+ * which kinds_lanes.h calls. Candidates are sorted by kind and a batch of contacts holds one kind only, so kinds never
+ * mix inside a kernel. */
 #ifndef HAWSER_CONTACT_SHAPE_SHAPE_H
 #define HAWSER_CONTACT_SHAPE_SHAPE_H
 
 #include "core/base/vec3.h"
 
-typedef enum ShapeKind { SHAPE_CYLINDER, SHAPE_V_GROOVE, SHAPE_U_GROOVE } ShapeKind;
-enum { SHAPE_KINDS = 3 };
+typedef enum ShapeKind { SHAPE_CYLINDER, SHAPE_V_GROOVE, SHAPE_U_GROOVE, SHAPE_BOX, SHAPE_BELL } ShapeKind;
+enum { SHAPE_KINDS = 5 };
 
 /* The groove around the middle of a roller; beyond its lips the roller is a cylinder of radius + depth (GR1). */
 typedef struct Groove {
@@ -19,20 +20,42 @@ typedef struct Groove {
     double radius;       /* m, U: of the arc */
 } Groove;
 
-/* A finite solid of revolution: a cylinder, grooved or not. */
+/* A box's section across its axis; its edges and corners are rounded. An edge radius of half its thickness makes a
+ * round bar of it. */
+typedef struct BoxSection {
+    Vec3 side;      /* unit, square to the axis */
+    double half[2]; /* m, half sizes along `side` and along axis x side */
+    double edge;    /* m, > 0, at most the smallest half size */
+} BoxSection;
+
+/* A bell-mouth's ring: from the axis to the middle of its round section; the flare begins at ring - radius (OB4). */
+typedef struct BellRing {
+    double ring; /* m */
+} BellRing;
+
+/* A finite solid: a cylinder, grooved or not, a box or a bell-mouth. */
 typedef struct Shape {
     ShapeKind kind;
     Vec3 centre;       /* m */
     Vec3 axis;         /* unit */
-    double radius;     /* m; of a grooved roller: at the groove's bottom */
-    double half_width; /* m, half the roller's length */
-    Groove groove;     /* of the grooved kinds */
+    double radius;     /* m; grooved: at the groove's bottom; box: its smallest half size; bell-mouth: of its section */
+    double half_width; /* m, half the length along the axis */
+    union {
+        Groove groove; /* of the grooved kinds */
+        BoxSection box;
+        BellRing bell;
+    };
 } Shape;
 
 /* Grooves by what a drawing says: a V by half its angle (rad, between 0 and pi/2), a U by the radius of its section
  * (m), which is at least its depth (m). */
 Groove groove_v(double half_angle, double depth);
 Groove groove_u(double radius, double depth);
+
+/* What the kernels know of a kind beside centre, axis, radius and half width: the members of its form in the order of
+ * its lanes (kinds_lanes.h), for one face. */
+enum { SHAPE_FORM = 6 };
+void shape_form(const Shape *shape, int face, double form[SHAPE_FORM]);
 
 /* A point's relation to a shape. */
 typedef struct ShapeProbe {

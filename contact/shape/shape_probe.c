@@ -3,8 +3,9 @@
 #include "contact/shape/shape.h"
 
 #include <assert.h>
+#include <string.h>
 
-#include "contact/shape/groove_lanes.h"
+#include "contact/shape/kinds_lanes.h"
 
 /* A V's lips are as far apart as its flanks make them at the depth. */
 Groove groove_v(double half_angle, double depth)
@@ -58,12 +59,30 @@ static double hollow_distance(const Shape *shape, double rho, double zeta)
     return cylinder > 0 ? cylinder : fmax(cylinder, from_arc);
 }
 
+/* (OB1). */
+static double box_distance(const Shape *shape, Vec3 from_centre)
+{
+    const BoxSection *const b = &shape->box;
+    const double at[3] = {v3_dot(from_centre, shape->axis), v3_dot(from_centre, b->side),
+                          v3_dot(from_centre, v3_cross(shape->axis, b->side))};
+    const double half[3] = {shape->half_width, b->half[0], b->half[1]};
+    double square = 0, deep = -INFINITY;
+    for (int c = 0; c < 3; ++c) {
+        const double q = fabs(at[c]) - (half[c] - b->edge);
+        if (q > 0) square += q * q;
+        deep = fmax(deep, q);
+    }
+    return (square > 0 ? sqrt(square) : deep) - b->edge;
+}
+
 double shape_face_distance(const Shape *shape, int face, Vec3 p)
 {
     const Vec3 from_centre = v3_sub(p, shape->centre);
     const double z = v3_dot(from_centre, shape->axis);
     const double rho = v3_norm(v3_axpy(from_centre, -z, shape->axis));
     if (shape->kind == SHAPE_V_GROOVE) return flank_distance(shape, rho, face == 0 ? z : -z);
+    if (shape->kind == SHAPE_BOX) return box_distance(shape, from_centre);
+    if (shape->kind == SHAPE_BELL) return hypot(rho - shape->bell.ring, z) - shape->radius; /* (OB4) */
     if (shape->kind == SHAPE_U_GROOVE) return hollow_distance(shape, rho, fabs(z));
     return corner_distance(rho - shape->radius, fabs(z) - shape->half_width);
 }
@@ -85,6 +104,22 @@ double shape_seat(const Shape *shape, double cable_radius)
     return shape->radius + (shape->kind == SHAPE_V_GROOVE ? cable_radius / g->sine : cable_radius);
 }
 
+void shape_form(const Shape *shape, int face, double form[SHAPE_FORM])
+{
+    const Groove *const g = &shape->groove;
+    const BoxSection *const b = &shape->box;
+    if (shape->kind == SHAPE_BOX) {
+        const double boxed[SHAPE_FORM] = {b->side.x, b->side.y, b->side.z, b->half[0], b->half[1], b->edge};
+        memcpy(form, boxed, sizeof boxed);
+    } else if (shape->kind == SHAPE_BELL) {
+        const double ringed[SHAPE_FORM] = {shape->bell.ring};
+        memcpy(form, ringed, sizeof ringed);
+    } else {
+        const double grooved[SHAPE_FORM] = {g->depth, g->lip, g->cosine, g->sine, g->radius, face == 0 ? 1 : -1};
+        memcpy(form, grooved, sizeof grooved);
+    }
+}
+
 static Vec3 lane3_first(Lane3 a) { return v3(a.x[0], a.y[0], a.z[0]); }
 
 /* matrix += k t t^T */
@@ -97,14 +132,11 @@ static void outer_add(Mat3 *matrix, double k, Vec3 t)
 /* One lane of the kernels' function, with the Hessian put together from its principal directions. */
 ShapeProbe shape_probe(const Shape *shape, int face, Vec3 p)
 {
-    const LaneShape s = {l3_spread(shape->centre), l3_spread(shape->axis), lane_set(shape->radius),
-                         lane_set(shape->half_width)};
-    const Groove *const g = &shape->groove;
-    const LaneGroove groove = {lane_set(g->depth), lane_set(g->lip),    lane_set(g->cosine),
-                               lane_set(g->sine),  lane_set(g->radius), lane_set(face == 0 ? 1 : -1)};
+    const LaneShape s = shape_spread(shape);
+    const LaneForm form = form_spread(shape, face);
     const Lane3 at = l3_spread(p);
     LaneProbe lanes = shape_cylinder(&s, at);
-    if (shape->kind != SHAPE_CYLINDER) shape_grooved(shape->kind, &s, &groove, &at, &lanes);
+    if (shape->kind != SHAPE_CYLINDER) shape_by_kind(shape->kind, &s, &form, &at, &lanes);
     ShapeProbe probe = {.distance = lanes.distance[0], .normal = lane3_first(lanes.normal)};
     outer_add(&probe.hessian, lanes.k1[0], lane3_first(lanes.t1));
     outer_add(&probe.hessian, lanes.k2[0], lane3_first(lanes.t2));

@@ -42,9 +42,9 @@ hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, cons
         const double s = line_meets(&r->route, &shape, from, to, radius - PRESS_MAX, &distance);
         if (s >= to) continue;
         return case_key_error(r->err, node, NULL,
-                              "roller '%s' is inside the cable: %.4g m along the route its surface is %.4g m from the "
+                              "%s '%s' is inside the cable: %.4g m along the route its surface is %.4g m from the "
                               "line, must be at least the cable's radius, %.4g m",
-                              roller->name, s, distance, radius);
+                              roller->profile < SHAPE_BOX ? "roller" : "obstacle", roller->name, s, distance, radius);
     }
     return HAWSER_OK;
 }

@@ -18,8 +18,8 @@ enum {
 extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, case_run, case_rod, case_rod_tail,
     case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_lead_in, case_contact,
     case_friction, case_groove, case_spin, case_mount, case_roller_row, case_rollers, case_surfaces, case_drive,
-    case_tail, case_back_tension, case_reel, case_conveyor, case_jam, case_solver, case_output, case_probe, case_paper,
-    case_theory, case_limits;
+    case_tail, case_back_tension, case_reel, case_conveyor, case_jam, case_obstacle, case_solver, case_output,
+    case_probe, case_paper, case_theory, case_limits;
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
@@ -78,6 +78,9 @@ hawser_status case_stretch_read(const CaseReader *r, const CaseNode *node, const
 hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RowPlaces *row, double **s, int *n);
 /* Curvature of the route to the left at s, 1/m: the part that is a bend to the side. */
 double case_sideways(const CaseReader *r, double s);
+
+/* After rollers and surfaces, whose list they join and whose ducts they flare. */
+hawser_status case_obstacles_read(CaseReader *r, const CaseNode *list);
 
 hawser_status case_drive_read(CaseReader *r, const CaseNode *node);
 /* A value over time whose ramp and end value v1 a section's keys have filled: checks them, or reads the map's `table`.

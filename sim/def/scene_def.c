@@ -56,12 +56,15 @@ void scene_def_defaults(SceneDef *def)
 
 Shape roller_def_shape(const RollerDef *roller)
 {
-    return (Shape){.kind = roller->profile,
+    Shape shape = {.kind = roller->profile,
                    .centre = roller->centre,
                    .axis = v3_unit(roller->axis),
                    .radius = roller->radius,
                    .half_width = roller->width / 2,
                    .groove = roller->groove};
+    if (shape.kind == SHAPE_BOX) shape.box = roller->box;
+    if (shape.kind == SHAPE_BELL) shape.bell = roller->bell;
+    return shape;
 }
 
 int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind != SURFACE_PLANE; }

@@ -46,9 +46,13 @@ typedef struct MountDef {
 typedef struct RollerDef {
     char name[NAME_MAX_LENGTH];
     Vec3 centre, axis;    /* m, unit */
-    double radius, width; /* m; at the groove's bottom, if it has one; width is its whole length */
+    double radius, width; /* m; as in Shape; width is its whole length */
     ShapeKind profile;
-    Groove groove; /* unless the profile is a cylinder's */
+    union { /* unless the profile is a cylinder's */
+        Groove groove;
+        BoxSection box; /* of an obstacle, which is no roller to theory: its s is NAN */
+        BellRing bell;
+    };
     double rating; /* N; 0: none given */
     double s;      /* m along the route, for tables; NAN if listed by coordinates */
     int hold_down;

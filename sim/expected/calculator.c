@@ -229,7 +229,8 @@ static void pulled_set(Calculator *c)
         const PlanWay *const way = &c->plan.way[k];
         hawser_condition *const held = &c->pulled[k];
         const double pushed = fmax(0, -way->pull.min_tension);
-        double allowed = 1e-9 * fmax(1, way->pull.max_tension); /* rounding; a machine may push a cable ahead of itself */
+        double allowed =
+            1e-9 * fmax(1, way->pull.max_tension); /* rounding; a machine may push a cable ahead of itself */
         for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[k][i].force);
         *held = (hawser_condition){
             .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};

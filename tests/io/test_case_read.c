@@ -343,7 +343,7 @@ static void parts_must_fit(void **state)
         {"output.speeds_of", "[0, 90]",
          "key 'output.speeds_of.1': value '90' is out of range: must be at least 0, at most 89"},
         {"output.rollers_of", "[P1, P99]",
-         "key 'output.rollers_of.1': value 'P99' is not a roller: names run from 'P1' to 'far'"},
+         "key 'output.rollers_of.1': value 'P99' is not a roller: names run from 'P1' to 'edge lip'"},
         {"output.rollers_of", "[P1, [P2]]",
          "key 'output.rollers_of.1': the value is a list: expected the name of a roller"},
         {"paper.terms.0.arc", "1 m", "key 'paper.terms.0': slope and arc at once"},
