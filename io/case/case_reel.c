@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "io/case/case_parts.h"
-#include "sim/equipment/winding.h"
+#include "sim/equipment/reel.h"
 
 /* A reel of some model; NAN: not given. */
 typedef struct ReelRecord {

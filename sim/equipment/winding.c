@@ -1,4 +1,4 @@
-#include "sim/equipment/winding.h"
+#include "sim/equipment/reel.h"
 
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
 /* Cable on a drum: layers, capacity, inertia and angle against sums over the cable's length. */
-#include "sim/equipment/winding.h"
+#include "sim/equipment/reel.h"
 #include "tests/support/check.h"
 
 /* 1.2 m of bare drum, 6 turns of 80 mm cable a layer. */
