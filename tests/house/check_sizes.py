@@ -11,8 +11,8 @@ import sys
 import tree
 
 FUNCTION_MAX, SOURCE_MAX, HEADER_MAX, IF_MAX_PER_1000 = 80, 600, 250, 1.0
-FOLDER_MAX = 24  # .c and .h files directly in a folder; the aim is 24
-SHORT_HEADER, SHORT_HEADERS_MAX = 30, None  # lines; how many such headers there may be: the aim is 24, None: not looked at
+FOLDER_MAX = 24  # .c and .h files directly in a folder
+SHORT_HEADER, SHORT_HEADERS_MAX = 30, 24  # lines; how many such headers there may be
 HEAD = re.compile(r"(\w+)\s*\([^{};]*\)\s*$", re.S)
 
 
