@@ -142,8 +142,8 @@ static void limits_change_nothing(void **state)
     hawser_sim *with, *without;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_summary a, b;
-    char text[sizeof data_text("limits")];
-    strcpy(text, data_text("limits"));
+    char *const text = strdup(data_text("limits"));
+    assert_non_null(text);
     *strstr(text, "limits:") = 0;
     judged(NULL, NULL, limit, &with);
     assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
@@ -157,6 +157,7 @@ static void limits_change_nothing(void **state)
     hawser_sim_free(with);
     hawser_sim_free(without);
     hawser_case_free(c);
+    free(text);
 }
 
 static json_t *theory(const char *text, const char *key, const char *value)
