@@ -51,7 +51,7 @@ static double half_area(double edge, double x, double *slope)
         return x - edge / 2;
     }
     const double d = x / edge;
-    *slope = d * d * (3 - 2 * d);
+    *slope = step_cubic(x, 0, 0, edge, 1, NULL);
     return edge * d * d * d * (1 - d / 2);
 }
 

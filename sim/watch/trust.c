@@ -17,7 +17,7 @@ enum { LOOKS = 16 };                                /* at the cable's place in a
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
-    if (scene->rod->present || t < stray->due) return;
+    if (scene->rod->present || (t < stray->due && t < scene->def.duration)) return;
     stray->due = t + scene->def.duration / LOOKS;
     for (int i = 0; i < scene->chain.n; ++i) {
         const Vec3 p = v3_axpy(v3_load(kin->p, i), -scene->chain.half[i], v3_load(kin->a, i)); /* joint i */
@@ -54,7 +54,9 @@ static void add(List *list, const char *name, const char *unit, double value, do
 /* The chord of a segment in a bend of a duct is higher than the duct has room: the cable jams by its mesh alone. */
 static void add_duct_mesh(List *list, const Scene *scene)
 {
-    double worst = 0, room_there = 0, shortest = 0;
+    double worst = 0, tight = 0, enough = 0, longest = 0; /* 1; m, m: the room there, and what would fit it; m */
+    for (int i = 0; i < scene->eye - scene->first && i < scene->chain.n; ++i)
+        longest = fmax(longest, 2 * scene->chain.half[i]);
     for (int k = 0; k < scene->def.n_surfaces; ++k) {
         const SurfaceShape *const duct = &scene->def.surfaces[k].shape;
         if (duct->kind != SURFACE_DUCT) continue;
@@ -62,21 +64,18 @@ static void add_duct_mesh(List *list, const Scene *scene)
             const RoutePiece *const piece = &scene->route.piece[b];
             const int inside = piece->s0 < duct->to && piece->s0 + piece->length > duct->from;
             if (piece->kind != ROUTE_BEND || !inside) continue;
-            double longest = 0;
-            for (int i = 0; i < scene->eye - scene->first && i < scene->chain.n; ++i)
-                longest = fmax(longest, 2 * scene->chain.half[i]);
             const double room = duct->radius - duct->cable_radius;
             const double sagitta = longest * longest / (8 * piece->radius);
             if (!(sagitta > worst * room)) continue;
             worst = sagitta / room;
-            room_there = room;
-            shortest = sqrt(SAGITTA * room * 8 * piece->radius);
+            tight = room;
+            enough = sqrt(SAGITTA * room * 8 * piece->radius);
         }
     }
     if (worst > 0) {
         add(list, "mesh_in_ducts", "1", worst, SAGITTA,
             "segments are too long for bends in ducts with %.3g mm of room: set chain.segment to %.3g mm or less",
-            1e3 * room_there, 1e3 * shortest);
+            1e3 * tight, 1e3 * enough);
     }
 }
 

@@ -12,7 +12,7 @@ typedef struct Stray {
     double due;          /* s, when to look next */
 } Stray;
 
-/* Looks, if it is time: a few times a run. travel: of the head, m. */
+/* Looks, if it is time: a few times a run and at its end. travel: of the head, m. */
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t);
 
 /* What the conditions are asked of. */
