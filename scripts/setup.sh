@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench]
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz]
 #   --lint    also what scripts/lint.sh needs
+#   --fuzz    also what scripts/fuzz.sh needs
 #   --bench   also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
@@ -10,15 +11,17 @@ packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libudunits2-dev libjansson-dev libhdf5-dev
     libcmocka-dev liblapacke-dev python3 python3-matplotlib valgrind"
 lint_packages="clang clang-tidy"
+fuzz_packages="clang libclang-rt-dev"
 peer_packages="libmujoco-dev libsimbody-dev"
 
 peers=no
 case "${1-}" in
 "") ;;
 --lint) packages="$packages $lint_packages" ;;
+--fuzz) packages="$packages $fuzz_packages" ;;
 --bench) peers=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz)" >&2
     exit 2
     ;;
 esac

@@ -1,0 +1,52 @@
+#!/bin/sh
+# Feeds the fuzz targets (tests/fuzz) with inputs that find new ways through the program, and says what broke.
+# Usage: sh scripts/fuzz.sh [MINUTES] [TARGET...]
+#   MINUTES  for each target (default 1)
+#   TARGET   units, yaml, case, set, run, api (default: all)
+# What is found along the way stays in build/fuzz/corpus/TARGET, so that the next call goes on from there; an input that breaks
+# something is left in build/fuzz/found. Status 1 if there is one. HAWSER_FUZZ_JOBS: how many at once (default 1).
+set -eu
+
+cd "$(dirname "$0")/.."
+minutes=1
+case "${1-}" in
+"" | *[!0-9]*) ;;
+*)
+    minutes=$1
+    shift
+    ;;
+esac
+[ $# -gt 0 ] || set -- units yaml case set run api
+
+command -v clang >/dev/null 2>&1 && ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-x86_64.a >/dev/null 2>&1 ||
+    sh scripts/setup.sh --fuzz
+cmake --preset fuzz >/dev/null
+cmake --build --preset fuzz -j "$(nproc)"
+
+build=build/fuzz
+mkdir -p $build/found
+$build/tests/fuzz/fuzz_dictionary >$build/case.dict
+ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1
+UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_OPTIONS UBSAN_OPTIONS
+status=0
+for target in "$@"; do
+    mkdir -p $build/corpus/"$target"
+    seeds="tests/fuzz/corpus/$target"
+    case "$target" in
+    yaml | case | run) seeds="$seeds tests/data cases" ;;
+    esac
+    echo "fuzz.sh: $target, $minutes min"
+    # shellcheck disable=SC2086 # one word a folder
+    nice -n 19 $build/tests/fuzz/fuzz_"$target" -max_total_time=$((60 * minutes)) -timeout=20 -rss_limit_mb=2048 \
+        -max_len=16384 -dict=$build/case.dict -artifact_prefix=$build/found/"$target"- -print_final_stats=1 \
+        -fork="${HAWSER_FUZZ_JOBS-1}" -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
+        $build/corpus/"$target" $seeds >$build/"$target".log 2>&1 || status=1
+    tail -n 1 $build/"$target".log
+done
+found=$(ls $build/found | wc -l)
+if [ "$found" -gt 0 ]; then
+    echo "fuzz.sh: $found inputs broke something: $build/found"
+    status=1
+fi
+exit $status
