@@ -50,6 +50,7 @@ struct Scene {
     int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
     double cable_weight;  /* N/m, of the piece before the eye */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
+    double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */
     Route route;
     Weight weight;
     /* where the chain begins, if not on the route; borrowed from the room that says so */

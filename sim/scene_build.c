@@ -118,6 +118,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
     scene->largest_speed = 0.1;
+    scene->grip_speed = INFINITY;
     joints_place(scene);
     weight_fill(scene);
     hawser_status status = rooms_build(scene, err);

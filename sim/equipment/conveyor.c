@@ -11,6 +11,9 @@
 /* How far from a machine's line a cable can be and still count as passing through it, m. */
 static const double ASIDE_MAX = 1;
 
+/* Over which a drift is taken back (WI21), s. */
+static const double BACK = 0.02;
+
 /* A straight machine between two points of the route. It gives way by 1 mm under the cable's weight, half critically
  * damped, as the lead-in does (F1). */
 static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g)
@@ -37,6 +40,24 @@ static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g
 double conveyor_belt(const Conveyor *c, const Winch *w, double t)
 {
     return c->sync ? c->factor * winch_speed(w, t) : profile_value(&c->speed, t);
+}
+
+/* Whatever drives it, it stops where it jams (JA3). */
+static double belt_speed(const Conveyor *c, const Winch *w, const Seizure *seized, double t)
+{
+    const double belt = conveyor_belt(c, w, t);
+    return seized ? belt * (1 - profile_value(&seized->share, t)) : belt;
+}
+
+Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, double since, double t)
+{
+    Belt belt = {.speed = belt_speed(c, w, seized, t), .elapsed = t > since ? t - since : 0};
+    belt.mean = belt.speed;
+    if (belt.elapsed > 0) {
+        const double first = belt_speed(c, w, seized, since), middle = belt_speed(c, w, seized, (since + t) / 2);
+        belt.mean = (first + 4 * middle + belt.speed) / 6;
+    }
+    return belt;
 }
 
 /* (WI13) integrated from a machine's end to x <= length/2: a ramp by STEP, then level. *slope gets the integrand. */
@@ -81,7 +102,7 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
     const int n = chain->n;
     double nearest = INFINITY;
     int last = -1;
-    *range = (ConveyorRange){0};
+    range->first = range->watched = 0;
     for (int i = 0; i < n; ++i) {
         const double distance = distance_of(c, state_vector(y, n, STATE_P, i), chain->half[i]);
         if (distance < nearest) {
@@ -106,16 +127,44 @@ int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double 
 
 /* ----------------------------------------------------------------------------------------------------------- forces */
 
+/* How far segment i at x, whose velocity exceeds the belt's by `faster`, is ahead of where belt and slip would have it,
+ * m (WI22). */
+static double drift_at(const ConveyorRange *range, const Belt *belt, int i, double x, double faster)
+{
+    const double step = belt->elapsed;
+    if (!(step > 0)) return range->drift[i];
+    const double way = x - range->x[i] - step * belt->mean, slipped = step * (range->slip[i] + faster) / 2;
+    return (range->drift[i] + way - slipped) / (1 + step / (2 * BACK));
+}
+
+/* What drags over a belt has no place on it that could drift. */
+void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, const double *y, double t,
+                   ConveyorRange *range)
+{
+    for (int i = 0; i < chain->n; ++i) {
+        const double x = v3_dot(v3_sub(state_vector(y, chain->n, STATE_P, i), c->origin), c->direction);
+        const double faster = v3_dot(state_vector(y, chain->n, STATE_V, i), c->direction) - belt->speed;
+        const int inside = x + chain->half[i] > 0 && x - chain->half[i] < c->length;
+        const double drift = inside ? drift_at(range, belt, i, x, faster) : 0;
+        const int holds = fabs(faster + drift / BACK) < c->law.v_s;
+        range->drift[i] = holds ? drift : 0;
+        range->slip[i] = faster + range->drift[i] / BACK;
+        range->x[i] = x;
+    }
+    range->since = t;
+}
+
 /* One segment in a machine. */
 typedef struct Held {
-    double share, d_share; /* of the grip (WI14), 1; d/dx, 1/m */
-    double cover, d_cover; /* share of its length that is held, d/dx */
-    double slip;           /* m/s */
-    Vec3 off, v_off;       /* m, m/s: across the machine's line */
+    double share, d_share;             /* of the grip (WI14), 1; d/dx, 1/m */
+    double cover, d_cover;             /* share of its length that is held, d/dx */
+    double slip, slip_by_x, slip_by_v; /* m/s (WI21); d/dx, 1/s, and d/dv, both along the line */
+    Vec3 off, v_off;                   /* m, m/s: across the machine's line */
 } Held;
 
 /* 0 if the segment is outside. */
-static int held_at(const Conveyor *c, double belt, const Chain *chain, const Kinematics *kin, int i, Held *out)
+static int held_at(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
+                   const Kinematics *kin, int i, Held *out)
 {
     const double h = chain->half[i];
     const Vec3 off = v3_sub(v3_load(kin->p, i), c->origin);
@@ -128,7 +177,10 @@ static int held_at(const Conveyor *c, double belt, const Chain *chain, const Kin
     const double held = (c->length - c->edge) / (2 * h);
     out->cover = out->share * held;
     out->d_cover = out->d_share * held;
-    out->slip = along - belt;
+    const double faster = along - belt->speed;
+    out->slip = faster + (range->x ? drift_at(range, belt, i, x, faster) / BACK : 0);
+    out->slip_by_v = range->x ? 1 / (1 + belt->elapsed / (2 * BACK)) : 1;
+    out->slip_by_x = range->x && belt->elapsed > 0 ? out->slip_by_v / BACK : 0;
     out->off = v3_axpy(off, -x, c->direction);
     out->v_off = v3_axpy(v, -along, c->direction);
     return 1;
@@ -149,14 +201,14 @@ static Vec3 hold_force(const Conveyor *c, const Held *held)
     return v3_axpy(v3_scale(-c->hold, held->off), -c->hold_damping, held->v_off);
 }
 
-ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
                            const Kinematics *kin, double friction, Loads *loads)
 {
-    ConveyorNow now = {.belt = belt};
+    ConveyorNow now = {.belt = belt->speed};
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
         double slope;
-        if (!held_at(c, now.belt, chain, kin, i, &held)) continue;
+        if (!held_at(c, range, belt, chain, kin, i, &held)) continue;
         const double push = friction * held.share * grip_force(c, held.slip, &slope);
         now.force += push;
         now.slip += held.share * held.slip;
@@ -177,22 +229,24 @@ static void held_blocks(const Conveyor *c, const Held *held, double mass, double
     double slope;
     const double push = friction * held->d_share * grip_force(c, held->slip, &slope);
     const double drag = friction * held->share * slope, m = held->cover * mass;
-    const Vec3 by_x = v3_axpy(v3_scale(held->d_cover * mass, hold_force(c, held)), push, c->direction);
+    const Vec3 by_x =
+        v3_axpy(v3_scale(held->d_cover * mass, hold_force(c, held)), push + drag * held->slip_by_x, c->direction);
+    const double by_v = drag * held->slip_by_v;
     for (int column = 0; column < 3; ++column) {
         const Vec3 e = v3_axis(column);
         const double x = v3_dot(e, c->direction);
         const Vec3 across = v3_axpy(e, -x, c->direction);
         block6_add(k, column, v3_axpy(v3_scale(x, by_x), -m * c->hold, across), V3_ZERO);
-        block6_add(d, column, v3_axpy(v3_scale(x * drag, c->direction), -m * c->hold_damping, across), V3_ZERO);
+        block6_add(d, column, v3_axpy(v3_scale(x * by_v, c->direction), -m * c->hold_damping, across), V3_ZERO);
     }
 }
 
-void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
                      const Kinematics *kin, double friction, BlockChain *k, BlockChain *d)
 {
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
-        if (!held_at(c, belt, chain, kin, i, &held)) continue;
+        if (!held_at(c, range, belt, chain, kin, i, &held)) continue;
         held_blocks(c, &held, chain->mass[i], friction, k->diag + 36 * (size_t)i, d->diag + 36 * (size_t)i);
     }
 }
@@ -215,8 +269,10 @@ static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err
     all->item = calloc((size_t)def->n_conveyors + 1, sizeof *all->item);
     all->seized = calloc((size_t)def->n_conveyors + 1, sizeof *all->seized);
     if (!all->item || !all->seized) return error_memory(err);
-    for (int i = 0; i < def->n_conveyors; ++i)
+    for (int i = 0; i < def->n_conveyors; ++i) {
         all->item[i] = conveyor_of(&def->conveyors[i], &scene->route, v3_norm(def->gravity));
+        if (all->item[i].grip > 0) scene->grip_speed = fmin(scene->grip_speed, all->item[i].law.v_s);
+    }
     return HAWSER_OK;
 }
 
@@ -240,18 +296,44 @@ static const char *conveyors_seize(Room *room, const Scene *scene, const char *n
     return NULL;
 }
 
+/* Ranges [n], and behind them, in the same piece of memory, what they keep of all segments. */
 static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
-    (void)scene;
-    const Conveyors *const all = room->self;
-    return (ws->room[room->number] = calloc((size_t)all->n + 1, sizeof(ConveyorRange))) != NULL;
+    const size_t n = (size_t)((const Conveyors *)room->self)->n, segments = (size_t)scene->chain.n;
+    ConveyorRange *const range = calloc(1, (n + 1) * sizeof *range + 3 * n * segments * sizeof(double));
+    if (!range) return 0;
+    double *kept = (double *)(range + n + 1);
+    for (size_t i = 0; i < n; ++i, kept += 3 * segments) {
+        range[i].n = scene->chain.n;
+        range[i].x = kept;
+        range[i].drift = kept + segments;
+        range[i].slip = kept + 2 * segments;
+    }
+    ws->room[room->number] = range;
+    return 1;
 }
 
-/* Speed of conveyor i's belt now, m/s: it stops where it jams, whatever drives it (JA3). */
-static double belt_of(const Conveyors *all, const Moment *m, int i)
+/* What is kept goes over with its segments. */
+static void conveyors_carry(const Room *room, Workspace *from, Workspace *to, int joined)
 {
-    const double belt = conveyor_belt(&all->item[i], m->scene->winch, m->t);
-    return all->seized[i] ? belt * (1 - profile_value(&all->seized[i]->share, m->t)) : belt;
+    const Conveyors *const all = room->self;
+    const ConveyorRange *const old = from->room[room->number];
+    ConveyorRange *const now = to->room[room->number];
+    for (int i = 0; i < all->n; ++i) {
+        now[i].since = old[i].since;
+        for (int k = joined; k < now[i].n && k - joined < old[i].n; ++k) {
+            now[i].drift[k] = old[i].drift[k - joined];
+            now[i].slip[k] = old[i].slip[k - joined];
+        }
+    }
+}
+
+/* How conveyor i's belt runs. */
+static Belt belt_of(const Room *room, const Moment *m, int i)
+{
+    const Conveyors *const all = room->self;
+    const ConveyorRange *const range = m->ws->room[room->number];
+    return conveyor_runs(&all->item[i], m->scene->winch, all->seized[i], range[i].since, m->t);
 }
 
 /* Few segments, and their loads come in the order of the machines: no work for two. */
@@ -260,8 +342,8 @@ static void conveyors_loads(const Room *room, const Moment *m, int part)
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; part == 0 && i < all->n; ++i) {
-        conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction,
-                       &m->ws->loads[0]);
+        const Belt belt = belt_of(room, m, i);
+        conveyor_loads(&all->item[i], &range[i], &belt, &m->scene->chain, &m->ws->kin, m->friction, &m->ws->loads[0]);
     }
 }
 
@@ -270,17 +352,21 @@ static void conveyors_blocks(const Room *room, const Moment *m, BlockChain *k, B
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; i < all->n; ++i) {
-        conveyor_blocks(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction, k, d);
+        const Belt belt = belt_of(room, m, i);
+        conveyor_blocks(&all->item[i], &range[i], &belt, &m->scene->chain, &m->ws->kin, m->friction, k, d);
     }
 }
 
-/* Finds again what is in those past which the cable has moved on. */
+/* Keeps where the cable is, and finds again what is in those past which it has moved on. */
 static void conveyors_follow(const Room *room, const Moment *m, const double *y, int always)
 {
     const Conveyors *const all = room->self;
     ConveyorRange *const range = m->ws->room[room->number];
     const Chain *const chain = &m->scene->chain;
     for (int i = 0; i < all->n; ++i) {
+        Belt belt = belt_of(room, m, i);
+        if (always) belt.elapsed = 0;
+        conveyor_keep(&all->item[i], &belt, chain, y, m->t, &range[i]);
         if (!always && !conveyor_stale(&range[i], chain, y)) continue;
         conveyor_find(&all->item[i], chain, y, m->scene->contact.reach, &range[i]);
     }
@@ -302,7 +388,8 @@ static ConveyorNow now_of(const Room *room, const Moment *m, int i)
 {
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
-    return conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, 1, NULL);
+    const Belt belt = belt_of(room, m, i);
+    return conveyor_loads(&all->item[i], &range[i], &belt, &m->scene->chain, &m->ws->kin, 1, NULL);
 }
 
 static void conveyors_work(const Room *room, const Moment *m, BalanceRates *out)
@@ -386,6 +473,7 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .seize = conveyors_seize,
                                 .clear = conveyors_clear,
                                 .work_alloc = conveyors_work_alloc,
+                                .carry = conveyors_carry,
                                 .loads = conveyors_loads,
                                 .blocks = conveyors_blocks,
                                 .follow = conveyors_follow,

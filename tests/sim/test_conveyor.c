@@ -97,8 +97,8 @@ static void test_grip_is_whole(void **state)
         assert_true(chain_struct_alloc(&loads, N));
         kinematics_set(&r, v3_axpy(r.c.origin, -2.3 + 0.005 * step, r.c.direction), r.c.direction, 0, 0.2, &seed);
         conveyor_find(&r.c, &r.chain, r.y, 0.1, &r.range);
-        const ConveyorNow now =
-            conveyor_loads(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0), &r.chain, &r.kin, 1, &loads);
+        const ConveyorNow now = conveyor_loads(&r.c, &r.range, &(Belt){.speed = conveyor_belt(&r.c, &r.winch, 0)},
+                                               &r.chain, &r.kin, 1, &loads);
         check_close(now.cover, 1, 1e-14);
         check_close(now.force, -0.7 * 500, 1e-9);
         check_close(now.belt, 0.102, 1e-15);
@@ -122,8 +122,8 @@ static void test_range(void **state)
     rig_new(&r, 0, 1);
     for (double reach = 0.01; reach < 20; reach *= 3) {
         conveyor_find(&r.c, &r.chain, r.y, reach, &r.range);
-        const ConveyorNow now =
-            conveyor_loads(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0), &r.chain, &r.kin, 1, NULL);
+        const ConveyorNow now = conveyor_loads(&r.c, &r.range, &(Belt){.speed = conveyor_belt(&r.c, &r.winch, 0)},
+                                               &r.chain, &r.kin, 1, NULL);
         check_close(now.cover, 1, 1e-14);
         assert_false(conveyor_stale(&r.range, &r.chain, r.y));
     }
@@ -131,8 +131,10 @@ static void test_range(void **state)
     for (int i = 0; i < N; ++i) r.y[N + i] += 4; /* past the machine, at some distance */
     conveyor_find(&r.c, &r.chain, r.y, 0.5, &r.range);
     assert_int_equal(r.range.count, 0);
-    check_close(conveyor_loads(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0), &r.chain, &r.kin, 1, NULL).force, 0,
-                1e-15);
+    check_close(
+        conveyor_loads(&r.c, &r.range, &(Belt){.speed = conveyor_belt(&r.c, &r.winch, 0)}, &r.chain, &r.kin, 1, NULL)
+            .force,
+        0, 1e-15);
     rig_free(&r);
 }
 
@@ -169,7 +171,8 @@ static void wrench(Rig *r, double friction, double out[3 * N])
 {
     Loads loads;
     assert_true(chain_struct_alloc(&loads, N));
-    conveyor_loads(&r->c, &r->range, conveyor_belt(&r->c, &r->winch, 0.5), &r->chain, &r->kin, friction, &loads);
+    conveyor_loads(&r->c, &r->range, &(Belt){.speed = conveyor_belt(&r->c, &r->winch, 0.5)}, &r->chain, &r->kin,
+                   friction, &loads);
     for (int i = 0; i < N; ++i) {
         for (int c = 0; c < 3; ++c) {
             out[3 * i + c] = loads.f[c][i];
@@ -190,7 +193,8 @@ static void test_blocks(void **state)
         BlockChain k, d;
         rig_new(&r, 0.05, 20 + (uint64_t)trial);
         assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
-        conveyor_blocks(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0.5), &r.chain, &r.kin, 0.9, &k, &d);
+        conveyor_blocks(&r.c, &r.range, &(Belt){.speed = conveyor_belt(&r.c, &r.winch, 0.5)}, &r.chain, &r.kin, 0.9, &k,
+                        &d);
         for (int i = 0; i < N; ++i) {
             for (int c = 0; c < 6; ++c) {
                 const double e = 1e-7;
@@ -229,15 +233,17 @@ static void test_power(void **state)
         double power = 0;
         rig_new(&r, 0, 50 + (uint64_t)trial);
         assert_true(chain_struct_alloc(&loads, N));
-        const ConveyorNow now =
-            conveyor_loads(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0), &r.chain, &r.kin, 1, &loads);
+        const ConveyorNow now = conveyor_loads(&r.c, &r.range, &(Belt){.speed = conveyor_belt(&r.c, &r.winch, 0)},
+                                               &r.chain, &r.kin, 1, &loads);
         for (int i = 0; i < N; ++i) {
             const Vec3 v = v3(r.kin.v[0][i], r.kin.v[1][i], r.kin.v[2][i]);
             const Vec3 f = v3(loads.f[0][i], loads.f[1][i], loads.f[2][i]);
             power += v3_dot(f, v3_axpy(v, -now.belt, r.c.direction));
         }
         check_below(power, 0);
-        check_close(conveyor_loads(&r.c, &r.range, conveyor_belt(&r.c, &r.winch, 0), &r.chain, &r.kin, 0, NULL).force,
+        check_close(conveyor_loads(&r.c, &r.range, &(Belt){.speed = conveyor_belt(&r.c, &r.winch, 0)}, &r.chain, &r.kin,
+                                   0, NULL)
+                        .force,
                     0, 1e-15);
         chain_struct_free(&loads);
         rig_free(&r);
