@@ -123,6 +123,7 @@ typedef struct ConveyorDef {
     double limit;           /* N, of the drive; 0: none */
     double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
     int hold;               /* holds the cable on the machine's line */
+    int grips_rope;         /* the belts close on the rope too, not on cable alone */
 } ConveyorDef;
 
 /* A roller or machine that stops in mid-run. Times in s, places of the cable's front in m along the route: one of each

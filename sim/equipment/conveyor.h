@@ -25,12 +25,12 @@ typedef struct ConveyorRange {
     int watched;
     Vec3 at;     /* m, where the watched one was */
     double free; /* m, how far it may move before the range must be found again */
-    /* Of all segments of the chain when the last step was accepted, to tell how far they have come (WI21). */
+    int open;    /* segments at the head that pass between open belts: rope */
+    /* Of all segments of the chain when the last step was accepted (WI21). */
     double since; /* s */
     int n;
-    double *x;     /* [n] m, along the machine's line; NULL: ways are not compared */
-    double *drift; /* [n] m, ahead of where the belt and its slip would have them */
-    double *slip;  /* [n] m/s */
+    double *x;    /* [n] m, along the machine's line; NULL: what is held does not lean */
+    double *lean; /* [n] m, by which they were ahead of their places on the belt */
 } ConveyorRange;
 
 /* How a belt runs. */
@@ -64,7 +64,7 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
 /* Whether they may have moved too far since. */
 int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double *y);
 
-/* A step to y at time t was accepted: keeps where segments are, how they slip and how far they have drifted (WI21). */
+/* A step to y at time t was accepted: keeps where segments are and how far they lean (WI22). */
 void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, const double *y, double t,
                    ConveyorRange *range);
 

@@ -166,6 +166,8 @@ static void test_belt(void **state)
                                    .v_d = 2e-4,
                                    .ratio = 1};
     snprintf(def.jams->what, NAME_MAX_LENGTH, "C1");
+    if (getenv("MS")) def.solver.max_step = atof(getenv("MS"));
+    if (getenv("AC")) def.solver.accuracy = atof(getenv("AC"));
     def.jams->at = 14;
     def.jams->release = 26;
     def.duration = 40;
