@@ -41,7 +41,7 @@ static double roller_error(const MeshPlace *p, double h)
     return 0.25 * p->turn * p->turn / (1 + 5.7 * stiff * stiff);
 }
 
-/* On a surface: where the bend begins and ends curvature grows over the bending length (ME1). */
+/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). */
 static double bend_error(const MeshPlace *p, double h)
 {
     const double turn = h / p->radius, limp = h / p->bending_length;
@@ -49,7 +49,7 @@ static double bend_error(const MeshPlace *p, double h)
 }
 
 /* Round a drum or a wheel: joints stand off it as a polygon's corners do (ME6). */
-static double wrap_error(const MeshPlace *p, double h) { return 0.09 * h * h / (p->radius * p->radius); }
+static double wrap_error(const MeshPlace *p, double h) { return p->wrapped * h * h / (p->radius * p->radius); }
 
 /* A rod: the error of a half wave of its length, and that of an arc as a polygon (ME7). */
 static double rod_error(const MeshPlace *p, double h)
@@ -61,9 +61,10 @@ static double rod_error(const MeshPlace *p, double h)
 double mesh_error(const MeshPlace *p, double h)
 {
     if (p->rod_length > 0) return rod_error(p, h);
-    if (p->wrapped) return wrap_error(p, h);
-    if (p->pitch > 0) return roller_error(p, h) + (isnan(p->room) ? 0 : pinch_error(p, h));
-    return bend_error(p, h) + (isnan(p->room) ? 0 : jam_error(p, h));
+    if (p->wrapped > 0) return wrap_error(p, h);
+    const int both = !isnan(p->room);
+    if (p->pitch > 0) return bend_error(p, h) + roller_error(p, h) + (both ? pinch_error(p, h) : 0);
+    return bend_error(p, h) + (both ? jam_error(p, h) : 0);
 }
 
 double mesh_place_length(const MeshPlace *place, double error)
@@ -141,6 +142,9 @@ void mesh_describe(const MeshPlace *p, int size, char *text)
 }
 
 /* ----------------------------------------------------------------------------------------------- the places */
+
+/* Share in (h/R)^2 of what a polygon round a wheel costs (ME6); a drum at the tail costs half of it. */
+static const double WRAPPED = 0.09;
 
 /* Along the way: what is known where a leg of the route ends. */
 typedef struct Walk {
@@ -251,10 +255,14 @@ static MeshPlace place_make(const Walk *w, int piece, int leg)
                      .weight = cable->mass * v3_norm(def->gravity),
                      .mu = friction_at(def, bend->s0 + bend->length / 2),
                      .impact = surface ? def->line_impact : def->impact};
+    if (!def->winch.present) { /* nothing is pulled: only the shape counts */
+        p.wrapped = WRAPPED;
+        return p;
+    }
     if (!surface) {
         rollers_look(w, bend, cable->diameter / 2, &p);
         if (p.pitch > 0) p.turn = roller_turn(w, bend, &p);
-        p.wrapped = p.pitch <= 0;
+        p.wrapped = p.pitch > 0 ? 0 : WRAPPED;
         return p;
     }
     if (surface->shape.kind == SURFACE_DUCT) p.room = surface->shape.radius - cable->diameter / 2;
@@ -266,7 +274,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg)
 /* The cable behind the route on its drum. */
 static MeshPlace drum_place(const SceneDef *def)
 {
-    return (MeshPlace){.leg = -1, .at = -def->drum.distance, .radius = def->drum.barrel / 2, .room = NAN, .wrapped = 1};
+    return (MeshPlace){.leg = -1, .at = -def->drum.distance, .radius = def->drum.barrel / 2, .room = NAN, .wrapped = WRAPPED / 2};
 }
 
 static double rod_radius(const RodDef *rod)

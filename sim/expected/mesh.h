@@ -13,7 +13,7 @@ typedef struct MeshPlace {
     double radius;         /* m, of the bend; of a rod: its least radius of curvature, 0: straight */
     double room;           /* m, from the cable in the middle to either side; NAN: it is held on one side alone */
     double pitch;          /* m between rollers; 0: it is held everywhere */
-    int wrapped;           /* round one drum or wheel, and nothing else is needed of these */
+    double wrapped;        /* round one drum or wheel, and nothing else counts: share in (h/R)^2; 0: not so */
     double turn;           /* rad, by which it turns at one roller */
     double tension;        /* N, by the pulling theory at the bend's end */
     double bending_length; /* m, sqrt(EI/T) */
