@@ -109,8 +109,9 @@ static void fill_mesh(Description *d)
         snprintf(d->advice, sizeof d->advice, "fine");
     } else {
         const MeshPlace *const place = &d->mesh.place[worst];
-        snprintf(d->advice, sizeof d->advice, "too long: the run will not be trusted; chain.%d.segment: auto takes %.3g mm",
-                 place->piece, 1e3 * mesh_auto(&d->mesh, def, place->piece));
+        snprintf(d->advice, sizeof d->advice,
+                 "too long: the run will not be trusted; chain.%d.segment: auto takes %.3g mm", place->piece,
+                 1e3 * mesh_auto(&d->mesh, def, place->piece));
     }
 }
 

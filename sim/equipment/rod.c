@@ -69,7 +69,7 @@ int rod_segment_at(const Chain *chain, double at, double *arm)
 }
 
 /* A mass between two centres is shared by the lever rule, which keeps its place; beyond the outer ones it sits on
- * the nearest (RD4). */
+ * the nearest, which is made short for it (RD4). */
 static void mass_add(Chain *chain, const RodMassDef *mass)
 {
     double arm;

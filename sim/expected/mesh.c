@@ -48,6 +48,12 @@ static double bend_error(const MeshPlace *p, double h)
     return 3.4 * turn * turn / (1 + 7.9 * limp * limp);
 }
 
+double mesh_sag_error(double h, double pitch, double bending_length)
+{
+    const double stiff = bending_length / h;
+    return 1.25 * h / pitch / (1 + 5.7 * stiff * stiff);
+}
+
 /* Round a drum or a wheel: joints stand off it as a polygon's corners do (ME6). */
 static double wrap_error(const MeshPlace *p, double h) { return p->wrapped * h * h / (p->radius * p->radius); }
 
@@ -166,7 +172,8 @@ static void walk_leg(Walk *w, const RoutePiece *leg)
     const double mu = friction_at(w->def, leg->s0 + leg->length / 2);
     const double rise = route_at(w->route, leg->s0 + leg->length).position.z - leg->start.z;
     if (leg->kind == ROUTE_BEND) w->tension *= exp(mu * leg->angle);
-    w->tension = fmax(w->weight, w->tension + w->weight * (rise + mu * sqrt(fmax(0, leg->length * leg->length - rise * rise))));
+    w->tension =
+        fmax(w->weight, w->tension + w->weight * (rise + mu * sqrt(fmax(0, leg->length * leg->length - rise * rise))));
 }
 
 /* What the tail brings, at its largest of a few looks at the run. */
@@ -183,7 +190,8 @@ static void piece_way(const SceneDef *def, const Route *route, int piece, double
 {
     const int last = def->n_pieces > 1 ? def->n_pieces - 1 : 1; /* the pieces behind it end at head_at */
     double travel = route->length;
-    if (def->winch.present && def->winch.mode == WINCH_SPEED) travel = profile_integral(&def->winch.speed, def->duration);
+    if (def->winch.present && def->winch.mode == WINCH_SPEED)
+        travel = profile_integral(&def->winch.speed, def->duration);
     *from = def->head_at;
     for (int k = last - 1; k >= piece; --k) *from -= def->pieces[k].length;
     *to = *from + def->pieces[piece].length + travel;
@@ -245,16 +253,16 @@ static MeshPlace place_make(const Walk *w, int piece, int leg)
     const CableDef *const cable = &def->cables[def->pieces[piece].cable];
     const SurfaceDef *const surface = surface_at(def, bend->s0 + bend->length / 2);
     MeshPlace p = {.piece = piece,
-                     .leg = leg,
-                     .at = bend->s0,
-                     .radius = bend->radius,
-                     .room = NAN,
-                     .tension = w->tension,
-                     .bending_length = sqrt(fmax(cable->ei_y, cable->ei_z) / w->tension),
-                     .diameter = cable->diameter,
-                     .weight = cable->mass * v3_norm(def->gravity),
-                     .mu = friction_at(def, bend->s0 + bend->length / 2),
-                     .impact = surface ? def->line_impact : def->impact};
+                   .leg = leg,
+                   .at = bend->s0,
+                   .radius = bend->radius,
+                   .room = NAN,
+                   .tension = w->tension,
+                   .bending_length = sqrt(fmax(cable->ei_y, cable->ei_z) / w->tension),
+                   .diameter = cable->diameter,
+                   .weight = cable->mass * v3_norm(def->gravity),
+                   .mu = friction_at(def, bend->s0 + bend->length / 2),
+                   .impact = surface ? def->line_impact : def->impact};
     if (!def->winch.present) { /* nothing is pulled: only the shape counts */
         p.wrapped = WRAPPED;
         return p;
@@ -274,7 +282,8 @@ static MeshPlace place_make(const Walk *w, int piece, int leg)
 /* The cable behind the route on its drum. */
 static MeshPlace drum_place(const SceneDef *def)
 {
-    return (MeshPlace){.leg = -1, .at = -def->drum.distance, .radius = def->drum.barrel / 2, .room = NAN, .wrapped = WRAPPED / 2};
+    return (MeshPlace){
+        .leg = -1, .at = -def->drum.distance, .radius = def->drum.barrel / 2, .room = NAN, .wrapped = WRAPPED / 2};
 }
 
 static double rod_radius(const RodDef *rod)

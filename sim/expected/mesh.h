@@ -34,8 +34,10 @@ typedef struct Mesh {
 hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err);
 void mesh_free(Mesh *mesh);
 
-/* Share of the tension there by which segments of length h (m) are expected to raise it (ME7). */
+/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7). */
 double mesh_error(const MeshPlace *place, double h);
+/* Share by which the sag between rollers `pitch` m apart comes out too small (ME9); bending_length as above. */
+double mesh_sag_error(double h, double pitch, double bending_length);
 /* The longest segment, m, with which all places of a piece together are off by no more than a share `error`, at most
  * MESH_USUAL; and the same for one place. */
 double mesh_length(const Mesh *mesh, int piece, double error);

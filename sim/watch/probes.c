@@ -35,7 +35,10 @@ typedef struct Strained {
 
 static Vec3 scaled(const double by[3], Vec3 v) { return v3(by[0] * v.x, by[1] * v.y, by[2] * v.z); }
 
-static Quat attitude_of(const Kinematics *kin, int i) { return (Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]}; }
+static Quat attitude_of(const Kinematics *kin, int i)
+{
+    return (Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+}
 
 /* The end of segment i (or the ground's) at its joint ahead or behind, m. */
 static Vec3 end_of(const Scene *scene, const Kinematics *kin, int i, int ahead)
@@ -75,7 +78,8 @@ static Quat attitude_in(const Scene *scene, const double *y, int i)
     return quat_unit((Quat){q[0], q[n], q[2 * n], q[3 * n]});
 }
 
-/* Segment, nearest joint, what of the segment's strain is the place's, and the pose of t = 0, where joints are closed. */
+/* Segment, nearest joint, what of the segment's strain is the place's, and the pose of t = 0, where joints are closed.
+ */
 static void place_fill(const Scene *scene, const double *y, double at, ProbePlace *p)
 {
     const int n = scene->chain.n;

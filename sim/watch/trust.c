@@ -63,8 +63,8 @@ static void add_mesh(List *list, const Scene *scene)
         const MeshPlace *const place = &mesh.place[worst];
         mesh_describe(place, sizeof where, where);
         add(list, "mesh", "1", error, MESH_ALLOWED,
-            "segments are too long, about %+.2g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm", 100 * error,
-            where, place->piece, 1e3 * mesh_length(&mesh, place->piece, MESH_AIM));
+            "segments are too long, about %+.2g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm",
+            100 * error, where, place->piece, 1e3 * mesh_length(&mesh, place->piece, MESH_AIM));
     }
     mesh_free(&mesh);
 }
