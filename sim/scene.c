@@ -1,5 +1,6 @@
 #include "sim/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,6 +34,21 @@ void scene_initial_chain(const Scene *scene, double *y)
         const double value[7] = {centre.x, centre.y, centre.z, q.w, q.x, q.y, q.z};
         for (int c = 0; c < 7; ++c) y[c * n + i] = value[c];
     }
+}
+
+double scene_way(const Scene *scene)
+{
+    const int n_patches = scene->surfaces.model.n_patches, n_rollers = scene->contact.n_rollers;
+    double cable = INFINITY, way = INFINITY;
+    for (int i = 0; i < scene->def.n_cables; ++i) cable = fmin(cable, scene->def.cables[i].diameter / 2);
+    for (int r = 0; r < n_rollers; ++r) {
+        const Shape *const shape = &scene->contact.roller[r].shape;
+        way = fmin(way, fmin(shape->radius, shape->half_width) + cable);
+    }
+    for (int p = 0; p < n_patches; ++p) way = fmin(way, (scene->surfaces.patch[p].depth + cable) / 2);
+    if (scene->self.present) way = fmin(way, cable);
+    const int touches = n_rollers > 0 || n_patches > 0 || scene->self.present;
+    return touches ? fmin(way, (1 - CONTACT_USABLE) * scene->def.contact_reach) : INFINITY;
 }
 
 int scene_state_size(const Scene *scene)

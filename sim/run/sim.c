@@ -53,7 +53,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
     if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
-    status = probes_new(&s->probes, scene, err);
+    status = passing_new(&s->passing, scene, err);
+    if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
     if (!status && !scene->rod->present) {
@@ -96,6 +97,7 @@ Sim *sim_free(Sim *s)
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     events_free(&s->events);
+    passing_free(&s->passing);
     expected_free(&s->expected);
     by_position_free(&s->by_position);
     sample_free(&s->look);
@@ -115,6 +117,8 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
+    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
     if (scene->rod->present) {
         const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
                                                                            : scene->def.analysis.tolerance;
@@ -264,6 +268,9 @@ static void record_now(Sim *s, SampleParts parts)
     const double start = clock_now();
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
+    hawser_error only_a_note;
+    if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
+        events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
@@ -350,7 +357,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .turned = s->overturned,
-                              .stray = s->stray};
+                              .stray = s->stray,
+                              .passing = &s->passing};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;
 }

@@ -128,6 +128,8 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
             f->stray.farthest, f->stray.at);
     }
+    add(&list, "passed", "1", f->passing->through, 0,
+        "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
     add(&list, "orientation", "1", f->turned, 0, "%s",
         f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"
                                 : "joints have turned too far for the chain to follow: use shorter segments");
