@@ -23,6 +23,7 @@ typedef struct ContactPart {
 typedef struct StopCheck {
     int (*ask)(void *user); /* NULL: nobody */
     void *user;
+    int firm; /* is not to be asked while a relaxation has made contacts soft */
 } StopCheck;
 int stop_wanted(const StopCheck *check);
 

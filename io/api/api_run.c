@@ -110,7 +110,7 @@ static hawser_status run_relaxation(Run *run, hawser_error *err)
 static hawser_status run_steps(Run *run, hawser_error *err)
 {
     Sim *sim = run->s;
-    sim->stage.ws.stop = (StopCheck){ask_progress, run};
+    sim->stage.ws.stop = (StopCheck){.ask = ask_progress, .user = run};
     hawser_status status = run_relaxation(run, err);
     if (!status) status = write_due(run, err);
     if (!status) status = tell_progress(run, 1, err);

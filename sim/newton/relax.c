@@ -28,6 +28,7 @@ typedef struct Relaxing {
     const RelaxOps *ops;
     void *self;
     const StopCheck *stop;
+    int soft; /* contacts are, for now */
     const SolverDef *def;
     int touches;          /* there are rollers or surfaces */
     int size;             /* of the state */
@@ -47,9 +48,9 @@ double relax_shorten(const RelaxStride *most, double scale, double move, double 
     return fmin(scale, fmin(alone, most->sweep / (half * turn + 1e-300)));
 }
 
-static hawser_status stop_now(const StopCheck *stop, hawser_error *err)
+static hawser_status stop_now(const StopCheck *stop, int soft, hawser_error *err)
 {
-    if (!stop_wanted(stop)) return HAWSER_OK;
+    if ((soft && stop->firm) || !stop_wanted(stop)) return HAWSER_OK;
     return error_set(err, HAWSER_STOPPED, "stopped on the way to equilibrium");
 }
 
@@ -95,7 +96,7 @@ static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxati
     double dt = DT_FIRST;
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; spent < limit && !(out->residual_N <= aim); ++spent) {
-        const hawser_status stopped = stop_now(r->stop, err);
+        const hawser_status stopped = stop_now(r->stop, r->soft, err);
         if (stopped) return stopped;
         ++out->iterations;
         if (r->ops->implicit_step(r->self, dt)) {
@@ -147,7 +148,7 @@ static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawse
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; !status && spent < limit && !(out->residual_N <= aim); ++spent) {
         ++out->iterations;
-        status = stop_now(r->stop, err);
+        status = stop_now(r->stop, r->soft, err);
         if (!status) status = careful_step(r, &dt, out, err);
     }
     out->reached = out->residual_N <= out->tolerance_N;
@@ -161,12 +162,14 @@ static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, haws
     const double load = out->tolerance_N / r->def->relax_tolerance;
     const int last = out->iterations + r->def->relax_iterations;
     hawser_status status = HAWSER_OK;
+    r->soft = 1;
     for (double share = SOFTEST; !status && share < 0.5; share *= SOFT_GROWTH) {
         const int left = last - out->iterations;
         r->ops->soften(r->self, share);
         status = iterate_carefully(r, SOFT_AIM * load, left < SOFT_ITERATIONS ? left : SOFT_ITERATIONS, out, err);
     }
     r->ops->soften(r->self, 1);
+    r->soft = 0;
     return status ? status : iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
 }
 
@@ -366,7 +369,7 @@ static hawser_status newton_iterate(Relaxation *r, double share, double floor, h
         out->tolerance_N = fmax(share * largest_force(r), floor);
         out->reached = out->residual_N <= out->tolerance_N;
         if (out->reached || !isfinite(out->residual_N) || it == STATIC_ITERATIONS) break;
-        status = stop_now(&r->ws->stop, err);
+        status = stop_now(&r->ws->stop, 0, err);
         if (status || implicit_step(r, DT_STATIC)) break;
         move(r, turn_scale(r) * DT_STATIC);
         ++out->iterations;

@@ -28,21 +28,6 @@ static hawser_status trip_set(Sim *s, hawser_error *err)
                      s->expected.reference_total);
 }
 
-/* Whether the cable begins outside itself. Where lines meet no contact can tell on which side of each other they are.
- */
-static hawser_status start_check(Sim *s, hawser_error *err)
-{
-    const Scene *const scene = &s->stage.scene;
-    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->stage.ws.kin, &s->stage.ws.self);
-    const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
-    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT,
-                     "contact.cable_on_cable: the cable begins %.1f mm inside itself near (%.3f, %.3f, %.3f) m, at "
-                     "segments %d and %d: lead the route past itself with a cable's diameter between",
-                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
-                     deepest.foot);
-}
-
 static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
@@ -63,8 +48,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
     if (!status) status = trip_set(s, err);
-    if (!status && scene->self.present) status = start_check(s, err);
-    return status;
+    if (!status) status = start_check(s, err);
+    return status ? status : start_fit(s, err);
 }
 
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err)
@@ -269,6 +254,7 @@ static void record_now(Sim *s, SampleParts parts)
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     hawser_error only_a_note;
+    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, look);
     if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
         events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);

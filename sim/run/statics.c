@@ -39,12 +39,6 @@ static hawser_status put_back(Stage *st, const double *start, hawser_relaxation 
     return st->motion->ops->renew(st->motion, st->t, st->y, err);
 }
 
-/* Whether something keeps the rod in its place: an end that is held, or what it may come to lie on. */
-static int has_hold(const Scene *scene)
-{
-    return rod_ends_held(scene->rod) > 0 || scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0;
-}
-
 hawser_status statics_settle(Stage *st, double share, hawser_relaxation *out, hawser_error *err)
 {
     const size_t bytes = (size_t)st->motion->size * sizeof(double);
@@ -53,7 +47,7 @@ hawser_status statics_settle(Stage *st, double share, hawser_relaxation *out, ha
     if (!status) {
         memcpy(start, st->y, bytes);
         status = attempt(st, st->t, share, kept, out, err);
-        if (!status && !out->reached && has_hold(&st->scene)) status = slow_way(st, st->t, share, kept, out, err);
+        if (!status && !out->reached && !rod_is_loose(&st->scene)) status = slow_way(st, st->t, share, kept, out, err);
         if (!status && !out->reached) status = put_back(st, start, out, err);
     }
     free(kept);
@@ -80,7 +74,7 @@ static hawser_status steps(Stage *st, double target, double *kept, hawser_relaxa
         const double next = step >= target - st->t ? target : st->t + step;
         status = attempt(st, next, share, kept, out, err);
         if (!status && !out->reached && step <= SMALLEST * whole) {
-            if (has_hold(&st->scene)) status = slow_way(st, next, share, kept, out, err);
+            if (!rod_is_loose(&st->scene)) status = slow_way(st, next, share, kept, out, err);
             if (!status && !out->reached) status = stuck(st, next, out, err);
         }
         if (status) return status;

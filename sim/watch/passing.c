@@ -7,21 +7,13 @@
 
 #include "core/base/error.h"
 #include "sim/equipment/rod.h"
+#include "sim/equipment/winch.h"
 #include "sim/watch/stats.h"
 
 enum { LOOKS = 16 };                 /* at the cable in a run, besides its start */
-static const double ALONG = 0.1;     /* of sin^2 between line and axis: below it the line runs along the roller */
+static const double ALONG = 0.1;     /* sin^2 between line and axis: below it the line runs along the roller */
 static const double STRAY_ALONG = 1; /* m that a segment may be from its place on the way and still be in that duct */
 static const double SHARE = 0.5;     /* of a surface's weight (DU8): where it is more there than not */
-
-hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
-{
-    const size_t rollers = (size_t)scene->contact.n_rollers, surfaces = (size_t)scene->surfaces.model.n_surfaces;
-    p->side = calloc(rollers + 1, sizeof *p->side);
-    p->gone = calloc(rollers + surfaces + 1, sizeof *p->gone);
-    p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
-    return p->side && p->gone && p->seen ? HAWSER_OK : error_memory(err);
-}
 
 void passing_free(Passing *p)
 {
@@ -57,32 +49,76 @@ typedef struct Crossing {
     int side;
 } Crossing;
 
-static Crossing segment_crossing(const Chain *chain, const Kinematics *kin, int i, const Shape *roller)
+/* Of a straight piece of half length `half` about p, along the unit vector a. */
+static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller)
 {
     const Crossing none = {INFINITY, 0};
-    if (i < 0 || i >= chain->n) return none;
-    const Vec3 from = v3_sub(v3_load(kin->p, i), roller->centre), a = v3_load(kin->a, i);
+    const Vec3 from = v3_sub(p, roller->centre);
     const Vec3 flat = v3_reject(from, roller->axis), run = v3_reject(a, roller->axis);
     const double square = v3_dot(run, run);
     if (square < ALONG) return none;
     const double u = -v3_dot(flat, run) / square;
-    if (!(fabs(u) <= chain->half[i])) return none;
+    if (!(fabs(u) <= half)) return none;
     const double across = v3_dot(v3_axpy(from, u, a), roller->axis);
     if (fabs(across) > roller->half_width) return none;
     const Vec3 at = v3_axpy(flat, u, run);
     return (Crossing){v3_norm(at), v3_dot(at, v3_cross(roller->axis, run)) < 0 ? -1 : 1};
 }
 
-/* The nearest of the crossings of a segment and its neighbours. */
-static Crossing roller_crossing(const Chain *chain, const Kinematics *kin, double longest, const Shape *roller)
+/* The nearest of the crossings of the segment that is nearest and of its neighbours. */
+static Crossing chain_crossing(const Chain *chain, const Kinematics *kin, double longest, const Shape *roller)
 {
-    const int i = nearest_segment(chain, kin, longest, roller->centre);
-    Crossing nearest = {INFINITY, 0};
-    for (int k = i - 1; k <= i + 1; ++k) {
-        const Crossing here = segment_crossing(chain, kin, k, roller);
-        if (here.away < nearest.away) nearest = here;
+    const int nearest = nearest_segment(chain, kin, longest, roller->centre);
+    Crossing best = {INFINITY, 0};
+    for (int i = nearest > 0 ? nearest - 1 : 0; i <= nearest + 1 && i < chain->n; ++i) {
+        const Crossing here = piece_crossing(v3_load(kin->p, i), v3_load(kin->a, i), chain->half[i], roller);
+        if (here.away < best.away) best = here;
     }
-    return nearest;
+    return best;
+}
+
+/* How far from its axis the line still belongs to a roller, m. */
+static double near_of(const Shape *roller, double cable) { return 2 * (roller->radius + cable); }
+
+/* The nearest crossing of the route, in short pieces; what is far is passed over. */
+static Crossing route_crossing(const Route *route, const Shape *roller, double cable)
+{
+    const double near = near_of(roller, cable) + roller->half_width, piece = (roller->radius + cable) / 4;
+    Crossing best = {INFINITY, 0};
+    for (double s = 0; s < route->length;) {
+        const RoutePoint at = route_at(route, s);
+        const double away = v3_norm(v3_sub(at.position, roller->centre));
+        const Crossing here = piece_crossing(at.position, at.tangent, piece, roller);
+        if (here.away < best.away) best = here;
+        s += fmax(piece, away - near);
+    }
+    return best;
+}
+
+static int has_sides(const Shape *shape) { return shape->kind != SHAPE_BOX && shape->kind != SHAPE_BELL; }
+
+static double thickest(const Chain *chain)
+{
+    double radius = 0;
+    for (int i = 0; i < chain->n; ++i) radius = fmax(radius, chain->radius[i]);
+    return radius;
+}
+
+hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
+{
+    const size_t rollers = (size_t)scene->contact.n_rollers, surfaces = (size_t)scene->surfaces.model.n_surfaces;
+    p->side = calloc(rollers + 1, sizeof *p->side);
+    p->gone = calloc(rollers + surfaces + 1, sizeof *p->gone);
+    p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
+    if (!p->side || !p->gone || !p->seen) return error_memory(err);
+    const double cable = thickest(&scene->chain);
+    for (int r = 0; r < scene->contact.n_rollers && !scene->rod->present; ++r) {
+        const Shape *const shape = &scene->contact.roller[r].shape;
+        if (!has_sides(shape)) continue;
+        const Crossing route = route_crossing(&scene->route, shape, cable);
+        if (route.away < near_of(shape, cable)) p->side[r] = (signed char)route.side;
+    }
+    return HAWSER_OK;
 }
 
 static int note(Passing *p, int body, const char *what, const char *name, double t)
@@ -94,28 +130,24 @@ static int note(Passing *p, int body, const char *what, const char *name, double
     return 1;
 }
 
-/* A roller keeps the side on which the cable was near it, within its own thickness and the cable's. */
+/* A roller has the side on which the route passes it, or on which the cable was when it first came near. */
 static int rollers_look(Passing *p, const Scene *scene, const Workspace *ws, double t)
 {
     const Chain *const chain = &scene->chain;
-    double longest = 0, radius = 0;
+    const double cable = thickest(chain);
+    double longest = 0;
     int new = 0;
-    for (int i = 0; i < chain->n; ++i) {
-        longest = fmax(longest, 2 * chain->half[i]);
-        radius = fmax(radius, chain->radius[i]);
-    }
+    for (int i = 0; i < chain->n; ++i) longest = fmax(longest, 2 * chain->half[i]);
     for (int part = 0; part < PARTS; ++part) {
         const ContactPart *const half = &ws->contact[part];
         for (int k = 0; k < half->model.n_rollers; ++k) {
             const Shape *const shape = &half->model.roller[k].shape;
-            if (shape->kind == SHAPE_BOX || shape->kind == SHAPE_BELL) continue; /* no axis to be on a side of */
+            if (!has_sides(shape)) continue;
             const int r = half->first + k;
-            const Crossing now = roller_crossing(chain, &ws->kin, longest, shape);
-            if (p->side[r] && now.side && now.side != p->side[r]) {
+            const Crossing now = chain_crossing(chain, &ws->kin, longest, shape);
+            if (!p->side[r] && now.away < near_of(shape, cable)) p->side[r] = (signed char)now.side;
+            if (p->side[r] && now.side && now.side != p->side[r])
                 new |= note(p, r, "roller", scene->def.rollers[r].name, t);
-            } else if (now.away < 2 * (shape->radius + radius)) {
-                p->side[r] = (signed char)now.side;
-            }
         }
     }
     return new;
@@ -175,4 +207,38 @@ int passing_record(Passing *p, const Scene *scene, const Workspace *ws, double t
     if (t < p->due && t < scene->def.duration) return 0;
     p->due = t + scene->def.duration / LOOKS;
     return passing_look(p, scene, ws, travel, t);
+}
+
+/* ------------------------------------------------------------------------------------------------- the start */
+
+/* What equilibrium could ask of contacts at most, N: every weight and pull there is at the start. */
+static double all_loads(const Scene *scene)
+{
+    const Chain *const chain = &scene->chain;
+    double sum = fabs(profile_value(&scene->tail, 0)) + rod_load_size(scene->rod, chain, 0);
+    if (scene->winch->mode == WINCH_TENSION) sum += fabs(profile_value(&scene->def.winch.tension, 0));
+    for (int i = 0; i < chain->n; ++i) sum += chain->mass[i] * v3_norm(scene->def.gravity);
+    return sum;
+}
+
+static void start_worst(Misfit *start, double force, double exponent, const char *name)
+{
+    if (!(force > start->force)) return;
+    *start = (Misfit){.force = force, .allowed = start->allowed, .exponent = exponent, .name = name};
+}
+
+void passing_start(Passing *p, const Scene *scene, const hawser_sample *look)
+{
+    const SceneDef *const def = &scene->def;
+    p->start = (Misfit){.allowed = all_loads(scene)};
+    for (int r = 0; r < look->rollers; ++r)
+        start_worst(&p->start, look->roller_load[r], def->impact.e, def->rollers[r].name);
+    for (int k = 0; k < look->surfaces; ++k)
+        start_worst(&p->start, look->surface_normal[k], def->line_impact.e, def->surfaces[k].name);
+    for (int i = 0; i < scene->chain.n; ++i) p->start.longest = fmax(p->start.longest, 2 * scene->chain.half[i]);
+}
+
+double misfit_segment(const Misfit *start)
+{
+    return start->longest * pow(start->allowed / start->force, 1 / (2 * start->exponent));
 }

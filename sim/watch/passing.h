@@ -7,6 +7,15 @@
 
 enum { PASSING_SAYS_MAX = 160 };
 
+/* How hard the chain is pressed into something at t = 0. A segment's arc is as high as the square of its length, so
+ * that a chain of chords begins inside what the line would only touch; what is in equilibrium is not. */
+typedef struct Misfit {
+    double force, allowed; /* N: the largest on a roller or surface; the sum of all loads */
+    double exponent;       /* of its law (C12) */
+    double longest;        /* m, of segments */
+    const char *name;      /* of the roller or surface */
+} Misfit;
+
 typedef struct Passing {
     signed char *side; /* [rollers] of the line seen along it: where it was when it was last near; 0: it never was */
     char *gone;        /* [rollers + surfaces] has been passed, and was said */
@@ -14,6 +23,7 @@ typedef struct Passing {
     int through;       /* rollers and surfaces that have been passed */
     double due;        /* s, when to look next */
     char says[PASSING_SAYS_MAX]; /* of the first of them; "": none */
+    Misfit start;
 } Passing;
 
 /* Errors: MEMORY. passing_free may follow either way. */
@@ -25,5 +35,9 @@ void passing_free(Passing *passing);
 int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
 /* The same if it is time: a few times a run and at its end. */
 int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
+/* Keeps the sample of t = 0. */
+void passing_start(Passing *passing, const Scene *scene, const hawser_sample *look);
+/* The length of segments, m, with which the chain would not be pressed by more than is allowed (TR1). */
+double misfit_segment(const Misfit *start);
 
 #endif
