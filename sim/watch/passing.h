@@ -37,7 +37,7 @@ int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, doub
 int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
 /* Keeps the sample of t = 0. */
 void passing_start(Passing *passing, const Scene *scene, const hawser_sample *look);
-/* The length of segments, m, with which the chain would not be pressed by more than is allowed (TR1). */
+/* The length of segments, m, with which the chain would not be pressed by more than is allowed (E8). */
 double misfit_segment(const Misfit *start);
 
 #endif

@@ -135,7 +135,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add(&list, "passed", "1", f->passing->through, 0,
         "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
     const Misfit *const start = &f->passing->start;
-    if (start->force > 0 && !f->relaxation->reached) {
+    if (start->force > 0 && !scene->def.solver.relax) {
         add(&list, "start", "N", start->force, start->allowed,
             "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
             "or less there",
