@@ -163,8 +163,8 @@ static int faces(const SurfaceShape *d, const SurfacePatch *way, SurfacePatch *o
 /* A plane by point and normal is a straight floor of its own, as long and as wide as was said. */
 static SurfacePatch plane_patch(const SurfaceShape *d)
 {
-    SurfacePatch p = {.s0 = NAN, .start = d->point, .tangent = d->along, .up = d->normal, .roll_cos = 1,
-                      .depth = SURFACE_DEPTH_MAX};
+    SurfacePatch p = {
+        .s0 = NAN, .start = d->point, .tangent = d->along, .up = d->normal, .roll_cos = 1, .depth = SURFACE_DEPTH_MAX};
     p.side = v3_cross(p.up, p.tangent);
     if (d->length > 0) {
         p.length = d->length + d->fade;

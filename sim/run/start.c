@@ -30,8 +30,8 @@ static int fits(void *user)
     return s->passing.start.force <= s->passing.start.allowed;
 }
 
-/* Relaxation (E7): of a chain in space without its weight, so that what is to fall does not fall yet, and no farther than
- * until it fits. What does not come to fit begins where it was. */
+/* Relaxation (E7): of a chain in space without its weight, so that what is to fall does not fall yet, and no farther
+ * than until it fits. What does not come to fit begins where it was. */
 static hawser_status move_out(Sim *s, const double *laid, hawser_error *err)
 {
     Stage *const st = &s->stage;

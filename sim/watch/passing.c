@@ -111,6 +111,7 @@ hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
     p->gone = calloc(rollers + surfaces + 1, sizeof *p->gone);
     p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
     if (!p->side || !p->gone || !p->seen) return error_memory(err);
+    snprintf(p->says, sizeof p->says, "the cable has got through something");
     const double cable = thickest(&scene->chain);
     for (int r = 0; r < scene->contact.n_rollers && !scene->rod->present; ++r) {
         const Shape *const shape = &scene->contact.roller[r].shape;
@@ -240,5 +241,5 @@ void passing_start(Passing *p, const Scene *scene, const hawser_sample *look)
 
 double misfit_segment(const Misfit *start)
 {
-    return start->longest * pow(start->allowed / start->force, 1 / (2 * start->exponent));
+    return start->longest * fmin(1, pow(start->allowed / start->force, 1 / (2 * start->exponent)));
 }

@@ -22,7 +22,7 @@ typedef struct Passing {
     char *seen;        /* [surfaces][SURFACE_FACES_MAX][segments of the whole chain] was on the face's free side */
     int through;       /* rollers and surfaces that have been passed */
     double due;        /* s, when to look next */
-    char says[PASSING_SAYS_MAX]; /* of the first of them; "": none */
+    char says[PASSING_SAYS_MAX]; /* of the first of them */
     Misfit start;
 } Passing;
 
@@ -37,7 +37,8 @@ int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, doub
 int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
 /* Keeps the sample of t = 0. */
 void passing_start(Passing *passing, const Scene *scene, const hawser_sample *look);
-/* The length of segments, m, with which the chain would not be pressed by more than is allowed (E8). */
+/* The length of segments, m, with which the chain would not be pressed by more than is allowed (E8): theirs, or less.
+ */
 double misfit_segment(const Misfit *start);
 
 #endif

@@ -258,8 +258,7 @@ static void test_stiffness(void **state)
 /* Where the points of an element are: of Gauss, and of Radau where the line ends (DU1), (DU16). */
 static const double *points_of(int elements, int e)
 {
-    static const double u[3][SURFACE_POINTS] = {
-        {0, 2.0 / 3}, {0.21132486540518712, 0.78867513459481288}, {1.0 / 3, 1}};
+    static const double u[3][SURFACE_POINTS] = {{0, 2.0 / 3}, {0.21132486540518712, 0.78867513459481288}, {1.0 / 3, 1}};
     return u[e == 0 ? 0 : e == elements - 1 ? 2 : 1];
 }
 
@@ -349,8 +348,8 @@ static void test_floor_end(void **state)
     surfaces_free(&s);
 }
 
-/* A force that varies along a straight cable with the square of the place is summed without error, ends included: at the
- * tips stand a quarter of a half segment's length each, and what was given besides. */
+/* A force that varies along a straight cable with the square of the place is summed without error, ends included: at
+ * the tips stand a quarter of a half segment's length each, and what was given besides. */
 static void test_ends_are_points(void **state)
 {
     (void)state;
@@ -461,12 +460,12 @@ static void test_limits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_normal),      cmocka_unit_test(test_continuous),
-        cmocka_unit_test(test_fades_meet),  cmocka_unit_test(test_action_and_reaction),
-        cmocka_unit_test(test_objectivity), cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_stiffness),   cmocka_unit_test(test_potential),
-        cmocka_unit_test(test_floor_end),   cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_half_space),  cmocka_unit_test(test_ends_are_points),
+        cmocka_unit_test(test_normal),        cmocka_unit_test(test_continuous),
+        cmocka_unit_test(test_fades_meet),    cmocka_unit_test(test_action_and_reaction),
+        cmocka_unit_test(test_objectivity),   cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_stiffness),     cmocka_unit_test(test_potential),
+        cmocka_unit_test(test_floor_end),     cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_half_space),    cmocka_unit_test(test_ends_are_points),
         cmocka_unit_test(test_tip_stiffness),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
