@@ -46,9 +46,7 @@ double scene_way(const Scene *scene)
         way = fmin(way, fmin(shape->radius, shape->half_width) + cable);
     }
     for (int p = 0; p < n_patches; ++p) way = fmin(way, (scene->surfaces.patch[p].depth + cable) / 2);
-    if (scene->self.present) way = fmin(way, cable);
-    const int touches = n_rollers > 0 || n_patches > 0 || scene->self.present;
-    return touches ? fmin(way, (1 - CONTACT_USABLE) * scene->def.contact_reach) : INFINITY;
+    return scene->self.present ? fmin(way, cable) : way;
 }
 
 int scene_state_size(const Scene *scene)

@@ -202,6 +202,7 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
                .progress = progress,
                .user = user,
                .started = clock_now(),
+               .last_progress = clock_now(),
                .last_row = -1,
                .look = hawser_sim_sample(s)};
     s->running = 1;

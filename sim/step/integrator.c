@@ -229,7 +229,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.motion = motion, .y = y, .way = scene_way(motion->scene), .stop = -1, .speed_at = -1};
+    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1, .speed_at = -1};
     const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
     if (status) *out = integrator_free(in);
     return status;

@@ -99,6 +99,13 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
     return worst;
 }
 
+double stride_most(const Scene *scene)
+{
+    const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0 || scene->self.present;
+    const double unseen = (1 - CONTACT_USABLE) * scene->def.contact_reach; /* what candidates may be late by */
+    return touches ? fmin(scene_way(scene), unseen) : INFINITY;
+}
+
 double stride_speed(const Chain *chain, int pitch, int dims, const double *v, int turns, const double *w)
 {
     return sqrt(vector_kernels()->largest_square(chain->n, pitch, dims, v, turns, w, chain->half));

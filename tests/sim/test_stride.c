@@ -18,16 +18,16 @@ static void test_way(void **state)
     Rig *const r = pull();
     double thin = INFINITY;
     for (int i = 0; i < r->scene.def.n_cables; ++i) thin = smaller_of(thin, r->scene.def.cables[i].diameter / 2);
-    check_close(scene_way(&r->scene), 0.1 + thin, 1e-15);
+    check_close(stride_most(&r->scene), 0.1 + thin, 1e-15);
     r->scene.rollers[3].shape.half_width = 0.03; /* a disc may be passed along its axis */
-    check_close(scene_way(&r->scene), 0.03 + thin, 1e-15);
+    check_close(stride_most(&r->scene), 0.03 + thin, 1e-15);
     r->scene.def.contact_reach = 0.16;
-    check_close(scene_way(&r->scene), 0.04, 1e-15);
+    check_close(stride_most(&r->scene), 0.04, 1e-15);
     rig_free(r);
     SceneDef def;
     fixture_free_chain(&def, 12);
     Rig *const alone = rig_make(&def, NULL);
-    check_infinite(scene_way(&alone->scene));
+    check_infinite(stride_most(&alone->scene));
     rig_free(alone);
 }
 
@@ -50,7 +50,7 @@ static void test_way_of_surfaces(void **state)
         def.surfaces[0].friction = def.friction;
         Rig *const r = rig_make(&def, NULL);
         const double radius = r->scene.def.cables[0].diameter / 2;
-        check_close(scene_way(&r->scene), bounded ? (SURFACE_DEPTH_MAX + radius) / 2 : 0.25, 1e-15);
+        check_close(stride_most(&r->scene), bounded ? (SURFACE_DEPTH_MAX + radius) / 2 : 0.25, 1e-15);
         rig_free(r);
     }
 }
