@@ -17,11 +17,12 @@ typedef struct Misfit {
 } Misfit;
 
 typedef struct Passing {
-    signed char *side; /* [rollers] of the line seen along it: where it was when it was last near; 0: it never was */
-    char *gone;        /* [rollers + surfaces] has been passed, and was said */
-    char *seen;        /* [surfaces][SURFACE_FACES_MAX][segments of the whole chain] was on the face's free side */
-    int through;       /* rollers and surfaces that have been passed */
-    double due;        /* s, when to look next */
+    signed char
+        *side;   /* [rollers] of the line, seen along it: the route's, or the cable's when it came near; 0: neither */
+    char *gone;  /* [rollers + surfaces] has been passed, and was said */
+    char *seen;  /* [surfaces][SURFACE_FACES_MAX][segments of the whole chain] was on the face's free side */
+    int through; /* rollers and surfaces that have been passed */
+    double due;  /* s, when to look next */
     char says[PASSING_SAYS_MAX]; /* of the first of them */
     Misfit start;
 } Passing;
