@@ -7,6 +7,8 @@
 
 /* Below this share of the order that was assumed, three values do not converge. */
 static const double ORDER_LEAST = 0.25;
+/* That many times the order that was assumed is believed at most: a finer value that lies nearer may do so by luck. */
+static const double ORDER_MOST = 1.5;
 
 typedef struct Refinement {
     double error; /* of the middle value, not negative, in the figure's unit; NAN if one of the values is not known */
@@ -21,19 +23,21 @@ static inline double refinement_factor(double ratio, double order)
     return gain / (gain - 1);
 }
 
-/* coarse: NAN where there is none; then the order is taken to be `assumed`. It is never taken to be higher: what was
- * observed of three values may be luck. (CE2)-(CE4) */
+/* coarse: NAN where there is none; then the order is taken to be `assumed`. A higher order is never used, a lower one
+ * is. (CE2)-(CE4) */
 static inline Refinement refinement_of(double coarse, double value, double fine, double ratio, double assumed)
 {
-    const double before = coarse - value, after = value - fine;
-    Refinement out = {.error = fabs(after) * refinement_factor(ratio, assumed), .order = NAN};
-    if (isnan(coarse) || isnan(after) || after == 0) return out;
+    const double before = coarse - value, after = value - fine, usual = refinement_factor(ratio, assumed);
+    Refinement out = {.error = usual * fabs(after), .order = NAN};
+    if (isnan(coarse) || isnan(after)) return out;
     if (before / after > 0) out.order = log(before / after) / log(ratio);
-    out.diverges = !(fabs(before) > pow(ratio, ORDER_LEAST * assumed) * fabs(after));
+    out.diverges = fabs(after) > 0 && !(fabs(before) > pow(ratio, ORDER_LEAST * assumed) * fabs(after));
     if (out.diverges) {
-        out.error = fmax(fabs(before), fabs(after)) * refinement_factor(ratio, assumed);
+        out.error = usual * fmax(fabs(before), fabs(after));
     } else if (out.order < assumed) {
-        out.error = fabs(after) * refinement_factor(ratio, out.order);
+        out.error = refinement_factor(ratio, out.order) * fabs(after);
+    } else {
+        out.error = usual * fmax(fabs(after), fabs(before) / pow(ratio, ORDER_MOST * assumed));
     }
     return out;
 }

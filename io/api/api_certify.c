@@ -12,7 +12,7 @@
 #include "core/base/worst.h"
 #include "io/api/certify.h"
 
-enum { RUNS_MAX = 32, SAID_MAX = 3 };
+enum { RUNS_MAX = 32, ROUND_MAX = HAWSER_SOURCES + 2, SAID_MAX = 3 };
 static const double TOLERANCE = 0.01, EFFORT = 60;
 static const int ROUNDS = 4;
 static const double RUN_SHARE = 0.25; /* of the effort, that a single run may take */
@@ -49,33 +49,39 @@ static double figure_at(Certifier *z, const int base[HAWSER_SOURCES], int source
     return c && figure < c->figures.n ? c->figures.figure[figure].value : NAN;
 }
 
-/* What a run at these levels will cost, in runs of the case: each level as many times more as the first one did. */
-static double cost_of(Certifier *z, const int level[HAWSER_SOURCES], int source)
+/* What a run at these levels will cost, in runs of the case: each level as many times more as the first one did (or
+ * will do: then 1). */
+static double cost_of(Certifier *z, const int level[HAWSER_SOURCES])
 {
     static const int own[HAWSER_SOURCES] = {0};
     double cost = 1;
     for (int s = 0; s < HAWSER_SOURCES; ++s) {
         const Companion *const first = run_at(z, own, s, 1);
         const double growth = first ? first->evaluations / z->run[0].evaluations : 1;
-        cost *= pow(growth, level[s] + (s == source));
+        cost *= pow(growth, level[s]);
     }
     return cost;
 }
 
-/* The runs of a round that are not there yet: the base itself and one level further along each source. Returns what
- * they will cost; adds nothing, and returns INFINITY, where there is no room for them. */
+/* The runs of a round that are not there yet: the base itself, one level further along each source, and one back in
+ * length, which costs little and shows two values that agree by luck. Returns what they will cost; adds nothing, and
+ * returns INFINITY, where there is no room for them. */
 static double plan_round(Certifier *z, const int base[HAWSER_SOURCES], int *n, Companion **wanted)
 {
+    static const struct {
+        int source, by;
+    } steps[ROUND_MAX] = {{-1, 0}, {HAWSER_TIME, 1}, {HAWSER_LENGTH, 1}, {HAWSER_FRICTION, 1}, {HAWSER_LENGTH, -1}};
     double cost = 0;
     *n = 0;
-    if (z->n_runs + HAWSER_SOURCES + 1 > RUNS_MAX) return INFINITY;
-    for (int s = -1; s < HAWSER_SOURCES; ++s) {
-        if ((s >= 0 && !z->has[s]) || run_at(z, base, s, s >= 0)) continue;
+    if (z->n_runs + ROUND_MAX > RUNS_MAX) return INFINITY;
+    for (int k = 0; k < ROUND_MAX; ++k) {
+        const int s = steps[k].source, by = steps[k].by;
+        if ((s >= 0 && !z->has[s]) || run_at(z, base, s, by)) continue;
         Companion *const c = &z->run[z->n_runs++];
         *c = (Companion){0};
         memcpy(c->about.level, base, sizeof c->about.level);
-        if (s >= 0) c->about.level[s]++;
-        cost += cost_of(z, base, s);
+        if (s >= 0) c->about.level[s] += by;
+        cost += cost_of(z, c->about.level);
         wanted[(*n)++] = c;
     }
     return cost;
@@ -119,23 +125,27 @@ static int judge(Certifier *z, const int base[HAWSER_SOURCES])
     return all;
 }
 
-/* The settings of the next round: finer by a level in each source of which some figure's error is more than a share of
- * what is allowed. Returns 0 if a run has failed, so that nothing more can be said. */
-static int go_on(const Certifier *z, int base[HAWSER_SOURCES])
+/* The settings of the next round: finer by a level in each source of which the error of some figure that does not hold
+ * is more than a share of what is allowed. Returns 0 if an error is not known, so that there is no way on. */
+static int go_on(const Certifier *z, const int base[HAWSER_SOURCES], int next[HAWSER_SOURCES])
 {
-    int finer[HAWSER_SOURCES] = {0}, any = 0;
+    memcpy(next, base, HAWSER_SOURCES * sizeof *next);
     for (int i = 0; i < z->out->n_figures; ++i) {
         const hawser_certified *const f = &z->out->figure[i];
         for (int s = 0; s < HAWSER_SOURCES && !f->holds; ++s) {
             if (isnan(f->error[s])) return 0;
-            finer[s] |= f->error[s] > f->allowed / HAWSER_SOURCES;
+            if (f->error[s] > f->allowed / HAWSER_SOURCES) next[s] = base[s] + 1;
         }
     }
-    for (int s = 0; s < HAWSER_SOURCES; ++s) {
-        base[s] += finer[s];
-        any |= finer[s];
-    }
-    return any;
+    return 1;
+}
+
+/* Whether a round could say something of every figure that the round before could speak of. */
+static int is_known(const Certifier *z)
+{
+    for (int i = 0; i < z->out->n_figures; ++i)
+        if (isnan(z->out->figure[i].bar)) return 0;
+    return 1;
 }
 
 /* ------------------------------------------------------------------------------------------------------- words */
@@ -177,19 +187,13 @@ static double percent(const hawser_certified *f, double error) { return 100 * er
 /* The case's settings at the base, as keys to set. */
 static void say_settings(Words *w, const Certifier *z, const int base[HAWSER_SOURCES])
 {
-    const SolverDef *const solver = &z->def->solver;
+    SceneDef finer = *z->def; /* of which only plain numbers are read */
+    finer.n_pieces = finer.n_rollers = finer.n_surfaces = finer.n_conveyors = 0;
+    scene_def_refine(&finer, base);
     const int t = base[HAWSER_TIME], l = base[HAWSER_LENGTH], v = base[HAWSER_FRICTION];
-    const char *comma = "";
-    if (t > 0) {
-        say(w, "solver.accuracy %.3g and output.interval %.3g s", solver->accuracy / pow(10, t),
-            z->def->output.interval / pow(2, t));
-        comma = ", ";
-    }
-    if (l > 0) {
-        say(w, "%ssegments 1/%g as long", comma, pow(refinement_ratio(HAWSER_LENGTH), l));
-        comma = ", ";
-    }
-    if (v > 0) say(w, "%sv_s 1/%g as high", comma, pow(refinement_ratio(HAWSER_FRICTION), v));
+    if (t > 0) say(w, "solver.accuracy %.3g and output.interval %.3g s", finer.solver.accuracy, finer.output.interval);
+    if (l > 0) say(w, "%ssegments 1/%g as long", t > 0 ? ", " : "", pow(refinement_ratio(HAWSER_LENGTH), l));
+    if (v > 0) say(w, "%sv_s 1/%g as high", t > 0 || l > 0 ? ", " : "", pow(refinement_ratio(HAWSER_FRICTION), v));
 }
 
 /* The deepest that each source was refined. */
@@ -211,8 +215,8 @@ static void say_failing(Words *w, const Certifier *z)
     for (int i = 0; i < c->n_figures; ++i) {
         const hawser_certified *const f = &c->figure[i];
         if (f->holds) continue;
-        int blame = 0;
-        for (int s = 1; s < HAWSER_SOURCES; ++s)
+        int blame = 0; /* one that is not known is to blame before all others */
+        for (int s = 1; s < HAWSER_SOURCES && !isnan(f->error[blame]); ++s)
             if (!(f->error[s] <= f->error[blame])) blame = s;
         diverges |= f->diverges[blame];
         if (said++ >= SAID_MAX) {
@@ -242,10 +246,11 @@ static int say_conditions(Words *w, const hawser_summary *sum)
     return n;
 }
 
+/* That a coarser run fails says nothing. */
 static const Companion *failed_run(const Certifier *z)
 {
     for (int r = 0; r < z->n_runs; ++r)
-        if (z->run[r].about.status) return &z->run[r];
+        if (z->run[r].about.status && z->run[r].about.level[HAWSER_LENGTH] >= 0) return &z->run[r];
     return NULL;
 }
 
@@ -297,14 +302,16 @@ static double work_of_all(const Certifier *z)
 /* Rounds until all figures hold, a run fails, or it would cost too much. */
 static hawser_status rounds(Certifier *z, hawser_error *err)
 {
-    CertifyRound round = {
-        .def = z->def, .threads = z->options.threads, .progress = z->options.progress, .user = z->options.user};
-    int base[HAWSER_SOURCES] = {0}, n;
-    double spent = 1;
-    Companion *wanted[HAWSER_SOURCES + 1];
+    CertifyRound round = {.def = z->def,
+                          .threads = z->options.threads,
+                          .evaluations_max = RUN_SHARE * z->options.effort * z->run[0].evaluations,
+                          .progress = z->options.progress,
+                          .user = z->options.user};
+    int base[HAWSER_SOURCES] = {0}, next[HAWSER_SOURCES] = {0}, n;
+    Companion *wanted[ROUND_MAX];
     for (int k = 0; k < z->options.rounds; ++k) {
         const int before = z->n_runs;
-        const double cost = plan_round(z, base, &n, wanted);
+        const double spent = work_of_all(z), cost = plan_round(z, next, &n, wanted);
         if (k > 0 && spent + cost > z->options.effort) {
             z->n_runs = before;
             break;
@@ -312,10 +319,15 @@ static hawser_status rounds(Certifier *z, hawser_error *err)
         round.state = (hawser_certify_state){.round = k + 1};
         const hawser_status status = companions_run(&round, n, wanted, err);
         if (status) return status;
-        spent = work_of_all(z);
-        memcpy(z->out->base, base, sizeof base);
-        if (judge(z, base) || !go_on(z, base)) break;
+        const int all = judge(z, next);
+        if (k > 0 && !is_known(z)) { /* a run failed: what the round before knew is better */
+            judge(z, base);
+            break;
+        }
+        memcpy(base, next, sizeof base);
+        if (all || !go_on(z, base, next)) break;
     }
+    memcpy(z->out->base, base, sizeof base);
     return HAWSER_OK;
 }
 

@@ -117,11 +117,9 @@ static RodScales rod_scales(const hawser_summary *sum, double length)
     return (RodScales){fmax(d, r * length), fmax(r, d / length), fmax(f, m / length), fmax(m, f * length)};
 }
 
-/* A vector's components are as good as the vector is long. */
 static void add_vector(const double v[3], const char *unit, double scale, const char *what, const char *of, Figures *f)
 {
-    const double floor = fmax(length_of(v), LEAST_SHARE * scale);
-    for (int c = 0; c < 3; ++c) add(f, unit, v[c], floor, "%s of %.40s, %c", what, of, "xyz"[c]);
+    for (int c = 0; c < 3; ++c) add(f, unit, v[c], scale, "%s of %.40s, %c", what, of, "xyz"[c]);
 }
 
 /* A rod's places at the end, and its modes; the lowest frequency that is none of a rigid motion is the floor of all. */

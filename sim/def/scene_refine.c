@@ -4,14 +4,13 @@
 
 #include "sim/def/scene_def.h"
 
-/* One level: accuracy by ten, and the steps that a sample bounds by two; segments and v_s by two. */
-static double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 10, [HAWSER_LENGTH] = 2, [HAWSER_FRICTION] = 2};
-static double STEPS = 2; /* of everything that is a time, and of load steps */
+/* One level: accuracy by ten, and the longest step by two; segments and v_s by two. */
+static const double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 10, [HAWSER_LENGTH] = 2, [HAWSER_FRICTION] = 2};
+static const double STEPS = 2;
+static const double SAMPLES = 8; /* between which a peak may be missed: they cost little, and files are not written */
 /* Equilibria of statics are found to rounding already: a tolerance is not asked below this. */
 static const double STATIC_TOLERANCE = 1e-10;
 
-#include <stdlib.h>
-__attribute__((constructor)) static void dev(void) { if (getenv("RT")) RATIO[0]=atof(getenv("RT")); if (getenv("RL")) RATIO[1]=atof(getenv("RL")); if (getenv("ST")) STEPS=atof(getenv("ST"));}
 double refinement_ratio(hawser_source source) { return RATIO[source]; }
 
 static void refine_time(SceneDef *def, int level)
@@ -23,9 +22,10 @@ static void refine_time(SceneDef *def, int level)
     solver->atol_rotation /= gain;
     solver->atol_velocity /= gain;
     solver->atol_omega /= gain;
+    if (!(solver->max_step > 0)) solver->max_step = def->output.interval; /* what bounds a step then */
     solver->max_step /= steps;
     solver->first_step /= steps;
-    def->output.interval /= steps;
+    def->output.interval /= pow(SAMPLES, level);
     def->analysis.load_steps = (int)(def->analysis.load_steps * steps);
     if (def->analysis.tolerance > STATIC_TOLERANCE)
         def->analysis.tolerance = fmax(def->analysis.tolerance / gain, STATIC_TOLERANCE);
@@ -36,7 +36,7 @@ static void refine_length(SceneDef *def, int level)
 {
     const double gain = pow(RATIO[HAWSER_LENGTH], level);
     for (int k = 0; k < def->n_pieces; ++k) def->pieces[k].segments = (int)ceil(def->pieces[k].segments * gain - 1e-9);
-    if (level > 0) def->output.n_speed_segments = 0;
+    if (level != 0) def->output.n_speed_segments = 0;
 }
 
 /* v_d, where the coefficient has fallen to mu_d, is the world's; v_s stands for rest. The bristles of friction that
