@@ -229,8 +229,7 @@ static void say_failing(Words *w, const Certifier *z)
     }
     if (more) say(w, "; and %d more", more);
     if (diverges) {
-        say(w, "; finer settings bring no nearer values: what happens here is decided by the smallest differences (a "
-               "cable that sticks and slips, swings or jumps)");
+        say(w, "; some came no nearer with finer settings, as where a cable sticks and slips, swings or jumps");
     }
 }
 
