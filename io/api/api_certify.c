@@ -184,14 +184,14 @@ static const hawser_certified *worst_of(const hawser_certificate *c)
 /* A share of the figure, or of its floor. */
 static double percent(const hawser_certified *f, double error) { return 100 * error / fmax(fabs(f->best), f->floor); }
 
-/* The case's settings at the base, as keys to set. */
-static void say_settings(Words *w, const Certifier *z, const int base[HAWSER_SOURCES])
+/* Settings at some levels, as keys to set; a run has been made at that level of time. */
+static void say_settings(Words *w, const Certifier *z, const int level[HAWSER_SOURCES])
 {
-    SceneDef finer = *z->def; /* of which only plain numbers are read */
-    finer.n_pieces = finer.n_rollers = finer.n_surfaces = finer.n_conveyors = 0;
-    scene_def_refine(&finer, base);
-    const int t = base[HAWSER_TIME], l = base[HAWSER_LENGTH], v = base[HAWSER_FRICTION];
-    if (t > 0) say(w, "solver.accuracy %.3g and output.interval %.3g s", finer.solver.accuracy, finer.output.interval);
+    const int t = level[HAWSER_TIME], l = level[HAWSER_LENGTH], v = level[HAWSER_FRICTION];
+    int r = 0;
+    while (z->run[r].about.level[HAWSER_TIME] != t) ++r;
+    const hawser_certify_run *const about = &z->run[r].about;
+    if (t > 0) say(w, "solver.accuracy %.3g and output.interval %.3g s", about->accuracy, about->interval_s);
     if (l > 0) say(w, "%ssegments 1/%g as long", t > 0 ? ", " : "", pow(refinement_ratio(HAWSER_LENGTH), l));
     if (v > 0) say(w, "%sv_s 1/%g as high", t > 0 || l > 0 ? ", " : "", pow(refinement_ratio(HAWSER_FRICTION), v));
 }
@@ -229,7 +229,7 @@ static void say_failing(Words *w, const Certifier *z)
     }
     if (more) say(w, "; and %d more", more);
     if (diverges) {
-        say(w, "; some came no nearer with finer settings, as where a cable sticks and slips, swings or jumps");
+        say(w, "; some came no nearer with finer settings, as where a cable slips in jerks, swings or jumps");
     }
 }
 

@@ -208,7 +208,8 @@ const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
 
-/* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0: docs/model.md, "Certificates". */
+/* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0: docs/model.md,
+ * "Certificates". */
 void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES]);
 /* How many times finer one level is: of time in accuracy. */
 double refinement_ratio(hawser_source source);
