@@ -16,7 +16,7 @@ static int segments_of(const SceneDef *def)
 
 static const CableDef *cable_of(const SceneDef *def, int piece) { return &def->cables[def->pieces[piece].cable]; }
 
-/* Mass, inertia of a solid cylinder of the outside diameter, contact radius (S5). */
+/* Mass, inertia by the cross-section's radius of gyration (of a full circle if none is given), contact radius (S5). */
 static void segments_fill(Scene *scene)
 {
     Chain *const c = &scene->chain;
@@ -25,13 +25,14 @@ static void segments_fill(Scene *scene)
         const ChainPieceDef *const piece = &scene->def.pieces[p];
         const CableDef *const cable = cable_of(&scene->def, p);
         const double h = piece->length / piece->segments, r = cable->diameter / 2;
+        const double gyration = cable->gyration > 0 ? cable->gyration : r / 2;
         for (int k = 0; k < piece->segments; ++k, ++i) {
             const double m = cable->mass * h;
             scene->piece[i] = p;
             c->half[i] = h / 2;
             c->mass[i] = m;
-            c->inertia[0][i] = m * r * r / 2;
-            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + r * r / 4);
+            c->inertia[0][i] = 2 * m * gyration * gyration;
+            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + gyration * gyration);
             c->radius[i] = r;
         }
     }
