@@ -90,7 +90,7 @@ static hawser_status snaking_run(const void *setup, ValidationLog *log, hawser_e
 }
 
 static const ValidationCase cases[] = {
-    {"snaking-in-duct", "a pressed rod in a duct begins to snake", "Paslay and Bogy 1964, Dawson 1984: 2 sqrt(EI w/r)", 1,
-     NULL, snaking_run},
+    {"snaking-in-duct", "a pressed rod in a duct begins to snake", "Paslay and Bogy 1964, Dawson 1984: 2 sqrt(EI w/r)",
+     1, NULL, snaking_run},
 };
 const ValidationGroup buckling_group = VALIDATION_GROUP(cases);

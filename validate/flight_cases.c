@@ -211,8 +211,8 @@ static hawser_status fold_run(const void *setup, ValidationLog *log, hawser_erro
         error[k] = time / expected - 1;
     }
     log_share(log, "time to fall 0.9 L", "s", expected, time, 1);
-    log_share(log, "the same over free fall's", "1", expected / sqrt(2 * PART * SPAN / G), time / sqrt(2 * PART * SPAN / G),
-              1);
+    log_share(log, "the same over free fall's", "1", expected / sqrt(2 * PART * SPAN / G),
+              time / sqrt(2 * PART * SPAN / G), 1);
     log_share(log, "speed of the end there", "m/s", sqrt(G * SPAN * PART * (2 - PART) / (1 - PART)), speed, 5);
     log_limit(log, "energy left in the hanging arm", "%", 100 * left, 10);
     for (int k = 0; k < MESHES; ++k) {

@@ -20,7 +20,8 @@ static const CaseKey launch_keys[] = {
     {"velocity", KEY_POINT, DIM_SPEED, .fallback = "[0, 0, 0]", FROM(-1e4, 1e4), AT(LaunchDef, velocity)},
     {"spin", KEY_POINT, DIM_ANGULAR_SPEED, .fallback = "[0, 0, 0]", FROM(-1e4, 1e4), AT(LaunchDef, spin)},
     {"about", KEY_POINT, DIM_LENGTH, .otherwise = "the centre of mass", FROM(-LONG, LONG), AT(LaunchDef, about)},
-    {"table", KEY_LIST, DIM_LENGTH, .otherwise = "none", .form = "[place, speed] or [place, vx, vy, vz], places rising"},
+    {"table", KEY_LIST, DIM_LENGTH, .otherwise = "none",
+     .form = "[place, speed] or [place, vx, vy, vz], places rising"},
 };
 SECTION(case_launch, "launch", launch_keys);
 
@@ -43,7 +44,8 @@ static hawser_status row_read(const CaseReader *r, const CaseNode *node, void *i
 {
     LaunchRow *const row = item;
     const CaseKey place = {.name = "at", .dimension = DIM_LENGTH, FROM(0, LONG)};
-    const CaseKey *const along = case_key_of(&case_launch, "along"), *const velocity = case_key_of(&case_launch, "velocity");
+    const CaseKey *const along = case_key_of(&case_launch, "along"), *const velocity =
+                                                                         case_key_of(&case_launch, "velocity");
     const CaseKey *const keys[4] = {&place, node->count == 2 ? along : velocity, velocity, velocity};
     double value[4] = {0};
     const hawser_status status = case_numbers_read(r, node, node->count == 2 ? 2 : 4, keys, value);
@@ -55,8 +57,8 @@ static hawser_status row_read(const CaseReader *r, const CaseNode *node, void *i
         row->velocity = v3(value[1], value[2], value[3]);
     }
     if (node->index == 0 || row->at > row[-1].at) return HAWSER_OK;
-    return case_value_error(r->err, case_node_item(node, 0), " is out of range: must be above the place before it, %g m",
-                            row[-1].at);
+    return case_value_error(r->err, case_node_item(node, 0),
+                            " is out of range: must be above the place before it, %g m", row[-1].at);
 }
 
 /* What comes off a reel begins at rest, and so does what load steps look for. */
@@ -73,5 +75,6 @@ hawser_status case_launch_read(CaseReader *r, const CaseNode *node)
     if (status) return status;
     launch->present = 1;
     launch->about_given = case_node_key(node, "about") != NULL;
-    return case_list_read(r, case_node_key(node, "table"), sizeof *launch->row, row_read, &launch->row, &launch->n_rows);
+    return case_list_read(r, case_node_key(node, "table"), sizeof *launch->row, row_read, &launch->row,
+                          &launch->n_rows);
 }
