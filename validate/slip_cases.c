@@ -150,31 +150,37 @@ static hawser_status atwood_rope(int n, SceneDef *def, double *length, hawser_er
     return HAWSER_OK;
 }
 
-/* The weights are the middles of the first and the last segment. The contact line is that of straight segments: the
- * smooth one of a rope that is as limp as this takes steps of a microsecond. */
+/* The drum, with friction mu on the rope and this inertia (0: it stands). The contact line is that of straight
+ * segments: the smooth one of a rope that is as limp as this takes steps of a microsecond. */
+static void drum_add(SceneDef *def, double mu, double inertia)
+{
+    def->geometry = GEOMETRY_CYLINDER;
+    def->impact.k = 1e7;
+    def->contact_reach = 0.05;
+    def->n_rollers = 1;
+    def->rollers[0] = (RollerDef){.name = "drum",
+                                  .axis = v3(0, 1, 0),
+                                  .radius = DRUM,
+                                  .width = 0.2,
+                                  .s = NAN,
+                                  .friction = {.mu_s = mu, .mu_d = mu, .v_s = 1e-2, .v_d = 2e-2},
+                                  .spin = {.inertia = inertia, .speed = 1}};
+    def->cables[0].damping = 2e-3;
+    def->solver.accuracy = 1e-4;
+    def->output.interval = 1e-2;
+}
+
+/* The weights are the middles of the first and the last segment. */
 static hawser_status atwood_start(const Atwood *a, int n, Stage *stage, double *length, hawser_error *err)
 {
     SceneDef def;
     const hawser_status status = atwood_rope(n, &def, length, err);
     if (status) return status;
-    def.cables[0].damping = 2e-3;
     def.gravity = v3(0, 0, -G);
     def.rod.n_masses = 2;
     def.rod.masses[0] = (RodMassDef){.at = *length / (2 * n), .mass = a->light};
     def.rod.masses[1] = (RodMassDef){.at = *length * (1 - 0.5 / n), .mass = a->heavy};
-    def.geometry = GEOMETRY_CYLINDER;
-    def.impact.k = 1e7;
-    def.contact_reach = 0.05;
-    def.n_rollers = 1;
-    def.rollers[0] = (RollerDef){.name = "drum",
-                                 .axis = v3(0, 1, 0),
-                                 .radius = DRUM,
-                                 .width = 0.2,
-                                 .s = NAN,
-                                 .friction = {.mu_s = a->mu, .mu_d = a->mu, .v_s = 1e-2, .v_d = 2e-2},
-                                 .spin = {.inertia = a->inertia, .speed = 1}};
-    def.solver.accuracy = 1e-4;
-    def.output.interval = 1e-2;
+    drum_add(&def, a->mu, a->inertia);
     return motion_start(&def, stage, err);
 }
 
@@ -228,11 +234,70 @@ static hawser_status atwood_run(const void *setup, ValidationLog *log, hawser_er
     return HAWSER_OK;
 }
 
+/* ------------------------------------------------------------------------------------------- a running rope */
+
+/* Mean load of a drum without friction over which a rope of RUN_MASS runs with `speed` (m/s), both its ends pulled down
+ * by RUN_PULL. */
+static const double RUN_PULL = 500, RUN_MASS = 2; /* N, kg/m */
+static hawser_status running_load(int n, double speed, double *load, hawser_error *err)
+{
+    static const double FROM = 0.06, UNTIL = 0.12, EVERY = 5e-4; /* s */
+    SceneDef def;
+    Sim *sim;
+    const hawser_roller *roller;
+    double length = NAN;
+    hawser_status status = atwood_rope(n, &def, &length, err);
+    if (status) return status;
+    drum_add(&def, 0, 0);
+    def.cables[0].mass = RUN_MASS;
+    def.analysis.kind = ANALYSIS_DYNAMICS;
+    def.launch = (LaunchDef){.present = 1, .along = speed};
+    rod_add_load(&def, 0, 0, rod_steady(v3(0, 0, -1), RUN_PULL));
+    rod_add_load(&def, length, 0, rod_steady(v3(0, 0, -1), RUN_PULL));
+    def.output.steady_from = FROM;
+    def.duration = UNTIL;
+    status = sim_new(&def, 1, &sim, err);
+    scene_def_clear(&def);
+    for (int k = 1; k * EVERY <= UNTIL + 1e-9 && !status; ++k) {
+        status = sim_advance(sim, k * EVERY, 0, err);
+        if (!status) hawser_sim_record(sim);
+    }
+    if (!status) {
+        hawser_sim_rollers(sim, &roller);
+        *load = roller[0].steady_N;
+    }
+    sim_free(sim);
+    return status;
+}
+
+/* (VA17): the momentum that turns round takes 2 m v^2 off the drum. */
+static hawser_status running_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const int N[MESHES] = {40, 80, 160};
+    static const double SPEED = 5;
+    const double less = 2 * RUN_MASS * SPEED * SPEED;
+    for (int k = 0; k < MESHES; ++k) {
+        double still = NAN, running = NAN;
+        hawser_status status = running_load(N[k], 0, &still, err);
+        if (!status) status = running_load(N[k], SPEED, &running, err);
+        if (status) return status;
+        char quantity[VALIDATION_QUANTITY_MAX];
+        snprintf(quantity, sizeof quantity, "drum's load, %d segments", N[k]);
+        log_share(log, quantity, "N", 2 * RUN_PULL - less, running, 5);
+        snprintf(quantity, sizeof quantity, "less than at rest, %d segments", N[k]);
+        log_share(log, quantity, "N", less, still - running, 5);
+    }
+    return HAWSER_OK;
+}
+
 static const ValidationCase cases[] = {
     {"stick-slip", "a mass on a belt sticks and slips", "closed form, (VA11)", 1, NULL, belt_run},
     {"atwood-rolls", "two weights on a rope over a drum that it turns", "m1, m2 and I/R^2 at g, (VA12)", 1, &rolls,
      atwood_run},
     {"atwood-slips", "two weights on a rope that slips on a heavy drum", "Euler and Eytelwein, (VA13), (VA14)", 1,
      &slides, atwood_run},
+    {"running-rope", "a rope that runs over a drum presses it less", "momentum: 2 (T - m v^2), (VA17)", 1, NULL,
+     running_run},
 };
 const ValidationGroup slip_group = VALIDATION_GROUP(cases);
