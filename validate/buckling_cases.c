@@ -1,4 +1,5 @@
-/* A rod that lies in a duct and is pressed: when it begins to snake. docs/model/85-validation.md (VA15), (VA16). */
+/* A rod that lies in a duct and is pressed: when it begins to snake, and the helix that it ends in.
+ * docs/model/85-validation.md (VA15)-(VA17). */
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,17 +16,28 @@ static const double EI = 1000, ROOM = 0.02, MASS = 10, G = 9.81;
 /* Wave number of the load (VA16), 1/m; the rod is three half waves long. */
 static double wave_number(void) { return pow(MASS * G / (EI * ROOM), 0.25); }
 
+/* The rod's radius, and how far the duct goes on past both its ends, m. */
+static const double RADIUS = 0.01, BEYOND = 2;
+
+/* A duct of this length around the route, which it bears on its floor; hard, without friction. */
+static void duct_add(SceneDef *def, double length)
+{
+    def->route[0].length = length;
+    def->n_surfaces = 1;
+    def->surfaces[0] = (SurfaceDef){.name = "duct", .friction = {.v_s = 1e-3, .v_d = 2e-3}};
+    def->surfaces[0].shape = (SurfaceShape){
+        .kind = SURFACE_DUCT, .to = length, .fade = 0.5, .cable_radius = RADIUS, .radius = RADIUS + ROOM, .lift = ROOM};
+    def->line_impact.k *= 100;
+}
+
 /* Pinned at both ends on the duct's floor, pressed by `force` (N) at the head. */
 static hawser_status duct_rod(double force, int n, Stage *stage, hawser_error *err)
 {
-    static const double BEYOND = 2; /* m of duct past both ends */
-    const double length = HALF_WAVES * M_PI / wave_number(), radius = 0.01;
+    const double length = HALF_WAVES * M_PI / wave_number();
     SceneDef def;
-    CableDef cable = build_cable(MASS, 2 * radius, 1e9, EI);
-    hawser_status status = rod_start(&def, cable, length, n, 1, err);
+    hawser_status status = rod_start(&def, build_cable(MASS, 2 * RADIUS, 1e9, EI), length, n, 1, err);
     if (status) return status;
     def.gravity = v3(0, 0, -G);
-    def.route[0].length = length + 2 * BEYOND;
     def.rod.shape = ROD_POLYLINE;
     def.rod.points = calloc(2, sizeof *def.rod.points);
     if (!def.rod.points) {
@@ -39,15 +51,7 @@ static hawser_status duct_rod(double force, int n, Stage *stage, hawser_error *e
     def.rod.end[ROD_TAIL].held[3] = 1; /* it does not spin */
     def.rod.end[ROD_HEAD].held[1] = def.rod.end[ROD_HEAD].held[2] = 1;
     rod_add_load(&def, length, 0, rod_steady(v3(-1, 0, 0), force));
-    def.n_surfaces = 1;
-    def.surfaces[0] = (SurfaceDef){.name = "duct", .friction = {.v_s = 1e-3, .v_d = 2e-3}};
-    def.surfaces[0].shape = (SurfaceShape){.kind = SURFACE_DUCT,
-                                           .to = length + 2 * BEYOND,
-                                           .fade = 0.5,
-                                           .cable_radius = radius,
-                                           .radius = radius + ROOM,
-                                           .lift = ROOM};
-    def.line_impact.k *= 100;
+    duct_add(&def, length + 2 * BEYOND);
     return motion_start(&def, stage, err);
 }
 
@@ -89,8 +93,73 @@ static hawser_status snaking_run(const void *setup, ValidationLog *log, hawser_e
     return HAWSER_OK;
 }
 
+/* ------------------------------------------------------------------------------------------------- a helix */
+
+enum { TURNS = 6 };
+
+/* Without weight, bent from straight into a helix of wave number k (1/m) along the duct's wall; pinned there at the
+ * tail, and free at the head, which is pressed. */
+static hawser_status helix_start(double force, double k, int n, Stage *stage, hawser_error *err)
+{
+    const double dx = TURNS * 2 * M_PI / (k * n), chord = hypot(dx, 2 * ROOM * sin(k * dx / 2));
+    SceneDef def;
+    const hawser_status status = rod_start(&def, build_cable(MASS, 2 * RADIUS, 1e9, EI), n * chord, n, 1, err);
+    if (status) return status;
+    def.rod.shape = ROD_POLYLINE;
+    def.rod.stress_free = 0;
+    def.cables[0].damping = 0.05;
+    def.solver.accuracy = 1e-4;
+    def.rod.points = calloc((size_t)n + 1, sizeof *def.rod.points);
+    if (!def.rod.points) {
+        scene_def_clear(&def);
+        return error_memory(err);
+    }
+    def.rod.n_points = n + 1;
+    for (int j = 0; j <= n; ++j)
+        def.rod.points[j] = v3(BEYOND + j * dx, ROOM * sin(k * j * dx), ROOM * (1 - cos(k * j * dx)));
+    rod_pin(&def.rod.end[ROD_TAIL]);
+    def.rod.end[ROD_TAIL].held[3] = 1; /* it does not spin */
+    rod_add_load(&def, n * chord, 0, rod_steady(v3(-1, 0, 0), force));
+    duct_add(&def, n * dx + 2 * BEYOND);
+    return motion_start(&def, stage, err);
+}
+
+/* Wave number of the middle third, 1/m: `about` tells how often it turns. */
+static double wave_found(const Stage *stage, int n, double about)
+{
+    const Vec3 a = motion_get(stage, STATE_P, n / 3), b = motion_get(stage, STATE_P, 2 * n / 3);
+    const double from = atan2(a.y, ROOM - a.z), to = atan2(b.y, ROOM - b.z), run = b.x - a.x;
+    return (to - from + 2 * M_PI * round((about * run - (to - from)) / (2 * M_PI))) / run;
+}
+
+/* It begins with a pitch that is a twelfth too long and finds its own (VA17). */
+static hawser_status helix_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const int N[MESHES] = {60, 120, 240};
+    static const double FORCE = 2000, REST = 100; /* N; s, in which it comes to rest by its damping: e-fold in 9 s */
+    const double k = sqrt(FORCE / (2 * EI));
+    double h[MESHES], error[MESHES], found = NAN;
+    for (int m = 0; m < MESHES; ++m) {
+        Stage stage;
+        hawser_status status = helix_start(FORCE, 12 * k / 13, N[m], &stage, err);
+        if (status) return status;
+        status = motion_advance(&stage, REST, err);
+        found = status ? NAN : wave_found(&stage, N[m], k);
+        stage_free(&stage);
+        if (status) return status;
+        h[m] = 1.0 / N[m];
+        error[m] = found / k - 1;
+    }
+    log_share(log, "pitch", "m", 2 * M_PI / k, 2 * M_PI / found, 0.5);
+    order_log(log, MESHES, h, error, "segment length", 2, 0.3);
+    return HAWSER_OK;
+}
+
 static const ValidationCase cases[] = {
     {"snaking-in-duct", "a pressed rod in a duct begins to snake", "Paslay and Bogy 1964, Dawson 1984: 2 sqrt(EI w/r)",
      1, NULL, snaking_run},
+    {"helix-in-duct", "a rod without weight winds itself up in a duct", "Lubinski 1962: F = 8 pi^2 EI/p^2, (VA17)", 1,
+     NULL, helix_run},
 };
 const ValidationGroup buckling_group = VALIDATION_GROUP(cases);

@@ -1,5 +1,5 @@
-/* What sticks and slips: a mass on a belt, two weights on a rope over a drum. docs/model/85-validation.md
- * (VA11)-(VA14). */
+/* What sticks, slips and runs: a mass on a belt, two weights on a rope over a drum, a rope that runs over one.
+ * docs/model/85-validation.md (VA11)-(VA14), (VA18). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -270,7 +270,7 @@ static hawser_status running_load(int n, double speed, double *load, hawser_erro
     return status;
 }
 
-/* (VA17): the momentum that turns round takes 2 m v^2 off the drum. */
+/* (VA18): the momentum that turns round takes 2 m v^2 off the drum. */
 static hawser_status running_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
@@ -297,7 +297,7 @@ static const ValidationCase cases[] = {
      atwood_run},
     {"atwood-slips", "two weights on a rope that slips on a heavy drum", "Euler and Eytelwein, (VA13), (VA14)", 1,
      &slides, atwood_run},
-    {"running-rope", "a rope that runs over a drum presses it less", "momentum: 2 (T - m v^2), (VA17)", 1, NULL,
+    {"running-rope", "a rope that runs over a drum presses it less", "momentum: 2 (T - m v^2), (VA18)", 1, NULL,
      running_run},
 };
 const ValidationGroup slip_group = VALIDATION_GROUP(cases);
