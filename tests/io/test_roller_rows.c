@@ -103,6 +103,11 @@ static void grooves_are_sat_in(void **state)
     assert_int_equal(def.rollers[0].profile, SHAPE_V_GROOVE);
     check_share(def.rollers[0].groove.depth, 2 * RADIUS, 1e-12);
     scene_def_clear(&def);
+    expect_good(data_text("smallest"), "rollers.along",
+                "{count: 3, radius: 80 mm, gap: 12 mm, hold_down: [[9 m, 11 m]]}", &def);
+    check_share(def.rollers[0].centre.z, -0.08 - RADIUS, 1e-12); /* a gap is above the cable only */
+    check_share(def.rollers[2].centre.z, 0.08 + RADIUS + 0.012, 1e-12);
+    scene_def_clear(&def);
     expect_good(data_text("smallest"), "rollers.along", "{count: 3, profile: u, radius: 80 mm}", &def);
     check_share(def.rollers[0].centre.z, -0.08 - RADIUS, 1e-12);
     check_share(def.rollers[0].groove.radius, 1.25 * RADIUS, 1e-12);
