@@ -132,7 +132,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     } else {
         status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
     }
-    if (!status) scene_launch(scene, s->stage.y);
+    if (!status && s->stage.t <= 0) scene_launch(scene, s->stage.y);
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
