@@ -170,7 +170,9 @@ static void drum_add(SceneDef *def, double mu, double inertia)
     def->output.interval = 1e-2;
 }
 
-/* The weights are the middles of the first and the last segment. */
+/* The weights are the middles of the first and the last segment (a hair inside: beyond, the rod would be cut
+ * otherwise).
+ */
 static hawser_status atwood_start(const Atwood *a, int n, Stage *stage, double *length, hawser_error *err)
 {
     SceneDef def;
@@ -178,8 +180,8 @@ static hawser_status atwood_start(const Atwood *a, int n, Stage *stage, double *
     if (status) return status;
     def.gravity = v3(0, 0, -G);
     def.rod.n_masses = 2;
-    def.rod.masses[0] = (RodMassDef){.at = *length / (2 * n), .mass = a->light};
-    def.rod.masses[1] = (RodMassDef){.at = *length * (1 - 0.5 / n), .mass = a->heavy};
+    def.rod.masses[0] = (RodMassDef){.at = *length * (0.5 + 1e-9) / n, .mass = a->light};
+    def.rod.masses[1] = (RodMassDef){.at = *length * (1 - (0.5 + 1e-9) / n), .mass = a->heavy};
     drum_add(&def, a->mu, a->inertia);
     return motion_start(&def, stage, err);
 }

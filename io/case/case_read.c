@@ -121,6 +121,7 @@ static const struct {
     {"medium", case_medium_read},
     {"launch", case_launch_read},
     {"jams", case_jams_read},
+    {"chain", case_mesh_read},
     {"solver", solver_read},
     {"output", case_output_read},
     {"paper", case_paper_read},
