@@ -13,6 +13,7 @@
 #include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
 #include "sim/def/cable_def.h"
+#include "sim/def/flight_def.h"
 #include "sim/def/output_def.h"
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
@@ -181,6 +182,8 @@ typedef struct SceneDef {
     ConveyorDef *conveyors;
     int n_jams;
     JamDef *jams;
+    LaunchDef launch;
+    MediumDef medium;
     RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */
 
     int n_stations;

@@ -166,7 +166,8 @@ static Lead lead_at(const RodEndDef *def, double t)
     Lead lead = {.move = {0, 0, 0}};
     for (int i = 0; i < def->n_motions; ++i) {
         const RodMotionDef *const m = &def->motions[i];
-        const double value = profile_value(&m->by.size, t), rate = profile_rate(&m->by.size, t);
+        const double value = (m->rates ? profile_integral : profile_value)(&m->by.size, t);
+        const double rate = (m->rates ? profile_value : profile_rate)(&m->by.size, t);
         Vec3 *const sum = m->turns ? &lead.turn : &lead.move, *const rates =
                                                                   m->turns ? &lead.turn_rate : &lead.velocity;
         *sum = v3_axpy(*sum, value, m->by.direction);

@@ -9,6 +9,7 @@
 #include "core/base/isa.h"
 #include "core/base/lanes.h"
 #include "core/body.h"
+#include "core/state.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
@@ -97,11 +98,19 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
+/* Relaxation begins at rest; the motion that the case begins with comes after it. */
+static void chain_stop(Stage *st)
+{
+    const size_t n = (size_t)st->scene.chain.n;
+    if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
+}
+
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
 {
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
+    chain_stop(&s->stage);
     s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
     passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
     if (scene->rod->present) {
@@ -112,6 +121,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     } else {
         status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
     }
+    if (!status && s->stage.t <= 0) scene_launch(scene, s->stage.y);
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
