@@ -97,6 +97,7 @@ static hawser_status rod_build(Room *room, Scene *scene, hawser_error *err)
     if (!def->present) return HAWSER_OK;
     const RodLine line = rod_line(def, scene->def.route_start, scene->def.route_heading, scene->def.route_slope);
     room->present = rod->present = 1;
+    rod->led_share = 1;
     rod->n_loads = def->n_loads;
     rod->start = calloc((size_t)(STATE_SIZE * chain->n), sizeof *rod->start);
     rod->load = calloc((size_t)def->n_loads + 1, sizeof *rod->load);
@@ -161,12 +162,12 @@ typedef struct Lead {
     Vec3 move, turn, velocity, turn_rate; /* m, rad, m/s, rad/s */
 } Lead;
 
-static Lead lead_at(const RodEndDef *def, double t)
+static Lead lead_at(const RodEndDef *def, double share, double t)
 {
     Lead lead = {.move = {0, 0, 0}};
     for (int i = 0; i < def->n_motions; ++i) {
         const RodMotionDef *const m = &def->motions[i];
-        const double value = profile_value(&m->by.size, t), rate = profile_rate(&m->by.size, t);
+        const double value = share * profile_value(&m->by.size, t), rate = profile_rate(&m->by.size, t);
         Vec3 *const sum = m->turns ? &lead.turn : &lead.move, *const rates =
                                                                   m->turns ? &lead.turn_rate : &lead.velocity;
         *sum = v3_axpy(*sum, value, m->by.direction);
@@ -185,9 +186,9 @@ static Vec3 spin_of(Vec3 r, Vec3 rate)
 }
 
 /* One ground body into index i of kin. */
-static void ghost_set(const RodEnd *end, double t, int i, Kinematics *kin)
+static void ghost_set(const RodEnd *end, double share, double t, int i, Kinematics *kin)
 {
-    const Lead lead = lead_at(end->def, t);
+    const Lead lead = lead_at(end->def, share, t);
     const Quat q = quat_unit(quat_mul(quat_exp(lead.turn), end->attitude));
     const double turn[4] = {q.w, q.x, q.y, q.z};
     v3_store(kin->p, i, v3_add(end->place, lead.move));
@@ -201,8 +202,8 @@ static void ghost_set(const RodEnd *end, double t, int i, Kinematics *kin)
 static void rod_ghosts(const Room *room, const Scene *scene, double t, Kinematics *kin)
 {
     const Rod *const rod = room->self;
-    ghost_set(&rod->end[ROD_TAIL], t, -1, kin);
-    ghost_set(&rod->end[ROD_HEAD], t, scene->chain.n, kin);
+    ghost_set(&rod->end[ROD_TAIL], rod->led_share, t, -1, kin);
+    ghost_set(&rod->end[ROD_HEAD], rod->led_share, t, scene->chain.n, kin);
 }
 
 /* --------------------------------------------------------------------------------------------------- loads */
@@ -294,6 +295,44 @@ int rod_ends_held(const Rod *rod)
         ends += any;
     }
     return ends;
+}
+
+int rod_circulates(const Rod *rod, double t)
+{
+    int any = 0;
+    for (int l = 0; l < rod->n_loads; ++l) {
+        const RodLoadDef *const def = rod->load[l].def;
+        any |= (def->follower || def->moment) && fabs(profile_value(&def->by.size, t)) > 0;
+    }
+    return any;
+}
+
+/* By how much the ends are led from where they are at `from` (s; NAN: from where they were built), rad. */
+static double led_from(const Rod *rod, double from, double t)
+{
+    double largest = 0;
+    for (int e = 0; rod->present && e < 2; ++e) {
+        const Vec3 was = isnan(from) ? V3_ZERO : lead_at(rod->end[e].def, 1, from).turn;
+        largest = fmax(largest, v3_norm(v3_sub(lead_at(rod->end[e].def, 1, t).turn, was)));
+    }
+    return largest;
+}
+
+double rod_led(const Rod *rod, double t) { return led_from(rod, NAN, t); }
+
+double rod_led_until(const Rod *rod, double t, double next, double turn)
+{
+    if (!isfinite(next) || led_from(rod, t, next) <= turn) return next;
+    double low = t, high = next; /* not too far, too far */
+    for (int k = 0; k < 40; ++k) {
+        const double middle = low + (high - low) / 2;
+        if (led_from(rod, t, middle) <= turn) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
 }
 
 static double rod_next_stop(const Room *room, const Scene *scene, double t)

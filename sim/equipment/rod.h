@@ -27,7 +27,8 @@ typedef struct Rod {
     double *start; /* [13 n], owned: the state at t = 0 (core/state.h) */
     RodEnd end[2];
     int n_loads;
-    RodLoad *load; /* [n_loads], owned */
+    RodLoad *load;    /* [n_loads], owned */
+    double led_share; /* of their motions that the ends are led by: 1, but while the first equilibrium is looked for */
 } Rod;
 
 /* The attitude of segment i at t = 0; -1 and n: of the ends' ground bodies. */
@@ -37,6 +38,14 @@ Quat rod_attitude(const Rod *rod, int n, int i);
 double rod_load_size(const Rod *rod, const Chain *chain, double t);
 /* How many of the two ends are held in some way. */
 int rod_ends_held(const Rod *rod);
+
+/* Whether a load of time t has no potential: a follower, or a moment (RD6). */
+int rod_circulates(const Rod *rod, double t);
+/* The largest turn by which an end is led at time t, rad. */
+double rod_led(const Rod *rod, double t);
+/* The latest time up to `next` before which no end is led by more than `turn` (rad) from where it is at t, s; between t
+ * and `next` every profile is smooth or the step is one of statics. */
+double rod_led_until(const Rod *rod, double t, double next, double turn);
 
 /* The segment that holds the place `at` (m from the tail, a joint belongs to the segment before it) and how far the
  * place is from its centre, along its axis (m). */

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lanes.h"
+#include "linsolve/inertia.h"
 #include "sim/newton/newton_extra.h"
 #include "sim/newton/newton_leaves.h"
 
@@ -129,6 +130,12 @@ void newton_form(Newton *nw, double gamma)
         if (nw->leaves) newton_leaves_form(nw);
     }
     if (nw->extra) newton_extra_form(nw);
+}
+
+int newton_negative(const Newton *nw)
+{
+    if (nw->full || nw->extra || nw->leaves || nw->matrix.extras || nw->matrix.border) return -1;
+    return block_chain_negative(&nw->a);
 }
 
 int newton_factor(Newton *nw)

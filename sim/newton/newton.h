@@ -20,6 +20,9 @@ void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y,
 hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err);
 /* Forms a for gamma (s) from k and d (N5). */
 void newton_form(Newton *nw, double gamma);
+/* How many directions a, as it is formed now, is negative in (its symmetric part); -1: a has more than the chain's
+ * blocks, so that it cannot be counted. */
+int newton_negative(const Newton *nw);
 /* Factors a: see linsolver_factor. */
 int newton_factor(Newton *nw);
 /* What is being solved with, and how it went. */

@@ -63,8 +63,7 @@ static void space_point(Subspace *sp)
     newton_point(sp->newton, &st->scene, &st->ws.kin, st->y);
 }
 
-/* A share of the largest omega^2 that any joint gives its segment: rounding of K. */
-static double rounding_of(const Chain *c)
+double modes_rounding(const Chain *c)
 {
     double largest = 0;
     for (int i = 0; i < c->n; ++i) {
@@ -76,7 +75,7 @@ static double rounding_of(const Chain *c)
             largest = fmax(largest, 4 * fmax(bend, c->stiffness[3][j] / c->inertia[0][i]));
         }
     }
-    return 1e-14 * largest;
+    return 1e-14 * largest; /* a share of the largest omega^2 that any joint gives its segment */
 }
 
 /* Start vectors that no mode is normal to: the same on every machine. */
@@ -333,7 +332,7 @@ static void results_put(const Subspace *sp, int wanted, int *rank, Modes *modes)
 /* Iterates until the wanted ones stand still. */
 static hawser_status space_run(Subspace *sp, int wanted, Modes *modes, hawser_error *err)
 {
-    sp->rounding = rounding_of(&sp->st->scene.chain);
+    sp->rounding = modes_rounding(&sp->st->scene.chain);
     space_point(sp);
     space_start(sp);
     hawser_status status = space_settle(sp, err);

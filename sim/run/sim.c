@@ -176,6 +176,14 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
     return status;
 }
 
+/* Between two rows a joint may have turned right round: rods are looked at after every step. */
+static void rod_watch(Sim *s)
+{
+    Stage *const st = &s->stage;
+    dynamics_kinematics(&st->scene, &st->ws, st->t, st->y);
+    st->stability.turned |= turned(&st->scene, 0, &st->ws.kin) & TURNED_JOINT;
+}
+
 /* Load steps in place of time steps. */
 static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -203,6 +211,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = events_watch(s, err);
+        if (!status && s->stage.scene.rod->present) rod_watch(s);
         if (one_step) break;
     }
     return status;
@@ -329,6 +338,9 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                             .analysis = analyses[scene->def.analysis.kind],
                             .n_modes = s->modes.n,
                             .modes = s->modes.out,
+                            .unstable = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? -1 : s->stage.stability.unstable,
+                            .n_critical = s->stage.stability.n,
+                            .critical = s->stage.stability.critical,
                             .n_probes = s->probes.n,
                             .probes = s->probes.out,
                             .n_events = s->events.n,
@@ -349,7 +361,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                               .end = hawser_sim_end_time(s),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
-                              .turned = s->overturned,
+                              .turned = s->overturned | s->stage.stability.turned,
+                              .unstable = out->unstable,
                               .stray = s->stray};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;

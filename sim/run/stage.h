@@ -5,6 +5,7 @@
 #define HAWSER_SIM_RUN_STAGE_H
 
 #include "sim/planar/planar.h"
+#include "sim/run/stability.h"
 #include "sim/run/window.h"
 #include "sim/step/integrator.h"
 #include "sim/step/spatial.h"
@@ -25,6 +26,7 @@ typedef struct Stage {
     double t, *y;                  /* s; [motion->size] */
     LinOptions options;
     long joined, left; /* segments so far */
+    Stability stability; /* of equilibria; statics only */
     int forget;        /* for tests: start the integrator anew at every event */
 } Stage;
 

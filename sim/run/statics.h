@@ -1,11 +1,12 @@
 /* Static equilibria one after the other while the loads change with time, and linear vibrations about the last: the
- * lowest modes, by subspace iteration with Newton's own matrix. docs/model.md, "Rods" (RD8), (RD10)-(RD14). */
+ * lowest modes, by subspace iteration with Newton's own matrix. docs/model.md, "Rods" (RD8), (RD10)-(RD20). */
 #ifndef HAWSER_SIM_RUN_STATICS_H
 #define HAWSER_SIM_RUN_STATICS_H
 
 #include "sim/run/stage.h"
 
 /* Moves the stage on to equilibrium under the loads of time `target` (s), by as many smaller load steps as it takes.
+ * Where equilibria stop being stable stage->stability gets the load; the definition's analysis.stability says what then.
  * out adds up what it took. On failure the stage is left at the last equilibrium that was found. Errors: MEMORY, RUN
  * (says where and what to try). */
 hawser_status statics_advance(Stage *stage, double target, hawser_relaxation *out, hawser_error *err);
@@ -24,5 +25,7 @@ typedef struct Modes {
  * and damping left out. Errors: INPUT (rollers that move), MEMORY, RUN. modes_free may follow either way. */
 hawser_status modes_find(Stage *stage, int wanted, Modes *modes, hawser_error *err);
 void modes_free(Modes *modes);
+/* omega^2 (1/s2) that rounding of the stiffest spring may make or hide (RD13). */
+double modes_rounding(const Chain *chain);
 
 #endif

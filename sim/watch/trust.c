@@ -110,10 +110,17 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
-    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
+    if ((scene->def.solver.relax || !dynamic) && f->relaxation->tolerance_N > 0) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
             f->relaxation->segment);
+    }
+    if (!dynamic && scene->def.analysis.stability != STABILITY_IGNORE) {
+        const double grow = f->unstable < 0 ? (double)INFINITY : (double)f->unstable;
+        add(&list, "stable", "1", grow, 0, "%s",
+            f->unstable < 0 ? "the equilibrium's stability could not be counted: see 'analysis: modes'"
+                            : "the last equilibrium is not stable: see critical loads; a slow load would not leave the "
+                              "rod there");
     }
     if (f->balance) {
         add(&list, "energy", "1", f->balance->residual_share, ENERGY,
