@@ -76,6 +76,13 @@ void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const d
     }
 }
 
+void newton_swell(Newton *nw, double radius)
+{
+    for (int i = 0; i < nw->n; ++i) {
+        for (int c = 0; c < 9; ++c) nw->inertia[c][i] = c % 4 == 0 ? nw->mass[i] * radius * radius : 0;
+    }
+}
+
 /* A loop over segments and the half of it that one of two threads does. */
 typedef struct Split {
     Newton *nw;

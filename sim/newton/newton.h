@@ -15,6 +15,9 @@ void newton_free(Newton *nw);
 void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const double *y);
 /* The same for rollers that move, from what dynamics_blocks left in w with that friction. */
 void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction);
+/* Makes the inertia of every segment, at the point taken over, m radius^2 about any axis: where a mass matrix only has
+ * to be positive, the thin rod's own inertia about its axis makes too much of rounding (RD16). */
+void newton_swell(Newton *nw, double radius);
 /* Between steps: rollers that were found to touch more than a leaf may get another place in the matrix, and the matrix
  * a new solver, which has factored nothing yet. Errors: MEMORY. */
 hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err);

@@ -1,8 +1,7 @@
 #include "sim/newton/relax_static.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include "core/base/error.h"
+#include "core/body.h"
 #include "core/state.h"
 #include "linsolve/inertia.h"
 #include "sim/equipment/rod.h"
@@ -12,7 +11,7 @@
 static const double TURN_NEWTON = 0.5; /* rad */
 /* The way down (RD20): the largest turn in one iteration; steps grow and shrink by these. */
 static const double TURN_DOWN = 0.2, GROWTH = 4, SHRINKING = 0.5;
-enum { NEWTON_ITERATIONS = 60, DOWN_ITERATIONS = 1500, PATIENCE = 150 };
+enum { NEWTON_ITERATIONS = 60, DOWN_ITERATIONS = 1500, PATIENCE = 150, CALMING = 6 };
 
 /* The largest force in the scene: weights, loads, and what the joints carry, N. */
 static double largest_force(const Relaxation *r)
@@ -75,6 +74,23 @@ static hawser_status newton_iterate(Relaxation *r, StaticAim *aim, hawser_relaxa
     return status;
 }
 
+/* K without damping, which holds nothing, and swollen inertias; the accelerations in `rate` become those that go with
+ * them. */
+static void blocks_swollen(Relaxation *r, double radius)
+{
+    const Chain *const chain = &r->scene->chain;
+    const int n = chain->n;
+    space_blocks(r);
+    block_chain_zero(&r->newton->d);
+    newton_swell(r->newton, radius);
+    for (int i = 0; i < n; ++i) {
+        const Vec3 moment = body_inertia_times(chain, &r->ws->kin, i, state_vector(r->rate, n, STATE_W, i));
+        const Vec3 spin = v3_scale(1 / (chain->mass[i] * radius * radius), moment);
+        const double part[3] = {spin.x, spin.y, spin.z};
+        for (int c = 0; c < 3; ++c) r->rate[(STATE_W + c) * n + i] = part[c];
+    }
+}
+
 /* The longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20). */
 static double step_downhill(Relaxation *r, double dt)
 {
@@ -86,6 +102,26 @@ static double step_downhill(Relaxation *r, double dt)
     return dt;
 }
 
+/* A step turns segments, and that stretches their neighbours to second order: forces that make the next step's matrix
+ * another than the equilibrium's. Short steps take them away and leave what gives way slowly where it is (RD20). */
+static hawser_status calm(Relaxation *r, double dt, double radius, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    int where;
+    double before = INFINITY;
+    for (int it = 0; !status && it < CALMING; ++it) {
+        const double now = space_residual(r, &where);
+        if (!(now < before / 2)) break;
+        before = now;
+        blocks_swollen(r, radius);
+        const double step = step_downhill(r, dt);
+        if (space_solve(r, step)) break;
+        space_move(r, fmin(1, TURN_DOWN / (turn_of(r, step) + 1e-300)) * step);
+        status = space_refresh(r, 0, err);
+    }
+    return status;
+}
+
 /* Steps along which the energy falls, until nothing is left of forces and of directions in which it could go on. Where
  * whole steps go round in circles shorter ones are taken. */
 static hawser_status descend(Relaxation *r, StaticAim *aim, hawser_relaxation *out, hawser_error *err)
@@ -95,17 +131,16 @@ static hawser_status descend(Relaxation *r, StaticAim *aim, hawser_relaxation *o
     for (int it = 0; !status && it < DOWN_ITERATIONS; ++it) {
         look(r, aim, out);
         if (!isfinite(out->residual_N)) break;
-        space_blocks(r);
-        block_chain_zero(&r->newton->d); /* damping holds nothing */
+        blocks_swollen(r, aim->radius);
         newton_form(r->newton, aim->dt);
         if (out->reached && newton_negative(r->newton) == 0) return status;
         if (it > 0 && it % PATIENCE == 0) cap = fmin(cap, fmin(dt, 10)) / 10;
         dt = step_downhill(r, fmin(cap, GROWTH * dt));
-        if (getenv("DBG")) fprintf(stderr, "t %g it %d dt %g res %g tol %g turn %g neg %d\n", r->t, it, dt, out->residual_N, out->tolerance_N, 0.0, newton_negative(r->newton));
         if (space_solve(r, dt)) break;
         space_move(r, fmin(1, TURN_DOWN / (turn_of(r, dt) + 1e-300)) * dt);
         ++out->iterations;
         status = space_refresh(r, 0, err);
+        if (!status) status = calm(r, dt / 10, aim->radius, err);
     }
     out->reached = 0;
     return status;

@@ -197,7 +197,7 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
     }
     if (!status && def->analysis.kind == ANALYSIS_MODES && s->stage.t >= def->duration) {
         modes_free(&s->modes);
-        status = modes_find(&s->stage, def->analysis.modes, &s->modes, err);
+        status = modes_find(&s->stage, def->analysis.modes, 0, &s->modes, err);
     }
     s->relax_s += clock_now() - start;
     return status;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "core/body.h"
 #include "sim/equipment/rod.h"
 #include "sim/run/statics.h"
 
@@ -14,6 +15,16 @@ enum { LOOKED_AT = 6 }; /* modes, where only they can tell */
 
 /* ------------------------------------------------------------------------------------------------- counting */
 
+double stability_radius(const Chain *chain)
+{
+    double length = 0;
+    for (int i = 0; i < chain->n; ++i) length += 2 * chain->half[i];
+    return length / 10;
+}
+
+/* Enough above rounding for the modes to tell it from a rigid motion. */
+double stability_least(const Chain *chain) { return 4 * modes_rounding(chain, stability_radius(chain)); }
+
 /* K of the stage's state without damping, in M - dt^2 K for the shift below which rounding decides (RD16). */
 static hawser_status matrix_form(Stage *st, double *rate, hawser_error *err)
 {
@@ -21,8 +32,9 @@ static hawser_status matrix_form(Stage *st, double *rate, hawser_error *err)
     dynamics_blocks(&st->scene, &st->ws, st->t, st->y, rate, 0.0, &st->newton.k, &st->newton.d);
     block_chain_zero(&st->newton.d);
     newton_point(&st->newton, &st->scene, &st->ws.kin, st->y);
+    newton_swell(&st->newton, stability_radius(&st->scene.chain));
     newton_point_equipment(&st->newton, st->ws.equipment, st->y, 0.0);
-    newton_form(&st->newton, 1 / sqrt(modes_rounding(&st->scene.chain)));
+    newton_form(&st->newton, 1 / sqrt(stability_least(&st->scene.chain)));
     return newton_renew(&st->newton, st->ws.equipment, err);
 }
 
@@ -31,7 +43,7 @@ static hawser_status count_modes(Stage *st, int *unstable, int *swings, hawser_e
 {
     Modes modes = {0};
     hawser_error why = {0};
-    const hawser_status status = modes_find(st, LOOKED_AT, &modes, &why);
+    const hawser_status status = modes_find(st, LOOKED_AT, 0, &modes, &why);
     *unstable = status ? -1 : 0;
     *swings = 0;
     for (int m = 0; !status && m < modes.n; ++m) {
@@ -101,30 +113,33 @@ static void way_of(const Stage *st, const double *from, double *way)
     }
 }
 
-/* shape = the sum of the first `count` modes, each by what the way has of it; the first alone if it has nothing. */
+/* shape = the sum of the first `count` modes that are no rigid motion, each by what the way has of it; the first alone if it has nothing. */
 static void shapes_add(const Stage *st, const Modes *modes, int count, const double *way, double *shape)
 {
     const int size = 6 * st->scene.chain.n;
     const double length = sqrt(product(&st->newton, way, way));
     double largest = 0;
     memset(shape, 0, (size_t)size * sizeof *shape);
-    for (int m = 0; m < count; ++m) {
+    const double *first = NULL;
+    for (int m = 0, found = 0; m < modes->n && found < count; ++m) {
         const double *const z = modes->out[m].shape;
+        if (modes->out[m].omega_squared == 0) continue; /* a rigid motion */
+        if (found++ == 0) first = z;
         const double norm = sqrt(product(&st->newton, z, z)), share = product(&st->newton, z, way) / norm;
         largest = fmax(largest, fabs(share));
         for (int k = 0; k < size; ++k) shape[k] += share / norm * z[k];
     }
-    if (!(largest > 1e-9 * length)) memcpy(shape, modes->out[0].shape, (size_t)size * sizeof *shape);
+    if (first && !(largest > 1e-9 * length)) memcpy(shape, first, (size_t)size * sizeof *shape);
 }
 
 hawser_status stability_shape(Stage *st, int count, const double *from, double *shape, hawser_error *err)
 {
     Modes modes = {0};
     double *const way = malloc(6 * (size_t)st->scene.chain.n * sizeof *way);
-    hawser_status status = way ? modes_find(st, LOOKED_AT, &modes, err) : error_memory(err);
+    hawser_status status = way ? modes_find(st, LOOKED_AT, stability_radius(&st->scene.chain), &modes, err) : error_memory(err);
     if (!status) {
         way_of(st, from, way);
-        shapes_add(st, &modes, count < modes.n ? count : modes.n, way, shape);
+        shapes_add(st, &modes, count, way, shape);
         shape_scale(&st->scene.chain, shape);
     }
     modes_free(&modes);
@@ -140,8 +155,10 @@ hawser_status stability_push(Stage *st, double t, const double *shape, double *s
     if (rate && push) {
         dynamics_rates(&st->scene, &st->ws, t, st->y, 0.0, rate);
         for (int i = 0; i < n; ++i) {
+            const Vec3 spin = state_vector(rate, n, STATE_W, i);
+            const Vec3 moment = body_inertia_times(&st->scene.chain, &st->ws.kin, i, spin);
             v3_put(push + 6 * i, state_vector(rate, n, STATE_V, i));
-            v3_put(push + 6 * i + 3, state_vector(rate, n, STATE_W, i));
+            v3_put(push + 6 * i + 3, v3_scale(1 / st->newton.inertia[0][i], moment)); /* swollen, the same in all axes */
         }
         const double both = product(&st->newton, push, push) * product(&st->newton, shape, shape);
         *share = both > 0 ? fabs(product(&st->newton, shape, push)) / sqrt(both) : 0;

@@ -2,6 +2,7 @@
 #ifndef HAWSER_SIM_RUN_STABILITY_H
 #define HAWSER_SIM_RUN_STABILITY_H
 
+#include "core/chain.h"
 #include "hawser/hawser.h"
 
 struct Stage;
@@ -15,6 +16,11 @@ typedef struct Stability {
     int n, room;
     hawser_critical *critical; /* [n], owned, and so are their shapes */
 } Stability;
+
+/* The radius of inertia of segments with which signs are counted, m: a tenth of the rod (RD16). */
+double stability_radius(const Chain *chain);
+/* With it, -omega^2 (1/s2) of the slowest growth that is told from rounding (RD16). */
+double stability_least(const Chain *chain);
 
 /* How many independent motions grow from the stage's state as an equilibrium under the loads of its time, into
  * *unstable (-1: it cannot be said); *swings: none of them without swinging. Errors: MEMORY. */

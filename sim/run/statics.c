@@ -67,7 +67,7 @@ static hawser_status put_back(Walk *w, const double *y)
 static hawser_status attempt(Walk *w, double t, const double *from)
 {
     Stage *const st = w->st;
-    const double longest = fmin(DT_STATIC, 1 / sqrt(modes_rounding(&st->scene.chain)));
+    const double longest = fmin(DT_STATIC, 1 / sqrt(modes_rounding(&st->scene.chain, 0)));
     hawser_status status = HAWSER_OK;
     for (int once = 0; once < 2; ++once) {
         const hawser_status put = put_back(w, from);
@@ -100,7 +100,8 @@ static hawser_status downhill(Walk *w, double t, const double *from)
 {
     Stage *const st = w->st;
     StaticAim aim = w->aim;
-    aim.dt = 1 / sqrt(modes_rounding(&st->scene.chain));
+    aim.dt = 1 / sqrt(stability_least(&st->scene.chain));
+    aim.radius = stability_radius(&st->scene.chain);
     const hawser_status status =
         relax_downhill(&st->scene, &st->ws, &st->newton, t, &aim, st->y, w->out, w->err);
     return status || w->out->reached ? status : put_back(w, from);

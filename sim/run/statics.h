@@ -22,10 +22,11 @@ typedef struct Modes {
 } Modes;
 
 /* The lowest `wanted` modes (or all there are) about the stage's state of now, which must be an equilibrium; friction
- * and damping left out. Errors: INPUT (rollers that move), MEMORY, RUN. modes_free may follow either way. */
-hawser_status modes_find(Stage *stage, int wanted, Modes *modes, hawser_error *err);
+ * and damping left out. radius: 0, or that of inertia of newton_swell, m: then omega^2 has the right sign and no more.
+ * Errors: INPUT (rollers that move), MEMORY, RUN. modes_free may follow either way. */
+hawser_status modes_find(Stage *stage, int wanted, double radius, Modes *modes, hawser_error *err);
 void modes_free(Modes *modes);
 /* omega^2 (1/s2) that rounding of the stiffest spring may make or hide (RD13). */
-double modes_rounding(const Chain *chain);
+double modes_rounding(const Chain *chain, double radius);
 
 #endif

@@ -13,7 +13,7 @@ static void find(RodFixture f, int tail, int head, int wanted, Stage *stage, Mod
     rod_define(&def, &f);
     rod_stage(&def, stage);
     rod_solve(stage);
-    if (modes_find(stage, wanted, modes, &err)) fail_msg("%s", err.message);
+    if (modes_find(stage, wanted, 0, modes, &err)) fail_msg("%s", err.message);
     assert_int_equal(modes->n, wanted);
 }
 
