@@ -121,18 +121,18 @@ static double angle_between(Quat a, Quat b)
     return 2 * atan2(sqrt(d.x * d.x + d.y * d.y + d.z * d.z), fabs(d.w));
 }
 
-/* Whether the state follows from the last equilibrium, or is another one that Newton's method came upon: no joint may
+/* Whether the state follows from the equilibrium `from`, or is another one that Newton's method came upon: no joint may
  * have turned so far that a turn could be lost, and nothing gone much farther than the first step said (RD19). */
-static int follows(const Walk *w)
+static int follows(const Walk *w, const double *from)
 {
     const Stage *const st = w->st;
     const int n = st->scene.chain.n;
     double turn = 0, way = 0, length = 0;
     for (int i = 0; i < n; ++i) {
-        turn = fmax(turn, angle_between(state_attitude(w->kept, n, i), state_attitude(st->y, n, i)));
-        way = fmax(way, v3_norm(v3_sub(state_vector(st->y, n, STATE_P, i), state_vector(w->kept, n, STATE_P, i))));
+        turn = fmax(turn, angle_between(state_attitude(from, n, i), state_attitude(st->y, n, i)));
+        way = fmax(way, v3_norm(v3_sub(state_vector(st->y, n, STATE_P, i), state_vector(from, n, STATE_P, i))));
         length += 2 * st->scene.chain.half[i];
-        if (i > 0 && angle_between(joint_turn(w->kept, n, i), joint_turn(st->y, n, i)) > JOINT_TURN) return 0;
+        if (i > 0 && angle_between(joint_turn(from, n, i), joint_turn(st->y, n, i)) > JOINT_TURN) return 0;
     }
     if (way < WAY * length && turn < TURNED) return 1;
     return way <= ASTRAY * (w->aim.shift + WAY * length) && turn <= ASTRAY * (w->aim.turn + TURNED);
@@ -167,15 +167,16 @@ static hawser_status bracket_close(Walk *w, Bracket *b)
         const double t = b->from + (b->to - b->from) / 2;
         int unstable = b->before, swings = 0;
         status = attempt(w, t, w->below);
-        if (!status && w->out->reached) status = count_at(w, t, &unstable, &swings);
+        const int ok = w->out->reached && follows(w, w->below);
+        if (!status && ok) status = count_at(w, t, &unstable, &swings);
         if (status) return status;
-        if (w->out->reached && unstable <= b->before) {
+        if (ok && unstable <= b->before) {
             memcpy(w->below, w->st->y, state_bytes(w->st));
             b->from = t;
             continue;
         }
         b->to = t;
-        b->reached = w->out->reached;
+        b->reached = ok;
         if (!b->reached) continue;
         b->after = unstable;
         b->swings = swings;
@@ -322,7 +323,7 @@ static hawser_status steps(Walk *w, double target)
         const double next = rod_led_until(st->scene.rod, st->t, to, LED);
         status = attempt(w, next, w->kept);
         if (status) return status;
-        const int ok = w->out->reached && follows(w);
+        const int ok = w->out->reached && follows(w, w->kept);
         if (!ok && next - st->t > SMALLEST * whole) {
             step = (next - st->t) / 2;
             status = put_back(w, w->kept);
