@@ -26,6 +26,7 @@ typedef struct Walk {
     StaticAim aim;
     double *kept;          /* [motion->size] the last equilibrium, of the stage's time */
     double *below, *above; /* [motion->size] on both sides of a critical load */
+    double *there;         /* [motion->size] what Newton's method found at the end of the step */
     double *shape;         /* [6 n] */
     hawser_relaxation *out;
     hawser_error *err;
@@ -38,11 +39,12 @@ static hawser_status walk_begin(Walk *w, Stage *st, double share, hawser_relaxat
     Stability *const known = &st->stability;
     if (!(known->dt > 0)) known->dt = DT_STATIC;
     *w = (Walk){.st = st, .aim = {.share = share, .dt = known->dt}, .out = out, .err = err};
-    w->kept = malloc(3 * state_bytes(st));
+    w->kept = malloc(4 * state_bytes(st));
     w->shape = malloc(6 * (size_t)st->scene.chain.n * sizeof(double));
     if (!w->kept || !w->shape) return error_memory(err);
     w->below = w->kept + st->motion->size;
     w->above = w->below + st->motion->size;
+    w->there = w->above + st->motion->size;
     memcpy(w->kept, st->y, state_bytes(st));
     return HAWSER_OK;
 }
@@ -158,29 +160,50 @@ typedef struct Bracket {
     int swings, reached; /* in `above`: they flutter; it is an equilibrium */
 } Bracket;
 
-/* Halves the bracket until it is close. */
-static hawser_status bracket_close(Walk *w, Bracket *b)
+/* The equilibrium of t from that in `below`: *stable if there is one that follows, from which no more motions grow than
+ * before. Otherwise `above` and the bracket's upper end have it. */
+static hawser_status bracket_look(Walk *w, double t, Bracket *b, int *stable)
+{
+    int unstable = 0, swings = 0;
+    hawser_status status = attempt(w, t, w->below);
+    const int ok = w->out->reached && follows(w, w->below);
+    if (!status && ok) status = count_at(w, t, &unstable, &swings);
+    *stable = ok && unstable <= b->before;
+    if (*stable) {
+        memcpy(w->below, w->st->y, state_bytes(w->st));
+        b->from = t;
+        return status;
+    }
+    b->to = t;
+    b->reached = ok;
+    b->after = unstable;
+    b->swings = swings;
+    memcpy(w->above, w->st->y, state_bytes(w->st));
+    return status;
+}
+
+/* Halves the bracket until it is close, and then looks once more at its upper end: from nearby a stable way may lead
+ * past it, where Newton's method from far had come upon another equilibrium. Then the search goes on behind. *none: the
+ * way leads to the very end, which is the state. */
+static hawser_status bracket_close(Walk *w, Bracket *b, int *none)
 {
     const double close = CLOSE * w->st->scene.def.duration;
+    const Bracket whole = *b;
     hawser_status status = HAWSER_OK;
-    while (!status && b->to - b->from > close) {
-        const double t = b->from + (b->to - b->from) / 2;
-        int unstable = b->before, swings = 0;
-        status = attempt(w, t, w->below);
-        const int ok = w->out->reached && follows(w, w->below);
-        if (!status && ok) status = count_at(w, t, &unstable, &swings);
-        if (status) return status;
-        if (ok && unstable <= b->before) {
-            memcpy(w->below, w->st->y, state_bytes(w->st));
-            b->from = t;
-            continue;
-        }
-        b->to = t;
-        b->reached = ok;
-        if (!b->reached) continue;
-        b->after = unstable;
-        b->swings = swings;
-        memcpy(w->above, w->st->y, state_bytes(w->st));
+    *none = 0;
+    while (!status) {
+        const int last = b->to - b->from <= close;
+        const double t = last ? b->to : b->from + (b->to - b->from) / 2;
+        int stable = 0;
+        status = bracket_look(w, t, b, &stable);
+        if (!last || status) continue;
+        *none = stable && t >= whole.to;
+        if (!stable || *none) break;
+        b->to = whole.to;
+        b->reached = whole.reached;
+        b->after = whole.after;
+        b->swings = whole.swings;
+        memcpy(w->above, w->there, state_bytes(w->st));
     }
     return status;
 }
@@ -229,17 +252,16 @@ static hawser_status cross(Walk *w, double t, int *unstable, int *swings)
     Stage *const st = w->st;
     Bracket b = {.from = st->t, .to = t, .before = st->stability.unstable, .after = *unstable, .swings = *swings,
                  .reached = 1};
-    double *const there = malloc(state_bytes(st));
-    if (!there) return error_memory(w->err);
-    memcpy(there, st->y, state_bytes(st));
+    int none;
+    memcpy(w->there, st->y, state_bytes(st));
     memcpy(w->above, st->y, state_bytes(st));
     memcpy(w->below, w->kept, state_bytes(st));
-    hawser_status status = bracket_close(w, &b);
-    if (!status) status = critical_keep(w, &b);
-    const int follow = st->scene.def.analysis.stability == STABILITY_FOLLOW && !b.swings && *unstable > 0;
-    if (!status) status = follow ? leave(w, t, &b) : HAWSER_OK;
-    if (!status && !(follow && w->out->reached)) status = put_back(w, there);
-    free(there);
+    hawser_status status = bracket_close(w, &b, &none);
+    if (!status && !none) status = critical_keep(w, &b);
+    const int follow = !none && st->scene.def.analysis.stability == STABILITY_FOLLOW && !b.swings;
+    if (!status && follow) status = leave(w, t, &b);
+    if (!status && !none && !(follow && w->out->reached)) status = put_back(w, w->there);
+    w->out->reached = 1; /* in any case */
     return status ? status : count_at(w, t, unstable, swings);
 }
 
@@ -250,8 +272,9 @@ static hawser_status fall(Walk *w, double t)
     Stage *const st = w->st;
     Bracket b = {.from = st->t, .to = t, .before = 0};
     memcpy(w->below, w->kept, state_bytes(st));
-    hawser_status status = bracket_close(w, &b);
-    if (status) return status;
+    int none;
+    hawser_status status = bracket_close(w, &b, &none);
+    if (status || none) return status;
     hawser_error why = {0};
     hawser_error *const mine = w->err;
     w->err = &why; /* what cannot be found about the motion does not end the run */
