@@ -173,12 +173,12 @@ typedef struct Lead {
     Vec3 move, turn, velocity, turn_rate; /* m, rad, m/s, rad/s */
 } Lead;
 
-static Lead lead_at(const RodEndDef *def, double share, double t)
+static Lead lead_at(const RodEndDef *def, double share, double t, int still)
 {
     Lead lead = {.move = {0, 0, 0}};
     for (int i = 0; i < def->n_motions; ++i) {
         const RodMotionDef *const m = &def->motions[i];
-        const double value = share * profile_value(&m->by.size, t), rate = profile_rate(&m->by.size, t);
+        const double value = share * profile_value(&m->by.size, t), rate = still ? 0 : profile_rate(&m->by.size, t);
         Vec3 *const sum = m->turns ? &lead.turn : &lead.move, *const rates =
                                                                   m->turns ? &lead.turn_rate : &lead.velocity;
         *sum = v3_axpy(*sum, value, m->by.direction);
@@ -234,9 +234,10 @@ static void ghost_follow(const Scene *scene, const RodEndDef *def, int i, int se
 }
 
 /* One ground body into index i of kin. */
-static void ghost_set(const RodEnd *end, double share, double t, int i, Kinematics *kin)
+static void ghost_set(const Rod *rod, int which, double t, int i, Kinematics *kin)
 {
-    const Lead lead = lead_at(end->def, share, t);
+    const RodEnd *const end = &rod->end[which];
+    const Lead lead = lead_at(end->def, rod->led_share, t, rod->still);
     const Quat q = quat_unit(quat_mul(quat_exp(lead.turn), end->attitude));
     const double turn[4] = {q.w, q.x, q.y, q.z};
     v3_store(kin->p, i, v3_add(end->place, lead.move));
@@ -250,8 +251,8 @@ static void ghost_set(const RodEnd *end, double share, double t, int i, Kinemati
 static void rod_ghosts(const Room *room, const Scene *scene, double t, Kinematics *kin)
 {
     const Rod *const rod = room->self;
-    ghost_set(&rod->end[ROD_TAIL], rod->led_share, t, -1, kin);
-    ghost_set(&rod->end[ROD_HEAD], rod->led_share, t, scene->chain.n, kin);
+    ghost_set(rod, ROD_TAIL, t, -1, kin);
+    ghost_set(rod, ROD_HEAD, t, scene->chain.n, kin);
     ghost_follow(scene, rod->end[ROD_TAIL].def, -1, 0, kin);
     ghost_follow(scene, rod->end[ROD_HEAD].def, scene->chain.n, scene->chain.n - 1, kin);
 }
@@ -384,8 +385,8 @@ static double led_from(const Rod *rod, double from, double t)
 {
     double largest = 0;
     for (int e = 0; rod->present && e < 2; ++e) {
-        const Vec3 was = isnan(from) ? V3_ZERO : lead_at(rod->end[e].def, 1, from).turn;
-        largest = fmax(largest, v3_norm(v3_sub(lead_at(rod->end[e].def, 1, t).turn, was)));
+        const Vec3 was = isnan(from) ? V3_ZERO : lead_at(rod->end[e].def, 1, from, 1).turn;
+        largest = fmax(largest, v3_norm(v3_sub(lead_at(rod->end[e].def, 1, t, 1).turn, was)));
     }
     return largest;
 }

@@ -28,6 +28,7 @@ typedef struct Rod {
     RodEnd end[2];
     int n_loads;
     RodLoad *load;    /* [n_loads], owned */
+    int still;        /* equilibria are looked for: ends that are led are where they are, without a velocity */
     double led_share; /* of their motions that the ends are led by: 1, but while the first equilibrium is looked for */
 } Rod;
 

@@ -16,6 +16,8 @@ static const double LED = 1, JOINT_TURN = 1.5;             /* rad */
 static const double ASTRAY = 5, WAY = 0.02, TURNED = 0.05; /* 1; 1; rad */
 /* The step that stands for infinity in Newton's method (RD8). */
 static const double DT_STATIC = 1e5; /* s */
+/* The shortest that is tried, as a share of the longest that rounding allows (RD23). */
+static const double SHORTER = 0.01;
 /* A critical load is known when it is this share of the run away from a stable equilibrium; how far a state is nudged
  * along what grows, rad; what pushes along that motion by more than this is no bifurcation (RD18). */
 static const double CLOSE = 1e-6, NUDGE = 0.02, PUSHED = 1e-4;
@@ -38,6 +40,7 @@ static hawser_status walk_begin(Walk *w, Stage *st, double share, hawser_relaxat
 {
     Stability *const known = &st->stability;
     if (!(known->dt > 0)) known->dt = DT_STATIC;
+    st->scene.rod->still = 1;
     *w = (Walk){.st = st, .aim = {.share = share, .dt = known->dt}, .out = out, .err = err};
     w->kept = malloc(4 * state_bytes(st));
     w->shape = malloc(6 * (size_t)st->scene.chain.n * sizeof(double));
@@ -51,6 +54,7 @@ static hawser_status walk_begin(Walk *w, Stage *st, double share, hawser_relaxat
 
 static void walk_end(Walk *w)
 {
+    w->st->scene.rod->still = 0;
     free(w->kept);
     free(w->shape);
 }
@@ -63,22 +67,22 @@ static hawser_status put_back(Walk *w, const double *y)
     return st->motion->ops->renew(st->motion, st->t, st->y, w->err);
 }
 
-/* Newton's method at time t from `from`, where the state is put back to if it does not get there. Where a rigid motion
- * is free, a step that stands for infinity makes large moves of rounding along it: the longest that does not is tried
- * next, and kept where it helps (RD16). */
+/* Newton's method at time t from `from`, where the state is put back to if it does not get there. Where a motion is free,
+ * a rod's about its own axis or a ring's inside out, a step that stands for infinity makes large moves of rounding along
+ * it: shorter ones are tried, from the longest that rounding allows on, and kept where they help (RD23). */
 static hawser_status attempt(Walk *w, double t, const double *from)
 {
     Stage *const st = w->st;
     const double longest = fmin(DT_STATIC, 1 / sqrt(modes_rounding(&st->scene.chain, 0)));
+    const double shortest = fmin(w->aim.dt, SHORTER * longest);
     hawser_status status = HAWSER_OK;
-    for (int once = 0; once < 2; ++once) {
-        const hawser_status put = put_back(w, from);
-        if (put) return put;
-        status = relax_static(&st->scene, &st->ws, &st->newton, t, &w->aim, st->y, w->out, w->err);
+    for (;;) {
+        status = put_back(w, from);
+        if (!status) status = relax_static(&st->scene, &st->ws, &st->newton, t, &w->aim, st->y, w->out, w->err);
         if (status) return status;
         if (w->out->reached) st->stability.dt = w->aim.dt;
-        if (w->out->reached || w->aim.dt <= longest) break;
-        w->aim.dt = longest;
+        if (w->out->reached || w->aim.dt <= shortest) break;
+        w->aim.dt = fmin(longest, w->aim.dt / 10);
     }
     w->aim.dt = st->stability.dt;
     return w->out->reached ? HAWSER_OK : put_back(w, from);
