@@ -11,6 +11,9 @@
 #include "sim/equipment/rooms.h"
 #include "sim/joints.h"
 
+/* How far an end may be led in a step, rad (RD19). */
+static const double LED_AT_ONCE = 1;
+
 /* ------------------------------------------------------------------------------------------ shape at t = 0 */
 
 /* The frame that is carried along, turned about its own axis by the roll of place s (RD2). */
@@ -97,7 +100,6 @@ static hawser_status rod_build(Room *room, Scene *scene, hawser_error *err)
     if (!def->present) return HAWSER_OK;
     const RodLine line = rod_line(def, scene->def.route_start, scene->def.route_heading, scene->def.route_slope);
     room->present = rod->present = 1;
-    rod->led_share = 1;
     rod->n_loads = def->n_loads;
     rod->start = calloc((size_t)(STATE_SIZE * chain->n), sizeof *rod->start);
     rod->load = calloc((size_t)def->n_loads + 1, sizeof *rod->load);
@@ -237,7 +239,7 @@ static void ghost_follow(const Scene *scene, const RodEndDef *def, int i, int se
 static void ghost_set(const Rod *rod, int which, double t, int i, Kinematics *kin)
 {
     const RodEnd *const end = &rod->end[which];
-    const Lead lead = lead_at(end->def, rod->led_share, t, rod->still);
+    const Lead lead = lead_at(end->def, 1 - rod->lag, t, rod->still);
     const Quat q = quat_unit(quat_mul(quat_exp(lead.turn), end->attitude));
     const double turn[4] = {q.w, q.x, q.y, q.z};
     v3_store(kin->p, i, v3_add(end->place, lead.move));
@@ -391,15 +393,15 @@ static double led_from(const Rod *rod, double from, double t)
     return largest;
 }
 
-double rod_led(const Rod *rod, double t) { return led_from(rod, NAN, t); }
+int rod_led_parts(const Rod *rod, double t) { return (int)ceil(led_from(rod, NAN, t) / LED_AT_ONCE); }
 
-double rod_led_until(const Rod *rod, double t, double next, double turn)
+double rod_led_until(const Rod *rod, double t, double next)
 {
-    if (!isfinite(next) || led_from(rod, t, next) <= turn) return next;
+    if (!isfinite(next) || led_from(rod, t, next) <= LED_AT_ONCE) return next;
     double low = t, high = next; /* not too far, too far */
     for (int k = 0; k < 40; ++k) {
         const double middle = low + (high - low) / 2;
-        if (led_from(rod, t, middle) <= turn) {
+        if (led_from(rod, t, middle) <= LED_AT_ONCE) {
             low = middle;
         } else {
             high = middle;
@@ -418,7 +420,7 @@ static double rod_next_stop(const Room *room, const Scene *scene, double t)
         const RodEndDef *const end = rod->end[e].def;
         for (int i = 0; i < end->n_motions; ++i) next = profile_corner_before(&end->motions[i].by.size, t, next);
     }
-    return next;
+    return rod_led_until(rod, t, next);
 }
 
 const RoomKind ROD_ROOM = {.name = "rod",

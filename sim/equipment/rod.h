@@ -29,7 +29,7 @@ typedef struct Rod {
     int n_loads;
     RodLoad *load;    /* [n_loads], owned */
     int still;        /* equilibria are looked for: ends that are led are where they are, without a velocity */
-    double led_share; /* of their motions that the ends are led by: 1, but while the first equilibrium is looked for */
+    double lag;       /* share of their motions that the ends are behind: 0, but while the first equilibrium is looked for */
 } Rod;
 
 /* The attitude of segment i at t = 0; -1 and n: of the ends' ground bodies. */
@@ -42,11 +42,12 @@ int rod_ends_held(const Rod *rod);
 
 /* Whether a load of time t has no potential: a follower, or a moment (RD6). */
 int rod_circulates(const Rod *rod, double t);
-/* The largest turn by which an end is led at time t, rad. */
-double rod_led(const Rod *rod, double t);
-/* The latest time up to `next` before which no end is led by more than `turn` (rad) from where it is at t, s; between t
- * and `next` every profile is smooth or the step is one of statics. */
-double rod_led_until(const Rod *rod, double t, double next, double turn);
+/* In how many parts the ends are led to where they are at time t, so that no part turns one by more than 1 rad; 0: they
+ * are not turned. */
+int rod_led_parts(const Rod *rod, double t);
+/* The latest time up to `next` by which no end is led by more than 1 rad from where it is at t, s: a turn that is led at
+ * once cannot be told from none. */
+double rod_led_until(const Rod *rod, double t, double next);
 
 /* The segment that holds the place `at` (m from the tail, a joint belongs to the segment before it) and how far the
  * place is from its centre, along its axis (m). */

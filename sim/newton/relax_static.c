@@ -30,7 +30,7 @@ static double largest_force(const Relaxation *r)
 static void look(Relaxation *r, const StaticAim *aim, hawser_relaxation *out)
 {
     out->residual_N = space_residual(r, &out->segment);
-    out->tolerance_N = fmax(aim->share * largest_force(r), relax_rounding(r->scene, space_farthest(r, NULL)));
+    out->tolerance_N = fmax(aim->share * largest_force(r), aim->floor);
     out->reached = out->residual_N <= out->tolerance_N;
 }
 
@@ -152,6 +152,7 @@ static hawser_status go(Relaxation r, Way way, StaticAim *aim, hawser_relaxation
 {
     hawser_status status = space_begin(&r) ? HAWSER_OK : error_memory(err);
     if (!status) {
+        aim->floor = relax_rounding(r.scene, space_farthest(&r, NULL));
         status = way(&r, aim, out, err);
         out->moved_m = fmax(out->moved_m, space_farthest(&r, r.start));
     }

@@ -8,6 +8,7 @@
 /* What is looked for, and how. */
 typedef struct StaticAim {
     double share;       /* the largest unbalanced force as a share of the largest force, though not below rounding */
+    double floor;       /* N, what rounding allows: set by the functions below, from where y is at first */
     double dt;          /* s, the step that stands for infinity */
     double radius;      /* m, of inertia on the way down (newton_swell) */
     double turn, shift; /* rad, m: Newton's first step in full, set by relax_static */

@@ -10,10 +10,10 @@
 
 /* A load step may become this many times smaller than was asked for. */
 static const double SMALLEST = 1.0 / 1024;
-/* How far a step may turn the ground that leads an end, and any joint, so that no turn is lost; how many times Newton's
- * first step it may go, if that is more than a share of the rod's length or a turn worth naming (RD19). */
-static const double LED = 1, JOINT_TURN = 1.5;             /* rad */
-static const double ASTRAY = 5, WAY = 0.02, TURNED = 0.05; /* 1; 1; rad */
+/* How far a step may turn any joint, so that no turn is lost; how many times Newton's first step it may go, if that is
+ * more than a share of the rod's length or a turn worth naming (RD19). */
+static const double JOINT_TURN = 1.5;                      /* rad */
+static const double ASTRAY = 2, WAY = 0.01, TURNED = 0.05; /* 1; 1; rad */
 /* The step that stands for infinity in Newton's method (RD8). */
 static const double DT_STATIC = 1e5; /* s */
 /* The shortest that is tried, as a share of the longest that rounding allows (RD23). */
@@ -140,8 +140,7 @@ static int follows(const Walk *w, const double *from)
         length += 2 * st->scene.chain.half[i];
         if (i > 0 && angle_between(joint_turn(from, n, i), joint_turn(st->y, n, i)) > JOINT_TURN) return 0;
     }
-    if (way < WAY * length && turn < TURNED) return 1;
-    return way <= ASTRAY * (w->aim.shift + WAY * length) && turn <= ASTRAY * (w->aim.turn + TURNED);
+    return way <= ASTRAY * w->aim.shift + WAY * length && turn <= ASTRAY * w->aim.turn + TURNED;
 }
 
 /* ------------------------------------------------------------------------------------------------ critical loads */
@@ -347,7 +346,7 @@ static hawser_status steps(Walk *w, double target)
     hawser_status status = HAWSER_OK;
     while (!status && st->t < target) {
         const double to = step >= target - st->t ? target : st->t + step;
-        const double next = rod_led_until(st->scene.rod, st->t, to, LED);
+        const double next = rod_led_until(st->scene.rod, st->t, to);
         status = attempt(w, next, w->kept);
         if (status) return status;
         const int ok = w->out->reached && follows(w, w->kept);
@@ -398,15 +397,15 @@ static hawser_status settle_led(Walk *w)
 {
     Stage *const st = w->st;
     Rod *const rod = st->scene.rod;
-    const int parts = (int)ceil(rod_led(rod, st->t) / LED);
+    const int parts = rod_led_parts(rod, st->t);
     hawser_status status = HAWSER_OK;
     for (int k = parts > 1 ? 1 : parts; !status && k <= parts; ++k) {
-        rod->led_share = parts > 0 ? (double)k / parts : 1;
+        rod->lag = parts > 0 ? 1 - (double)k / parts : 0;
         memcpy(w->below, st->y, state_bytes(st));
         status = attempt(w, st->t, w->below);
         if (!status && !w->out->reached) status = slow_way(w, st->t);
     }
-    rod->led_share = 1;
+    rod->lag = 0;
     return status;
 }
 
