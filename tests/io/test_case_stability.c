@@ -2,7 +2,7 @@
  * answer before stability and turns were counted. */
 #include "tests/io/case_fixture.h"
 
-/* Runs a case of tests/data with up to two settings to its end. */
+/* Runs a case of tests/data with settings to its end. */
 static hawser_sim *run(const char *name, const char *const *settings, hawser_summary *sum)
 {
     hawser_case *c = NULL;
@@ -100,12 +100,13 @@ static void turns_are_not_lost(void **state)
     hawser_sim_free(sim);
 }
 
-/* In time too: ten turns within a second that no row sees, on a rod that is too coarse for them. */
+/* In time too: twelve turns there and back between two rows, on a rod that is too coarse for them. */
 static void turns_in_time(void **state)
 {
     (void)state;
     const char *const led[] = {"run.analysis", "dynamics", "run.duration", "0.2 s", "output.interval", "0.2 s",
-                               "rod.head.motion.0.table", "[[0, 0], [50 ms, 1], [100 ms, 0]]", NULL};
+                               "rod.head.motion.0.turn", "4300 deg", "rod.head.motion.0.table",
+                               "[[0, 0], [50 ms, 1], [100 ms, 0]]", NULL};
     hawser_summary sum;
     hawser_sim *const sim = run("rod-turns", led, &sum);
     assert_false(condition(&sum, "orientation")->holds);
