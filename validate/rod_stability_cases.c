@@ -243,8 +243,7 @@ static hawser_status buckled_run(const void *setup, ValidationLog *log, hawser_e
         if (!status) status = walk(&def, &stage, err);
         if (status) return status;
         const Vec3 axis = quat_rotate(quat_unit(motion_attitude(&stage, n / 2 - 1)), v3(1, 0, 0));
-        const Vec3 middle =
-            v3_axpy(motion_get(&stage, STATE_P, n / 2 - 1), stage.scene.chain.half[n / 2 - 1], axis);
+        const Vec3 middle = v3_axpy(motion_get(&stage, STATE_P, n / 2 - 1), stage.scene.chain.half[n / 2 - 1], axis);
         found = hypot(middle.y, middle.z);
         h[k] = 1.0 / n;
         error[k] = found / exact - 1;

@@ -27,9 +27,9 @@ typedef struct Rod {
     double *start; /* [13 n], owned: the state at t = 0 (core/state.h) */
     RodEnd end[2];
     int n_loads;
-    RodLoad *load;    /* [n_loads], owned */
-    int still;        /* equilibria are looked for: ends that are led are where they are, without a velocity */
-    double lag;       /* share of their motions that the ends are behind: 0, but while the first equilibrium is looked for */
+    RodLoad *load; /* [n_loads], owned */
+    int still;     /* equilibria are looked for: ends that are led are where they are, without a velocity */
+    double lag; /* share of their motions that the ends are behind: 0, but while the first equilibrium is looked for */
 } Rod;
 
 /* The attitude of segment i at t = 0; -1 and n: of the ends' ground bodies. */
@@ -45,8 +45,8 @@ int rod_circulates(const Rod *rod, double t);
 /* In how many parts the ends are led to where they are at time t, so that no part turns one by more than 1 rad; 0: they
  * are not turned. */
 int rod_led_parts(const Rod *rod, double t);
-/* The latest time up to `next` by which no end is led by more than 1 rad from where it is at t, s: a turn that is led at
- * once cannot be told from none. */
+/* The latest time up to `next` by which no end is led by more than 1 rad from where it is at t, s: a turn that is led
+ * at once cannot be told from none. */
 double rod_led_until(const Rod *rod, double t, double next);
 
 /* The segment that holds the place `at` (m from the tail, a joint belongs to the segment before it) and how far the

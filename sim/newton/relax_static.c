@@ -91,7 +91,8 @@ static void blocks_swollen(Relaxation *r, double radius)
     }
 }
 
-/* The longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20). */
+/* The longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20).
+ */
 static double step_downhill(Relaxation *r, double dt)
 {
     newton_form(r->newton, dt);

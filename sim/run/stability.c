@@ -113,7 +113,8 @@ static void way_of(const Stage *st, const double *from, double *way)
     }
 }
 
-/* shape = the sum of the first `count` modes that are no rigid motion, each by what the way has of it; the first alone if it has nothing. */
+/* shape = the sum of the first `count` modes that are no rigid motion, each by what the way has of it; the first alone
+ * if it has nothing. */
 static void shapes_add(const Stage *st, const Modes *modes, int count, const double *way, double *shape)
 {
     const int size = 6 * st->scene.chain.n;
@@ -136,7 +137,8 @@ hawser_status stability_shape(Stage *st, int count, const double *from, double *
 {
     Modes modes = {0};
     double *const way = malloc(6 * (size_t)st->scene.chain.n * sizeof *way);
-    hawser_status status = way ? modes_find(st, LOOKED_AT, stability_radius(&st->scene.chain), &modes, err) : error_memory(err);
+    hawser_status status =
+        way ? modes_find(st, LOOKED_AT, stability_radius(&st->scene.chain), &modes, err) : error_memory(err);
     if (!status) {
         way_of(st, from, way);
         shapes_add(st, &modes, count, way, shape);
@@ -158,7 +160,8 @@ hawser_status stability_push(Stage *st, double t, const double *shape, double *s
             const Vec3 spin = state_vector(rate, n, STATE_W, i);
             const Vec3 moment = body_inertia_times(&st->scene.chain, &st->ws.kin, i, spin);
             v3_put(push + 6 * i, state_vector(rate, n, STATE_V, i));
-            v3_put(push + 6 * i + 3, v3_scale(1 / st->newton.inertia[0][i], moment)); /* swollen, the same in all axes */
+            v3_put(push + 6 * i + 3,
+                   v3_scale(1 / st->newton.inertia[0][i], moment)); /* swollen, the same in all axes */
         }
         const double both = product(&st->newton, push, push) * product(&st->newton, shape, shape);
         *share = both > 0 ? fabs(product(&st->newton, shape, push)) / sqrt(both) : 0;

@@ -25,9 +25,9 @@ typedef struct Stage {
     double balance_s;              /* s, spent on it */
     double t, *y;                  /* s; [motion->size] */
     LinOptions options;
-    long joined, left; /* segments so far */
+    long joined, left;   /* segments so far */
     Stability stability; /* of equilibria; statics only */
-    int forget;        /* for tests: start the integrator anew at every event */
+    int forget;          /* for tests: start the integrator anew at every event */
 } Stage;
 
 /* Builds the scene and all that goes with it, the state of t = 0 included; team: borrowed, NULL for one thread. Errors:

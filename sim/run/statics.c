@@ -67,9 +67,10 @@ static hawser_status put_back(Walk *w, const double *y)
     return st->motion->ops->renew(st->motion, st->t, st->y, w->err);
 }
 
-/* Newton's method at time t from `from`, where the state is put back to if it does not get there. Where a motion is free,
- * a rod's about its own axis or a ring's inside out, a step that stands for infinity makes large moves of rounding along
- * it: shorter ones are tried, from the longest that rounding allows on, and kept where they help (RD23). */
+/* Newton's method at time t from `from`, where the state is put back to if it does not get there. Where a motion is
+ * free, a rod's about its own axis or a ring's inside out, a step that stands for infinity makes large moves of
+ * rounding along it: shorter ones are tried, from the longest that rounding allows on, and kept where they help (RD23).
+ */
 static hawser_status attempt(Walk *w, double t, const double *from)
 {
     Stage *const st = w->st;
@@ -108,8 +109,7 @@ static hawser_status downhill(Walk *w, double t, const double *from)
     StaticAim aim = w->aim;
     aim.dt = 1 / sqrt(stability_least(&st->scene.chain));
     aim.radius = stability_radius(&st->scene.chain);
-    const hawser_status status =
-        relax_downhill(&st->scene, &st->ws, &st->newton, t, &aim, st->y, w->out, w->err);
+    const hawser_status status = relax_downhill(&st->scene, &st->ws, &st->newton, t, &aim, st->y, w->out, w->err);
     return status || w->out->reached ? status : put_back(w, from);
 }
 
@@ -248,13 +248,13 @@ static hawser_status leave(Walk *w, double t, const Bracket *b)
     return status;
 }
 
-/* More motions grow from the equilibrium at t, in the state, than from the last: the load between is found, and then the
- * run stays or goes on with what is stable. *unstable: of the state that it ends with. */
+/* More motions grow from the equilibrium at t, in the state, than from the last: the load between is found, and then
+ * the run stays or goes on with what is stable. *unstable: of the state that it ends with. */
 static hawser_status cross(Walk *w, double t, int *unstable, int *swings)
 {
     Stage *const st = w->st;
-    Bracket b = {.from = st->t, .to = t, .before = st->stability.unstable, .after = *unstable, .swings = *swings,
-                 .reached = 1};
+    Bracket b = {
+        .from = st->t, .to = t, .before = st->stability.unstable, .after = *unstable, .swings = *swings, .reached = 1};
     int none;
     memcpy(w->there, st->y, state_bytes(st));
     memcpy(w->above, st->y, state_bytes(st));

@@ -6,9 +6,9 @@
 #include "sim/run/stage.h"
 
 /* Moves the stage on to equilibrium under the loads of time `target` (s), by as many smaller load steps as it takes.
- * Where equilibria stop being stable stage->stability gets the load; the definition's analysis.stability says what then.
- * out adds up what it took. On failure the stage is left at the last equilibrium that was found. Errors: MEMORY, RUN
- * (says where and what to try). */
+ * Where equilibria stop being stable stage->stability gets the load; the definition's analysis.stability says what
+ * then. out adds up what it took. On failure the stage is left at the last equilibrium that was found. Errors: MEMORY,
+ * RUN (says where and what to try). */
 hawser_status statics_advance(Stage *stage, double target, hawser_relaxation *out, hawser_error *err);
 /* Equilibrium at the stage's own time: by Newton's method, otherwise by the continuation in time of sim/newton/relax.h.
  * Not reaching it is not an error. Errors: MEMORY. */

@@ -87,7 +87,8 @@ static void what_is_wanted(void **state)
 static void turns_are_not_lost(void **state)
 {
     (void)state;
-    const char *const few[] = {"run.load_steps", "1", NULL}, *const far[] = {"rod.head.motion.0.turn", "4300 deg", NULL};
+    const char *const few[] = {"run.load_steps", "1", NULL}, *const far[] = {"rod.head.motion.0.turn", "4300 deg",
+                                                                             NULL};
     hawser_summary sum;
     for (int k = 0; k < 2; ++k) {
         hawser_sim *const sim = run("rod-turns", k ? few : NULL, &sum);
@@ -100,13 +101,33 @@ static void turns_are_not_lost(void **state)
     hawser_sim_free(sim);
 }
 
+/* An end that is led from the beginning is led there on the right side, and no farther than it says. */
+static void turns_before_time(void **state)
+{
+    (void)state;
+    const char *const led[] = {"run.analysis", "dynamics", "run.duration", "10 ms", "rod.head.motion.0.turn",
+                               "300 deg",      NULL};
+    hawser_summary sum;
+    hawser_sim *const sim = run("rod-turns", led, &sum);
+    check_share(fabs(sum.probes[0].moment[0]), 300 * M_PI / 180, 1e-6);
+    hawser_sim_free(sim);
+}
+
 /* In time too: twelve turns there and back between two rows, on a rod that is too coarse for them. */
 static void turns_in_time(void **state)
 {
     (void)state;
-    const char *const led[] = {"run.analysis", "dynamics", "run.duration", "0.2 s", "output.interval", "0.2 s",
-                               "rod.head.motion.0.turn", "4300 deg", "rod.head.motion.0.table",
-                               "[[0, 0], [50 ms, 1], [100 ms, 0]]", NULL};
+    const char *const led[] = {"run.analysis",
+                               "dynamics",
+                               "run.duration",
+                               "0.2 s",
+                               "output.interval",
+                               "0.2 s",
+                               "rod.head.motion.0.turn",
+                               "4300 deg",
+                               "rod.head.motion.0.table",
+                               "[[0, 0], [50 ms, 1], [100 ms, 0]]",
+                               NULL};
     hawser_summary sum;
     hawser_sim *const sim = run("rod-turns", led, &sum);
     assert_false(condition(&sum, "orientation")->holds);
@@ -117,7 +138,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_column_buckles),   cmocka_unit_test(a_column_stands), cmocka_unit_test(what_is_wanted),
-        cmocka_unit_test(turns_are_not_lost), cmocka_unit_test(turns_in_time),
+        cmocka_unit_test(turns_are_not_lost), cmocka_unit_test(turns_in_time),   cmocka_unit_test(turns_before_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* Equilibria that stop being stable: the loads at which they do, where the rods go then, and turns that are not lost. */
+/* Equilibria that stop being stable: the loads at which they do, where the rods go then, and turns that are not lost.
+ */
 #include "sim/run/statics.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
@@ -49,8 +50,8 @@ static void euler_loads_are_of_second_order(void **state)
     check_close((coarse - middle) / (middle - fine), 4, 0.3);
 }
 
-/* At twice its load the column bends as the elastica says, 0.398 of its length, whatever makes it go to one side; with nothing
- * to say to which. At nine tenths it stays straight. */
+/* At twice its load the column bends as the elastica says, 0.398 of its length, whatever makes it go to one side; with
+ * nothing to say to which. At nine tenths it stays straight. */
 static void columns_bend_into_the_elastica(void **state)
 {
     (void)state;
@@ -177,8 +178,7 @@ static void forces_of(Stage *stage, double *rate, double *out)
     dynamics_rates(&stage->scene, &stage->ws, 1, stage->y, 0, rate);
     for (int i = 0; i < c->n; ++i) {
         v3_put(out + 6 * i, v3_scale(c->mass[i], state_vec(rate, c->n, STATE_V, i)));
-        v3_put(out + 6 * i + 3,
-               body_inertia_times(c, &stage->ws.kin, i, state_vec(rate, c->n, STATE_W, i)));
+        v3_put(out + 6 * i + 3, body_inertia_times(c, &stage->ws.kin, i, state_vec(rate, c->n, STATE_W, i)));
     }
 }
 
@@ -220,10 +220,14 @@ static void blocks_of_a_slide(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(euler_loads_are_of_second_order), cmocka_unit_test(columns_bend_into_the_elastica),
-        cmocka_unit_test(stiff_columns_converge),          cmocka_unit_test(followers_flutter),
-        cmocka_unit_test(arches_snap_through),             cmocka_unit_test(turns_are_counted),
-        cmocka_unit_test(a_joint_takes_no_half_turn),      cmocka_unit_test(blocks_of_a_slide),
+        cmocka_unit_test(euler_loads_are_of_second_order),
+        cmocka_unit_test(columns_bend_into_the_elastica),
+        cmocka_unit_test(stiff_columns_converge),
+        cmocka_unit_test(followers_flutter),
+        cmocka_unit_test(arches_snap_through),
+        cmocka_unit_test(turns_are_counted),
+        cmocka_unit_test(a_joint_takes_no_half_turn),
+        cmocka_unit_test(blocks_of_a_slide),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
