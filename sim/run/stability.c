@@ -133,15 +133,28 @@ static void shapes_add(const Stage *st, const Modes *modes, int count, const dou
     if (first && !(largest > 1e-9 * length)) memcpy(shape, first, (size_t)size * sizeof *shape);
 }
 
+/* The mode that grows fastest. */
+static void fastest_take(const Modes *modes, int size, double *shape)
+{
+    int best = 0;
+    for (int m = 1; m < modes->n; ++m) {
+        if (modes->out[m].growth_per_s > modes->out[best].growth_per_s) best = m;
+    }
+    memcpy(shape, modes->out[best].shape, (size_t)size * sizeof *shape);
+}
+
 hawser_status stability_shape(Stage *st, int count, const double *from, double *shape, hawser_error *err)
 {
     Modes modes = {0};
     double *const way = malloc(6 * (size_t)st->scene.chain.n * sizeof *way);
-    hawser_status status =
-        way ? modes_find(st, LOOKED_AT, stability_radius(&st->scene.chain), &modes, err) : error_memory(err);
-    if (!status) {
+    const double radius = count > 0 ? stability_radius(&st->scene.chain) : 0;
+    hawser_status status = way ? modes_find(st, LOOKED_AT, radius, &modes, err) : error_memory(err);
+    if (!status && count == 0) fastest_take(&modes, 6 * st->scene.chain.n, shape);
+    if (!status && count > 0) {
         way_of(st, from, way);
         shapes_add(st, &modes, count, way, shape);
+    }
+    if (!status) {
         shape_scale(&st->scene.chain, shape);
     }
     modes_free(&modes);

@@ -28,8 +28,8 @@ hawser_status stability_count(struct Stage *stage, int *unstable, int *swings, h
 
 /* The motion that grows first, beside its load: into shape [6 n] as a mode's, its largest turn 1 rad or its largest
  * shift the rod's length, whichever is less. Of `count` motions that become possible together (a round section bends
- * either way) that which has the sense of the way from `from` [n positions] to the stage's state. Errors: MEMORY, RUN.
- */
+ * either way) that which has the sense of the way from `from` [n positions] to the stage's state. count 0: they swing,
+ * and that which grows fastest is wanted. Errors: MEMORY, RUN. */
 hawser_status stability_shape(struct Stage *stage, int count, const double *from, double *shape, hawser_error *err);
 /* How much of the change of the loads from the stage's time to t pushes along that motion, 0 to 1 (RD18). Errors:
  * MEMORY. */

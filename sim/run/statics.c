@@ -216,16 +216,17 @@ static hawser_status critical_keep(Walk *w, const Bracket *b)
 {
     Stage *const st = w->st;
     const double now = st->t;
-    const int many = b->after - b->before;
+    const int more = b->after > b->before ? b->after - b->before : 1, many = b->swings ? 0 : more;
     double *const shape = malloc(6 * (size_t)st->scene.chain.n * sizeof *shape), pushed = 0;
     if (!shape) return error_memory(w->err);
     st->t = b->reached ? b->to : b->from;
     hawser_status status = put_back(w, b->reached ? w->above : w->below);
-    if (!status) status = stability_shape(st, many > 1 ? many : 1, w->kept, shape, w->err);
+    if (!status) status = stability_shape(st, many, w->kept, shape, w->err);
     if (!status) memcpy(w->shape, shape, 6 * (size_t)st->scene.chain.n * sizeof *shape);
     st->t = b->from;
     if (!status) status = put_back(w, w->below);
-    if (!status) status = stability_push(st, b->from + CLOSE * st->scene.def.duration, shape, &pushed, w->err);
+    if (!status && !b->swings)
+        status = stability_push(st, b->from + CLOSE * st->scene.def.duration, shape, &pushed, w->err);
     st->t = now;
     if (status) {
         free(shape);
