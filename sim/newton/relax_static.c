@@ -11,7 +11,7 @@
 static const double TURN_NEWTON = 0.5; /* rad */
 /* The way down (RD20): the largest turn in one iteration; steps grow and shrink by these. */
 static const double TURN_DOWN = 0.2, GROWTH = 4, SHRINKING = 0.5;
-enum { NEWTON_ITERATIONS = 60, DOWN_ITERATIONS = 1500, PATIENCE = 150, CALMING = 6 };
+enum { NEWTON_ITERATIONS = 60, DOWN_ITERATIONS = 3000, PATIENCE = 500, CALMING = 6 };
 
 /* The largest force in the scene: weights, loads, and what the joints carry, N. */
 static double largest_force(const Relaxation *r)
@@ -91,6 +91,23 @@ static void blocks_swollen(Relaxation *r, double radius)
     }
 }
 
+/* Moves by dt times the velocities found, but no segment turns by more than TURN_DOWN, nor goes farther than half a
+ * cable's thickness where there is anything that it could pass through. */
+static void move_down(Relaxation *r, double dt)
+{
+    const Scene *const scene = r->scene;
+    double share = fmin(1, TURN_DOWN / (turn_of(r, dt) + 1e-300));
+    if (scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0 || scene->self.present) {
+        double thin = INFINITY, half = 0;
+        for (int i = 0; i < scene->chain.n; ++i) {
+            thin = fmin(thin, scene->chain.radius[i]);
+            half = fmax(half, scene->chain.half[i]);
+        }
+        share = fmin(share, thin / (shift_of(r, dt) + half * turn_of(r, dt) + 1e-300));
+    }
+    space_move(r, share * dt);
+}
+
 /* The longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20).
  */
 static double step_downhill(Relaxation *r, double dt)
@@ -117,7 +134,7 @@ static hawser_status calm(Relaxation *r, double dt, double radius, hawser_error 
         blocks_swollen(r, radius);
         const double step = step_downhill(r, dt);
         if (space_solve(r, step)) break;
-        space_move(r, fmin(1, TURN_DOWN / (turn_of(r, step) + 1e-300)) * step);
+        move_down(r, step);
         status = space_refresh(r, 0, err);
     }
     return status;
@@ -138,7 +155,7 @@ static hawser_status descend(Relaxation *r, StaticAim *aim, hawser_relaxation *o
         if (it > 0 && it % PATIENCE == 0) cap = fmin(cap, fmin(dt, 10)) / 10;
         dt = step_downhill(r, fmin(cap, GROWTH * dt));
         if (space_solve(r, dt)) break;
-        space_move(r, fmin(1, TURN_DOWN / (turn_of(r, dt) + 1e-300)) * dt);
+        move_down(r, dt);
         ++out->iterations;
         status = space_refresh(r, 0, err);
         if (!status) status = calm(r, dt / 10, aim->radius, err);

@@ -20,6 +20,7 @@ static const double DT_STATIC = 1e5; /* s */
 static const double SHORTER = 0.01;
 /* A critical load is known when it is this share of the run away from a stable equilibrium; how far a state is nudged
  * along what grows, rad; what pushes along that motion by more than this is no bifurcation (RD18). */
+enum { LOOKS = 400 }; /* at a bracket, at most */
 static const double CLOSE = 1e-6, NUDGE = 0.02, PUSHED = 1e-4;
 
 /* The way of the equilibria, from the stage's time on. */
@@ -194,7 +195,7 @@ static hawser_status bracket_close(Walk *w, Bracket *b, int *none)
     const Bracket whole = *b;
     hawser_status status = HAWSER_OK;
     *none = 0;
-    while (!status) {
+    for (int look = 0; !status && look < LOOKS; ++look) {
         const int last = b->to - b->from <= close;
         const double t = last ? b->to : b->from + (b->to - b->from) / 2;
         int stable = 0;
