@@ -1,5 +1,5 @@
 /* How many directions a symmetric block tridiagonal matrix is negative in: for the stability of equilibria.
- * docs/model.md, "Rods" (RD15), (RD16). */
+ * docs/model.md, "Rods" (RD24), (RD16). */
 #ifndef HAWSER_LINSOLVE_INERTIA_H
 #define HAWSER_LINSOLVE_INERTIA_H
 

@@ -1,4 +1,5 @@
-/* Whether equilibria are stable, and the loads at which they stop being so. docs/model.md, "Rods" (RD15)-(RD19). */
+/* Whether equilibria are stable, and the loads at which they stop being so. docs/model.md, "Rods" (RD16)-(RD19),
+ * (RD24). */
 #ifndef HAWSER_SIM_RUN_STABILITY_H
 #define HAWSER_SIM_RUN_STABILITY_H
 

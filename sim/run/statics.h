@@ -1,5 +1,6 @@
 /* Static equilibria one after the other while the loads change with time, and linear vibrations about the last: the
- * lowest modes, by subspace iteration with Newton's own matrix. docs/model.md, "Rods" (RD8), (RD10)-(RD20). */
+ * lowest modes, by subspace iteration with Newton's own matrix. docs/model.md, "Rods" (RD8), (RD10)-(RD14),
+ * (RD16)-(RD20), (RD23). */
 #ifndef HAWSER_SIM_RUN_STATICS_H
 #define HAWSER_SIM_RUN_STATICS_H
 
