@@ -55,6 +55,11 @@ int rod_led_parts(const Rod *rod, double t);
 /* The latest time up to `next` by which no end is led by more than 1 rad from where it is at t, s: a turn that is led
  * at once cannot be told from none. */
 double rod_led_until(const Rod *rod, double t, double next);
+/* There is a rod, and nothing keeps it in its place: no end is held, and there is nothing on which it could come to
+ * lie.
+ */
+struct Scene;
+int rod_is_loose(const struct Scene *scene);
 
 /* The segment that holds the place `at` (m from the tail, a joint belongs to the segment before it) and how far the
  * place is from its centre, along its axis (m). */

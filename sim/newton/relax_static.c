@@ -61,7 +61,8 @@ static hawser_status newton_iterate(Relaxation *r, StaticAim *aim, hawser_relaxa
     for (int it = 0; !status && it <= NEWTON_ITERATIONS; ++it) {
         look(r, aim, out);
         if (out->reached || !isfinite(out->residual_N) || it == NEWTON_ITERATIONS) break;
-        if (space_step(r, aim->dt)) break;
+        status = relax_stopped(&r->ws->stop, 0, err);
+        if (status || space_step(r, aim->dt)) break;
         const double turn = turn_of(r, aim->dt);
         if (it == 0) {
             aim->turn = turn;
@@ -91,20 +92,14 @@ static void blocks_swollen(Relaxation *r, double radius)
     }
 }
 
-/* Moves by dt times the velocities found, but no segment turns by more than TURN_DOWN, nor goes farther than half a
- * cable's thickness where there is anything that it could pass through. */
+/* Moves by dt times the velocities found, but no segment turns by more than TURN_DOWN, nor goes farther than half the
+ * way through anything. */
 static void move_down(Relaxation *r, double dt)
 {
     const Scene *const scene = r->scene;
-    double share = fmin(1, TURN_DOWN / (turn_of(r, dt) + 1e-300));
-    if (scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0 || scene->self.present) {
-        double thin = INFINITY, half = 0;
-        for (int i = 0; i < scene->chain.n; ++i) {
-            thin = fmin(thin, scene->chain.radius[i]);
-            half = fmax(half, scene->chain.half[i]);
-        }
-        share = fmin(share, thin / (shift_of(r, dt) + half * turn_of(r, dt) + 1e-300));
-    }
+    double share = fmin(1, TURN_DOWN / (turn_of(r, dt) + 1e-300)), half = 0;
+    for (int i = 0; i < scene->chain.n; ++i) half = fmax(half, scene->chain.half[i]);
+    share = fmin(share, scene_way(scene) / 2 / (shift_of(r, dt) + half * turn_of(r, dt) + 1e-300));
     space_move(r, share * dt);
 }
 
@@ -149,6 +144,8 @@ static hawser_status descend(Relaxation *r, StaticAim *aim, hawser_relaxation *o
     for (int it = 0; !status && it < DOWN_ITERATIONS; ++it) {
         look(r, aim, out);
         if (!isfinite(out->residual_N)) break;
+        status = relax_stopped(&r->ws->stop, 0, err);
+        if (status) return status;
         blocks_swollen(r, aim->radius);
         newton_form(r->newton, aim->dt);
         if (out->reached && newton_negative(r->newton) == 0) return status;

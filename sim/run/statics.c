@@ -357,7 +357,7 @@ static hawser_status steps(Walk *w, double target)
             status = put_back(w, w->kept);
             continue;
         }
-        if (!ok) status = fall(w, next);
+        if (!ok && !rod_is_loose(&st->scene)) status = fall(w, next);
         if (!status && !w->out->reached) status = stuck(w, next);
         if (!status) status = judge(w, next);
         step *= 2;
@@ -405,10 +405,12 @@ static hawser_status settle_led(Walk *w)
         rod->lag = parts > 0 ? 1 - (double)k / parts : 0;
         memcpy(w->below, st->y, state_bytes(st));
         status = attempt(w, st->t, w->below);
-        if (!status && !w->out->reached) status = slow_way(w, st->t);
+        if (!status && !w->out->reached && !rod_is_loose(&st->scene)) status = slow_way(w, st->t);
     }
     rod->lag = 0;
-    return status;
+    if (status || w->out->reached) return status;
+    w->out->moved_m = 0; /* a rod without equilibrium stays where the case has put it */
+    return put_back(w, w->kept);
 }
 
 hawser_status statics_settle(Stage *st, double share, hawser_relaxation *out, hawser_error *err)
