@@ -31,6 +31,20 @@ static void report_modes(const hawser_summary *s)
     }
 }
 
+/* Loads at which an equilibrium stopped being stable, and how the run ended. */
+static void report_stability(const hawser_summary *s)
+{
+    if (s->n_critical > 0) printf("\nCritical loads\n");
+    for (int i = 0; i < s->n_critical; i++) {
+        const hawser_critical *const c = &s->critical[i];
+        const double *const d = c->direction;
+        printf("  %-12s at %.6g s, %.6g of the run; moves most at %.4g m, along (%.3g, %.3g, %.3g)\n", c->kind, c->t,
+               c->share, c->at, d[0], d[1], d[2]);
+    }
+    if (s->unstable > 0) printf("  the last equilibrium is not stable: %d motions grow\n", s->unstable);
+    if (s->unstable == 0) printf("  the last equilibrium is stable\n");
+}
+
 /* Before the run: what the counts of the model are. */
 void report_scene(const hawser_sim *s)
 {
@@ -215,6 +229,7 @@ void report_run(hawser_sim *s, const char *dir)
     report_relaxation(&sum.relaxation);
     if (sum.rod) {
         report_rod(&sum);
+        report_stability(&sum);
         report_modes(&sum);
     } else {
         report_pull(&sum);

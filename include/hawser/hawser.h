@@ -200,6 +200,9 @@ typedef struct hawser_summary {
     const char *analysis;       /* "dynamics", "static" or "modes" */
     int n_modes;
     const hawser_mode *modes; /* [n_modes], as hawser_sim_modes gives them */
+    int unstable;             /* motions that grow from the last equilibrium; -1: not counted */
+    int n_critical;
+    const hawser_critical *critical; /* [n_critical], by time; the simulation's */
     int n_probes;
     const hawser_probe *probes; /* [n_probes], as the last sample has them */
     int n_conditions;

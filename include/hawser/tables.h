@@ -30,6 +30,18 @@ typedef struct hawser_mode {
     const double *shape;  /* [6*segments] dx dy dz rx ry rz of each segment's centre, m and rad, largest shift 1 m */
 } hawser_mode;
 
+/* A load of a run with `analysis: static` or `modes` at which the equilibrium stopped being stable. */
+typedef struct hawser_critical {
+    double t;            /* s: the loads are those of this time */
+    double share;        /* t over the run's duration: of loads that grow in proportion to time */
+    double width;        /* s: it was stable so long before t; so well is t known */
+    const char *kind;    /* "buckling", "snap-through" or "flutter"; lives for ever */
+    int unstable;        /* how many motions grow from the equilibrium just beyond; 0: there is none near */
+    double at;           /* m from the tail, where the motion that grows is largest */
+    double direction[3]; /* of the motion there, unit */
+    const double *shape; /* [6*segments] of that motion, as a mode's */
+} hawser_critical;
+
 /* One term of the balances of a run: what it has done, or how it has changed, since t = 0. */
 typedef enum hawser_balance_kind {
     HAWSER_BALANCE_WORK,   /* done on cable, drums and rollers, J */

@@ -66,6 +66,17 @@ static const Column mode_column[] = {
 };
 static const Columns mode_columns = COLUMNS(hawser_mode, mode_column);
 
+static const Column critical_column[] = {
+    {COLUMN("time_s", NUMBER, hawser_critical, t)},
+    {COLUMN("share", NUMBER, hawser_critical, share)},
+    {COLUMN("width_s", NUMBER, hawser_critical, width)},
+    {COLUMN("kind", TEXT, hawser_critical, kind)},
+    {COLUMN("unstable", COUNT, hawser_critical, unstable)},
+    {COLUMN("largest_at_m", NUMBER, hawser_critical, at)},
+    {COLUMN("direction", VECTOR, hawser_critical, direction)},
+};
+static const Columns critical_columns = COLUMNS(hawser_critical, critical_column);
+
 /* As the run ended. */
 static const Column probe_column[] = {
     {COLUMN("name", TEXT, hawser_probe, name)},
@@ -199,6 +210,7 @@ static const Column summary_column[] = {
     {COLUMN("analysis", TEXT, Summary, s.analysis)},
     {LIST("probes", Summary, s.probes, s.n_probes, probe_columns)},
     {LIST("modes", Summary, s.modes, s.n_modes, mode_columns)},
+    {LIST("critical_loads", Summary, s.critical, s.n_critical, critical_columns)},
     {LIST("events", Summary, s.events, s.n_events, event_columns)},
     {LIST("pull_by_position", Summary, s.positions, s.n_positions, position_columns)},
     {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},

@@ -195,6 +195,7 @@ void stage_free(Stage *st)
 {
     integrator_free(st->integrator);
     balance_free(st->balance);
+    stability_free(&st->stability);
     newton_free(&st->newton);
     planar_free(&st->planar);
     workspace_free(&st->ws);

@@ -100,14 +100,22 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
-    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0 && rod_is_loose(scene)) {
+    const int rests = (scene->def.solver.relax || !dynamic) && f->relaxation->tolerance_N > 0;
+    if (rests && rod_is_loose(scene)) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
             "to false");
-    } else if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
+    } else if (rests) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
             f->relaxation->segment);
+    }
+    if (!dynamic && scene->def.analysis.stability != STABILITY_IGNORE) {
+        const double grow = f->unstable < 0 ? (double)INFINITY : (double)f->unstable;
+        add(&list, "stable", "1", grow, 0, "%s",
+            f->unstable < 0 ? "the equilibrium's stability could not be counted: see 'analysis: modes'"
+                            : "the last equilibrium is not stable: see critical loads; a slow load would not leave the "
+                              "rod there");
     }
     if (f->balance) {
         add(&list, "energy", "1", f->balance->residual_share, ENERGY,

@@ -23,6 +23,7 @@ typedef struct TrustFacts {
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
     int turned;                    /* sim/watch/events.h */
+    int unstable;                  /* motions that grow from an equilibrium of statics; -1: not counted */
     Stray stray;
     const Passing *passing;
 } TrustFacts;
