@@ -113,9 +113,9 @@ typedef struct hawser_roller {
     double initial_N;             /* load at equilibrium before t = 0 */
     double steady_N;              /* mean of the steady window; NAN until the run reached it */
     double peak_N;                /* largest of the run */
-    double steady_error_N, peak_error_N; /* what these may be off by: the total of their error bars */
     double spin_rad_per_s;        /* about its axis, mean of the steady window; NAN: it does not spin */
     double shift_m, peak_shift_m; /* from its place, mean of that window and largest; NAN: it is not on a mount */
+    double steady_error_N, peak_error_N; /* what steady_N and peak_N may be off by: their error bars' totals */
 } hawser_roller;
 
 /* One duct, tray, floor or wall. */
@@ -128,8 +128,8 @@ typedef struct hawser_surface {
     double normal_N;          /* sum of the normal forces, mean of the steady window */
     double friction_N;        /* sum of the friction forces, likewise */
     double line_load_N_per_m; /* the largest normal force per length of cable (sidewall pressure) of the run */
-    double line_load_error;   /* N/m, what that may be off by */
     double line_load_at_m;    /* m along the route, where that was; NAN: nowhere, or not along the route */
+    double line_load_error;   /* N/m, what line_load_N_per_m may be off by */
 } hawser_surface;
 
 #ifdef __cplusplus

@@ -10,6 +10,8 @@
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
 static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
+static const double DAMPED = 0.01;                  /* of what moves, by the steps in time alone */
+static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                  /* m: more than any sag between supports */
 static const double SAGITTA = 2.2;                  /* of the room in a duct: a chord's height over it */
 static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
@@ -98,6 +100,34 @@ static void add_friction_speed(List *list, const Scene *scene)
     }
 }
 
+/* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
+ * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against it:
+ * the square leaves a margin (BA13). */
+static void add_damping(List *list, const TrustFacts *f)
+{
+    const double share = f->balance->numerical_share, logs = share < 0.95 ? -log1p(-share) : 3;
+    add(list, "numerical_damping", "1", share, DAMPED,
+        "the steps in time took %.2g %% of '%s' that nothing else damped: set solver.accuracy to %.1g, and "
+        "solver.max_order to 2",
+        100 * share, f->balance->turnover_of,
+        f->scene->def.solver.accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs)));
+}
+
+/* The error bars of the pull. */
+static void add_errors(List *list, const hawser_summary *s)
+{
+    const double size = fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100);
+    const hawser_error_bar *const mean = &s->pull_mean_error, *const peak = &s->pull_peak_error;
+    const char *const remedy = "%s may be off by %.2g %%, mostly by %s: set %s";
+    if (!(s->pull_peak_N > 0)) return;
+    add(list, "numerical_error", "1", mean->total / size, MEAN_ERROR, remedy, "the mean pull", 100 * mean->total / size,
+        mean->time > mean->mesh ? "steps in time" : "the mesh",
+        mean->time > mean->mesh ? "a smaller solver.accuracy" : "a shorter chain.segment");
+    add(list, "numerical_peak", "1", peak->total / s->pull_peak_N, PEAK_ERROR, remedy, "the peak",
+        100 * peak->total / s->pull_peak_N, peak->time > peak->mesh ? "steps in time" : "the mesh",
+        peak->time > peak->mesh ? "a smaller solver.accuracy or output.interval" : "a shorter chain.segment");
+}
+
 int trust_judge(const TrustFacts *f, hawser_condition *out)
 {
     const Scene *const scene = f->scene;
@@ -122,7 +152,9 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
         add(&list, "momentum", "1", f->balance->impulse_residual_share, MOMENTUM,
             "momentum does not add up by %.2g %%: try a smaller solver.accuracy",
             100 * f->balance->impulse_residual_share);
+        add_damping(&list, f);
     }
+    if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
     if (dynamic && !scene->rod->present) {
         add(&list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",

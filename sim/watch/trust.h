@@ -21,6 +21,7 @@ typedef struct TrustFacts {
     double t, end; /* s, reached and asked for */
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
+    const hawser_summary *figures; /* with their error bars */
     int turned;                    /* sim/watch/events.h */
     Stray stray;
 } TrustFacts;
