@@ -4,9 +4,12 @@
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
-static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
+static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 4; /* of what a figure wavers while a segment passes (EB1) */
+static const double MESH_OF_PEAK = 0.35;                  /* of the mesh's share of a mean */
 static const double MESH = 2e-4;                          /* of any figure, which no support shows */
 static const double ARCS = 3e-3;                          /* of the square of sagitta over room (EB5) */
+static const double RESTS = 0.2;                          /* of stiffness, where a duct holds one side (EB5) */
+static const double ENDS = 0.15;                          /* of a segment, that surfaces carry less at the ends */
 static const double SHARPNESS = 1. / 8;                   /* of the second difference at a peak (EB6) */
 static const double TOLERANCES = 2;                       /* of a step, that a peak may be off by */
 
@@ -15,6 +18,7 @@ static double friction_missing(const FrictionLaw *law, double speed)
 {
     double slope;
     if (friction_kind(law) != FRICTION_SPEED || !(law->mu_d > 0)) return 0;
+    if (speed >= law->v_d) return 0; /* the law is flat */
     return fabs(friction_over_speed(law, speed, &slope) * speed / law->mu_d - 1);
 }
 
@@ -37,38 +41,41 @@ static double friction_most(const Scene *scene)
     return most;
 }
 
-/* Whether a roller stands in a bend and holds the cable in its plane; its side is the sign of *side. */
-static int holds_bend(const Route *route, const RoutePiece *bend, const RollerDef *roller, double *side)
-{
-    if (!(roller->s >= bend->s0 && roller->s <= bend->s0 + bend->length)) return 0;
-    const RoutePoint at = route_at(route, roller->s);
-    const Vec3 inward = v3_unit(at.curvature);
-    *side = v3_dot(v3_sub(roller->centre, at.position), inward);
-    return fabs(v3_dot(roller->axis, v3_cross(at.tangent, inward))) > 0.7;
-}
-
-/* Spacing of the rollers that hold the cable in a bend, m: of those on one side, which have the most; INFINITY without.
- */
+/* Spacing of the rollers that hold the cable in the plane of a bend, m: of those on one side, which have the most, from
+ * the last one before the bend to the first one behind it, if there are any. INFINITY without. */
 static double bend_pitch(const Scene *scene, const RoutePiece *bend)
 {
-    int count[2] = {0, 0};
+    const Vec3 normal = v3_cross(bend->tangent, bend->centre);
+    const double begins = bend->s0, ends = begins + bend->length;
+    double before = -INFINITY, behind = INFINITY;
+    int count[2] = {0, 0}; /* outside, inside */
     for (int r = 0; r < scene->def.n_rollers; ++r) {
-        double side;
-        if (holds_bend(&scene->route, bend, &scene->def.rollers[r], &side)) ++count[side > 0];
+        const RollerDef *const roller = &scene->def.rollers[r];
+        if (!(fabs(v3_dot(roller->axis, normal)) > 0.7)) continue;
+        if (roller->s < begins) before = fmax(before, roller->s);
+        if (roller->s > ends) behind = fmin(behind, roller->s);
+        if (!(roller->s >= begins && roller->s <= ends)) continue;
+        const RoutePoint at = route_at(&scene->route, roller->s);
+        ++count[v3_dot(v3_sub(roller->centre, at.position), at.curvature) > 0];
     }
     const int most = count[0] > count[1] ? count[0] : count[1];
-    return most > 0 ? bend->length / most : INFINITY;
+    if (most == 0 && !(before > -INFINITY && behind < INFINITY)) return INFINITY;
+    return ((behind < INFINITY ? behind : ends) - (before > -INFINITY ? before : begins)) / (most + 1);
 }
 
 /* What the chain is in the mesh's eyes. */
 typedef struct Coarsest {
-    double length, bending; /* m; N m2, stiffness before anything slides */
+    double longest, length; /* m, of a segment and of all */
+    double bending;         /* N m2, stiffness before anything slides */
 } Coarsest;
 
 static Coarsest coarsest(const Chain *chain)
 {
-    Coarsest c = {0, 0};
-    for (int i = 0; i < chain->n; ++i) c.length = fmax(c.length, 2 * chain->half[i]);
+    Coarsest c = {0, 0, 0};
+    for (int i = 0; i < chain->n; ++i) {
+        c.longest = fmax(c.longest, 2 * chain->half[i]);
+        c.length += 2 * chain->half[i];
+    }
     for (int j = 1; j < chain->n; ++j) {
         double k = fmax(chain->stiffness[4][j], chain->stiffness[5][j]);
         for (int s = 0; s < chain->sliders.count; ++s) k += chain->sliders.stiffness[s][j];
@@ -89,20 +96,21 @@ static double arc_over_room(const Scene *scene, const RoutePiece *bend, double l
     return worst;
 }
 
-/* Of the pull, over the route's bends: polygons (EB3), stiffness between supports (EB4), arcs in ducts (EB5). */
+/* Of the pull: ends on surfaces; over the route's bends polygons (EB3), stiffness between supports (EB4), arcs in
+ * ducts (EB5). */
 static double mesh_share(const Scene *scene, double pull)
 {
     const Coarsest c = coarsest(&scene->chain);
     const double mu = friction_most(scene);
-    double share = MESH;
+    double share = scene->def.n_surfaces > 0 ? ENDS * c.longest / c.length : MESH;
     for (int b = 0; b < scene->route.n; ++b) {
         const RoutePiece *const bend = &scene->route.piece[b];
         if (bend->kind != ROUTE_BEND) continue;
-        const double turn = c.length / bend->radius, per_pitch = c.length / bend_pitch(scene, bend);
-        const double fine = per_pitch * per_pitch, arc = arc_over_room(scene, bend, c.length);
+        const double turn = c.longest / bend->radius, per_pitch = c.longest / bend_pitch(scene, bend);
+        const double fine = per_pitch * per_pitch, arc = arc_over_room(scene, bend, c.longest);
         share += turn * turn / 12 * -expm1(-mu * bend->angle);
-        if (pull > 0) share += c.bending / (pull * bend->radius * bend->radius) * fine * (1 + fine);
-        share += ARCS * arc * arc;
+        const double stiff = pull > 0 ? c.bending / (pull * bend->radius * bend->radius) : 0;
+        share += stiff * fine * (1 + fine) + arc * (ARCS * arc + RESTS * stiff);
     }
     return share;
 }
@@ -133,5 +141,5 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double size = fabs(figure->peak);
     if (!figure->started) return bar(NAN, NAN, NAN);
     return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               WAVER_OF_PEAK * mean_waver(figure) + shares->mesh * size, shares->friction * size);
+               WAVER_OF_PEAK * mean_waver(figure) + MESH_OF_PEAK * shares->mesh * size, shares->friction * size);
 }
