@@ -211,15 +211,22 @@ static void energy_close(Balance *b, hawser_balance *out)
         held = fmax(held, fabs(b->here.energy[k]));
         const int any = fabs(b->here.energy[k]) > 0 || fabs(change) > 0;
         if (any) out->term[out->n_terms++] = (hawser_balance_term){HAWSER_BALANCE_STORED, STORES[k], change, {0, 0, 0}};
+        if (!(e->carried > 0) && !(e->carried < 0) && fabs(change) > out->turnover_J) { /* carried: nothing moved it */
+            out->turnover_J = fabs(change);
+            out->turnover_of = STORES[k];
+        }
     }
     const double least = fmax(b->tolerated, ROUNDING * held); /* below it nothing moves */
     if (fmax(b->moving_most, least) > out->turnover_J) {
         out->turnover_J = fmax(b->moving_most, least);
         out->turnover_of = b->moving_most > least ? STORES[IN_MOTION] : "tolerance";
     }
-    out->numerical_J = e->numerical;
     out->carried_J = e->carried;
-    out->residual_J = out->stored_J - e->carried - (out->work_J - out->lost_J - out->numerical_J);
+    out->residual_J = out->stored_J - e->carried - (out->work_J - out->lost_J);
+    if (fabs(out->residual_J + e->numerical) < fabs(out->residual_J)) { /* (BA14) */
+        out->numerical_J = e->numerical;
+        out->residual_J += e->numerical;
+    }
     out->residual_share = out->turnover_J > 0 ? fabs(out->residual_J) / out->turnover_J : 0;
     out->numerical_share = out->turnover_J > 0 ? fabs(out->numerical_J) / out->turnover_J : 0;
 }

@@ -13,13 +13,14 @@ static const double ENDS = 0.15;                          /* of a segment, that 
 static const double SHARPNESS = 1. / 8;                   /* of the second difference at a peak (EB6) */
 static const double TOLERANCES = 2;                       /* of a step, that a peak may be off by */
 
-/* Largest share of friction that is not there yet (EB7). */
+/* What friction lacks at a speed, of what is there (EB7). */
 static double friction_missing(const FrictionLaw *law, double speed)
 {
     double slope;
     if (friction_kind(law) != FRICTION_SPEED || !(law->mu_d > 0)) return 0;
     if (speed >= law->v_d) return 0; /* the law is flat */
-    return fabs(friction_over_speed(law, speed, &slope) * speed / law->mu_d - 1);
+    const double there = friction_over_speed(law, speed, &slope) * speed;
+    return there > 0 ? fabs(law->mu_d / there - 1) : 0;
 }
 
 static double friction_share(const Scene *scene)
