@@ -98,10 +98,10 @@ typedef struct hawser_condition {
 /* One station of the tension table (stations.csv). */
 typedef struct hawser_station {
     const char *name;
-    double s;              /* m along the route */
-    double paper_N;        /* the paper's formulas */
-    double reference_N;    /* the bend ODE */
-    double mean_N, peak_N; /* simulated: mean of the steady window, peak of the run */
+    double s;                          /* m along the route */
+    double paper_N;                    /* the paper's formulas */
+    double reference_N;                /* the bend ODE */
+    double mean_N, peak_N;             /* simulated: mean of the steady window, peak of the run */
     double mean_error_N, peak_error_N; /* what these may be off by: the total of their error bars */
 } hawser_station;
 

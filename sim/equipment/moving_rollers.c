@@ -221,8 +221,7 @@ static MethodLoss mount_loss(const Equipment *q, const MovingRoller *item, const
 {
     double now[BODY_PAST], work = 0, gain = 0, moving = 0;
     for (int c = 0; c < STATE_SIZE; ++c) now[c] = e[equipment_at(q, c, item->mount)];
-    for (int c = 0; c < 6; ++c)
-        now[STATE_SIZE + c] = scale * rates[equipment_at(q, STATE_V + c, item->mount)];
+    for (int c = 0; c < 6; ++c) now[STATE_SIZE + c] = scale * rates[equipment_at(q, STATE_V + c, item->mount)];
     const Quat here = {now[3], now[4], now[5], now[6]}, before = {past[3], past[4], past[5], past[6]};
     const Quat turn = quat_mul(here, quat_conj(before));
     const double way[6] = {now[0] - past[0], now[1] - past[1], now[2] - past[2], 2 * turn.x, 2 * turn.y, 2 * turn.z};

@@ -218,8 +218,8 @@ static MethodLoss kernel_method_loss(const PlanarChain *chain, const double *y, 
             const Lane v = lane_load(y + (PLANAR_V + c) * stride + i);
             const Lane force = m * scale * lane_load(rates + (PLANAR_V + c) * stride + i);
             const Lane v0 = lane_load(kept + stride + i);
-            lost += half * ((force + lane_load(kept + 2 * stride + i)) * (x - lane_load(kept + i)) -
-                            m * (v + v0) * (v - v0));
+            lost += half *
+                    ((force + lane_load(kept + 2 * stride + i)) * (x - lane_load(kept + i)) - m * (v + v0) * (v - v0));
             moving += half * m * v * v;
             lane_store(kept + i, x);
             lane_store(kept + stride + i, v);
@@ -229,6 +229,6 @@ static MethodLoss kernel_method_loss(const PlanarChain *chain, const double *y, 
     return (MethodLoss){lane_sum(lost), lane_sum(moving)};
 }
 
-const PlanarSimKernels ISA_NAME(planar_sim_kernels) = {kernel_weight,        kernel_eliminate, kernel_couple,
-                                                       kernel_expand,        kernel_form,      kernel_window_square,
-                                                       kernel_lift,          kernel_method_loss};
+const PlanarSimKernels ISA_NAME(planar_sim_kernels) = {kernel_weight, kernel_eliminate,  kernel_couple,
+                                                       kernel_expand, kernel_form,       kernel_window_square,
+                                                       kernel_lift,   kernel_method_loss};

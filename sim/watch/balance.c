@@ -34,7 +34,7 @@ struct Balance {
     int opened;              /* the steady window is */
     Entries at_window;       /* when it did, with what was stored then, J */
     double stored_at_window;
-    Vec3 weight;             /* N, of what is simulated now */
+    Vec3 weight; /* N, of what is simulated now */
     BalanceStock first, here;
     Vec3 carried_momentum;
     double *rates; /* [size] scratch of an evaluation */
@@ -239,7 +239,8 @@ BalanceWindow balance_window(const Balance *b)
     const double stored = energy_of(&b->here) - b->here.energy[IN_BENDING] - b->stored_at_window;
     return (BalanceWindow){.winch = to->sum.by.work[BY_WINCH] - from->sum.by.work[BY_WINCH],
                            .numerical = to->numerical - from->numerical,
-                           .residual = stored - (to->carried - from->carried) - (entries_gain(to) - entries_gain(from))};
+                           .residual =
+                               stored - (to->carried - from->carried) - (entries_gain(to) - entries_gain(from))};
 }
 
 /* (BA2) */

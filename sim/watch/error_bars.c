@@ -2,16 +2,17 @@
 
 #include <math.h>
 
+#include "sim/equipment/winch.h"
+
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
 static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 4; /* of what a figure wavers while a segment passes (EB1) */
-static const double MESH_OF_PEAK = 0.35;                  /* of the mesh's share of a mean */
-static const double MESH = 2e-4;                          /* of any figure, which no support shows */
+static const double MESH = 3e-4;                          /* of any figure, which no support shows */
 static const double ARCS = 3e-3;                          /* of the square of sagitta over room (EB5) */
 static const double RESTS = 0.2;                          /* of stiffness, where a duct holds one side (EB5) */
-static const double ENDS = 0.15;                          /* of a segment, that surfaces carry less at the ends */
-static const double SHARPNESS = 1. / 8;                   /* of the second difference at a peak (EB6) */
-static const double TOLERANCES = 2;                       /* of a step, that a peak may be off by */
+static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
+static const double SHARPNESS = 1.5 / 8; /* of the second difference at a peak (EB6) */
+static const double TOLERANCES = 3;      /* of a step, that a peak may be off by */
 
 /* What friction lacks at a speed, of what is there (EB7). */
 static double friction_missing(const FrictionLaw *law, double speed)
@@ -43,7 +44,7 @@ static double friction_most(const Scene *scene)
 }
 
 /* Spacing of the rollers that hold the cable in the plane of a bend, m: of those on one side, which have the most, from
- * the last one before the bend to the first one behind it, if there are any. INFINITY without. */
+ * the last one before the bend to the first one behind it, if there are such. INFINITY without. */
 static double bend_pitch(const Scene *scene, const RoutePiece *bend)
 {
     const Vec3 normal = v3_cross(bend->tangent, bend->centre);
@@ -60,23 +61,20 @@ static double bend_pitch(const Scene *scene, const RoutePiece *bend)
         ++count[v3_dot(v3_sub(roller->centre, at.position), at.curvature) > 0];
     }
     const int most = count[0] > count[1] ? count[0] : count[1];
-    if (most == 0 && !(before > -INFINITY && behind < INFINITY)) return INFINITY;
-    return ((behind < INFINITY ? behind : ends) - (before > -INFINITY ? before : begins)) / (most + 1);
+    if (before > -INFINITY && behind < INFINITY) return (behind - before) / (most + 1);
+    return most > 0 ? bend->length / fmax(1, most - 1) : INFINITY;
 }
 
 /* What the chain is in the mesh's eyes. */
 typedef struct Coarsest {
-    double longest, length; /* m, of a segment and of all */
-    double bending;         /* N m2, stiffness before anything slides */
+    double longest; /* m, of a segment */
+    double bending; /* N m2, stiffness before anything slides */
 } Coarsest;
 
 static Coarsest coarsest(const Chain *chain)
 {
-    Coarsest c = {0, 0, 0};
-    for (int i = 0; i < chain->n; ++i) {
-        c.longest = fmax(c.longest, 2 * chain->half[i]);
-        c.length += 2 * chain->half[i];
-    }
+    Coarsest c = {0, 0};
+    for (int i = 0; i < chain->n; ++i) c.longest = fmax(c.longest, 2 * chain->half[i]);
     for (int j = 1; j < chain->n; ++j) {
         double k = fmax(chain->stiffness[4][j], chain->stiffness[5][j]);
         for (int s = 0; s < chain->sliders.count; ++s) k += chain->sliders.stiffness[s][j];
@@ -97,13 +95,21 @@ static double arc_over_room(const Scene *scene, const RoutePiece *bend, double l
     return worst;
 }
 
-/* Of the pull: ends on surfaces; over the route's bends polygons (EB3), stiffness between supports (EB4), arcs in
+/* Weight that a winch's clamp takes off a surface before it, by the length of a segment, N (EB8). */
+static double clamp_carries(const Scene *scene)
+{
+    const int head = scene->chain.n - 1;
+    if (scene->def.n_surfaces == 0 || !scene->winch->present || scene->def.winch.axial_only) return 0;
+    return ENDS * scene->chain.mass[head] * v3_norm(scene->def.gravity);
+}
+
+/* Of the pull: the clamp (EB8); over the route's bends polygons (EB3), stiffness between supports (EB4), arcs in
  * ducts (EB5). */
 static double mesh_share(const Scene *scene, double pull)
 {
     const Coarsest c = coarsest(&scene->chain);
     const double mu = friction_most(scene);
-    double share = scene->def.n_surfaces > 0 ? ENDS * c.longest / c.length : MESH;
+    double share = MESH + (pull > 0 ? mu * clamp_carries(scene) / pull : 0);
     for (int b = 0; b < scene->route.n; ++b) {
         const RoutePiece *const bend = &scene->route.piece[b];
         if (bend->kind != ROUTE_BEND) continue;
@@ -111,7 +117,7 @@ static double mesh_share(const Scene *scene, double pull)
         const double fine = per_pitch * per_pitch, arc = arc_over_room(scene, bend, c.longest);
         share += turn * turn / 12 * -expm1(-mu * bend->angle);
         const double stiff = pull > 0 ? c.bending / (pull * bend->radius * bend->radius) : 0;
-        share += stiff * fine * (1 + fine) + arc * (ARCS * arc + RESTS * stiff);
+        share += stiff * fine + arc * (ARCS * arc + RESTS * stiff);
     }
     return share;
 }
@@ -142,5 +148,5 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double size = fabs(figure->peak);
     if (!figure->started) return bar(NAN, NAN, NAN);
     return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               WAVER_OF_PEAK * mean_waver(figure) + MESH_OF_PEAK * shares->mesh * size, shares->friction * size);
+               WAVER_OF_PEAK * mean_waver(figure) + shares->mesh * size, shares->friction * size);
 }

@@ -9,13 +9,13 @@
 #include "sim/watch/stats.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
-static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
-static const double DAMPED = 0.01;                  /* of what moves, by the steps in time alone */
+static const double ENERGY = 0.01, MOMENTUM = 0.01;      /* shares of what goes through, of the largest impulse */
+static const double DAMPED = 0.01;                       /* of what moves, by the steps in time alone */
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
-static const double OFF_ROUTE = 2;                  /* m: more than any sag between supports */
-static const double SAGITTA = 2.2;                  /* of the room in a duct: a chord's height over it */
-static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
-enum { LOOKS = 16 };                                /* at the cable's place in a run */
+static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
+static const double SAGITTA = 2.2;                       /* of the room in a duct: a chord's height over it */
+static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
+enum { LOOKS = 16 };                                     /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -101,8 +101,8 @@ static void add_friction_speed(List *list, const Scene *scene)
 }
 
 /* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
- * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against it:
- * the square leaves a margin (BA13). */
+ * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against
+ * it: the square leaves a margin (BA13). */
 static void add_damping(List *list, const TrustFacts *f)
 {
     const double share = f->balance->numerical_share, logs = share < 0.95 ? -log1p(-share) : 3;

@@ -52,7 +52,9 @@ static int case_closes(const char *file)
     if (b) {
         print_message("%-24s energy %.1e of %10.4g J (%s), momentum %.1e\n", strrchr(file, '/') + 1, b->residual_share,
                       b->turnover_J, b->turnover_of, b->impulse_residual_share);
-        const double most = strstr(file, "stick") ? STICKS_MOST : strstr(file, "rollers") || strstr(file, "limits") ? SMALL_MOST : ENERGY_MOST;
+        const double most = strstr(file, "stick")                               ? STICKS_MOST
+                            : strstr(file, "rollers") || strstr(file, "limits") ? SMALL_MOST
+                                                                                : ENERGY_MOST;
         if (!(b->residual_share < most)) fail_msg("%s: energy %g J is not accounted for", file, b->residual_J);
         check_below(b->impulse_residual_share, MOMENTUM_MOST);
         check_above(b->n_terms, 3);

@@ -61,8 +61,8 @@ static void the_remedy_helps(void **state)
     assert_true(after.damping.holds);
 }
 
-/* Steps of one length over the odd modes of a span plucked in the middle, of which mode k has 8 / (pi k)^2 of the energy:
- * order one keeps 1 / (1 + (omega h)^2) of it a step, order two what (BA13) says. */
+/* Steps of one length over the odd modes of a span plucked in the middle, of which mode k has 8 / (pi k)^2 of the
+ * energy: order one keeps 1 / (1 + (omega h)^2) of it a step, order two what (BA13) says. */
 static void closed_form(void **state)
 {
     (void)state;
@@ -71,10 +71,13 @@ static void closed_form(void **state)
     static const struct {
         const char *order, *accuracy, *step;
         double h;
-    } run[] = {{"1", "0.01", "5 ms", 5e-3}, {"1", "0.01", "10 ms", 10e-3}, {"2", "1e-4", "5 ms", 5e-3}, {"2", "1e-4", "10 ms", 10e-3}};
+    } run[] = {{"1", "0.01", "5 ms", 5e-3},
+               {"1", "0.01", "10 ms", 10e-3},
+               {"2", "1e-4", "5 ms", 5e-3},
+               {"2", "1e-4", "10 ms", 10e-3}};
     for (size_t i = 0; i < sizeof run / sizeof *run; i++) {
-        const char *const even[] = {"solver.max_step",  run[i].step,     "solver.accuracy", run[i].accuracy,
-                                    "solver.max_order", run[i].order, NULL};
+        const char *const even[] = {
+            "solver.max_step", run[i].step, "solver.accuracy", run[i].accuracy, "solver.max_order", run[i].order, NULL};
         double kept = 0;
         for (int k = 1; k < 20; k += 2) {
             const double turn = k * omega * run[i].h;
