@@ -113,19 +113,29 @@ static void add_damping(List *list, const TrustFacts *f)
         f->scene->def.solver.accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs)));
 }
 
+/* One figure's error bar, with what it is mostly made of, and what makes that smaller. */
+static void add_error(List *list, const char *name, const char *figure, const hawser_error_bar *bar, double size,
+                      double allowed)
+{
+    const char *of = "friction that is not there yet", *remedy = "a friction.v_s far below the pull's speed";
+    if (bar->mesh >= bar->friction && bar->mesh >= bar->time) {
+        of = "the mesh";
+        remedy = "a shorter chain.segment";
+    } else if (bar->time >= bar->friction) {
+        of = "steps in time";
+        remedy = "a smaller solver.accuracy and output.interval";
+    }
+    add(list, name, "1", bar->total / size, allowed, "%s may be off by %.2g %%, mostly by %s: use %s", figure,
+        100 * bar->total / size, of, remedy);
+}
+
 /* The error bars of the pull. */
 static void add_errors(List *list, const hawser_summary *s)
 {
-    const double size = fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100);
-    const hawser_error_bar *const mean = &s->pull_mean_error, *const peak = &s->pull_peak_error;
-    const char *const remedy = "%s may be off by %.2g %%, mostly by %s: set %s";
     if (!(s->pull_peak_N > 0)) return;
-    add(list, "numerical_error", "1", mean->total / size, MEAN_ERROR, remedy, "the mean pull", 100 * mean->total / size,
-        mean->time > mean->mesh ? "steps in time" : "the mesh",
-        mean->time > mean->mesh ? "a smaller solver.accuracy" : "a shorter chain.segment");
-    add(list, "numerical_peak", "1", peak->total / s->pull_peak_N, PEAK_ERROR, remedy, "the peak",
-        100 * peak->total / s->pull_peak_N, peak->time > peak->mesh ? "steps in time" : "the mesh",
-        peak->time > peak->mesh ? "a smaller solver.accuracy or output.interval" : "a shorter chain.segment");
+    add_error(list, "numerical_error", "the mean pull", &s->pull_mean_error,
+              fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100), MEAN_ERROR);
+    add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
 }
 
 int trust_judge(const TrustFacts *f, hawser_condition *out)
