@@ -30,6 +30,13 @@ typedef struct Rod {
     RodLoad *load; /* [n_loads], owned */
 } Rod;
 
+/* What a load does: the arm from its segment's centre, force, moment about that centre; m, N, N m, world (RD5). */
+typedef struct RodWrench {
+    Vec3 arm, force, moment;
+} RodWrench;
+
+RodWrench rod_wrench(const RodLoad *load, const Kinematics *kin, double t);
+
 /* The attitude of segment i at t = 0; -1 and n: of the ends' ground bodies. */
 Quat rod_attitude(const Rod *rod, int n, int i);
 

@@ -231,7 +231,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     s->look.sample.machine = s->machines.out;
     s->look.sample.figures = s->machines.n_now;
     s->look.sample.figure = s->machines.now;
-    probes_look(&s->probes, &s->stage.scene, &s->stage.ws);
+    probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.probes = s->probes.n;
     s->look.sample.probe = s->probes.out;
     if (s->stage.integrator) {

@@ -5,6 +5,7 @@
 
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/expected/mesh.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
 
@@ -13,7 +14,6 @@ static const double ENERGY = 0.01, MOMENTUM = 0.01;      /* shares of what goes 
 static const double DAMPED = 0.01;                       /* of what moves, by the steps in time alone */
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
-static const double SAGITTA = 2.2;                       /* of the room in a duct: a chord's height over it */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
 enum { LOOKS = 16 };                                     /* at the cable's place in a run */
 
@@ -53,32 +53,22 @@ static void add(List *list, const char *name, const char *unit, double value, do
     va_end(args);
 }
 
-/* The chord of a segment in a bend of a duct is higher than the duct has room: the cable jams by its mesh alone. */
-static void add_duct_mesh(List *list, const Scene *scene)
+/* What the lengths of the segments are expected to add to the pull. Without memory nothing is said. */
+static void add_mesh(List *list, const Scene *scene)
 {
-    double worst = 0, tight = 0, enough = 0, longest = 0; /* 1; m, m: the room there, and what would fit it; m */
-    for (int i = 0; i < scene->eye - scene->first && i < scene->chain.n; ++i)
-        longest = fmax(longest, 2 * scene->chain.half[i]);
-    for (int k = 0; k < scene->def.n_surfaces; ++k) {
-        const SurfaceShape *const duct = &scene->def.surfaces[k].shape;
-        if (duct->kind != SURFACE_DUCT) continue;
-        for (int b = 0; b < scene->route.n; ++b) {
-            const RoutePiece *const piece = &scene->route.piece[b];
-            const int inside = piece->s0 < duct->to && piece->s0 + piece->length > duct->from;
-            if (piece->kind != ROUTE_BEND || !inside) continue;
-            const double room = duct->radius - duct->cable_radius;
-            const double sagitta = longest * longest / (8 * piece->radius);
-            if (!(sagitta > worst * room)) continue;
-            worst = sagitta / room;
-            tight = room;
-            enough = sqrt(SAGITTA * room * 8 * piece->radius);
-        }
+    Mesh mesh;
+    int worst;
+    char where[96];
+    if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return;
+    const double error = mesh_given(&mesh, &scene->def, &worst);
+    if (worst >= 0) {
+        const MeshPlace *const place = &mesh.place[worst];
+        mesh_describe(place, sizeof where, where);
+        add(list, "mesh", "1", error, MESH_ALLOWED,
+            "segments are too long, about %+.2g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm",
+            100 * error, where, place->piece, 1e3 * mesh_length(&mesh, place->piece, MESH_AIM));
     }
-    if (worst > 0) {
-        add(list, "mesh_in_ducts", "1", worst, SAGITTA,
-            "segments are too long for bends in ducts with %.3g mm of room: set chain.segment to %.3g mm or less",
-            1e3 * tight, 1e3 * enough);
-    }
+    mesh_free(&mesh);
 }
 
 /* Below the speed at which friction is fully there the pull is too small. */
@@ -180,7 +170,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "by `hawser theory`",
             scene->def.theory.cables);
     }
-    add_duct_mesh(&list, scene);
+    add_mesh(&list, scene);
     add_friction_speed(&list, scene);
     return list.n;
 }

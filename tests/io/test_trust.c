@@ -122,8 +122,8 @@ static void coarse_in_a_duct(void **state)
 {
     (void)state;
     const char *const narrow[] = {"surfaces.ducts.0.radius", "31 mm", NULL};
-    expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "numerical_error numerical_peak mesh_in_ducts",
-                   "set chain.segment to");
+    expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "numerical_error numerical_peak mesh",
+                   "room 1 mm): set chain.0.segment to auto");
     Judged j = judge(data_text("trust-duct"), NULL, HAWSER_OK);
     assert_int_equal(j.found, 0);
     hawser_sim_free(j.sim);
