@@ -11,9 +11,9 @@
 /* What all figures of a run share: parts of a force, 1. */
 typedef struct ErrorShares {
     double time;     /* of a mean: what the books of the window leave open or have lost (EB2) */
-    double step;     /* of a peak: the tolerance of a step (EB6) */
-    double mesh;     /* polygons in place of bends, stiff cable between supports, arcs in ducts (EB3)-(EB5) */
-    double friction; /* not yet there at the speed of the pull (EB7) */
+    double step;     /* of a peak: the tolerance of a step (EB4) */
+    double mesh;     /* what the places of the route and the head ask of segments (EB3) */
+    double friction; /* not yet there at the speed of the pull (EB5) */
 } ErrorShares;
 
 /* books: NULL where nothing has moved; pull: mean of the steady window, N. */

@@ -192,7 +192,7 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
-/* A block ends when the mesh has moved on by a segment, as the longest one has it (EB1). */
+/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). */
 enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
 static void blocks_end(Stats *stats, const Scene *scene, double travel)
 {
