@@ -291,6 +291,12 @@ int rod_ends_held(const Rod *rod)
     return ends;
 }
 
+int rod_is_loose(const Scene *scene)
+{
+    const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0;
+    return scene->rod->present && !touches && rod_ends_held(scene->rod) == 0;
+}
+
 static double rod_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;

@@ -45,6 +45,12 @@ double rod_load_size(const Rod *rod, const Chain *chain, double t);
 /* How many of the two ends are held in some way. */
 int rod_ends_held(const Rod *rod);
 
+/* There is a rod, and nothing keeps it in its place: no end is held, and there is nothing on which it could come to
+ * lie.
+ */
+struct Scene;
+int rod_is_loose(const struct Scene *scene);
+
 /* The segment that holds the place `at` (m from the tail, a joint belongs to the segment before it) and how far the
  * place is from its centre, along its axis (m). */
 int rod_segment_at(const Chain *chain, double at, double *arm);

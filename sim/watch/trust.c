@@ -140,7 +140,11 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
-    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
+    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0 && rod_is_loose(scene)) {
+        add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
+            "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
+            "to false");
+    } else if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
             f->relaxation->segment);
@@ -154,11 +158,19 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             100 * f->balance->impulse_residual_share);
         add_damping(&list, f);
     }
-    if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
     if (dynamic && !scene->rod->present) {
         add(&list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
             f->stray.farthest, f->stray.at);
+    }
+    add(&list, "passed", "1", f->passing->through, 0,
+        "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
+    const Misfit *const start = &f->passing->start;
+    if (start->force > 0 && !scene->def.solver.relax) {
+        add(&list, "start", "N", start->force, start->allowed,
+            "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
+            "or less there",
+            start->name, 1e3 * misfit_segment(start));
     }
     add(&list, "orientation", "1", f->turned, 0, "%s",
         f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"
@@ -172,5 +184,6 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     }
     add_mesh(&list, scene);
     add_friction_speed(&list, scene);
+    if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
     return list.n;
 }

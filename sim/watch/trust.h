@@ -5,6 +5,7 @@
 
 #include "hawser/hawser.h"
 #include "sim/dynamics.h"
+#include "sim/watch/passing.h"
 
 /* How far the cable has been from its route. */
 typedef struct Stray {
@@ -24,6 +25,7 @@ typedef struct TrustFacts {
     const hawser_summary *figures; /* with their error bars */
     int turned;                    /* sim/watch/events.h */
     Stray stray;
+    const Passing *passing;
 } TrustFacts;
 
 /* The conditions that apply, into out [HAWSER_CONDITIONS_MAX]; returns how many. */
