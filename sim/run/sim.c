@@ -360,13 +360,17 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
+    const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
+    const ErrorShares shares = error_shares(scene, out->balance ? &books : NULL, out->pull_mean_N);
+    stats_errors(&s->stats, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
-                              .turned = s->overturned | s->stage.stability.turned,
-                              .unstable = out->unstable,
+                               .figures = out,
+                               .turned = s->overturned | s->stage.stability.turned,
+                               .unstable = out->unstable,
                               .stray = s->stray,
                               .passing = &s->passing};
     out->n_conditions = trust_judge(&facts, s->condition);

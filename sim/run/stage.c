@@ -377,7 +377,9 @@ hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
     if (!status) status = integrator_step(st->integrator, stop, &st->t, err);
     if (status) return status;
     const double start = clock_now();
-    balance_step(st->balance, st->motion, st->t, st->y);
+    double h = 0;
+    const double *const rates = integrator_rates(st->integrator, &h);
+    balance_step(st->balance, st->motion, st->t, st->y, rates, h);
     st->balance_s += clock_now() - start;
     return HAWSER_OK;
 }

@@ -252,6 +252,17 @@ Integrator *integrator_free(Integrator *in)
     return NULL;
 }
 
+/* CVODE's history holds them: Nordsieck's array has h y' beside y. */
+const double *integrator_rates(Integrator *in, double *h)
+{
+    realtype t, gamma, rl1;
+    N_Vector predicted, now, rates, first = NULL;
+    void *user;
+    CVodeGetLastStep(in->cvode, h);
+    CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
+    return N_VGetArrayPointer(first);
+}
+
 /* ------------------------------------------------------------------------------------------------ stepping */
 
 /* The segment whose weighted local error is largest: where to look when a step fails. */

@@ -10,10 +10,12 @@
 #include "sim/watch/stats.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
-static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
-static const double OFF_ROUTE = 2;                  /* m: more than any sag between supports */
-static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
-enum { LOOKS = 16 };                                /* at the cable's place in a run */
+static const double ENERGY = 0.01, MOMENTUM = 0.01;      /* shares of what goes through, of the largest impulse */
+static const double DAMPED = 0.01;                       /* of what moves, by the steps in time alone */
+static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
+static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
+static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
+enum { LOOKS = 16 };                                     /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -88,6 +90,44 @@ static void add_friction_speed(List *list, const Scene *scene)
     }
 }
 
+/* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
+ * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against
+ * it: the square leaves a margin (BA13). */
+static void add_damping(List *list, const TrustFacts *f)
+{
+    const double share = f->balance->numerical_share, logs = share < 0.95 ? -log1p(-share) : 3;
+    add(list, "numerical_damping", "1", share, DAMPED,
+        "the steps in time took %.2g %% of '%s' that nothing else damped: set solver.accuracy to %.1g, and "
+        "solver.max_order to 2",
+        100 * share, f->balance->turnover_of,
+        f->scene->def.solver.accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs)));
+}
+
+/* One figure's error bar, with what it is mostly made of, and what makes that smaller. */
+static void add_error(List *list, const char *name, const char *figure, const hawser_error_bar *bar, double size,
+                      double allowed)
+{
+    const char *of = "friction that is not there yet", *remedy = "a friction.v_s far below the pull's speed";
+    if (bar->mesh >= bar->friction && bar->mesh >= bar->time) {
+        of = "the mesh";
+        remedy = "a shorter chain.segment";
+    } else if (bar->time >= bar->friction) {
+        of = "steps in time";
+        remedy = "a smaller solver.accuracy and output.interval";
+    }
+    add(list, name, "1", bar->total / size, allowed, "%s may be off by %.2g %%, mostly by %s: use %s", figure,
+        100 * bar->total / size, of, remedy);
+}
+
+/* The error bars of the pull. */
+static void add_errors(List *list, const hawser_summary *s)
+{
+    if (!(s->pull_peak_N > 0)) return;
+    add_error(list, "numerical_error", "the mean pull", &s->pull_mean_error,
+              fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100), MEAN_ERROR);
+    add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
+}
+
 int trust_judge(const TrustFacts *f, hawser_condition *out)
 {
     const Scene *const scene = f->scene;
@@ -124,6 +164,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
         add(&list, "momentum", "1", f->balance->impulse_residual_share, MOMENTUM,
             "momentum does not add up by %.2g %%: try a smaller solver.accuracy",
             100 * f->balance->impulse_residual_share);
+        add_damping(&list, f);
     }
     if (dynamic && !scene->rod->present) {
         add(&list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
@@ -151,5 +192,6 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     }
     add_mesh(&list, scene);
     add_friction_speed(&list, scene);
+    if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
     return list.n;
 }
