@@ -64,7 +64,7 @@ static hawser_status slowest(double force, int n, double *omega2, hawser_error *
     hawser_status status = duct_rod(force, n, &stage, err);
     if (status) return status;
     status = statics_settle(&stage, 1e-10, &found, err);
-    if (!status) status = modes_find(&stage, 1, &modes, err);
+    if (!status) status = modes_find(&stage, 1, 0, &modes, err);
     *omega2 = status ? NAN : modes.out[0].omega_squared;
     modes_free(&modes);
     stage_free(&stage);
