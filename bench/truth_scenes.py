@@ -352,6 +352,11 @@ def draw(number):
         if "speed" in case["drive"]["winch"] and r.chance(0.2):
             case["drive"]["rope_drag"] = {"force": round(weight * r.even(1, 5))}
     segments(r, case, parts)
+    if "tension" in case["drive"]["winch"]:
+        for row in case.get("rollers", {}).get("along", []):
+            motor = row.get("spin", {}).get("motor", {})
+            if motor.pop("factor", None):  # no speed to follow
+                motor["torque"] = motor.pop("limit")
     if kind == "rollers" and r.chance(0.3):
         ahead(r, case, parts, tensions(parts, start, weight, low, head_at)[-1][1])
     # the relaxation knows no friction: what only that keeps from running down does not stand it

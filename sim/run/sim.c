@@ -265,6 +265,7 @@ static void record_now(Sim *s, SampleParts parts)
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
+    if (s->stats.fresh) steadiness_record(&s->steadiness, &s->stage.scene, look, s->stats.dt);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
     const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
@@ -350,7 +351,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .turned = s->overturned,
-                              .stray = s->stray};
+                              .stray = s->stray,
+                              .steadiness = &s->steadiness};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;
 }

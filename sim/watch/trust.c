@@ -13,6 +13,7 @@ static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes throu
 static const double OFF_ROUTE = 2;                  /* m: more than any sag between supports */
 static const double SAGITTA = 2.2;                  /* of the room in a duct: a chord's height over it */
 static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
+static const double DRIFT = 0.05;                   /* of the mean pull, from the window's first half to its second */
 enum { LOOKS = 16 };                                /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
@@ -98,6 +99,23 @@ static void add_friction_speed(List *list, const Scene *scene)
     }
 }
 
+/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A chain that
+ * begins at rest and is set in motion gently has no jolt. */
+static void add_steadiness(List *list, const TrustFacts *f)
+{
+    const Steadiness *const s = f->steadiness;
+    const int jumps = s->speed > 0, rests = f->scene->def.solver.relax && f->relaxation->reached;
+    const double drift = steadiness_drift(s);
+    add(list, "steady", "1", drift, DRIFT,
+        "the pull changes by %.2g %% within the steady window: set run.steady_from to where it has settled, or "
+        "run.duration to more",
+        100 * drift);
+    if (rests && !jumps) return;
+    add(list, "start_jolt", "1", fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
+        "the largest pull is the jolt of the start, at %.3g s: %s", s->jolt_at,
+        jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");
+}
+
 int trust_judge(const TrustFacts *f, hawser_condition *out)
 {
     const Scene *const scene = f->scene;
@@ -110,6 +128,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
+    if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
     if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",

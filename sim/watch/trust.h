@@ -5,6 +5,7 @@
 
 #include "hawser/hawser.h"
 #include "sim/dynamics.h"
+#include "sim/watch/steady.h"
 
 /* How far the cable has been from its route. */
 typedef struct Stray {
@@ -23,6 +24,7 @@ typedef struct TrustFacts {
     const hawser_balance *balance; /* NULL: nothing has moved yet */
     int turned;                    /* sim/watch/events.h */
     Stray stray;
+    const Steadiness *steadiness;
 } TrustFacts;
 
 /* The conditions that apply, into out [HAWSER_CONDITIONS_MAX]; returns how many. */
