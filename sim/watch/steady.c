@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-/* s, in which a jolt at t = 0 runs through the chain and back twice, sqrt(m/k) a segment; up to the first row behind t = 0
- * at least. */
+/* s, in which a jolt at t = 0 runs through the chain and back twice, sqrt(m/k) a segment; up to the first row behind t
+ * = 0 at least. */
 static double first_moments(const Scene *scene)
 {
     const Chain *const chain = &scene->chain;

@@ -1,5 +1,5 @@
-/* Whether the pull is what its figures say: even over the steady window, and largest when something was pulled, not when the
- * chain jolted at the start. docs/limits.md, "Trust". Two numbers a sample; nothing grows. */
+/* Whether the pull is what its figures say: even over the steady window, and largest when something was pulled, not
+ * when the chain jolted at the start. docs/limits.md, "Trust". Two numbers a sample; nothing grows. */
 #ifndef HAWSER_SIM_WATCH_STEADY_H
 #define HAWSER_SIM_WATCH_STEADY_H
 
@@ -8,7 +8,7 @@
 
 /* What is summed over one half of the steady window. */
 typedef struct HalfWindow {
-    double pull, time;           /* N s, s */
+    double pull, time;          /* N s, s */
     double theory, theory_time; /* the same of the reference theory with the front where it is, while it is known */
 } HalfWindow;
 
@@ -22,8 +22,9 @@ typedef struct Steadiness {
 
 /* Takes a sample in, dt (s) after the one before. */
 void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt);
-/* By how much the pull of the window's second half differs from the first's, beyond what theory has it change as the front
- * goes on: a share of the mean pull, or of a tenth of the largest if that is more. 0 while there is no second half. */
+/* By how much the pull of the window's second half differs from the first's, beyond what theory has it change as the
+ * front goes on: a share of the mean pull, or of a tenth of the largest if that is more. 0 while there is no second
+ * half. */
 double steadiness_drift(const Steadiness *s);
 
 #endif

@@ -99,8 +99,8 @@ static void add_friction_speed(List *list, const Scene *scene)
     }
 }
 
-/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A chain that
- * begins at rest and is set in motion gently has no jolt. */
+/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A
+ * chain that begins at rest and is set in motion gently has no jolt. */
 static void add_steadiness(List *list, const TrustFacts *f)
 {
     const Steadiness *const s = f->steadiness;
