@@ -15,9 +15,32 @@ static double first_moments(const Scene *scene)
     return fmax(4 * once, 1.5 * scene->def.output.interval);
 }
 
+/* Which of the rows is the largest shows when the one behind it is there. */
+static void row_record(Steadiness *s, double pull, double t, double dt)
+{
+    if (!(t > 0)) s->row[0] = s->row[1] = s->peak = -INFINITY;
+    if (s->row[1] > s->peak) {
+        s->peak = s->row[1];
+        s->beside = fmax(s->row[0], pull);
+        s->peak_at = t - dt;
+    }
+    s->row[0] = s->row[1];
+    s->row[1] = pull;
+    s->last = t;
+}
+
+double steadiness_spike(const Steadiness *s, double *at)
+{
+    const int ends = s->row[1] > s->peak; /* the run ends at its largest pull: nothing is behind it */
+    const double peak = ends ? s->row[1] : s->peak, beside = ends ? s->row[0] : s->beside;
+    *at = ends ? s->last : s->peak_at;
+    return peak > 0 && isfinite(beside) ? (peak - beside) / peak : 0;
+}
+
 void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt)
 {
     const double from = scene->def.output.steady_from, middle = (from + scene->def.duration) / 2;
+    row_record(s, sample->winch_force, sample->t, dt);
     if (!(s->first > 0)) s->first = first_moments(scene);
     if (!(sample->t > 0)) s->speed = sample->winch_speed;
     double *const largest = sample->t <= s->first ? &s->jolt : &s->later;

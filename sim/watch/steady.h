@@ -1,5 +1,5 @@
 /* Whether the pull is what its figures say: even over the steady window, and largest when something was pulled, not
- * when the chain jolted at the start. docs/limits.md, "Trust". Two numbers a sample; nothing grows. */
+ * when the chain jolted at the start. docs/limits.md, "Trust". Nothing grows with the run. */
 #ifndef HAWSER_SIM_WATCH_STEADY_H
 #define HAWSER_SIM_WATCH_STEADY_H
 
@@ -18,6 +18,9 @@ typedef struct Steadiness {
     double jolt, jolt_at; /* N, s: the largest pull in them, and when */
     double later;         /* N: the largest after them */
     double speed;         /* m/s, of the winch at t = 0 */
+    double row[2];        /* N: the pull of the last row but one and of the last; -INFINITY: there was none */
+    double peak, beside;  /* N: the largest pull of a row that has one behind it, and the larger of the two beside it */
+    double peak_at, last; /* s: when that was, and the last row */
 } Steadiness;
 
 /* Takes a sample in, dt (s) after the one before. */
@@ -26,5 +29,7 @@ void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *s
  * front goes on: a share of the mean pull, or of a tenth of the largest if that is more. 0 while there is no second
  * half. */
 double steadiness_drift(const Steadiness *s);
+/* By how much the largest pull stands out of the rows before and behind it, a share of itself; *at: when, s. */
+double steadiness_spike(const Steadiness *s, double *at);
 
 #endif

@@ -14,6 +14,7 @@ static const double OFF_ROUTE = 2;                  /* m: more than any sag betw
 static const double SAGITTA = 2.2;                  /* of the room in a duct: a chord's height over it */
 static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
 static const double DRIFT = 0.05;                   /* of the mean pull, from the window's first half to its second */
+static const double SPIKE = 0.2;                    /* of the largest pull, above the rows beside it */
 enum { LOOKS = 16 };                                /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
@@ -110,10 +111,18 @@ static void add_steadiness(List *list, const TrustFacts *f)
         "the pull changes by %.2g %% within the steady window: set run.steady_from to where it has settled, or "
         "run.duration to more",
         100 * drift);
-    if (rests && !jumps) return;
-    add(list, "start_jolt", "1", fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
-        "the largest pull is the jolt of the start, at %.3g s: %s", s->jolt_at,
-        jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");
+    if (!rests || jumps) {
+        add(list, "start_jolt", "1", fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
+            "the largest pull is the jolt of the start, at %.3g s: %s", s->jolt_at,
+            jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");
+    }
+    double at;
+    const double spike = steadiness_spike(s, &at);
+    add(list, "peak", "1", spike, SPIKE,
+        "the largest pull is a spike, %.2g %% above the rows beside it, at %.4g s: set output.interval to less, or "
+        "start "
+        "more gently",
+        100 * spike, at);
 }
 
 int trust_judge(const TrustFacts *f, hawser_condition *out)
