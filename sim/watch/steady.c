@@ -65,5 +65,5 @@ double steadiness_drift(const Steadiness *s)
     const int known = a->theory_time > 0 && b->theory_time > 0;
     const double expected = known ? b->theory / b->theory_time - a->theory / a->theory_time : 0;
     const double mean = fabs(a->pull + b->pull) / (a->time + b->time);
-    return fabs(change - expected) / fmax(fmax(mean, 0.1 * fmax(s->jolt, s->later)), 1e-6);
+    return fmin(fabs(change), fabs(change - expected)) / fmax(fmax(mean, 0.1 * fmax(s->jolt, s->later)), 1e-6);
 }

@@ -25,9 +25,9 @@ typedef struct Steadiness {
 
 /* Takes a sample in, dt (s) after the one before. */
 void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt);
-/* By how much the pull of the window's second half differs from the first's, beyond what theory has it change as the
- * front goes on: a share of the mean pull, or of a tenth of the largest if that is more. 0 while there is no second
- * half. */
+/* By how much the pull of the window's second half differs from the first's, or from what theory has it change by as
+ * the front goes on, whichever is less: a share of the mean pull, or of a tenth of the largest if that is more. 0 while
+ * there is no second half. */
 double steadiness_drift(const Steadiness *s);
 /* By how much the largest pull stands out of the rows before and behind it, a share of itself; *at: when, s. */
 double steadiness_spike(const Steadiness *s, double *at);
