@@ -47,6 +47,8 @@ void workspace_free(Workspace *ws)
     memset(ws, 0, sizeof *ws);
 }
 
+int stop_wanted(const StopCheck *check) { return check->ask && check->ask(check->user); }
+
 /* Slips of joints that are there before and after: one number more if a segment has joined behind the tail, whose joint
  * has not bent yet. */
 static void slips_carry(const Kinematics *old, const Kinematics *now, int joints, int joined)
@@ -69,6 +71,7 @@ int workspace_renew(Workspace *ws, const Scene *scene, int joined)
     ws->rhs_evals = old.rhs_evals;
     ws->refreshes = old.refreshes;
     ws->candidates_max = old.candidates_max;
+    ws->stop = old.stop;
     workspace_free(&old);
     return 1;
 }

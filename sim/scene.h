@@ -88,6 +88,11 @@ void scene_initial_state(const Scene *scene, double *y);
 /* What pushes the cable along, by the route's order: *out is malloc'ed. How many; -1 without memory. */
 int scene_pushers(const Scene *scene, Pusher **out);
 
+/* How far a point of the cable may go at once, m; INFINITY where there is nothing to pass through. Contacts are looked
+ * at where a step ends, so that a longer one could carry the cable through a roller, a wall or itself without either
+ * having been noticed: W of (N14) but for the reach. */
+double scene_way(const Scene *scene);
+
 /* Sets the ghosts of kin (segments -1 and n) to what the ground does at time t. */
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin);
 

@@ -230,6 +230,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 }
 #endif
 
+#include "hawser/certify.h"
 #include "hawser/limits.h"
 #include "hawser/validate.h"
 

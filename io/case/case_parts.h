@@ -90,6 +90,8 @@ hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const 
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section);
 /* After the drive, whose speed the belts may follow. */
 hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);
+/* After all that the cable runs through: the segments of pieces that leave their length to the geometry. */
+hawser_status case_mesh_read(CaseReader *r, const CaseNode *list);
 /* After all that can jam. */
 hawser_status case_jams_read(CaseReader *r, const CaseNode *list);
 hawser_status case_reel_read(CaseReader *r, const CaseNode *node);
@@ -104,6 +106,8 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node);
 double case_chain_length(const SceneDef *def);
 /* Segments of the whole chain; the largest diameter of its cables, m. */
 int case_segments(const SceneDef *def);
+/* The longest segment, m; of pieces that leave it to the geometry what that gives at most, of a rod nothing. */
+double case_longest_segment(const SceneDef *def);
 double case_largest_diameter(const SceneDef *def);
 /* The eye: the first segment of the last piece; the number of segments if there is one piece. */
 int case_eye(const SceneDef *def);

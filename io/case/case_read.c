@@ -117,6 +117,7 @@ static const struct {
     {"reel", case_reel_read},
     {"conveyors", case_conveyors_read},
     {"jams", case_jams_read},
+    {"chain", case_mesh_read},
     {"solver", solver_read},
     {"output", case_output_read},
     {"paper", case_paper_read},

@@ -10,6 +10,7 @@
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
+#include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
 #include "sim/def/cable_def.h"
 #include "sim/def/output_def.h"
@@ -206,5 +207,13 @@ double surface_theory_friction(const SurfaceDef *surface);
 const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
+
+/* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0: docs/model.md,
+ * "Certificates". */
+void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES]);
+/* How many times finer one level is: of time in accuracy. */
+double refinement_ratio(hawser_source source);
+/* Whether the source says anything of this scene: friction only where some surface's fades at low speed. */
+int scene_def_has_source(const SceneDef *def, hawser_source source);
 
 #endif

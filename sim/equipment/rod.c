@@ -69,7 +69,7 @@ int rod_segment_at(const Chain *chain, double at, double *arm)
 }
 
 /* A mass between two centres is shared by the lever rule, which keeps its place; beyond the outer ones it sits on
- * the nearest (RD4). */
+ * the nearest, which is made short for it (RD4). */
 static void mass_add(Chain *chain, const RodMassDef *mass)
 {
     double arm;
@@ -207,12 +207,7 @@ static void rod_ghosts(const Room *room, const Scene *scene, double t, Kinematic
 
 /* --------------------------------------------------------------------------------------------------- loads */
 
-/* Force and moment about the segment's centre at time t (RD5). */
-typedef struct Wrench {
-    Vec3 arm, force, moment; /* m, N, N m, world */
-} Wrench;
-
-static Wrench wrench_of(const RodLoad *load, const Kinematics *kin, double t)
+RodWrench rod_wrench(const RodLoad *load, const Kinematics *kin, double t)
 {
     const int i = load->segment;
     const double size = profile_value(&load->def->by.size, t);
@@ -220,7 +215,7 @@ static Wrench wrench_of(const RodLoad *load, const Kinematics *kin, double t)
     if (load->def->follower) {
         along = quat_rotate((Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]}, along);
     }
-    Wrench w = {.arm = v3_scale(load->arm, v3_load(kin->a, i))};
+    RodWrench w = {.arm = v3_scale(load->arm, v3_load(kin->a, i))};
     if (load->def->moment) {
         w.moment = v3_scale(size, along);
     } else {
@@ -234,7 +229,7 @@ static void rod_loads(const Room *room, const Moment *m, int part)
 {
     const Rod *const rod = room->self;
     for (int l = 0; part == 0 && l < rod->n_loads; ++l) {
-        const Wrench w = wrench_of(&rod->load[l], &m->ws->kin, m->t);
+        const RodWrench w = rod_wrench(&rod->load[l], &m->ws->kin, m->t);
         loads_add(&m->ws->loads[0], rod->load[l].segment, w.force, w.moment);
     }
 }
@@ -246,7 +241,7 @@ static void rod_blocks(const Room *room, const Moment *m, BlockChain *k, BlockCh
     const Rod *const rod = room->self;
     for (int l = 0; l < rod->n_loads; ++l) {
         const RodLoad *const load = &rod->load[l];
-        const Wrench w = wrench_of(load, &m->ws->kin, m->t);
+        const RodWrench w = rod_wrench(load, &m->ws->kin, m->t);
         for (int c = 0; c < 3; ++c) {
             const Vec3 e = v3_axis(c), turned = v3_cross(v3_cross(e, w.arm), w.force);
             const int follows = load->def->follower;
@@ -267,7 +262,7 @@ static void rod_work(const Room *room, const Moment *m, BalanceRates *out)
     Push sum = {0};
     for (int l = 0; l < rod->n_loads; ++l) {
         const int i = rod->load[l].segment;
-        const Wrench w = wrench_of(&rod->load[l], kin, m->t);
+        const RodWrench w = rod_wrench(&rod->load[l], kin, m->t);
         const double power = v3_dot(w.force, v3_load(kin->v, i)) + v3_dot(w.moment, v3_load(kin->w, i));
         sum = push_sum(sum, (Push){power, w.force});
     }
@@ -294,6 +289,12 @@ int rod_ends_held(const Rod *rod)
         ends += any;
     }
     return ends;
+}
+
+int rod_is_loose(const Scene *scene)
+{
+    const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0;
+    return scene->rod->present && !touches && rod_ends_held(scene->rod) == 0;
 }
 
 static double rod_next_stop(const Room *room, const Scene *scene, double t)

@@ -30,6 +30,13 @@ typedef struct Rod {
     RodLoad *load; /* [n_loads], owned */
 } Rod;
 
+/* What a load does: the arm from its segment's centre, force, moment about that centre; m, N, N m, world (RD5). */
+typedef struct RodWrench {
+    Vec3 arm, force, moment;
+} RodWrench;
+
+RodWrench rod_wrench(const RodLoad *load, const Kinematics *kin, double t);
+
 /* The attitude of segment i at t = 0; -1 and n: of the ends' ground bodies. */
 Quat rod_attitude(const Rod *rod, int n, int i);
 
@@ -37,6 +44,12 @@ Quat rod_attitude(const Rod *rod, int n, int i);
 double rod_load_size(const Rod *rod, const Chain *chain, double t);
 /* How many of the two ends are held in some way. */
 int rod_ends_held(const Rod *rod);
+
+/* There is a rod, and nothing keeps it in its place: no end is held, and there is nothing on which it could come to
+ * lie.
+ */
+struct Scene;
+int rod_is_loose(const struct Scene *scene);
 
 /* The segment that holds the place `at` (m from the tail, a joint belongs to the segment before it) and how far the
  * place is from its centre, along its axis (m). */

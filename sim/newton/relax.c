@@ -27,6 +27,8 @@ enum { STATIC_ITERATIONS = 60 };
 typedef struct Relaxing {
     const RelaxOps *ops;
     void *self;
+    const StopCheck *stop;
+    int soft; /* contacts are, for now */
     const SolverDef *def;
     int touches;          /* there are rollers or surfaces */
     int size;             /* of the state */
@@ -34,9 +36,22 @@ typedef struct Relaxing {
     double *start, *back; /* [size] state before; before the last move */
 } Relaxing;
 
-double relax_shorten(double scale, double move, double turn)
+RelaxStride relax_stride(const Scene *scene)
 {
-    return fmin(scale, fmin(MOVE_MAX / (move + 1e-300), TURN_MAX / (turn + 1e-300)));
+    const double half = scene_way(scene) / 2;
+    return (RelaxStride){fmin(MOVE_MAX, half), TURN_MAX, half};
+}
+
+double relax_shorten(const RelaxStride *most, double scale, double move, double turn, double half)
+{
+    const double alone = fmin(most->move / (move + 1e-300), most->turn / (turn + 1e-300));
+    return fmin(scale, fmin(alone, most->sweep / (half * turn + 1e-300)));
+}
+
+static hawser_status stop_now(const StopCheck *stop, int soft, hawser_error *err)
+{
+    if ((soft && stop->firm) || !stop_wanted(stop)) return HAWSER_OK;
+    return error_set(err, HAWSER_STOPPED, "stopped on the way to equilibrium");
 }
 
 double relax_farthest(int n, int pitch, int dims, const double *y, const double *from)
@@ -81,6 +96,8 @@ static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxati
     double dt = DT_FIRST;
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; spent < limit && !(out->residual_N <= aim); ++spent) {
+        const hawser_status stopped = stop_now(r->stop, r->soft, err);
+        if (stopped) return stopped;
         ++out->iterations;
         if (r->ops->implicit_step(r->self, dt)) {
             dt /= DT_GROWTH;
@@ -131,7 +148,8 @@ static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawse
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; !status && spent < limit && !(out->residual_N <= aim); ++spent) {
         ++out->iterations;
-        status = careful_step(r, &dt, out, err);
+        status = stop_now(r->stop, r->soft, err);
+        if (!status) status = careful_step(r, &dt, out, err);
     }
     out->reached = out->residual_N <= out->tolerance_N;
     return status;
@@ -144,12 +162,14 @@ static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, haws
     const double load = out->tolerance_N / r->def->relax_tolerance;
     const int last = out->iterations + r->def->relax_iterations;
     hawser_status status = HAWSER_OK;
+    r->soft = 1;
     for (double share = SOFTEST; !status && share < 0.5; share *= SOFT_GROWTH) {
         const int left = last - out->iterations;
         r->ops->soften(r->self, share);
         status = iterate_carefully(r, SOFT_AIM * load, left < SOFT_ITERATIONS ? left : SOFT_ITERATIONS, out, err);
     }
     r->ops->soften(r->self, 1);
+    r->soft = 0;
     return status ? status : iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
 }
 
@@ -163,12 +183,13 @@ static hawser_status attempts(Relaxing *r, hawser_relaxation *out, hawser_error 
     return status ? status : iterate_from_soft(r, out, err);
 }
 
-hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int size, double *y,
+hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOps *ops, void *self, int size, double *y,
                         hawser_relaxation *out, hawser_error *err)
 {
     const size_t bytes = (size_t)size * sizeof(double);
     Relaxing r = {.ops = ops,
                   .self = self,
+                  .stop = stop,
                   .def = &scene->def.solver,
                   .touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0,
                   .size = size,
@@ -248,14 +269,15 @@ static double move_scale(void *self, double dt)
 {
     const Relaxation *const r = self;
     const int n = r->scene->chain.n;
+    const RelaxStride most = relax_stride(r->scene);
     double scale = 1;
     for (int i = 0; i < n; ++i) {
         const Vec3 u = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
         const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        scale = relax_shorten(scale, dt * v3_norm(u), dt * v3_norm(w));
+        scale = relax_shorten(&most, scale, dt * v3_norm(u), dt * v3_norm(w), r->scene->chain.half[i]);
     }
     const double *const beside = r->rate + STATE_SIZE * n;
-    return fmin(scale, equipment_move_share(r->scene->equipment, beside, dt, MOVE_MAX, TURN_MAX));
+    return fmin(scale, equipment_move_share(r->scene->equipment, beside, dt, most.move, most.turn));
 }
 
 /* Moves the state by dt times the velocities found. */
@@ -305,10 +327,10 @@ static hawser_status stages(Relaxation *r, const RelaxOps *ops, hawser_relaxatio
     hawser_status status = HAWSER_OK;
     if (r->scene->equipment->mounts > 0) {
         r->ws->equipment->held = 1;
-        status = relax_run(r->scene, ops, r, r->size, r->y, out, err);
+        status = relax_run(r->scene, &r->ws->stop, ops, r, r->size, r->y, out, err);
         r->ws->equipment->held = 0;
     }
-    return status ? status : relax_run(r->scene, ops, r, r->size, r->y, out, err);
+    return status ? status : relax_run(r->scene, &r->ws->stop, ops, r, r->size, r->y, out, err);
 }
 
 /* The largest force in the scene: weights, loads, and what the joints carry, N. */
@@ -347,7 +369,8 @@ static hawser_status newton_iterate(Relaxation *r, double share, double floor, h
         out->tolerance_N = fmax(share * largest_force(r), floor);
         out->reached = out->residual_N <= out->tolerance_N;
         if (out->reached || !isfinite(out->residual_N) || it == STATIC_ITERATIONS) break;
-        if (implicit_step(r, DT_STATIC)) break;
+        status = stop_now(&r->ws->stop, 0, err);
+        if (status || implicit_step(r, DT_STATIC)) break;
         move(r, turn_scale(r) * DT_STATIC);
         ++out->iterations;
         status = refresh(r, 0, err);

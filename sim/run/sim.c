@@ -28,21 +28,6 @@ static hawser_status trip_set(Sim *s, hawser_error *err)
                      s->expected.reference_total);
 }
 
-/* Whether the cable begins outside itself. Where lines meet no contact can tell on which side of each other they are.
- */
-static hawser_status start_check(Sim *s, hawser_error *err)
-{
-    const Scene *const scene = &s->stage.scene;
-    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->stage.ws.kin, &s->stage.ws.self);
-    const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
-    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT,
-                     "contact.cable_on_cable: the cable begins %.1f mm inside itself near (%.3f, %.3f, %.3f) m, at "
-                     "segments %d and %d: lead the route past itself with a cable's diameter between",
-                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
-                     deepest.foot);
-}
-
 static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
@@ -53,7 +38,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
     if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
-    status = probes_new(&s->probes, scene, err);
+    status = passing_new(&s->passing, scene, err);
+    if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
     if (!status && !scene->rod->present) {
@@ -62,8 +48,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
     if (!status) status = trip_set(s, err);
-    if (!status && scene->self.present) status = start_check(s, err);
-    return status;
+    if (!status) status = start_check(s, err);
+    return status ? status : start_fit(s, err);
 }
 
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err)
@@ -96,6 +82,7 @@ Sim *sim_free(Sim *s)
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     events_free(&s->events);
+    passing_free(&s->passing);
     expected_free(&s->expected);
     by_position_free(&s->by_position);
     sample_free(&s->look);
@@ -115,6 +102,8 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
+    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
     if (scene->rod->present) {
         const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
                                                                            : scene->def.analysis.tolerance;
@@ -231,7 +220,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     s->look.sample.machine = s->machines.out;
     s->look.sample.figures = s->machines.n_now;
     s->look.sample.figure = s->machines.now;
-    probes_look(&s->probes, &s->stage.scene, &s->stage.ws);
+    probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.probes = s->probes.n;
     s->look.sample.probe = s->probes.out;
     if (s->stage.integrator) {
@@ -264,6 +253,10 @@ static void record_now(Sim *s, SampleParts parts)
     const double start = clock_now();
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
+    hawser_error only_a_note;
+    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, look);
+    if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
+        events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     if (s->stats.fresh) steadiness_record(&s->steadiness, &s->stage.scene, look, s->stats.dt);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
@@ -352,7 +345,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                               .balance = out->balance,
                               .turned = s->overturned,
                               .stray = s->stray,
-                              .steadiness = &s->steadiness};
+                              .steadiness = &s->steadiness,
+                              .passing = &s->passing};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/rod.h"
 #include "sim/newton/relax.h"
 
 /* A load step may become this many times smaller than was asked for. */
@@ -30,13 +31,27 @@ static hawser_status slow_way(Stage *st, double t, double share, double *kept, h
     return status ? status : attempt(st, t, share, kept, out, err);
 }
 
+/* Back to where it was: a rod without equilibrium stays where the case has put it. */
+static hawser_status put_back(Stage *st, const double *start, hawser_relaxation *out, hawser_error *err)
+{
+    memcpy(st->y, start, (size_t)st->motion->size * sizeof *start);
+    out->moved_m = 0;
+    return st->motion->ops->renew(st->motion, st->t, st->y, err);
+}
+
 hawser_status statics_settle(Stage *st, double share, hawser_relaxation *out, hawser_error *err)
 {
-    double *const kept = malloc((size_t)st->motion->size * sizeof *kept);
-    if (!kept) return error_memory(err);
-    hawser_status status = attempt(st, st->t, share, kept, out, err);
-    if (!status && !out->reached) status = slow_way(st, st->t, share, kept, out, err);
+    const size_t bytes = (size_t)st->motion->size * sizeof(double);
+    double *const kept = malloc(bytes), *const start = malloc(bytes);
+    hawser_status status = kept && start ? HAWSER_OK : error_memory(err);
+    if (!status) {
+        memcpy(start, st->y, bytes);
+        status = attempt(st, st->t, share, kept, out, err);
+        if (!status && !out->reached && !rod_is_loose(&st->scene)) status = slow_way(st, st->t, share, kept, out, err);
+        if (!status && !out->reached) status = put_back(st, start, out, err);
+    }
     free(kept);
+    free(start);
     return status;
 }
 
@@ -59,7 +74,7 @@ static hawser_status steps(Stage *st, double target, double *kept, hawser_relaxa
         const double next = step >= target - st->t ? target : st->t + step;
         status = attempt(st, next, share, kept, out, err);
         if (!status && !out->reached && step <= SMALLEST * whole) {
-            status = slow_way(st, next, share, kept, out, err);
+            if (!rod_is_loose(&st->scene)) status = slow_way(st, next, share, kept, out, err);
             if (!status && !out->reached) status = stuck(st, next, out, err);
         }
         if (status) return status;

@@ -37,6 +37,7 @@ struct Integrator {
     double *weight;         /* [size] 1 / absolute tolerance */
     const double *weighted; /* CVODE's array that holds them already; NULL: none does */
     double way;             /* m, that a step may move the chain by; INFINITY: any */
+    double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
     double stop;            /* s, the stop time that CVODE knows */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
@@ -228,7 +229,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1};
+    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1, .speed_at = -1};
     const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
     if (status) *out = integrator_free(in);
     return status;
@@ -338,13 +339,20 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
         hint_for(in->motion->scene, i));
 }
 
-/* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14). */
-static double stride_end(const Integrator *in, double t, double stop)
+/* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
+ * first step CVODE says 0 for its length, and what is at rest then will move by little in it. */
+static double stride_end(Integrator *in, double t, double stop)
 {
     if (!(in->way < INFINITY)) return stop;
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
-    const double longest = in->way / in->motion->ops->speed(in->motion, in->y);
+    const double speed = in->motion->ops->speed(in->motion, in->y), since = t - in->speed_at;
+    const double growth = in->speed_at >= 0 && since > 0 ? fmax(0, (speed - in->speed) / since)
+                                                         : v3_norm(in->motion->scene->weight.gravity);
+    const double longest = stride_longest(in->way, speed, growth);
+    in->speed = speed;
+    in->speed_at = t;
+    if (!(step > 0) && speed > 0) step = INFINITY;
     return step > longest && t + longest > t ? fmin(stop, t + longest) : stop;
 }
 

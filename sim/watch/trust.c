@@ -1,17 +1,18 @@
 #include "sim/watch/trust.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/expected/mesh.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
 static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
 static const double OFF_ROUTE = 2;                  /* m: more than any sag between supports */
-static const double SAGITTA = 2.2;                  /* of the room in a duct: a chord's height over it */
 static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
 static const double DRIFT = 0.05;                   /* of the mean pull, from the window's first half to its second */
 static const double SPIKE = 0.2;                    /* of the largest pull, above the rows beside it */
@@ -30,6 +31,74 @@ void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, doubl
         stray->farthest = away;
         stray->at = s;
     }
+}
+
+/* ------------------------------------------------------------------------------------------------------ the pull */
+
+/* s, in which a jolt at t = 0 runs through the chain and back twice, sqrt(m/k) a segment; up to the first row behind t
+ * = 0 at least. */
+static double first_moments(const Scene *scene)
+{
+    const Chain *const chain = &scene->chain;
+    double once = 0;
+    for (int i = 0; i < chain->n; ++i) {
+        const double k = chain->stiffness[0][i];
+        if (k > 0) once += sqrt(chain->mass[i] / k);
+    }
+    return fmax(4 * once, 1.5 * scene->def.output.interval);
+}
+
+/* Which of the rows is the largest shows when the one behind it is there. */
+static void row_record(Steadiness *s, double pull, double t, double dt)
+{
+    if (!(t > 0)) s->row[0] = s->row[1] = s->peak = -INFINITY;
+    if (s->row[1] > s->peak) {
+        s->peak = s->row[1];
+        s->beside = fmax(s->row[0], pull);
+        s->peak_at = t - dt;
+    }
+    s->row[0] = s->row[1];
+    s->row[1] = pull;
+    s->last = t;
+}
+
+double steadiness_spike(const Steadiness *s, double *at)
+{
+    const int ends = s->row[1] > s->peak; /* the run ends at its largest pull: nothing is behind it */
+    const double peak = ends ? s->row[1] : s->peak, beside = ends ? s->row[0] : s->beside;
+    *at = ends ? s->last : s->peak_at;
+    return peak > 0 && isfinite(beside) ? (peak - beside) / peak : 0;
+}
+
+void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt)
+{
+    const double from = scene->def.output.steady_from, middle = (from + scene->def.duration) / 2;
+    row_record(s, sample->winch_force, sample->t, dt);
+    if (!(s->first > 0)) s->first = first_moments(scene);
+    if (!(sample->t > 0)) s->speed = sample->winch_speed;
+    double *const largest = sample->t <= s->first ? &s->jolt : &s->later;
+    if (sample->winch_force > *largest) {
+        *largest = sample->winch_force;
+        if (largest == &s->jolt) s->jolt_at = sample->t;
+    }
+    if (!(sample->t - dt >= from - 1e-9)) return;
+    HalfWindow *const half = &s->half[sample->t - dt / 2 > middle];
+    half->pull += sample->winch_force * dt;
+    half->time += dt;
+    if (isnan(sample->reference)) return;
+    half->theory += sample->reference * dt;
+    half->theory_time += dt;
+}
+
+double steadiness_drift(const Steadiness *s)
+{
+    const HalfWindow *const a = &s->half[0], *const b = &s->half[1];
+    if (!(a->time > 0 && b->time > 0)) return 0;
+    const double change = b->pull / b->time - a->pull / a->time;
+    const int known = a->theory_time > 0 && b->theory_time > 0;
+    const double expected = known ? b->theory / b->theory_time - a->theory / a->theory_time : 0;
+    const double mean = fabs(a->pull + b->pull) / (a->time + b->time);
+    return fmin(fabs(change), fabs(change - expected)) / fmax(fmax(mean, 0.1 * fmax(s->jolt, s->later)), 1e-6);
 }
 
 /* ------------------------------------------------------------------------------------------------- conditions */
@@ -53,32 +122,22 @@ static void add(List *list, const char *name, const char *unit, double value, do
     va_end(args);
 }
 
-/* The chord of a segment in a bend of a duct is higher than the duct has room: the cable jams by its mesh alone. */
-static void add_duct_mesh(List *list, const Scene *scene)
+/* What the lengths of the segments are expected to add to the pull. Without memory nothing is said. */
+static void add_mesh(List *list, const Scene *scene)
 {
-    double worst = 0, tight = 0, enough = 0, longest = 0; /* 1; m, m: the room there, and what would fit it; m */
-    for (int i = 0; i < scene->eye - scene->first && i < scene->chain.n; ++i)
-        longest = fmax(longest, 2 * scene->chain.half[i]);
-    for (int k = 0; k < scene->def.n_surfaces; ++k) {
-        const SurfaceShape *const duct = &scene->def.surfaces[k].shape;
-        if (duct->kind != SURFACE_DUCT) continue;
-        for (int b = 0; b < scene->route.n; ++b) {
-            const RoutePiece *const piece = &scene->route.piece[b];
-            const int inside = piece->s0 < duct->to && piece->s0 + piece->length > duct->from;
-            if (piece->kind != ROUTE_BEND || !inside) continue;
-            const double room = duct->radius - duct->cable_radius;
-            const double sagitta = longest * longest / (8 * piece->radius);
-            if (!(sagitta > worst * room)) continue;
-            worst = sagitta / room;
-            tight = room;
-            enough = sqrt(SAGITTA * room * 8 * piece->radius);
-        }
+    Mesh mesh;
+    int worst;
+    char where[96];
+    if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return;
+    const double error = mesh_given(&mesh, &scene->def, &worst);
+    if (worst >= 0) {
+        const MeshPlace *const place = &mesh.place[worst];
+        mesh_describe(place, sizeof where, where);
+        add(list, "mesh", "1", error, MESH_ALLOWED,
+            "segments are too long, about %+.2g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm",
+            100 * error, where, place->piece, 1e3 * mesh_length(&mesh, place->piece, MESH_AIM));
     }
-    if (worst > 0) {
-        add(list, "mesh_in_ducts", "1", worst, SAGITTA,
-            "segments are too long for bends in ducts with %.3g mm of room: set chain.segment to %.3g mm or less",
-            1e3 * tight, 1e3 * enough);
-    }
+    mesh_free(&mesh);
 }
 
 /* Below the speed at which friction is fully there the pull is too small. */
@@ -119,9 +178,8 @@ static void add_steadiness(List *list, const TrustFacts *f)
     double at;
     const double spike = steadiness_spike(s, &at);
     add(list, "peak", "1", spike, SPIKE,
-        "the largest pull is a spike, %.2g %% above the rows beside it, at %.4g s: set output.interval to less, or "
-        "start "
-        "more gently",
+        "the largest pull is a spike, %.2g %% above the rows beside it, at %.4g s: set output.interval to less, "
+        "or start more gently",
         100 * spike, at);
 }
 
@@ -138,7 +196,11 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             scene->def.output.steady_from);
     }
     if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
-    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
+    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0 && rod_is_loose(scene)) {
+        add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
+            "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
+            "to false");
+    } else if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
             f->relaxation->segment);
@@ -156,6 +218,15 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
             f->stray.farthest, f->stray.at);
     }
+    add(&list, "passed", "1", f->passing->through, 0,
+        "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
+    const Misfit *const start = &f->passing->start;
+    if (start->force > 0 && !scene->def.solver.relax) {
+        add(&list, "start", "N", start->force, start->allowed,
+            "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
+            "or less there",
+            start->name, 1e3 * misfit_segment(start));
+    }
     add(&list, "orientation", "1", f->turned, 0, "%s",
         f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"
                                 : "joints have turned too far for the chain to follow: use shorter segments");
@@ -166,7 +237,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "by `hawser theory`",
             scene->def.theory.cables);
     }
-    add_duct_mesh(&list, scene);
+    add_mesh(&list, scene);
     add_friction_speed(&list, scene);
     return list.n;
 }
