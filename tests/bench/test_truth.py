@@ -22,7 +22,7 @@ default = "accuracy" not in case.get("solver", {})
 pull = 1500.0 if default and case["title"].startswith("sensible 1:") else 1000.0
 json.dump({"segments": 40, "steps": 10, "pull_force": {"steady_mean_N": pull, "peak_N": pull,
            "steady_mean_error": {"total_N": 5.0}}, "theory": {"reference_total_N": 1000.0},
-           "trust": [{"name": "energy", "value": 0.0, "holds": not case["title"].startswith("sensible 2:")}], "verdict": "SAFE"},
+           "trust": [{"name": "equilibrium", "value": 0.0, "holds": not case["title"].startswith("sensible 2:")}], "verdict": "SAFE"},
           open(os.path.join(out, "summary.json"), "w"))
 """
 
