@@ -64,6 +64,15 @@ void scene_initial_state(const Scene *scene, double *y)
         const Room *const room = &scene->room[r];
         if (room->states > 0) room->kind->start(room, own);
     }
+    scene_launch(scene, y);
+}
+
+void scene_launch(const Scene *scene, double *y)
+{
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->launch) room->kind->launch(room, scene, y);
+    }
 }
 
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin)

@@ -47,7 +47,7 @@ static void piece_cut(const SceneDef *def, int p, double *out)
     }
 }
 
-/* Mass, inertia of a solid cylinder of the outside diameter, contact radius (S5). */
+/* Mass, inertia by the cross-section's radius of gyration (of a full circle if none is given), contact radius (S5). */
 static void segments_fill(Scene *scene)
 {
     Chain *const c = &scene->chain;
@@ -55,15 +55,15 @@ static void segments_fill(Scene *scene)
     for (int p = 0; p < scene->def.n_pieces; ++p) {
         const ChainPieceDef *const piece = &scene->def.pieces[p];
         const CableDef *const cable = cable_of(&scene->def, p);
-        const double r = cable->diameter / 2;
+        const double r = cable->diameter / 2, gyration = cable->gyration > 0 ? cable->gyration : r / 2;
         piece_cut(&scene->def, p, c->half + i);
         for (int k = 0; k < piece->segments; ++k, ++i) {
             const double h = c->half[i], m = cable->mass * h;
             scene->piece[i] = p;
             c->half[i] = h / 2;
             c->mass[i] = m;
-            c->inertia[0][i] = m * r * r / 2;
-            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + r * r / 4);
+            c->inertia[0][i] = 2 * m * gyration * gyration;
+            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + gyration * gyration);
             c->radius[i] = r;
         }
     }
@@ -150,6 +150,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
     scene->largest_speed = 0.1;
+    scene->grip_speed = INFINITY;
     joints_place(scene);
     weight_fill(scene);
     hawser_status status = rooms_build(scene, err);

@@ -58,6 +58,7 @@ static const CaseKey cable_keys[] = {
     {"EI_y", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_y)},
     {"EI_z", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_z)},
     {"mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "density A", ABOVE(0, 1e6), AT(CableRecord, cable.mass)},
+    {"gyration", KEY_NUMBER, DIM_LENGTH, .otherwise = "d/4", ABOVE(0, 100), AT(CableRecord, cable.gyration)},
     {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(CableRecord, cable.damping)},
     {"damping_factor", KEY_SECTION, .otherwise = "its defaults", .section = &damping_factor},
     {"damping_ratio", KEY_SECTION, .otherwise = "none", .section = &damping_ratio},
@@ -177,6 +178,7 @@ static hawser_status cable_read(const CaseReader *r, const CaseNode *node, void 
     const hawser_status status = case_section_read(r, node, &case_cable, &record);
     if (status) return status;
     *cable = record.cable;
+    if (isnan(cable->gyration)) cable->gyration = 0;
     strcpy(cable->name, node->key);
     return cable_resolve(r, node, &record, cable);
 }

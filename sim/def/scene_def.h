@@ -13,6 +13,7 @@
 #include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
 #include "sim/def/cable_def.h"
+#include "sim/def/flight_def.h"
 #include "sim/def/output_def.h"
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
@@ -124,6 +125,7 @@ typedef struct ConveyorDef {
     double limit;           /* N, of the drive; 0: none */
     double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
     int hold;               /* holds the cable on the machine's line */
+    int grips_rope;         /* the belts close on the rope too, not on cable alone */
 } ConveyorDef;
 
 /* A roller or machine that stops in mid-run. Times in s, places of the cable's front in m along the route: one of each
@@ -180,6 +182,8 @@ typedef struct SceneDef {
     ConveyorDef *conveyors;
     int n_jams;
     JamDef *jams;
+    LaunchDef launch;
+    MediumDef medium;
     RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */
 
     int n_stations;

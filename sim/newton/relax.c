@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "sim/equipment/rod.h"
+#include "sim/newton/relax_space.h"
 
 /* The largest change that one iteration may make. */
 static const double MOVE_MAX = 0.05, TURN_MAX = 0.1;                   /* m, rad */
@@ -16,10 +17,6 @@ static const double DT_SMALLEST = 1e-4, JUMP = 4;
  * share of the loads, or after so many iterations. */
 static const double SOFTEST = 1e-3, SOFT_GROWTH = 10, SOFT_AIM = 1e-2;
 enum { SOFT_ITERATIONS = 60 };
-/* Newton's method on the way of the loads (RD8): the step that stands for infinity, the largest turn in one iteration.
- */
-static const double DT_STATIC = 1e5, TURN_STATIC = 0.5; /* s, rad */
-enum { STATIC_ITERATIONS = 60 };
 
 /* --------------------------------------------------------------------------------------- any chain */
 
@@ -48,7 +45,7 @@ double relax_shorten(const RelaxStride *most, double scale, double move, double 
     return fmin(scale, fmin(alone, most->sweep / (half * turn + 1e-300)));
 }
 
-static hawser_status stop_now(const StopCheck *stop, int soft, hawser_error *err)
+hawser_status relax_stopped(const StopCheck *stop, int soft, hawser_error *err)
 {
     if ((soft && stop->firm) || !stop_wanted(stop)) return HAWSER_OK;
     return error_set(err, HAWSER_STOPPED, "stopped on the way to equilibrium");
@@ -96,7 +93,7 @@ static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxati
     double dt = DT_FIRST;
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; spent < limit && !(out->residual_N <= aim); ++spent) {
-        const hawser_status stopped = stop_now(r->stop, r->soft, err);
+        const hawser_status stopped = relax_stopped(r->stop, r->soft, err);
         if (stopped) return stopped;
         ++out->iterations;
         if (r->ops->implicit_step(r->self, dt)) {
@@ -148,7 +145,7 @@ static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawse
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; !status && spent < limit && !(out->residual_N <= aim); ++spent) {
         ++out->iterations;
-        status = stop_now(r->stop, r->soft, err);
+        status = relax_stopped(r->stop, r->soft, err);
         if (!status) status = careful_step(r, &dt, out, err);
     }
     out->reached = out->residual_N <= out->tolerance_N;
@@ -210,19 +207,7 @@ hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOp
 
 /* ------------------------------------------------------------------------------------- the chain in space */
 
-typedef struct Relaxation {
-    const Scene *scene;
-    Workspace *ws;
-    Newton *newton;
-    double t;
-    double *y;
-    int size;      /* of y */
-    double *rate;  /* [size] */
-    double *start; /* [3 n] positions before */
-} Relaxation;
-
-/* Largest unbalanced force; moments count over half a segment. *where gets the segment. */
-static double residual(void *self, int *where)
+double space_residual(void *self, int *where)
 {
     Relaxation *const r = self;
     const Chain *const chain = &r->scene->chain;
@@ -244,16 +229,16 @@ static double residual(void *self, int *where)
     return mounts > largest || isnan(mounts) ? mounts : largest;
 }
 
-/* One linearly implicit Euler step of length dt from rest: (M - dt D - dt^2 K) u = dt F (E1). The velocities land in
- * the velocity part of `rate`. Returns the solver's status. */
-static int implicit_step(void *self, double dt)
+void space_blocks(Relaxation *r)
 {
-    Relaxation *const r = self;
-    const int n = r->scene->chain.n;
     dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, 0.0, &r->newton->k, &r->newton->d);
     newton_point(r->newton, r->scene, &r->ws->kin, r->y);
     newton_point_equipment(r->newton, r->ws->equipment, r->y, 0.0);
-    newton_form(r->newton, dt);
+}
+
+int space_solve(Relaxation *r, double dt)
+{
+    const int n = r->scene->chain.n;
     const int status = newton_factor(r->newton);
     if (status) return status;
     memset(r->rate, 0, (size_t)(STATE_V * n) * sizeof(double));
@@ -262,6 +247,14 @@ static int implicit_step(void *self, double dt)
     const int mounts = STATE_SIZE * n + r->scene->equipment->spins;
     memset(r->rate + mounts, 0, (size_t)(STATE_V * r->scene->equipment->mounts) * sizeof(double));
     return newton_solve(r->newton, r->rate);
+}
+
+int space_step(void *self, double dt)
+{
+    Relaxation *const r = self;
+    space_blocks(r);
+    newton_form(r->newton, dt);
+    return space_solve(r, dt);
 }
 
 /* What a move of dt times the velocities found is shortened by (E2). */
@@ -280,8 +273,7 @@ static double move_scale(void *self, double dt)
     return fmin(scale, equipment_move_share(r->scene->equipment, beside, dt, most.move, most.turn));
 }
 
-/* Moves the state by dt times the velocities found. */
-static void move(void *self, double dt)
+void space_move(void *self, double dt)
 {
     Relaxation *const r = self;
     const int n = r->scene->chain.n;
@@ -299,14 +291,13 @@ static void move(void *self, double dt)
     }
 }
 
-static double farthest_place(const Relaxation *r, const double *from)
+double space_farthest(const Relaxation *r, const double *from)
 {
     const int n = r->scene->chain.n;
     return relax_farthest(n, n, 3, r->y, from);
 }
 
-/* Candidates are judged by where things are now. */
-static hawser_status refresh(void *self, int always, hawser_error *err)
+hawser_status space_refresh(void *self, int always, hawser_error *err)
 {
     Relaxation *const r = self;
     if (!always) dynamics_kinematics(r->scene, r->ws, r->t, r->y);
@@ -333,53 +324,7 @@ static hawser_status stages(Relaxation *r, const RelaxOps *ops, hawser_relaxatio
     return status ? status : relax_run(r->scene, &r->ws->stop, ops, r, r->size, r->y, out, err);
 }
 
-/* The largest force in the scene: weights, loads, and what the joints carry, N. */
-static double largest_force(const Relaxation *r)
-{
-    const Chain *const chain = &r->scene->chain;
-    const JointLoads *const joints = &r->ws->joints;
-    double largest = rod_load_size(r->scene->rod, chain, r->t);
-    for (int i = 0; i < chain->n; ++i) largest = fmax(largest, chain->mass[i] * v3_norm(r->scene->weight.gravity));
-    for (int j = 0; j <= chain->n; ++j) {
-        largest = fmax(largest, v3_norm(v3_load(joints->force, j)));
-    }
-    return largest;
-}
-
-/* A whole Newton step, but nothing turns by more than TURN_STATIC. */
-static double turn_scale(const Relaxation *r)
-{
-    const int n = r->scene->chain.n;
-    double largest = 0;
-    for (int i = 0; i < n; ++i) {
-        const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        largest = fmax(largest, DT_STATIC * v3_norm(w));
-    }
-    return fmin(1, TURN_STATIC / (largest + 1e-300));
-}
-
-/* Newton's method (RD8). Residuals grow on the way, since turning a stiff segment stretches its neighbours: only the
- * number of iterations and what is not a number end it early. */
-static hawser_status newton_iterate(Relaxation *r, double share, double floor, hawser_relaxation *out,
-                                    hawser_error *err)
-{
-    hawser_status status = HAWSER_OK;
-    for (int it = 0; !status && it <= STATIC_ITERATIONS; ++it) {
-        out->residual_N = residual(r, &out->segment);
-        out->tolerance_N = fmax(share * largest_force(r), floor);
-        out->reached = out->residual_N <= out->tolerance_N;
-        if (out->reached || !isfinite(out->residual_N) || it == STATIC_ITERATIONS) break;
-        status = stop_now(&r->ws->stop, 0, err);
-        if (status || implicit_step(r, DT_STATIC)) break;
-        move(r, turn_scale(r) * DT_STATIC);
-        ++out->iterations;
-        status = refresh(r, 0, err);
-    }
-    return status;
-}
-
-/* From rest, at t; 0 if there is no memory. relaxation_end may follow either way. */
-static int relaxation_begin(Relaxation *r)
+int space_begin(Relaxation *r)
 {
     const size_t n = (size_t)r->scene->chain.n;
     r->size = scene_state_size(r->scene);
@@ -392,37 +337,24 @@ static int relaxation_begin(Relaxation *r)
     return 1;
 }
 
-static void relaxation_end(Relaxation *r)
+void space_end(Relaxation *r)
 {
     free(r->rate);
     free(r->start);
 }
 
-hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
-                           hawser_relaxation *out, hawser_error *err)
-{
-    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
-    hawser_status status = relaxation_begin(&r) ? HAWSER_OK : error_memory(err);
-    if (!status) {
-        status = newton_iterate(&r, share, relax_rounding(scene, farthest_place(&r, NULL)), out, err);
-        out->moved_m = fmax(out->moved_m, farthest_place(&r, r.start));
-    }
-    relaxation_end(&r);
-    return status;
-}
-
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
                                    hawser_relaxation *out, hawser_error *err)
 {
-    static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
+    static const RelaxOps ops = {space_residual, space_step, move_scale, space_move, space_refresh, soften};
     Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
     *out = (hawser_relaxation){0};
-    hawser_status status = relaxation_begin(&r) ? HAWSER_OK : error_memory(err);
+    hawser_status status = space_begin(&r) ? HAWSER_OK : error_memory(err);
     if (!status) {
-        out->tolerance_N = relax_tolerance(scene, t, farthest_place(&r, NULL));
+        out->tolerance_N = relax_tolerance(scene, t, space_farthest(&r, NULL));
         status = stages(&r, &ops, out, err);
-        out->moved_m = farthest_place(&r, r.start);
+        out->moved_m = space_farthest(&r, r.start);
     }
-    relaxation_end(&r);
+    space_end(&r);
     return status;
 }

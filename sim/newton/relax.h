@@ -10,11 +10,8 @@
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
                                    hawser_relaxation *out, hawser_error *err);
 
-/* The same by Newton's method alone, for loads that have grown a little since y was an equilibrium (RD8): `share` is
- * the largest unbalanced force as a share of the largest force in the scene, though not below rounding. Adds to
- * out->iterations and sets the rest; y is of no use if it is not reached. Errors: MEMORY. */
-hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
-                           hawser_relaxation *out, hawser_error *err);
+/* Whether a stop is wanted now (not while contacts are soft, if it must be firm). Errors: STOPPED. */
+hawser_status relax_stopped(const StopCheck *stop, int soft, hawser_error *err);
 
 /* The continuation itself (E3)-(E5), for any chain that can do these things; `self` is handed to them. */
 typedef struct RelaxOps {

@@ -9,6 +9,7 @@
 #include "core/base/isa.h"
 #include "core/base/lanes.h"
 #include "core/body.h"
+#include "core/state.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
@@ -97,11 +98,19 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
+/* Relaxation begins at rest; the motion that the case begins with comes after it. */
+static void chain_stop(Stage *st)
+{
+    const size_t n = (size_t)st->scene.chain.n;
+    if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
+}
+
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
 {
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
+    chain_stop(&s->stage);
     s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
     passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
     if (scene->rod->present) {
@@ -112,6 +121,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     } else {
         status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
     }
+    if (!status && s->stage.t <= 0) scene_launch(scene, s->stage.y);
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
@@ -165,6 +175,14 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
     return status;
 }
 
+/* Between two rows a joint may have turned right round: rods are looked at after every step. */
+static void rod_watch(Sim *s)
+{
+    Stage *const st = &s->stage;
+    dynamics_kinematics(&st->scene, &st->ws, st->t, st->y);
+    st->stability.turned |= turned(&st->scene, 0, &st->ws.kin) & TURNED_JOINT;
+}
+
 /* Load steps in place of time steps. */
 static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -178,7 +196,7 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
     }
     if (!status && def->analysis.kind == ANALYSIS_MODES && s->stage.t >= def->duration) {
         modes_free(&s->modes);
-        status = modes_find(&s->stage, def->analysis.modes, &s->modes, err);
+        status = modes_find(&s->stage, def->analysis.modes, 0, &s->modes, err);
     }
     s->relax_s += clock_now() - start;
     return status;
@@ -192,6 +210,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = events_watch(s, err);
+        if (!status && s->stage.scene.rod->present) rod_watch(s);
         if (one_step) break;
     }
     return status;
@@ -300,35 +319,39 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
-    *out = (hawser_summary){.segments = scene->total,
-                            .bushings = scene->total - 1 + (scene->winch->present ? 1 : 0) + rod_ends_held(scene->rod),
-                            .rollers = scene->contact.n_rollers,
-                            .surfaces = scene->surfaces.model.n_surfaces,
-                            .contact_candidates = s->stage.ws.candidates_max,
-                            .contact_active_max = s->active_max,
-                            .contact_refreshes = s->stage.ws.refreshes,
-                            .sim_time_s = s->stage.t,
-                            .linear_solver = s->lin.name,
-                            .linear_solver_why = s->lin.why,
-                            .ordering = s->lin.ordering,
-                            .threads = s->threads,
-                            .planar = s->stage.motion == &s->stage.planar.motion,
-                            .planar_why = s->stage.plane_why,
-                            .paper_total_N = s->expected.paper_total,
-                            .reference_total_N = s->expected.reference_total,
-                            .relaxation = s->relaxation,
-                            .n_positions = by_position_table(&s->by_position),
-                            .positions = s->by_position.out,
-                            .rod = scene->rod->present,
-                            .analysis = analyses[scene->def.analysis.kind],
-                            .n_modes = s->modes.n,
-                            .modes = s->modes.out,
-                            .n_probes = s->probes.n,
-                            .probes = s->probes.out,
-                            .n_events = s->events.n,
-                            .events = s->events.event,
-                            .n_machines = s->machines.n,
-                            .machines = s->machines.out};
+    *out =
+        (hawser_summary){.segments = scene->total,
+                         .bushings = scene->total - 1 + (scene->winch->present ? 1 : 0) + rod_ends_held(scene->rod),
+                         .rollers = scene->contact.n_rollers,
+                         .surfaces = scene->surfaces.model.n_surfaces,
+                         .contact_candidates = s->stage.ws.candidates_max,
+                         .contact_active_max = s->active_max,
+                         .contact_refreshes = s->stage.ws.refreshes,
+                         .sim_time_s = s->stage.t,
+                         .linear_solver = s->lin.name,
+                         .linear_solver_why = s->lin.why,
+                         .ordering = s->lin.ordering,
+                         .threads = s->threads,
+                         .planar = s->stage.motion == &s->stage.planar.motion,
+                         .planar_why = s->stage.plane_why,
+                         .paper_total_N = s->expected.paper_total,
+                         .reference_total_N = s->expected.reference_total,
+                         .relaxation = s->relaxation,
+                         .n_positions = by_position_table(&s->by_position),
+                         .positions = s->by_position.out,
+                         .rod = scene->rod->present,
+                         .analysis = analyses[scene->def.analysis.kind],
+                         .n_modes = s->modes.n,
+                         .modes = s->modes.out,
+                         .unstable = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? -1 : s->stage.stability.unstable,
+                         .n_critical = s->stage.stability.n,
+                         .critical = s->stage.stability.critical,
+                         .n_probes = s->probes.n,
+                         .probes = s->probes.out,
+                         .n_events = s->events.n,
+                         .events = s->events.event,
+                         .n_machines = s->machines.n,
+                         .machines = s->machines.out};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -338,12 +361,17 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
+    const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
+    const ErrorShares shares = error_shares(scene, out->balance ? &books : NULL, out->pull_mean_N);
+    stats_errors(&s->stats, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
-                              .turned = s->overturned,
+                               .figures = out,
+                               .turned = s->overturned | s->stage.stability.turned,
+                               .unstable = out->unstable,
                               .stray = s->stray,
                               .steadiness = &s->steadiness,
                               .passing = &s->passing};

@@ -22,6 +22,8 @@ enum { STALLED_MOST = 20 };
  * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
  * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
+/* The same in a conveyor's force, times the accuracy, as a share of its grip (N15). */
+static const double GRIP_LEFT = 0.01;
 
 /* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
  * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
@@ -146,10 +148,11 @@ static int linear_attach(Integrator *in)
 
 /* ------------------------------------------------------------------------------------------------- life */
 
-/* (N13) */
-static double newton_share(double accuracy)
+/* (N13), and (N15) where something grips. */
+static double newton_share(const Scene *scene)
 {
-    return fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / accuracy, NEWTON_SHARE_MOST));
+    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
+    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
 }
 
 static int cvode_set(Integrator *in)
@@ -161,7 +164,7 @@ static int cvode_set(Integrator *in)
     bad |= CVodeWFtolerances(c, call_weights);
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
-    bad |= CVodeSetNonlinConvCoef(c, newton_share(def->accuracy));
+    bad |= CVodeSetNonlinConvCoef(c, newton_share(in->motion->scene));
     bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
@@ -247,6 +250,17 @@ Integrator *integrator_free(Integrator *in)
     free(in->weight);
     free(in);
     return NULL;
+}
+
+/* CVODE's history holds them: Nordsieck's array has h y' beside y. */
+const double *integrator_rates(Integrator *in, double *h)
+{
+    realtype t, gamma, rl1;
+    N_Vector predicted, now, rates, first = NULL;
+    void *user;
+    CVodeGetLastStep(in->cvode, h);
+    CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
+    return N_VGetArrayPointer(first);
 }
 
 /* ------------------------------------------------------------------------------------------------ stepping */

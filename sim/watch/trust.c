@@ -11,12 +11,14 @@
 #include "sim/watch/stats.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
-static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
-static const double OFF_ROUTE = 2;                  /* m: more than any sag between supports */
-static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
-static const double DRIFT = 0.05;                   /* of the mean pull, from the window's first half to its second */
-static const double SPIKE = 0.2;                    /* of the largest pull, above the rows beside it */
-enum { LOOKS = 16 };                                /* at the cable's place in a run */
+static const double ENERGY = 0.01, MOMENTUM = 0.01;      /* shares of what goes through, of the largest impulse */
+static const double DAMPED = 0.01;                       /* of what moves, by the steps in time alone */
+static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
+static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
+static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
+static const double DRIFT = 0.05; /* of the mean pull, from the window's first half to its second */
+static const double SPIKE = 0.2;  /* of the largest pull, above the rows beside it */
+enum { LOOKS = 16 };              /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -159,6 +161,44 @@ static void add_friction_speed(List *list, const Scene *scene)
     }
 }
 
+/* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
+ * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against
+ * it: the square leaves a margin (BA13). */
+static void add_damping(List *list, const TrustFacts *f)
+{
+    const double share = f->balance->numerical_share, logs = share < 0.95 ? -log1p(-share) : 3;
+    add(list, "numerical_damping", "1", share, DAMPED,
+        "the steps in time took %.2g %% of '%s' that nothing else damped: set solver.accuracy to %.1g, and "
+        "solver.max_order to 2",
+        100 * share, f->balance->turnover_of,
+        f->scene->def.solver.accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs)));
+}
+
+/* One figure's error bar, with what it is mostly made of, and what makes that smaller. */
+static void add_error(List *list, const char *name, const char *figure, const hawser_error_bar *bar, double size,
+                      double allowed)
+{
+    const char *of = "friction that is not there yet", *remedy = "a friction.v_s far below the pull's speed";
+    if (bar->mesh >= bar->friction && bar->mesh >= bar->time) {
+        of = "the mesh";
+        remedy = "a shorter chain.segment";
+    } else if (bar->time >= bar->friction) {
+        of = "steps in time";
+        remedy = "a smaller solver.accuracy and output.interval";
+    }
+    add(list, name, "1", bar->total / size, allowed, "%s may be off by %.2g %%, mostly by %s: use %s", figure,
+        100 * bar->total / size, of, remedy);
+}
+
+/* The error bars of the pull. */
+static void add_errors(List *list, const hawser_summary *s)
+{
+    if (!(s->pull_peak_N > 0)) return;
+    add_error(list, "numerical_error", "the mean pull", &s->pull_mean_error,
+              fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100), MEAN_ERROR);
+    add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
+}
+
 /* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A
  * chain that begins at rest and is set in motion gently has no jolt. */
 static void add_steadiness(List *list, const TrustFacts *f)
@@ -195,15 +235,22 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
-    if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
-    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0 && rod_is_loose(scene)) {
+    const int rests = (scene->def.solver.relax || !dynamic) && f->relaxation->tolerance_N > 0;
+    if (rests && rod_is_loose(scene)) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
             "to false");
-    } else if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
+    } else if (rests) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
             f->relaxation->segment);
+    }
+    if (!dynamic && scene->def.analysis.stability != STABILITY_IGNORE) {
+        const double grow = f->unstable < 0 ? (double)INFINITY : (double)f->unstable;
+        add(&list, "stable", "1", grow, 0, "%s",
+            f->unstable < 0 ? "the equilibrium's stability could not be counted: see 'analysis: modes'"
+                            : "the last equilibrium is not stable: see critical loads; a slow load would not leave the "
+                              "rod there");
     }
     if (f->balance) {
         add(&list, "energy", "1", f->balance->residual_share, ENERGY,
@@ -212,6 +259,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
         add(&list, "momentum", "1", f->balance->impulse_residual_share, MOMENTUM,
             "momentum does not add up by %.2g %%: try a smaller solver.accuracy",
             100 * f->balance->impulse_residual_share);
+        add_damping(&list, f);
     }
     if (dynamic && !scene->rod->present) {
         add(&list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
@@ -239,5 +287,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     }
     add_mesh(&list, scene);
     add_friction_speed(&list, scene);
+    if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
     return list.n;
 }

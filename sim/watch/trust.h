@@ -50,7 +50,9 @@ typedef struct TrustFacts {
     double t, end; /* s, reached and asked for */
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
+    const hawser_summary *figures; /* with their error bars */
     int turned;                    /* sim/watch/events.h */
+    int unstable;                  /* motions that grow from an equilibrium of statics; -1: not counted */
     Stray stray;
     const Steadiness *steadiness;
     const Passing *passing;

@@ -133,20 +133,24 @@ static void slower_than_friction(void **state)
 {
     (void)state;
     const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
-    expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed", "set friction.v_s below 0.02 m/s");
+    expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed numerical_error numerical_peak",
+                   "set friction.v_s below 0.02 m/s");
 }
 
-/* A stiff grip at the default accuracy: the pull was 12 times theory's. */
+/* A stiff grip at a low accuracy: the pull was 12 times theory's, where a synchronised belt takes all that arrives. The
+ * run shares by elasticity: belt and winch keep the stretch that the cable has under its tail's 1 kN, so that the winch
+ * has that and half of the friction between. */
 static void energy_lost(void **state)
 {
     (void)state;
     const char *const loose[] = {"conveyors", "[{from: 6, to: 8, clamp: 9 kN, mu: 0.5, v_s: 0.1 mm/s}]",
                                  "solver.accuracy", "1e-2", NULL};
-    Judged j = judge(data_text("trust"), loose, HAWSER_OK);
-    const int trusted = j.found != -2;
-    print_message("pull %.1f N, %s\n", j.sum.pull_mean_N, j.verdict);
-    /* trusted or not: a trusted figure must be right */
-    if (trusted) check_share(j.sum.pull_mean_N, j.sum.reference_total_N, 0.05);
+    const char *const fine[] = {loose[0], loose[1], "solver.accuracy", "1e-5", NULL};
+    Judged j = judge(data_text("trust"), loose, HAWSER_OK), best = judge(data_text("trust"), fine, HAWSER_OK);
+    print_message("pull %.1f N, small steps %.1f N, %s\n", j.sum.pull_mean_N, best.sum.pull_mean_N, j.verdict);
+    check_share(j.sum.pull_mean_N, best.sum.pull_mean_N, 0.02);
+    check_share(best.sum.pull_mean_N, 1000 + 0.2 * 20 * 9.81 * (20 - 7) / 2, 0.02);
+    hawser_sim_free(best.sim);
     hawser_sim_free(j.sim);
 }
 
@@ -162,7 +166,8 @@ static void coarse_in_a_duct(void **state)
 {
     (void)state;
     const char *const narrow[] = {"surfaces.ducts.0.radius", "31 mm", NULL};
-    expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "mesh", "room 1 mm): set chain.0.segment to auto");
+    expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "mesh numerical_error numerical_peak",
+                   "room 1 mm): set chain.0.segment to auto");
     Judged j = judge(data_text("trust-duct"), NULL, HAWSER_OK);
     assert_int_equal(j.found, 0);
     hawser_sim_free(j.sim);
