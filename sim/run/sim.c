@@ -277,6 +277,7 @@ static void record_now(Sim *s, SampleParts parts)
     if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
         events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
+    if (s->stats.fresh) steadiness_record(&s->steadiness, &s->stage.scene, look, s->stats.dt);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
     const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
@@ -372,6 +373,7 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                                .turned = s->overturned | s->stage.stability.turned,
                                .unstable = out->unstable,
                               .stray = s->stray,
+                              .steadiness = &s->steadiness,
                               .passing = &s->passing};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;

@@ -33,6 +33,7 @@ typedef struct hawser_sim {
     int active_max; /* contacts */
     int overturned; /* what has turned too far, and was said */
     Stray stray;
+    Steadiness steadiness;
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
     /* what the interface remembers for the results (io/api) */

@@ -1,5 +1,6 @@
 #include "sim/watch/trust.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -15,7 +16,9 @@ static const double DAMPED = 0.01;                       /* of what moves, by th
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
-enum { LOOKS = 16 };                                     /* at the cable's place in a run */
+static const double DRIFT = 0.05; /* of the mean pull, from the window's first half to its second */
+static const double SPIKE = 0.2;  /* of the largest pull, above the rows beside it */
+enum { LOOKS = 16 };              /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -30,6 +33,74 @@ void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, doubl
         stray->farthest = away;
         stray->at = s;
     }
+}
+
+/* ------------------------------------------------------------------------------------------------------ the pull */
+
+/* s, in which a jolt at t = 0 runs through the chain and back twice, sqrt(m/k) a segment; up to the first row behind t
+ * = 0 at least. */
+static double first_moments(const Scene *scene)
+{
+    const Chain *const chain = &scene->chain;
+    double once = 0;
+    for (int i = 0; i < chain->n; ++i) {
+        const double k = chain->stiffness[0][i];
+        if (k > 0) once += sqrt(chain->mass[i] / k);
+    }
+    return fmax(4 * once, 1.5 * scene->def.output.interval);
+}
+
+/* Which of the rows is the largest shows when the one behind it is there. */
+static void row_record(Steadiness *s, double pull, double t, double dt)
+{
+    if (!(t > 0)) s->row[0] = s->row[1] = s->peak = -INFINITY;
+    if (s->row[1] > s->peak) {
+        s->peak = s->row[1];
+        s->beside = fmax(s->row[0], pull);
+        s->peak_at = t - dt;
+    }
+    s->row[0] = s->row[1];
+    s->row[1] = pull;
+    s->last = t;
+}
+
+double steadiness_spike(const Steadiness *s, double *at)
+{
+    const int ends = s->row[1] > s->peak; /* the run ends at its largest pull: nothing is behind it */
+    const double peak = ends ? s->row[1] : s->peak, beside = ends ? s->row[0] : s->beside;
+    *at = ends ? s->last : s->peak_at;
+    return peak > 0 && isfinite(beside) ? (peak - beside) / peak : 0;
+}
+
+void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt)
+{
+    const double from = scene->def.output.steady_from, middle = (from + scene->def.duration) / 2;
+    row_record(s, sample->winch_force, sample->t, dt);
+    if (!(s->first > 0)) s->first = first_moments(scene);
+    if (!(sample->t > 0)) s->speed = sample->winch_speed;
+    double *const largest = sample->t <= s->first ? &s->jolt : &s->later;
+    if (sample->winch_force > *largest) {
+        *largest = sample->winch_force;
+        if (largest == &s->jolt) s->jolt_at = sample->t;
+    }
+    if (!(sample->t - dt >= from - 1e-9)) return;
+    HalfWindow *const half = &s->half[sample->t - dt / 2 > middle];
+    half->pull += sample->winch_force * dt;
+    half->time += dt;
+    if (isnan(sample->reference)) return;
+    half->theory += sample->reference * dt;
+    half->theory_time += dt;
+}
+
+double steadiness_drift(const Steadiness *s)
+{
+    const HalfWindow *const a = &s->half[0], *const b = &s->half[1];
+    if (!(a->time > 0 && b->time > 0)) return 0;
+    const double change = b->pull / b->time - a->pull / a->time;
+    const int known = a->theory_time > 0 && b->theory_time > 0;
+    const double expected = known ? b->theory / b->theory_time - a->theory / a->theory_time : 0;
+    const double mean = fabs(a->pull + b->pull) / (a->time + b->time);
+    return fmin(fabs(change), fabs(change - expected)) / fmax(fmax(mean, 0.1 * fmax(s->jolt, s->later)), 1e-6);
 }
 
 /* ------------------------------------------------------------------------------------------------- conditions */
@@ -128,6 +199,30 @@ static void add_errors(List *list, const hawser_summary *s)
     add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
 }
 
+/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A
+ * chain that begins at rest and is set in motion gently has no jolt. */
+static void add_steadiness(List *list, const TrustFacts *f)
+{
+    const Steadiness *const s = f->steadiness;
+    const int jumps = s->speed > 0, rests = f->scene->def.solver.relax && f->relaxation->reached;
+    const double drift = steadiness_drift(s);
+    add(list, "steady", "1", drift, DRIFT,
+        "the pull changes by %.2g %% within the steady window: set run.steady_from to where it has settled, or "
+        "run.duration to more",
+        100 * drift);
+    if (!rests || jumps) {
+        add(list, "start_jolt", "1", fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
+            "the largest pull is the jolt of the start, at %.3g s: %s", s->jolt_at,
+            jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");
+    }
+    double at;
+    const double spike = steadiness_spike(s, &at);
+    add(list, "peak", "1", spike, SPIKE,
+        "the largest pull is a spike, %.2g %% above the rows beside it, at %.4g s: set output.interval to less, "
+        "or start more gently",
+        100 * spike, at);
+}
+
 int trust_judge(const TrustFacts *f, hawser_condition *out)
 {
     const Scene *const scene = f->scene;
@@ -193,5 +288,6 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add_mesh(&list, scene);
     add_friction_speed(&list, scene);
     if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
     return list.n;
 }

@@ -100,6 +100,35 @@ static void not_to_the_end(void **state)
     expect_failing(data_text("trust"), few, HAWSER_ERR_RUN, "finished steady_window", "of no steady pull");
 }
 
+/* The window lies in the winch's ramp, in which friction comes in: no mean of a steady pull. */
+static void still_in_the_ramp(void **state)
+{
+    (void)state;
+    const char *const early[] = {"run.steady_from", "500 ms", "drive.winch.to", "4 s", "friction.v_s", "80 mm/s", NULL};
+    expect_failing(data_text("trust"), early, HAWSER_OK, "steady", "set run.steady_from to where it has settled");
+}
+
+/* From 0 to full speed at once, before the cable has come to rest: a first pull of 100 kN where 1.8 kN go on. Relaxed,
+ * the same jump stays below what follows. */
+static void a_jolt_at_the_start(void **state)
+{
+    (void)state;
+    const char *const jump[] = {"drive.winch.ramp", "none", "solver.relax", "false", NULL};
+    expect_failing(data_text("trust"), jump, HAWSER_OK, "start_jolt peak", "give the winch a ramp");
+    const char *const relaxed[] = {"drive.winch.ramp", "none", NULL};
+    Judged j = judge(data_text("trust"), relaxed, HAWSER_OK);
+    assert_int_equal(j.found, 0);
+    hawser_sim_free(j.sim);
+}
+
+/* Something holds the cable back for a twentieth of a second, between two rows: how much more is not seen. */
+static void a_spike_between_rows(void **state)
+{
+    (void)state;
+    const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}", NULL};
+    expect_failing(data_text("trust"), snap, HAWSER_OK, "peak", "set output.interval to less");
+}
+
 static void slower_than_friction(void **state)
 {
     (void)state;
@@ -189,11 +218,12 @@ static void a_shaft_without_a_brake(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_run),       cmocka_unit_test(nothing_holds_it),
-        cmocka_unit_test(not_to_the_end),   cmocka_unit_test(slower_than_friction),
-        cmocka_unit_test(energy_lost),      cmocka_unit_test(several_cables),
-        cmocka_unit_test(coarse_in_a_duct), cmocka_unit_test(a_shaft_without_a_brake),
-        cmocka_unit_test(three_cables_jam),
+        cmocka_unit_test(a_good_run),          cmocka_unit_test(nothing_holds_it),
+        cmocka_unit_test(not_to_the_end),      cmocka_unit_test(slower_than_friction),
+        cmocka_unit_test(energy_lost),         cmocka_unit_test(several_cables),
+        cmocka_unit_test(coarse_in_a_duct),    cmocka_unit_test(a_shaft_without_a_brake),
+        cmocka_unit_test(three_cables_jam),    cmocka_unit_test(still_in_the_ramp),
+        cmocka_unit_test(a_jolt_at_the_start), cmocka_unit_test(a_spike_between_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
