@@ -201,7 +201,7 @@ static void gyration_slows_torsion(void **state)
         def.cables[0].gyration = gyration;
         const double k = gyration > 0 ? gyration : def.cables[0].diameter / 4, mass = def.cables[0].mass;
         rod_stage(&def, &stage);
-        assert_int_equal(modes_find(&stage, 1, &modes, &err), HAWSER_OK);
+        assert_int_equal(modes_find(&stage, 1, 0, &modes, &err), HAWSER_OK);
         check_close(modes.out[0].frequency_Hz * 16 * sqrt(2 * mass * k * k / 0.01), 1, 1e-3);
         modes_free(&modes);
         stage_free(&stage);
