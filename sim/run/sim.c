@@ -369,9 +369,9 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                               .end = hawser_sim_end_time(s),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
-                               .figures = out,
-                               .turned = s->overturned | s->stage.stability.turned,
-                               .unstable = out->unstable,
+                              .figures = out,
+                              .turned = s->overturned | s->stage.stability.turned,
+                              .unstable = out->unstable,
                               .stray = s->stray,
                               .steadiness = &s->steadiness,
                               .passing = &s->passing};
