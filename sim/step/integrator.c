@@ -22,7 +22,7 @@ enum { STALLED_MOST = 20 };
  * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
  * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
-/* The same in a conveyor's force, times the accuracy, as a share of its grip (N15). */
+/* The same in a conveyor's force, times the accuracy, as a share of its grip (N16). */
 static const double GRIP_LEFT = 0.01;
 
 /* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
@@ -148,7 +148,7 @@ static int linear_attach(Integrator *in)
 
 /* ------------------------------------------------------------------------------------------------- life */
 
-/* (N13), and (N15) where something grips. */
+/* (N13), and (N16) where something grips. */
 static double newton_share(const Scene *scene)
 {
     const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
