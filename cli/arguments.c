@@ -7,16 +7,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_LINEAR_SOLVER = 'l', OPTION_STRICT = 'S', KNOWN_MAX = 16 };
+enum { OPTION_LINEAR_SOLVER = 'l', OPTION_STRICT = 'S', OPTION_CERTIFY = 'C', OPTION_TOLERANCE = 'T', KNOWN_MAX = 16 };
 
 /* Every option of every command; a command takes those whose letter is in its list, and help and version. */
-static const struct option all_options[] = {
-    {"output", required_argument, NULL, 'o'},  {"set", required_argument, NULL, 's'},
-    {"threads", required_argument, NULL, 't'}, {"linear-solver", required_argument, NULL, OPTION_LINEAR_SOLVER},
-    {"quiet", no_argument, NULL, 'q'},         {"format", required_argument, NULL, 'f'},
-    {"filter", required_argument, NULL, 'F'},  {"strict", no_argument, NULL, OPTION_STRICT},
-    {"fast", no_argument, NULL, 'x'},          {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},       {NULL, 0, NULL, 0}};
+static const struct option all_options[] = {{"output", required_argument, NULL, 'o'},
+                                            {"set", required_argument, NULL, 's'},
+                                            {"threads", required_argument, NULL, 't'},
+                                            {"linear-solver", required_argument, NULL, OPTION_LINEAR_SOLVER},
+                                            {"quiet", no_argument, NULL, 'q'},
+                                            {"format", required_argument, NULL, 'f'},
+                                            {"filter", required_argument, NULL, 'F'},
+                                            {"strict", no_argument, NULL, OPTION_STRICT},
+                                            {"certify", no_argument, NULL, OPTION_CERTIFY},
+                                            {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+                                            {"fast", no_argument, NULL, 'x'},
+                                            {"help", no_argument, NULL, 'h'},
+                                            {"version", no_argument, NULL, 'V'},
+                                            {NULL, 0, NULL, 0}};
 
 /* The options of one command: the long ones into `list` (ended by zeros), the letters into `letters`. */
 static void select_options(const Command *command, struct option *list, char *letters)
@@ -77,6 +84,21 @@ static int parse_format(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
+/* --tolerance: "0.5%" or "0.005". */
+static int parse_tolerance(const char *text, Arguments *args)
+{
+    char *end;
+    args->tolerance = strtod(text, &end);
+    while (*end == ' ') ++end;
+    if (*end == '%') {
+        args->tolerance /= 100;
+        ++end;
+    }
+    if (*text && !*end && args->tolerance >= 1e-6 && args->tolerance <= 0.5) return ARGUMENTS_GO_ON;
+    complain("--tolerance %s: must be a share from 0.0001%% to 50%%, as in --tolerance 1%%", text);
+    return EXIT_USAGE;
+}
+
 /* There are never more settings than words on the command line, for which room was made. */
 static int add_setting(const char *key, const char *value, Arguments *args)
 {
@@ -118,6 +140,12 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case 'x':
         args->fast = 1;
         return ARGUMENTS_GO_ON;
+    case OPTION_CERTIFY:
+        args->certify = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_TOLERANCE:
+        args->certify = 1;
+        return parse_tolerance(optarg, args);
     case OPTION_STRICT:
         args->strict = 1;
         return ARGUMENTS_GO_ON;

@@ -5,7 +5,14 @@
 #include "hawser/hawser.h"
 
 /* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 5, 130. */
-enum { EXIT_NOT_HELD = 1, EXIT_USAGE = 2, EXIT_OUTPUT = 4, EXIT_INTERNAL = 5, EXIT_NOT_TRUSTED = 6 };
+enum {
+    EXIT_NOT_HELD = 1,
+    EXIT_USAGE = 2,
+    EXIT_OUTPUT = 4,
+    EXIT_INTERNAL = 5,
+    EXIT_NOT_TRUSTED = 6,
+    EXIT_NOT_CERTIFIED = 7
+};
 /* What arguments_parse returns when the command is to go on. */
 enum { ARGUMENTS_GO_ON = -1 };
 
@@ -22,6 +29,8 @@ typedef struct Arguments {
     int threads; /* 0: the case's choice */
     int quiet;
     int strict; /* a broken limit is an error */
+    int certify;
+    double tolerance; /* share; 0: the library's choice */
     hawser_format format;
     const char *filter; /* NULL: none */
     int fast;

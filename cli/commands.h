@@ -23,6 +23,8 @@ typedef struct Progress {
 void progress_start(Progress *p, int quiet);
 /* Shows sample after wall_s seconds of a run that ends at end_s. */
 void progress_show(Progress *p, const hawser_sample *sample, double wall_s, double end_s);
+/* The same for a certificate; in a log a line for each run that ends. */
+void progress_certify(Progress *p, const hawser_certify_state *state);
 /* Clears the live line. */
 void progress_end(Progress *p);
 
@@ -30,5 +32,10 @@ void progress_end(Progress *p);
 void report_scene(const hawser_sim *s);
 /* Pull force, tension errors, speed, rollers, work, where the time went. `dir`: where the results are. */
 void report_run(hawser_sim *s, const char *dir);
+
+/* Computes the case again with finer settings, until its figures hold or `stopped` says something else than 0; writes
+ * certificate.json into dir and prints its table. Returns whether the run is certified; *status: as hawser_certify. */
+int certify_run(const Arguments *args, hawser_case *c, hawser_sim *sim, const char *dir, int (*stopped)(void),
+                hawser_error *err, hawser_status *status);
 
 #endif

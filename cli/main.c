@@ -1,8 +1,10 @@
 /* hawser, the program: written against the public interface alone. */
 #include "cli/commands.h"
 
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const Command *const commands[] = {&command_run, &command_check, &command_theory, &command_validate};
 enum { COMMANDS = sizeof commands / sizeof *commands };
@@ -56,10 +58,24 @@ static int run_command(const Command *command, int argc, char **argv)
     return status;
 }
 
+/* A program may be started with standard input, output or error closed. The next file that it opens, a file of results,
+ * would then take that number, and progress or the report would be written into it. What cannot be written stays an
+ * error: the place is taken by a file that can only be read. Returns 0 if that cannot be
+ * prevented. */
+static int take_descriptors(void)
+{
+    int fd;
+    do fd = open("/dev/null", O_RDONLY);
+    while (fd >= 0 && fd <= 2);
+    if (fd > 2) close(fd);
+    return fd > 2;
+}
+
 /* The exit status says how it ended: see run.c's help. Without any word the usage goes to standard error, since a
  * script that forgot its arguments did something wrong. */
 int main(int argc, char **argv)
 {
+    if (!take_descriptors()) return EXIT_INTERNAL;
     if (argc < 2) {
         print_usage(stderr);
         return EXIT_USAGE;

@@ -1,6 +1,7 @@
 /* Progress goes to standard error, the report to standard output: a user may keep one and drop the other. */
 #include "cli/commands.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,6 +78,21 @@ void progress_show(Progress *p, const hawser_sample *sample, double wall_s, doub
     } else if (sample->t > 0) {
         fprintf(stderr, "%s\n", line);
     }
+}
+
+void progress_certify(Progress *p, const hawser_certify_state *state)
+{
+    char line[LINE_MAX], left[32] = "?";
+    if (p->quiet) return;
+    if (!isnan(state->left_s)) say_duration(left, sizeof left, state->left_s);
+    snprintf(line, LINE_MAX, "certifying, round %d: %d of %d runs over, %3.0f %%, %s left, now %s", state->round,
+             state->over, state->runs, 100 * state->done, left, state->what[0] ? state->what : "the last figures");
+    if (p->live) {
+        draw_line(p, line);
+    } else if (state->over + 100 * state->round != p->tenths) {
+        fprintf(stderr, "%s\n", line);
+    }
+    p->tenths = state->over + 100 * state->round;
 }
 
 /* The report that follows starts on a clean line. */

@@ -31,6 +31,20 @@ static void report_modes(const hawser_summary *s)
     }
 }
 
+/* Loads at which an equilibrium stopped being stable, and how the run ended. */
+static void report_stability(const hawser_summary *s)
+{
+    if (s->n_critical > 0) printf("\nCritical loads\n");
+    for (int i = 0; i < s->n_critical; i++) {
+        const hawser_critical *const c = &s->critical[i];
+        const double *const d = c->direction;
+        printf("  %-12s at %.6g s, %.6g of the run; moves most at %.4g m, along (%.3g, %.3g, %.3g)\n", c->kind, c->t,
+               c->share, c->at, d[0], d[1], d[2]);
+    }
+    if (s->unstable > 0) printf("  the last equilibrium is not stable: %d motions grow\n", s->unstable);
+    if (s->unstable == 0) printf("  the last equilibrium is stable\n");
+}
+
 /* Before the run: what the counts of the model are. */
 void report_scene(const hawser_sim *s)
 {
@@ -66,6 +80,14 @@ static void report_theory(const char *name, double total, double pull, double ma
            mean_pct);
 }
 
+/* An error bar behind its figure; nothing where it is not known. */
+static const char *say_error(const hawser_error_bar *bar, double figure, char text[32])
+{
+    *text = 0;
+    if (bar->total >= 0 && fabs(figure) > 0) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
+    return text;
+}
+
 /* The figures that a run is made for: the pull, its theory, and when it was steady. */
 static void report_pull(const hawser_summary *s)
 {
@@ -73,8 +95,10 @@ static void report_pull(const hawser_summary *s)
         printf("\nNothing was pulled: there is no winch, or its rope stayed slack\n");
         return;
     }
-    printf("\nPull force: mean %.2f N (ripple %.3g N RMS) from %g s to %g s, peak %.2f N\n", s->pull_mean_N,
-           s->pull_ripple_N, s->steady_from_s, s->steady_to_s, s->pull_peak_N);
+    char mean[32], peak[32];
+    printf("\nPull force: mean %.2f N%s (ripple %.3g N RMS) from %g s to %g s, peak %.2f N%s\n", s->pull_mean_N,
+           say_error(&s->pull_mean_error, s->pull_mean_N, mean), s->pull_ripple_N, s->steady_from_s, s->steady_to_s,
+           s->pull_peak_N, say_error(&s->pull_peak_error, s->pull_peak_N, peak));
     printf("  %-18s %14s %15s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");
     report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct, s->error_mean_pct);
     report_theory("paper's formulas", s->paper_total_N, s->pull_mean_N, s->error_max_paper_pct,
@@ -143,8 +167,9 @@ static void report_balance(const hawser_balance *b)
     if (!b) return;
     printf(
         "\nBalances: energy closes to %.2g %% of what goes through '%s' (%.4g kJ), momentum to %.2g %% of the largest "
-        "impulse\n",
-        100 * b->residual_share, b->turnover_of, b->turnover_J / 1e3, 100 * b->impulse_residual_share);
+        "impulse; the steps in time took %.2g %%\n",
+        100 * b->residual_share, b->turnover_of, b->turnover_J / 1e3, 100 * b->impulse_residual_share,
+        100 * b->numerical_share);
 }
 
 /* Where the time went, so that a slow case shows its reason. */
@@ -215,6 +240,7 @@ void report_run(hawser_sim *s, const char *dir)
     report_relaxation(&sum.relaxation);
     if (sum.rod) {
         report_rod(&sum);
+        report_stability(&sum);
         report_modes(&sum);
     } else {
         report_pull(&sum);

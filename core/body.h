@@ -20,9 +20,21 @@ Vec3 body_inertia_times(const Chain *chain, const Kinematics *kin, int i, Vec3 a
 
 /* ------------------------------------------------------------------------------------------------------ kernels */
 
+/* Of a step in time: the work of all forces along the way that the bodies went, less what they gained of motion; and
+ * what they move with in the end, J. docs/model.md, "Balances" (BA11). */
+typedef struct MethodLoss {
+    double lost, moving;
+} MethodLoss;
+enum { BODY_PAST = 19 }; /* numbers a segment that are kept of a step: p q v w (body axes), force, moment (body axes) */
+
 /* The loops over segments (body_lanes.c), once for every instruction set: body_kernels()->rates(...). `from` is a
  * multiple of LANES. */
 typedef struct BodyKernels {
+    /* What a step took out of segments from..to-1 (BA11), and what they move with at its end; see MethodLoss. rates:
+     * of y, times 1 / scale. past [BODY_PAST * stride], stride: n filled up to whole lanes: what the step before left,
+     * becomes what this one leaves. */
+    MethodLoss (*method_loss)(const Chain *chain, const double *y, const double *rates, double scale, int from, int to,
+                              double *past);
     /* Unpacks segments from..to-1 of y (core/state.h) into kin: quaternions are normalised, axes derived. Entries up to
      * the next multiple of LANES after `to` are overwritten: set the head ghost afterwards. */
     void (*kinematics)(int n, const double *y, int from, int to, Kinematics *kin);

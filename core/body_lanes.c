@@ -95,4 +95,70 @@ static void kernel_rates(const Chain *chain, const Kinematics *kin, const JointL
     columns_out(n, ydot, i, to - i, out);
 }
 
-const BodyKernels ISA_NAME(body_kernels) = {kernel_kinematics, kernel_rates};
+/* (BA11) of LANES segments from i: sums to *lost and *moving. src and rate point at the first of LANES entries of each
+ * array. Moments are taken in the body's axes, in which a turn from the pose before has the same components in both. */
+LANE_INLINE void method_loss_of(const Chain *chain, const double *const src[STATE_SIZE],
+                                const double *const rate[STATE_SIZE], double scale, int i,
+                                double *const past[BODY_PAST], Lane *lost, Lane *moving)
+{
+    const Lane half = lane_set(0.5), mass = lane_load(chain->mass + i);
+    const Lane3 inertia = l3_load(chain->inertia, i);
+    const Lane3 p = {lane_load(src[0]), lane_load(src[1]), lane_load(src[2])};
+    const Lane qw = lane_load(src[STATE_Q]);
+    const Lane3 qu = {lane_load(src[STATE_Q + 1]), lane_load(src[STATE_Q + 2]), lane_load(src[STATE_Q + 3])};
+    const Lane3 v = {lane_load(src[STATE_V]), lane_load(src[STATE_V + 1]), lane_load(src[STATE_V + 2])};
+    const LaneFrame frame = frame_of_quaternion(qw, qu);
+    const Lane3 w =
+        frame_in(&frame, (Lane3){lane_load(src[STATE_W]), lane_load(src[STATE_W + 1]), lane_load(src[STATE_W + 2])});
+    const Lane3 dv = {lane_load(rate[STATE_V]), lane_load(rate[STATE_V + 1]), lane_load(rate[STATE_V + 2])};
+    const Lane3 dw =
+        frame_in(&frame, (Lane3){lane_load(rate[STATE_W]), lane_load(rate[STATE_W + 1]), lane_load(rate[STATE_W + 2])});
+    const Lane3 spin = l3_times(inertia, w);
+    const Lane3 force = l3_scale(mass * scale, dv);
+    const Lane3 moment = l3_axpy(l3_cross(w, spin), lane_set(scale), l3_times(inertia, dw));
+
+    const Lane3 p0 = l3_load(past, 0), u0 = l3_load(past + 4, 0), v0 = l3_load(past + 7, 0), w0 = l3_load(past + 10, 0);
+    const Lane q0 = lane_load(past[3]);
+    const Lane3 way = l3_sub(p, p0); /* and the turn: twice the vector of conj(q0) q */
+    const Lane3 turn = l3_scale(lane_set(2), l3_sub(l3_sub(l3_scale(q0, qu), l3_scale(qw, u0)), l3_cross(u0, qu)));
+    const Lane work =
+        l3_dot(l3_add(force, l3_load(past + 13, 0)), way) + l3_dot(l3_add(moment, l3_load(past + 16, 0)), turn);
+    const Lane gain =
+        mass * l3_dot(l3_add(v, v0), l3_sub(v, v0)) + l3_dot(l3_times(inertia, l3_add(w, w0)), l3_sub(w, w0));
+    *lost += half * (work - gain);
+    *moving += half * (mass * l3_dot(v, v) + l3_dot(w, spin));
+
+    l3_store(past, 0, p);
+    lane_store(past[3], qw);
+    l3_store(past + 4, 0, qu);
+    l3_store(past + 7, 0, v);
+    l3_store(past + 10, 0, w);
+    l3_store(past + 13, 0, force);
+    l3_store(past + 16, 0, moment);
+}
+
+static MethodLoss kernel_method_loss(const Chain *chain, const double *y, const double *rates, double scale, int from,
+                                     int to, double *past)
+{
+    const int n = chain->n, stride = (n + LANES - 1) / LANES * LANES;
+    const double *src[STATE_SIZE], *rate[STATE_SIZE];
+    double *kept[BODY_PAST];
+    Lane lost = lane_set(0), moving = lane_set(0);
+    for (int i = from; i < to; i += LANES) {
+        double in[STATE_SIZE][LANES] = {{0}}, by[STATE_SIZE][LANES] = {{0}};
+        const int tail = i + LANES > to;
+        if (tail) {
+            columns_in(n, y, i, to - i, in);
+            columns_in(n, rates, i, to - i, by);
+        }
+        for (int c = 0; c < STATE_SIZE; ++c) {
+            src[c] = tail ? in[c] : y + c * n + i;
+            rate[c] = tail ? by[c] : rates + c * n + i;
+        }
+        for (int c = 0; c < BODY_PAST; ++c) kept[c] = past + c * stride + i;
+        method_loss_of(chain, src, rate, scale, i, kept, &lost, &moving);
+    }
+    return (MethodLoss){lane_sum(lost), lane_sum(moving)};
+}
+
+const BodyKernels ISA_NAME(body_kernels) = {kernel_method_loss, kernel_kinematics, kernel_rates};

@@ -13,7 +13,9 @@ static int function_find(void *library, const char *name, void *to)
 
 int lapack_load(Lapack *lapack)
 {
-    *lapack = (Lapack){.library = dlopen("liblapacke.so.3", RTLD_NOW | RTLD_LOCAL)};
+    /* it stays once it is there: to let go of it and to load it again takes a thousand times as long as what is asked
+     */
+    *lapack = (Lapack){.library = dlopen("liblapacke.so.3", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)};
     if (!lapack->library) return 0;
     int ok = function_find(lapack->library, "LAPACKE_dgetrf_work", &lapack->dgetrf_work);
     ok &= function_find(lapack->library, "LAPACKE_dgetrs_work", &lapack->dgetrs_work);

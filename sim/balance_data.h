@@ -15,6 +15,7 @@ typedef enum BalanceWork {
     BY_ENDS,      /* what leads or holds a rod's ends */
     BY_LOADS,     /* a rod's loads */
     BY_MOTORS,    /* of rollers, on these; what reaches the cable is the rollers' push */
+    BY_MEDIUM,    /* air or water: what a current and buoyancy bring in */
     BY_EDGES,     /* surfaces, where they fade out or are twisted */
     BALANCE_WORKS
 } BalanceWork;
@@ -33,6 +34,7 @@ typedef enum BalanceLoss {
     LOST_CABLE_DAMPING,
     LOST_BEARINGS, /* of spinning rollers */
     LOST_MOUNTS,   /* damping of mounts */
+    LOST_MEDIUM,   /* drag of air or water */
     BALANCE_LOSSES
 } BalanceLoss;
 

@@ -47,6 +47,8 @@ void workspace_free(Workspace *ws)
     memset(ws, 0, sizeof *ws);
 }
 
+int stop_wanted(const StopCheck *check) { return check->ask && check->ask(check->user); }
+
 /* Slips of joints that are there before and after: one number more if a segment has joined behind the tail, whose joint
  * has not bent yet. */
 static void slips_carry(const Kinematics *old, const Kinematics *now, int joints, int joined)
@@ -69,6 +71,7 @@ int workspace_renew(Workspace *ws, const Scene *scene, int joined)
     ws->rhs_evals = old.rhs_evals;
     ws->refreshes = old.refreshes;
     ws->candidates_max = old.candidates_max;
+    ws->stop = old.stop;
     workspace_free(&old);
     return 1;
 }
@@ -92,6 +95,15 @@ void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const doub
 }
 
 /* --------------------------------------------------------------------------------------------------------- rates */
+
+/* Rest is looked for with what leads the ends standing still: its joints' damping would be taken for a load (E1). */
+static void ghosts_stand(const Chain *chain, Kinematics *kin)
+{
+    for (int i = -1; i <= chain->n; i += chain->n + 1) {
+        v3_store(kin->v, i, V3_ZERO);
+        v3_store(kin->w, i, V3_ZERO);
+    }
+}
 
 /* One evaluation, as both threads see it: the corridor of one step in three strides; each half needs what both halves
  * did in the stride before. */
@@ -161,6 +173,7 @@ void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y
     EACH_ROOM(room, scene, begin) room->kind->begin(room, &e.m);
     halves_run(ws->team, is_long, kinematics_job, &e);
     rooms_pose(&e.m, y); /* after the kinematics, whose last lane reaches beyond the chain */
+    if (friction <= 0) ghosts_stand(&scene->chain, &ws->kin);
     halves_run(ws->team, loads_heavy(scene), loads_job, &e);
     EACH_ROOM(room, scene, after_loads) room->kind->after_loads(room, &e.m);
     halves_run(ws->team, is_long, motion_job, &e);

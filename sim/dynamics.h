@@ -19,6 +19,14 @@ typedef struct ContactPart {
     double seconds;       /* s spent in forces, summed */
 } ContactPart;
 
+/* Who may want what takes long to end early: asked now and then, anything but 0 stops it. */
+typedef struct StopCheck {
+    int (*ask)(void *user); /* NULL: nobody */
+    void *user;
+    int firm; /* is not to be asked while a relaxation has made contacts soft */
+} StopCheck;
+int stop_wanted(const StopCheck *check);
+
 /* Scratch of one evaluation, grouped by what computes it; discardable but for what rooms carry over and kin.slip. */
 struct Workspace {
     const Scene *scene;    /* borrowed */
@@ -41,6 +49,7 @@ struct Workspace {
     Push lead_in[PARTS];
     long rhs_evals, refreshes;
     int candidates_max;
+    StopCheck stop; /* the caller's */
 };
 
 /* 0 if there is no memory. */

@@ -98,6 +98,8 @@ struct RoomKind {
     void (*clear)(Room *room);
     /* Its own part of the initial state, [room->states]. */
     void (*start)(const Room *room, double *own);
+    /* Sets the chain moving in the state y, in space, in which it lies at rest as a run begins. */
+    void (*launch)(const Room *room, const Scene *scene, double *y);
     /* Its scratch in ws (ws->room[number], or typed members); 0 without memory. */
     int (*work_alloc)(const Room *room, const Scene *scene, Workspace *ws);
     void (*work_free)(const Room *room, Workspace *ws);

@@ -1,5 +1,6 @@
 #include "sim/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,6 +36,19 @@ void scene_initial_chain(const Scene *scene, double *y)
     }
 }
 
+double scene_way(const Scene *scene)
+{
+    const int n_patches = scene->surfaces.model.n_patches, n_rollers = scene->contact.n_rollers;
+    double cable = INFINITY, way = INFINITY;
+    for (int i = 0; i < scene->def.n_cables; ++i) cable = fmin(cable, scene->def.cables[i].diameter / 2);
+    for (int r = 0; r < n_rollers; ++r) {
+        const Shape *const shape = &scene->contact.roller[r].shape;
+        way = fmin(way, fmin(shape->radius, shape->half_width) + cable);
+    }
+    for (int p = 0; p < n_patches; ++p) way = fmin(way, (scene->surfaces.patch[p].depth + cable) / 2);
+    return scene->self.present ? fmin(way, cable) : way;
+}
+
 int scene_state_size(const Scene *scene)
 {
     int size = STATE_SIZE * scene->chain.n;
@@ -49,6 +63,15 @@ void scene_initial_state(const Scene *scene, double *y)
     for (int r = 0; r < scene->n_rooms; own += scene->room[r++].states) {
         const Room *const room = &scene->room[r];
         if (room->states > 0) room->kind->start(room, own);
+    }
+    scene_launch(scene, y);
+}
+
+void scene_launch(const Scene *scene, double *y)
+{
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->launch) room->kind->launch(room, scene, y);
     }
 }
 

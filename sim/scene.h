@@ -50,6 +50,7 @@ struct Scene {
     int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
     double cable_weight;  /* N/m, of the piece before the eye */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
+    double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */
     Route route;
     Weight weight;
     /* where the chain begins, if not on the route; borrowed from the room that says so */
@@ -82,11 +83,18 @@ int scene_state_size(const Scene *scene);
 /* Writes the initial state of the whole chain, 13 total numbers (core/state.h): it lies on the route at rest, its
  * joints closed, but for what begins elsewhere. */
 void scene_initial_chain(const Scene *scene, double *y);
-/* The same, and the rooms' own part behind it. */
+/* The same, set moving if the case says so, and the rooms' own part behind it. */
 void scene_initial_state(const Scene *scene, double *y);
+/* Sets the simulated chain, at rest in the state y in space, moving as the case says that it does at t = 0. */
+void scene_launch(const Scene *scene, double *y);
 
 /* What pushes the cable along, by the route's order: *out is malloc'ed. How many; -1 without memory. */
 int scene_pushers(const Scene *scene, Pusher **out);
+
+/* How far a point of the cable may go at once, m; INFINITY where there is nothing to pass through. Contacts are looked
+ * at where a step ends, so that a longer one could carry the cable through a roller, a wall or itself without either
+ * having been noticed: W of (N14) but for the reach. */
+double scene_way(const Scene *scene);
 
 /* Sets the ghosts of kin (segments -1 and n) to what the ground does at time t. */
 void scene_ghosts(const Scene *scene, double t, Kinematics *kin);

@@ -16,7 +16,38 @@ static int segments_of(const SceneDef *def)
 
 static const CableDef *cable_of(const SceneDef *def, int piece) { return &def->cables[def->pieces[piece].cable]; }
 
-/* Mass, inertia of a solid cylinder of the outside diameter, contact radius (S5). */
+/* The length of a rod's last segment at either end, where the others have h: h^2/2L if a point mass lies beyond its
+ * centre, so that this has a centre to sit on (RD4). */
+static double end_length(const SceneDef *def, int end, double h)
+{
+    double length = 0, own = h;
+    for (int p = 0; p < def->n_pieces; ++p) length += def->pieces[p].length;
+    for (int m = 0; m < def->rod.n_masses; ++m) {
+        const double at = def->rod.masses[m].at, away = end == ROD_TAIL ? at : length - at;
+        if (away < h / 2) own = fmin(h, h * h / (2 * length));
+    }
+    return own;
+}
+
+/* Lengths of the segments of piece p, all alike but for those at the ends of a rod: out [segments]. */
+static void piece_cut(const SceneDef *def, int p, double *out)
+{
+    const ChainPieceDef *const piece = &def->pieces[p];
+    const int n = piece->segments;
+    const double h = piece->length / n;
+    double tail = h, head = h;
+    if (def->rod.present && n > 2) {
+        if (p == 0) tail = end_length(def, ROD_TAIL, h);
+        if (p == def->n_pieces - 1) head = end_length(def, ROD_HEAD, h);
+    }
+    for (int k = 0; k < n; ++k) out[k] = tail < h || head < h ? (piece->length - tail - head) / (n - 2) : h;
+    if (tail < h || head < h) {
+        out[0] = tail;
+        out[n - 1] = head;
+    }
+}
+
+/* Mass, inertia by the cross-section's radius of gyration (of a full circle if none is given), contact radius (S5). */
 static void segments_fill(Scene *scene)
 {
     Chain *const c = &scene->chain;
@@ -24,14 +55,15 @@ static void segments_fill(Scene *scene)
     for (int p = 0; p < scene->def.n_pieces; ++p) {
         const ChainPieceDef *const piece = &scene->def.pieces[p];
         const CableDef *const cable = cable_of(&scene->def, p);
-        const double h = piece->length / piece->segments, r = cable->diameter / 2;
+        const double r = cable->diameter / 2, gyration = cable->gyration > 0 ? cable->gyration : r / 2;
+        piece_cut(&scene->def, p, c->half + i);
         for (int k = 0; k < piece->segments; ++k, ++i) {
-            const double m = cable->mass * h;
+            const double h = c->half[i], m = cable->mass * h;
             scene->piece[i] = p;
             c->half[i] = h / 2;
             c->mass[i] = m;
-            c->inertia[0][i] = m * r * r / 2;
-            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + r * r / 4);
+            c->inertia[0][i] = 2 * m * gyration * gyration;
+            c->inertia[1][i] = c->inertia[2][i] = m * (h * h / 12 + gyration * gyration);
             c->radius[i] = r;
         }
     }
@@ -118,6 +150,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
     scene->largest_speed = 0.1;
+    scene->grip_speed = INFINITY;
     joints_place(scene);
     weight_fill(scene);
     hawser_status status = rooms_build(scene, err);

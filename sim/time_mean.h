@@ -1,27 +1,55 @@
-/* Mean and mean square of a value over time, by the trapezoidal rule over a window, with its peak over the whole run.
- */
+/* Mean and mean square of a value over time, by the trapezoidal rule over a window, with its peak over the whole run;
+ * and what its error bars ask of it: how much it wavers while the mesh passes by a segment, and how sharp its peak is
+ * (docs/model.md, "Error bars"). */
 #ifndef HAWSER_SIM_TIME_MEAN_H
 #define HAWSER_SIM_TIME_MEAN_H
 
 #include <math.h>
 
+/* Sums over a stretch of time of a value less `from`. */
+typedef struct TimeBlock {
+    double from, sum, square, time; /* value; value s; value^2 s; s */
+} TimeBlock;
+
 typedef struct TimeMean {
     double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
     int started;
+    /* the last sample was the peak; the one before it; second difference of the value at the peak */
+    int at_peak;
+    double before, sharpness;
+    TimeBlock block;        /* since mean_block */
+    double wavered, blocks; /* value^2 s; s: about their means, summed over the blocks that have ended */
 } TimeMean;
 
 /* A sample of `value`, dt (s) after the last one; it counts for the mean if `steady`. */
 static inline void mean_add(TimeMean *m, double value, double dt, int steady)
 {
     if (steady && m->started) {
-        const double middle = (value + m->last) / 2;
+        const double middle = (value + m->last) / 2, off = middle - m->block.from;
         m->sum += middle * dt;
         m->square += middle * middle * dt;
         m->time += dt;
+        m->block.sum += off * dt;
+        m->block.square += off * off * dt;
+        m->block.time += dt;
     }
-    if (!m->started || value > m->peak) m->peak = value;
+    if (m->at_peak) m->sharpness = fabs(m->before - 2 * m->last + value);
+    m->at_peak = !m->started || value > m->peak;
+    if (m->at_peak) m->peak = value;
+    m->before = m->started ? m->last : value;
     m->last = value;
     m->started = 1;
+}
+
+/* A block ends here, and the next one begins. */
+static inline void mean_block(TimeMean *m)
+{
+    const TimeBlock *const b = &m->block;
+    if (b->time > 0) {
+        m->wavered += fmax(0, b->square - b->sum * b->sum / b->time);
+        m->blocks += b->time;
+    }
+    m->block = (TimeBlock){.from = m->last};
 }
 
 static inline double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : m->last; }
@@ -31,6 +59,12 @@ static inline double mean_ripple(const TimeMean *m)
 {
     const double mean = mean_of(m);
     return m->time > 0 ? sqrt(fmax(0, m->square / m->time - mean * mean)) : 0;
+}
+
+/* The same within blocks: what changes from block to block is left out. The ripple where no block has ended. */
+static inline double mean_waver(const TimeMean *m)
+{
+    return m->blocks > 0 ? sqrt(m->wavered / m->blocks) : mean_ripple(m);
 }
 
 #endif

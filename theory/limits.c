@@ -19,7 +19,11 @@ void limits_defaults(LimitsDef *def)
                        .roller_factor = 1.6,
                        .rope_strength = NAN,
                        .rope_factor = 5,
-                       .alpha = 1.5};
+                       .alpha = 1.5,
+                       .jam_from = 2.6,
+                       .jam_to = 3.2,
+                       .clearance = 6.35e-3,
+                       .fill = NAN};
 }
 
 /* ---------------------------------------------------------------------------------------- what is allowed */
@@ -117,6 +121,20 @@ static double roller_allowed(const LimitsDef *def, const Finding *f, int steady,
     return steady ? f->rating / def->roller_factor : f->rating;
 }
 
+/* Share of a duct that n cables may fill: the usual table of conduits. */
+static double fill_allowed(const LimitsDef *def, int cables, char *source)
+{
+    const double usual = cables == 1 ? 0.53 : cables == 2 ? 0.31 : 0.4;
+    snprintf(source, SOURCE_SIZE, "%s", "limits.fill");
+    if (!isnan(def->fill)) return def->fill;
+    snprintf(source, SOURCE_SIZE, "%g %% with %d cable%s (conduits: 53, 31, from three on 40 %%)", 100 * usual, cables,
+             cables == 1 ? "" : "s");
+    return usual;
+}
+
+/* Nearer to the upper end of the band in which cables jam: then a wider duct is asked for, else a narrower one. */
+static int jams_above(const LimitsDef *def, double ratio) { return 2 * ratio > def->jam_from + def->jam_to; }
+
 /* The bound of one kind. */
 static double allowed(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f, char *source)
 {
@@ -133,6 +151,14 @@ static double allowed(const LimitsDef *def, LimitKind kind, double diameter, int
         return roller_allowed(def, f, kind == LIMIT_ROLLER_STEADY, source);
     case LIMIT_ROPE:
         return rope_allowed(def, source);
+    case LIMIT_JAM:
+        snprintf(source, SOURCE_SIZE, "three cables wedge between %g and %g", def->jam_from, def->jam_to);
+        return jams_above(def, f->value) ? def->jam_to : def->jam_from;
+    case LIMIT_CLEARANCE:
+        snprintf(source, SOURCE_SIZE, "%s", "over the uppermost cable; 1/4 in are usual");
+        return def->clearance;
+    case LIMIT_FILL:
+        return fill_allowed(def, f->cables, source);
     case LIMIT_ALPHA:
     case LIMIT_KINDS:
         break;
@@ -147,7 +173,8 @@ static double allowed(const LimitsDef *def, LimitKind kind, double diameter, int
 static const struct {
     const char *name, *unit;
 } kinds[LIMIT_KINDS] = {{"pull", "N"},          {"restart", "N"},     {"sidewall", "N/m"}, {"bend_radius", "m"},
-                        {"roller_steady", "N"}, {"roller_peak", "N"}, {"rope", "N"},       {"alpha", "1"}};
+                        {"roller_steady", "N"}, {"roller_peak", "N"}, {"rope", "N"},       {"alpha", "1"},
+                        {"jam_ratio", "1"},     {"clearance", "m"},   {"fill", "1"}};
 
 /* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
 static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
@@ -162,8 +189,40 @@ static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cab
         return;
     }
     out->judged = 1;
-    out->margin = kind == LIMIT_BEND ? 1 - out->limit / out->value : 1 - out->value / out->limit;
+    const int at_least =
+        kind == LIMIT_BEND || kind == LIMIT_CLEARANCE || (kind == LIMIT_JAM && jams_above(def, f->value));
+    out->margin = at_least ? 1 - out->limit / out->value : 1 - out->value / out->limit;
     out->ok = out->margin >= 0;
+}
+
+/* How far a ratio is from the band, 1; below 0 within it. */
+static double jam_distance(const LimitsDef *def, double ratio)
+{
+    return fmax(def->jam_from - ratio, ratio - def->jam_to);
+}
+
+/* A duct that is worse takes the place of the one before. */
+static void duct_worse(int worse, double value, int cables, const char *name, Finding *f)
+{
+    if (!f->absent && !worse) return;
+    *f = (Finding){.value = value, .cables = cables};
+    snprintf(f->where, sizeof f->where, "%.75s", name);
+}
+
+void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load, Finding finding[LIMIT_KINDS])
+{
+    Finding *const jam = &finding[LIMIT_JAM], *const room = &finding[LIMIT_CLEARANCE],
+                   *const fill = &finding[LIMIT_FILL];
+    if (!name) {
+        jam->absent = room->absent = fill->absent = 1;
+        return;
+    }
+    if (cables == 3) {
+        duct_worse(jam_distance(def, load->jam_ratio) < jam_distance(def, jam->value), load->jam_ratio, cables, name,
+                   jam);
+    }
+    duct_worse(load->clearance < room->value, load->clearance, cables, name, room);
+    duct_worse(load->fill > fill->value, load->fill, cables, name, fill);
 }
 
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
@@ -200,7 +259,7 @@ static void add(Line *line, const char *format, ...)
 /* "sidewall 22 % over at bend". */
 static void add_broken(Line *line, const hawser_limit *l, int first)
 {
-    const double over = 100 * (strcmp(l->unit, "m") ? l->value / l->limit - 1 : 1 - l->value / l->limit);
+    const double over = 100 * fabs(l->value / l->limit - 1);
     add(line, "%s %s by %.3g %%%s%s", first ? ":" : ",", l->name, over, *l->where ? " at " : "", l->where);
 }
 

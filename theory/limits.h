@@ -3,6 +3,7 @@
 #define HAWSER_THEORY_LIMITS_H
 
 #include "hawser/hawser.h"
+#include "theory/duct.h"
 
 /* Whose allowable stresses count: the paper's table 4, or CIGRE TB 889. */
 typedef enum LimitCode { CODE_PAPER, CODE_TB889 } LimitCode;
@@ -27,6 +28,8 @@ typedef struct LimitsDef {
     double roller_factor;              /* rating over load at steady speed */
     double rope_strength, rope_factor; /* N, breaking; strength over pull */
     double alpha;                      /* largest overload factor of eq. 12 */
+    double jam_from, jam_to;           /* 1.05 D/d of three cables in a duct: not between these */
+    double clearance, fill; /* m, over the uppermost cable in a duct, at least; share of it that is filled, at most */
 } LimitsDef;
 
 /* The order in which limits are listed. */
@@ -39,6 +42,9 @@ typedef enum LimitKind {
     LIMIT_ROLLER_PEAK,
     LIMIT_ROPE,
     LIMIT_ALPHA,
+    LIMIT_JAM,
+    LIMIT_CLEARANCE,
+    LIMIT_FILL,
     LIMIT_KINDS
 } LimitKind;
 
@@ -47,6 +53,7 @@ typedef struct Finding {
     int absent;     /* it says nothing about this limit, which is then not listed */
     double value;   /* in the limit's unit; NAN: not known */
     double rating;  /* N, of the roller found */
+    int cables;     /* in the duct found */
     char where[80]; /* its place */
     char why[100];  /* why it is not known */
 } Finding;
@@ -59,6 +66,10 @@ double limits_pull(const LimitsDef *def, int cables, char *source);
 /* Allowable sidewall pressure, N/m, and smallest radius of a cable of diameter d, m; likewise. */
 double limits_sidewall(const LimitsDef *def, char *source);
 double limits_radius(const LimitsDef *def, double d, char *source);
+/* How a number of cables lies in ducts, against the worst of them: their findings of LIMIT_JAM, LIMIT_CLEARANCE and
+ * LIMIT_FILL into finding[LIMIT_KINDS]; begin with no duct (name NULL). (LI8) */
+void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load,
+                 Finding finding[LIMIT_KINDS]);
 /* Sets the findings against the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns how many; 0 if def is not present. */
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
                  hawser_limit *out);

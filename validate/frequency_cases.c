@@ -173,7 +173,7 @@ static hawser_status modes_run(const void *setup, ValidationLog *log, hawser_err
     Modes modes = {0};
     hawser_status status = span_start(s, SEGMENTS, &stage, err);
     if (status) return status;
-    status = modes_find(&stage, 2 * MODES + 4, &modes, err);
+    status = modes_find(&stage, 2 * MODES + 4, 0, &modes, err);
     int found = 0;
     for (int i = 0; i < modes.n && found < 2 * MODES && !status; ++i) {
         if (!is_transverse(&modes.out[i], SEGMENTS)) continue;

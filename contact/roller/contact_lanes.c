@@ -11,7 +11,8 @@ static void nodes_by_kind(const Shape *shape, int face, const Kinematics *kin, i
         const Lane3 p = l3_load(kin->p, i);
         LaneProbe probe;
         shape_by_kind(shape->kind, &s, &form, &p, &probe);
-        lane_store(node + i, slopes ? l3_dot(probe.normal, l3_load(kin->a, i)) : probe.distance);
+        lane_store(node + i,
+                   slopes ? shape_slope(shape->kind, &s, &form, p, &probe, l3_load(kin->a, i)) : probe.distance);
     }
 }
 

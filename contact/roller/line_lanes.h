@@ -85,7 +85,9 @@ LANE_INLINE LinePoint line_at(const Line *line, int grooved, Lane u)
     } else {
         at.probe = shape_cylinder(&line->shape, at.p);
     }
-    at.slope = l3_dot(at.probe.normal, at.p1) - at.radius1;
+    at.slope = (grooved ? shape_slope(line->kind, &line->shape, &line->form, at.p, &at.probe, at.p1)
+                        : l3_dot(at.probe.normal, at.p1)) -
+               at.radius1;
     at.curvature = l3_dot(at.p1, probe_hessian_times(&at.probe, at.p1)) + l3_dot(at.probe.normal, p2) - radius2;
     return at;
 }

@@ -42,4 +42,20 @@ LANE_INLINE void shape_by_kind(ShapeKind kind, const LaneShape *s, const LaneFor
     }
 }
 
+/* A U's wall is taken as no steeper than this where the nearest point is looked for: n_rho of (GR15). */
+static const double LEAST_N_RHO = 0.2;
+
+/* Slope of the distance along `direction` at p, by which lines are searched for the place where they are nearest
+ * (GR15): that of the distance itself but in a U beside walls that stand upright. */
+LANE_INLINE Lane shape_slope(ShapeKind kind, const LaneShape *s, const LaneForm *form, Lane3 p, const LaneProbe *probe,
+                             Lane3 direction)
+{
+    const Lane slope = l3_dot(probe->normal, direction);
+    if (kind != SHAPE_U_GROOVE) return slope;
+    const LaneMask between_lips = lane_abs(l3_dot(l3_sub(p, s->centre), s->axis)) < form->groove.lip;
+    const Lane n_rho = probe->k1 * probe->scale;
+    const Lane more = lane_select(between_lips & (n_rho < LEAST_N_RHO), LEAST_N_RHO - n_rho, lane_set(0));
+    return slope + more * l3_dot(l3_cross(probe->t1, s->axis), direction);
+}
+
 #endif

@@ -17,25 +17,42 @@ SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p)
     return out;
 }
 
-/* Gauss points on [0, 1] and their weights, half the length each. */
-static const double gauss_u[SURFACE_POINTS] = {0.21132486540518712, 0.78867513459481288};
+/* Two points of [0, 1] and what share of the length they stand for: Gauss, and Radau where one has to be the line's end
+ * (DU16). */
+typedef struct Rule {
+    double u[SURFACE_POINTS], share[SURFACE_POINTS];
+} Rule;
+static const Rule gauss = {{0.21132486540518712, 0.78867513459481288}, {0.5, 0.5}},
+                  from_tip = {{0, 2.0 / 3}, {0.25, 0.75}}, to_tip = {{1.0 / 3, 1}, {0.75, 0.25}},
+                  both_tips = {{0, 1}, {0.5, 0.5}};
+
+/* The rule of element e. */
+static const Rule *rule_of(int elements, int e)
+{
+    if (elements == 1) return &both_tips;
+    return e == 0 ? &from_tip : e == elements - 1 ? &to_tip : &gauss;
+}
 
 /* A segment's value, 0 for a segment that is not there. */
 static double segment_value(const double *array, int i, int n) { return i >= 0 && i < n ? array[i] : 0; }
 
-/* (DU1), (DU2): the weights of element.h at a fixed u. A capsule hangs on the body that has its number. */
+/* (DU1), (DU2): the weights of element.h at a fixed u. A capsule hangs on the body that has its number. The line's ends
+ * stand for more (DU17). */
 static void point_set(SurfacePoints *points, ContactGeometry geometry, const Chain *chain, int e, int q)
 {
     const Element element = element_at(geometry, chain->n, e);
-    const LineWeights w = element_weights(&element, gauss_u[q]);
+    const Rule *const rule = rule_of(points->elements, e);
+    const double u = rule->u[q];
+    const LineWeights w = element_weights(&element, u);
     const int capsule = geometry == GEOMETRY_CYLINDER, n = chain->n;
     points->alpha[q][e] = capsule ? 1 : w.alpha[1];
     points->beta[q][0][e] = capsule ? 0 : w.beta[0];
     points->beta[q][1][e] = w.beta[!capsule];
-    points->radius[q][e] = element_radius(&element, chain, gauss_u[q]);
+    points->radius[q][e] = element_radius(&element, chain, u);
     const double length =
         capsule ? 2 * chain->half[e] : segment_value(chain->half, e - 1, n) + segment_value(chain->half, e, n);
-    points->length[q][e] = length / SURFACE_POINTS;
+    const int is_tip = (e == 0 && u == 0) || (e == points->elements - 1 && u == 1);
+    points->length[q][e] = rule->share[q] * length + (is_tip ? points->tip : 0);
 }
 
 enum { POINTS_ARRAYS = 5 * SURFACE_POINTS }; /* from SurfacePoints.alpha on */

@@ -12,7 +12,8 @@
 
 #include "contact/surface/surface_data.h"
 
-/* Points of a chain (lengths and radii must be set). Returns 0 without memory (nothing is left allocated). */
+/* Points of a chain (lengths and radii, and points->tip, must be set). Returns 0 without memory (nothing is left
+ * allocated). */
 int surface_points_alloc(SurfacePoints *points, ContactGeometry geometry, const Chain *chain);
 void surface_points_free(SurfacePoints *points);
 

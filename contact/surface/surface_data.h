@@ -13,6 +13,7 @@ enum { SURFACE_FACES_MAX = 3 };
 
 /* The points of a chain's line, by element e (chain arrays; bodies e-1 and e, a missing one has no weight) (DU2). */
 typedef struct SurfacePoints {
+    double tip; /* m of cable that an end of the line stands for besides its share (DU17) */
     int elements;
     double *alpha[SURFACE_POINTS];   /* of body e; that of body e-1 is 1 - alpha */
     double *beta[SURFACE_POINTS][2]; /* of the arms of e-1 and e */

@@ -67,7 +67,7 @@ static void kernel_near(const SurfaceStrip *strip, double reach, int near[LANES]
         contact_point(strip, &s, q, &c);
         const SurfacePlace at = surface_place(patch, c.p);
         const Lane g = surface_section(patch, &at).g;
-        LaneMask here = (g < c.radius + reach) & (g > lane_set(-SURFACE_DEPTH_MAX - reach));
+        LaneMask here = (g < c.radius + reach) & (g > lane_set(-patch->depth - reach));
         if (patch->length > 0) {
             here &= l3_dot(l3_sub(c.p, l3_spread(patch->start)), l3_spread(patch->tangent)) >= lane_set(-reach);
             here &= l3_dot(l3_sub(c.p, l3_spread(patch->end)), l3_spread(patch->end_tangent)) < lane_set(reach);

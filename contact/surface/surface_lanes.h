@@ -78,7 +78,7 @@ LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s
 {
     c->place = surface_place(strip->patch, c->p);
     c->section = surface_section(strip->patch, &c->place);
-    const LaneMask here = s->live & c->place.owned & (c->section.g > lane_set(-SURFACE_DEPTH_MAX));
+    const LaneMask here = s->live & c->place.owned & (c->section.g > lane_set(-strip->patch->depth));
     return here & (c->section.g < c->radius);
 }
 

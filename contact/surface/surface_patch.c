@@ -56,6 +56,7 @@ static SurfacePatch way_part(const Route *route, double from, double to, int rol
 {
     const RoutePoint a = route_at(route, from), b = route_at(route, to);
     SurfacePatch way = {.s0 = from, .length = to - from, .start = a.position, .tangent = a.tangent};
+    way.depth = SURFACE_DEPTH_MAX;
     way.end = b.position;
     way.end_tangent = b.tangent;
     way.roll_cos = 1;
@@ -162,7 +163,8 @@ static int faces(const SurfaceShape *d, const SurfacePatch *way, SurfacePatch *o
 /* A plane by point and normal is a straight floor of its own, as long and as wide as was said. */
 static SurfacePatch plane_patch(const SurfaceShape *d)
 {
-    SurfacePatch p = {.s0 = NAN, .start = d->point, .tangent = d->along, .up = d->normal, .roll_cos = 1};
+    SurfacePatch p = {
+        .s0 = NAN, .start = d->point, .tangent = d->along, .up = d->normal, .roll_cos = 1, .depth = SURFACE_DEPTH_MAX};
     p.side = v3_cross(p.up, p.tangent);
     if (d->length > 0) {
         p.length = d->length + d->fade;
@@ -173,6 +175,7 @@ static SurfacePatch plane_patch(const SurfaceShape *d)
     p.end_tangent = p.tangent;
     p = face_flat(&p, 0, 1, 0);
     if (d->width > 0) face_across(&p, 1, 0, fade_between(-d->width / 2, d->width / 2, d->fade));
+    if (!(d->length > 0 || d->width > 0)) p.depth = INFINITY; /* half of space is behind it */
     return p;
 }
 

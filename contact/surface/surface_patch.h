@@ -53,6 +53,7 @@ typedef struct SurfacePatch {
     SurfaceFade along;     /* over s */
     SurfaceFade across;    /* over vy y + vz z */
     double vy, vz;
+    double depth; /* m: what is farther behind it is on its other side and does not touch it; INFINITY: it has none */
 } SurfacePatch;
 
 /* How many patches a surface has, and the patches themselves, all for surface number `surface`. The route is not used
@@ -70,7 +71,7 @@ typedef struct SurfaceProbe {
 /* From the kernels' own function: for checks of cases, tests and tools. */
 SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p);
 
-/* More than this behind a surface is on its other side and does not touch it, m. */
+/* SurfacePatch.depth of what has another side, m. A plane without ends has none. */
 #define SURFACE_DEPTH_MAX 0.2
 
 #endif

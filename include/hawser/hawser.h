@@ -185,6 +185,7 @@ typedef struct hawser_summary {
     int planar;                                     /* 1: solved in the plane in which the scene lies */
     const char *planar_why;                         /* why, or why not */
     double pull_mean_N, pull_peak_N, pull_ripple_N; /* winch force in the steady window: mean, RMS; peak of the run */
+    hawser_error_bar pull_mean_error, pull_peak_error; /* N */
     double paper_total_N, reference_total_N;
     double error_max_pct, error_mean_pct;             /* stations against the reference theory */
     double error_max_paper_pct, error_mean_paper_pct; /* stations against the paper's formulas */
@@ -200,6 +201,9 @@ typedef struct hawser_summary {
     const char *analysis;       /* "dynamics", "static" or "modes" */
     int n_modes;
     const hawser_mode *modes; /* [n_modes], as hawser_sim_modes gives them */
+    int unstable;             /* motions that grow from the last equilibrium; -1: not counted */
+    int n_critical;
+    const hawser_critical *critical; /* [n_critical], by time; the simulation's */
     int n_probes;
     const hawser_probe *probes; /* [n_probes], as the last sample has them */
     int n_conditions;
@@ -230,6 +234,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 }
 #endif
 
+#include "hawser/certify.h"
 #include "hawser/limits.h"
 #include "hawser/validate.h"
 

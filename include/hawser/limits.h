@@ -11,16 +11,18 @@
 extern "C" {
 #endif
 
-enum { HAWSER_LIMITS_MAX = 8, HAWSER_VERDICT_MAX = 2048 };
+enum { HAWSER_LIMITS_MAX = 12, HAWSER_VERDICT_MAX = 2048 };
 
 /* One limit of a pull. */
 typedef struct hawser_limit {
-    const char
-        *name; /* "pull", "restart", "sidewall", "bend_radius", "roller_steady", "roller_peak", "rope", "alpha" */
+    const char *name; /* "pull", "restart", "sidewall", "bend_radius", "roller_steady", "roller_peak", "rope", "alpha",
+                       * "jam_ratio", "clearance", "fill" */
     const char *unit; /* "N", "N/m", "m", "1" */
     double value;     /* what was found: the worst */
-    double limit;     /* what is allowed: at most, of bend_radius at least */
-    double margin;    /* 1 - value/limit, of bend_radius 1 - limit/value: below 0 the limit is broken */
+    double limit;     /* what is allowed: at most, of bend_radius and clearance at least; of jam_ratio the nearer end of
+                       * the band in which cables jam */
+    double margin;    /* 1 - value/limit, where it is the least that is allowed 1 - limit/value: below 0 the limit is
+                       * broken */
     int judged;       /* 0: value or limit is not known, and `source` says why */
     int ok;           /* the limit holds; 0 if it was not judged */
     char where[80];   /* the place of `value`, "" if there is none */

@@ -30,6 +30,18 @@ typedef struct hawser_mode {
     const double *shape;  /* [6*segments] dx dy dz rx ry rz of each segment's centre, m and rad, largest shift 1 m */
 } hawser_mode;
 
+/* A load of a run with `analysis: static` or `modes` at which the equilibrium stopped being stable. */
+typedef struct hawser_critical {
+    double t;            /* s: the loads are those of this time */
+    double share;        /* t over the run's duration: of loads that grow in proportion to time */
+    double width;        /* s: it was stable so long before t; so well is t known */
+    const char *kind;    /* "buckling", "snap-through" or "flutter"; lives for ever */
+    int unstable;        /* how many motions grow from the equilibrium just beyond; 0: there is none near */
+    double at;           /* m from the tail, where the motion that grows is largest */
+    double direction[3]; /* of the motion there, unit */
+    const double *shape; /* [6*segments] of that motion, as a mode's */
+} hawser_critical;
+
 /* One term of the balances of a run: what it has done, or how it has changed, since t = 0. */
 typedef enum hawser_balance_kind {
     HAWSER_BALANCE_WORK,   /* done on cable, drums and rollers, J */
@@ -44,15 +56,25 @@ typedef struct hawser_balance_term {
     double N_s[3];    /* 0 but of an impulse */
 } hawser_balance_term;
 
+/* How far a figure may be off by the numbers alone, in its own unit (docs/model.md, "Error bars"). */
+typedef struct hawser_error_bar {
+    double time;     /* of the steps in time */
+    double mesh;     /* of segments that are not a line */
+    double friction; /* of friction that vanishes at rest */
+    double total;    /* what is shown: "12.83 kN +- 0.02 %"; NAN: not known */
+} hawser_error_bar;
+
 /* Whether energy and momentum add up over a run (docs/model.md, "Balances"): what is stored more than at t = 0 against
  * the work done less what was lost, and the change of the cable's momentum against the impulses on it; `carried` is
  * what segments brought that joined, less what those took along that left. */
 enum { HAWSER_BALANCE_TERMS = 48 };
 typedef struct hawser_balance {
     double work_J, lost_J, stored_J, carried_J;
-    double residual_J;     /* stored - carried - (work - lost) */
-    double turnover_J;     /* of the term that most went through, or that holds most in the end */
-    double residual_share; /* size of the residual over the turnover */
+    double numerical_J;     /* what the steps in time took out of the motion: a loss that nature does not have */
+    double residual_J;      /* stored - carried - (work - lost - numerical) */
+    double turnover_J;      /* of what moves: the term that most went through, or the largest energy of motion */
+    double residual_share;  /* size of the residual over the turnover */
+    double numerical_share; /* size of the numerical loss over the same; 0 where the motion is below its tolerances */
     const char *turnover_of;
     double impulse_N_s[3], momentum_N_s[3], carried_N_s[3], residual_N_s[3];
     double impulse_residual_share; /* size of the residual over that of the largest impulse */
@@ -76,7 +98,7 @@ typedef struct hawser_position {
 } hawser_position;
 
 /* A condition under which a run is worth judging (docs/limits.md, "Trust"). */
-enum { HAWSER_CONDITIONS_MAX = 16 };
+enum { HAWSER_CONDITIONS_MAX = 32 };
 typedef struct hawser_condition {
     const char *name; /* "energy"; lives for ever */
     const char *unit;
@@ -88,10 +110,11 @@ typedef struct hawser_condition {
 /* One station of the tension table (stations.csv). */
 typedef struct hawser_station {
     const char *name;
-    double s;              /* m along the route */
-    double paper_N;        /* the paper's formulas */
-    double reference_N;    /* the bend ODE */
-    double mean_N, peak_N; /* simulated: mean of the steady window, peak of the run */
+    double s;                          /* m along the route */
+    double paper_N;                    /* the paper's formulas */
+    double reference_N;                /* the bend ODE */
+    double mean_N, peak_N;             /* simulated: mean of the steady window, peak of the run */
+    double mean_error_N, peak_error_N; /* what these may be off by: the total of their error bars */
 } hawser_station;
 
 /* One roller of the load table (rollers.csv). */
@@ -104,6 +127,7 @@ typedef struct hawser_roller {
     double peak_N;                /* largest of the run */
     double spin_rad_per_s;        /* about its axis, mean of the steady window; NAN: it does not spin */
     double shift_m, peak_shift_m; /* from its place, mean of that window and largest; NAN: it is not on a mount */
+    double steady_error_N, peak_error_N; /* what steady_N and peak_N may be off by: their error bars' totals */
 } hawser_roller;
 
 /* One duct, tray, floor or wall. */
@@ -117,6 +141,7 @@ typedef struct hawser_surface {
     double friction_N;        /* sum of the friction forces, likewise */
     double line_load_N_per_m; /* the largest normal force per length of cable (sidewall pressure) of the run */
     double line_load_at_m;    /* m along the route, where that was; NAN: nowhere, or not along the route */
+    double line_load_error;   /* N/m, what line_load_N_per_m may be off by */
 } hawser_surface;
 
 #ifdef __cplusplus

@@ -2,8 +2,10 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_parts.h"
+#include "sim/expected/mesh.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Cable and rope piece by piece: what is cut into segments and how stiff it is. */
@@ -56,6 +58,21 @@ static const Column surface_column[] = {
     {COLUMN("clearance_mm", NUMBER, SurfaceRow, clearance), .label = "clearance, mm", .decimals = 1},
 };
 
+/* A place that asks for short segments. */
+typedef struct MeshRow {
+    char where[96];
+    const char *cable;
+    double wants, given, error; /* m, m, % */
+} MeshRow;
+
+static const Column mesh_column[] = {
+    {COLUMN("where", CHARS, MeshRow, where), .label = "place"},
+    {COLUMN("cable", TEXT, MeshRow, cable), .label = "cable"},
+    {COLUMN("asks_for_m", NUMBER, MeshRow, wants), .label = "asks for, m", .decimals = 3},
+    {COLUMN("segment_m", NUMBER, MeshRow, given), .label = "segment, m", .decimals = 3},
+    {COLUMN("error_pct", NUMBER, MeshRow, error), .label = "expected error, %", .decimals = 2},
+};
+
 /* Everything that is said, gathered from the definition and from a simulation that was built and not run. */
 typedef struct Description {
     const SceneDef *def;
@@ -65,7 +82,38 @@ typedef struct Description {
     PieceRow *piece;     /* [n_pieces] */
     RouteRow *leg;       /* [n_route] */
     SurfaceRow *surface; /* [n_surfaces] */
+    Mesh mesh;
+    MeshRow *demand; /* [n_demands] places that ask for less than the usual length */
+    int n_demands;
+    char advice[160]; /* what the lengths of the segments are worth, in words */
 } Description;
+
+/* What the places ask for, and whether they get it. */
+static void fill_mesh(Description *d)
+{
+    const SceneDef *const def = d->def;
+    int worst;
+    const double error = mesh_given(&d->mesh, def, &worst);
+    for (int i = 0; i < d->mesh.n; ++i) {
+        const MeshPlace *const place = &d->mesh.place[i];
+        const ChainPieceDef *const p = &def->pieces[place->piece];
+        MeshRow *const row = &d->demand[d->n_demands];
+        *row = (MeshRow){.cable = def->cables[p->cable].name,
+                         .wants = mesh_place_length(place, MESH_AIM),
+                         .given = p->length / p->segments};
+        row->error = 100 * mesh_error(place, row->given);
+        mesh_describe(place, sizeof row->where, row->where);
+        d->n_demands += row->wants < MESH_USUAL;
+    }
+    if (error <= MESH_ALLOWED) {
+        snprintf(d->advice, sizeof d->advice, "fine");
+    } else {
+        const MeshPlace *const place = &d->mesh.place[worst];
+        snprintf(d->advice, sizeof d->advice,
+                 "too long: the run will not be trusted; chain.%d.segment: auto takes %.3g mm", place->piece,
+                 1e3 * mesh_auto(&d->mesh, def, place->piece));
+    }
+}
 
 static void fill_rows(Description *d)
 {
@@ -113,12 +161,15 @@ static hawser_status write_description(Description *d, const char *title, hawser
     const int turns = def->winch.present && def->winch.mode == WINCH_SPEED;
     const int pulls = def->winch.present && def->winch.mode == WINCH_TENSION;
     double mass, length;
+    int worst;
     sum_chain(def, &mass, &length);
     const Vec3 last = route_at(&d->route, d->route.length).position;
     const Fact facts[] = {
         {"segments", "segments", "", cell_number(s->segments)},
         {"bushings", "bushings", "", cell_number(s->bushings)},
         {"rollers", "rollers", "", cell_number(s->rollers)},
+        {"mesh_error_pct", "expected error by their length", "%", cell_number(100 * mesh_given(&d->mesh, def, &worst))},
+        {"mesh", "length of segments", "", cell_text(d->advice)},
         {"contact_candidates", "contact candidates", "", cell_number(s->contact_candidates)},
         {"contact_geometry", "contact geometry", "",
          cell_text(case_key_of(&case_contact, "geometry")->choices[def->geometry])},
@@ -139,14 +190,20 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"steady_from_s", "steady window from", "s", cell_number(def->output.steady_from)},
         {"linear_solver", "linear solver", "", cell_text(s->linear_solver)},
     };
-    const Table tables[] = {
+    const Table all[] = {
         {"chain", "Cable and rope, from the tail to the winch", COLUMNS(PieceRow, piece_column), def->n_pieces,
          d->piece},
         {"route", "Route", COLUMNS(RouteRow, route_column), def->rod.present ? 0 : d->route.n, d->leg},
         {"surfaces", "Ducts, trays, floors and walls", COLUMNS(SurfaceRow, surface_column), def->n_surfaces,
          d->surface},
+        {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
     };
-    const Document doc = {title, sizeof facts / sizeof *facts, def->n_surfaces > 0 ? 3 : 2, facts, tables, NULL};
+    Table tables[sizeof all / sizeof *all];
+    int n = 0;
+    for (size_t k = 0; k < sizeof all / sizeof *all; ++k) {
+        if (k < 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route always */
+    }
+    const Document doc = {title, sizeof facts / sizeof *facts, n, facts, tables, NULL};
     return document_write(&doc, format, text, err);
 }
 
@@ -162,6 +219,11 @@ static hawser_status gather(Description *d, hawser_error *err)
     d->surface = calloc((size_t)def->n_surfaces + 1, sizeof *d->surface);
     if (!d->piece || !d->leg || !d->surface) return error_memory(err);
     fill_rows(d);
+    const hawser_status found = mesh_find(def, &d->route, &d->mesh, err);
+    if (found) return found;
+    d->demand = calloc((size_t)d->mesh.n + 1, sizeof *d->demand);
+    if (!d->demand) return error_memory(err);
+    fill_mesh(d);
     return HAWSER_OK;
 }
 
@@ -180,6 +242,8 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     free(d.piece);
     free(d.leg);
     free(d.surface);
+    free(d.demand);
+    mesh_free(&d.mesh);
     sim_free(sim);
     return status;
 }

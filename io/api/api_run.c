@@ -87,6 +87,17 @@ static hawser_status tell_progress(Run *run, int now, hawser_error *err)
     return stop ? error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s", hawser_sim_time(sim)) : HAWSER_OK;
 }
 
+/* The same while nothing has a time yet, between the iterations of a relaxation or of a load step: the caller sees what
+ * he saw last. */
+static int ask_progress(void *user)
+{
+    Run *const run = user;
+    const double wall = clock_now();
+    if (!run->progress || wall - run->last_progress < progress_interval) return 0;
+    run->last_progress = wall;
+    return run->progress(run->user, run->look, wall - run->started, hawser_sim_end_time(run->s));
+}
+
 /* Only once, and only before anything has moved; the case may forbid it. */
 static hawser_status run_relaxation(Run *run, hawser_error *err)
 {
@@ -99,6 +110,7 @@ static hawser_status run_relaxation(Run *run, hawser_error *err)
 static hawser_status run_steps(Run *run, hawser_error *err)
 {
     Sim *sim = run->s;
+    sim->stage.ws.stop = (StopCheck){.ask = ask_progress, .user = run};
     hawser_status status = run_relaxation(run, err);
     if (!status) status = write_due(run, err);
     if (!status) status = tell_progress(run, 1, err);
@@ -109,6 +121,7 @@ static hawser_status run_steps(Run *run, hawser_error *err)
     }
     /* the caller sees the end; there is nothing left to stop */
     if (!status) tell_progress(run, 1, NULL);
+    sim->stage.ws.stop = (StopCheck){0};
     return status;
 }
 
@@ -189,6 +202,7 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
                .progress = progress,
                .user = user,
                .started = clock_now(),
+               .last_progress = clock_now(),
                .last_row = -1,
                .look = hawser_sim_sample(s)};
     s->running = 1;

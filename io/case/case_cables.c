@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
+#include "sim/expected/mesh.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -57,6 +58,7 @@ static const CaseKey cable_keys[] = {
     {"EI_y", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_y)},
     {"EI_z", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_z)},
     {"mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "density A", ABOVE(0, 1e6), AT(CableRecord, cable.mass)},
+    {"gyration", KEY_NUMBER, DIM_LENGTH, .otherwise = "d/4", ABOVE(0, 100), AT(CableRecord, cable.gyration)},
     {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(CableRecord, cable.damping)},
     {"damping_factor", KEY_SECTION, .otherwise = "its defaults", .section = &damping_factor},
     {"damping_ratio", KEY_SECTION, .otherwise = "none", .section = &damping_ratio},
@@ -65,18 +67,17 @@ static const CaseKey cable_keys[] = {
 };
 SECTION(case_cable, "cables.NAME", cable_keys);
 
-/* A piece of the chain: the cable by its name, the length of its segments at most, m. */
+/* A piece of the chain: the cable by its name. */
 typedef struct PieceRecord {
     ChainPieceDef piece;
     char cable[NAME_MAX_LENGTH];
-    double segment;
 } PieceRecord;
 
 /* Pieces follow each other from the tail to the head. */
 static const CaseKey chain_piece_keys[] = {
     {"cable", KEY_TEXT, .required = 1, AT(PieceRecord, cable)},
     {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(PieceRecord, piece.length)},
-    {"segment", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(PieceRecord, segment)},
+    {"segment", KEY_ANY, DIM_LENGTH, .otherwise = "`auto`", .form = "`auto` or a length", ABOVE(0, LONG)},
     {"swivel", KEY_FLAG, .fallback = "false", AT(PieceRecord, piece.swivel)},
 };
 SECTION(case_chain_piece, "chain.N", chain_piece_keys);
@@ -94,6 +95,17 @@ double case_chain_length(const SceneDef *def)
     double length = 0;
     for (int p = 0; p < def->n_pieces; p++) length += def->pieces[p].length;
     return length;
+}
+
+double case_longest_segment(const SceneDef *def)
+{
+    double longest = 0;
+    for (int p = 0; p < def->n_pieces; p++) {
+        const ChainPieceDef *const piece = &def->pieces[p];
+        const double open = def->rod.present ? 0 : MESH_USUAL;
+        longest = fmax(longest, piece->segments > 0 ? piece->length / piece->segments : open);
+    }
+    return longest;
 }
 
 /* The same eye as the scene's: between the last piece and those behind it. */
@@ -166,6 +178,7 @@ static hawser_status cable_read(const CaseReader *r, const CaseNode *node, void 
     const hawser_status status = case_section_read(r, node, &case_cable, &record);
     if (status) return status;
     *cable = record.cable;
+    if (isnan(cable->gyration)) cable->gyration = 0;
     strcpy(cable->name, node->key);
     return cable_resolve(r, node, &record, cable);
 }
@@ -193,7 +206,7 @@ static hawser_status cable_find(const CaseReader *r, const CaseNode *piece, int 
     return case_value_error(r->err, name, " is not one of the %d in 'cables', such as '%s'", r->def->n_cables, known);
 }
 
-/* Segments of equal length, none longer than asked for. */
+/* Segments of equal length, none longer than asked for. node: the piece. */
 static hawser_status segments_count(const CaseReader *r, const CaseNode *node, double segment, ChainPieceDef *piece)
 {
     const double n = ceil(piece->length / segment - 1e-6);
@@ -205,13 +218,37 @@ static hawser_status segments_count(const CaseReader *r, const CaseNode *node, d
     return HAWSER_OK;
 }
 
+/* The length that is given; none for `auto`, which waits for what the cable runs through (case_mesh_read). */
+static hawser_status segment_read(const CaseReader *r, const CaseNode *node, ChainPieceDef *piece)
+{
+    const CaseNode *const given = case_node_key(node, "segment");
+    double segment;
+    if (!given || (given->kind == NODE_TEXT && strcmp(given->text, "auto") == 0)) return HAWSER_OK;
+    const hawser_status status = case_number_read(r, given, case_key_of(&case_chain_piece, "segment"), &segment);
+    return status ? status : segments_count(r, node, segment, piece);
+}
+
+hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
+{
+    SceneDef *const def = r->def;
+    Mesh mesh;
+    hawser_status status = mesh_find(def, &r->route, &mesh, r->err);
+    for (const CaseNode *item = node->first; item && !status; item = item->next) {
+        ChainPieceDef *const piece = &def->pieces[item->index];
+        if (piece->segments > 0) continue;
+        status = segments_count(r, item, mesh_auto(&mesh, def, item->index), piece);
+    }
+    mesh_free(&mesh);
+    return status;
+}
+
 /* One piece of the chain, with its cable found and its segments counted. */
 static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     PieceRecord record = {0};
     hawser_status status = case_section_read(r, node, &case_chain_piece, &record);
     if (!status) status = cable_find(r, node, &record.piece.cable);
-    if (!status) status = segments_count(r, node, record.segment, &record.piece);
+    if (!status) status = segment_read(r, node, &record.piece);
     if (status) return status;
     memcpy(item, &record.piece, sizeof record.piece);
     if (node->index == 0 && record.piece.swivel) {

@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "io/case/case_parts.h"
+#include "sim/equipment/winch.h"
 
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
 
@@ -28,7 +29,8 @@ static const CaseKey friction_keys[] = {
     {"mu", KEY_NUMBER, .otherwise = "0.2", FROM(0, 10), AT(FrictionRecord, mu)},
     {"mu_s", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_s)},
     {"mu_d", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_d)},
-    {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s", ABOVE(0, 1e3), AT(FrictionRecord, v_s)},
+    {"v_s", KEY_NUMBER, DIM_SPEED, .otherwise = "1 mm/s, or a tenth of the winch's largest speed if that is less",
+     ABOVE(0, 1e3), AT(FrictionRecord, v_s)},
     {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(FrictionRecord, v_d)},
     {"law", KEY_ANY, .otherwise = "`adams`", .form = "`adams` or `stick`"},
     {"d_s", KEY_NUMBER, DIM_LENGTH, .otherwise = "0.1 mm", ABOVE(0, 1), AT(FrictionRecord, d_s)},
@@ -72,9 +74,19 @@ static hawser_status cable_friction_read(const CaseReader *r, const CaseNode *no
     return status;
 }
 
+/* Speed at which friction is fully there, unless the case says: a tenth of the winch's, or less (C21). */
+static const double SPEED_SHARE = 0.1;
+
+/* The drive has been read. */
 hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
 {
-    const FrictionLaw usual = r->def->friction;
+    FrictionLaw usual = r->def->friction;
+    Winch winch;
+    winch_init(&winch, &r->def->winch);
+    const double speed = winch_largest_speed(&winch);
+    if (r->def->winch.present && speed > 0) usual.v_s = fmin(usual.v_s, SPEED_SHARE * speed);
+    usual.v_d = 2 * usual.v_s;
+    r->def->friction = usual;
     const hawser_status status = case_friction_read(r, node, &usual, &r->def->friction);
     return status ? status : cable_friction_read(r, case_node_key(case_node_key(r->root, "contact"), "cable_friction"));
 }

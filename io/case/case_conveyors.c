@@ -12,6 +12,7 @@ static const CaseKey belt_keys[] = {
 static SECTION(belt, "conveyors.N.belt", belt_keys);
 
 /* Straight machines along the route. */
+static const char *const gripped[] = {"cable", "all", NULL};
 static const CaseKey conveyor_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(ConveyorDef, name)},
     {"from", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(ConveyorDef, from)},
@@ -25,6 +26,7 @@ static const CaseKey conveyor_keys[] = {
     {"v_d", KEY_NUMBER, DIM_SPEED, .otherwise = "2 v_s", ABOVE(0, 1e3), AT(ConveyorDef, v_d)},
     {"ratio", KEY_NUMBER, .fallback = "1", FROM(0, 1), AT(ConveyorDef, ratio)},
     {"edge", KEY_NUMBER, DIM_LENGTH, .fallback = "200 mm", ABOVE(0, 1e3), AT(ConveyorDef, edge)},
+    {"grips", KEY_CHOICE, .fallback = "cable", .choices = gripped, AT(ConveyorDef, grips_rope)},
     {"hold", KEY_FLAG, .fallback = "true", AT(ConveyorDef, hold)},
 };
 SECTION(case_conveyor, "conveyors.N", conveyor_keys);

@@ -50,6 +50,10 @@ static const CaseKey limits_keys[] = {
     {"rope_strength", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, rope_strength)},
     {"rope_factor", KEY_NUMBER, .fallback = "5", FROM(1, 100), AT(LimitsDef, rope_factor)},
     {"alpha", KEY_NUMBER, .fallback = "1.5", FROM(1, 100), AT(LimitsDef, alpha)},
+    {"jam_from", KEY_NUMBER, .fallback = "2.6", FROM(1, 100), AT(LimitsDef, jam_from)},
+    {"jam_to", KEY_NUMBER, .fallback = "3.2", FROM(1, 100), AT(LimitsDef, jam_to)},
+    {"clearance", KEY_NUMBER, DIM_LENGTH, .fallback = "6.35 mm", FROM(0, LONG), AT(LimitsDef, clearance)},
+    {"fill", KEY_NUMBER, .otherwise = "by the number of cables", ABOVE(0, 1), AT(LimitsDef, fill)},
 };
 SECTION(case_limits, "limits", limits_keys);
 
@@ -84,6 +88,10 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node)
     if (!status && cover) status = case_section_read(r, cover, &sheath, limits);
     if (!status) status = either_check(r, node, "pull", "stress");
     if (!status) status = either_check(r, node, "bend_radius", "bend_factor");
+    if (!status && limits->jam_from > limits->jam_to) {
+        status = case_value_error(r->err, case_node_key(node, case_node_key(node, "jam_to") ? "jam_to" : "jam_from"),
+                                  " is out of order: 'jam_from' is %g, 'jam_to' %g", limits->jam_from, limits->jam_to);
+    }
     if (!status && limits->attachment == ATTACH_EYE && cover && !metal) {
         status = case_key_error(r->err, cover, NULL, "only counts with 'attachment: net'");
     }

@@ -19,7 +19,7 @@ extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, c
     case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_lead_in, case_contact,
     case_friction, case_groove, case_spin, case_mount, case_roller_row, case_rollers, case_surfaces, case_drive,
     case_tail, case_back_tension, case_reel, case_conveyor, case_jam, case_obstacle, case_solver, case_output,
-    case_probe, case_paper, case_theory, case_limits;
+    case_probe, case_paper, case_theory, case_limits, case_medium, case_launch;
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
@@ -90,9 +90,14 @@ hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const 
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section);
 /* After the drive, whose speed the belts may follow. */
 hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);
+/* After all that the cable runs through: the segments of pieces that leave their length to the geometry. */
+hawser_status case_mesh_read(CaseReader *r, const CaseNode *list);
 /* After all that can jam. */
 hawser_status case_jams_read(CaseReader *r, const CaseNode *list);
 hawser_status case_reel_read(CaseReader *r, const CaseNode *node);
+/* After the reel, which neither goes with. */
+hawser_status case_medium_read(CaseReader *r, const CaseNode *node);
+hawser_status case_launch_read(CaseReader *r, const CaseNode *node);
 hawser_status case_output_read(CaseReader *r, const CaseNode *node);
 /* Places of the chain that are watched. */
 hawser_status case_probes_read(const CaseReader *r, const CaseNode *list);
@@ -104,6 +109,8 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node);
 double case_chain_length(const SceneDef *def);
 /* Segments of the whole chain; the largest diameter of its cables, m. */
 int case_segments(const SceneDef *def);
+/* The longest segment, m; of pieces that leave it to the geometry what that gives at most, of a rod nothing. */
+double case_longest_segment(const SceneDef *def);
 double case_largest_diameter(const SceneDef *def);
 /* The eye: the first segment of the last piece; the number of segments if there is one piece. */
 int case_eye(const SceneDef *def);

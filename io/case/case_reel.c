@@ -161,9 +161,7 @@ static hawser_status fit_check(const CaseReader *r, const CaseNode *node)
 static hawser_status reach_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
-    double longest = 0;
-    for (int p = 0; p < def->n_pieces; ++p) longest = fmax(longest, def->pieces[p].length / def->pieces[p].segments);
-    const double least = 2 * longest + def->lead_in.blend / 2, wound = wound_at_start(def);
+    const double least = 2 * case_longest_segment(def) + def->lead_in.blend / 2, wound = wound_at_start(def);
     if (def->reel.distance <= least) {
         const CaseNode *const value = case_node_key(node, "distance");
         return case_key_error(r->err, value ? value : node, value ? NULL : "distance",

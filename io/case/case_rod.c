@@ -89,8 +89,7 @@ static hawser_status radius_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
     const CaseNode *const value = case_node_key(node, "radius");
-    double longest = 0;
-    for (int p = 0; p < def->n_pieces; ++p) longest = fmax(longest, def->pieces[p].length / def->pieces[p].segments);
+    const double longest = case_longest_segment(def);
     if (!value || def->rod.radius >= longest) return HAWSER_OK;
     return case_value_error(r->err, value, " is out of range: must be the length of a segment at least, %g m", longest);
 }

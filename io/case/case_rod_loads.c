@@ -5,10 +5,11 @@
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
 
-/* Either a shift or a turn; either a force or a moment. The profile's own value is not used. */
+/* One of four kinds of motion; either a force or a moment. The profile's own value is not used. */
+enum { MOTION_KINDS = 4 };
 typedef struct RodMotionRecord {
     RodMotionDef motion;
-    double move, turn;
+    double size[MOTION_KINDS]; /* move, turn, speed, spin */
 } RodMotionRecord;
 
 typedef struct RodLoadRecord {
@@ -22,11 +23,14 @@ static const char *const load_frames[] = {"dead", "follower", NULL};
 
 static const CaseKey rod_motion_keys[] = {
     {"direction", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(RodMotionRecord, motion.by.direction)},
-    {"move", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a turn", FROM(-LONG, LONG), AT(RodMotionRecord, move)},
-    {"turn", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a shift", FROM(DEGREES(-36000), DEGREES(36000)),
-     AT(RodMotionRecord, turn)},
+    {"move", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is another", FROM(-LONG, LONG), AT(RodMotionRecord, size[0])},
+    {"turn", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is another", FROM(DEGREES(-36000), DEGREES(36000)),
+     AT(RodMotionRecord, size[1])},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "it is another", FROM(-1e4, 1e4), AT(RodMotionRecord, size[2])},
+    {"spin", KEY_NUMBER, DIM_ANGULAR_SPEED, .otherwise = "it is another", FROM(-1e4, 1e4),
+     AT(RodMotionRecord, size[3])},
     RAMP_KEYS(offsetof(RodMotionRecord, motion.by.size), "none"),
-    {"table", KEY_LIST, .otherwise = "none", .form = "[time, factor of `move` or `turn`], times rising"},
+    {"table", KEY_LIST, .otherwise = "none", .form = "[time, factor of the four above], times rising"},
 };
 static SECTION(rod_motion, "rod.tail.motion.N", rod_motion_keys);
 
@@ -84,14 +88,14 @@ static hawser_status proportional(const CaseReader *r, double value, RodProfile 
     return HAWSER_OK;
 }
 
-/* Value, ramp or table along a direction. */
-static hawser_status profile_read(const CaseReader *r, const CaseNode *node, double value, RodProfile *by)
+/* Value, ramp or table along a direction; `grows`: in load steps it does so where it has neither. */
+static hawser_status profile_read(const CaseReader *r, const CaseNode *node, double value, int grows, RodProfile *by)
 {
     const int table = case_node_key(node, "table") != NULL;
     if (!(v3_norm(by->direction) > 0))
         return case_value_error(r->err, case_node_key(node, "direction"), ": expected a direction that is not zero");
     by->direction = v3_unit(by->direction);
-    if (!table && by->size.kind == PROFILE_CONSTANT && r->def->analysis.kind != ANALYSIS_DYNAMICS)
+    if (grows && !table && by->size.kind == PROFILE_CONSTANT && r->def->analysis.kind != ANALYSIS_DYNAMICS)
         return proportional(r, value, by);
     by->size.v1 = value;
     const hawser_status status =
@@ -154,14 +158,32 @@ static hawser_status fixing_read(const CaseReader *r, const CaseNode *node, int 
     return held ? hold_read(r, hold, end) : HAWSER_OK;
 }
 
+/* Which of the four kinds is given: exactly one. */
+static hawser_status kind_find(const CaseReader *r, const CaseNode *node, int *kind)
+{
+    static const char *const keys[MOTION_KINDS] = {"move", "turn", "speed", "spin"};
+    int given = 0;
+    for (int k = 0; k < MOTION_KINDS; ++k) {
+        if (!case_node_key(node, keys[k])) continue;
+        *kind = k;
+        ++given;
+    }
+    if (given == 1) return HAWSER_OK;
+    return case_key_error(r->err, node, given ? NULL : "move", "%s: give one of 'move', 'turn', 'speed' and 'spin'",
+                          given ? "too much" : "missing");
+}
+
 static hawser_status motion_read(const CaseReader *r, const CaseNode *node, void *item)
 {
     RodMotionRecord record = {0};
     RodMotionDef *const motion = item;
+    int kind = 0;
     hawser_status status = case_section_read(r, node, &rod_motion, &record);
     *motion = record.motion;
-    if (!status) status = either(r, node, "move", "turn", &motion->turns);
-    return status ? status : profile_read(r, node, motion->turns ? record.turn : record.move, &motion->by);
+    if (!status) status = kind_find(r, node, &kind);
+    motion->turns = kind % 2;
+    motion->rates = kind / 2;
+    return status ? status : profile_read(r, node, record.size[kind], !motion->rates, &motion->by);
 }
 
 static hawser_status end_read(const CaseReader *r, const CaseNode *node, const CaseSection *section, RodEndDef *end)
@@ -195,7 +217,7 @@ static hawser_status load_read(const CaseReader *r, const CaseNode *node, void *
     if (!status) status = either(r, node, "force", "moment", &load->moment);
     if (!status && isnan(load->at)) load->at = case_chain_length(r->def);
     if (!status) status = place_check(r, node, load->at);
-    return status ? status : profile_read(r, node, load->moment ? record.moment : record.force, &load->by);
+    return status ? status : profile_read(r, node, load->moment ? record.moment : record.force, 1, &load->by);
 }
 
 static hawser_status mass_read(const CaseReader *r, const CaseNode *node, void *item)

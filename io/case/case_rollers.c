@@ -15,7 +15,7 @@ typedef struct Row {
     GrooveRecord groove;
     char name[NAME_MAX_LENGTH / 2];
     RowPlaces places;
-    double gap; /* m, of guides */
+    double gap; /* m, of guides and hold-downs */
     const CaseNode *node;
     int hold;
 } Row;
@@ -139,7 +139,8 @@ static hawser_status roller_lay(const CaseReader *r, const Row *row, int number,
     roller->s = s;
     roller->hold_down = side == SIDE_ABOVE;
     const Shape shape = roller_def_shape(roller);
-    const double away = shape_seat(&shape, case_largest_diameter(def) / 2) + (guide ? row->gap : 0);
+    const double gap = guide || side == SIDE_ABOVE ? row->gap : 0;
+    const double away = shape_seat(&shape, case_largest_diameter(def) / 2) + gap;
     const int forward = side == SIDE_ABOVE || side == SIDE_LEFT;
     roller->centre = v3_axpy(at.position, forward ? away : -away, guide ? left : up);
     snprintf(roller->name, sizeof roller->name, "%s%d%s", row->name, number, suffix[side]);
@@ -172,8 +173,8 @@ static hawser_status guide_check(const CaseReader *r, const Row *row)
     if (row->places.guide != GUIDE_NONE && row->hold != HOLD_NONE) {
         return case_key_error(r->err, row->node, "hold_down", "not for guides: give it to a row without 'guide'");
     }
-    if (row->places.guide == GUIDE_NONE && row->gap > 0) {
-        return case_key_error(r->err, case_node_key(row->node, "gap"), NULL, "only for a row with 'guide'");
+    if (row->places.guide == GUIDE_NONE && row->hold == HOLD_NONE && row->gap > 0) {
+        return case_key_error(r->err, case_node_key(row->node, "gap"), NULL, "only with 'guide' or 'hold_down'");
     }
     return HAWSER_OK;
 }

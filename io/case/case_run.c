@@ -4,6 +4,7 @@
 #include "io/case/case_parts.h"
 
 static const char *const analyses[] = {"dynamics", "static", "modes", NULL};
+static const char *const stabilities[] = {"follow", "report", "ignore", NULL};
 
 /* What belongs to which analysis keys_check says. */
 static const CaseKey run_keys[] = {
@@ -12,6 +13,7 @@ static const CaseKey run_keys[] = {
      AT(SceneDef, duration)},
     {"load_steps", KEY_INTEGER, .fallback = "10", FROM(1, 100000), AT(SceneDef, analysis.load_steps)},
     {"tolerance", KEY_NUMBER, .fallback = "1e-10", ABOVE(0, 0.1), AT(SceneDef, analysis.tolerance)},
+    {"stability", KEY_CHOICE, .fallback = "follow", .choices = stabilities, AT(SceneDef, analysis.stability)},
     {"modes", KEY_INTEGER, .fallback = "6", FROM(1, 200), AT(SceneDef, analysis.modes)},
     {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE),
      AT(SceneDef, output.steady_from)},
@@ -21,11 +23,11 @@ SECTION(case_run, "run", run_keys);
 /* Keys that say nothing in this analysis are mistakes. */
 static hawser_status keys_check(const CaseReader *r, const CaseNode *node, AnalysisKind analysis)
 {
-    static const char *const keys[] = {"load_steps", "tolerance", "modes"};
-    for (int k = 0; k < 3; k++) {
+    static const char *const keys[] = {"load_steps", "tolerance", "stability", "modes"};
+    for (int k = 0; k < 4; k++) {
         const CaseNode *const given = case_node_key(node, keys[k]);
-        if (!given || analysis == ANALYSIS_MODES || (analysis == ANALYSIS_STATIC && k < 2)) continue;
-        return case_key_error(r->err, given, NULL, "only with 'analysis: %s'", k < 2 ? "static' or 'modes" : "modes");
+        if (!given || analysis == ANALYSIS_MODES || (analysis == ANALYSIS_STATIC && k < 3)) continue;
+        return case_key_error(r->err, given, NULL, "only with 'analysis: %s'", k < 3 ? "static' or 'modes" : "modes");
     }
     return HAWSER_OK;
 }

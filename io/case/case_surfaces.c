@@ -247,7 +247,7 @@ static hawser_status plane_check(const CaseReader *r, const CaseNode *node, cons
             const double s = from + k * LOOK_STEP;
             const SurfaceProbe at = surface_probe(&patch, route_at(&r->route, s).position);
             if (!at.owned || at.share <= 0 || at.distance >= radius - PRESS_MAX) continue;
-            if (at.distance <= -SURFACE_DEPTH_MAX) continue; /* it passes behind */
+            if (at.distance <= -patch.depth) continue; /* it passes behind */
             return case_key_error(
                 r->err, node, "point",
                 "plane '%s' is inside the cable: %.4g m along the route it is %.4g m from the line, must "

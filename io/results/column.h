@@ -20,6 +20,7 @@ typedef enum ColumnKind {
     COLUMN_VECTOR, /* double[3] */
     COLUMN_LIST,   /* pointer to rows of their own */
     COLUMN_MAP,    /* array of rows, whose first column is the key and whose second is the value */
+    COLUMN_ROW,    /* one row of its own */
     COLUMN_OBJECT  /* pointer to one row of its own; NULL: the key is left out */
 } ColumnKind;
 

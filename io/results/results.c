@@ -7,9 +7,11 @@
 #include "core/base/error.h"
 #include "io/results/results_file.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* States between two flushes at most; their frames enter results.xdmf together. */
 enum { PENDING_MAX = 32 };
@@ -53,11 +55,25 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
     return status ? status : xdmf_open(&r->xdmf, r->dir, def->segments, err);
 }
 
+/* What an earlier run left and this one may not write: a folder holds the results of one run. */
+static hawser_status remove_old(const Results *r, int states, hawser_error *err)
+{
+    static const char *const names[] = {"modes.csv", "certificate.json", "results.h5", "results.xdmf"};
+    char path[OUT_PATH_MAX];
+    hawser_status s = HAWSER_OK;
+    for (int k = 0; k < (states ? 2 : 4) && !s; k++) {
+        s = out_join(path, r->dir, names[k], err);
+        if (!s && unlink(path) && errno != ENOENT) s = out_error(path, errno, err);
+    }
+    return s;
+}
+
 /* The summary comes first: a folder whose run is killed says "running", not what the run before had to say. */
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
 {
     hawser_status s = out_make_dir(r->dir, err);
     if (!s) s = write_whole(r->dir, "summary.json", summary, err);
+    if (!s) s = remove_old(r, def->states > 0, err);
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
     if (!s) s = series_make(&r->columns, def, err);
     if (!s) s = series_head(&r->series, &r->columns, err);

@@ -29,6 +29,7 @@ static const Column surface_column[] = {
     {COLUMN("steady_normal_N", NUMBER, hawser_surface, normal_N)},
     {COLUMN("steady_friction_N", NUMBER, hawser_surface, friction_N)},
     {COLUMN("peak_line_load_N_per_m", NUMBER, hawser_surface, line_load_N_per_m)},
+    {COLUMN("peak_line_load_error", NUMBER, hawser_surface, line_load_error)},
     {COLUMN("peak_at_m", NUMBER, hawser_surface, line_load_at_m)},
 };
 static const Columns surface_columns = COLUMNS(hawser_surface, surface_column);
@@ -65,6 +66,17 @@ static const Column mode_column[] = {
     {COLUMN("omega_squared_per_s2", NUMBER, hawser_mode, omega_squared)},
 };
 static const Columns mode_columns = COLUMNS(hawser_mode, mode_column);
+
+static const Column critical_column[] = {
+    {COLUMN("time_s", NUMBER, hawser_critical, t)},
+    {COLUMN("share", NUMBER, hawser_critical, share)},
+    {COLUMN("width_s", NUMBER, hawser_critical, width)},
+    {COLUMN("kind", TEXT, hawser_critical, kind)},
+    {COLUMN("unstable", COUNT, hawser_critical, unstable)},
+    {COLUMN("largest_at_m", NUMBER, hawser_critical, at)},
+    {COLUMN("direction", VECTOR, hawser_critical, direction)},
+};
+static const Columns critical_columns = COLUMNS(hawser_critical, critical_column);
 
 /* As the run ended. */
 static const Column probe_column[] = {
@@ -137,10 +149,12 @@ static const Column balance_column[] = {
     {TERMS("lost_J", energies, is_loss)},
     {TERMS("stored_J", energies, is_stored)},
     {COLUMN("carried_J", NUMBER, hawser_balance, carried_J)},
+    {COLUMN("numerical_J", NUMBER, hawser_balance, numerical_J)},
     {COLUMN("residual_J", NUMBER, hawser_balance, residual_J)},
     {COLUMN("turnover_J", NUMBER, hawser_balance, turnover_J)},
     {COLUMN("turnover_of", TEXT, hawser_balance, turnover_of)},
     {COLUMN("residual_share", NUMBER, hawser_balance, residual_share)},
+    {COLUMN("numerical_share", NUMBER, hawser_balance, numerical_share)},
     {TERMS("impulse_N_s", impulses, is_impulse)},
     {COLUMN("momentum_N_s", VECTOR, hawser_balance, momentum_N_s)},
     {COLUMN("carried_N_s", VECTOR, hawser_balance, carried_N_s)},
@@ -148,6 +162,15 @@ static const Column balance_column[] = {
     {COLUMN("impulse_residual_share", NUMBER, hawser_balance, impulse_residual_share)},
 };
 static const Columns balance_columns = COLUMNS(hawser_balance, balance_column);
+
+/* What a figure may be off by, in its own unit. */
+static const Column bar_column[] = {
+    {COLUMN("time_N", NUMBER, hawser_error_bar, time)},
+    {COLUMN("mesh_N", NUMBER, hawser_error_bar, mesh)},
+    {COLUMN("friction_N", NUMBER, hawser_error_bar, friction)},
+    {COLUMN("total_N", NUMBER, hawser_error_bar, total)},
+};
+static const Columns bar_columns = COLUMNS(hawser_error_bar, bar_column);
 
 static const Column summary_column[] = {
     /* what was run, by what, and how it ended */
@@ -185,6 +208,8 @@ static const Column summary_column[] = {
     {COLUMN("pull_force.steady_mean_N", NUMBER, Summary, s.pull_mean_N)},
     {COLUMN("pull_force.peak_N", NUMBER, Summary, s.pull_peak_N)},
     {COLUMN("pull_force.steady_ripple_rms_N", NUMBER, Summary, s.pull_ripple_N)},
+    {COLUMN("pull_force.steady_mean_error", ROW, Summary, s.pull_mean_error), .of = &bar_columns},
+    {COLUMN("pull_force.peak_error", ROW, Summary, s.pull_peak_error), .of = &bar_columns},
     {COLUMN("theory.paper_total_N", NUMBER, Summary, s.paper_total_N)},
     {COLUMN("theory.reference_total_N", NUMBER, Summary, s.reference_total_N)},
     {COLUMN("tension_error.max_pct", NUMBER, Summary, s.error_max_pct)},
@@ -199,6 +224,7 @@ static const Column summary_column[] = {
     {COLUMN("analysis", TEXT, Summary, s.analysis)},
     {LIST("probes", Summary, s.probes, s.n_probes, probe_columns)},
     {LIST("modes", Summary, s.modes, s.n_modes, mode_columns)},
+    {LIST("critical_loads", Summary, s.critical, s.n_critical, critical_columns)},
     {LIST("events", Summary, s.events, s.n_events, event_columns)},
     {LIST("pull_by_position", Summary, s.positions, s.n_positions, position_columns)},
     {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},
@@ -291,6 +317,8 @@ static json_t *json_column(const Column *c, const void *row)
         return json_rows(c, row);
     case COLUMN_OBJECT:
         return json_row(c->of, *(const void *const *)at);
+    case COLUMN_ROW:
+        return json_row(c->of, at);
     case COLUMN_TEXT:
     case COLUMN_CHARS:
         break;

@@ -31,11 +31,17 @@ static double station_peak(const void *row)
 }
 
 static const Column station_column[] = {
-    {COLUMN("name", TEXT, hawser_station, name)},         {COLUMN("s_m", NUMBER, hawser_station, s)},
-    {COLUMN("paper_N", NUMBER, hawser_station, paper_N)}, {COLUMN("reference_N", NUMBER, hawser_station, reference_N)},
-    {COLUMN("mean_N", NUMBER, hawser_station, mean_N)},   {COLUMN("peak_N", NUMBER, hawser_station, peak_N)},
-    {.key = "error_paper_pct", .number = paper_error},    {.key = "error_reference_pct", .number = reference_error},
+    {COLUMN("name", TEXT, hawser_station, name)},
+    {COLUMN("s_m", NUMBER, hawser_station, s)},
+    {COLUMN("paper_N", NUMBER, hawser_station, paper_N)},
+    {COLUMN("reference_N", NUMBER, hawser_station, reference_N)},
+    {COLUMN("mean_N", NUMBER, hawser_station, mean_N)},
+    {COLUMN("peak_N", NUMBER, hawser_station, peak_N)},
+    {.key = "error_paper_pct", .number = paper_error},
+    {.key = "error_reference_pct", .number = reference_error},
     {.key = "peak_ratio", .number = station_peak},
+    {COLUMN("mean_error_N", NUMBER, hawser_station, mean_error_N)},
+    {COLUMN("peak_error_N", NUMBER, hawser_station, peak_error_N)},
 };
 const Columns station_columns = COLUMNS(hawser_station, station_column);
 
@@ -67,6 +73,8 @@ static const Column roller_column[] = {
     {.key = "peak_ratio", .number = roller_peak},
     {.key = "rating_N", .number = roller_rating},
     {.key = "rating_ratio", .number = roller_margin},
+    {COLUMN("steady_error_N", NUMBER, hawser_roller, steady_error_N)},
+    {COLUMN("peak_error_N", NUMBER, hawser_roller, peak_error_N)},
 };
 const Columns roller_columns = COLUMNS(hawser_roller, roller_column);
 

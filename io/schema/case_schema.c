@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 
-enum { WANTED_MAX = 128, NAMES_MAX = 24, NUMBER_MAX = 32 };
+enum { WANTED_MAX = 128, NAMES_MAX = 32, NUMBER_MAX = 32 };
 
 const char *const case_ramps[] = {"none", "step", "step5", NULL};
 

@@ -21,6 +21,7 @@ typedef struct CableDef {
     double ei_y, ei_z;        /* N m2; with a table of bending, its first slope */
     double mass;              /* kg/m */
     double diameter;          /* m, outside: contact and rotary inertia */
+    double gyration;          /* m, radius of gyration of the cross-section about a diameter; 0: a quarter diameter */
     double damping;           /* s: C = damping * factor * K */
     double damping_factor[6]; /* axial, shear y, shear z, torsion, bending y, bending z */
     double damping_ratio[6];  /* above 0: takes the place of damping * factor in this component (HY10), (HY12) */

@@ -10,9 +10,13 @@ enum { PROBE_NAME_MAX = 64 };
 
 typedef enum AnalysisKind { ANALYSIS_DYNAMICS, ANALYSIS_STATIC, ANALYSIS_MODES } AnalysisKind;
 
+/* What is done about equilibria that are not stable: to go on with a stable one, to say so, nothing. */
+typedef enum StabilityChoice { STABILITY_FOLLOW, STABILITY_REPORT, STABILITY_IGNORE } StabilityChoice;
+
 /* What is asked about the scene. */
 typedef struct AnalysisDef {
     AnalysisKind kind;
+    StabilityChoice stability;
     int load_steps;   /* static and modes: equilibria on the way to the end of the run */
     double tolerance; /* unbalanced force as a share of the largest force */
     int modes;        /* how many are wanted */

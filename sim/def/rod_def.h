@@ -18,9 +18,9 @@ typedef struct RodProfile {
     double *table_time, *table_value;
 } RodProfile;
 
-/* A part of what leads an end: along (m) or about (rad) the profile's direction. */
+/* A part of what leads an end: along (m) or about (rad) the profile's direction, or at that rate (m/s, rad/s). */
 typedef struct RodMotionDef {
-    int turns;
+    int turns, rates;
     RodProfile by;
 } RodMotionDef;
 

@@ -26,6 +26,7 @@ static const OwnedArray owned[] = {
     OWNED(jams, n_jams),
     OWNED(stations, n_stations),
     OWNED(paper, n_paper),
+    OWNED(launch.row, launch.n_rows),
     OWNED(output.speed_segments, output.n_speed_segments),
     OWNED(output.load_rollers, output.n_load_rollers),
     OWNED(output.probes, output.n_probes),

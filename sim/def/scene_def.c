@@ -50,6 +50,7 @@ void scene_def_defaults(SceneDef *def)
     def->theory.cables = 1;
     limits_defaults(&def->limits);
     def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};
+    def->medium = (MediumDef){.normal = 1.2, .tangential = 0.01, .buoyancy = 1};
     def->rod.stress_free = 1;
     def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
 }

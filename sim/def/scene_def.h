@@ -10,8 +10,10 @@
 #include "core/chain.h"
 #include "core/profile.h"
 #include "core/route.h"
+#include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
 #include "sim/def/cable_def.h"
+#include "sim/def/flight_def.h"
 #include "sim/def/output_def.h"
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
@@ -123,6 +125,7 @@ typedef struct ConveyorDef {
     double limit;           /* N, of the drive; 0: none */
     double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
     int hold;               /* holds the cable on the machine's line */
+    int grips_rope;         /* the belts close on the rope too, not on cable alone */
 } ConveyorDef;
 
 /* A roller or machine that stops in mid-run. Times in s, places of the cable's front in m along the route: one of each
@@ -179,6 +182,8 @@ typedef struct SceneDef {
     ConveyorDef *conveyors;
     int n_jams;
     JamDef *jams;
+    LaunchDef launch;
+    MediumDef medium;
     RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */
 
     int n_stations;
@@ -206,5 +211,13 @@ double surface_theory_friction(const SurfaceDef *surface);
 const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
+
+/* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0: docs/model.md,
+ * "Certificates". */
+void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES]);
+/* How many times finer one level is: of time in accuracy. */
+double refinement_ratio(hawser_source source);
+/* Whether the source says anything of this scene: friction only where some surface's fades at low speed. */
+int scene_def_has_source(const SceneDef *def, hawser_source source);
 
 #endif

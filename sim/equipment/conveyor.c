@@ -1,6 +1,7 @@
 #include "sim/equipment/conveyor.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,6 +11,9 @@
 
 /* How far from a machine's line a cable can be and still count as passing through it, m. */
 static const double ASIDE_MAX = 1;
+
+/* Of the belts' give over v_s (WI21), s: their lean at the full grip is v_s times this. */
+static const double GIVE = 0.02;
 
 /* A straight machine between two points of the route. It gives way by 1 mm under the cable's weight, half critically
  * damped, as the lead-in does (F1). */
@@ -37,6 +41,24 @@ static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g
 double conveyor_belt(const Conveyor *c, const Winch *w, double t)
 {
     return c->sync ? c->factor * winch_speed(w, t) : profile_value(&c->speed, t);
+}
+
+/* Whatever drives it, it stops where it jams (JA3). */
+static double belt_speed(const Conveyor *c, const Winch *w, const Seizure *seized, double t)
+{
+    const double belt = conveyor_belt(c, w, t);
+    return seized ? belt * (1 - profile_value(&seized->share, t)) : belt;
+}
+
+Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, double since, double t)
+{
+    Belt belt = {.speed = belt_speed(c, w, seized, t), .elapsed = t > since ? t - since : 0};
+    belt.mean = belt.speed;
+    if (belt.elapsed > 0) {
+        const double first = belt_speed(c, w, seized, since), middle = belt_speed(c, w, seized, (since + t) / 2);
+        belt.mean = (first + 4 * middle + belt.speed) / 6;
+    }
+    return belt;
 }
 
 /* (WI13) integrated from a machine's end to x <= length/2: a ramp by STEP, then level. *slope gets the integrand. */
@@ -81,7 +103,7 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
     const int n = chain->n;
     double nearest = INFINITY;
     int last = -1;
-    *range = (ConveyorRange){0};
+    range->first = range->watched = 0;
     for (int i = 0; i < n; ++i) {
         const double distance = distance_of(c, state_vector(y, n, STATE_P, i), chain->half[i]);
         if (distance < nearest) {
@@ -106,35 +128,64 @@ int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double 
 
 /* ----------------------------------------------------------------------------------------------------------- forces */
 
+/* How far segment i at x is ahead of its place on the belt, m (WI21). */
+static double lean_at(const ConveyorRange *range, const Belt *belt, int i, double x)
+{
+    return range->lean[i] + (belt->elapsed > 0 ? x - range->x[i] - belt->elapsed * belt->mean : 0);
+}
+
+/* What slips takes its place along. */
+void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, const double *y, double t,
+                   ConveyorRange *range)
+{
+    const double most = c->law.v_s * GIVE;
+    for (int i = 0; i < chain->n; ++i) {
+        const double x = v3_dot(v3_sub(state_vector(y, chain->n, STATE_P, i), c->origin), c->direction);
+        const double slip = v3_dot(state_vector(y, chain->n, STATE_V, i), c->direction) - belt->speed;
+        const int inside = x + chain->half[i] > 0 && x - chain->half[i] < c->length;
+        const double lean = inside ? lean_at(range, belt, i, x) : 0;
+        const int holds = fabs(slip + lean / GIVE) < c->law.v_s;
+        range->lean[i] = holds ? lean : fmin(fmax(lean, -most), most);
+        range->x[i] = x;
+    }
+    range->since = t;
+}
+
 /* One segment in a machine. */
 typedef struct Held {
-    double share, d_share; /* of the grip (WI14), 1; d/dx, 1/m */
-    double cover, d_cover; /* share of its length that is held, d/dx */
-    double slip;           /* m/s */
-    Vec3 off, v_off;       /* m, m/s: across the machine's line */
+    double grips;           /* 1, or 0 where belts are open */
+    double share, d_share;  /* of the grip (WI14), 1; d/dx, 1/m */
+    double cover, d_cover;  /* share of its length that is held, d/dx */
+    double slip;            /* m/s */
+    double pull, pull_by_x; /* m/s: slip and lean together (WI21); d/dx, 1/s */
+    Vec3 off, v_off;        /* m, m/s: across the machine's line */
 } Held;
 
 /* 0 if the segment is outside. */
-static int held_at(const Conveyor *c, double belt, const Chain *chain, const Kinematics *kin, int i, Held *out)
+static int held_at(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
+                   const Kinematics *kin, int i, Held *out)
 {
     const double h = chain->half[i];
     const Vec3 off = v3_sub(v3_load(kin->p, i), c->origin);
     const Vec3 v = v3_load(kin->v, i);
     const double x = v3_dot(off, c->direction), along = v3_dot(v, c->direction);
     double ahead, behind;
+    out->grips = i < chain->n - range->open;
     if (x + h <= 0 || x - h >= c->length) return 0;
     out->share = conveyor_share(c, x + h, &ahead) - conveyor_share(c, x - h, &behind);
     out->d_share = ahead - behind;
     const double held = (c->length - c->edge) / (2 * h);
     out->cover = out->share * held;
     out->d_cover = out->d_share * held;
-    out->slip = along - belt;
+    out->slip = along - belt->speed;
+    out->pull = out->slip + (range->x ? lean_at(range, belt, i, x) / GIVE : 0);
+    out->pull_by_x = range->x && belt->elapsed > 0 ? 1 / GIVE : 0;
     out->off = v3_axpy(off, -x, c->direction);
     out->v_off = v3_axpy(v, -along, c->direction);
     return 1;
 }
 
-/* The grip's force on all of its share over the slip, against it, and its slope (WI15). */
+/* The grip's force on all of its share over the slip (or what pulls at it), against it, and its slope (WI15). */
 static double grip_force(const Conveyor *c, double slip, double *slope)
 {
     double curve;
@@ -149,18 +200,18 @@ static Vec3 hold_force(const Conveyor *c, const Held *held)
     return v3_axpy(v3_scale(-c->hold, held->off), -c->hold_damping, held->v_off);
 }
 
-ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
                            const Kinematics *kin, double friction, Loads *loads)
 {
-    ConveyorNow now = {.belt = belt};
+    ConveyorNow now = {.belt = belt->speed};
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
         double slope;
-        if (!held_at(c, now.belt, chain, kin, i, &held)) continue;
-        const double push = friction * held.share * grip_force(c, held.slip, &slope);
+        if (!held_at(c, range, belt, chain, kin, i, &held)) continue;
+        const double closed = held.grips * held.share, push = friction * closed * grip_force(c, held.pull, &slope);
         now.force += push;
-        now.slip += held.share * held.slip;
-        now.cover += held.share;
+        now.slip += closed * held.slip;
+        now.cover += closed;
         const Vec3 hold = v3_scale(held.cover * chain->mass[i], hold_force(c, &held));
         const Vec3 force = v3_axpy(hold, push, c->direction), v = v3_load(kin->v, i);
         now.push = push_sum(now.push, (Push){v3_dot(force, v), force});
@@ -175,9 +226,11 @@ ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, double
 static void held_blocks(const Conveyor *c, const Held *held, double mass, double friction, double *k, double *d)
 {
     double slope;
-    const double push = friction * held->d_share * grip_force(c, held->slip, &slope);
+    friction *= held->grips;
+    const double push = friction * held->d_share * grip_force(c, held->pull, &slope);
     const double drag = friction * held->share * slope, m = held->cover * mass;
-    const Vec3 by_x = v3_axpy(v3_scale(held->d_cover * mass, hold_force(c, held)), push, c->direction);
+    const Vec3 by_x =
+        v3_axpy(v3_scale(held->d_cover * mass, hold_force(c, held)), push + drag * held->pull_by_x, c->direction);
     for (int column = 0; column < 3; ++column) {
         const Vec3 e = v3_axis(column);
         const double x = v3_dot(e, c->direction);
@@ -187,23 +240,31 @@ static void held_blocks(const Conveyor *c, const Held *held, double mass, double
     }
 }
 
-void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
                      const Kinematics *kin, double friction, BlockChain *k, BlockChain *d)
 {
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
-        if (!held_at(c, belt, chain, kin, i, &held)) continue;
+        if (!held_at(c, range, belt, chain, kin, i, &held)) continue;
         held_blocks(c, &held, chain->mass[i], friction, k->diag + 36 * (size_t)i, d->diag + 36 * (size_t)i);
     }
 }
 
 /* ------------------------------------------------------------------------------------------------------- the room */
 
+/* What has a machine in its belts, as of the last accepted step. */
+typedef struct Filled {
+    double cover; /* share of the grip that has cable */
+    int grips;    /* -1: not known yet */
+    char says[2][NAME_MAX_LENGTH + 32];
+} Filled;
+
 /* The conveyors of a scene. */
 typedef struct Conveyors {
     int n;
     Conveyor *item;         /* [n], in the case's order */
     const Seizure **seized; /* [n] what stops it; NULL: nothing does */
+    Filled *filled;         /* [n] */
 } Conveyors;
 
 static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err)
@@ -214,9 +275,15 @@ static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err
     all->n = room->present = def->n_conveyors;
     all->item = calloc((size_t)def->n_conveyors + 1, sizeof *all->item);
     all->seized = calloc((size_t)def->n_conveyors + 1, sizeof *all->seized);
-    if (!all->item || !all->seized) return error_memory(err);
-    for (int i = 0; i < def->n_conveyors; ++i)
+    all->filled = calloc((size_t)def->n_conveyors + 1, sizeof *all->filled);
+    if (!all->item || !all->seized || !all->filled) return error_memory(err);
+    for (int i = 0; i < def->n_conveyors; ++i) {
         all->item[i] = conveyor_of(&def->conveyors[i], &scene->route, v3_norm(def->gravity));
+        all->filled[i].grips = -1;
+        snprintf(all->filled[i].says[0], sizeof all->filled[i].says[0], "conveyor %s lets go", def->conveyors[i].name);
+        snprintf(all->filled[i].says[1], sizeof all->filled[i].says[1], "conveyor %s grips", def->conveyors[i].name);
+        if (all->item[i].grip > 0) scene->grip_speed = fmin(scene->grip_speed, all->item[i].law.v_s);
+    }
     return HAWSER_OK;
 }
 
@@ -226,6 +293,7 @@ static void conveyors_clear(Room *room)
     if (!all) return;
     free(all->item);
     free(all->seized);
+    free(all->filled);
 }
 
 static const char *conveyors_seize(Room *room, const Scene *scene, const char *name, const Seizure *by)
@@ -240,18 +308,40 @@ static const char *conveyors_seize(Room *room, const Scene *scene, const char *n
     return NULL;
 }
 
+/* Ranges [n], and behind them, in the same piece of memory, what they keep of all segments. */
 static int conveyors_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
-    (void)scene;
-    const Conveyors *const all = room->self;
-    return (ws->room[room->number] = calloc((size_t)all->n + 1, sizeof(ConveyorRange))) != NULL;
+    const size_t n = (size_t)((const Conveyors *)room->self)->n, segments = (size_t)scene->chain.n;
+    ConveyorRange *const range = calloc(1, (n + 1) * sizeof *range + 2 * n * segments * sizeof(double));
+    if (!range) return 0;
+    double *kept = (double *)(range + n + 1);
+    for (size_t i = 0; i < n; ++i, kept += 2 * segments) {
+        range[i].n = scene->chain.n;
+        range[i].x = kept;
+        range[i].lean = kept + segments;
+    }
+    ws->room[room->number] = range;
+    return 1;
 }
 
-/* Speed of conveyor i's belt now, m/s: it stops where it jams, whatever drives it (JA3). */
-static double belt_of(const Conveyors *all, const Moment *m, int i)
+/* What is kept goes over with its segments. */
+static void conveyors_carry(const Room *room, Workspace *from, Workspace *to, int joined)
 {
-    const double belt = conveyor_belt(&all->item[i], m->scene->winch, m->t);
-    return all->seized[i] ? belt * (1 - profile_value(&all->seized[i]->share, m->t)) : belt;
+    const Conveyors *const all = room->self;
+    const ConveyorRange *const old = from->room[room->number];
+    ConveyorRange *const now = to->room[room->number];
+    for (int i = 0; i < all->n; ++i) {
+        now[i].since = old[i].since;
+        for (int k = joined; k < now[i].n && k - joined < old[i].n; ++k) now[i].lean[k] = old[i].lean[k - joined];
+    }
+}
+
+/* How conveyor i's belt runs. */
+static Belt belt_of(const Room *room, const Moment *m, int i)
+{
+    const Conveyors *const all = room->self;
+    const ConveyorRange *const range = m->ws->room[room->number];
+    return conveyor_runs(&all->item[i], m->scene->winch, all->seized[i], range[i].since, m->t);
 }
 
 /* Few segments, and their loads come in the order of the machines: no work for two. */
@@ -260,8 +350,8 @@ static void conveyors_loads(const Room *room, const Moment *m, int part)
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; part == 0 && i < all->n; ++i) {
-        conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction,
-                       &m->ws->loads[0]);
+        const Belt belt = belt_of(room, m, i);
+        conveyor_loads(&all->item[i], &range[i], &belt, &m->scene->chain, &m->ws->kin, m->friction, &m->ws->loads[0]);
     }
 }
 
@@ -270,20 +360,65 @@ static void conveyors_blocks(const Room *room, const Moment *m, BlockChain *k, B
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
     for (int i = 0; i < all->n; ++i) {
-        conveyor_blocks(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, m->friction, k, d);
+        const Belt belt = belt_of(room, m, i);
+        conveyor_blocks(&all->item[i], &range[i], &belt, &m->scene->chain, &m->ws->kin, m->friction, k, d);
     }
 }
 
-/* Finds again what is in those past which the cable has moved on. */
+/* Share of machine i's grip that has cable in it, by where segments are along its line. */
+static double cover_of(const Conveyor *c, const Chain *chain, const ConveyorRange *range)
+{
+    double cover = 0, slope;
+    for (int k = range->first; k < range->first + range->count && k < chain->n - range->open; ++k) {
+        const double x = range->x[k], h = chain->half[k];
+        cover += conveyor_share(c, fmin(x + h, c->length), &slope) - conveyor_share(c, fmax(x - h, 0), &slope);
+    }
+    return cover;
+}
+
+/* Rope at the chain's head, which belts that grip cable alone let pass. */
+static int open_for(const Conveyor *c, const Scene *scene)
+{
+    const int rope = scene->first + scene->chain.n - scene->eye;
+    return c->def->grips_rope || rope < 0 ? 0 : rope < scene->chain.n ? rope : scene->chain.n;
+}
+
+/* Keeps where the cable is, and finds again what is in those past which it has moved on. */
 static void conveyors_follow(const Room *room, const Moment *m, const double *y, int always)
 {
     const Conveyors *const all = room->self;
     ConveyorRange *const range = m->ws->room[room->number];
     const Chain *const chain = &m->scene->chain;
     for (int i = 0; i < all->n; ++i) {
-        if (!always && !conveyor_stale(&range[i], chain, y)) continue;
-        conveyor_find(&all->item[i], chain, y, m->scene->contact.reach, &range[i]);
+        Belt belt = belt_of(room, m, i);
+        if (always) belt.elapsed = 0;
+        conveyor_keep(&all->item[i], &belt, chain, y, m->t, &range[i]);
+        range[i].open = open_for(&all->item[i], m->scene);
+        if (always || conveyor_stale(&range[i], chain, y))
+            conveyor_find(&all->item[i], chain, y, m->scene->contact.reach, &range[i]);
+        all->filled[i].cover = cover_of(&all->item[i], chain, &range[i]);
     }
+}
+
+static int conveyors_watch(const Room *room)
+{
+    (void)room;
+    return WATCH_PULL;
+}
+
+/* Closed when half of the belts have cable, with some play. */
+static const char *conveyors_happen(Room *room, const Occasion *now)
+{
+    (void)now;
+    const Conveyors *const all = room->self;
+    for (int i = 0; i < all->n; ++i) {
+        Filled *const f = &all->filled[i];
+        const int first = f->grips<0, grips = f->cover>(f->grips > 0 ? 0.45 : 0.55);
+        const int changed = !first && grips != f->grips;
+        f->grips = grips;
+        if (changed) return f->says[grips];
+    }
+    return NULL;
 }
 
 static double conveyors_next_stop(const Room *room, const Scene *scene, double t)
@@ -302,7 +437,8 @@ static ConveyorNow now_of(const Room *room, const Moment *m, int i)
 {
     const Conveyors *const all = room->self;
     const ConveyorRange *const range = m->ws->room[room->number];
-    return conveyor_loads(&all->item[i], &range[i], belt_of(all, m, i), &m->scene->chain, &m->ws->kin, 1, NULL);
+    const Belt belt = belt_of(room, m, i);
+    return conveyor_loads(&all->item[i], &range[i], &belt, &m->scene->chain, &m->ws->kin, 1, NULL);
 }
 
 static void conveyors_work(const Room *room, const Moment *m, BalanceRates *out)
@@ -375,7 +511,10 @@ static double conveyors_push(const Room *room, const Scene *scene, int item, dou
 {
     const Conveyor *const c = &((const Conveyors *)room->self)->item[item];
     const Winch *const w = scene->winch;
-    const double end = scene->def.duration, speed = w->mode == WINCH_SPEED ? winch_speed(w, end) : scene->largest_speed;
+    const double end = scene->def.duration;
+    const double front = scene->def.head_at + (w->mode == WINCH_SPEED ? winch_travel(w, end) : 0);
+    if (w->mode == WINCH_SPEED && !c->def->grips_rope && front < (c->def->from + c->def->to) / 2) return 0;
+    const double speed = w->mode == WINCH_SPEED ? winch_speed(w, end) : scene->largest_speed;
     const double slip = w->present ? speed - conveyor_belt(c, w, end) : 0;
     if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;
     return fmin(fmax(arriving, 0), c->grip);
@@ -386,9 +525,12 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .seize = conveyors_seize,
                                 .clear = conveyors_clear,
                                 .work_alloc = conveyors_work_alloc,
+                                .carry = conveyors_carry,
                                 .loads = conveyors_loads,
                                 .blocks = conveyors_blocks,
                                 .follow = conveyors_follow,
+                                .watches = conveyors_watch,
+                                .happen = conveyors_happen,
                                 .next_stop = conveyors_next_stop,
                                 .work = conveyors_work,
                                 .machines = &CONVEYORS,

@@ -25,7 +25,20 @@ typedef struct ConveyorRange {
     int watched;
     Vec3 at;     /* m, where the watched one was */
     double free; /* m, how far it may move before the range must be found again */
+    int open;    /* segments at the head that pass between open belts: rope */
+    /* Of all segments of the chain when the last step was accepted (WI21). */
+    double since; /* s */
+    int n;
+    double *x;    /* [n] m, along the machine's line; NULL: what is held does not lean */
+    double *lean; /* [n] m, by which they were ahead of their places on the belt */
 } ConveyorRange;
+
+/* How a belt runs. */
+typedef struct Belt {
+    double speed;   /* m/s, now */
+    double mean;    /* m/s, since the last accepted step */
+    double elapsed; /* s since then */
+} Belt;
 
 /* What a conveyor does at one moment. */
 typedef struct ConveyorNow {
@@ -37,8 +50,11 @@ typedef struct ConveyorNow {
     double lost;  /* W, in the slip */
 } ConveyorNow;
 
-/* Speed of the belt (m/s). */
+/* Speed of the belt at time t, m/s. */
 double conveyor_belt(const Conveyor *c, const Winch *w, double t);
+/* The belt at t with the last step accepted at `since`; `seized` (NULL: nothing) stops it. The mean is exact as long as
+ * the speed is a cubic, as STEP is. */
+Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, double since, double t);
 /* Share of the grip between a machine's entry and x (m along its line), (WI14): 0 before it, 1 behind it; *slope gets
  * d/dx. */
 double conveyor_share(const Conveyor *c, double x, double *slope);
@@ -48,12 +64,16 @@ void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, doubl
 /* Whether they may have moved too far since. */
 int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double *y);
 
-/* Adds the forces on the segments of the range for a belt at `belt` (m/s), the grip times `friction` (WI15)-(WI17);
+/* A step to y at time t was accepted: keeps where segments are and how far they lean (WI22). */
+void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, const double *y, double t,
+                   ConveyorRange *range);
+
+/* Adds the forces on the segments of the range, the grip times `friction` (WI15)-(WI17);
  * returns what there is to say. loads may be NULL. */
-ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
                            const Kinematics *kin, double friction, Loads *loads);
 /* Adds their derivatives to the diagonal blocks of k and d (WI18), (WI19). */
-void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, double belt, const Chain *chain,
+void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,
                      const Kinematics *kin, double friction, BlockChain *k, BlockChain *d);
 
 #endif

@@ -203,3 +203,52 @@ double bearing_torque(const Bearing *bearing, double load, double om, double *d_
     *d_load = -bearing->friction * bearing->journal * f;
     return -most * f;
 }
+
+/* (BA11) of a spin, whose angle is no part of the state: the way is the mean speed times the step. past: [2] speed and
+ * its rate. */
+static MethodLoss spin_loss(double inertia, double speed, double rate, double scale, double past[2])
+{
+    const double gain = inertia * (speed * speed - past[0] * past[0]) / 2;
+    const double work = inertia * (rate + past[1]) * (speed + past[0]) / (4 * scale);
+    past[0] = speed;
+    past[1] = rate;
+    return (MethodLoss){work - gain, inertia * speed * speed / 2};
+}
+
+/* The same of a mount, round in all directions. past: [BODY_PAST] p q v w, their rates' last six. */
+static MethodLoss mount_loss(const Equipment *q, const MovingRoller *item, const double *e, const double *rates,
+                             double scale, double *past)
+{
+    double now[BODY_PAST], work = 0, gain = 0, moving = 0;
+    for (int c = 0; c < STATE_SIZE; ++c) now[c] = e[equipment_at(q, c, item->mount)];
+    for (int c = 0; c < 6; ++c) now[STATE_SIZE + c] = scale * rates[equipment_at(q, STATE_V + c, item->mount)];
+    const Quat here = {now[3], now[4], now[5], now[6]}, before = {past[3], past[4], past[5], past[6]};
+    const Quat turn = quat_mul(here, quat_conj(before));
+    const double way[6] = {now[0] - past[0], now[1] - past[1], now[2] - past[2], 2 * turn.x, 2 * turn.y, 2 * turn.z};
+    for (int c = 0; c < 6; ++c) {
+        const double m = c < 3 ? item->mass : item->turning, v = now[STATE_V + c], v0 = past[STATE_V + c];
+        work += m * (now[STATE_SIZE + c] + past[STATE_SIZE + c]) * way[c] / 2;
+        gain += m * (v + v0) * (v - v0) / 2;
+        moving += m * v * v / 2;
+    }
+    memcpy(past, now, sizeof now);
+    return (MethodLoss){work - gain, moving};
+}
+
+MethodLoss equipment_method_loss(const Equipment *q, const double *e, const double *rates, double scale, double *past)
+{
+    MethodLoss sum = {0, 0};
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        MethodLoss of[2] = {{0, 0}, {0, 0}};
+        if (item->spin >= 0) {
+            const int s = item->spin;
+            of[0] = spin_loss(item->inertia, e[s], scale * rates[s], scale, past + 2 * s);
+        }
+        if (item->mount >= 0)
+            of[1] = mount_loss(q, item, e, rates, scale, past + 2 * q->spins + BODY_PAST * item->mount);
+        sum.lost += of[0].lost + of[1].lost;
+        sum.moving += of[0].moving + of[1].moving;
+    }
+    return sum;
+}

@@ -8,6 +8,7 @@
 #define HAWSER_SIM_EQUIPMENT_MOVING_ROLLERS_H
 
 #include "contact/roller/contact.h"
+#include "core/body.h"
 #include "core/state.h"
 #include "sim/def/scene_def.h"
 
@@ -55,6 +56,9 @@ typedef struct EquipmentTolerances {
     double position, rotation, velocity, omega;
 } EquipmentTolerances;
 void equipment_weights(const Equipment *q, const ContactRoller *roller, const EquipmentTolerances *t, double *weight);
+/* What a step that ends in e took out of rollers that move (BA11), and what moves there. rates: of e, times 1 / scale;
+ * past [2 spins + 19 mounts]: of the step before, this one's afterwards. */
+MethodLoss equipment_method_loss(const Equipment *q, const double *e, const double *rates, double scale, double *past);
 /* For the relaxation, in which spins stand still. Largest unbalanced force on a mount by its rates, N; moments count
  * over the roller's radius. */
 double equipment_residual(const Equipment *q, const ContactRoller *roller, const double *rate);

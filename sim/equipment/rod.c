@@ -11,6 +11,9 @@
 #include "sim/equipment/rooms.h"
 #include "sim/joints.h"
 
+/* How far an end may be led in a step, rad (RD19). */
+static const double LED_AT_ONCE = 1;
+
 /* ------------------------------------------------------------------------------------------ shape at t = 0 */
 
 /* The frame that is carried along, turned about its own axis by the roll of place s (RD2). */
@@ -69,7 +72,7 @@ int rod_segment_at(const Chain *chain, double at, double *arm)
 }
 
 /* A mass between two centres is shared by the lever rule, which keeps its place; beyond the outer ones it sits on
- * the nearest (RD4). */
+ * the nearest, which is made short for it (RD4). */
 static void mass_add(Chain *chain, const RodMassDef *mass)
 {
     double arm;
@@ -116,17 +119,28 @@ static void rod_clear(Room *room)
     free(rod->load);
 }
 
-/* An end: the half-spring of its segment in the components that are held; a pivot's three are the axial one. */
+/* Whether an end is held in some directions, may move in the others, and may turn as it likes: it slides along axes of
+ * the ground (RD21). */
+static int slides(const RodEndDef *end)
+{
+    const int places = end->held[AXIAL] + end->held[SHEAR_Y] + end->held[SHEAR_Z];
+    return places > 0 && places < 3 && !end->held[TORSION] && !end->held[BENDING_Y] && !end->held[BENDING_Z];
+}
+
+/* An end: the half-spring of its segment in the components that are held. The three of a pivot, and of what slides
+ * along the ground's axes, are the axial one. */
 static void end_join(Scene *scene, int j, int segment, const RodEndDef *end)
 {
     Bushing held = joints_clamp(scene, segment);
-    for (int c = SHEAR_Y; end->pivot && c <= SHEAR_Z; ++c) {
+    const int alike = end->pivot || slides(end);
+    if (slides(end)) held.preload[AXIAL] = 0; /* it may have no direction that is held */
+    for (int c = SHEAR_Y; alike && c <= SHEAR_Z; ++c) {
         held.stiffness[c] = held.stiffness[AXIAL];
         held.damping[c] = held.damping[AXIAL];
         held.preload[c] = 0;
     }
     for (int c = 0; c < COMPONENTS; ++c) {
-        if (end->held[c]) joint_set(&scene->chain, j, &held, c, c + 1);
+        if (end->held[c] || (alike && c <= SHEAR_Z)) joint_set(&scene->chain, j, &held, c, c + 1);
     }
 }
 
@@ -161,12 +175,13 @@ typedef struct Lead {
     Vec3 move, turn, velocity, turn_rate; /* m, rad, m/s, rad/s */
 } Lead;
 
-static Lead lead_at(const RodEndDef *def, double t)
+static Lead lead_at(const RodEndDef *def, double share, double t, int still)
 {
     Lead lead = {.move = {0, 0, 0}};
     for (int i = 0; i < def->n_motions; ++i) {
         const RodMotionDef *const m = &def->motions[i];
-        const double value = profile_value(&m->by.size, t), rate = profile_rate(&m->by.size, t);
+        const double value = share * (m->rates ? profile_integral : profile_value)(&m->by.size, t);
+        const double rate = still ? 0 : (m->rates ? profile_value : profile_rate)(&m->by.size, t);
         Vec3 *const sum = m->turns ? &lead.turn : &lead.move, *const rates =
                                                                   m->turns ? &lead.turn_rate : &lead.velocity;
         *sum = v3_axpy(*sum, value, m->by.direction);
@@ -184,10 +199,48 @@ static Vec3 spin_of(Vec3 r, Vec3 rate)
     return v3_axpy(v3_axpy(v3_scale(s, rate), c, v3_cross(r, rate)), d * v3_dot(r, rate), r);
 }
 
-/* One ground body into index i of kin. */
-static void ghost_set(const RodEnd *end, double t, int i, Kinematics *kin)
+/* The axes of ground body i along which its end slides, into axis[3]; returns how many there are. */
+static int free_axes(const RodEndDef *def, const Kinematics *kin, int i, Vec3 *axis)
 {
-    const Lead lead = lead_at(end->def, t);
+    int n = 0;
+    for (int c = AXIAL; slides(def) && c <= SHEAR_Z; ++c) {
+        const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+        if (!def->held[c]) axis[n++] = quat_rotate(q, v3_axis(c));
+    }
+    return n;
+}
+
+/* From a segment's centre to its end that lies at ground body i. */
+static Vec3 end_arm(const Scene *scene, const Kinematics *kin, int i, int segment)
+{
+    const double half = scene->chain.half[segment];
+    return v3_scale(i < 0 ? -half : half, v3_load(kin->a, segment));
+}
+
+/* A ground body that lets its end slide goes along with it: the spring between them then pulls in the other directions
+ * alone, whatever way the end has turned (RD21). */
+static void ghost_follow(const Scene *scene, const RodEndDef *def, int i, int segment, Kinematics *kin)
+{
+    Vec3 axis[3];
+    const int n = free_axes(def, kin, i, axis);
+    if (n == 0) return;
+    const Vec3 arm = end_arm(scene, kin, i, segment), place = v3_load(kin->p, i), velocity = v3_load(kin->v, i);
+    const Vec3 away = v3_sub(v3_add(v3_load(kin->p, segment), arm), place);
+    const Vec3 speed = v3_sub(v3_add(v3_load(kin->v, segment), v3_cross(v3_load(kin->w, segment), arm)), velocity);
+    Vec3 moved = place, moves = velocity;
+    for (int k = 0; k < n; ++k) {
+        moved = v3_axpy(moved, v3_dot(away, axis[k]), axis[k]);
+        moves = v3_axpy(moves, v3_dot(speed, axis[k]), axis[k]);
+    }
+    v3_store(kin->p, i, moved);
+    v3_store(kin->v, i, moves);
+}
+
+/* One ground body into index i of kin. */
+static void ghost_set(const Rod *rod, int which, double t, int i, Kinematics *kin)
+{
+    const RodEnd *const end = &rod->end[which];
+    const Lead lead = lead_at(end->def, 1 - rod->lag, t, rod->still);
     const Quat q = quat_unit(quat_mul(quat_exp(lead.turn), end->attitude));
     const double turn[4] = {q.w, q.x, q.y, q.z};
     v3_store(kin->p, i, v3_add(end->place, lead.move));
@@ -201,18 +254,15 @@ static void ghost_set(const RodEnd *end, double t, int i, Kinematics *kin)
 static void rod_ghosts(const Room *room, const Scene *scene, double t, Kinematics *kin)
 {
     const Rod *const rod = room->self;
-    ghost_set(&rod->end[ROD_TAIL], t, -1, kin);
-    ghost_set(&rod->end[ROD_HEAD], t, scene->chain.n, kin);
+    ghost_set(rod, ROD_TAIL, t, -1, kin);
+    ghost_set(rod, ROD_HEAD, t, scene->chain.n, kin);
+    ghost_follow(scene, rod->end[ROD_TAIL].def, -1, 0, kin);
+    ghost_follow(scene, rod->end[ROD_HEAD].def, scene->chain.n, scene->chain.n - 1, kin);
 }
 
 /* --------------------------------------------------------------------------------------------------- loads */
 
-/* Force and moment about the segment's centre at time t (RD5). */
-typedef struct Wrench {
-    Vec3 arm, force, moment; /* m, N, N m, world */
-} Wrench;
-
-static Wrench wrench_of(const RodLoad *load, const Kinematics *kin, double t)
+RodWrench rod_wrench(const RodLoad *load, const Kinematics *kin, double t)
 {
     const int i = load->segment;
     const double size = profile_value(&load->def->by.size, t);
@@ -220,7 +270,7 @@ static Wrench wrench_of(const RodLoad *load, const Kinematics *kin, double t)
     if (load->def->follower) {
         along = quat_rotate((Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]}, along);
     }
-    Wrench w = {.arm = v3_scale(load->arm, v3_load(kin->a, i))};
+    RodWrench w = {.arm = v3_scale(load->arm, v3_load(kin->a, i))};
     if (load->def->moment) {
         w.moment = v3_scale(size, along);
     } else {
@@ -234,19 +284,41 @@ static void rod_loads(const Room *room, const Moment *m, int part)
 {
     const Rod *const rod = room->self;
     for (int l = 0; part == 0 && l < rod->n_loads; ++l) {
-        const Wrench w = wrench_of(&rod->load[l], &m->ws->kin, m->t);
+        const RodWrench w = rod_wrench(&rod->load[l], &m->ws->kin, m->t);
         loads_add(&m->ws->loads[0], rod->load[l].segment, w.force, w.moment);
+    }
+}
+
+/* What the ground body's way takes back of the blocks that the spring would have if it stood still (RD22). */
+static void slide_blocks(const Scene *scene, const RodEndDef *def, const Kinematics *kin, int i, int segment,
+                         BlockChain *k, BlockChain *d)
+{
+    Vec3 axis[3];
+    const Chain *const chain = &scene->chain;
+    const int n = free_axes(def, kin, i, axis), joint = i < 0 ? 0 : i;
+    const Vec3 arm = end_arm(scene, kin, i, segment);
+    const size_t at = 36 * (size_t)segment;
+    for (int c = 0; n > 0 && c < 6; ++c) {
+        const Vec3 e = v3_axis(c % 3), way = c < 3 ? e : v3_cross(e, arm);
+        Vec3 free_way = V3_ZERO;
+        for (int f = 0; f < n; ++f) free_way = v3_axpy(free_way, v3_dot(way, axis[f]), axis[f]);
+        const Vec3 spring = v3_scale(chain->stiffness[AXIAL][joint], free_way);
+        const Vec3 damper = v3_scale(chain->damping[AXIAL][joint], free_way);
+        block6_add(k->diag + at, c, spring, v3_cross(arm, spring));
+        block6_add(d->diag + at, c, damper, v3_cross(arm, damper));
     }
 }
 
 /* Only rotations matter: a dead force keeps its direction while its arm turns, a follower turns as a whole (RD6). */
 static void rod_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
-    (void)d;
     const Rod *const rod = room->self;
+    const Kinematics *const kin = &m->ws->kin;
+    slide_blocks(m->scene, rod->end[ROD_TAIL].def, kin, -1, 0, k, d);
+    slide_blocks(m->scene, rod->end[ROD_HEAD].def, kin, m->scene->chain.n, m->scene->chain.n - 1, k, d);
     for (int l = 0; l < rod->n_loads; ++l) {
         const RodLoad *const load = &rod->load[l];
-        const Wrench w = wrench_of(load, &m->ws->kin, m->t);
+        const RodWrench w = rod_wrench(load, kin, m->t);
         for (int c = 0; c < 3; ++c) {
             const Vec3 e = v3_axis(c), turned = v3_cross(v3_cross(e, w.arm), w.force);
             const int follows = load->def->follower;
@@ -267,7 +339,7 @@ static void rod_work(const Room *room, const Moment *m, BalanceRates *out)
     Push sum = {0};
     for (int l = 0; l < rod->n_loads; ++l) {
         const int i = rod->load[l].segment;
-        const Wrench w = wrench_of(&rod->load[l], kin, m->t);
+        const RodWrench w = rod_wrench(&rod->load[l], kin, m->t);
         const double power = v3_dot(w.force, v3_load(kin->v, i)) + v3_dot(w.moment, v3_load(kin->w, i));
         sum = push_sum(sum, (Push){power, w.force});
     }
@@ -296,6 +368,50 @@ int rod_ends_held(const Rod *rod)
     return ends;
 }
 
+int rod_circulates(const Rod *rod, double t)
+{
+    int any = 0;
+    for (int l = 0; l < rod->n_loads; ++l) {
+        const RodLoadDef *const def = rod->load[l].def;
+        any |= (def->follower || def->moment) && fabs(profile_value(&def->by.size, t)) > 0;
+    }
+    return any;
+}
+
+/* By how much the ends are led from where they are at `from` (s; NAN: from where they were built), rad. */
+static double led_from(const Rod *rod, double from, double t)
+{
+    double largest = 0;
+    for (int e = 0; rod->present && e < 2; ++e) {
+        const Vec3 was = isnan(from) ? V3_ZERO : lead_at(rod->end[e].def, 1, from, 1).turn;
+        largest = fmax(largest, v3_norm(v3_sub(lead_at(rod->end[e].def, 1, t, 1).turn, was)));
+    }
+    return largest;
+}
+
+int rod_led_parts(const Rod *rod, double t) { return (int)ceil(led_from(rod, NAN, t) / LED_AT_ONCE); }
+
+double rod_led_until(const Rod *rod, double t, double next)
+{
+    if (!isfinite(next) || led_from(rod, t, next) <= LED_AT_ONCE) return next;
+    double low = t, high = next; /* not too far, too far */
+    for (int k = 0; k < 40; ++k) {
+        const double middle = low + (high - low) / 2;
+        if (led_from(rod, t, middle) <= LED_AT_ONCE) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+int rod_is_loose(const Scene *scene)
+{
+    const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0;
+    return scene->rod->present && !touches && rod_ends_held(scene->rod) == 0;
+}
+
 static double rod_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;
@@ -306,7 +422,7 @@ static double rod_next_stop(const Room *room, const Scene *scene, double t)
         const RodEndDef *const end = rod->end[e].def;
         for (int i = 0; i < end->n_motions; ++i) next = profile_corner_before(&end->motions[i].by.size, t, next);
     }
-    return next;
+    return rod_led_until(rod, t, next);
 }
 
 const RoomKind ROD_ROOM = {.name = "rod",

@@ -6,6 +6,8 @@
 
 /* The list of rooms: ROOM(kind) for each. Those that touch the cable come last: their time is told apart. */
 #define ROOMS(ROOM)                                                                                                    \
+    ROOM(LAUNCH_ROOM)                                                                                                  \
+    ROOM(MEDIUM_ROOM)                                                                                                  \
     ROOM(ENDS_ROOM)                                                                                                    \
     ROOM(WINCH_ROOM)                                                                                                   \
     ROOM(ROD_ROOM)                                                                                                     \

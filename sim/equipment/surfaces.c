@@ -7,6 +7,12 @@
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 
+/* (DU17): the length of cable that gives way as one contact with a roller does, at the depth where damping is whole. */
+static double tip_length(const ImpactLaw *point, const ImpactLaw *line)
+{
+    return point->k / line->k * pow(line->d, point->e - line->e);
+}
+
 static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -18,6 +24,7 @@ static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
     for (int i = 0; i < def->n_surfaces; ++i) patches += surface_patch_count(&def->surfaces[i].shape, route);
     SurfacePatch *next = s->patch = calloc((size_t)patches + 1, sizeof *s->patch);
     s->friction = calloc((size_t)def->n_surfaces, sizeof *s->friction);
+    s->points.tip = tip_length(&def->impact, &def->line_impact);
     room->self = s; /* the scene's own member, for the clearing */
     if (!s->patch || !s->friction || !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
         return error_memory(err);

@@ -190,6 +190,9 @@ static void limits_set(const Scene *scene, Calculator *c)
         f[LIMIT_BEND] = bend_finding(route);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
         f[LIMIT_ROPE].value = fmax(way->force, way->restart_force);
+        limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
+        for (int i = 0; i < c->n_ducts; ++i)
+            limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
         c->n_limits = limits_judge(&scene->def.limits, cable_of(scene)->diameter, c->cables, f, c->limit[k]);
     }
 }

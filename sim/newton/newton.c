@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lanes.h"
+#include "linsolve/inertia.h"
 #include "sim/newton/newton_extra.h"
 #include "sim/newton/newton_leaves.h"
 
@@ -75,6 +76,13 @@ void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const d
     }
 }
 
+void newton_swell(Newton *nw, double radius)
+{
+    for (int i = 0; i < nw->n; ++i) {
+        for (int c = 0; c < 9; ++c) nw->inertia[c][i] = c % 4 == 0 ? nw->mass[i] * radius * radius : 0;
+    }
+}
+
 /* A loop over segments and the half of it that one of two threads does. */
 typedef struct Split {
     Newton *nw;
@@ -129,6 +137,12 @@ void newton_form(Newton *nw, double gamma)
         if (nw->leaves) newton_leaves_form(nw);
     }
     if (nw->extra) newton_extra_form(nw);
+}
+
+int newton_negative(const Newton *nw)
+{
+    if (nw->full || nw->extra || nw->leaves || nw->matrix.extras || nw->matrix.border) return -1;
+    return block_chain_negative(&nw->a);
 }
 
 int newton_factor(Newton *nw)

@@ -15,11 +15,17 @@ void newton_free(Newton *nw);
 void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const double *y);
 /* The same for rollers that move, from what dynamics_blocks left in w with that friction. */
 void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction);
+/* Makes the inertia of every segment, at the point taken over, m radius^2 about any axis: where a mass matrix only has
+ * to be positive, the thin rod's own inertia about its axis makes too much of rounding (RD16). */
+void newton_swell(Newton *nw, double radius);
 /* Between steps: rollers that were found to touch more than a leaf may get another place in the matrix, and the matrix
  * a new solver, which has factored nothing yet. Errors: MEMORY. */
 hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err);
 /* Forms a for gamma (s) from k and d (N5). */
 void newton_form(Newton *nw, double gamma);
+/* How many directions a, as it is formed now, is negative in (its symmetric part); -1: a has more than the chain's
+ * blocks, so that it cannot be counted. */
+int newton_negative(const Newton *nw);
 /* Factors a: see linsolver_factor. */
 int newton_factor(Newton *nw);
 /* What is being solved with, and how it went. */

@@ -16,17 +16,13 @@ static const double DT_SMALLEST = 1e-4, JUMP = 4;
  * share of the loads, or after so many iterations. */
 static const double SOFTEST = 1e-3, SOFT_GROWTH = 10, SOFT_AIM = 1e-2;
 enum { SOFT_ITERATIONS = 60 };
-/* Newton's method on the way of the loads (RD8): the step that stands for infinity, the largest turn in one iteration.
- */
-static const double DT_STATIC = 1e5, TURN_STATIC = 0.5; /* s, rad */
-enum { STATIC_ITERATIONS = 60 };
-
-/* --------------------------------------------------------------------------------------- any chain */
 
 /* What is relaxed. */
 typedef struct Relaxing {
     const RelaxOps *ops;
     void *self;
+    const StopCheck *stop;
+    int soft; /* contacts are, for now */
     const SolverDef *def;
     int touches;          /* there are rollers or surfaces */
     int size;             /* of the state */
@@ -34,9 +30,22 @@ typedef struct Relaxing {
     double *start, *back; /* [size] state before; before the last move */
 } Relaxing;
 
-double relax_shorten(double scale, double move, double turn)
+RelaxStride relax_stride(const Scene *scene)
 {
-    return fmin(scale, fmin(MOVE_MAX / (move + 1e-300), TURN_MAX / (turn + 1e-300)));
+    const double half = scene_way(scene) / 2;
+    return (RelaxStride){fmin(MOVE_MAX, half), TURN_MAX, half};
+}
+
+double relax_shorten(const RelaxStride *most, double scale, double move, double turn, double half)
+{
+    const double alone = fmin(most->move / (move + 1e-300), most->turn / (turn + 1e-300));
+    return fmin(scale, fmin(alone, most->sweep / (half * turn + 1e-300)));
+}
+
+hawser_status relax_stopped(const StopCheck *stop, int soft, hawser_error *err)
+{
+    if ((soft && stop->firm) || !stop_wanted(stop)) return HAWSER_OK;
+    return error_set(err, HAWSER_STOPPED, "stopped on the way to equilibrium");
 }
 
 double relax_farthest(int n, int pitch, int dims, const double *y, const double *from)
@@ -81,6 +90,8 @@ static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxati
     double dt = DT_FIRST;
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; spent < limit && !(out->residual_N <= aim); ++spent) {
+        const hawser_status stopped = relax_stopped(r->stop, r->soft, err);
+        if (stopped) return stopped;
         ++out->iterations;
         if (r->ops->implicit_step(r->self, dt)) {
             dt /= DT_GROWTH;
@@ -131,7 +142,8 @@ static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawse
     out->residual_N = r->ops->residual(r->self, &out->segment);
     for (int spent = 0; !status && spent < limit && !(out->residual_N <= aim); ++spent) {
         ++out->iterations;
-        status = careful_step(r, &dt, out, err);
+        status = relax_stopped(r->stop, r->soft, err);
+        if (!status) status = careful_step(r, &dt, out, err);
     }
     out->reached = out->residual_N <= out->tolerance_N;
     return status;
@@ -144,12 +156,14 @@ static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, haws
     const double load = out->tolerance_N / r->def->relax_tolerance;
     const int last = out->iterations + r->def->relax_iterations;
     hawser_status status = HAWSER_OK;
+    r->soft = 1;
     for (double share = SOFTEST; !status && share < 0.5; share *= SOFT_GROWTH) {
         const int left = last - out->iterations;
         r->ops->soften(r->self, share);
         status = iterate_carefully(r, SOFT_AIM * load, left < SOFT_ITERATIONS ? left : SOFT_ITERATIONS, out, err);
     }
     r->ops->soften(r->self, 1);
+    r->soft = 0;
     return status ? status : iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
 }
 
@@ -163,12 +177,13 @@ static hawser_status attempts(Relaxing *r, hawser_relaxation *out, hawser_error 
     return status ? status : iterate_from_soft(r, out, err);
 }
 
-hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int size, double *y,
+hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOps *ops, void *self, int size, double *y,
                         hawser_relaxation *out, hawser_error *err)
 {
     const size_t bytes = (size_t)size * sizeof(double);
     Relaxing r = {.ops = ops,
                   .self = self,
+                  .stop = stop,
                   .def = &scene->def.solver,
                   .touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0,
                   .size = size,
@@ -184,222 +199,5 @@ hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int
     }
     free(r.start);
     free(r.back);
-    return status;
-}
-
-/* ------------------------------------------------------------------------------------- the chain in space */
-
-typedef struct Relaxation {
-    const Scene *scene;
-    Workspace *ws;
-    Newton *newton;
-    double t;
-    double *y;
-    int size;      /* of y */
-    double *rate;  /* [size] */
-    double *start; /* [3 n] positions before */
-} Relaxation;
-
-/* Largest unbalanced force; moments count over half a segment. *where gets the segment. */
-static double residual(void *self, int *where)
-{
-    Relaxation *const r = self;
-    const Chain *const chain = &r->scene->chain;
-    const int n = chain->n;
-    double largest = 0;
-    dynamics_rates(r->scene, r->ws, r->t, r->y, 0.0, r->rate);
-    for (int i = 0; i < n; ++i) {
-        const Vec3 a = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
-        const Vec3 spin = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        const double force = chain->mass[i] * v3_norm(a);
-        const double moment = v3_norm(body_inertia_times(chain, &r->ws->kin, i, spin)) / chain->half[i];
-        const double both = force + moment;
-        if (both > largest || isnan(both)) {
-            largest = both;
-            *where = i;
-        }
-    }
-    const double mounts = equipment_residual(r->scene->equipment, r->scene->rollers, r->rate + STATE_SIZE * n);
-    return mounts > largest || isnan(mounts) ? mounts : largest;
-}
-
-/* One linearly implicit Euler step of length dt from rest: (M - dt D - dt^2 K) u = dt F (E1). The velocities land in
- * the velocity part of `rate`. Returns the solver's status. */
-static int implicit_step(void *self, double dt)
-{
-    Relaxation *const r = self;
-    const int n = r->scene->chain.n;
-    dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, 0.0, &r->newton->k, &r->newton->d);
-    newton_point(r->newton, r->scene, &r->ws->kin, r->y);
-    newton_point_equipment(r->newton, r->ws->equipment, r->y, 0.0);
-    newton_form(r->newton, dt);
-    const int status = newton_factor(r->newton);
-    if (status) return status;
-    memset(r->rate, 0, (size_t)(STATE_V * n) * sizeof(double));
-    for (int k = STATE_V * n; k < r->size; ++k) r->rate[k] *= dt;
-    /* the mounts' positions and quaternions have no residual either */
-    const int mounts = STATE_SIZE * n + r->scene->equipment->spins;
-    memset(r->rate + mounts, 0, (size_t)(STATE_V * r->scene->equipment->mounts) * sizeof(double));
-    return newton_solve(r->newton, r->rate);
-}
-
-/* What a move of dt times the velocities found is shortened by (E2). */
-static double move_scale(void *self, double dt)
-{
-    const Relaxation *const r = self;
-    const int n = r->scene->chain.n;
-    double scale = 1;
-    for (int i = 0; i < n; ++i) {
-        const Vec3 u = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
-        const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        scale = relax_shorten(scale, dt * v3_norm(u), dt * v3_norm(w));
-    }
-    const double *const beside = r->rate + STATE_SIZE * n;
-    return fmin(scale, equipment_move_share(r->scene->equipment, beside, dt, MOVE_MAX, TURN_MAX));
-}
-
-/* Moves the state by dt times the velocities found. */
-static void move(void *self, double dt)
-{
-    Relaxation *const r = self;
-    const int n = r->scene->chain.n;
-    equipment_move(r->scene->equipment, r->y + STATE_SIZE * n, r->rate + STATE_SIZE * n, dt);
-    for (int i = 0; i < n; ++i) {
-        double *const y = r->y + i;
-        for (int c = 0; c < 3; ++c) y[c * n] += dt * r->rate[(STATE_V + c) * n + i];
-        const Vec3 turn = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        const Quat q =
-            quat_unit(quat_mul(quat_exp(v3_scale(dt, turn)), (Quat){y[3 * n], y[4 * n], y[5 * n], y[6 * n]}));
-        y[3 * n] = q.w;
-        y[4 * n] = q.x;
-        y[5 * n] = q.y;
-        y[6 * n] = q.z;
-    }
-}
-
-static double farthest_place(const Relaxation *r, const double *from)
-{
-    const int n = r->scene->chain.n;
-    return relax_farthest(n, n, 3, r->y, from);
-}
-
-/* Candidates are judged by where things are now. */
-static hawser_status refresh(void *self, int always, hawser_error *err)
-{
-    Relaxation *const r = self;
-    if (!always) dynamics_kinematics(r->scene, r->ws, r->t, r->y);
-    const hawser_status status = always ? HAWSER_OK : newton_renew(r->newton, r->ws->equipment, err);
-    return status ? status : dynamics_refresh(r->scene, r->ws, r->t, r->y, always, err);
-}
-
-static void soften(void *self, double share)
-{
-    Relaxation *const r = self;
-    dynamics_soften(r->scene, r->ws, share);
-}
-
-/* Mounts are held until the chain has come to rest on them, and are let go then: what they give way by changes little,
- * but light bodies on springs under a chain that falls make for many more iterations (SP15). */
-static hawser_status stages(Relaxation *r, const RelaxOps *ops, hawser_relaxation *out, hawser_error *err)
-{
-    hawser_status status = HAWSER_OK;
-    if (r->scene->equipment->mounts > 0) {
-        r->ws->equipment->held = 1;
-        status = relax_run(r->scene, ops, r, r->size, r->y, out, err);
-        r->ws->equipment->held = 0;
-    }
-    return status ? status : relax_run(r->scene, ops, r, r->size, r->y, out, err);
-}
-
-/* The largest force in the scene: weights, loads, and what the joints carry, N. */
-static double largest_force(const Relaxation *r)
-{
-    const Chain *const chain = &r->scene->chain;
-    const JointLoads *const joints = &r->ws->joints;
-    double largest = rod_load_size(r->scene->rod, chain, r->t);
-    for (int i = 0; i < chain->n; ++i) largest = fmax(largest, chain->mass[i] * v3_norm(r->scene->weight.gravity));
-    for (int j = 0; j <= chain->n; ++j) {
-        largest = fmax(largest, v3_norm(v3_load(joints->force, j)));
-    }
-    return largest;
-}
-
-/* A whole Newton step, but nothing turns by more than TURN_STATIC. */
-static double turn_scale(const Relaxation *r)
-{
-    const int n = r->scene->chain.n;
-    double largest = 0;
-    for (int i = 0; i < n; ++i) {
-        const Vec3 w = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
-        largest = fmax(largest, DT_STATIC * v3_norm(w));
-    }
-    return fmin(1, TURN_STATIC / (largest + 1e-300));
-}
-
-/* Newton's method (RD8). Residuals grow on the way, since turning a stiff segment stretches its neighbours: only the
- * number of iterations and what is not a number end it early. */
-static hawser_status newton_iterate(Relaxation *r, double share, double floor, hawser_relaxation *out,
-                                    hawser_error *err)
-{
-    hawser_status status = HAWSER_OK;
-    for (int it = 0; !status && it <= STATIC_ITERATIONS; ++it) {
-        out->residual_N = residual(r, &out->segment);
-        out->tolerance_N = fmax(share * largest_force(r), floor);
-        out->reached = out->residual_N <= out->tolerance_N;
-        if (out->reached || !isfinite(out->residual_N) || it == STATIC_ITERATIONS) break;
-        if (implicit_step(r, DT_STATIC)) break;
-        move(r, turn_scale(r) * DT_STATIC);
-        ++out->iterations;
-        status = refresh(r, 0, err);
-    }
-    return status;
-}
-
-/* From rest, at t; 0 if there is no memory. relaxation_end may follow either way. */
-static int relaxation_begin(Relaxation *r)
-{
-    const size_t n = (size_t)r->scene->chain.n;
-    r->size = scene_state_size(r->scene);
-    r->rate = malloc((size_t)r->size * sizeof(double));
-    r->start = malloc(3 * n * sizeof(double));
-    if (!r->rate || !r->start) return 0;
-    memcpy(r->start, r->y, 3 * n * sizeof(double));
-    memset(r->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof(double));
-    equipment_halt(r->scene->equipment, r->y + STATE_SIZE * n);
-    return 1;
-}
-
-static void relaxation_end(Relaxation *r)
-{
-    free(r->rate);
-    free(r->start);
-}
-
-hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
-                           hawser_relaxation *out, hawser_error *err)
-{
-    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
-    hawser_status status = relaxation_begin(&r) ? HAWSER_OK : error_memory(err);
-    if (!status) {
-        status = newton_iterate(&r, share, relax_rounding(scene, farthest_place(&r, NULL)), out, err);
-        out->moved_m = fmax(out->moved_m, farthest_place(&r, r.start));
-    }
-    relaxation_end(&r);
-    return status;
-}
-
-hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
-                                   hawser_relaxation *out, hawser_error *err)
-{
-    static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
-    Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
-    *out = (hawser_relaxation){0};
-    hawser_status status = relaxation_begin(&r) ? HAWSER_OK : error_memory(err);
-    if (!status) {
-        out->tolerance_N = relax_tolerance(scene, t, farthest_place(&r, NULL));
-        status = stages(&r, &ops, out, err);
-        out->moved_m = farthest_place(&r, r.start);
-    }
-    relaxation_end(&r);
     return status;
 }

@@ -3,18 +3,9 @@
 #define HAWSER_SIM_NEWTON_RELAX_H
 
 #include "sim/dynamics.h"
-#include "sim/newton/newton.h"
 
-/* Moves y [13 n] to where all forces of time t balance, friction off, and leaves it at rest. `out` says how far it got;
- * not reaching equilibrium is not an error. Errors: MEMORY. */
-hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
-                                   hawser_relaxation *out, hawser_error *err);
-
-/* The same by Newton's method alone, for loads that have grown a little since y was an equilibrium (RD8): `share` is
- * the largest unbalanced force as a share of the largest force in the scene, though not below rounding. Adds to
- * out->iterations and sets the rest; y is of no use if it is not reached. Errors: MEMORY. */
-hawser_status relax_static(const Scene *scene, Workspace *ws, Newton *newton, double t, double share, double *y,
-                           hawser_relaxation *out, hawser_error *err);
+/* Whether a stop is wanted now (not while contacts are soft, if it must be firm). Errors: STOPPED. */
+hawser_status relax_stopped(const StopCheck *stop, int soft, hawser_error *err);
 
 /* The continuation itself (E3)-(E5), for any chain that can do these things; `self` is handed to them. */
 typedef struct RelaxOps {
@@ -32,8 +23,9 @@ typedef struct RelaxOps {
     void (*soften)(void *self, double share);
 } RelaxOps;
 
-/* y [size] is the chain's state; out->tolerance_N is given. Errors: MEMORY. */
-hawser_status relax_run(const Scene *scene, const RelaxOps *ops, void *self, int size, double *y,
+/* y [size] is the chain's state; out->tolerance_N is given. Errors: MEMORY; STOPPED where `stop` asks for it: y is on
+ * its way then. */
+hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOps *ops, void *self, int size, double *y,
                         hawser_relaxation *out, hawser_error *err);
 /* Largest length among the n vectors of y - from, of which component c begins at c pitch; from NULL: of y. */
 double relax_farthest(int n, int pitch, int dims, const double *y, const double *from);
@@ -43,8 +35,13 @@ double relax_tolerance(const Scene *scene, double t, double far);
 /* What rounding of coordinates as large as `far` (m), and of rotations, does to the stiffest bushing, N; moments count
  * over half a segment (E6). */
 double relax_rounding(const Scene *scene, double far);
-/* `scale`, or less, so that a segment that would move by `move` (m) and turn by `turn` (rad) does not go too far (E2).
- */
-double relax_shorten(double scale, double move, double turn);
+/* The most that a segment may move and turn by in one iteration, and that its ends may move by its turning (E2). */
+typedef struct RelaxStride {
+    double move, turn, sweep; /* m, rad, m */
+} RelaxStride;
+RelaxStride relax_stride(const Scene *scene);
+/* `scale`, or less, so that a segment of this half length (m) that would move by `move` (m) and turn by `turn` (rad)
+ * does not go too far. */
+double relax_shorten(const RelaxStride *most, double scale, double move, double turn, double half);
 
 #endif

@@ -73,6 +73,11 @@ static void planar_work(Motion *m, double t, const double *y, BalanceRates *out)
     out->push[PUSH_DRAG] = drag.force;
 }
 
+static MethodLoss planar_method_loss(const Motion *m, const double *y, const double *rates, double scale, double *past)
+{
+    return planar_sim_kernels()->method_loss(&planar_in(m)->ps.chain, y, rates, scale, past);
+}
+
 static void planar_stock(Motion *m, double t, const double *y, BalanceStock *out)
 {
     Planar *const p = planar_of(m);
@@ -223,6 +228,7 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .look = planar_look,
                                   .winch_pull = motion_winch_pull,
                                   .work = planar_work,
+                                  .method_loss = planar_method_loss,
                                   .stock = planar_stock,
                                   .relax = planar_relax,
                                   .pack = motion_pack,

@@ -69,6 +69,7 @@ int planar_evaluate(Planar *p, double t, const double *y, double friction, doubl
     Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};
     both(p, kinematics_job, &e);
     planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
+    for (int c = 0; c < 2 && friction <= 0; ++c) p->kin.v[c][segments(p)] = 0; /* the search for rest: (E1) */
     both(p, loads_job, &e);
     both(p, motion_job, &e);
     ++p->ws->rhs_evals;

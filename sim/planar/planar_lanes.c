@@ -203,5 +203,32 @@ static void kernel_lift(const Plane *p, const PlanarChain *chain, const PlanarKi
     }
 }
 
-const PlanarSimKernels ISA_NAME(planar_sim_kernels) = {
-    kernel_weight, kernel_eliminate, kernel_couple, kernel_expand, kernel_form, kernel_window_square, kernel_lift};
+/* (BA11); what fills the lanes behind the chain has no mass. */
+static MethodLoss kernel_method_loss(const PlanarChain *chain, const double *y, const double *rates, double scale,
+                                     double *past)
+{
+    const int stride = chain->stride;
+    const Lane half = lane_set(0.5);
+    Lane lost = lane_set(0), moving = lost;
+    for (int c = 0; c < 3; ++c) {
+        const double *const inertia = c == PLANAR_ANGLE ? chain->inertia : chain->mass;
+        double *const kept = past + 3 * c * stride;
+        for (int i = 0; i < chain->n; i += LANES) {
+            const Lane m = lane_load(inertia + i), x = lane_load(y + c * stride + i);
+            const Lane v = lane_load(y + (PLANAR_V + c) * stride + i);
+            const Lane force = m * scale * lane_load(rates + (PLANAR_V + c) * stride + i);
+            const Lane v0 = lane_load(kept + stride + i);
+            lost += half *
+                    ((force + lane_load(kept + 2 * stride + i)) * (x - lane_load(kept + i)) - m * (v + v0) * (v - v0));
+            moving += half * m * v * v;
+            lane_store(kept + i, x);
+            lane_store(kept + stride + i, v);
+            lane_store(kept + 2 * stride + i, force);
+        }
+    }
+    return (MethodLoss){lane_sum(lost), lane_sum(moving)};
+}
+
+const PlanarSimKernels ISA_NAME(planar_sim_kernels) = {kernel_weight, kernel_eliminate,  kernel_couple,
+                                                       kernel_expand, kernel_form,       kernel_window_square,
+                                                       kernel_lift,   kernel_method_loss};

@@ -51,10 +51,12 @@ static double move_scale(void *self, double dt)
 {
     const Relaxation *const r = self;
     const int n = r->p->ps.chain.n, stride = r->p->ps.chain.stride;
+    const RelaxStride most = relax_stride(r->p->motion.scene);
     double scale = 1;
     for (int i = 0; i < n; ++i) {
         const double *const u = r->rate + PLANAR_V * stride + i;
-        scale = relax_shorten(scale, dt * sqrt(u[0] * u[0] + u[stride] * u[stride]), dt * fabs(u[2 * stride]));
+        const double move = dt * sqrt(u[0] * u[0] + u[stride] * u[stride]), turn = dt * fabs(u[2 * stride]);
+        scale = relax_shorten(&most, scale, move, turn, r->p->ps.chain.half[i]);
     }
     return scale;
 }
@@ -97,7 +99,7 @@ hawser_status planar_relax(Motion *m, double t, double *y, hawser_relaxation *ou
         memset(y + PLANAR_V * stride, 0, (PLANAR_SIZE - PLANAR_V) * stride * sizeof(double));
         out->tolerance_N = relax_tolerance(scene, t, relax_farthest(chain->n, chain->stride, 2, y, NULL));
         planar_widen(p); /* the relaxation moves farther at once than steps do */
-        status = relax_run(scene, &ops, &r, p->motion.size, y, out, err);
+        status = relax_run(scene, &p->ws->stop, &ops, &r, p->motion.size, y, out, err);
         if (!status) planar_narrow(p, t, y);
         out->moved_m = relax_farthest(chain->n, chain->stride, 2, y, r.start);
     } else {

@@ -73,6 +73,9 @@ typedef struct PlanarSimKernels {
     double (*window_square)(const PlanarChain *chain, int from, int to, const double *x, const double *w);
     /* Kinematics in space of all segments and the head's ghost (PL17). */
     void (*lift)(const Plane *plane, const PlanarChain *chain, const PlanarKinematics *from, Kinematics *to);
+    /* As BodyKernels.method_loss, for the whole chain; past [9 stride]: x z phi, their velocities, force and moment. */
+    MethodLoss (*method_loss)(const PlanarChain *chain, const double *y, const double *rates, double scale,
+                              double *past);
 } PlanarSimKernels;
 
 ISA_KERNELS(PlanarSimKernels, planar_sim_kernels)

@@ -25,6 +25,7 @@ typedef struct Subspace {
     int *order;                      /* [q] columns of z by rising size of mu */
     double *b;                       /* [state size] of one solution */
     double rounding;                 /* 1/s2: what omega^2 may be off by (RD13) */
+    double radius;                   /* m, of inertia for newton_swell; 0: the segments' own */
     double gamma;                    /* s, of A = M + gamma^2 K (RD11) */
 } Subspace;
 
@@ -61,22 +62,24 @@ static void space_point(Subspace *sp)
     dynamics_blocks(&st->scene, &st->ws, st->t, st->y, sp->b, 0.0, &sp->newton->k, &sp->newton->d);
     block_chain_zero(&sp->newton->d);
     newton_point(sp->newton, &st->scene, &st->ws.kin, st->y);
+    if (sp->radius > 0) newton_swell(sp->newton, sp->radius);
 }
 
-/* A share of the largest omega^2 that any joint gives its segment: rounding of K. */
-static double rounding_of(const Chain *c)
+double modes_rounding(const Chain *c, double radius)
 {
     double largest = 0;
     for (int i = 0; i < c->n; ++i) {
         for (int j = i; j <= i + 1; ++j) {
-            const double arm2 = c->half[i] * c->half[i], turn = fmin(c->inertia[1][i], c->inertia[2][i]);
+            const double swollen = c->mass[i] * radius * radius, arm2 = c->half[i] * c->half[i];
+            const double turn = radius > 0 ? swollen : fmin(c->inertia[1][i], c->inertia[2][i]);
+            const double twist = radius > 0 ? swollen : c->inertia[0][i];
             const double push = fmax(c->stiffness[0][j], fmax(c->stiffness[1][j], c->stiffness[2][j]));
             const double bend = fmax(c->stiffness[4][j], c->stiffness[5][j]) / turn;
             largest = fmax(largest, 4 * push * (1 / c->mass[i] + arm2 / turn));
-            largest = fmax(largest, 4 * fmax(bend, c->stiffness[3][j] / c->inertia[0][i]));
+            largest = fmax(largest, 4 * fmax(bend, c->stiffness[3][j] / twist));
         }
     }
-    return 1e-14 * largest;
+    return 1e-14 * largest; /* a share of the largest omega^2 that any joint gives its segment */
 }
 
 /* Start vectors that no mode is normal to: the same on every machine. */
@@ -333,7 +336,7 @@ static void results_put(const Subspace *sp, int wanted, int *rank, Modes *modes)
 /* Iterates until the wanted ones stand still. */
 static hawser_status space_run(Subspace *sp, int wanted, Modes *modes, hawser_error *err)
 {
-    sp->rounding = rounding_of(&sp->st->scene.chain);
+    sp->rounding = modes_rounding(&sp->st->scene.chain, sp->radius);
     space_point(sp);
     space_start(sp);
     hawser_status status = space_settle(sp, err);
@@ -349,14 +352,14 @@ static hawser_status space_run(Subspace *sp, int wanted, Modes *modes, hawser_er
                      wanted, ITERATIONS_MAX, change);
 }
 
-hawser_status modes_find(Stage *stage, int wanted, Modes *modes, hawser_error *err)
+hawser_status modes_find(Stage *stage, int wanted, double radius, Modes *modes, hawser_error *err)
 {
     const int n = stage->scene.chain.n, size = 6 * n;
     *modes = (Modes){.segments = n};
     if (stage->scene.equipment->n > 0)
         return error_set(err, HAWSER_ERR_INPUT, "key 'run.analysis': modes need rollers that neither spin nor move");
     if (wanted > size) wanted = size;
-    Subspace sp = {.st = stage, .newton = &stage->newton, .n = n, .size = size};
+    Subspace sp = {.st = stage, .newton = &stage->newton, .n = n, .size = size, .radius = radius};
     sp.q = wanted + (wanted > GUARD ? wanted : GUARD) < size ? wanted + (wanted > GUARD ? wanted : GUARD) : size;
     modes->out = calloc((size_t)wanted + 1, sizeof *modes->out);
     modes->shape = calloc((size_t)wanted * (size_t)size + 1, sizeof *modes->shape);

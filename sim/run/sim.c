@@ -9,6 +9,7 @@
 #include "core/base/isa.h"
 #include "core/base/lanes.h"
 #include "core/body.h"
+#include "core/state.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
@@ -28,21 +29,6 @@ static hawser_status trip_set(Sim *s, hawser_error *err)
                      s->expected.reference_total);
 }
 
-/* Whether the cable begins outside itself. Where lines meet no contact can tell on which side of each other they are.
- */
-static hawser_status start_check(Sim *s, hawser_error *err)
-{
-    const Scene *const scene = &s->stage.scene;
-    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->stage.ws.kin, &s->stage.ws.self);
-    const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
-    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT,
-                     "contact.cable_on_cable: the cable begins %.1f mm inside itself near (%.3f, %.3f, %.3f) m, at "
-                     "segments %d and %d: lead the route past itself with a cable's diameter between",
-                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
-                     deepest.foot);
-}
-
 static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
@@ -53,7 +39,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
     if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
-    status = probes_new(&s->probes, scene, err);
+    status = passing_new(&s->passing, scene, err);
+    if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
     if (!status && !scene->rod->present) {
@@ -62,8 +49,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
     if (!status) status = trip_set(s, err);
-    if (!status && scene->self.present) status = start_check(s, err);
-    return status;
+    if (!status) status = start_check(s, err);
+    return status ? status : start_fit(s, err);
 }
 
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err)
@@ -96,6 +83,7 @@ Sim *sim_free(Sim *s)
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     events_free(&s->events);
+    passing_free(&s->passing);
     expected_free(&s->expected);
     by_position_free(&s->by_position);
     sample_free(&s->look);
@@ -110,11 +98,21 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
+/* Relaxation begins at rest; the motion that the case begins with comes after it. */
+static void chain_stop(Stage *st)
+{
+    const size_t n = (size_t)st->scene.chain.n;
+    if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
+}
+
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
 {
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
+    chain_stop(&s->stage);
+    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
     if (scene->rod->present) {
         const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
                                                                            : scene->def.analysis.tolerance;
@@ -123,6 +121,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     } else {
         status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
     }
+    if (!status && s->stage.t <= 0) scene_launch(scene, s->stage.y);
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
@@ -176,6 +175,14 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
     return status;
 }
 
+/* Between two rows a joint may have turned right round: rods are looked at after every step. */
+static void rod_watch(Sim *s)
+{
+    Stage *const st = &s->stage;
+    dynamics_kinematics(&st->scene, &st->ws, st->t, st->y);
+    st->stability.turned |= turned(&st->scene, 0, &st->ws.kin) & TURNED_JOINT;
+}
+
 /* Load steps in place of time steps. */
 static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -189,7 +196,7 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
     }
     if (!status && def->analysis.kind == ANALYSIS_MODES && s->stage.t >= def->duration) {
         modes_free(&s->modes);
-        status = modes_find(&s->stage, def->analysis.modes, &s->modes, err);
+        status = modes_find(&s->stage, def->analysis.modes, 0, &s->modes, err);
     }
     s->relax_s += clock_now() - start;
     return status;
@@ -203,6 +210,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = events_watch(s, err);
+        if (!status && s->stage.scene.rod->present) rod_watch(s);
         if (one_step) break;
     }
     return status;
@@ -231,7 +239,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     s->look.sample.machine = s->machines.out;
     s->look.sample.figures = s->machines.n_now;
     s->look.sample.figure = s->machines.now;
-    probes_look(&s->probes, &s->stage.scene, &s->stage.ws);
+    probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.probes = s->probes.n;
     s->look.sample.probe = s->probes.out;
     if (s->stage.integrator) {
@@ -264,7 +272,12 @@ static void record_now(Sim *s, SampleParts parts)
     const double start = clock_now();
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
+    hawser_error only_a_note;
+    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, look);
+    if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
+        events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
+    if (s->stats.fresh) steadiness_record(&s->steadiness, &s->stage.scene, look, s->stats.dt);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
     const int steady = look->winch_speed > 0.98 * s->stage.scene.largest_speed;
     const double dt = s->by_position.last_t >= 0 ? look->t - s->by_position.last_t : 0;
@@ -306,35 +319,39 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
-    *out = (hawser_summary){.segments = scene->total,
-                            .bushings = scene->total - 1 + (scene->winch->present ? 1 : 0) + rod_ends_held(scene->rod),
-                            .rollers = scene->contact.n_rollers,
-                            .surfaces = scene->surfaces.model.n_surfaces,
-                            .contact_candidates = s->stage.ws.candidates_max,
-                            .contact_active_max = s->active_max,
-                            .contact_refreshes = s->stage.ws.refreshes,
-                            .sim_time_s = s->stage.t,
-                            .linear_solver = s->lin.name,
-                            .linear_solver_why = s->lin.why,
-                            .ordering = s->lin.ordering,
-                            .threads = s->threads,
-                            .planar = s->stage.motion == &s->stage.planar.motion,
-                            .planar_why = s->stage.plane_why,
-                            .paper_total_N = s->expected.paper_total,
-                            .reference_total_N = s->expected.reference_total,
-                            .relaxation = s->relaxation,
-                            .n_positions = by_position_table(&s->by_position),
-                            .positions = s->by_position.out,
-                            .rod = scene->rod->present,
-                            .analysis = analyses[scene->def.analysis.kind],
-                            .n_modes = s->modes.n,
-                            .modes = s->modes.out,
-                            .n_probes = s->probes.n,
-                            .probes = s->probes.out,
-                            .n_events = s->events.n,
-                            .events = s->events.event,
-                            .n_machines = s->machines.n,
-                            .machines = s->machines.out};
+    *out =
+        (hawser_summary){.segments = scene->total,
+                         .bushings = scene->total - 1 + (scene->winch->present ? 1 : 0) + rod_ends_held(scene->rod),
+                         .rollers = scene->contact.n_rollers,
+                         .surfaces = scene->surfaces.model.n_surfaces,
+                         .contact_candidates = s->stage.ws.candidates_max,
+                         .contact_active_max = s->active_max,
+                         .contact_refreshes = s->stage.ws.refreshes,
+                         .sim_time_s = s->stage.t,
+                         .linear_solver = s->lin.name,
+                         .linear_solver_why = s->lin.why,
+                         .ordering = s->lin.ordering,
+                         .threads = s->threads,
+                         .planar = s->stage.motion == &s->stage.planar.motion,
+                         .planar_why = s->stage.plane_why,
+                         .paper_total_N = s->expected.paper_total,
+                         .reference_total_N = s->expected.reference_total,
+                         .relaxation = s->relaxation,
+                         .n_positions = by_position_table(&s->by_position),
+                         .positions = s->by_position.out,
+                         .rod = scene->rod->present,
+                         .analysis = analyses[scene->def.analysis.kind],
+                         .n_modes = s->modes.n,
+                         .modes = s->modes.out,
+                         .unstable = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? -1 : s->stage.stability.unstable,
+                         .n_critical = s->stage.stability.n,
+                         .critical = s->stage.stability.critical,
+                         .n_probes = s->probes.n,
+                         .probes = s->probes.out,
+                         .n_events = s->events.n,
+                         .events = s->events.event,
+                         .n_machines = s->machines.n,
+                         .machines = s->machines.out};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -344,13 +361,20 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
+    const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
+    const ErrorShares shares = error_shares(scene, out->balance ? &books : NULL, out->pull_mean_N);
+    stats_errors(&s->stats, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
-                              .turned = s->overturned,
-                              .stray = s->stray};
+                              .figures = out,
+                              .turned = s->overturned | s->stage.stability.turned,
+                              .unstable = out->unstable,
+                              .stray = s->stray,
+                              .steadiness = &s->steadiness,
+                              .passing = &s->passing};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;
 }

@@ -33,6 +33,8 @@ typedef struct hawser_sim {
     int active_max; /* contacts */
     int overturned; /* what has turned too far, and was said */
     Stray stray;
+    Steadiness steadiness;
+    Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
     /* what the interface remembers for the results (io/api) */
     char *case_name, *title; /* owned */
@@ -45,6 +47,13 @@ typedef struct hawser_sim {
  * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err);
 Sim *sim_free(Sim *s);
+
+/* Whether the cable begins outside itself. Errors: INPUT. */
+hawser_status start_check(Sim *s, hawser_error *err);
+/* A chain that is not to be relaxed, but whose chords lie inside of what the line would only touch, is moved out: by
+ * the relaxation, which ends as soon as nothing is pressed by more than all loads together (E7). Errors: MEMORY. */
+hawser_status start_fit(Sim *s, hawser_error *err);
+#define START_MOVED_SAYS "the chain began inside of what it is pulled over, and was moved out"
 
 /* Static equilibrium under the loads of t = 0, friction off; see hawser_sim_relax. */
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err);

@@ -195,6 +195,7 @@ void stage_free(Stage *st)
 {
     integrator_free(st->integrator);
     balance_free(st->balance);
+    stability_free(&st->stability);
     newton_free(&st->newton);
     planar_free(&st->planar);
     workspace_free(&st->ws);
@@ -376,7 +377,9 @@ hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
     if (!status) status = integrator_step(st->integrator, stop, &st->t, err);
     if (status) return status;
     const double start = clock_now();
-    balance_step(st->balance, st->motion, st->t, st->y);
+    double h = 0;
+    const double *const rates = integrator_rates(st->integrator, &h);
+    balance_step(st->balance, st->motion, st->t, st->y, rates, h);
     st->balance_s += clock_now() - start;
     return HAWSER_OK;
 }

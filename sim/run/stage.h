@@ -5,6 +5,7 @@
 #define HAWSER_SIM_RUN_STAGE_H
 
 #include "sim/planar/planar.h"
+#include "sim/run/stability.h"
 #include "sim/run/window.h"
 #include "sim/step/integrator.h"
 #include "sim/step/spatial.h"
@@ -24,8 +25,9 @@ typedef struct Stage {
     double balance_s;              /* s, spent on it */
     double t, *y;                  /* s; [motion->size] */
     LinOptions options;
-    long joined, left; /* segments so far */
-    int forget;        /* for tests: start the integrator anew at every event */
+    long joined, left;   /* segments so far */
+    Stability stability; /* of equilibria; statics only */
+    int forget;          /* for tests: start the integrator anew at every event */
 } Stage;
 
 /* Builds the scene and all that goes with it, the state of t = 0 included; team: borrowed, NULL for one thread. Errors:

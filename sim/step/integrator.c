@@ -22,6 +22,8 @@ enum { STALLED_MOST = 20 };
  * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
  * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
+/* The same in a conveyor's force, times the accuracy, as a share of its grip (N16). */
+static const double GRIP_LEFT = 0.01;
 
 /* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
  * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
@@ -37,6 +39,7 @@ struct Integrator {
     double *weight;         /* [size] 1 / absolute tolerance */
     const double *weighted; /* CVODE's array that holds them already; NULL: none does */
     double way;             /* m, that a step may move the chain by; INFINITY: any */
+    double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
     double stop;            /* s, the stop time that CVODE knows */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
@@ -145,10 +148,11 @@ static int linear_attach(Integrator *in)
 
 /* ------------------------------------------------------------------------------------------------- life */
 
-/* (N13) */
-static double newton_share(double accuracy)
+/* (N13), and (N16) where something grips. */
+static double newton_share(const Scene *scene)
 {
-    return fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / accuracy, NEWTON_SHARE_MOST));
+    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
+    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
 }
 
 static int cvode_set(Integrator *in)
@@ -160,7 +164,7 @@ static int cvode_set(Integrator *in)
     bad |= CVodeWFtolerances(c, call_weights);
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
-    bad |= CVodeSetNonlinConvCoef(c, newton_share(def->accuracy));
+    bad |= CVodeSetNonlinConvCoef(c, newton_share(in->motion->scene));
     bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
@@ -228,7 +232,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1};
+    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1, .speed_at = -1};
     const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
     if (status) *out = integrator_free(in);
     return status;
@@ -246,6 +250,17 @@ Integrator *integrator_free(Integrator *in)
     free(in->weight);
     free(in);
     return NULL;
+}
+
+/* CVODE's history holds them: Nordsieck's array has h y' beside y. */
+const double *integrator_rates(Integrator *in, double *h)
+{
+    realtype t, gamma, rl1;
+    N_Vector predicted, now, rates, first = NULL;
+    void *user;
+    CVodeGetLastStep(in->cvode, h);
+    CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
+    return N_VGetArrayPointer(first);
 }
 
 /* ------------------------------------------------------------------------------------------------ stepping */
@@ -338,13 +353,20 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
         hint_for(in->motion->scene, i));
 }
 
-/* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14). */
-static double stride_end(const Integrator *in, double t, double stop)
+/* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
+ * first step CVODE says 0 for its length, and what is at rest then will move by little in it. */
+static double stride_end(Integrator *in, double t, double stop)
 {
     if (!(in->way < INFINITY)) return stop;
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
-    const double longest = in->way / in->motion->ops->speed(in->motion, in->y);
+    const double speed = in->motion->ops->speed(in->motion, in->y), since = t - in->speed_at;
+    const double growth = in->speed_at >= 0 && since > 0 ? fmax(0, (speed - in->speed) / since)
+                                                         : v3_norm(in->motion->scene->weight.gravity);
+    const double longest = stride_longest(in->way, speed, growth);
+    in->speed = speed;
+    in->speed_at = t;
+    if (!(step > 0) && speed > 0) step = INFINITY;
     return step > longest && t + longest > t ? fmin(stop, t + longest) : stop;
 }
 

@@ -38,6 +38,10 @@ typedef struct Reshape {
  * tells which of them is the history's state. Motion->size is the new one already. Errors: MEMORY (the integrator can
  * only be freed then), RUN. */
 hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err);
+/* The rates of the state of the last accepted step, [size], as the method has them: times *h, its length, s. They are
+ * those of the collocation, which the equations of motion meet to within Newton's tolerance. Valid until the next step.
+ */
+const double *integrator_rates(Integrator *in, double *h);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 
 #endif

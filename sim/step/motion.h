@@ -4,8 +4,10 @@
 #ifndef HAWSER_SIM_STEP_MOTION_H
 #define HAWSER_SIM_STEP_MOTION_H
 
+#include "core/base/lanes.h"
 #include "core/base/team.h"
 #include "core/base/vec3.h"
+#include "core/body.h"
 #include "sim/balance_data.h"
 #include "sim/scene.h"
 
@@ -47,6 +49,9 @@ typedef struct MotionOps {
     double (*winch_pull)(Motion *m, double t, const double *y);
     /* What works on the motion at (t, y), a state whose rates were evaluated last or close by (sim/dynamics.h). */
     void (*work)(Motion *m, double t, const double *y, BalanceRates *out);
+    /* What the step that ends in y took out of the motion (BA11), and what moves there. rates: those of y, times
+     * 1 / scale. past [motion_past(m)]: of the step before; this one's afterwards. */
+    MethodLoss (*method_loss)(const Motion *m, const double *y, const double *rates, double scale, double *past);
     /* What is stored at (t, y), whose rates were the last evaluated. */
     void (*stock)(Motion *m, double t, const double *y, BalanceStock *out);
     /* Moves y to equilibrium under the loads of t; see relax_to_equilibrium. */
@@ -64,5 +69,8 @@ struct Motion {
     int size;           /* of y */
     Team *team;         /* borrowed; NULL: one thread */
 };
+
+/* Room for what method_loss keeps: no more than two numbers for each of y, lanes filled up. */
+static inline int motion_past(const Motion *m) { return 2 * m->size + BODY_PAST * LANES; }
 
 #endif

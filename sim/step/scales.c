@@ -99,25 +99,20 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
     return worst;
 }
 
-static double thinnest_cable(const SceneDef *def)
-{
-    double least = INFINITY;
-    for (int i = 0; i < def->n_cables; ++i) least = fmin(least, def->cables[i].diameter / 2);
-    return least;
-}
-
-/* Half of what the thinnest cable takes to pass the thinnest roller, or to pass itself: there and back again is still
- * seen (N14). Ducts, trays and planes have no other side. */
 double stride_most(const Scene *scene)
 {
-    double thinnest = INFINITY;
-    const double cable = thinnest_cable(&scene->def);
-    for (int r = 0; r < scene->contact.n_rollers; ++r) thinnest = fmin(thinnest, scene->contact.roller[r].shape.radius);
-    if (scene->self.present) thinnest = fmin(thinnest, 0);
-    return thinnest + cable;
+    const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0 || scene->self.present;
+    const double unseen = (1 - CONTACT_USABLE) * scene->def.contact_reach; /* what candidates may be late by */
+    return touches ? fmin(scene_way(scene), unseen) : INFINITY;
 }
 
 double stride_speed(const Chain *chain, int pitch, int dims, const double *v, int turns, const double *w)
 {
     return sqrt(vector_kernels()->largest_square(chain->n, pitch, dims, v, turns, w, chain->half));
+}
+
+double stride_longest(double way, double speed, double growth)
+{
+    const double both = speed + sqrt(speed * speed + 2 * growth * way);
+    return both > 0 ? 2 * way / both : INFINITY;
 }

@@ -36,12 +36,13 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
 double scales_equipment_norm(const Equipment *q, const double *x, const double *weight);
 void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error);
 
-/* How far the chain may move in one step, m; INFINITY where there is nothing to pass through. Contacts are looked at
- * where a step ends, so that a longer one could carry the cable through a roller, or through itself, without either
- * having been noticed (N14). */
+/* W of (N14): how far the chain may move in one step, m; INFINITY where there is nothing to touch. */
 double stride_most(const Scene *scene);
 /* Largest speed of a point of the chain, or up to sqrt(2) of it, m/s: sqrt(|v|^2 + (half |w|)^2) of n segments. v is
  * `dims` arrays `pitch` apart, w `turns` arrays. */
 double stride_speed(const Chain *chain, int pitch, int dims, const double *v, int turns, const double *w);
+/* The longest step, s, in which what has this speed (m/s), growing at this rate (m/s2), goes no farther than `way` (m)
+ * (N15). */
+double stride_longest(double way, double speed, double growth);
 
 #endif

@@ -6,7 +6,7 @@
 #include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
-#include "sim/newton/relax.h"
+#include "sim/newton/relax_space.h"
 #include "sim/step/scales.h"
 #include "sim/step/vector_kernels.h"
 
@@ -122,6 +122,18 @@ static void spatial_work(Motion *m, double t, const double *y, BalanceRates *out
     balance_spatial(m->scene, spatial_of(m)->ws, t, y, out);
 }
 
+static MethodLoss spatial_method_loss(const Motion *m, const double *y, const double *rates, double scale, double *past)
+{
+    const int n = m->scene->chain.n, stride = (n + LANES - 1) / LANES * LANES, own = STATE_SIZE * n;
+    MethodLoss loss = body_kernels()->method_loss(&m->scene->chain, y, rates, scale, 0, n, past);
+    if (m->scene->equipment->n == 0) return loss;
+    const MethodLoss beside =
+        equipment_method_loss(m->scene->equipment, y + own, rates + own, scale, past + BODY_PAST * stride);
+    loss.lost += beside.lost;
+    loss.moving += beside.moving;
+    return loss;
+}
+
 static void spatial_stock(Motion *m, double t, const double *y, BalanceStock *out)
 {
     (void)t;
@@ -161,6 +173,7 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .look = spatial_look,
                                   .winch_pull = spatial_winch_pull,
                                   .work = spatial_work,
+                                  .method_loss = spatial_method_loss,
                                   .stock = spatial_stock,
                                   .relax = spatial_relax,
                                   .pack = spatial_pack,

@@ -6,22 +6,36 @@
 
 #include "core/base/error.h"
 #include "sim/dynamics.h"
+#include "sim/step/scales.h"
 
 /* Rates are summed as one run of numbers. */
+static const double ROUNDING = 1e-10; /* of what is held: its differences know no more */
 enum { RATES = sizeof(BalanceRates) / sizeof(double), POWERS = BALANCE_WORKS + BALANCE_LOSSES };
 typedef union RateList {
     BalanceRates by;
     double value[RATES];
 } RateList;
 
+/* The books as they stand: what has gone through since the beginning. */
+typedef struct Entries {
+    RateList sum;     /* J and N s */
+    double numerical; /* J, that the method has taken out of the motion (BA11) */
+    double carried;   /* J, by segments that joined, less that of those that left */
+} Entries;
+
 struct Balance {
     double t;
     RateList now;            /* at t */
-    RateList sum;            /* J and N s since the beginning */
-    double turnover[POWERS]; /* J: the sizes of the same */
-    Vec3 weight;             /* N, of what is simulated now */
+    Entries entries;         /* since the beginning */
+    double turnover[POWERS]; /* J: the sizes of the sums of works and losses */
+    double moving_most;      /* J, largest energy of motion */
+    double tolerated;        /* J, of a motion with the tolerance's speed (N10): less is none */
+    double *past;            /* [motion_past] what the last step leaves for (BA11) */
+    int opened;              /* the steady window is */
+    Entries at_window;       /* when it did, with what was stored then, J */
+    double stored_at_window;
+    Vec3 weight; /* N, of what is simulated now */
     BalanceStock first, here;
-    double carried; /* J, by segments that joined, less that of those that left */
     Vec3 carried_momentum;
     double *rates; /* [size] scratch of an evaluation */
     int size;
@@ -35,26 +49,41 @@ static void stock_at(Balance *b, Motion *motion, double t, const double *y, Bala
     motion->ops->stock(motion, t, y, out);
 }
 
-/* Room for the rates of a motion; 0 if there is no memory. */
-static int rates_renew(Balance *b, const Motion *motion)
+/* Room for the rates of a motion and for what its steps leave; 0 if there is no memory. */
+static int room_renew(Balance *b, const Motion *motion)
 {
     if (motion->size <= b->size) return 1;
     free(b->rates);
+    free(b->past);
     b->rates = aligned_array_new(motion->size);
-    b->size = b->rates ? motion->size : 0;
-    return b->rates != NULL;
+    b->past = aligned_array_new(motion_past(motion));
+    b->size = b->rates && b->past ? motion->size : 0;
+    return b->size > 0;
+}
+
+/* Where the steps (BA11) begin, or begin again: y, whose rates were evaluated last. */
+static void past_begin(Balance *b, const Motion *motion, const double *y)
+{
+    const Chain *const chain = &motion->scene->chain;
+    const double speed = scales_tolerances(motion->scene).velocity;
+    double mass = 0;
+    memset(b->past, 0, (size_t)motion_past(motion) * sizeof *b->past);
+    b->moving_most = fmax(b->moving_most, motion->ops->method_loss(motion, y, b->rates, 1, b->past).moving);
+    for (int i = 0; i < chain->n; ++i) mass += chain->mass[i];
+    b->tolerated = fmax(b->tolerated, mass * speed * speed / 2);
 }
 
 hawser_status balance_new(Motion *motion, double t, const double *y, Balance **out, hawser_error *err)
 {
     Balance *const b = *out = calloc(1, sizeof *b);
-    if (!b || !rates_renew(b, motion)) {
+    if (!b || !room_renew(b, motion)) {
         *out = balance_free(b);
         return error_memory(err);
     }
     b->t = t;
     stock_at(b, motion, t, y, &b->first);
     b->weight = b->first.weight;
+    past_begin(b, motion, y);
     motion->ops->work(motion, t, y, &b->now.by);
     b->now.by.push[PUSH_WEIGHT] = b->weight;
     return HAWSER_OK;
@@ -62,25 +91,13 @@ hawser_status balance_new(Motion *motion, double t, const double *y, Balance **o
 
 Balance *balance_free(Balance *b)
 {
-    if (b) free(b->rates);
+    if (b) {
+        free(b->rates);
+        free(b->past);
+    }
     free(b);
     return NULL;
 }
-
-/* (BA9): the trapezoidal rule over the accepted steps. */
-void balance_step(Balance *b, Motion *motion, double t, const double *y)
-{
-    RateList next;
-    const double half = (t - b->t) / 2;
-    motion->ops->work(motion, t, y, &next.by);
-    next.by.push[PUSH_WEIGHT] = b->weight;
-    for (int k = 0; k < RATES; ++k) b->sum.value[k] += half * (b->now.value[k] + next.value[k]);
-    for (int k = 0; k < POWERS; ++k) b->turnover[k] += half * fabs(b->now.value[k] + next.value[k]);
-    b->now = next;
-    b->t = t;
-}
-
-void balance_leave(Balance *b, Motion *motion, double t, const double *y) { stock_at(b, motion, t, y, &b->here); }
 
 static double energy_of(const BalanceStock *stock)
 {
@@ -89,14 +106,46 @@ static double energy_of(const BalanceStock *stock)
     return sum;
 }
 
+/* The steady window begins at (t, y). */
+static void window_open(Balance *b, Motion *motion, double t, const double *y)
+{
+    if (b->opened || t < motion->scene->def.output.steady_from) return;
+    b->opened = 1;
+    stock_at(b, motion, t, y, &b->here);
+    b->at_window = b->entries;
+    b->stored_at_window = energy_of(&b->here) - b->here.energy[IN_BENDING];
+}
+
+/* (BA9): the trapezoidal rule over the accepted steps; and what the method took in this one (BA11). */
+void balance_step(Balance *b, Motion *motion, double t, const double *y, const double *rates, double h)
+{
+    RateList next;
+    const double half = (t - b->t) / 2;
+    motion->ops->work(motion, t, y, &next.by);
+    next.by.push[PUSH_WEIGHT] = b->weight;
+    for (int k = 0; k < RATES; ++k) b->entries.sum.value[k] += half * (b->now.value[k] + next.value[k]);
+    for (int k = 0; k < POWERS; ++k) b->turnover[k] += half * fabs(b->now.value[k] + next.value[k]);
+    b->now = next;
+    b->t = t;
+    if (h > 0) {
+        const MethodLoss loss = motion->ops->method_loss(motion, y, rates, 1 / h, b->past);
+        b->entries.numerical += loss.lost;
+        b->moving_most = fmax(b->moving_most, loss.moving);
+    }
+    window_open(b, motion, t, y);
+}
+
+void balance_leave(Balance *b, Motion *motion, double t, const double *y) { stock_at(b, motion, t, y, &b->here); }
+
 hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *y, hawser_error *err)
 {
     BalanceStock after;
-    if (!rates_renew(b, motion)) return error_memory(err);
+    if (!room_renew(b, motion)) return error_memory(err);
     stock_at(b, motion, t, y, &after);
-    b->carried += energy_of(&after) - energy_of(&b->here);
+    b->entries.carried += energy_of(&after) - energy_of(&b->here);
     b->carried_momentum = v3_add(b->carried_momentum, v3_sub(after.momentum, b->here.momentum));
     b->weight = after.weight;
+    past_begin(b, motion, y);
     motion->ops->work(motion, t, y, &b->now.by);
     b->now.by.push[PUSH_WEIGHT] = b->weight;
     return HAWSER_OK;
@@ -104,17 +153,19 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
 
 /* ------------------------------------------------------------------------------------------------- the account */
 
-static const char *const WORKS[BALANCE_WORKS] = {"winch", "tail",  "lead_in", "reel",         "conveyors",
-                                                 "ends",  "loads", "motors",  "surface_edges"};
+static const char *const WORKS[BALANCE_WORKS] = {"winch", "tail",  "lead_in", "reel",   "conveyors",
+                                                 "ends",  "loads", "motors",  "medium", "surface_edges"};
 static const char *const LOSSES[BALANCE_LOSSES] = {
-    "joint_damping",    "bending_hysteresis", "rope_drag",      "conveyor_slip", "roller_friction", "roller_damping",
-    "surface_friction", "surface_damping",    "cable_friction", "cable_damping", "bearings",        "mount_damping"};
+    "joint_damping",  "bending_hysteresis", "rope_drag",       "conveyor_slip",  "roller_friction",
+    "roller_damping", "surface_friction",   "surface_damping", "cable_friction", "cable_damping",
+    "bearings",       "mount_damping",      "medium_drag"};
 static const char *const STORES[BALANCE_STORES] = {"motion",  "height",   "joints",         "bending",
                                                    "rollers", "surfaces", "cable_on_cable", "equipment"};
-static const char *const PUSHES[BALANCE_PUSHES] = {"winch", "tail", "lead_in", "reel",    "conveyors", "ends",  "loads",
-                                                   "",      "",     "drag",    "rollers", "surfaces",  "weight"};
+static const char *const PUSHES[BALANCE_PUSHES] = {"winch", "tail",    "lead_in",  "reel",   "conveyors",
+                                                   "ends",  "loads",   "",         "medium", "",
+                                                   "drag",  "rollers", "surfaces", "weight"};
 
-/* Adds a term that is there; the largest turnover is what the residual is measured by. */
+/* Adds a term that is there; what most goes through, or moves, is what the residual is measured by. */
 static void term_add(hawser_balance *out, hawser_balance_kind kind, const char *name, double energy, double turnover)
 {
     if (turnover > out->turnover_J) {
@@ -132,36 +183,66 @@ static void vector_out(Vec3 v, double out[3])
     out[2] = v.z;
 }
 
-/* (BA1) */
+/* Works and losses, and what the first is more than the second. */
+static double entries_gain(const Entries *e)
+{
+    double gain = 0;
+    for (int k = 0; k < BALANCE_WORKS; ++k) gain += e->sum.by.work[k];
+    for (int k = 0; k < BALANCE_LOSSES; ++k) gain -= e->sum.by.loss[k];
+    return gain - e->numerical;
+}
+
+/* (BA1), (BA12) */
 static void energy_close(Balance *b, hawser_balance *out)
 {
+    const Entries *const e = &b->entries;
     const double slid = b->here.energy[IN_BENDING] - b->first.energy[IN_BENDING];
+    double held = 0;
     for (int k = 0; k < BALANCE_WORKS; ++k) {
-        out->work_J += b->sum.by.work[k];
-        term_add(out, HAWSER_BALANCE_WORK, WORKS[k], b->sum.by.work[k], b->turnover[k]);
+        out->work_J += e->sum.by.work[k];
+        term_add(out, HAWSER_BALANCE_WORK, WORKS[k], e->sum.by.work[k], b->turnover[k]);
     }
     for (int k = 0; k < BALANCE_LOSSES; ++k) {
-        const double lost = b->sum.by.loss[k] - (k == LOST_BENDING ? slid : 0);
+        const double lost = e->sum.by.loss[k] - (k == LOST_BENDING ? slid : 0);
         out->lost_J += lost;
         term_add(out, HAWSER_BALANCE_LOSS, LOSSES[k], lost, b->turnover[BALANCE_WORKS + k]);
     }
     for (int k = 0; k < BALANCE_STORES; ++k) {
         const double change = b->here.energy[k] - b->first.energy[k];
         out->stored_J += change;
-        /* what is carried in and out is no turnover */
+        held = fmax(held, fabs(b->here.energy[k]));
         const int any = fabs(b->here.energy[k]) > 0 || fabs(change) > 0;
         if (any) out->term[out->n_terms++] = (hawser_balance_term){HAWSER_BALANCE_STORED, STORES[k], change, {0, 0, 0}};
-        /* at rest nothing goes through: what is held measures then; heights count from anywhere */
-        const double held = k == IN_HEIGHT ? 0 : fabs(b->here.energy[k]), moved = b->carried == 0 ? fabs(change) : 0;
-        const double size = fmax(held, moved);
-        if (size > out->turnover_J) {
-            out->turnover_J = size;
+        if (!(e->carried > 0) && !(e->carried < 0) && fabs(change) > out->turnover_J) { /* carried: nothing moved it */
+            out->turnover_J = fabs(change);
             out->turnover_of = STORES[k];
         }
     }
-    out->carried_J = b->carried;
-    out->residual_J = out->stored_J - b->carried - (out->work_J - out->lost_J);
+    const double least = fmax(b->tolerated, ROUNDING * held); /* below it nothing moves */
+    if (fmax(b->moving_most, least) > out->turnover_J) {
+        out->turnover_J = fmax(b->moving_most, least);
+        out->turnover_of = b->moving_most > least ? STORES[IN_MOTION] : "tolerance";
+    }
+    out->carried_J = e->carried;
+    out->residual_J = out->stored_J - e->carried - (out->work_J - out->lost_J);
+    if (fabs(out->residual_J + e->numerical) < fabs(out->residual_J)) { /* (BA14) */
+        out->numerical_J = e->numerical;
+        out->residual_J += e->numerical;
+    }
     out->residual_share = out->turnover_J > 0 ? fabs(out->residual_J) / out->turnover_J : 0;
+    out->numerical_share = out->turnover_J > 0 ? fabs(out->numerical_J) / out->turnover_J : 0;
+}
+
+BalanceWindow balance_window(const Balance *b)
+{
+    const Entries *const from = &b->at_window, *const to = &b->entries;
+    if (!b->opened) return (BalanceWindow){0};
+    /* what sliders hold is among the losses here */
+    const double stored = energy_of(&b->here) - b->here.energy[IN_BENDING] - b->stored_at_window;
+    return (BalanceWindow){.winch = to->sum.by.work[BY_WINCH] - from->sum.by.work[BY_WINCH],
+                           .numerical = to->numerical - from->numerical,
+                           .residual =
+                               stored - (to->carried - from->carried) - (entries_gain(to) - entries_gain(from))};
 }
 
 /* (BA2) */
@@ -170,7 +251,7 @@ static void momentum_close(Balance *b, hawser_balance *out)
     Vec3 sum = {0, 0, 0};
     double largest = 0;
     for (int k = 0; k < BALANCE_PUSHES; ++k) {
-        const Vec3 impulse = b->sum.by.push[k];
+        const Vec3 impulse = b->entries.sum.by.push[k];
         const double size = v3_norm(impulse);
         sum = v3_add(sum, impulse);
         largest = fmax(largest, size);

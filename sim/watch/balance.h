@@ -12,8 +12,9 @@ typedef struct Balance Balance;
 hawser_status balance_new(Motion *motion, double t, const double *y, Balance **out, hawser_error *err);
 Balance *balance_free(Balance *b);
 
-/* A step to (t, y) was accepted, of which the motion has evaluated the last iterate (BA9). Allocates nothing. */
-void balance_step(Balance *b, Motion *motion, double t, const double *y);
+/* A step of h (s) to (t, y) was accepted, of which the motion has evaluated the last iterate (BA9); rates: those of y
+ * times h (integrator_rates). Allocates nothing. */
+void balance_step(Balance *b, Motion *motion, double t, const double *y, const double *rates, double h);
 
 /* Segments join or leave at (t, y): around the change, which may bring another motion; what it changes is carried in
  * or out by them (BA3). Errors: MEMORY. */
@@ -22,5 +23,13 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
 
 /* The balances from the beginning to (t, y), which is evaluated; *out stays the balance's. */
 const hawser_balance *balance_close(Balance *b, Motion *motion, double t, const double *y);
+
+/* The same of the steady window alone, once balance_close has been asked, J. Zero before it opens. */
+typedef struct BalanceWindow {
+    double winch;     /* its work */
+    double numerical; /* what the method has taken out of the motion */
+    double residual;  /* what is still open */
+} BalanceWindow;
+BalanceWindow balance_window(const Balance *b);
 
 #endif

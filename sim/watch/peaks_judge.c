@@ -81,6 +81,20 @@ static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const Expec
     return worst;
 }
 
+/* How the cables lie in the ducts; one in which they do not fit says nothing of itself. (LI8) */
+static void duct_findings(const Scene *scene, double diameter, Finding f[LIMIT_KINDS])
+{
+    const SceneDef *const def = &scene->def;
+    limits_duct(&def->limits, def->theory.cables, NULL, NULL, f);
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        const SurfaceDef *const surface = &def->surfaces[i];
+        const DuctDef duct = {2 * surface->shape.radius, diameter, def->theory.cables, (DuctLayout)def->theory.layout};
+        DuctLoad load;
+        if (surface->shape.kind == SURFACE_DUCT && !duct_load(&duct, &load, NULL))
+            limits_duct(&def->limits, def->theory.cables, surface->name, &load, f);
+    }
+}
+
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, hawser_limit *out)
 {
     const CableDef *const cable = &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
@@ -100,5 +114,6 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
+    duct_findings(scene, cable->diameter, f);
     return limits_judge(&scene->def.limits, cable->diameter, 1, f, out);
 }

@@ -192,6 +192,18 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
+/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). */
+enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
+static void blocks_end(Stats *stats, const Scene *scene, double travel)
+{
+    if (++stats->passing < BLOCK_LEAST || fabs(travel - stats->passed_at) < 2 * scene->chain.half[0]) return;
+    stats->passing = 0;
+    stats->passed_at = travel;
+    mean_block(&stats->pull);
+    for (int i = 0; i < stats->n_stations; ++i) mean_block(&stats->station[i]);
+    for (int r = 0; r < stats->n_rollers; ++r) mean_block(&stats->roller[r].load);
+}
+
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double dt = stats->last_t >= 0 ? sample->t - stats->last_t : 0;
@@ -207,6 +219,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stations_record(stats, scene, kin, sample, dt, steady);
     rollers_record(stats, sample, dt, steady);
     surfaces_record(stats, sample, dt, steady);
+    if (steady) blocks_end(stats, scene, sample->winch_travel);
     stats->last_t = sample->t;
 }
 
@@ -240,4 +253,24 @@ void stats_summary(const Stats *stats, hawser_summary *out)
     out->steady_to_s = fmax(stats->last_t, 0);
     errors_of(stats, 0, &out->error_max_pct, &out->error_mean_pct);
     errors_of(stats, 1, &out->error_max_paper_pct, &out->error_mean_paper_pct);
+}
+
+void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary *out)
+{
+    out->pull_mean_error = error_of_mean(&stats->pull, shares);
+    out->pull_peak_error = error_of_peak(&stats->pull, shares);
+    for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there */
+        hawser_surface *const row = &stats->surface_out[i];
+        row->line_load_error = row->line_load_N_per_m * out->pull_peak_error.total / fabs(stats->pull.peak);
+    }
+    for (int i = 0; i < stats->n_stations; ++i) {
+        hawser_station *const s = &stats->station_out[i];
+        s->mean_error_N = error_of_mean(&stats->station[i], shares).total;
+        s->peak_error_N = error_of_peak(&stats->station[i], shares).total;
+    }
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        hawser_roller *const row = &stats->roller_out[r];
+        row->steady_error_N = error_of_mean(&stats->roller[r].load, shares).total;
+        row->peak_error_N = error_of_peak(&stats->roller[r].load, shares).total;
+    }
 }

@@ -6,6 +6,7 @@
 #include "hawser/hawser.h"
 #include "sim/scene.h"
 #include "sim/time_mean.h"
+#include "sim/watch/error_bars.h"
 
 /* What is averaged of a roller: its load, N; spin and shift where it moves, rad/s and m. */
 typedef struct RollerMeans {
@@ -24,6 +25,8 @@ typedef struct Stats {
     double dt;
     TimeMean pull;     /* N, on the rope's end */
     TimeMean speed;    /* m/s, axial speed of the cable's first segment that is simulated */
+    double passed_at;  /* m, travel of the winch at which a block of the means began (EB1) */
+    int passing;       /* samples since */
     double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */
@@ -49,5 +52,7 @@ double along_eye(const Scene *scene, const Kinematics *kin, double travel);
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s);
 /* Fills what the statistics know into the summary; paper_N and reference_N must be in station_out. */
 void stats_summary(const Stats *stats, hawser_summary *out);
+/* Brings the error bars of summary and tables up to date. */
+void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary *out);
 
 #endif

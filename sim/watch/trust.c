@@ -1,19 +1,24 @@
 #include "sim/watch/trust.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/expected/mesh.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
-static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
-static const double OFF_ROUTE = 2;                  /* m: more than any sag between supports */
-static const double SAGITTA = 2.2;                  /* of the room in a duct: a chord's height over it */
-static const double SLOWEST = 1;                    /* speed of full friction over that of the pull */
-enum { LOOKS = 16 };                                /* at the cable's place in a run */
+static const double ENERGY = 0.01, MOMENTUM = 0.01;      /* shares of what goes through, of the largest impulse */
+static const double DAMPED = 0.01;                       /* of what moves, by the steps in time alone */
+static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
+static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
+static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
+static const double DRIFT = 0.05; /* of the mean pull, from the window's first half to its second */
+static const double SPIKE = 0.2;  /* of the largest pull, above the rows beside it */
+enum { LOOKS = 16 };              /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -28,6 +33,74 @@ void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, doubl
         stray->farthest = away;
         stray->at = s;
     }
+}
+
+/* ------------------------------------------------------------------------------------------------------ the pull */
+
+/* s, in which a jolt at t = 0 runs through the chain and back twice, sqrt(m/k) a segment; up to the first row behind t
+ * = 0 at least. */
+static double first_moments(const Scene *scene)
+{
+    const Chain *const chain = &scene->chain;
+    double once = 0;
+    for (int i = 0; i < chain->n; ++i) {
+        const double k = chain->stiffness[0][i];
+        if (k > 0) once += sqrt(chain->mass[i] / k);
+    }
+    return fmax(4 * once, 1.5 * scene->def.output.interval);
+}
+
+/* Which of the rows is the largest shows when the one behind it is there. */
+static void row_record(Steadiness *s, double pull, double t, double dt)
+{
+    if (!(t > 0)) s->row[0] = s->row[1] = s->peak = -INFINITY;
+    if (s->row[1] > s->peak) {
+        s->peak = s->row[1];
+        s->beside = fmax(s->row[0], pull);
+        s->peak_at = t - dt;
+    }
+    s->row[0] = s->row[1];
+    s->row[1] = pull;
+    s->last = t;
+}
+
+double steadiness_spike(const Steadiness *s, double *at)
+{
+    const int ends = s->row[1] > s->peak; /* the run ends at its largest pull: nothing is behind it */
+    const double peak = ends ? s->row[1] : s->peak, beside = ends ? s->row[0] : s->beside;
+    *at = ends ? s->last : s->peak_at;
+    return peak > 0 && isfinite(beside) ? (peak - beside) / peak : 0;
+}
+
+void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt)
+{
+    const double from = scene->def.output.steady_from, middle = (from + scene->def.duration) / 2;
+    row_record(s, sample->winch_force, sample->t, dt);
+    if (!(s->first > 0)) s->first = first_moments(scene);
+    if (!(sample->t > 0)) s->speed = sample->winch_speed;
+    double *const largest = sample->t <= s->first ? &s->jolt : &s->later;
+    if (sample->winch_force > *largest) {
+        *largest = sample->winch_force;
+        if (largest == &s->jolt) s->jolt_at = sample->t;
+    }
+    if (!(sample->t - dt >= from - 1e-9)) return;
+    HalfWindow *const half = &s->half[sample->t - dt / 2 > middle];
+    half->pull += sample->winch_force * dt;
+    half->time += dt;
+    if (isnan(sample->reference)) return;
+    half->theory += sample->reference * dt;
+    half->theory_time += dt;
+}
+
+double steadiness_drift(const Steadiness *s)
+{
+    const HalfWindow *const a = &s->half[0], *const b = &s->half[1];
+    if (!(a->time > 0 && b->time > 0)) return 0;
+    const double change = b->pull / b->time - a->pull / a->time;
+    const int known = a->theory_time > 0 && b->theory_time > 0;
+    const double expected = known ? b->theory / b->theory_time - a->theory / a->theory_time : 0;
+    const double mean = fabs(a->pull + b->pull) / (a->time + b->time);
+    return fmin(fabs(change), fabs(change - expected)) / fmax(fmax(mean, 0.1 * fmax(s->jolt, s->later)), 1e-6);
 }
 
 /* ------------------------------------------------------------------------------------------------- conditions */
@@ -51,32 +124,22 @@ static void add(List *list, const char *name, const char *unit, double value, do
     va_end(args);
 }
 
-/* The chord of a segment in a bend of a duct is higher than the duct has room: the cable jams by its mesh alone. */
-static void add_duct_mesh(List *list, const Scene *scene)
+/* What the lengths of the segments are expected to add to the pull. Without memory nothing is said. */
+static void add_mesh(List *list, const Scene *scene)
 {
-    double worst = 0, tight = 0, enough = 0, longest = 0; /* 1; m, m: the room there, and what would fit it; m */
-    for (int i = 0; i < scene->eye - scene->first && i < scene->chain.n; ++i)
-        longest = fmax(longest, 2 * scene->chain.half[i]);
-    for (int k = 0; k < scene->def.n_surfaces; ++k) {
-        const SurfaceShape *const duct = &scene->def.surfaces[k].shape;
-        if (duct->kind != SURFACE_DUCT) continue;
-        for (int b = 0; b < scene->route.n; ++b) {
-            const RoutePiece *const piece = &scene->route.piece[b];
-            const int inside = piece->s0 < duct->to && piece->s0 + piece->length > duct->from;
-            if (piece->kind != ROUTE_BEND || !inside) continue;
-            const double room = duct->radius - duct->cable_radius;
-            const double sagitta = longest * longest / (8 * piece->radius);
-            if (!(sagitta > worst * room)) continue;
-            worst = sagitta / room;
-            tight = room;
-            enough = sqrt(SAGITTA * room * 8 * piece->radius);
-        }
+    Mesh mesh;
+    int worst;
+    char where[96];
+    if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return;
+    const double error = mesh_given(&mesh, &scene->def, &worst);
+    if (worst >= 0) {
+        const MeshPlace *const place = &mesh.place[worst];
+        mesh_describe(place, sizeof where, where);
+        add(list, "mesh", "1", error, MESH_ALLOWED,
+            "segments are too long, about %+.2g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm",
+            100 * error, where, place->piece, 1e3 * mesh_length(&mesh, place->piece, MESH_AIM));
     }
-    if (worst > 0) {
-        add(list, "mesh_in_ducts", "1", worst, SAGITTA,
-            "segments are too long for bends in ducts with %.3g mm of room: set chain.segment to %.3g mm or less",
-            1e3 * tight, 1e3 * enough);
-    }
+    mesh_free(&mesh);
 }
 
 /* Below the speed at which friction is fully there the pull is too small. */
@@ -98,6 +161,68 @@ static void add_friction_speed(List *list, const Scene *scene)
     }
 }
 
+/* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
+ * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against
+ * it: the square leaves a margin (BA13). */
+static void add_damping(List *list, const TrustFacts *f)
+{
+    const double share = f->balance->numerical_share, logs = share < 0.95 ? -log1p(-share) : 3;
+    add(list, "numerical_damping", "1", share, DAMPED,
+        "the steps in time took %.2g %% of '%s' that nothing else damped: set solver.accuracy to %.1g, and "
+        "solver.max_order to 2",
+        100 * share, f->balance->turnover_of,
+        f->scene->def.solver.accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs)));
+}
+
+/* One figure's error bar, with what it is mostly made of, and what makes that smaller. */
+static void add_error(List *list, const char *name, const char *figure, const hawser_error_bar *bar, double size,
+                      double allowed)
+{
+    const char *of = "friction that is not there yet", *remedy = "a friction.v_s far below the pull's speed";
+    if (bar->mesh >= bar->friction && bar->mesh >= bar->time) {
+        of = "the mesh";
+        remedy = "a shorter chain.segment";
+    } else if (bar->time >= bar->friction) {
+        of = "steps in time";
+        remedy = "a smaller solver.accuracy and output.interval";
+    }
+    add(list, name, "1", bar->total / size, allowed, "%s may be off by %.2g %%, mostly by %s: use %s", figure,
+        100 * bar->total / size, of, remedy);
+}
+
+/* The error bars of the pull. */
+static void add_errors(List *list, const hawser_summary *s)
+{
+    if (!(s->pull_peak_N > 0)) return;
+    add_error(list, "numerical_error", "the mean pull", &s->pull_mean_error,
+              fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100), MEAN_ERROR);
+    add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
+}
+
+/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A
+ * chain that begins at rest and is set in motion gently has no jolt. */
+static void add_steadiness(List *list, const TrustFacts *f)
+{
+    const Steadiness *const s = f->steadiness;
+    const int jumps = s->speed > 0, rests = f->scene->def.solver.relax && f->relaxation->reached;
+    const double drift = steadiness_drift(s);
+    add(list, "steady", "1", drift, DRIFT,
+        "the pull changes by %.2g %% within the steady window: set run.steady_from to where it has settled, or "
+        "run.duration to more",
+        100 * drift);
+    if (!rests || jumps) {
+        add(list, "start_jolt", "1", fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
+            "the largest pull is the jolt of the start, at %.3g s: %s", s->jolt_at,
+            jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");
+    }
+    double at;
+    const double spike = steadiness_spike(s, &at);
+    add(list, "peak", "1", spike, SPIKE,
+        "the largest pull is a spike, %.2g %% above the rows beside it, at %.4g s: set output.interval to less, "
+        "or start more gently",
+        100 * spike, at);
+}
+
 int trust_judge(const TrustFacts *f, hawser_condition *out)
 {
     const Scene *const scene = f->scene;
@@ -110,10 +235,22 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
-    if (scene->def.solver.relax && f->relaxation->tolerance_N > 0) {
+    const int rests = (scene->def.solver.relax || !dynamic) && f->relaxation->tolerance_N > 0;
+    if (rests && rod_is_loose(scene)) {
+        add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
+            "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
+            "to false");
+    } else if (rests) {
         add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
             f->relaxation->segment);
+    }
+    if (!dynamic && scene->def.analysis.stability != STABILITY_IGNORE) {
+        const double grow = f->unstable < 0 ? (double)INFINITY : (double)f->unstable;
+        add(&list, "stable", "1", grow, 0, "%s",
+            f->unstable < 0 ? "the equilibrium's stability could not be counted: see 'analysis: modes'"
+                            : "the last equilibrium is not stable: see critical loads; a slow load would not leave the "
+                              "rod there");
     }
     if (f->balance) {
         add(&list, "energy", "1", f->balance->residual_share, ENERGY,
@@ -122,11 +259,21 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
         add(&list, "momentum", "1", f->balance->impulse_residual_share, MOMENTUM,
             "momentum does not add up by %.2g %%: try a smaller solver.accuracy",
             100 * f->balance->impulse_residual_share);
+        add_damping(&list, f);
     }
     if (dynamic && !scene->rod->present) {
         add(&list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
             f->stray.farthest, f->stray.at);
+    }
+    add(&list, "passed", "1", f->passing->through, 0,
+        "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
+    const Misfit *const start = &f->passing->start;
+    if (start->force > 0 && !scene->def.solver.relax) {
+        add(&list, "start", "N", start->force, start->allowed,
+            "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
+            "or less there",
+            start->name, 1e3 * misfit_segment(start));
     }
     add(&list, "orientation", "1", f->turned, 0, "%s",
         f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"
@@ -138,7 +285,9 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "by `hawser theory`",
             scene->def.theory.cables);
     }
-    add_duct_mesh(&list, scene);
+    add_mesh(&list, scene);
     add_friction_speed(&list, scene);
+    if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
     return list.n;
 }

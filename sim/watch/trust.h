@@ -5,6 +5,7 @@
 
 #include "hawser/hawser.h"
 #include "sim/dynamics.h"
+#include "sim/watch/passing.h"
 
 /* How far the cable has been from its route. */
 typedef struct Stray {
@@ -15,14 +16,46 @@ typedef struct Stray {
 /* Looks, if it is time: a few times a run and at its end. travel: of the head, m. */
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t);
 
+/* ---- whether the pull is what its figures say: even over the steady window, and largest when something was pulled */
+
+/* What is summed over one half of the steady window. */
+typedef struct HalfWindow {
+    double pull, time;          /* N s, s */
+    double theory, theory_time; /* the same of the reference theory with the front where it is, while it is known */
+} HalfWindow;
+
+typedef struct Steadiness {
+    HalfWindow half[2];
+    double first;         /* s: how long the first moments last; 0: not yet known */
+    double jolt, jolt_at; /* N, s: the largest pull in them, and when */
+    double later;         /* N: the largest after them */
+    double speed;         /* m/s, of the winch at t = 0 */
+    double row[2];        /* N: the pull of the last row but one and of the last; -INFINITY: there was none */
+    double peak, beside;  /* N: the largest pull of a row that has one behind it, and the larger of the two beside it */
+    double peak_at, last; /* s: when that was, and the last row */
+} Steadiness;
+
+/* Takes a sample in, dt (s) after the one before. */
+void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt);
+/* By how much the pull of the window's second half differs from the first's, or from what theory has it change by as
+ * the front goes on, whichever is less: a share of the mean pull, or of a tenth of the largest if that is more. 0 while
+ * there is no second half. */
+double steadiness_drift(const Steadiness *s);
+/* By how much the largest pull stands out of the rows before and behind it, a share of itself; *at: when, s. */
+double steadiness_spike(const Steadiness *s, double *at);
+
 /* What the conditions are asked of. */
 typedef struct TrustFacts {
     const Scene *scene;
     double t, end; /* s, reached and asked for */
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
+    const hawser_summary *figures; /* with their error bars */
     int turned;                    /* sim/watch/events.h */
+    int unstable;                  /* motions that grow from an equilibrium of statics; -1: not counted */
     Stray stray;
+    const Steadiness *steadiness;
+    const Passing *passing;
 } TrustFacts;
 
 /* The conditions that apply, into out [HAWSER_CONDITIONS_MAX]; returns how many. */

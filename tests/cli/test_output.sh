@@ -24,6 +24,23 @@ for name in series.csv stations.csv rollers.csv summary.json results.h5 results.
     says err "full-$name/$name" "No space left"
 done
 
+# a folder holds the results of one run
+run_hawser 0 run pull.yaml -o twice --certify
+exists twice/results.h5 twice/results.xdmf twice/certificate.json
+run_hawser 0 run pull.yaml -o twice --set output.states=0
+missing twice/results.h5 twice/results.xdmf twice/certificate.json
+exists twice/series.csv twice/summary.json
+
+# standard descriptors that are closed are not taken by files of results
+for closed in 0 2; do
+    what="hawser run with descriptor $closed closed"
+    (cd "$work" && eval "exec $closed<&-" && exec "$hawser" run pull.yaml -o "closed-$closed" --quiet)
+    [ $? = 0 ] || fail "$what: it failed"
+    (cd "$work" && eval "exec $closed<&-" && exec "$hawser" run pull.yaml -o "closed-$closed" >out)
+    awk -F, 'NR == 1 {n = NF} NF != n {exit 1}' "$work/closed-$closed/series.csv" || fail "$what: rows are ragged"
+    grep -q "t =" "$work/closed-$closed/series.csv" && fail "$what: progress is in series.csv"
+done
+
 # the disk fills while it runs (a limit on the size of a file, in blocks of 512 bytes, stands in for it)
 what="hawser run under ulimit -f"
 (

@@ -26,4 +26,19 @@ for signal in INT TERM; do
     # the last row is whole
     tail -1 "$work/$signal/series.csv" | awk -F, 'NF != 15 { exit 1 }' || fail "$what: series.csv is cut off"
 done
+
+# a relaxation that takes many seconds is left at once; the folder is there before it begins
+what="hawser run, then SIGTERM while the cable comes to rest"
+(cd "$work" && exec "$hawser" run "$source/tests/data/passing-slow.yaml" -o slow >out 2>err) &
+pid=$!
+tries=0
+while [ ! -s "$work/slow/summary.json" ] && [ $tries -lt 600 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+kill -TERM $pid
+wait $pid
+status=$?
+[ $status = 130 ] || fail "$what: exit status $status, not 130"
+says err "stopped on the way to equilibrium"
 finish

@@ -185,6 +185,37 @@ static void test_askew_in_u(void **state)
     }
 }
 
+/* Drawn through a U as deep as its radius, a little askew and up on one wall: the contact stays whatever part of a
+ * segment is at the walls' upper edge, where they stand upright, and the point found is the nearest (GR15). */
+static void test_drawn_through_deep_u(void **state)
+{
+    (void)state;
+    TestScene s;
+    scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
+    const double rc = s.chain.radius[0], r_g = 1.25 * rc, up = 0.9, skew = 5e-3, depth = 1e-4;
+    const Vec3 along = v3(cos(skew), sin(skew), 0);
+    const double way = r_g - rc + depth; /* of the cable's middle from the arc's centre */
+    grooved_roller(&s, v3(1.25, 0, 0), v3(0, 1, 0), groove_u(r_g, r_g), SHAPE_U_GROOVE);
+    double least = INFINITY, most = -INFINITY;
+    for (double x = 0; x < 0.5; x += 1e-4) {
+        for (int i = 0; i < N; ++i) {
+            vec_store(s.kin.a, i, along);
+            vec_store(s.kin.p, i,
+                      v3_axpy(v3(1.25, way * sin(up), 0.08 + r_g - way * cos(up)), (i - 3) * 0.5 + x, along));
+        }
+        scene_refresh(&s);
+        ContactDetail hit[SCENE_HITS_MAX];
+        const int hits = contact_details(&s.model, &s.chain, &s.kin, 0, &s.pairs, SCENE_HITS_MAX, hit);
+        double gap = INFINITY;
+        for (int h = 0; h < hits; ++h) gap = fmin(gap, hit[h].gap);
+        least = fmin(least, gap);
+        most = fmax(most, gap);
+    }
+    check_below(most, -depth / 2);
+    check_below(most - least, 1e-9);
+    scene_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -193,6 +224,7 @@ int main(void)
         cmocka_unit_test(test_balance_and_objectivity),
         cmocka_unit_test(test_pushed_over_edges),
         cmocka_unit_test(test_askew_in_u),
+        cmocka_unit_test(test_drawn_through_deep_u),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -255,16 +255,22 @@ static void test_stiffness(void **state)
     }
 }
 
+/* Where the points of an element are: of Gauss, and of Radau where the line ends (DU1), (DU16). */
+static const double *points_of(int elements, int e)
+{
+    static const double u[3][SURFACE_POINTS] = {{0, 2.0 / 3}, {0.21132486540518712, 0.78867513459481288}, {1.0 / 3, 1}};
+    return u[e == 0 ? 0 : e == elements - 1 ? 2 : 1];
+}
+
 /* Energy of the surfaces' springs: every point's length times k p^(e+1)/(e+1) (DU1). */
 static double potential(const SurfaceScene *s)
 {
-    static const double u[SURFACE_POINTS] = {0.21132486540518712, 0.78867513459481288};
     const ImpactLaw *const law = &s->model.impact;
     double sum = 0;
     for (int e = 0; e < s->points.elements; ++e) {
         const Element element = element_at(GEOMETRY_SMOOTH, s->chain.n, e);
         for (int q = 0; q < SURFACE_POINTS; ++q) {
-            const Vec3 p = element_point(&element, &s->chain, &s->kin, u[q]);
+            const Vec3 p = element_point(&element, &s->chain, &s->kin, points_of(s->points.elements, e)[q]);
             for (int f = 0; f < s->model.n_patches; ++f) {
                 const SurfaceProbe at = surface_probe(&s->patch[f], p);
                 const double depth = s->points.radius[q][e] - at.distance;
@@ -342,6 +348,90 @@ static void test_floor_end(void **state)
     surfaces_free(&s);
 }
 
+/* A force that varies along a straight cable with the square of the place is summed without error, ends included: at
+ * the tips stand a quarter of a half segment's length each, and what was given besides. */
+static void test_ends_are_points(void **state)
+{
+    (void)state;
+    for (int n = 2; n <= 5; ++n) {
+        for (int geometry = 0; geometry < 2; ++geometry) {
+            SurfaceScene s;
+            surfaces_new(&s, n, 0.5);
+            s.points.tip = 0.3;
+            surfaces_points(&s, geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH);
+            double sum = 0, whole = 0;
+            for (int e = 0; e < s.points.elements; ++e) {
+                const Element element = element_at(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, n, e);
+                for (int q = 0; q < SURFACE_POINTS; ++q) {
+                    const double x = element_point(&element, &s.chain, &s.kin, points_of(s.points.elements, e)[q]).x;
+                    sum += s.points.length[q][e] * x * x;
+                    whole += s.points.length[q][e];
+                }
+            }
+            const double length = 0.5 * n;
+            check_share(whole, length + 2 * 0.3, 1e-14);
+            /* the arcs' parameter is not the place: only straight elements of one length are exact */
+            check_share(sum, length * length * length / 3 + 0.3 * length * length, 1e-13);
+            surfaces_free(&s);
+        }
+    }
+}
+
+/* A cable that stands on its end sinks by what the tip's stiffness says, however it is cut: as long as it is cut more
+ * finely than the length that the tip stands for, to second order in what is left of the half segment. */
+static void test_tip_stiffness(void **state)
+{
+    (void)state;
+    const double depth = 1e-4, tip = 1;
+    double before = 0;
+    for (int n = 4; n <= 64; n *= 4) {
+        SurfaceScene s;
+        surfaces_new(&s, n, 2.0 / n);
+        s.points.tip = tip;
+        for (int i = 0; i < n; ++i) {
+            vec_store(s.kin.a, i, v3(0.6, 0, 0.8));
+            vec_store(s.kin.p, i, v3_scale((i + 0.5) * 2.0 / n, v3(0.6, 0, 0.8)));
+        }
+        SurfaceShape floor = surfaces_shape(SURFACE_PLANE, 0, 0);
+        floor.point = v3(0, 0, depth - CABLE_RADIUS);
+        floor.length = floor.width = 0;
+        surfaces_add(&s, &floor);
+        surfaces_points(&s, GEOMETRY_SMOOTH);
+        surfaces_refresh(&s);
+        surfaces_forces(&s, 0);
+        assert_int_equal(s.pairs.active, 1);
+        const double force = s.tally[0].normal, rigid = tip * 3e8 * pow(depth, 1.5), off = force / rigid - 1;
+        print_message("segments of %g m: %g N, %.3f %% more than the tip alone\n", 2.0 / n, force, 100 * off);
+        check_close(off, 1.0 / n / 4, 1e-12); /* a quarter of the half segment, over 1 m */
+        if (before > 0) check_close(before / off, 4, 1e-9);
+        before = off;
+        surfaces_free(&s);
+    }
+}
+
+/* A plane without ends has half of space behind it and pushes back at any depth; one with ends has another side. */
+static void test_half_space(void **state)
+{
+    (void)state;
+    for (int bounded = 0; bounded < 2; ++bounded) {
+        for (double depth = 0.1; depth < 20; depth *= 4) {
+            SurfaceScene s;
+            surfaces_new(&s, 4, 0.5);
+            SurfaceShape floor = surfaces_shape(SURFACE_PLANE, 0, 0);
+            floor.point = v3(1, 0, depth - CABLE_RADIUS);
+            floor.length = bounded ? 100 : 0;
+            floor.width = 0;
+            surfaces_add(&s, &floor);
+            surfaces_points(&s, GEOMETRY_SMOOTH);
+            surfaces_refresh(&s);
+            surfaces_forces(&s, 0);
+            const int touches = !bounded || depth < SURFACE_DEPTH_MAX + CABLE_RADIUS;
+            check_share(s.tally[0].normal, touches ? 2 * 3e8 * pow(depth, 1.5) : 0, 1e-12);
+            surfaces_free(&s);
+        }
+    }
+}
+
 /* What is behind a floor by more than the limit is on its other side; what is beyond its edges is not borne. */
 static void test_limits(void **state)
 {
@@ -370,11 +460,13 @@ static void test_limits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_normal),      cmocka_unit_test(test_continuous),
-        cmocka_unit_test(test_fades_meet),  cmocka_unit_test(test_action_and_reaction),
-        cmocka_unit_test(test_objectivity), cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_stiffness),   cmocka_unit_test(test_potential),
-        cmocka_unit_test(test_floor_end),   cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_normal),        cmocka_unit_test(test_continuous),
+        cmocka_unit_test(test_fades_meet),    cmocka_unit_test(test_action_and_reaction),
+        cmocka_unit_test(test_objectivity),   cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_stiffness),     cmocka_unit_test(test_potential),
+        cmocka_unit_test(test_floor_end),     cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_half_space),    cmocka_unit_test(test_ends_are_points),
+        cmocka_unit_test(test_tip_stiffness),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

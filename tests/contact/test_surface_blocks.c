@@ -79,6 +79,7 @@ static void check_kind(SurfaceKind kind, double left, double up, double height)
         SurfaceScene s;
         const double speed = trial % 3 == 0 ? 1e-3 : trial % 3 == 1 ? 0.01 : 0.3;
         surfaces_new(&s, N, 0.5);
+        s.points.tip = 0.4 * (trial % 2);
         /* soft and gentle, so that finite differences see every term */
         s.model.impact = (ImpactLaw){.k = 1e5, .e = trial % 2 ? 1.5 : 2.2, .c = 500, .d = 0.02};
         surfaces_route(&s, 4, way, 0);
@@ -138,6 +139,7 @@ static void test_plane(void **state)
     for (int trial = 0; trial < 12; ++trial) {
         SurfaceScene s;
         surfaces_new(&s, N, 0.5);
+        s.points.tip = 0.4 * (trial % 2);
         s.model.impact = (ImpactLaw){.k = 1e5, .e = 1.5, .c = 500, .d = 0.02};
         surfaces_route(&s, 4, way, 0);
         SurfaceShape shape = surfaces_shape(SURFACE_PLANE, 0, 0);

@@ -15,10 +15,11 @@
 
 enum { N = 5, R = 2 };
 
-static const hawser_roller fixture_rollers[R] = {{"entry, left", 0.5, 160e3, 100, 200, 320, NAN, NAN, NAN},
-                                                 {"P2", NAN, 0, 0, 0, 10, 1.5, NAN, NAN}};
-static const hawser_station fixture_stations[3] = {
-    {"A", 0, 1000, 1010, 1020, 1500}, {"say \"B\"", 2, 2000, 2020, 1980, 2500}, {"C", 4, 0, 0, NAN, NAN}};
+static const hawser_roller fixture_rollers[R] = {{"entry, left", 0.5, 160e3, 100, 200, 320, NAN, NAN, NAN, 2, 5},
+                                                 {"P2", NAN, 0, 0, 0, 10, 1.5, NAN, NAN, 0, 1}};
+static const hawser_station fixture_stations[3] = {{"A", 0, 1000, 1010, 1020, 1500, 1, 15},
+                                                   {"say \"B\"", 2, 2000, 2020, 1980, 2500, 2, 25},
+                                                   {"C", 4, 0, 0, NAN, NAN, NAN, NAN}};
 static const int fixture_watched[2] = {0, 4};
 
 static const int fixture_loads[2] = {1, 0};

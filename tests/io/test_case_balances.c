@@ -8,7 +8,10 @@
 
 /* At the default accuracy, over the first seconds of the pull: start and run, with all their transients. */
 static const double ENERGY_MOST = 1e-3, MOMENTUM_MOST = 4e-4;
-/* Where less than 100 J go over rollers that spin, tilt, or hold the cable in a groove. */
+/* Segments that leave a drum with a jerk: between 2e-4 and 2.6e-3 as the accuracy goes from 0.9 to 1.1 of the default.
+ */
+static const double JERKS_MOST = 3e-3;
+/* Where less than 100 J go over rollers that spin, tilt, guide, or hold the cable in a groove. */
 static const double SMALL_MOST = 5e-3;
 /* Where friction sticks, bristles move between steps and the rates within one are of first order in its length. */
 static const double STICKS_MOST = 2e-2;
@@ -52,9 +55,11 @@ static int case_closes(const char *file)
     if (b) {
         print_message("%-24s energy %.1e of %10.4g J (%s), momentum %.1e\n", strrchr(file, '/') + 1, b->residual_share,
                       b->turnover_J, b->turnover_of, b->impulse_residual_share);
-        const double most = strstr(file, "stick") ? STICKS_MOST : strstr(file, "/rollers-") ? SMALL_MOST : ENERGY_MOST;
+        const double most = strstr(file, "stick")                               ? STICKS_MOST
+                            : strstr(file, "rollers") || strstr(file, "limits") ? SMALL_MOST
+                                                                                : ENERGY_MOST;
         if (!(b->residual_share < most)) fail_msg("%s: energy %g J is not accounted for", file, b->residual_J);
-        check_below(b->impulse_residual_share, MOMENTUM_MOST);
+        check_below(b->impulse_residual_share, strstr(file, "drum-contact") ? JERKS_MOST : MOMENTUM_MOST);
         check_above(b->n_terms, 3);
         check_above(b->turnover_J, 0);
     }

@@ -16,9 +16,12 @@ static void a_rod_is_read(void **state)
     const int held[2][6] = {{1, 1, 1, 1, 0, 0}, {0, 1, 1, 1, 1, 1}};
     assert_memory_equal(tail->held, held[0], sizeof held[0]);
     assert_memory_equal(head->held, held[1], sizeof held[1]);
-    assert_int_equal(tail->n_motions, 2);
+    assert_int_equal(tail->n_motions, 4);
     check_share(profile_value(&tail->motions[0].by.size, 0.3), 0.02, 1e-15);
     check_share(profile_value(&tail->motions[1].by.size, 0.25), 0.2617993877991494, 1e-12);
+    assert_true(tail->motions[2].rates && !tail->motions[2].turns && !tail->motions[0].rates);
+    assert_true(tail->motions[3].rates && tail->motions[3].turns);
+    check_share(profile_value(&tail->motions[2].by.size, 0.25), 0.01, 1e-15);
     assert_int_equal(rod->n_loads, 2);
     assert_int_equal(rod->loads[0].follower, 1);
     assert_int_equal(rod->loads[1].moment, 1);
@@ -62,7 +65,7 @@ static void wrong_rods(void **state)
     expect_bad(helix, "rod.tail.hold", "[axial, bend]", "expected axial, shear_y");
     expect_bad(helix, "rod.head", "{fixing: held}", "'rod.head.hold': missing");
     expect_bad(helix, "rod.head", "{fixing: free, motion: []}", "not allowed with 'fixing: free'");
-    expect_bad(helix, "rod.tail.motion.0.turn", "1 rad", "give either 'move' or 'turn'");
+    expect_bad(helix, "rod.tail.motion.0.turn", "1 rad", "too much: give one of 'move', 'turn', 'speed' and 'spin'");
     expect_bad(helix, "rod.loads.0.moment", "1 N m", "give either 'force' or 'moment'");
     expect_bad(helix, "rod.loads.0.direction", "[0, 0, 0]", "not zero");
     expect_bad(helix, "rod.loads.0.at", "7 m", "must be on the chain, at most 6 m");

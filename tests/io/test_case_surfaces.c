@@ -98,11 +98,15 @@ static void planes_are_checked(void **state)
     expect_bad(CASE("{planes: [{point: [0, 0, -1], normal: [0, 0, 1], along: [0, 0, 2]}]}"), NULL, NULL,
                "key 'surfaces.planes.0.along': the value is a list: expected a direction that is not the normal's");
     SceneDef def;
-    /* a plane that ends before the cable may be as high as it likes, and so may one that the cable is behind */
+    /* half of space is behind a plane without ends: the cable cannot be there */
+    expect_bad(CASE("{planes: [{point: [0, 0, 2 m], normal: [0, 0, 1]}]}"), NULL, NULL,
+               "plane 'P1' is inside the cable: 4.712 m along the route it is -2 m from the line");
+    /* a plane that ends before the cable may be as high as it likes, and so may one with ends that the cable is behind
+     */
     expect_good(CASE("{planes: [{point: [-30 m, 0, 0], normal: [0, 0, 1], length: 1 m, width: 1 m}]}"), NULL, NULL,
                 &def);
     scene_def_clear(&def);
-    expect_good(CASE("{planes: [{point: [0, 0, 2 m], normal: [0, 0, 1]}]}"), NULL, NULL, &def);
+    expect_good(CASE("{planes: [{point: [0, 0, 2 m], normal: [0, 0, 1], width: 1 km}]}"), NULL, NULL, &def);
     scene_def_clear(&def);
 }
 

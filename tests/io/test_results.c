@@ -93,14 +93,15 @@ static void test_text_files(void **state)
                 "0,7000,50,0.1,0.75,9000,3,17,0.0125,0,1.5,0.5,5.5,1,0\n"
                 "0.1,7001,51,0.1,0.75,9001,3,17,0.0125,1,101.5,1.5,105.5,11,10\n");
     expect_text(f, "stations.csv",
-                "name,s_m,paper_N,reference_N,mean_N,peak_N,error_paper_pct,error_reference_pct,peak_ratio\n"
-                "A,0,1000,1010,1020,1500,2,0.99009901,1.48514851\n"
-                "\"say \"\"B\"\"\",2,2000,2020,1980,2500,-1,-1.98019802,1.23762376\n"
-                "C,4,0,0,,,,,\n");
+                "name,s_m,paper_N,reference_N,mean_N,peak_N,error_paper_pct,error_reference_pct,peak_ratio,"
+                "mean_error_N,peak_error_N\n"
+                "A,0,1000,1010,1020,1500,2,0.99009901,1.48514851,1,15\n"
+                "\"say \"\"B\"\"\",2,2000,2020,1980,2500,-1,-1.98019802,1.23762376,2,25\n"
+                "C,4,0,0,,,,,,,\n");
     expect_text(f, "rollers.csv",
-                "name,s_m,initial_N,steady_N,peak_N,peak_ratio,rating_N,rating_ratio\n"
-                "\"entry, left\",0.5,100,200,320,1.6,160000,800\n"
-                "P2,,0,0,10,,,\n");
+                "name,s_m,initial_N,steady_N,peak_N,peak_ratio,rating_N,rating_ratio,steady_error_N,peak_error_N\n"
+                "\"entry, left\",0.5,100,200,320,1.6,160000,800,2,5\n"
+                "P2,,0,0,10,,,,0,1\n");
 }
 
 static void test_states(void **state)

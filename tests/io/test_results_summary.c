@@ -13,6 +13,8 @@ static const hawser_balance books = {.carried_J = 11,
                                      .turnover_J = 13,
                                      .turnover_of = "winch",
                                      .residual_share = 14,
+                                     .numerical_J = 22,
+                                     .numerical_share = 23,
                                      .impulse_residual_share = 15,
                                      .n_terms = 4,
                                      .term = {{HAWSER_BALANCE_WORK, "winch", 16, {0, 0, 0}},
@@ -46,6 +48,8 @@ static const hawser_summary full = {.balance = &books,
                                     .pull_mean_N = 13000.5,
                                     .pull_peak_N = 14000.25,
                                     .pull_ripple_N = 7.5,
+                                    .pull_mean_error = {1.5, 2.5, 3.5, 7.5},
+                                    .pull_peak_error = {10, 20, 30, 60},
                                     .paper_total_N = 12903.21,
                                     .reference_total_N = 13010,
                                     .error_max_pct = 4,
@@ -144,6 +148,13 @@ static void test_numbers(void **state)
                     {"balance.residual_J", 12},
                     {"balance.turnover_J", 13},
                     {"balance.residual_share", 14},
+                    {"balance.numerical_J", 22},
+                    {"balance.numerical_share", 23},
+                    {"pull_force.steady_mean_error.time_N", 1.5},
+                    {"pull_force.steady_mean_error.mesh_N", 2.5},
+                    {"pull_force.steady_mean_error.friction_N", 3.5},
+                    {"pull_force.steady_mean_error.total_N", 7.5},
+                    {"pull_force.peak_error.total_N", 60},
                     {"balance.impulse_residual_share", 15},
                     {"balance.work_J.winch", 16},
                     {"balance.lost_J.bearings", 17},
@@ -212,8 +223,8 @@ static void test_unknown_becomes_null(void **state)
 static void test_moving_rollers(void **state)
 {
     (void)state;
-    const hawser_roller roller[2] = {{"fixed", 0.5, 160e3, 100, 200, 320, NAN, NAN, NAN},
-                                     {"P2", NAN, 0, 0, 0, 10, 1.5, NAN, NAN}};
+    const hawser_roller roller[2] = {{"fixed", 0.5, 160e3, 100, 200, 320, NAN, NAN, NAN, 2, 3},
+                                     {"P2", NAN, 0, 0, 0, 10, 1.5, NAN, NAN, 0, 1}};
     json_t *o = write_and_read(&full, &labels);
     assert_null(json_object_get(o, "moving_rollers"));
     json_decref(o);

@@ -103,6 +103,11 @@ static void grooves_are_sat_in(void **state)
     assert_int_equal(def.rollers[0].profile, SHAPE_V_GROOVE);
     check_share(def.rollers[0].groove.depth, 2 * RADIUS, 1e-12);
     scene_def_clear(&def);
+    expect_good(data_text("smallest"), "rollers.along",
+                "{count: 3, radius: 80 mm, gap: 12 mm, hold_down: [[9 m, 11 m]]}", &def);
+    check_share(def.rollers[0].centre.z, -0.08 - RADIUS, 1e-12); /* a gap is above the cable only */
+    check_share(def.rollers[2].centre.z, 0.08 + RADIUS + 0.012, 1e-12);
+    scene_def_clear(&def);
     expect_good(data_text("smallest"), "rollers.along", "{count: 3, profile: u, radius: 80 mm}", &def);
     check_share(def.rollers[0].centre.z, -0.08 - RADIUS, 1e-12);
     check_share(def.rollers[0].groove.radius, 1.25 * RADIUS, 1e-12);
@@ -134,7 +139,7 @@ static void bad_rows(void **state)
         {"{where: bends}", "key 'rollers.along.spacing': missing: rows of guides"},
         {"{where: bends, spacing: 1 m, count: 3}", "key 'rollers.along.count': given"},
         {"{spacing: 1 m, guide: both, hold_down: sag}", "key 'rollers.along.hold_down': not for guides"},
-        {"{spacing: 1 m, gap: 5 mm}", "key 'rollers.along.gap': only for a row with 'guide'"},
+        {"{spacing: 1 m, gap: 5 mm}", "key 'rollers.along.gap': only with 'guide' or 'hold_down'"},
         {"{spacing: 1 m, where: [[3 m, 2 m]]}", "expected [from, to] with to >= from"},
         {"{spacing: 1e-6, where: straights}", "too many rollers"},
         {"{spacing: 1 m, from: 5 m, to: 2 m, where: straights}", "out of range: must be at least 'from'"},

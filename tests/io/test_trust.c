@@ -1,5 +1,17 @@
 /* The conditions under which a run is worth judging: a good run meets them all, and each fails in a run that is spoiled
- * in one way. Every one of these was called safe, or could have been, before there were conditions. */
+ * in one way. Every one of these was called safe, or could have been, before there were conditions.
+ *
+ * What a run or a calculation was once wrong about, and where it is tested:
+ *   nothing under the cable                        here, nothing_holds_it
+ *   a shaft in which the cable runs away           here, a_shaft_without_a_brake
+ *   several cables, of which a run pulls one       here, several_cables
+ *   cables that jam, or fill their duct            here, three_cables_jam; theory/test_limits, sim/expected by
+ * io/test_case_limits a run that fails before its steady window      here, not_to_the_end a stiff grip at the default
+ * accuracy           here, energy_lost; io/test_certify, a_stiff_grip segments too long for a duct's bends here,
+ * coarse_in_a_duct; io/test_certify for all other meshes a pull slower than friction needs              here,
+ * slower_than_friction a case that begins with a byte order mark      io/test_case_tree, byte_order_mark results of an
+ * earlier run in the folder        cli/test_output.sh files of results in place of closed stderr     cli/test_output.sh
+ */
 #include "tests/io/case_fixture.h"
 
 /* A run to its end, or to its failure; the summary's lists are the simulation's. */
@@ -88,24 +100,53 @@ static void not_to_the_end(void **state)
     expect_failing(data_text("trust"), few, HAWSER_ERR_RUN, "finished steady_window", "of no steady pull");
 }
 
+/* The window lies in the winch's ramp, in which friction comes in: no mean of a steady pull. */
+static void still_in_the_ramp(void **state)
+{
+    (void)state;
+    const char *const early[] = {"run.steady_from", "500 ms", "drive.winch.to", "4 s", "friction.v_s", "80 mm/s", NULL};
+    expect_failing(data_text("trust"), early, HAWSER_OK, "numerical_error numerical_peak steady",
+                   "set run.steady_from to where it has settled");
+}
+
+/* From 0 to full speed at once, before the cable has come to rest: a first pull of 100 kN where 1.8 kN go on. */
+static void a_jolt_at_the_start(void **state)
+{
+    (void)state;
+    const char *const jump[] = {"drive.winch.ramp", "none", "solver.relax", "false", NULL};
+    expect_failing(data_text("trust"), jump, HAWSER_OK, "numerical_peak start_jolt peak", "give the winch a ramp");
+}
+
+/* Something holds the cable back for a twentieth of a second, between two rows: how much more is not seen. */
+static void a_spike_between_rows(void **state)
+{
+    (void)state;
+    const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}", NULL};
+    expect_failing(data_text("trust"), snap, HAWSER_OK, "numerical_peak peak", "set output.interval to less");
+}
+
 static void slower_than_friction(void **state)
 {
     (void)state;
     const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
-    expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed", "set friction.v_s below 0.02 m/s");
+    expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed numerical_error numerical_peak",
+                   "set friction.v_s below 0.02 m/s");
 }
 
-/* A stiff grip at the default accuracy: the pull was 12 times theory's. */
+/* A stiff grip at a low accuracy: the pull was 12 times theory's, where a synchronised belt takes all that arrives. The
+ * run shares by elasticity: belt and winch keep the stretch that the cable has under its tail's 1 kN, so that the winch
+ * has that and half of the friction between. */
 static void energy_lost(void **state)
 {
     (void)state;
     const char *const loose[] = {"conveyors", "[{from: 6, to: 8, clamp: 9 kN, mu: 0.5, v_s: 0.1 mm/s}]",
                                  "solver.accuracy", "1e-2", NULL};
-    Judged j = judge(data_text("trust"), loose, HAWSER_OK);
-    const int trusted = j.found != -2;
-    print_message("pull %.1f N, %s\n", j.sum.pull_mean_N, j.verdict);
-    /* trusted or not: a trusted figure must be right */
-    if (trusted) check_share(j.sum.pull_mean_N, j.sum.reference_total_N, 0.05);
+    const char *const fine[] = {loose[0], loose[1], "solver.accuracy", "1e-5", NULL};
+    Judged j = judge(data_text("trust"), loose, HAWSER_OK), best = judge(data_text("trust"), fine, HAWSER_OK);
+    print_message("pull %.1f N, small steps %.1f N, %s\n", j.sum.pull_mean_N, best.sum.pull_mean_N, j.verdict);
+    check_share(j.sum.pull_mean_N, best.sum.pull_mean_N, 0.02);
+    check_share(best.sum.pull_mean_N, 1000 + 0.2 * 20 * 9.81 * (20 - 7) / 2, 0.02);
+    hawser_sim_free(best.sim);
     hawser_sim_free(j.sim);
 }
 
@@ -121,10 +162,35 @@ static void coarse_in_a_duct(void **state)
 {
     (void)state;
     const char *const narrow[] = {"surfaces.ducts.0.radius", "31 mm", NULL};
-    expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "mesh_in_ducts", "set chain.segment to");
+    expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "mesh numerical_error numerical_peak",
+                   "room 1 mm): set chain.0.segment to auto");
     Judged j = judge(data_text("trust-duct"), NULL, HAWSER_OK);
     assert_int_equal(j.found, 0);
     hawser_sim_free(j.sim);
+}
+
+/* Three cables, D/d 2.5, 4 mm above them, 48 % filled: this was safe. A run is not trusted beside that, theory says it
+ * alone; a duct of 90 mm is fine. */
+static void three_cables_jam(void **state)
+{
+    (void)state;
+    static const char *const broken[] = {"NOT SAFE: 3 of", "jam_ratio by 0.962 % at narrow",
+                                         "clearance by 33.3 % at narrow", "fill by 20 % at narrow"};
+    Judged j = judge(data_text("trust-jam"), NULL, HAWSER_OK);
+    assert_int_equal(j.found, -2);
+    check_has(j.verdict, "besides, 3 of the limits would be broken");
+    hawser_sim_free(j.sim);
+    for (int wide = 0; wide < 2; wide++) {
+        hawser_case *c = NULL;
+        char *text = NULL;
+        assert_int_equal(hawser_case_parse(data_text("trust-jam"), NAME, &c, NULL), HAWSER_OK);
+        if (wide) assert_int_equal(hawser_case_set(c, "surfaces.ducts.0.radius", "45 mm", NULL), HAWSER_OK);
+        assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
+        for (int k = 0; k < 4 && !wide; k++) check_has(text, broken[k]);
+        if (wide) check_has(text, "SAFE: all 7 limits hold");
+        hawser_text_free(text);
+        hawser_case_free(c);
+    }
 }
 
 /* A shaft of 60 m: theory found -11.7 kN at its foot and called it safe. */
@@ -148,10 +214,12 @@ static void a_shaft_without_a_brake(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_run),       cmocka_unit_test(nothing_holds_it),
-        cmocka_unit_test(not_to_the_end),   cmocka_unit_test(slower_than_friction),
-        cmocka_unit_test(energy_lost),      cmocka_unit_test(several_cables),
-        cmocka_unit_test(coarse_in_a_duct), cmocka_unit_test(a_shaft_without_a_brake),
+        cmocka_unit_test(a_good_run),          cmocka_unit_test(nothing_holds_it),
+        cmocka_unit_test(not_to_the_end),      cmocka_unit_test(slower_than_friction),
+        cmocka_unit_test(energy_lost),         cmocka_unit_test(several_cables),
+        cmocka_unit_test(coarse_in_a_duct),    cmocka_unit_test(a_shaft_without_a_brake),
+        cmocka_unit_test(three_cables_jam),    cmocka_unit_test(still_in_the_ramp),
+        cmocka_unit_test(a_jolt_at_the_start), cmocka_unit_test(a_spike_between_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -147,11 +147,44 @@ static void test_fall(void **state)
     check_equal(b.carried_J, 0);
 }
 
+/* (BA11) of a roller that spins and stands on a mount, by hand: springs of force and moment on the mount, whose loss is
+ * what motion and springs have less of, and a torque that does not change on the spin. */
+static void test_rollers_method_loss(void **state)
+{
+    (void)state;
+    enum { E = 1 + STATE_SIZE };
+    const double m = 3, turning = 0.2, inertia = 0.5, k = 40, c = 7, h = 0.1, torque = 2;
+    const double x[2] = {0.3, 0.5}, v[2] = {1, 0.2}, w[2] = {-0.1, 0.4}, angle[2] = {0, 2e-3}, speed[2] = {5, 6};
+    MovingRoller item = {.spin = 0, .mount = 0, .inertia = inertia, .mass = m, .turning = turning};
+    const Equipment q = {.n = 1, .spins = 1, .mounts = 1, .item = &item};
+    double past[2 + BODY_PAST] = {0};
+    MethodLoss loss = {0, 0};
+    for (int i = 0; i < 2; ++i) {
+        double e[E] = {0}, rates[E] = {0};
+        e[0] = speed[i];
+        rates[0] = h * torque / inertia;
+        e[1 + STATE_P] = x[i];
+        e[1 + STATE_Q] = cos(angle[i] / 2);
+        e[1 + STATE_Q + 3] = sin(angle[i] / 2);
+        e[1 + STATE_V] = v[i];
+        e[1 + STATE_W + 2] = w[i];
+        rates[1 + STATE_V] = h * -k * x[i] / m;
+        rates[1 + STATE_W + 2] = h * -c * angle[i] / turning;
+        loss = equipment_method_loss(&q, e, rates, 1 / h, past);
+    }
+    double held[2];
+    for (int i = 0; i < 2; ++i)
+        held[i] = (m * v[i] * v[i] + turning * w[i] * w[i] + k * x[i] * x[i] + c * angle[i] * angle[i]) / 2;
+    const double spun = torque * h * (speed[0] + speed[1]) / 2 - inertia * (36 - 25) / 2;
+    check_close(loss.lost, held[0] - held[1] + spun, 1e-9);
+    check_close(loss.moving, (m * v[1] * v[1] + turning * w[1] * w[1] + inertia * 36) / 2, 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_convergence), cmocka_unit_test(test_planar), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_level_row),   cmocka_unit_test(test_fall),
+        cmocka_unit_test(test_level_row),   cmocka_unit_test(test_fall),   cmocka_unit_test(test_rollers_method_loss),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

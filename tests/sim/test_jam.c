@@ -64,6 +64,7 @@ static void test_row(void **state)
     def.jams->at = 14;
     def.jams->release = 26;
     def.duration = 40;
+    def.solver.max_step = 5e-3; /* a step over the moment at which the grip turns round is the books' largest error */
     Window window[3] = {{3, 13, 0}, {15, 25, 0}, {27, 37, 0}};
     Sim *const s = run(&def, 1, 3, window);
     const double free = 0.1 * row_weight(&ROW), more = (0.4 - 0.1) * ROW_MASS * ROW_G;
@@ -169,6 +170,7 @@ static void test_belt(void **state)
     def.jams->at = 14;
     def.jams->release = 26;
     def.duration = 40;
+    def.solver.max_step = 5e-3; /* a step over the moment at which the grip turns round is the books' largest error */
     Window window[3] = {{3, 13, 0}, {15, 25, 0}, {28, 38, 0}};
     Sim *const s = run(&def, 1, 3, window);
     const double row = 0.1 * row_weight(&ROW), sign[3] = {-1, 1, -1};
@@ -178,8 +180,8 @@ static void test_belt(void **state)
     assert_string_equal(event[0].what, "conveyor C1 jams");
     hawser_summary sum;
     hawser_sim_summary(s, &sum);
-    check_below(sum.balance->residual_share, 5e-5);
-    check_below(sum.balance->impulse_residual_share, 5e-5);
+    check_below(sum.balance->residual_share, 5e-6);
+    check_below(sum.balance->impulse_residual_share, 5e-6);
     sim_free(s);
 }
 
@@ -196,6 +198,7 @@ static void test_spinning(void **state)
     def.jams->at = 14;
     def.jams->release = 26;
     def.duration = 40;
+    def.solver.max_step = 5e-3; /* a step over the moment at which the grip turns round is the books' largest error */
     Window window[3] = {{3, 13, 0}, {15, 25, 0}, {27, 37, 0}};
     Sim *s = NULL;
     hawser_error err = {0};

@@ -1,6 +1,6 @@
 /* The relaxation: it balances the fixture, the start from it is free of motion, and it says when it did not get there.
  */
-#include "sim/newton/relax.h"
+#include "sim/newton/relax_space.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
 
@@ -228,6 +228,54 @@ static void test_preload(void **state)
     rig_free(r);
 }
 
+/* Asks nine times to go on, then to stop. */
+static int nine_times(void *user)
+{
+    int *const asked = user;
+    return ++*asked > 9;
+}
+
+/* A relaxation that takes long ends when it is asked to, in space and in a plane, and leaves numbers. */
+static void test_stopped(void **state)
+{
+    (void)state;
+    for (int planar = 0; planar < 2; ++planar) {
+        SceneDef def;
+        hawser_relaxation out = {0};
+        hawser_error err = {0};
+        int asked = 0;
+        fixture_planar(&def, &(FixtureChoice){0});
+        def.solver.planar = planar ? PLANAR_ON : PLANAR_OFF;
+        def.solver.relax_tolerance = 1e-300;
+        Stage stage;
+        assert_int_equal(stage_new(&stage, &def, NULL, &err), HAWSER_OK);
+        scene_def_clear(&def);
+        stage.ws.stop = (StopCheck){.ask = nine_times, .user = &asked};
+        assert_int_equal(stage.motion->ops->relax(stage.motion, 0, stage.y, &out, &err), HAWSER_STOPPED);
+        check_has(err.message, "stopped on the way to equilibrium");
+        assert_int_equal(out.iterations, 9);
+        for (int k = 0; k < stage.motion->size; ++k) check_finite(stage.y[k]);
+        stage_free(&stage);
+    }
+}
+
+/* What thin rollers ask for bounds an iteration's move, and so does the turn of a long segment (E2). */
+static void test_stride(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_pull(&def, &(FixtureChoice){0});
+    for (int r = 0; r < def.n_rollers; ++r) def.rollers[r].radius = 0.01;
+    for (int c = 0; c < def.n_cables; ++c) def.cables[c].diameter = 0.02;
+    Rig *const r = rig_new(&def);
+    const RelaxStride most = relax_stride(&r->scene);
+    check_close(most.move, 0.01, 1e-15);
+    check_close(relax_shorten(&most, 1, 0.02, 0, 0.25), 0.5, 1e-12);
+    check_close(relax_shorten(&most, 1, 0, 0.08, 0.25), 0.5, 1e-12);
+    check_close(relax_shorten(&most, 1, 0.005, 0.02, 0.25), 1, 0);
+    rig_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -239,6 +287,8 @@ int main(void)
         cmocka_unit_test(test_free_fall),
         cmocka_unit_test(test_scale),
         cmocka_unit_test(test_preload),
+        cmocka_unit_test(test_stopped),
+        cmocka_unit_test(test_stride),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,7 @@ static void ghosts_move_as_they_say(void **state)
     RodMotionDef motion[4];
     const Vec3 direction[4] = {{1, 0, 0}, {0, 0.6, 0.8}, {1, 0, 0}, {0, 0, 1}};
     for (int m = 0; m < 4; ++m) {
-        motion[m] = (RodMotionDef){.turns = m > 1, .by.direction = direction[m]};
+        motion[m] = (RodMotionDef){.turns = m > 1, .rates = m % 2, .by.direction = direction[m]};
         motion[m].by.size = (Profile){.kind = PROFILE_STEP5, .t0 = -0.2 * m, .t1 = 1 + 0.3 * m, .v1 = 1.5 + m};
     }
     const RodEndDef end = {.n_motions = 4, .motions = motion}, still = {.pivot = 0};

@@ -11,20 +11,59 @@ static Rig *pull(void)
     return rig_make(&def, NULL);
 }
 
-/* The thinnest roller and the thinnest cable; nothing where there is nothing to pass. */
-static void test_most(void **state)
+/* The thinnest roller and the thinnest cable, and what is left of the reach; nothing where there is nothing to pass. */
+static void test_way(void **state)
 {
     (void)state;
     Rig *const r = pull();
     double thin = INFINITY;
     for (int i = 0; i < r->scene.def.n_cables; ++i) thin = smaller_of(thin, r->scene.def.cables[i].diameter / 2);
     check_close(stride_most(&r->scene), 0.1 + thin, 1e-15);
+    r->scene.rollers[3].shape.half_width = 0.03; /* a disc may be passed along its axis */
+    check_close(stride_most(&r->scene), 0.03 + thin, 1e-15);
+    r->scene.def.contact_reach = 0.16;
+    check_close(stride_most(&r->scene), 0.04, 1e-15);
     rig_free(r);
     SceneDef def;
     fixture_free_chain(&def, 12);
     Rig *const alone = rig_make(&def, NULL);
     check_infinite(stride_most(&alone->scene));
     rig_free(alone);
+}
+
+/* A wall with ends is passed within its depth and the cable's radius; half of space is not, but candidates must be
+ * found in time. */
+static void test_way_of_surfaces(void **state)
+{
+    (void)state;
+    for (int bounded = 0; bounded < 2; ++bounded) {
+        SceneDef def;
+        fixture_free_chain(&def, 12);
+        def.n_surfaces = 1;
+        def.surfaces = fixture_array(1, sizeof *def.surfaces);
+        def.surfaces[0].shape = (SurfaceShape){.kind = SURFACE_PLANE,
+                                               .normal = {0, 0, 1},
+                                               .along = {1, 0, 0},
+                                               .point = {0, 0, -3},
+                                               .length = bounded ? 4 : 0,
+                                               .fade = 0.1};
+        def.surfaces[0].friction = def.friction;
+        Rig *const r = rig_make(&def, NULL);
+        const double radius = r->scene.def.cables[0].diameter / 2;
+        check_close(stride_most(&r->scene), bounded ? (SURFACE_DEPTH_MAX + radius) / 2 : 0.25, 1e-15);
+        rig_free(r);
+    }
+}
+
+/* (N15): the way at a constant speed, from rest, and both. */
+static void test_longest(void **state)
+{
+    (void)state;
+    check_close(stride_longest(0.1, 2, 0), 0.05, 1e-15);
+    check_close(stride_longest(0.1, 0, 9.81), sqrt(0.2 / 9.81), 1e-15);
+    const double h = stride_longest(0.1, 2, 9.81);
+    check_close(2 * h + 9.81 * h * h / 2, 0.1, 1e-15);
+    check_infinite(stride_longest(0.1, 0, 0));
 }
 
 /* The largest of all segments, wherever it is, for counts that are no multiple of the lanes. */
@@ -67,9 +106,8 @@ static void test_turned(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_most),
-        cmocka_unit_test(test_speed),
-        cmocka_unit_test(test_turned),
+        cmocka_unit_test(test_way),   cmocka_unit_test(test_way_of_surfaces), cmocka_unit_test(test_longest),
+        cmocka_unit_test(test_speed), cmocka_unit_test(test_turned),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,14 +76,15 @@ static void held_and_broken(void **state)
     (void)state;
     LimitsDef def = given();
     def.area = 800e-6, def.rope_strength = 30e3;
-    const double bound[LIMIT_KINDS] = {56e3, 56e3, 3000, 1.6, 62500, 100e3, 6000, 1.5};
+    const double bound[LIMIT_KINDS] = {56e3, 56e3, 3000, 1.6, 62500, 100e3, 6000, 1.5, 2.6, 6.35e-3, 0.53};
     for (int broken = 0; broken < 2; broken++) {
         Finding f[LIMIT_KINDS] = {{0}};
         hawser_limit out[HAWSER_LIMITS_MAX];
         for (int k = 0; k < LIMIT_KINDS; k++) {
-            const int over = k == LIMIT_BEND ? !broken : broken;
+            const int over = k == LIMIT_BEND || k == LIMIT_CLEARANCE ? !broken : broken;
             f[k].value = bound[k] * (over ? 1.01 : 0.99);
             f[k].rating = 100e3;
+            f[k].cables = 1;
             strcpy(f[k].where, "here");
         }
         assert_int_equal(limits_judge(&def, 0.08, 1, f, out), LIMIT_KINDS);
@@ -161,11 +162,46 @@ static void not_judged(void **state)
     assert_int_equal(limits_judge(&def, 0.08, 1, f, out), 0);
 }
 
+/* The band in which three cables jam has two ends; the worst duct counts, each limit by itself. */
+static void ducts(void **state)
+{
+    (void)state;
+    const LimitsDef def = given();
+    const DuctLoad wide = {.jam_ratio = 3.7, .clearance = 0.02, .fill = 0.3},
+                   high = {.jam_ratio = 3.1, .clearance = 0.03, .fill = 0.2},
+                   tight = {.jam_ratio = 2.3, .clearance = 0.005, .fill = 0.45};
+    Finding f[LIMIT_KINDS] = {{0}};
+    hawser_limit out[HAWSER_LIMITS_MAX];
+    for (int k = 0; k < LIMIT_JAM; k++) f[k].absent = 1;
+    limits_duct(&def, 3, NULL, NULL, f);
+    assert_int_equal(limits_judge(&def, 0.08, 3, f, out), 0);
+    limits_duct(&def, 3, "wide", &wide, f);
+    assert_int_equal(limits_judge(&def, 0.08, 3, f, out), 3);
+    for (int k = 0; k < 3; k++) assert_true(out[k].ok);
+    check_close(out[0].margin, 1 - 3.2 / 3.7, 1e-12);
+    limits_duct(&def, 3, "high", &high, f);
+    limits_duct(&def, 3, "tight", &tight, f);
+    assert_int_equal(limits_judge(&def, 0.08, 3, f, out), 3);
+    const double value[] = {3.1, 0.005, 0.45}, limit[] = {3.2, 6.35e-3, 0.4};
+    const char *const where[] = {"high", "tight", "tight"};
+    for (int k = 0; k < 3; k++) {
+        check_close(out[k].value, value[k], 0);
+        check_close(out[k].limit, limit[k], 1e-12);
+        assert_string_equal(out[k].where, where[k]);
+        assert_false(out[k].ok);
+    }
+    /* two cables do not jam */
+    limits_duct(&def, 2, NULL, NULL, f);
+    limits_duct(&def, 2, "wide", &wide, f);
+    assert_int_equal(limits_judge(&def, 0.08, 2, f, out), 2);
+    check_close(out[1].limit, 0.31, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(allowable_pull), cmocka_unit_test(overrides),  cmocka_unit_test(held_and_broken),
-        cmocka_unit_test(verdicts),       cmocka_unit_test(not_judged),
+        cmocka_unit_test(allowable_pull),  cmocka_unit_test(ducts),    cmocka_unit_test(overrides),
+        cmocka_unit_test(held_and_broken), cmocka_unit_test(verdicts), cmocka_unit_test(not_judged),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,45 @@
+/* What a refinement says of a figure's error: two or three values of it, each computed `ratio` times finer than the one
+ * before. docs/model.md, "Certificates". */
+#ifndef HAWSER_CORE_BASE_REFINEMENT_H
+#define HAWSER_CORE_BASE_REFINEMENT_H
+
+#include <math.h>
+
+/* Below this share of the order that was assumed, three values do not converge. */
+static const double ORDER_LEAST = 0.25;
+/* That many times the order that was assumed is believed at most: a finer value that lies nearer may do so by luck. */
+static const double ORDER_MOST = 1.5;
+
+typedef struct Refinement {
+    double error; /* of the middle value, not negative, in the figure's unit; NAN if one of the values is not known */
+    double order; /* observed; NAN: not enough values, or they do not come nearer from one side */
+    int diverges; /* three values do not converge: the finer step changed about as much as the coarser one */
+} Refinement;
+
+/* The error that is left of a difference by a refinement of that order. (CE2) */
+static inline double refinement_factor(double ratio, double order)
+{
+    const double gain = pow(ratio, order);
+    return gain / (gain - 1);
+}
+
+/* coarse: NAN where there is none; then the order is taken to be `assumed`. A higher order is never used, a lower one
+ * is. (CE2)-(CE4) */
+static inline Refinement refinement_of(double coarse, double value, double fine, double ratio, double assumed)
+{
+    const double before = coarse - value, after = value - fine, usual = refinement_factor(ratio, assumed);
+    Refinement out = {.error = usual * fabs(after), .order = NAN};
+    if (isnan(coarse) || isnan(after)) return out;
+    if (before / after > 0) out.order = log(before / after) / log(ratio);
+    out.diverges = fabs(after) > 0 && !(fabs(before) > pow(ratio, ORDER_LEAST * assumed) * fabs(after));
+    if (out.diverges) {
+        out.error = usual * fmax(fabs(before), fabs(after));
+    } else if (out.order < assumed) {
+        out.error = refinement_factor(ratio, out.order) * fabs(after);
+    } else {
+        out.error = usual * fmax(fabs(after), fabs(before) / pow(ratio, ORDER_MOST * assumed));
+    }
+    return out;
+}
+
+#endif

@@ -1,0 +1,340 @@
+#include "sim/expected/mesh.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "sim/expected/stretches.h"
+
+/* ------------------------------------------------------------------------------------------ errors, by the laws */
+
+/* Height of the arc over a chord of length h. */
+static double sagitta(const MeshPlace *p, double h) { return h * h / (8 * p->radius); }
+
+/* In a duct: where the bend begins and ends rigid segments press against both sides, softly as their arc's height comes
+ * near the room (ME2), by all of it that is too much beyond three times the room (ME3). */
+static double jam_error(const MeshPlace *p, double h)
+{
+    const double arc = sagitta(p, h), ratio = arc / fmax(p->room, 1e-6);
+    const double stiff = 2 * p->tension * pow(p->bending_length / p->radius, 2); /* 2 EI/R^2 */
+    const double soft = p->mu * fmin(ratio, 6) * (2.5 * p->diameter * p->weight + stiff);
+    const double depth = ratio > 3 ? 0.16 * arc * (ratio - 3) / (ratio + 13) : 0;
+    return (soft + 2 * p->mu * p->impact.k * h * pow(depth, p->impact.e)) / p->tension;
+}
+
+/* Between rollers on both sides: segments that reach over more than one pair are bent by them, by the height of their
+ * arc beyond that of the spacing, or beyond the room (ME4). */
+static double pinch_error(const MeshPlace *p, double h)
+{
+    static const double SOFT = 0.12;
+    const double free2 = fmax(p->pitch * p->pitch, 24 * p->radius * p->room), over = (h * h / free2 - 1) / SOFT;
+    const double excess = free2 / (8 * p->radius) * SOFT * (over > 30 ? over : log1p(exp(over))), e = p->impact.e;
+    return 0.17 * p->mu * pow(p->impact.k, 1 / e) * pow(p->tension, -1 / e) * excess;
+}
+
+/* Over rollers on one side: the turn at one of them is that of a joint or two, not spread by the bending stiffness
+ * (ME5). */
+static double roller_error(const MeshPlace *p, double h)
+{
+    const double stiff = p->bending_length / h;
+    return 0.25 * p->turn * p->turn / (1 + 5.7 * stiff * stiff);
+}
+
+/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). */
+static double bend_error(const MeshPlace *p, double h)
+{
+    const double turn = h / p->radius, limp = h / p->bending_length;
+    return 3.4 * turn * turn / (1 + 7.9 * limp * limp);
+}
+
+double mesh_sag_error(double h, double pitch, double bending_length)
+{
+    const double stiff = bending_length / h;
+    return 1.25 * h / pitch / (1 + 5.7 * stiff * stiff);
+}
+
+/* Round a drum or a wheel: joints stand off it as a polygon's corners do (ME6). */
+static double wrap_error(const MeshPlace *p, double h) { return p->wrapped * h * h / (p->radius * p->radius); }
+
+/* A rod: the error of a half wave of its length, and that of an arc as a polygon (ME7). */
+static double rod_error(const MeshPlace *p, double h)
+{
+    const double wave = h / p->rod_length, turn = p->radius > 0 ? h / p->radius : 0;
+    return 0.5 * wave * wave + turn * turn / 24;
+}
+
+double mesh_error(const MeshPlace *p, double h)
+{
+    if (p->rod_length > 0) return rod_error(p, h);
+    if (p->wrapped > 0) return wrap_error(p, h);
+    const int both = !isnan(p->room);
+    if (p->pitch > 0) return bend_error(p, h) + roller_error(p, h) + (both ? pinch_error(p, h) : 0);
+    return bend_error(p, h) + (both ? jam_error(p, h) : 0);
+}
+
+double mesh_place_length(const MeshPlace *place, double error)
+{
+    const Mesh alone = {1, (MeshPlace *)place};
+    return mesh_length(&alone, place->piece, error);
+}
+
+static double piece_error(const Mesh *mesh, int piece, double h)
+{
+    double sum = 0;
+    for (int i = 0; i < mesh->n; ++i) {
+        if (mesh->place[i].piece == piece) sum += mesh_error(&mesh->place[i], h);
+    }
+    return sum;
+}
+
+double mesh_length(const Mesh *mesh, int piece, double error)
+{
+    double low = 1e-5, high = MESH_USUAL;
+    for (int i = 0; i < mesh->n; ++i) {
+        if (mesh->place[i].rod_length > high) high = mesh->place[i].rod_length;
+    }
+    if (piece_error(mesh, piece, high) <= error) return high;
+    while (high > (1 + 1e-9) * low) { /* errors rise with h */
+        const double middle = sqrt(low * high);
+        if (piece_error(mesh, piece, middle) <= error) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece)
+{
+    const ChainPieceDef *const p = &def->pieces[piece];
+    /* a rod is asked for more than its shape's error: its loads and ends are within a segment each */
+    const double wanted = mesh_length(mesh, piece, def->rod.present ? MESH_AIM / 16 : MESH_AIM);
+    const double least = fmax(p->length / MESH_SEGMENTS_MAX, def->rod.present ? 0 : def->cables[p->cable].diameter / 2);
+    return fmax(wanted, least);
+}
+
+double mesh_given(const Mesh *mesh, const SceneDef *def, int *worst)
+{
+    double sum = 0, most = 0;
+    *worst = -1;
+    for (int i = 0; i < mesh->n; ++i) {
+        const ChainPieceDef *const p = &def->pieces[mesh->place[i].piece];
+        const double error = mesh_error(&mesh->place[i], p->length / p->segments);
+        sum += error;
+        if (error <= most) continue;
+        most = error;
+        *worst = i;
+    }
+    return sum;
+}
+
+void mesh_describe(const MeshPlace *p, int size, char *text)
+{
+    const double radius = p->radius;
+    if (p->rod_length > 0) {
+        snprintf(text, (size_t)size, "rod, half waves of %.3g m", p->rod_length);
+    } else if (p->pitch > 0 && isnan(p->room)) {
+        snprintf(text, (size_t)size, "bend at %.4g m, R %.3g m, a roller every %.3g m", p->at, radius, p->pitch);
+    } else if (p->pitch > 0) {
+        snprintf(text, (size_t)size, "bend at %.4g m, R %.3g m, between rollers every %.3g m, room %.3g mm", p->at,
+                 radius, p->pitch, 1e3 * p->room);
+    } else if (isnan(p->room)) {
+        snprintf(text, (size_t)size, "bend at %.4g m, R %.3g m", p->at, radius);
+    } else {
+        snprintf(text, (size_t)size, "bend at %.4g m, R %.3g m, room %.3g mm", p->at, radius, 1e3 * p->room);
+    }
+}
+
+/* ----------------------------------------------------------------------------------------------- the places */
+
+/* Share in (h/R)^2 of what a polygon round a wheel costs (ME6); a drum at the tail costs half of it. */
+static const double WRAPPED = 0.09;
+
+/* Along the way: what is known where a leg of the route ends. */
+typedef struct Walk {
+    const SceneDef *def;
+    const Route *route;
+    double weight;  /* N/m, of the chain's first cable */
+    double tension; /* N, at the end of the leg before */
+} Walk;
+
+static double friction_at(const SceneDef *def, double s)
+{
+    const SurfaceDef *const surface = surface_at(def, s);
+    return surface ? surface_theory_friction(surface) : def->friction.mu_d;
+}
+
+/* The pulling theory in one line a leg: friction on the weight, rise, capstan; never below the weight of a metre. */
+static void walk_leg(Walk *w, const RoutePiece *leg)
+{
+    const double mu = friction_at(w->def, leg->s0 + leg->length / 2);
+    const double rise = route_at(w->route, leg->s0 + leg->length).position.z - leg->start.z;
+    if (leg->kind == ROUTE_BEND) w->tension *= exp(mu * leg->angle);
+    w->tension =
+        fmax(w->weight, w->tension + w->weight * (rise + mu * sqrt(fmax(0, leg->length * leg->length - rise * rise))));
+}
+
+/* What the tail brings, at its largest of a few looks at the run. */
+static double tail_tension(const SceneDef *def)
+{
+    enum { LOOKS = 8 };
+    double most = 0;
+    for (int i = 0; i <= LOOKS; ++i) most = fmax(most, profile_value(&def->tail.tension, i * def->duration / LOOKS));
+    return most;
+}
+
+/* Where a piece of the chain lies during the run, m along the route. */
+static void piece_way(const SceneDef *def, const Route *route, int piece, double *from, double *to)
+{
+    const int last = def->n_pieces > 1 ? def->n_pieces - 1 : 1; /* the pieces behind it end at head_at */
+    double travel = route->length;
+    if (def->winch.present && def->winch.mode == WINCH_SPEED)
+        travel = profile_integral(&def->winch.speed, def->duration);
+    *from = def->head_at;
+    for (int k = last - 1; k >= piece; --k) *from -= def->pieces[k].length;
+    *to = *from + def->pieces[piece].length + travel;
+}
+
+/* Rollers of one kind along a leg, by rising place. */
+typedef struct Row {
+    int places;
+    double first, last; /* m along the route */
+} Row;
+
+static void row_add(Row *row, double s)
+{
+    if (row->places > 0 && s < row->last + 1e-6) return;
+    if (row->places++ == 0) row->first = s;
+    row->last = s;
+}
+
+/* Carriers below, guides beside, pairs on either side of the cable: two of the list in one place, one after the other.
+ * What turns the cable decides: pairs, then guides. room: the least that pairs leave. */
+static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, MeshPlace *p)
+{
+    enum { CARRIERS, GUIDES, PAIRS, ROWS };
+    Row row[ROWS] = {{0}};
+    double room = INFINITY, before = NAN, gap_before = NAN;
+    for (int i = 0; i < w->def->n_rollers; ++i) {
+        const RollerDef *const r = &w->def->rollers[i];
+        if (!(r->s >= leg->s0 && r->s <= leg->s0 + leg->length)) continue;
+        const Shape shape = roller_def_shape(r);
+        const double gap = shape_distance(&shape, route_at(w->route, r->s).position) - radius;
+        row_add(&row[roller_is_guide(w->route, r) ? GUIDES : CARRIERS], r->s);
+        if (fabs(before - r->s) < 1e-6) {
+            row_add(&row[PAIRS], r->s);
+            room = fmin(room, fmax(0, (gap + gap_before) / 2));
+        }
+        before = r->s;
+        gap_before = gap;
+        p->mu = r->friction.mu_d;
+    }
+    const Row *const by = row[PAIRS].places > 1 ? &row[PAIRS] : row[GUIDES].places > 1 ? &row[GUIDES] : &row[CARRIERS];
+    if (by->places > 1) p->pitch = (by->last - by->first) / (by->places - 1);
+    if (by == &row[PAIRS]) p->room = room;
+}
+
+/* By how much of a leg's middle the cable turns at a roller: weight and tension press together or apart (ME5). */
+static double roller_turn(const Walk *w, const RoutePiece *leg, const MeshPlace *p)
+{
+    const Vec3 bend = route_at(w->route, leg->s0 + leg->length / 2).curvature;
+    const double g = v3_norm(w->def->gravity);
+    const Vec3 down = g > 0 ? v3_scale(w->weight / g / p->tension, w->def->gravity) : V3_ZERO;
+    return p->pitch * v3_norm(v3_add(bend, down));
+}
+
+/* A bend with a piece of the chain in it: on a surface, on rollers, or else round one thing. */
+static MeshPlace place_make(const Walk *w, int piece, int leg)
+{
+    const SceneDef *const def = w->def;
+    const RoutePiece *const bend = &w->route->piece[leg];
+    const CableDef *const cable = &def->cables[def->pieces[piece].cable];
+    const SurfaceDef *const surface = surface_at(def, bend->s0 + bend->length / 2);
+    MeshPlace p = {.piece = piece,
+                   .leg = leg,
+                   .at = bend->s0,
+                   .radius = bend->radius,
+                   .room = NAN,
+                   .tension = w->tension,
+                   .bending_length = sqrt(fmax(cable->ei_y, cable->ei_z) / w->tension),
+                   .diameter = cable->diameter,
+                   .weight = cable->mass * v3_norm(def->gravity),
+                   .mu = friction_at(def, bend->s0 + bend->length / 2),
+                   .impact = surface ? def->line_impact : def->impact};
+    if (!def->winch.present) { /* nothing is pulled: only the shape counts */
+        p.wrapped = WRAPPED;
+        return p;
+    }
+    if (!surface) {
+        rollers_look(w, bend, cable->diameter / 2, &p);
+        if (p.pitch > 0) p.turn = roller_turn(w, bend, &p);
+        p.wrapped = p.pitch > 0 ? 0 : WRAPPED;
+        return p;
+    }
+    if (surface->shape.kind == SURFACE_DUCT) p.room = surface->shape.radius - cable->diameter / 2;
+    if (surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0 && surface->shape.width > 0)
+        p.room = surface->shape.width / 2 - cable->diameter / 2;
+    return p;
+}
+
+/* The cable behind the route on its drum. */
+static MeshPlace drum_place(const SceneDef *def)
+{
+    return (MeshPlace){
+        .leg = -1, .at = -def->drum.distance, .radius = def->drum.barrel / 2, .room = NAN, .wrapped = WRAPPED / 2};
+}
+
+static double rod_radius(const RodDef *rod)
+{
+    if (rod->shape == ROD_ARC) return rod->radius;
+    if (rod->shape == ROD_HELIX) return rod->radius + pow(rod->pitch / (2 * M_PI), 2) / rod->radius;
+    return 0;
+}
+
+/* A rod's pieces show the half waves of the rod as a whole. */
+static void rod_places(const SceneDef *def, Mesh *out)
+{
+    double length = 0;
+    for (int k = 0; k < def->n_pieces; ++k) length += def->pieces[k].length;
+    const int waves = def->analysis.kind == ANALYSIS_MODES && def->analysis.modes > 1 ? def->analysis.modes : 1;
+    for (int k = 0; k < def->n_pieces; ++k) {
+        out->place[out->n++] = (MeshPlace){.piece = k,
+                                           .leg = -1,
+                                           .radius = rod_radius(&def->rod),
+                                           .room = NAN,
+                                           .rod_length = fmin(length / waves, def->pieces[k].length)};
+    }
+}
+
+hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err)
+{
+    *out = (Mesh){0};
+    out->place = calloc((size_t)def->n_pieces * (size_t)(route->n + 1) + 1, sizeof *out->place);
+    if (!out->place) return error_memory(err);
+    if (def->rod.present) {
+        rod_places(def, out);
+        return HAWSER_OK;
+    }
+    if (def->drum.present) out->place[out->n++] = drum_place(def);
+    for (int k = 0; k < def->n_pieces; ++k) {
+        const double weight = def->cables[def->pieces[0].cable].mass * v3_norm(def->gravity);
+        Walk walk = {def, route, weight, fmax(tail_tension(def), fmax(weight, 1))};
+        double from, to;
+        piece_way(def, route, k, &from, &to);
+        for (int leg = 0; leg < route->n; ++leg) {
+            const RoutePiece *const piece = &route->piece[leg];
+            walk_leg(&walk, piece);
+            if (piece->kind != ROUTE_BEND || piece->s0 > to || piece->s0 + piece->length < from) continue;
+            out->place[out->n++] = place_make(&walk, k, leg);
+        }
+    }
+    return HAWSER_OK;
+}
+
+void mesh_free(Mesh *mesh)
+{
+    free(mesh->place);
+    *mesh = (Mesh){0};
+}

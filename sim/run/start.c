@@ -1,0 +1,67 @@
+/* Where the chain begins: outside itself, and outside of what it is pulled over. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/run/sim.h"
+
+/* Where lines meet no contact can tell on which side of each other they are. */
+hawser_status start_check(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    if (!scene->self.present) return HAWSER_OK;
+    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->stage.ws.kin, &s->stage.ws.self);
+    const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
+    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "contact.cable_on_cable: the cable begins %.1f mm inside itself near (%.3f, %.3f, %.3f) m, at "
+                     "segments %d and %d: lead the route past itself with a cable's diameter between",
+                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
+                     deepest.foot);
+}
+
+/* Whether nothing is pressed by more than all loads together could ask for, by a look at the state of now. */
+static int fits(void *user)
+{
+    Sim *const s = user;
+    Stage *const st = &s->stage;
+    const int active = st->motion->ops->look(st->motion, st->t, st->y);
+    passing_start(&s->passing, &st->scene, sample_take(&s->look, &st->scene, &st->ws, st->t, active, SAMPLE_ROW));
+    return s->passing.start.force <= s->passing.start.allowed;
+}
+
+/* Relaxation (E7): of a chain in space without its weight, so that what is to fall does not fall yet, and no farther
+ * than until it fits. What does not come to fit begins where it was. */
+static hawser_status move_out(Sim *s, const double *laid, hawser_error *err)
+{
+    Stage *const st = &s->stage;
+    hawser_relaxation moved;
+    hawser_error ended;
+    const Weight weight = st->scene.weight;
+    st->scene.weight.gravity = st->scene.weight.behind = V3_ZERO;
+    st->ws.stop = (StopCheck){.ask = fits, .user = s, .firm = 1};
+    const hawser_status status = st->motion->ops->relax(st->motion, st->t, st->y, &moved, &ended);
+    st->ws.stop = (StopCheck){0};
+    st->scene.weight = weight;
+    if (status && status != HAWSER_STOPPED) {
+        *err = ended;
+        return status;
+    }
+    if (fits(s)) return events_add(&s->events, st->t, START_MOVED_SAYS, s->look.sample.winch_force, err);
+    memcpy(st->y, laid, (size_t)st->motion->size * sizeof *laid);
+    return st->motion->ops->renew(st->motion, st->t, st->y, err);
+}
+
+hawser_status start_fit(Sim *s, hawser_error *err)
+{
+    Stage *const st = &s->stage;
+    const SceneDef *const def = &st->scene.def;
+    if (def->solver.relax || def->rod.present || fits(s)) return HAWSER_OK;
+    const size_t bytes = (size_t)st->motion->size * sizeof(double);
+    double *const laid = malloc(bytes);
+    if (!laid) return error_memory(err);
+    memcpy(laid, st->y, bytes);
+    const hawser_status status = move_out(s, laid, err);
+    free(laid);
+    return status;
+}

@@ -1,0 +1,92 @@
+#include "sim/watch/error_bars.h"
+
+#include <math.h>
+
+#include "sim/equipment/winch.h"
+#include "sim/expected/mesh.h"
+
+/* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
+static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
+static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 4; /* of what a figure wavers while a segment passes (EB1) */
+static const double MESH = 3e-4;                          /* of any figure, which no support shows */
+static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
+static const double SHARPNESS = 1.5 / 8; /* of the second difference at a peak (EB4) */
+static const double TOLERANCES = 3;      /* of a step, that a peak may be off by */
+
+/* What friction lacks at a speed, of what is there (EB5). */
+static double friction_missing(const FrictionLaw *law, double speed)
+{
+    double slope;
+    if (friction_kind(law) != FRICTION_SPEED || !(law->mu_d > 0)) return 0;
+    if (speed >= law->v_d) return 0; /* the law is flat */
+    const double there = friction_over_speed(law, speed, &slope) * speed;
+    return there > 0 ? fabs(law->mu_d / there - 1) : 0;
+}
+
+static double friction_share(const Scene *scene)
+{
+    double worst = 0;
+    for (int r = 0; r < scene->contact.n_rollers; ++r)
+        worst = fmax(worst, friction_missing(&scene->contact.roller[r].friction, scene->largest_speed));
+    for (int k = 0; k < scene->def.n_surfaces; ++k)
+        worst = fmax(worst, friction_missing(&scene->def.surfaces[k].friction, scene->largest_speed));
+    return worst;
+}
+
+/* Largest coefficient of sliding friction on what carries the cable. */
+static double friction_most(const Scene *scene)
+{
+    double most = 0;
+    for (int r = 0; r < scene->contact.n_rollers; ++r) most = fmax(most, scene->contact.roller[r].friction.mu_d);
+    for (int k = 0; k < scene->def.n_surfaces; ++k) most = fmax(most, scene->def.surfaces[k].friction.mu_d);
+    return most;
+}
+
+/* Weight that a winch's clamp takes off a surface before it, by the length of a segment, N (EB3). */
+static double clamp_carries(const Scene *scene)
+{
+    const int head = scene->chain.n - 1;
+    if (scene->def.n_surfaces == 0 || !scene->winch->present || scene->def.winch.axial_only) return 0;
+    return ENDS * scene->chain.mass[head] * v3_norm(scene->def.gravity);
+}
+
+/* Of the pull: the clamp (EB3), and what the places of the route ask of segments (ME1)-(ME7). */
+static double mesh_share(const Scene *scene, double pull)
+{
+    Mesh mesh;
+    int worst;
+    double share = MESH + (pull > 0 ? friction_most(scene) * clamp_carries(scene) / pull : 0);
+    if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return NAN;
+    share += mesh_given(&mesh, &scene->def, &worst);
+    mesh_free(&mesh);
+    return share;
+}
+
+ErrorShares error_shares(const Scene *scene, const BalanceWindow *books, double pull)
+{
+    const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
+    return (ErrorShares){.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
+                         .step = TOLERANCES * scene->def.solver.accuracy,
+                         .mesh = mesh_share(scene, pull),
+                         .friction = friction_share(scene)};
+}
+
+static hawser_error_bar bar(double time, double mesh, double friction)
+{
+    return (hawser_error_bar){time, mesh, friction, time + mesh + friction};
+}
+
+hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares)
+{
+    const double size = fabs(mean_of(figure));
+    if (!(figure->time > 0)) return bar(NAN, NAN, NAN);
+    return bar(shares->time * size, WAVER_OF_MEAN * mean_waver(figure) + shares->mesh * size, shares->friction * size);
+}
+
+hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares)
+{
+    const double size = fabs(figure->peak);
+    if (!figure->started) return bar(NAN, NAN, NAN);
+    return bar(SHARPNESS * figure->sharpness + shares->step * size,
+               WAVER_OF_PEAK * mean_waver(figure) + shares->mesh * size, shares->friction * size);
+}

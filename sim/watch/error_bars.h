@@ -1,0 +1,26 @@
+/* What the figures of a run may be off by: of the steps in time, of the mesh, of friction that vanishes at rest. From
+ * what a run sees of itself, without a second one. docs/model.md, "Error bars". */
+#ifndef HAWSER_SIM_WATCH_ERROR_BARS_H
+#define HAWSER_SIM_WATCH_ERROR_BARS_H
+
+#include "hawser/hawser.h"
+#include "sim/scene.h"
+#include "sim/time_mean.h"
+#include "sim/watch/balance.h"
+
+/* What all figures of a run share: parts of a force, 1. */
+typedef struct ErrorShares {
+    double time;     /* of a mean: what the books of the window leave open or have lost (EB2) */
+    double step;     /* of a peak: the tolerance of a step (EB4) */
+    double mesh;     /* what the places of the route and the head ask of segments (EB3) */
+    double friction; /* not yet there at the speed of the pull (EB5) */
+} ErrorShares;
+
+/* books: NULL where nothing has moved; pull: mean of the steady window, N. */
+ErrorShares error_shares(const Scene *scene, const BalanceWindow *books, double pull);
+
+/* Of the mean over the steady window; of the largest value of the run. */
+hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares);
+hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares);
+
+#endif

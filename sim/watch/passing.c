@@ -1,0 +1,245 @@
+#include "sim/watch/passing.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/equipment/rod.h"
+#include "sim/equipment/winch.h"
+#include "sim/watch/stats.h"
+
+enum { LOOKS = 16 };                 /* at the cable in a run, besides its start */
+static const double ALONG = 0.1;     /* sin^2 between line and axis: below it the line runs along the roller */
+static const double STRAY_ALONG = 1; /* m that a segment may be from its place on the way and still be in that duct */
+static const double SHARE = 0.5;     /* of a surface's weight (DU8): where it is more there than not */
+
+void passing_free(Passing *p)
+{
+    free(p->side);
+    free(p->gone);
+    free(p->seen);
+    memset(p, 0, sizeof *p);
+}
+
+/* ------------------------------------------------------------------------------------------------- rollers */
+
+/* The segment whose centre is nearest to a place. Centres are not farther apart than segments are long, so that what
+ * cannot be nearer is passed over. */
+static int nearest_segment(const Chain *chain, const Kinematics *kin, double longest, Vec3 place)
+{
+    int nearest = 0;
+    double least = INFINITY;
+    for (int i = 0; i < chain->n;) {
+        const double away = v3_norm(v3_sub(v3_load(kin->p, i), place));
+        if (away < least) {
+            least = away;
+            nearest = i;
+        }
+        const double skip = (away - least) / longest;
+        i += skip > 1 && skip < chain->n ? (int)skip : 1;
+    }
+    return nearest;
+}
+
+/* Where a segment passes a roller's axis: how far from it, on which side, seen from the tail. */
+typedef struct Crossing {
+    double away; /* m; INFINITY: it does not */
+    int side;
+} Crossing;
+
+/* Of a straight piece of half length `half` about p, along the unit vector a. */
+static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller)
+{
+    const Crossing none = {INFINITY, 0};
+    const Vec3 from = v3_sub(p, roller->centre);
+    const Vec3 flat = v3_reject(from, roller->axis), run = v3_reject(a, roller->axis);
+    const double square = v3_dot(run, run);
+    if (square < ALONG) return none;
+    const double u = -v3_dot(flat, run) / square;
+    if (!(fabs(u) <= half)) return none;
+    const double across = v3_dot(v3_axpy(from, u, a), roller->axis);
+    if (fabs(across) > roller->half_width) return none;
+    const Vec3 at = v3_axpy(flat, u, run);
+    return (Crossing){v3_norm(at), v3_dot(at, v3_cross(roller->axis, run)) < 0 ? -1 : 1};
+}
+
+/* The nearest of the crossings of the segment that is nearest and of its neighbours. */
+static Crossing chain_crossing(const Chain *chain, const Kinematics *kin, double longest, const Shape *roller)
+{
+    const int nearest = nearest_segment(chain, kin, longest, roller->centre);
+    Crossing best = {INFINITY, 0};
+    for (int i = nearest > 0 ? nearest - 1 : 0; i <= nearest + 1 && i < chain->n; ++i) {
+        const Crossing here = piece_crossing(v3_load(kin->p, i), v3_load(kin->a, i), chain->half[i], roller);
+        if (here.away < best.away) best = here;
+    }
+    return best;
+}
+
+/* How far from its axis the line still belongs to a roller, m. */
+static double near_of(const Shape *roller, double cable) { return 2 * (roller->radius + cable); }
+
+/* The nearest crossing of the route, in short pieces; what is far is passed over. */
+static Crossing route_crossing(const Route *route, const Shape *roller, double cable)
+{
+    const double near = near_of(roller, cable) + roller->half_width, piece = (roller->radius + cable) / 4;
+    Crossing best = {INFINITY, 0};
+    for (double s = 0; s < route->length;) {
+        const RoutePoint at = route_at(route, s);
+        const double away = v3_norm(v3_sub(at.position, roller->centre));
+        const Crossing here = piece_crossing(at.position, at.tangent, piece, roller);
+        if (here.away < best.away) best = here;
+        s += fmax(piece, away - near);
+    }
+    return best;
+}
+
+static int has_sides(const Shape *shape) { return shape->kind != SHAPE_BOX && shape->kind != SHAPE_BELL; }
+
+static double thickest(const Chain *chain)
+{
+    double radius = 0;
+    for (int i = 0; i < chain->n; ++i) radius = fmax(radius, chain->radius[i]);
+    return radius;
+}
+
+hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
+{
+    const size_t rollers = (size_t)scene->contact.n_rollers, surfaces = (size_t)scene->surfaces.model.n_surfaces;
+    p->side = calloc(rollers + 1, sizeof *p->side);
+    p->gone = calloc(rollers + surfaces + 1, sizeof *p->gone);
+    p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
+    if (!p->side || !p->gone || !p->seen) return error_memory(err);
+    snprintf(p->says, sizeof p->says, "the cable has got through something");
+    const double cable = thickest(&scene->chain);
+    for (int r = 0; r < scene->contact.n_rollers && !scene->rod->present; ++r) {
+        const Shape *const shape = &scene->contact.roller[r].shape;
+        if (!has_sides(shape)) continue;
+        const Crossing route = route_crossing(&scene->route, shape, cable);
+        if (route.away < near_of(shape, cable)) p->side[r] = (signed char)route.side;
+    }
+    return HAWSER_OK;
+}
+
+static int note(Passing *p, int body, const char *what, const char *name, double t)
+{
+    if (p->gone[body]) return 0;
+    p->gone[body] = 1;
+    if (++p->through > 1) return 0;
+    snprintf(p->says, sizeof p->says, "the cable has got through %s '%s'%s", what, name, t > 0 ? "" : " before t = 0");
+    return 1;
+}
+
+/* A roller has the side on which the route passes it, or on which the cable was when it first came near. */
+static int rollers_look(Passing *p, const Scene *scene, const Workspace *ws, double t)
+{
+    const Chain *const chain = &scene->chain;
+    const double cable = thickest(chain);
+    double longest = 0;
+    int new = 0;
+    for (int i = 0; i < chain->n; ++i) longest = fmax(longest, 2 * chain->half[i]);
+    for (int part = 0; part < PARTS; ++part) {
+        const ContactPart *const half = &ws->contact[part];
+        for (int k = 0; k < half->model.n_rollers; ++k) {
+            const Shape *const shape = &half->model.roller[k].shape;
+            if (!has_sides(shape)) continue;
+            const int r = half->first + k;
+            const Crossing now = chain_crossing(chain, &ws->kin, longest, shape);
+            if (!p->side[r] && now.away < near_of(shape, cable)) p->side[r] = (signed char)now.side;
+            if (p->side[r] && now.side && now.side != p->side[r])
+                new |= note(p, r, "roller", scene->def.rollers[r].name, t);
+        }
+    }
+    return new;
+}
+
+/* ------------------------------------------------------------------------------------------------- surfaces */
+
+/* Whether segment i has its place, by its way along the route, where the patch lies: another part of the way may pass
+ * beside it. Planes lie anywhere. */
+static int patch_is_its(const Scene *scene, const Kinematics *kin, double travel, const SurfacePatch *patch, int i)
+{
+    if (isnan(patch->s0) || scene->rod->present) return 1;
+    const double s = along_joint(scene, kin, travel, i);
+    return s > patch->s0 - STRAY_ALONG && s < patch->s0 + patch->length + STRAY_ALONG;
+}
+
+/* One segment's centre against one patch: behind its face by more than the cable's radius, where it was before it. */
+static int patch_look(Passing *p, const Scene *scene, const Workspace *ws, double travel, const SurfacePatch *patch,
+                      int i, double t)
+{
+    const SurfaceProbe at = surface_probe(patch, v3_load(ws->kin.p, i));
+    if (!at.owned || at.share < SHARE) return 0;
+    const int face = SURFACE_FACES_MAX * patch->surface + patch->face;
+    char *const seen = &p->seen[(size_t)face * (size_t)scene->total + (size_t)(scene->first + i)];
+    if (at.distance > 0) *seen = 1;
+    if (!(at.distance < -scene->chain.radius[i]) || !(*seen || isinf(patch->depth))) return 0;
+    if (!patch_is_its(scene, &ws->kin, travel, patch, i)) return 0;
+    return note(p, scene->contact.n_rollers + patch->surface, "surface", scene->def.surfaces[patch->surface].name, t);
+}
+
+static int surfaces_look(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)
+{
+    int new = 0;
+    for (int part = 0; part < PARTS; ++part) {
+        const SurfacePairs *const pairs = &ws->contact[part].surface;
+        for (int k = 0; k < pairs->n_ranges; ++k) {
+            const SurfaceRange *const range = &pairs->range[k];
+            const int end = range->first + range->count;
+            for (int i = range->first; i < end && i < scene->chain.n; ++i) {
+                new |= patch_look(p, scene, ws, travel, &scene->surfaces.patch[range->patch], i, t);
+            }
+        }
+    }
+    return new;
+}
+
+/* ----------------------------------------------------------------------------------------------------------- */
+
+int passing_look(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)
+{
+    const int rollers = rollers_look(p, scene, ws, t);
+    return rollers | surfaces_look(p, scene, ws, travel, t);
+}
+
+int passing_record(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)
+{
+    if (t < p->due && t < scene->def.duration) return 0;
+    p->due = t + scene->def.duration / LOOKS;
+    return passing_look(p, scene, ws, travel, t);
+}
+
+/* ------------------------------------------------------------------------------------------------- the start */
+
+/* What equilibrium could ask of contacts at most, N: every weight and pull there is at the start. */
+static double all_loads(const Scene *scene)
+{
+    const Chain *const chain = &scene->chain;
+    double sum = fabs(profile_value(&scene->tail, 0)) + rod_load_size(scene->rod, chain, 0);
+    if (scene->winch->mode == WINCH_TENSION) sum += fabs(profile_value(&scene->def.winch.tension, 0));
+    for (int i = 0; i < chain->n; ++i) sum += chain->mass[i] * v3_norm(scene->def.gravity);
+    return sum;
+}
+
+static void start_worst(Misfit *start, double force, double exponent, const char *name)
+{
+    if (!(force > start->force)) return;
+    *start = (Misfit){.force = force, .allowed = start->allowed, .exponent = exponent, .name = name};
+}
+
+void passing_start(Passing *p, const Scene *scene, const hawser_sample *look)
+{
+    const SceneDef *const def = &scene->def;
+    p->start = (Misfit){.allowed = all_loads(scene)};
+    for (int r = 0; r < look->rollers; ++r)
+        start_worst(&p->start, look->roller_load[r], def->impact.e, def->rollers[r].name);
+    for (int k = 0; k < look->surfaces; ++k)
+        start_worst(&p->start, look->surface_normal[k], def->line_impact.e, def->surfaces[k].name);
+    for (int i = 0; i < scene->chain.n; ++i) p->start.longest = fmax(p->start.longest, 2 * scene->chain.half[i]);
+}
+
+double misfit_segment(const Misfit *start)
+{
+    return start->longest * fmin(1, pow(start->allowed / start->force, 1 / (2 * start->exponent)));
+}

@@ -1,0 +1,45 @@
+/* Whether the cable has got through something: on which side of each roller it was, and that it is on the free side of
+ * each surface. docs/limits.md, "Trust". */
+#ifndef HAWSER_SIM_WATCH_PASSING_H
+#define HAWSER_SIM_WATCH_PASSING_H
+
+#include "sim/dynamics.h"
+
+enum { PASSING_SAYS_MAX = 160 };
+
+/* How hard the chain is pressed into something at t = 0. A segment's arc is as high as the square of its length, so
+ * that a chain of chords begins inside what the line would only touch; what is in equilibrium is not. */
+typedef struct Misfit {
+    double force, allowed; /* N: the largest on a roller or surface; the sum of all loads */
+    double exponent;       /* of its law (C12) */
+    double longest;        /* m, of segments */
+    const char *name;      /* of the roller or surface */
+} Misfit;
+
+typedef struct Passing {
+    signed char
+        *side;   /* [rollers] of the line, seen along it: the route's, or the cable's when it came near; 0: neither */
+    char *gone;  /* [rollers + surfaces] has been passed, and was said */
+    char *seen;  /* [surfaces][SURFACE_FACES_MAX][segments of the whole chain] was on the face's free side */
+    int through; /* rollers and surfaces that have been passed */
+    double due;  /* s, when to look next */
+    char says[PASSING_SAYS_MAX]; /* of the first of them */
+    Misfit start;
+} Passing;
+
+/* Errors: MEMORY. passing_free may follow either way. */
+hawser_status passing_new(Passing *passing, const Scene *scene, hawser_error *err);
+void passing_free(Passing *passing);
+
+/* Looks at the kinematics and the candidates in the workspace, which are of the state at t (s); travel: of the head, m.
+ * 1 if something has been passed for the first time, which `says` tells then. */
+int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
+/* The same if it is time: a few times a run and at its end. */
+int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
+/* Keeps the sample of t = 0. */
+void passing_start(Passing *passing, const Scene *scene, const hawser_sample *look);
+/* The length of segments, m, with which the chain would not be pressed by more than is allowed (E8): theirs, or less.
+ */
+double misfit_segment(const Misfit *start);
+
+#endif

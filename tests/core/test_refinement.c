@@ -1,0 +1,82 @@
+/* What is said of an error by two and three values of a known law. */
+#include "core/base/refinement.h"
+#include "tests/support/check.h"
+
+/* A figure whose error is c h^p; h falls by `ratio` from value to value. */
+static double figure(double c, double p, double ratio, int level) { return 7 + c * pow(ratio, -p * level); }
+
+/* Where the order is the one that is assumed, the error is exact, of two values and of three. */
+static void order_as_assumed(void **state)
+{
+    (void)state;
+    const double ratios[] = {2, 10}, orders[] = {0.5, 1, 2};
+    for (int a = 0; a < 2; ++a) {
+        for (int b = 0; b < 3; ++b) {
+            const double r = ratios[a], p = orders[b], x = figure(0.3, p, r, 0), y = figure(0.3, p, r, 1),
+                         z = figure(0.3, p, r, 2);
+            check_share(refinement_of(NAN, y, z, r, p).error, 0.3 * pow(r, -p), 1e-12);
+            const Refinement three = refinement_of(x, y, z, r, p);
+            check_share(three.error, 0.3 * pow(r, -p), 1e-12);
+            check_close(three.order, p, 1e-12);
+            assert_int_equal(three.diverges, 0);
+        }
+    }
+}
+
+/* A higher order than was assumed makes the estimate too large, never too small; a lower one is used. */
+static void other_orders(void **state)
+{
+    (void)state;
+    const Refinement fast = refinement_of(figure(-0.3, 2, 2, 0), figure(-0.3, 2, 2, 1), figure(-0.3, 2, 2, 2), 2, 1);
+    check_close(fast.order, 2, 1e-12);
+    /* the coarser difference, 3/4 of 0.3, falls by 2^1.5 at most */
+    check_share(fast.error, 2 * 0.75 * 0.3 / pow(2, 1.5), 1e-12);
+    check_at_least(fast.error, 0.3 / 4);
+    const Refinement slow = refinement_of(figure(0.3, 0.5, 2, 0), figure(0.3, 0.5, 2, 1), figure(0.3, 0.5, 2, 2), 2, 1);
+    check_close(slow.order, 0.5, 1e-12);
+    check_share(slow.error, 0.3 * sqrt(0.5), 1e-12);
+    assert_int_equal(slow.diverges, 0);
+}
+
+/* Values that jump about: the larger difference counts, and it is said. */
+static void no_order(void **state)
+{
+    (void)state;
+    const Refinement jumps = refinement_of(1.0, 1.1, 1.0, 2, 1), drifts = refinement_of(1.0, 1.1, 1.3, 2, 1);
+    assert_int_equal(jumps.diverges, 1);
+    assert_int_equal(drifts.diverges, 1);
+    check_nan(jumps.order);
+    check_close(drifts.order, -1, 1e-12);
+    check_share(jumps.error, 0.2, 1e-12);
+    check_share(drifts.error, 0.4, 1e-12);
+    /* from two sides, but nearer */
+    const Refinement swings = refinement_of(1.4, 1.0, 1.1, 2, 1);
+    assert_int_equal(swings.diverges, 0);
+    check_nan(swings.order);
+    check_share(swings.error, 2 * 0.4 / pow(2, 1.5), 1e-12);
+}
+
+/* Nothing changed: no error. What is not known stays so. */
+static void ends(void **state)
+{
+    (void)state;
+    const Refinement same = refinement_of(1, 1, 1, 2, 1);
+    check_equal(same.error, 0);
+    assert_int_equal(same.diverges, 0);
+    /* two values that agree by luck, where the one before did not */
+    check_share(refinement_of(2, 1, 1, 2, 1).error, 2 / pow(2, 1.5), 1e-12);
+    check_nan(refinement_of(1, NAN, 1, 2, 1).error);
+    check_nan(refinement_of(1, 1, NAN, 2, 1).error);
+    check_nan(refinement_of(NAN, 1, NAN, 2, 1).error);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(order_as_assumed),
+        cmocka_unit_test(other_orders),
+        cmocka_unit_test(no_order),
+        cmocka_unit_test(ends),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

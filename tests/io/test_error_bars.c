@@ -1,0 +1,90 @@
+/* Error bars contain the error where it is known: from friction's own law, from runs with finer steps, from runs with
+ * shorter segments; and they are not so wide that they say nothing. */
+#include "tests/io/case_fixture.h"
+
+#include "sim/time_mean.h"
+
+static hawser_summary pulled(const char *data, const char *const *settings)
+{
+    hawser_case *c = NULL;
+    hawser_sim *s = NULL;
+    hawser_summary sum;
+    hawser_error err = {0};
+    assert_int_equal(hawser_case_parse(data_text(data), NAME, &c, NULL), HAWSER_OK);
+    for (int i = 0; settings && settings[i]; i += 2) {
+        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
+    }
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    hawser_case_free(c);
+    if (hawser_sim_run(s, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_summary(s, &sum);
+    hawser_sim_free(s); /* the numbers stay */
+    return sum;
+}
+
+/* The bar of a mean contains what a better run finds, and is at most `widest` times as wide. */
+static void expect_within(const hawser_summary *run, double truth, double widest)
+{
+    const double error = fabs(run->pull_mean_N - truth);
+    const hawser_error_bar *const bar = &run->pull_mean_error;
+    print_message("pull %.3f N, truth %.3f N: off by %.3g N, bar %.3g N (time %.2g, mesh %.2g, friction %.2g)\n",
+                  run->pull_mean_N, truth, error, bar->total, bar->time, bar->mesh, bar->friction);
+    check_at_most(error, bar->total);
+    check_at_most(bar->total, widest * error);
+    check_close(bar->total, bar->time + bar->mesh + bar->friction, 1e-12 * run->pull_mean_N);
+}
+
+/* Half of v_s: the law gives 1.5 x - x^3/2 = 0.6875 of the friction at x = 0.5, and lacks 0.45 of that. */
+static void friction_not_there(void **state)
+{
+    (void)state;
+    const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
+    const hawser_summary full = pulled("trust", NULL), lacking = pulled("trust", slow);
+    check_share(lacking.pull_mean_error.friction / lacking.pull_mean_N, 1 / 0.6875 - 1, 1e-3);
+    check_equal(full.pull_mean_error.friction, 0);
+    expect_within(&lacking, full.pull_mean_N, 5);
+}
+
+/* Segments of half a metre in a duct's bend. */
+static void coarse_segments(void **state)
+{
+    (void)state;
+    const char *const fine[] = {"chain.0.segment", "125 mm", NULL};
+    const hawser_summary coarse = pulled("trust-duct", NULL), finer = pulled("trust-duct", fine);
+    expect_within(&coarse, finer.pull_mean_N, 20);
+    check_below(finer.pull_mean_error.mesh, coarse.pull_mean_error.mesh);
+}
+
+/* Accuracy: the error falls, and the bar's part of it with it. */
+static void loose_steps(void **state)
+{
+    (void)state;
+    const char *const loose[] = {"solver.accuracy", "0.1", NULL}, *const tight[] = {"solver.accuracy", "1e-7", NULL};
+    const hawser_summary rough = pulled("trust", loose), fine = pulled("trust", tight);
+    expect_within(&rough, fine.pull_mean_N, 1e4); /* the mesh's part is the same in both */
+    check_below(fine.pull_mean_error.time, rough.pull_mean_error.time / 10);
+}
+
+/* A mean of 10 with a ripple of amplitude 2 and period 1 s on a slow rise: blocks of 2 s see the ripple and not the
+ * rise; the peak's second difference is that of the ripple's crest. */
+static void what_a_signal_shows(void **state)
+{
+    (void)state;
+    const double dt = 0.01, omega = 2 * 3.14159265358979323846;
+    TimeMean m = {0};
+    for (int k = 0; k <= 2000; k++) {
+        const double t = k * dt;
+        mean_add(&m, 10 + t / 100 + 2 * sin(omega * t), k ? dt : 0, 1);
+        if (k % 200 == 0) mean_block(&m);
+    }
+    check_share(mean_waver(&m), sqrt(2), 5e-3);
+    check_share(m.sharpness, 2 * omega * omega * dt * dt, 5e-3);
+    check_share(mean_of(&m), 10.1, 1e-4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(friction_not_there), cmocka_unit_test(coarse_segments),
+                                       cmocka_unit_test(loose_steps), cmocka_unit_test(what_a_signal_shows)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,99 @@
+/* Stiff grips, deep grooves and slow winches at the default settings: each of these scenes was answered wrongly or did
+ * not end, with status 0. */
+#include "tests/io/case_fixture.h"
+
+/* What a case of tests/data comes to, with up to two settings. */
+typedef struct Found {
+    hawser_summary sum; /* its lists are gone with the run */
+    double energy, expected;
+    char events[400]; /* each ended by ';' */
+} Found;
+
+static Found run(const char *name, const char *const settings[])
+{
+    Found f = {.energy = 1};
+    hawser_case *c = NULL;
+    hawser_sim *sim = NULL;
+    hawser_error err = {0};
+    assert_int_equal(hawser_case_parse(data_text(name), NAME, &c, NULL), HAWSER_OK);
+    for (int i = 0; settings && settings[i]; i += 2) {
+        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
+    }
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
+    hawser_case_free(c);
+    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_summary(sim, &f.sum);
+    f.energy = f.sum.balance->residual_share;
+    const hawser_event *event;
+    const int n = hawser_sim_events(sim, &event);
+    for (int i = 0; i < n; ++i) {
+        const size_t used = strlen(f.events);
+        snprintf(f.events + used, sizeof f.events - used, "%s;", event[i].what);
+    }
+    hawser_sim_free(sim);
+    return f;
+}
+
+/* The pull was 291 N, 74 N and -2902 N at the default, at 1e-4 and in steps of 1 ms, in a scene like this. */
+static void a_shared_pull(void **state)
+{
+    (void)state;
+    const Found fine = run("grip-shared", (const char *const[]){"solver.accuracy", "1e-6", NULL});
+    const Found usual = run("grip-shared", NULL);
+    const Found small = run("grip-shared", (const char *const[]){"solver.max_step", "1 ms", NULL});
+    print_message("%.3f N; %.3f N in %ld steps; %.3f N\n", fine.sum.pull_mean_N, usual.sum.pull_mean_N, usual.sum.steps,
+                  small.sum.pull_mean_N);
+    check_share(usual.sum.pull_mean_N, fine.sum.pull_mean_N, 0.01);
+    check_share(small.sum.pull_mean_N, fine.sum.pull_mean_N, 0.003);
+    check_below(usual.energy, 0.005);
+}
+
+/* It gripped the rope, or the air before the cable was there. 2 * 0.3 * 200 N = 120 N while there is cable. */
+static void belts_wait_for_the_cable(void **state)
+{
+    (void)state;
+    const Found r = run("grip-waits", NULL);
+    print_message("%s pull %.2f N at the end\n", r.events, r.sum.pull_mean_N);
+    assert_string_equal(r.events, "conveyor pusher grips;conveyor pusher lets go;");
+    check_below(r.energy, 0.001);
+    const Found rope = run("grip-waits", (const char *const[]){"conveyors.0.grips", "all", "run.duration", "1.5 s",
+                                                               "run.steady_from", "1.2 s", NULL});
+    const Found free =
+        run("grip-waits", (const char *const[]){"run.duration", "1.5 s", "run.steady_from", "1.2 s", NULL});
+    assert_string_equal(free.events, "");
+    check_close(free.sum.pull_mean_N - rope.sum.pull_mean_N, 120, 3);
+}
+
+/* Contacts fell out where a segment's centre passed a wall's upper edge: it did not end in 60 s. */
+static void a_deep_groove(void **state)
+{
+    (void)state;
+    const Found usual = run("groove-deep", NULL);
+    const Found fine = run("groove-deep", (const char *const[]){"solver.accuracy", "1e-5", NULL});
+    print_message("%.2f N in %ld steps, %.2f N\n", usual.sum.pull_mean_N, usual.sum.steps, fine.sum.pull_mean_N);
+    check_share(usual.sum.pull_mean_N, fine.sum.pull_mean_N, 0.002);
+    check_share(usual.sum.pull_peak_N, fine.sum.pull_peak_N, 0.02);
+    check_below(usual.energy, 0.001);
+    check_below((double)usual.sum.steps, 600);
+}
+
+/* A winch at 0.5 mm/s: with v_s of 1 mm/s the pull was 21 % too small. T + mu m g l = 1 kN + 785 N. */
+static void a_slow_winch(void **state)
+{
+    (void)state;
+    const Found r = run("trust", (const char *const[]){"drive.winch.speed", "0.5 mm/s", "run.duration", "20 s",
+                                                       "run.steady_from", "10 s", NULL});
+    print_message("pull %.2f N, theory %.2f N\n", r.sum.pull_mean_N, r.sum.reference_total_N);
+    check_share(r.sum.pull_mean_N, 1000 + 0.2 * 20 * 9.81 * 20, 0.03);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_shared_pull),
+        cmocka_unit_test(belts_wait_for_the_cable),
+        cmocka_unit_test(a_deep_groove),
+        cmocka_unit_test(a_slow_winch),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,88 @@
+/* The watch for what the cable has got through: a cable that is put on the other side of a roller or of a floor is
+ * found, one that is only lifted off is not. */
+#include <stdio.h>
+
+#include "sim/run/sim.h"
+#include "tests/support/rig.h"
+
+/* A cable along a row of rollers, or over a plane without ends or with. */
+static Sim *sim_over(int planes, double length)
+{
+    SceneDef def;
+    hawser_error err = {0};
+    Sim *sim;
+    fixture_planar(&def, &(FixtureChoice){0});
+    if (planes) {
+        def.n_surfaces = 1;
+        def.surfaces = fixture_array(1, sizeof *def.surfaces);
+        def.surfaces[0].shape = (SurfaceShape){.kind = SURFACE_PLANE,
+                                               .normal = {0, 0, 1},
+                                               .along = {1, 0, 0},
+                                               .point = {0, 0, -9},
+                                               .length = length,
+                                               .fade = 0.1};
+        snprintf(def.surfaces[0].name, sizeof def.surfaces[0].name, "floor");
+        def.surfaces[0].friction = def.friction;
+        def.n_rollers = 0;
+    }
+    if (sim_new(&def, 1, &sim, &err)) fail_msg("%s", err.message);
+    scene_def_clear(&def);
+    return sim;
+}
+
+/* Moves everything up by dz (m) and looks; what is new. */
+static int look_after(Sim *sim, double dz)
+{
+    Stage *const st = &sim->stage;
+    const int n = st->scene.chain.n, stride = st->motion == &st->planar.motion ? st->planar.ps.chain.stride : n;
+    double *const z = st->y + (st->motion == &st->planar.motion ? 1 : 2) * stride;
+    for (int i = 0; i < n; ++i) z[i] += dz;
+    assert_int_equal(st->motion->ops->renew(st->motion, 0, st->y, NULL), HAWSER_OK);
+    st->motion->ops->look(st->motion, 0, st->y);
+    return passing_look(&sim->passing, &st->scene, &st->ws, 0, 1);
+}
+
+static void rollers_have_sides(void **state)
+{
+    (void)state;
+    Sim *const sim = sim_over(0, 0);
+    int known = 0;
+    for (int r = 0; r < sim->stage.scene.contact.n_rollers; ++r) known += sim->passing.side[r] != 0;
+    check_at_least(known, sim->stage.scene.contact.n_rollers - 1);
+    assert_int_equal(look_after(sim, 0), 0);
+    assert_int_equal(look_after(sim, 0.5), 0); /* lifted */
+    assert_int_equal(look_after(sim, -0.5), 0);
+    assert_int_equal(sim->passing.through, 0);
+    assert_int_equal(look_after(sim, -0.5), 1); /* below them all */
+    check_above(sim->passing.through, 3);
+    check_has(sim->passing.says, "the cable has got through roller '");
+    assert_int_equal(look_after(sim, 0), 0); /* said once */
+    sim_free(sim);
+}
+
+/* Half of space is one-sided; behind a plane with ends only what was before it has passed. */
+static void floors_have_a_free_side(void **state)
+{
+    (void)state;
+    for (int bounded = 0; bounded < 2; ++bounded) {
+        Sim *const sim = sim_over(1, bounded ? 100 : 0);
+        assert_int_equal(look_after(sim, 0), 0);
+        assert_int_equal(look_after(sim, -8.5), 0);
+        assert_int_equal(look_after(sim, -1), 1);
+        assert_int_equal(sim->passing.through, 1);
+        check_has(sim->passing.says, "the cable has got through surface 'floor'");
+        sim_free(sim);
+        Sim *const behind = sim_over(1, bounded ? 100 : 0);
+        assert_int_equal(look_after(behind, -9.6), bounded ? 0 : 1);
+        sim_free(behind);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rollers_have_sides),
+        cmocka_unit_test(floors_have_a_free_side),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,426 @@
+/* Chains that nothing but weight, ends and a medium acts on: fluid drag against its closed forms, a folded chain that
+ * falls, a rope that is skipped, a bar that rebounds. docs/model/85-validation.md (VA6)-(VA10). */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "sim/run/statics.h"
+#include "validate/build.h"
+#include "validate/motion.h"
+#include "validate/validate.h"
+
+static const double G = 9.81; /* m/s2 */
+enum { MESHES = 3 };
+
+/* A rod without stiffness or damping to speak of that hangs on nothing, in time. */
+static hawser_status chain_start(SceneDef *def, CableDef cable, double length, int n, double accuracy,
+                                 hawser_error *err)
+{
+    const hawser_status status = rod_start(def, cable, length, n, 1, err);
+    if (status) return status;
+    def->analysis.kind = ANALYSIS_DYNAMICS;
+    def->solver.accuracy = accuracy;
+    def->rod.stress_free = 0;
+    def->output.interval = 0.02;
+    def->duration = 100;
+    return HAWSER_OK;
+}
+
+/* ------------------------------------------------------------------------------------------------- in a medium */
+
+static const MediumDef WATER = {.density = 1025, .normal = 1.2, .tangential = 0.02, .buoyancy = 1};
+/* kg/m, m */
+static const double MASS = 20, DIAMETER = 0.08, LENGTH = 10;
+
+/* N s2/m2 for a metre, across. */
+static double drag_across(const MediumDef *fluid) { return fluid->density * fluid->normal * DIAMETER / 2; }
+static double displaced(const MediumDef *fluid) { return fluid->density * M_PI * DIAMETER * DIAMETER / 4; }
+
+/* Dropped level into still water: v = v_t tanh(t c v_t/m) (VA6). */
+static hawser_status sinking_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const double TIME = 0.5;
+    SceneDef def;
+    Stage stage;
+    hawser_status status = chain_start(&def, build_cable(MASS, DIAMETER, 1e6, 10), LENGTH, 8, 1e-7, err);
+    if (status) return status;
+    def.gravity = v3(0, 0, -G);
+    def.medium = WATER;
+    const double c = drag_across(&WATER), terminal = sqrt((MASS - displaced(&WATER)) * G / c);
+    status = motion_start(&def, &stage, err);
+    if (!status) status = motion_advance(&stage, TIME, err);
+    const double early = status ? NAN : -motion_get(&stage, STATE_V, 3).z;
+    if (!status) status = motion_advance(&stage, 20 * TIME, err);
+    const double late = status ? NAN : -motion_get(&stage, STATE_V, 3).z;
+    stage_free(&stage);
+    log_share(log, "speed after 0.5 s", "m/s", terminal * tanh(TIME * c * terminal / MASS), early, 0.01);
+    log_share(log, "speed at last", "m/s", terminal, late, 0.001);
+    return status;
+}
+
+/* A straight rod that spins about its middle slows down by its drag alone: 1/omega grows in proportion to time (VA7).
+ */
+static hawser_status spin_down_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const double TIME = 4, SPIN = 0.3;
+    SceneDef def;
+    Stage stage;
+    hawser_status status = chain_start(&def, build_cable(MASS, DIAMETER, 1e9, 1e8), LENGTH, 10, 1e-7, err);
+    if (status) return status;
+    def.medium = WATER;
+    def.launch = (LaunchDef){.present = 1, .spin = {0, 0, SPIN}};
+    const double section = DIAMETER / 4, inertia = MASS * LENGTH * (LENGTH * LENGTH / 12 + section * section);
+    const double fall = drag_across(&WATER) * pow(LENGTH, 4) / 32 / inertia;
+    status = motion_start(&def, &stage, err);
+    if (!status) status = motion_advance(&stage, TIME, err);
+    const double omega = status ? NAN : motion_get(&stage, STATE_W, 4).z;
+    stage_free(&stage);
+    log_share(log, "spin after 4 s", "rad/s", SPIN / (1 + fall * SPIN * TIME), omega, 0.05);
+    return status;
+}
+
+/* Towed by its tail, or held in a current: straight, at the angle at which weight and drag across balance (VA8). */
+static hawser_status towed_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const double SPEED = 1.5;
+    SceneDef def;
+    Stage stage;
+    hawser_relaxation found = {0};
+    CableDef cable = build_cable(MASS, DIAMETER, 1e8, 10);
+    hawser_status status = rod_start(&def, cable, LENGTH, 10, 1, err);
+    if (status) return status;
+    def.gravity = v3(0, 0, -G);
+    def.medium = WATER;
+    def.medium.velocity = v3(SPEED, 0, 0);
+    def.route_slope = -1; /* rad */
+    rod_pin(&def.rod.end[ROD_TAIL]);
+    const double across = drag_across(&WATER) * SPEED * SPEED, weight = (MASS - displaced(&WATER)) * G;
+    const double along = M_PI * WATER.tangential / WATER.normal * across;
+    /* w cos = across sin^2 */
+    const double cosine = sqrt(1 + pow(weight / (2 * across), 2)) - weight / (2 * across), angle = acos(cosine);
+    status = motion_start(&def, &stage, err);
+    if (!status) status = statics_settle(&stage, 1e-10, &found, err);
+    const Vec3 tip = status ? V3_ZERO : motion_get(&stage, STATE_P, 9);
+    const double pull = status ? NAN : motion_law(&stage)[0][0];
+    stage_free(&stage);
+    if (status) return status;
+    log_share(log, "angle below the horizontal", "rad", angle, atan2(-tip.z, tip.x), 0.01);
+    log_share(log, "tension at the tow", "N", LENGTH * (weight * sin(angle) + along * cosine * cosine), pull, 0.01);
+    return HAWSER_OK;
+}
+
+/* --------------------------------------------------------------------------------------------- a folded chain */
+
+/* Time from the release until the end of a folded chain has fallen by f of its length, over sqrt(L/g) (VA9): Simpson's
+ * rule over s = sqrt(u). */
+static double fold_time(double f)
+{
+    enum { STEPS = 2000 };
+    const double end = sqrt(f), ds = end / STEPS;
+    double sum = 0;
+    for (int k = 0; k <= STEPS; ++k) {
+        const double s2 = pow(k * ds, 2), weight = k == 0 || k == STEPS ? 1 : k % 2 ? 4 : 2;
+        sum += weight * 2 * sqrt((1 - s2) / (2 - s2));
+    }
+    return sum * ds / 3;
+}
+
+/* Runs until the end has fallen by `f` of the length; *t: when, s; *v: how fast then, m/s. */
+static hawser_status fold_until(Stage *stage, double f, double length, double *t, double *v, hawser_error *err)
+{
+    const int last = stage->scene.chain.n - 1;
+    hawser_status status = HAWSER_OK;
+    double before = 0, from = stage->t;
+    *t = NAN;
+    while (!status && isnan(*t) && stage->t < 2) {
+        const double half = stage->scene.chain.half[last];
+        const Vec3 axis = quat_rotate(motion_attitude(stage, last), v3(1, 0, 0));
+        const double fallen = -v3_axpy(motion_get(stage, STATE_P, last), half, axis).z - f * length;
+        const Vec3 end =
+            v3_add(motion_get(stage, STATE_V, last), v3_cross(motion_get(stage, STATE_W, last), v3_scale(half, axis)));
+        if (fallen >= 0) {
+            *t = from + (stage->t - from) * before / (before - fallen);
+            *v = -end.z;
+            break;
+        }
+        before = fallen;
+        from = stage->t;
+        status = stage_step(stage, 10, err);
+    }
+    return status;
+}
+
+/* The chain hangs in two arms from one height, a segment's length apart, and is let go at one end. */
+static hawser_status fold_start(int arms, double length, Stage *stage, hawser_error *err)
+{
+    const int n = 2 * arms + 1;
+    const double h = length / n;
+    SceneDef def;
+    CableDef cable = build_cable(1, 0.01, 1e5, 1e-7);
+    hawser_status status = chain_start(&def, cable, length, n, 1e-5, err);
+    if (status) return status;
+    def.cables[0].damping = 2e-5;
+    def.gravity = v3(0, 0, -G);
+    def.rod.shape = ROD_POLYLINE;
+    def.rod.points = calloc(4, sizeof *def.rod.points);
+    if (!def.rod.points) {
+        scene_def_clear(&def);
+        return error_memory(err);
+    }
+    def.rod.n_points = 4;
+    def.rod.points[1] = v3(0, 0, -arms * h);
+    def.rod.points[2] = v3(h, 0, -arms * h);
+    def.rod.points[3] = v3(h, 0, 0);
+    rod_pin(&def.rod.end[ROD_TAIL]);
+    return motion_start(&def, stage, err);
+}
+
+/* Energy of the arm that hangs still in theory, as a share of what weight has done since the release (VA9). */
+static double fold_left(Stage *stage, double length, double fallen)
+{
+    const Chain *const chain = &stage->scene.chain;
+    const double done = chain->mass[0] / (2 * chain->half[0]) * G * fallen * (2 * length - fallen) / 4;
+    double energy = 0;
+    for (int i = 0; i < 0.9 * chain->n; ++i) {
+        const Vec3 v = motion_get(stage, STATE_V, i);
+        energy += chain->mass[i] * v3_dot(v, v) / 2;
+    }
+    return energy / done;
+}
+
+static hawser_status fold_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const int ARMS[MESHES] = {10, 20, 40};
+    static const double SPAN = 2, PART = 0.9;
+    double h[MESHES], error[MESHES], time = NAN, speed = NAN, left = NAN;
+    const double expected = fold_time(PART) * sqrt(SPAN / G);
+    for (int k = 0; k < MESHES; ++k) {
+        Stage stage;
+        hawser_status status = fold_start(ARMS[k], SPAN, &stage, err);
+        if (status) return status;
+        status = fold_until(&stage, PART, SPAN, &time, &speed, err);
+        left = status ? NAN : fold_left(&stage, SPAN, PART * SPAN);
+        stage_free(&stage);
+        if (status) return status;
+        h[k] = SPAN / (2 * ARMS[k] + 1);
+        error[k] = time / expected - 1;
+    }
+    log_share(log, "time to fall 0.9 L", "s", expected, time, 1);
+    log_share(log, "the same over free fall's", "1", expected / sqrt(2 * PART * SPAN / G),
+              time / sqrt(2 * PART * SPAN / G), 1);
+    log_share(log, "speed of the end there", "m/s", sqrt(G * SPAN * PART * (2 - PART) / (1 - PART)), speed, 5);
+    log_limit(log, "energy left in the hanging arm", "%", 100 * left, 10);
+    for (int k = 0; k < MESHES; ++k) {
+        char quantity[VALIDATION_QUANTITY_MAX];
+        snprintf(quantity, sizeof quantity, "time's error with segments of %.3g m", h[k]);
+        log_limit(log, quantity, "%", 100 * fabs(error[k]), 0.6);
+    }
+    return HAWSER_OK;
+}
+
+/* --------------------------------------------------------------------------------------------- a skipped rope */
+
+/* The curve of (VA10) between two points on the axis: half amplitude b (m), q = m omega^2/2H (1/m2). */
+typedef struct Loop {
+    double b, q;
+} Loop;
+
+enum { FINE = 40000 };
+
+/* Points at FINE + 1 even steps of the parameter: x by Simpson's rule. */
+static void loop_points(const Loop *loop, Vec3 *at)
+{
+    const double step = M_PI / FINE, qb = loop->q * loop->b * loop->b;
+    double x = 0;
+    for (int k = 0; k <= FINE; ++k) {
+        at[k] = v3(x, 0, loop->b * sin(k * step));
+        for (int part = 0; part < 3; ++part) {
+            const double c = cos((k + 0.5 * part) * step);
+            x += step / 6 * (part == 1 ? 4 : 1) / sqrt(loop->q * (2 + qb * c * c));
+        }
+    }
+}
+
+/* How far the n-th chord of this length ends from the curve's end, along it, in steps of the parameter: above 0 if the
+ * curve is left over. corner [n+1] gets the corners. */
+static double chords_lay(const Vec3 *at, int n, double chord, Vec3 *corner)
+{
+    int k = 0;
+    corner[0] = at[0];
+    for (int j = 1; j <= n; ++j) {
+        while (k < FINE && v3_norm(v3_sub(at[k + 1], corner[j - 1])) < chord) ++k;
+        if (k == FINE) return j - n - v3_norm(v3_sub(at[FINE], corner[j - 1])) / chord + (j == n ? 0 : -1);
+        const double a = v3_norm(v3_sub(at[k], corner[j - 1])), b = v3_norm(v3_sub(at[k + 1], corner[j - 1]));
+        corner[j] = v3_axpy(at[k], (chord - a) / (b - a), v3_sub(at[k + 1], at[k]));
+    }
+    return v3_norm(v3_sub(at[FINE], corner[n])) / chord;
+}
+
+/* n equal chords from end to end, by halving; returns their length. */
+static double loop_polygon(const Loop *loop, int n, Vec3 *corner, hawser_error *err)
+{
+    Vec3 *const at = calloc(FINE + 1, sizeof *at);
+    if (!at) {
+        error_memory(err);
+        return NAN;
+    }
+    loop_points(loop, at);
+    double low = 0, high = 4 * (loop->b + v3_norm(at[FINE])) / n;
+    for (int it = 0; it < 60; ++it) {
+        const double chord = (low + high) / 2;
+        if (chords_lay(at, n, chord, corner) > 0) {
+            low = chord;
+        } else {
+            high = chord;
+        }
+    }
+    chords_lay(at, n, low, corner);
+    corner[n] = at[FINE];
+    free(at);
+    return low;
+}
+
+/* What is found of a skipped rope, means of the last turn: height of the middle (m), tension in the middle and at the
+ * end (N). */
+typedef struct Skipped {
+    double height, middle, end;
+} Skipped;
+
+static const double ROPE_MASS = 0.2, SKIP = 4 * M_PI; /* kg/m, rad/s: two turns a second */
+
+static hawser_status skip(const Loop *loop, int n, Skipped *out, hawser_error *err)
+{
+    enum { LOOKS = 40 };
+    static const double SETTLE = 1.5, TURN = 0.5;
+    SceneDef def;
+    Stage stage;
+    Vec3 *const corner = calloc((size_t)n + 1, sizeof *corner);
+    if (!corner) return error_memory(err);
+    const double chord = loop_polygon(loop, n, corner, err);
+    hawser_status status = chain_start(&def, build_cable(ROPE_MASS, 0.01, 1e6, 1e-5), n * chord, n, 1e-6, err);
+    if (status) {
+        free(corner);
+        return status;
+    }
+    def.cables[0].damping = 1e-3;
+    def.rod.shape = ROD_POLYLINE;
+    def.rod.n_points = n + 1;
+    def.rod.points = corner;
+    for (int e = 0; e < 2; ++e) rod_pin(&def.rod.end[e]);
+    def.launch = (LaunchDef){.present = 1, .spin = {SKIP, 0, 0}, .about_given = 1};
+    status = motion_start(&def, &stage, err);
+    if (!status) status = motion_advance(&stage, SETTLE, err);
+    *out = (Skipped){0};
+    for (int k = 1; k <= LOOKS && !status; ++k) {
+        status = motion_advance(&stage, SETTLE + TURN * k / LOOKS, err);
+        const Vec3 a = motion_get(&stage, STATE_P, n / 2 - 1), b = motion_get(&stage, STATE_P, n / 2);
+        const Vec3 middle = v3_axpy(v3_scale(0.5, v3_add(a, b)), chord / 4,
+                                    v3_sub(quat_rotate(motion_attitude(&stage, n / 2 - 1), v3(1, 0, 0)),
+                                           quat_rotate(motion_attitude(&stage, n / 2), v3(1, 0, 0))));
+        double *const *const law = motion_law(&stage);
+        out->height += hypot(middle.y, middle.z) / LOOKS;
+        out->middle += law[0][n / 2] / LOOKS;
+        out->end += v3_norm(v3(law[0][0], law[1][0], law[2][0])) / LOOKS;
+    }
+    stage_free(&stage);
+    return status;
+}
+
+static hawser_status skip_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const int N[MESHES] = {10, 20, 40};
+    static const Loop LOOP = {.b = 0.8, .q = 1.5};
+    const double H = ROPE_MASS * SKIP * SKIP / (2 * LOOP.q);
+    double h[MESHES], error[MESHES];
+    Skipped found = {0};
+    for (int k = 0; k < MESHES; ++k) {
+        const hawser_status status = skip(&LOOP, N[k], &found, err);
+        if (status) return status;
+        h[k] = 1.0 / N[k];
+        error[k] = found.middle / H - 1;
+    }
+    log_share(log, "height of the middle", "m", LOOP.b, found.height, 0.5);
+    log_share(log, "tension in the middle", "N", H, found.middle, 0.5);
+    log_share(log, "tension at the ends", "N", H * (1 + LOOP.q * LOOP.b * LOOP.b), found.end, 2);
+    order_log(log, MESHES, h, error, "segment length", 2, 0.3);
+    return HAWSER_OK;
+}
+
+/* --------------------------------------------------------------------------------------------------- rebound */
+
+/* A bar that flies against a wall presses it with v sqrt(EA m) until the wave has been to the free end and back, and
+ * then flies away as fast as it came. The wall is the head's support: it only ever pushes. */
+static hawser_status rebound(int n, double *force, double *contact, double *after, hawser_error *err)
+{
+    static const double SPAN = 10, SPEED = 1;
+    static const CableDef BAR = {.name = "bar",
+                                 .ea = 1e7,
+                                 .ga = 4e6,
+                                 .gj = 1e3,
+                                 .ei_y = 1e3,
+                                 .ei_z = 1e3,
+                                 .mass = 10,
+                                 .diameter = 0.05,
+                                 .damping_factor = {1, 1, 1, 1, 1, 1}};
+    const double wave = sqrt(BAR.ea / BAR.mass), there = SPAN / wave;
+    SceneDef def;
+    Stage stage;
+    hawser_status status = chain_start(&def, BAR, SPAN, n, 1e-6, err);
+    if (status) return status;
+    def.rod.end[ROD_HEAD].held[0] = 1;
+    def.launch = (LaunchDef){.present = 1, .velocity = {SPEED, 0, 0}};
+    status = motion_start(&def, &stage, err);
+    double impulse = 0, before = 0, from = 0;
+    *contact = NAN;
+    while (!status && isnan(*contact) && stage.t < 4 * there) {
+        status = stage_step(&stage, 4 * there, err);
+        const double now = status ? 0 : -motion_law(&stage)[0][n];
+        impulse += (stage.t - from) * (before + now) / 2;
+        if (stage.t > there && now <= 0) *contact = from + (stage.t - from) * before / (before - now);
+        before = now;
+        from = stage.t;
+    }
+    *force = impulse / (2 * there) / (SPEED * sqrt(BAR.ea * BAR.mass));
+    *contact /= 2 * there;
+    *after = status ? NAN : motion_balance(&stage).momentum.x / (BAR.mass * SPAN * SPEED);
+    stage_free(&stage);
+    return status;
+}
+
+static hawser_status rebound_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const int N[MESHES] = {25, 50, 100};
+    double h[MESHES], error[MESHES], force = NAN, contact = NAN, after = NAN;
+    for (int k = 0; k < MESHES; ++k) {
+        const hawser_status status = rebound(N[k], &force, &contact, &after, err);
+        if (status) return status;
+        h[k] = 1.0 / N[k];
+        error[k] = after + 1;
+    }
+    log_share(log, "impulse over that of v sqrt(EA m)", "1", 1, force, 1);
+    log_share(log, "contact time over 2 L/c", "1", 1, contact, 2);
+    log_share(log, "momentum after over that before", "1", -1, after, 2);
+    order_log(log, MESHES, h, error, "segment length", 2.0 / 3, 0.1);
+    return HAWSER_OK;
+}
+
+static const ValidationCase cases[] = {
+    {"sinking", "a level cable sinks in water: drag across, buoyancy", "v_t tanh(t c v_t/m), (VA6)", 1, NULL,
+     sinking_run},
+    {"spin-down", "a spinning rod is slowed down by its drag", "omega/(1 + b omega t), (VA7)", 1, NULL, spin_down_run},
+    {"towed", "a cable towed through water is straight", "critical angle, (VA8)", 1, NULL, towed_run},
+    {"folded-chain", "the end of a folded chain falls faster than free", "Calkin and March 1989, (VA9)", 0, NULL,
+     fold_run},
+    {"skipping-rope", "shape and tension of a rope that turns about its ends", "elliptic functions, (VA10)", 0, NULL,
+     skip_run},
+    {"rebound", "a bar flies against a wall and back", "one-dimensional waves: v sqrt(EA m), 2 L/c", 1, NULL,
+     rebound_run},
+};
+const ValidationGroup flight_group = VALIDATION_GROUP(cases);
