@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "io/api/api_handles.h"
+#include "io/case/case_parts.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { SEGMENTS = 150, PIECES = 60, ROLLERS = 300, SURFACES = 40, MACHINES = 20, STATIONS = 2000 };
@@ -10,7 +11,7 @@ enum { SEGMENTS = 150, PIECES = 60, ROLLERS = 300, SURFACES = 40, MACHINES = 20,
 static int is_small(const SceneDef *def)
 {
     return case_segments(def) <= SEGMENTS && def->n_route <= PIECES && def->n_rollers <= ROLLERS &&
-           def->n_surfaces <= SURFACES && def->n_conveyors <= MACHINES && def->output.n_stations <= STATIONS;
+           def->n_surfaces <= SURFACES && def->n_conveyors <= MACHINES && def->n_stations <= STATIONS;
 }
 
 hawser_case *small_case_parse(const uint8_t *data, size_t size)
