@@ -5,7 +5,7 @@
 #include "hawser/hawser.h"
 
 /* Writes status and message into err (NULL: dropped) and returns status, so that a caller can
- * `return error_set(err, HAWSER_ERR_INPUT, "%s:%d: ...", file, line);`. */
+ * `return error_set(err, HAWSER_ERR_INPUT, "%s:%d: ...", file, line);`. Control characters become question marks. */
 hawser_status error_set(hawser_error *err, hawser_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -9,8 +9,10 @@ static void print_word(const char *before, const char *word, const char *after)
     printf("%s", before);
     for (const char *c = word; *c; ++c) {
         const unsigned char byte = (unsigned char)*c;
-        if (byte < ' ' || byte > '~' || byte == '"' || byte == '\\') printf("\\x%02X", (unsigned)byte);
-        else putchar(byte);
+        if (byte < ' ' || byte > '~' || byte == '"' || byte == '\\')
+            printf("\\x%02X", (unsigned)byte);
+        else
+            putchar(byte);
     }
     printf("%s\"\n", after);
 }

@@ -119,9 +119,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         hawser_error err = {0};
         Pair *const p = &pair[data[k] & 1];
         const int what = data[k] >> 1 & 31, argument = data[k + 1];
-        if (what < 8) call_case(p, what, argument, &err);
-        else if (p->sim && what < 20) call_motion(p->sim, what % 5, argument, &err);
-        else if (p->sim) call_looks(p->sim, what % 6, &err);
+        if (what < 8)
+            call_case(p, what, argument, &err);
+        else if (p->sim && what < 20)
+            call_motion(p->sim, what % 5, argument, &err);
+        else if (p->sim)
+            call_looks(p->sim, what % 6, &err);
     }
     for (int k = 0; k < HANDLES; ++k) {
         hawser_sim_free(pair[k].sim);

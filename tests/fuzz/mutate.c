@@ -15,7 +15,8 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsi
 size_t LLVMFuzzerCustomCrossOver(const uint8_t *one, size_t n_one, const uint8_t *two, size_t n_two, uint8_t *out,
                                  size_t max_size, unsigned int seed);
 
-/* ------------------------------------------------------------------------------------------------------------ chance */
+/* ------------------------------------------------------------------------------------------------------------ chance
+ */
 
 /* SplitMix64 (Steele, Lea, Flood 2014). */
 static uint64_t draw(uint64_t *state)
@@ -29,7 +30,8 @@ static uint64_t draw(uint64_t *state)
 static int pick(uint64_t *state, int n) { return (int)(draw(state) % (uint64_t)n); }
 static double part(uint64_t *state) { return (double)(draw(state) >> 11) * 0x1p-53; }
 
-/* -------------------------------------------------------------------------------------------------------------- tree */
+/* -------------------------------------------------------------------------------------------------------------- tree
+ */
 
 /* The section whose keys a node's children are, by the way down from the root; NULL: none is known. */
 static const CaseSection *section_of(const CaseNode *node)
@@ -119,7 +121,8 @@ static void drop_node(CaseNode *node)
     for (CaseNode *child = parent->first; child; child = child->next) child->index = index++;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ values */
+/* ------------------------------------------------------------------------------------------------------------ values
+ */
 
 static double some_number(const CaseKey *key, const char *old, uint64_t *state)
 {
@@ -161,7 +164,8 @@ static void some_text(const CaseKey *key, const char *old, uint64_t *state, char
     }
 }
 
-/* --------------------------------------------------------------------------------------------------------- mutations */
+/* --------------------------------------------------------------------------------------------------------- mutations
+ */
 
 static void change_value(CaseNode *node, uint64_t *state)
 {
@@ -210,7 +214,8 @@ static void mutate_tree(CaseTree *tree, uint64_t *state)
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------------- bytes */
+/* ------------------------------------------------------------------------------------------------------------- bytes
+ */
 
 typedef struct Text {
     char *at;
@@ -232,9 +237,12 @@ static void put_quoted(Text *t, const char *text)
     put(t, "\"");
     for (const char *c = text; *c; ++c) {
         const unsigned char byte = (unsigned char)*c;
-        if (byte == '"' || byte == '\\') put(t, "\\%c", byte);
-        else if (byte < ' ') put(t, "\\x%02X", (unsigned)byte);
-        else put(t, "%c", byte);
+        if (byte == '"' || byte == '\\')
+            put(t, "\\%c", byte);
+        else if (byte < ' ')
+            put(t, "\\x%02X", (unsigned)byte);
+        else
+            put(t, "%c", byte);
     }
     put(t, "\"");
 }
