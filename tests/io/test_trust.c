@@ -41,23 +41,30 @@ static Judged judge(const char *text, const char *const *settings, hawser_status
     return j;
 }
 
-/* The spoiled run fails just these conditions, is never safe, and says what to do. */
+/* The spoiled run fails just these conditions, is never safe, and says what to do: of the first in the verdict. */
 static void expect_failing(const char *text, const char *const *settings, hawser_status expected, const char *names,
                            const char *says)
 {
     Judged j = judge(text, settings, expected);
-    char failing[200] = "";
+    char failing[200] = "", remedies[1000] = "", more[40] = "";
+    const hawser_condition *first = NULL;
+    int failed = 0;
     for (int i = 0; i < j.sum.n_conditions; i++) {
         const hawser_condition *const c = &j.sum.conditions[i];
         if (c->holds) continue;
         const size_t used = strlen(failing);
         snprintf(failing + used, sizeof failing - used, "%s%s", used ? " " : "", c->name);
         if (!(c->value > c->allowed)) fail_msg("%s: %g is not above %g", c->name, c->value, c->allowed);
+        strcat(remedies, c->remedy);
+        if (!failed++) first = c;
     }
     assert_string_equal(failing, names);
     assert_int_equal(j.found, -2);
+    check_has(remedies, says);
     assert_int_equal(strncmp(j.verdict, "NOT TRUSTED: ", 13), 0);
-    check_has(j.verdict, says);
+    check_has(j.verdict, first->remedy);
+    if (failed > 1) snprintf(more, sizeof more, "; and %d more reason%s", failed - 1, failed > 2 ? "s" : "");
+    check_has(j.verdict, more);
     hawser_sim_free(j.sim);
 }
 
