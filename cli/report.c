@@ -86,7 +86,7 @@ static const char *say_error(const hawser_error_bar *bar, double figure, char te
     *text = 0;
     if (!(bar->total >= 0) || !(fabs(figure) > 0)) return text;
     if (bar->total < fabs(figure)) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
-    if (bar->total >= fabs(figure)) snprintf(text, 32, " +- more than itself");
+    if (bar->total >= fabs(figure)) snprintf(text, 32, " +- over 100 %%");
     return text;
 }
 
@@ -146,9 +146,10 @@ static void report_rollers(hawser_sim *s)
     for (int i = 1; i < n; i++) {
         if (r[i].peak_N > heaviest->peak_N) heaviest = &r[i];
     }
-    printf("  largest roller load %.1f N on %s (steady %.1f N", heaviest->peak_N, heaviest->name, heaviest->steady_N);
+    printf("  largest roller load %.1f N on %s", heaviest->peak_N, heaviest->name);
+    if (!isnan(heaviest->steady_N)) printf(", steady %.1f N", heaviest->steady_N);
     if (heaviest->rating_N > 0) printf(", rated %g N", heaviest->rating_N);
-    printf(")\n");
+    printf("\n");
 }
 
 /* What it cost, in the integrator's own counts. */
@@ -204,7 +205,7 @@ static const char *say_quantity(double value, const char *unit, char text[32])
     const char *const shown = !strcmp(unit, "1") ? "" : unit;
     if (isinf(value)) return "none";
     if (isnan(value)) return "-";
-    snprintf(text, 32, "%.4g %s%s", large ? value / 1e3 : value, large ? "k" : "", shown);
+    snprintf(text, 32, "%.4g%s%s%s", large ? value / 1e3 : value, *shown ? " " : "", large ? "k" : "", shown);
     return text;
 }
 
