@@ -9,6 +9,7 @@
 typedef struct MeshPlace {
     int piece;             /* of the chain */
     int leg;               /* of the route; -1: none */
+    int surface;           /* held by a surface, not by rollers */
     double at;             /* m along the route, where it begins */
     double radius;         /* m, of the bend; of a rod: its least radius of curvature, 0: straight */
     double room;           /* m, from the cable in the middle to either side; NAN: it is held on one side alone */
