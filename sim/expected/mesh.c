@@ -213,8 +213,8 @@ static void row_add(Row *row, double s)
     row->last = s;
 }
 
-/* The spacing round a bend that is too short for a row of its own, from the rollers that stand nearest on either side of
- * it and the one between; 0 if one roller is the wheel that the cable turns round, or none stands on a side. */
+/* The spacing round a bend that is too short for a row of its own, from the rollers that stand nearest on either side
+ * of it and the one between; 0 if one roller is the wheel that the cable turns round, or none stands on a side. */
 static double short_bend_pitch(const SceneDef *def, const RoutePiece *leg)
 {
     double before = -INFINITY, behind = INFINITY, inside = 0;

@@ -35,7 +35,7 @@ typedef struct Mesh {
 hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err);
 void mesh_free(Mesh *mesh);
 
-/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7). */
+/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10). */
 double mesh_error(const MeshPlace *place, double h);
 /* Share by which the sag between rollers `pitch` m apart comes out too small (ME9); bending_length as above. */
 double mesh_sag_error(double h, double pitch, double bending_length);
