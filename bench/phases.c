@@ -15,7 +15,7 @@
 #include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
 #include "sim/newton/newton.h"
-#include "sim/newton/relax.h"
+#include "sim/newton/relax_space.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 #include "sim/step/vector_kernels.h"

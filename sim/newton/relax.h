@@ -3,12 +3,6 @@
 #define HAWSER_SIM_NEWTON_RELAX_H
 
 #include "sim/dynamics.h"
-#include "sim/newton/newton.h"
-
-/* Moves y [13 n] to where all forces of time t balance, friction off, and leaves it at rest. `out` says how far it got;
- * not reaching equilibrium is not an error. Errors: MEMORY, STOPPED (ws->stop). */
-hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
-                                   hawser_relaxation *out, hawser_error *err);
 
 /* Whether a stop is wanted now (not while contacts are soft, if it must be firm). Errors: STOPPED. */
 hawser_status relax_stopped(const StopCheck *stop, int soft, hawser_error *err);

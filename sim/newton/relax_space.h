@@ -3,8 +3,15 @@
 #ifndef HAWSER_SIM_NEWTON_RELAX_SPACE_H
 #define HAWSER_SIM_NEWTON_RELAX_SPACE_H
 
+#include "sim/newton/newton.h"
 #include "sim/newton/relax.h"
 
+/* Moves y [13 n] to where all forces of time t balance, friction off, and leaves it at rest. `out` says how far it got;
+ * not reaching equilibrium is not an error. Errors: MEMORY, STOPPED (ws->stop). */
+hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
+                                   hawser_relaxation *out, hawser_error *err);
+
+/* The same step by step. */
 typedef struct Relaxation {
     const Scene *scene;
     Workspace *ws;

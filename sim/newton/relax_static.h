@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_NEWTON_RELAX_STATIC_H
 #define HAWSER_SIM_NEWTON_RELAX_STATIC_H
 
-#include "sim/newton/relax.h"
+#include "sim/newton/newton.h"
 
 /* What is looked for, and how. */
 typedef struct StaticAim {

@@ -155,7 +155,7 @@ static void not_trusted(void **state)
     Certified z = certify(data_text("certify"), few, &once);
     consistent(z.cert);
     assert_int_equal(z.cert->certified, 0);
-    check_has(z.cert->verdict, "NOT CERTIFIED: the run is not to be trusted (friction_speed)");
+    check_has(z.cert->verdict, "NOT CERTIFIED: the run is not to be trusted (friction_speed");
     certified_free(&z);
 }
 

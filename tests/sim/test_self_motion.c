@@ -1,7 +1,7 @@
 /* Cables that move and touch each other: a strand that lies across two others presses on them by its weight, one that
  * falls on them comes to rest, strands that meet in flight keep their momentum and gain no energy, and two threads give
  * the bits of one. */
-#include "sim/newton/relax.h"
+#include "sim/newton/relax_space.h"
 #include "sim/step/integrator.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
