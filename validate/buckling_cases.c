@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "sim/run/modes.h"
 #include "sim/run/statics.h"
 #include "validate/build.h"
 #include "validate/motion.h"
