@@ -253,8 +253,9 @@ def ahead(r, case, parts, need):
         out["belt"] = {"speed": round(own * r.even(1.02, 1.1), 4), "to": case["drive"]["winch"].get("to", 2)}
     elif kind == "fast":
         out["factor"] = round(r.even(1.01, 1.05), 3)
-    if "belt" in out or "factor" in out or r.chance(0.4):
-        out["limit"] = float(f"{need * r.even(0.2, 0.7):.3g}")
+    else:
+        r.chance(0.4)  # once whether it had one: a drive without that runs with the winch shares the pull by tenths of a millimetre
+    out["limit"] = float(f"{need * r.even(0.2, 0.7):.3g}")
     if r.chance(0.3):
         out["v_s"] = r.choice([1e-5, 5e-4, 1e-3])
     if r.chance(0.3):

@@ -61,14 +61,14 @@ static void report_relaxation(const hawser_relaxation *r)
 {
     if (!(r->tolerance_N > 0)) return; /* the case did not want it */
     if (r->reached) {
-        printf("  at rest before t = 0: largest unbalanced force %.2g N after %d iterations, moved by up to "
+        printf("\nAt rest before t = 0: largest unbalanced force %.2g N after %d iterations, moved by up to "
                "%.3g mm\n",
                r->residual_N, r->iterations, 1e3 * r->moved_m);
     } else {
-        printf("  warning: the initial equilibrium was not reached: %.3g N are unbalanced at segment %d "
-               "(aim: %.3g N); the "
-               "start of the run may show it\n",
-               r->residual_N, r->segment, r->tolerance_N);
+        printf(
+            "\nNot at rest before t = 0: %.3g N are unbalanced at segment %d (aim: %.3g N); the start of the run may "
+            "show it\n",
+            r->residual_N, r->segment, r->tolerance_N);
     }
 }
 
@@ -80,11 +80,13 @@ static void report_theory(const char *name, double total, double pull, double ma
            mean_pct);
 }
 
-/* An error bar behind its figure; nothing where it is not known. */
+/* An error bar behind its figure; nothing where it is not known. Beyond the figure itself its size says nothing. */
 static const char *say_error(const hawser_error_bar *bar, double figure, char text[32])
 {
     *text = 0;
-    if (bar->total >= 0 && fabs(figure) > 0) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
+    if (!(bar->total >= 0) || !(fabs(figure) > 0)) return text;
+    if (bar->total < fabs(figure)) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
+    if (bar->total >= fabs(figure)) snprintf(text, 32, " +- over 100 %%");
     return text;
 }
 
@@ -96,9 +98,15 @@ static void report_pull(const hawser_summary *s)
         return;
     }
     char mean[32], peak[32];
-    printf("\nPull force: mean %.2f N%s (ripple %.3g N RMS) from %g s to %g s, peak %.2f N%s\n", s->pull_mean_N,
-           say_error(&s->pull_mean_error, s->pull_mean_N, mean), s->pull_ripple_N, s->steady_from_s, s->steady_to_s,
-           s->pull_peak_N, say_error(&s->pull_peak_error, s->pull_peak_N, peak));
+    say_error(&s->pull_mean_error, s->pull_mean_N, mean);
+    say_error(&s->pull_peak_error, s->pull_peak_N, peak);
+    if (isnan(s->pull_mean_N)) {
+        printf("\nPull force: peak %.2f N%s; no mean, its window begins at %g s\n", s->pull_peak_N, peak,
+               s->steady_from_s);
+        return;
+    }
+    printf("\nPull force: mean %.2f N%s (ripple %.3g N RMS) from %g s to %g s, peak %.2f N%s\n", s->pull_mean_N, mean,
+           s->pull_ripple_N, s->steady_from_s, s->steady_to_s, s->pull_peak_N, peak);
     printf("  %-18s %14s %15s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");
     report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct, s->error_mean_pct);
     report_theory("paper's formulas", s->paper_total_N, s->pull_mean_N, s->error_max_paper_pct,
@@ -138,9 +146,10 @@ static void report_rollers(hawser_sim *s)
     for (int i = 1; i < n; i++) {
         if (r[i].peak_N > heaviest->peak_N) heaviest = &r[i];
     }
-    printf("  largest roller load %.1f N on %s (steady %.1f N", heaviest->peak_N, heaviest->name, heaviest->steady_N);
+    printf("  largest roller load %.1f N on %s", heaviest->peak_N, heaviest->name);
+    if (!isnan(heaviest->steady_N)) printf(", steady %.1f N", heaviest->steady_N);
     if (heaviest->rating_N > 0) printf(", rated %g N", heaviest->rating_N);
-    printf(")\n");
+    printf("\n");
 }
 
 /* What it cost, in the integrator's own counts. */
@@ -196,29 +205,33 @@ static const char *say_quantity(double value, const char *unit, char text[32])
     const char *const shown = !strcmp(unit, "1") ? "" : unit;
     if (isinf(value)) return "none";
     if (isnan(value)) return "-";
-    snprintf(text, 32, "%.4g %s%s", large ? value / 1e3 : value, large ? "k" : "", shown);
+    snprintf(text, 32, "%.4g%s%s%s", large ? value / 1e3 : value, *shown ? " " : "", large ? "k" : "", shown);
     return text;
 }
 
-/* The conditions that do not hold. */
-static void report_trust(const hawser_summary *s)
+/* The verdict and what it rests on, one reason a line: the answer that everything below is for. */
+static void report_verdict(const hawser_summary *s, const char *verdict)
 {
     char found[32], allowed[32];
-    for (int i = 0, said = 0; i < s->n_conditions; i++) {
+    int failed = 0;
+    for (int i = 0; i < s->n_conditions; i++) failed += !s->conditions[i].holds;
+    if (failed) {
+        printf("\nNOT TRUSTED, for %d reason%s\n", failed, failed > 1 ? "s" : "");
+    } else {
+        printf("\n%s\n  the figures are to be trusted: all %d conditions hold\n", verdict, s->n_conditions);
+    }
+    for (int i = 0; i < s->n_conditions; i++) {
         const hawser_condition *c = &s->conditions[i];
         if (c->holds) continue;
-        if (!said++) printf("\nThe figures are not to be trusted\n  %-16s %12s %12s\n", "", "found", "allowed");
-        printf("  %-16s %12s %12s  %s\n", c->name, say_quantity(c->value, c->unit, found),
-               say_quantity(c->allowed, c->unit, allowed), c->remedy);
+        printf("  %-16s %s (found %s, allowed %s)\n", c->name, c->remedy, say_quantity(c->value, c->unit, found),
+               say_quantity(c->allowed, c->unit, allowed));
     }
 }
 
-/* The limits one by one, and the verdict, which comes last of all. */
-static void report_limits(hawser_sim *s, const hawser_summary *sum)
+/* The limits one by one. */
+static void report_limits(int n, const hawser_limit *limit)
 {
-    hawser_limit limit[HAWSER_LIMITS_MAX];
-    char verdict[HAWSER_VERDICT_MAX], found[32], allowed[32];
-    const int n = hawser_sim_limits(s, limit);
+    char found[32], allowed[32];
     if (n > 0) printf("\nLimits\n  %-14s %12s %12s %9s\n", "", "found", "allowed", "margin");
     for (int i = 0; i < n; i++) {
         const hawser_limit *l = &limit[i];
@@ -228,16 +241,19 @@ static void report_limits(hawser_sim *s, const hawser_summary *sum)
             printf("%7.1f %%  %-10s %s; %s\n", 100 * l->margin, l->ok ? "holds" : "BROKEN", l->where, l->source);
         if (!l->judged) printf("%9s  not judged: %s\n", "-", l->source);
     }
-    hawser_verdict(sum->n_conditions, sum->conditions, n, limit, verdict, sizeof verdict);
-    printf("\n%s\n", verdict);
 }
 
-/* The whole report, in the order in which a planner asks. */
+/* The whole report, in the order in which a planner asks. The verdict comes first, and last of all in one line, where a
+ * long report ends. */
 void report_run(hawser_sim *s, const char *dir)
 {
     hawser_summary sum;
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    char verdict[HAWSER_VERDICT_MAX];
     hawser_sim_summary(s, &sum);
-    report_relaxation(&sum.relaxation);
+    const int n = hawser_sim_limits(s, limit);
+    hawser_verdict(sum.n_conditions, sum.conditions, n, limit, verdict, sizeof verdict);
+    report_verdict(&sum, verdict);
     if (sum.rod) {
         report_rod(&sum);
         report_stability(&sum);
@@ -248,10 +264,10 @@ void report_run(hawser_sim *s, const char *dir)
     report_machines(&sum);
     report_events(&sum);
     report_rollers(s);
+    report_limits(n, limit);
+    report_relaxation(&sum.relaxation);
     report_balance(sum.balance);
     report_work(&sum);
     report_phases(&sum);
-    printf("\nResults: %s\n", dir);
-    report_trust(&sum);
-    report_limits(s, &sum);
+    printf("\nResults: %s\n\n%s\n", dir, verdict);
 }

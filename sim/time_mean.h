@@ -52,7 +52,8 @@ static inline void mean_block(TimeMean *m)
     m->block = (TimeBlock){.from = m->last};
 }
 
-static inline double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : m->last; }
+/* NAN before the steady window. */
+static inline double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : NAN; }
 
 /* Root mean square deviation from the mean. */
 static inline double mean_ripple(const TimeMean *m)

@@ -291,17 +291,23 @@ int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t s
     return judged > 0 ? broken : -1;
 }
 
+/* The first that fails stands for all: the others are counted. */
 int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
                    size_t size)
 {
     const int broken = hawser_limits_verdict(n, limit, text, size);
-    int failed = 0;
-    Line line = {text, size};
+    const hawser_condition *first = NULL;
+    int more = 0;
     for (int i = 0; i < n_conditions; i++) {
         if (condition[i].holds) continue;
-        if (failed++ == 0) *text = 0;
-        add(&line, failed == 1 ? "NOT TRUSTED: %s" : "; %s", condition[i].remedy);
+        more += first != NULL;
+        if (!first) first = &condition[i];
     }
-    if (failed && broken > 0) add(&line, "; besides, %d of the limits would be broken", broken);
-    return failed ? -2 : broken;
+    if (!first) return broken;
+    *text = 0;
+    Line line = {text, size};
+    add(&line, "NOT TRUSTED: %s", first->remedy);
+    if (more) add(&line, "; and %d more reason%s", more, more > 1 ? "s" : "");
+    if (broken > 0) add(&line, "; besides, %d of the limits would be broken", broken);
+    return -2;
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/base/worst.h"
+#include "sim/run/modes.h"
 #include "sim/run/statics.h"
 #include "validate/build.h"
 #include "validate/motion.h"

@@ -1,5 +1,5 @@
 /* What sticks, slips and runs: a mass on a belt, two weights on a rope over a drum, a rope that runs over one.
- * docs/model/85-validation.md (VA11)-(VA14), (VA18). */
+ * docs/model/85-validation.md (VA11)-(VA14), (VA18), (VA25), (VA26). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,15 +17,15 @@ static const double G = 9.81; /* m/s2 */
 /* N at the grip's full height and where it slides; m/s of the belt; kg. */
 static const double STICK = 400, SLIDE = 250, BELT = 0.1, BLOCK = 20;
 
-/* A stiff cable of 20 kg, tied by a soft rope to a winch that stands, lies in a conveyor that runs backward, covered by
- * it all the time. */
+/* A stiff cable of 20 kg in one segment, tied by a soft rope to a winch that stands, lies in a conveyor that runs
+ * backward, covered by it all the time. */
 static hawser_status belt_start(double v_s, Stage *stage, hawser_error *err)
 {
     static const double CABLE = 4, ROPE = 2;
     SceneDef def;
     hawser_status status = build_start(&def, err);
     if (status) return status;
-    build_chain(&def, build_cable(BLOCK / CABLE, 0.05, 1e7, 1e3), CABLE, 4);
+    build_chain(&def, build_cable(BLOCK / CABLE, 0.05, 1e7, 1e3), CABLE, 1);
     def.cables[1] = build_cable(1e-3, 0.01, 3000, 1);
     def.cables[1].damping = 0; /* the closed form has none */
     def.pieces[1] = (ChainPieceDef){.cable = 1, .length = ROPE, .segments = 1};
@@ -80,10 +80,11 @@ static hawser_status belt_cycles(Stage *stage, double *period, double *peak, haw
     return status;
 }
 
+/* (VA11), (VA25), (VA26). */
 static hawser_status belt_run(const void *setup, ValidationLog *log, hawser_error *err)
 {
     (void)setup;
-    double v_s[MESHES] = {8e-3, 4e-3, 2e-3}, error[MESHES], period = NAN, peak = NAN, expected = NAN;
+    double v_s[MESHES] = {8e-3, 4e-3, 2e-3}, error[MESHES], period = NAN, peak = NAN, expected = NAN, largest = NAN;
     for (int k = 0; k < MESHES; ++k) {
         Stage stage;
         hawser_status status = belt_start(v_s[k], &stage, err);
@@ -93,14 +94,15 @@ static hawser_status belt_run(const void *setup, ValidationLog *log, hawser_erro
         const double stiff = 1 / (1 / spring[n] + 1 / spring[n - 1]), omega = sqrt(stiff / BLOCK);
         const double drop = (STICK - SLIDE) / stiff;
         expected = 2 * drop / BELT + 2 / omega * (M_PI - atan(drop * omega / BELT));
+        largest = SLIDE + hypot(STICK - SLIDE, stiff * BELT / omega);
         status = belt_cycles(&stage, &period, &peak, err);
         stage_free(&stage);
         if (status) return status;
         error[k] = period / expected - 1;
     }
     log_share(log, "period of stick and slip", "s", expected, period, 2);
-    log_share(log, "tension when it lets go", "N", STICK, peak, 1);
-    order_log(log, MESHES, v_s, error, "v_s", 1, 0.3);
+    log_share(log, "largest tension", "N", largest, peak, 1);
+    order_log(log, MESHES, v_s, error, "v_s", 2.0 / 3, 0.2);
     return HAWSER_OK;
 }
 

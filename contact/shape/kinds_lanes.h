@@ -44,17 +44,22 @@ LANE_INLINE void shape_by_kind(ShapeKind kind, const LaneShape *s, const LaneFor
 
 /* A U's wall is taken as no steeper than this where the nearest point is looked for: n_rho of (GR15). */
 static const double LEAST_N_RHO = 0.2;
+/* Of the arc's radius: a cable farther than this from a U touches nothing of it (GR16). */
+static const double OUT_OF_GROOVE = 0.9;
 
-/* Slope of the distance along `direction` at p, by which lines are searched for the place where they are nearest
- * (GR15): that of the distance itself but in a U beside walls that stand upright. */
+/* Slope of the distance along `direction` at p, by which lines are searched for the place where they are nearest: that
+ * of the distance itself but in a U beside walls that stand upright (GR15), and above its lips (GR16). */
 LANE_INLINE Lane shape_slope(ShapeKind kind, const LaneShape *s, const LaneForm *form, Lane3 p, const LaneProbe *probe,
                              Lane3 direction)
 {
     const Lane slope = l3_dot(probe->normal, direction);
     if (kind != SHAPE_U_GROOVE) return slope;
-    const LaneMask between_lips = lane_abs(l3_dot(l3_sub(p, s->centre), s->axis)) < form->groove.lip;
-    const Lane n_rho = probe->k1 * probe->scale;
-    const Lane more = lane_select(between_lips & (n_rho < LEAST_N_RHO), LEAST_N_RHO - n_rho, lane_set(0));
+    const LaneGroove *const g = &form->groove;
+    const Lane zeta = lane_abs(l3_dot(l3_sub(p, s->centre), s->axis)), n_rho = probe->k1 * probe->scale;
+    const LaneMask above = (probe->scale - s->radius - g->radius) * g->sine + zeta * g->cosine > lane_set(0);
+    const Lane least =
+        lane_select(above & (probe->distance > OUT_OF_GROOVE * g->radius), lane_set(1), lane_set(LEAST_N_RHO));
+    const Lane more = lane_select((zeta < g->lip) & (n_rho < least), least - n_rho, lane_set(0));
     return slope + more * l3_dot(l3_cross(probe->t1, s->axis), direction);
 }
 

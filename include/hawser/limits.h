@@ -38,8 +38,8 @@ int hawser_sim_limits(struct hawser_sim *s, hawser_limit *out);
  * (HAWSER_VERDICT_MAX is enough). Returns how many limits are broken, -1 if none could be judged. */
 int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size);
 
-/* The same for a run of which the conditions are known: "NOT TRUSTED: ..." and -2 if one of them fails, whatever the
- * limits say; otherwise as above. */
+/* The same for a run of which the conditions are known: "NOT TRUSTED: ...", with the first that fails and how many more
+ * do, and -2 if one of them fails, whatever the limits say; otherwise as above. */
 int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
                    size_t size);
 

@@ -30,6 +30,7 @@ struct Results {
     XdmfFile xdmf;
     H5File *h5; /* NULL: no states wanted */
     char dir[OUT_PATH_MAX];
+    int lock; /* of the folder; -1: none */
     Series columns;
     int n_pending;               /* states that results.xdmf does not know of yet */
     double pending[PENDING_MAX]; /* their times, s */
@@ -68,10 +69,12 @@ static hawser_status remove_old(const Results *r, int states, hawser_error *err)
     return s;
 }
 
-/* The summary comes first: a folder whose run is killed says "running", not what the run before had to say. */
+/* Before anything is written: two runs at once would mix their rows. The summary comes first: a folder whose run is
+ * killed says "running", not what the run before had to say. */
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
 {
     hawser_status s = out_make_dir(r->dir, err);
+    if (!s) s = out_lock_dir(r->dir, &r->lock, err);
     if (!s) s = write_whole(r->dir, "summary.json", summary, err);
     if (!s) s = remove_old(r, def->states > 0, err);
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
@@ -94,6 +97,7 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     Results *r = calloc(1, sizeof *r);
     if (!r) return error_memory(err);
     strcpy(r->dir, dir);
+    r->lock = -1;
     const hawser_status status = open_all(r, def, summary, err);
     if (status) {
         results_free(r);
@@ -187,6 +191,7 @@ Results *results_free(Results *r)
     xdmf_close(&r->xdmf, NULL);
     out_close(&r->series, NULL);
     for (int k = 0; k < TABLES; k++) out_close(&r->tables[k], NULL);
+    if (r->lock >= 0) close(r->lock);
     free(r->columns.column);
     free(r);
     return NULL;

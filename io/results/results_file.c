@@ -6,9 +6,12 @@
 
 #include <assert.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* One form for every file, so that a user always learns the same three things: what, where, why. */
 hawser_status out_error(const char *path, int number, hawser_error *err)
@@ -44,6 +47,18 @@ hawser_status out_make_dir(const char *dir, hawser_error *err)
     }
     const int number = make_level(path);
     return number ? out_error(path, number, err) : HAWSER_OK;
+}
+
+/* The lock is the open folder's: it leaves no file behind, and ends with the program, however that ends. */
+hawser_status out_lock_dir(const char *dir, int *lock, hawser_error *err)
+{
+    *lock = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (*lock < 0 || flock(*lock, LOCK_EX | LOCK_NB) == 0) return HAWSER_OK;
+    const int in_use = errno == EWOULDBLOCK;
+    close(*lock);
+    *lock = -1;
+    if (!in_use) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the folder is in use by another run", dir);
 }
 
 /* A doubled slash does no harm. */

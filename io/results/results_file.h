@@ -24,6 +24,9 @@ typedef struct OutFile {
 /* Makes a directory and those above it that are missing; one that is there is fine. Errors: OUTPUT, with the
  * path and what the system says. */
 hawser_status out_make_dir(const char *dir, hawser_error *err);
+/* Keeps other runs out of a folder until the descriptor *lock is closed; -1 where the file system knows no locks.
+ * Errors: OUTPUT if another run has it. */
+hawser_status out_lock_dir(const char *dir, int *lock, hawser_error *err);
 /* dir/name into path[OUT_PATH_MAX]. Errors: OUTPUT if that is too long. */
 hawser_status out_join(char *path, const char *dir, const char *name, hawser_error *err);
 /* Writes "cannot write 'path': reason" and returns OUTPUT; `number` is errno's value (0: no reason known). */

@@ -4,9 +4,9 @@
 
 #include "sim/def/scene_def.h"
 
-/* One level: accuracy by ten, and the longest step by two; segments and v_s by two. */
-static const double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 10, [HAWSER_LENGTH] = 2, [HAWSER_FRICTION] = 2};
-static const double STEPS = 2;
+/* One level: accuracy by five, and the longest step by one and a half; segments and v_s by two. */
+static const double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 5, [HAWSER_LENGTH] = 2, [HAWSER_FRICTION] = 2};
+static const double STEPS = 1.5;
 static const double SAMPLES = 8; /* between which a peak may be missed: they cost little, and files are not written */
 /* Equilibria of statics are found to rounding already: a tolerance is not asked below this. */
 static const double STATIC_TOLERANCE = 1e-10;
@@ -26,7 +26,7 @@ static void refine_time(SceneDef *def, int level)
     solver->max_step /= steps;
     solver->first_step /= steps;
     def->output.interval /= pow(SAMPLES, level);
-    def->analysis.load_steps = (int)(def->analysis.load_steps * steps);
+    def->analysis.load_steps = (int)ceil(def->analysis.load_steps * steps - 1e-9);
     if (def->analysis.tolerance > STATIC_TOLERANCE)
         def->analysis.tolerance = fmax(def->analysis.tolerance / gain, STATIC_TOLERANCE);
 }

@@ -16,9 +16,10 @@ static double sagitta(const MeshPlace *p, double h) { return h * h / (8 * p->rad
  * near the room (ME2), by all of it that is too much beyond three times the room (ME3). */
 static double jam_error(const MeshPlace *p, double h)
 {
-    const double arc = sagitta(p, h), ratio = arc / fmax(p->room, 1e-6);
-    const double stiff = 2 * p->tension * pow(p->bending_length / p->radius, 2); /* 2 EI/R^2 */
-    const double soft = p->mu * fmin(ratio, 6) * (2.5 * p->diameter * p->weight + stiff);
+    const double arc = sagitta(p, h), ratio = arc / fmax(p->room, 1e-6), bent = p->bending_length / p->radius;
+    const double stiff = 2 * p->tension * bent * bent / (1 + bent); /* 2 EI/R^2 of a limp cable */
+    const double near = fmin(ratio * ratio / (1 + ratio), 6);
+    const double soft = p->mu * near * (2.5 * p->diameter * p->weight + stiff);
     const double depth = ratio > 3 ? 0.16 * arc * (ratio - 3) / (ratio + 13) : 0;
     return (soft + 2 * p->mu * p->impact.k * h * pow(depth, p->impact.e)) / p->tension;
 }
@@ -41,11 +42,13 @@ static double roller_error(const MeshPlace *p, double h)
     return 0.25 * p->turn * p->turn / (1 + 5.7 * stiff * stiff);
 }
 
-/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). */
+/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). On a surface the force that
+ * bends the cable there has friction alone to show (ME10). */
 static double bend_error(const MeshPlace *p, double h)
 {
     const double turn = h / p->radius, limp = h / p->bending_length;
-    return 3.4 * turn * turn / (1 + 7.9 * limp * limp);
+    const double anywhere = 3.4 / (1 + 7.9 * limp * limp), rubs = 5 * p->mu * p->bending_length / p->radius;
+    return turn * turn * (p->surface ? fmin(anywhere, rubs) : anywhere);
 }
 
 double mesh_sag_error(double h, double pitch, double bending_length)
@@ -210,6 +213,25 @@ static void row_add(Row *row, double s)
     row->last = s;
 }
 
+/* The spacing round a bend that is too short for a row of its own, from the rollers that stand nearest on either side
+ * of it and the one between; 0 if one roller is the wheel that the cable turns round, or none stands on a side. */
+static double short_bend_pitch(const SceneDef *def, const RoutePiece *leg)
+{
+    double before = -INFINITY, behind = INFINITY, inside = 0;
+    for (int i = 0; i < def->n_rollers; ++i) {
+        const RollerDef *const r = &def->rollers[i];
+        if (r->s < leg->s0) {
+            before = fmax(before, r->s);
+        } else if (r->s > leg->s0 + leg->length) {
+            behind = fmin(behind, r->s);
+        } else {
+            inside = 1;
+            if (roller_def_shape(r).radius > leg->radius / 2) return 0;
+        }
+    }
+    return behind - before < INFINITY ? (behind - before) / (1 + inside) : 0;
+}
+
 /* Carriers below, guides beside, pairs on either side of the cable: two of the list in one place, one after the other.
  * What turns the cable decides: pairs, then guides. room: the least that pairs leave. */
 static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, MeshPlace *p)
@@ -232,7 +254,7 @@ static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, Me
         p->mu = r->friction.mu_d;
     }
     const Row *const by = row[PAIRS].places > 1 ? &row[PAIRS] : row[GUIDES].places > 1 ? &row[GUIDES] : &row[CARRIERS];
-    if (by->places > 1) p->pitch = (by->last - by->first) / (by->places - 1);
+    p->pitch = by->places > 1 ? (by->last - by->first) / (by->places - 1) : short_bend_pitch(w->def, leg);
     if (by == &row[PAIRS]) p->room = room;
 }
 
@@ -242,7 +264,7 @@ static double roller_turn(const Walk *w, const RoutePiece *leg, const MeshPlace 
     const Vec3 bend = route_at(w->route, leg->s0 + leg->length / 2).curvature;
     const double g = v3_norm(w->def->gravity);
     const Vec3 down = g > 0 ? v3_scale(w->weight / g / p->tension, w->def->gravity) : V3_ZERO;
-    return p->pitch * v3_norm(v3_add(bend, down));
+    return v3_norm(v3_add(v3_scale(fmin(p->pitch, leg->length), bend), v3_scale(p->pitch, down)));
 }
 
 /* A bend with a piece of the chain in it: on a surface, on rollers, or else round one thing. */
@@ -267,6 +289,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg)
         p.wrapped = WRAPPED;
         return p;
     }
+    p.surface = surface != NULL;
     if (!surface) {
         rollers_look(w, bend, cable->diameter / 2, &p);
         if (p.pitch > 0) p.turn = roller_turn(w, bend, &p);

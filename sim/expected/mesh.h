@@ -9,6 +9,7 @@
 typedef struct MeshPlace {
     int piece;             /* of the chain */
     int leg;               /* of the route; -1: none */
+    int surface;           /* held by a surface, not by rollers */
     double at;             /* m along the route, where it begins */
     double radius;         /* m, of the bend; of a rod: its least radius of curvature, 0: straight */
     double room;           /* m, from the cable in the middle to either side; NAN: it is held on one side alone */
@@ -34,7 +35,7 @@ typedef struct Mesh {
 hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err);
 void mesh_free(Mesh *mesh);
 
-/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7). */
+/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10). */
 double mesh_error(const MeshPlace *place, double h);
 /* Share by which the sag between rollers `pitch` m apart comes out too small (ME9); bending_length as above. */
 double mesh_sag_error(double h, double pitch, double bending_length);

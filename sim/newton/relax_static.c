@@ -11,7 +11,7 @@
 static const double TURN_NEWTON = 0.5; /* rad */
 /* The way down (RD20): the largest turn in one iteration; steps grow and shrink by these. */
 static const double TURN_DOWN = 0.2, GROWTH = 4, SHRINKING = 0.5;
-enum { NEWTON_ITERATIONS = 60, DOWN_ITERATIONS = 3000, PATIENCE = 500, CALMING = 6 };
+enum { NEWTON_ITERATIONS = 60, CUT_ITERATIONS = 3000, DOWN_ITERATIONS = 3000, PATIENCE = 500, CALMING = 6 };
 
 /* The largest force in the scene: weights, loads, and what the joints carry, N. */
 static double largest_force(const Relaxation *r)
@@ -52,23 +52,38 @@ static double shift_of(const Relaxation *r, double dt)
     return largest;
 }
 
+/* What share of a move by dt times the velocities found may be made: no segment turns by more than `turn` (rad), nor
+ * goes farther than half the way through anything (E2). */
+static double share_of(const Relaxation *r, double dt, double turn)
+{
+    const Scene *const scene = r->scene;
+    const double turns = turn_of(r, dt);
+    double half = 0;
+    for (int i = 0; i < scene->chain.n; ++i) half = fmax(half, scene->chain.half[i]);
+    const double through = scene_way(scene) / 2 / (shift_of(r, dt) + half * turns + 1e-300);
+    return fmin(1, fmin(turn / (turns + 1e-300), through));
+}
+
 /* Newton's method (RD8). Residuals grow on the way, since turning a stiff segment stretches its neighbours: only the
- * number of iterations and what is not a number end it early. */
+ * number of iterations and what is not a number end it early. Moves that are cut short, so that they pass nothing, do
+ * not count among the iterations. */
 static hawser_status newton_iterate(Relaxation *r, StaticAim *aim, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     aim->turn = aim->shift = 0;
-    for (int it = 0; !status && it <= NEWTON_ITERATIONS; ++it) {
+    int cut = 0;
+    for (int it = 0; !status && it - cut <= NEWTON_ITERATIONS; ++it) {
         look(r, aim, out);
-        if (out->reached || !isfinite(out->residual_N) || it == NEWTON_ITERATIONS) break;
+        if (out->reached || !isfinite(out->residual_N) || it - cut == NEWTON_ITERATIONS) break;
         status = relax_stopped(&r->ws->stop, 0, err);
         if (status || space_step(r, aim->dt)) break;
-        const double turn = turn_of(r, aim->dt);
         if (it == 0) {
-            aim->turn = turn;
+            aim->turn = turn_of(r, aim->dt);
             aim->shift = shift_of(r, aim->dt);
         }
-        space_move(r, fmin(1, TURN_NEWTON / (turn + 1e-300)) * aim->dt);
+        const double share = share_of(r, aim->dt, TURN_NEWTON);
+        cut += cut < CUT_ITERATIONS && share < fmin(1, TURN_NEWTON / (turn_of(r, aim->dt) + 1e-300));
+        space_move(r, share * aim->dt);
         ++out->iterations;
         status = space_refresh(r, 0, err);
     }
@@ -90,17 +105,6 @@ static void blocks_swollen(Relaxation *r, double radius)
         const double part[3] = {spin.x, spin.y, spin.z};
         for (int c = 0; c < 3; ++c) r->rate[(STATE_W + c) * n + i] = part[c];
     }
-}
-
-/* Moves by dt times the velocities found, but no segment turns by more than TURN_DOWN, nor goes farther than half the
- * way through anything. */
-static void move_down(Relaxation *r, double dt)
-{
-    const Scene *const scene = r->scene;
-    double share = fmin(1, TURN_DOWN / (turn_of(r, dt) + 1e-300)), half = 0;
-    for (int i = 0; i < scene->chain.n; ++i) half = fmax(half, scene->chain.half[i]);
-    share = fmin(share, scene_way(scene) / 2 / (shift_of(r, dt) + half * turn_of(r, dt) + 1e-300));
-    space_move(r, share * dt);
 }
 
 /* The longest step, at most `dt`, at which no direction of M - dt^2 K is negative; the matrix is formed for it (RD20).
@@ -129,7 +133,7 @@ static hawser_status calm(Relaxation *r, double dt, double radius, hawser_error 
         blocks_swollen(r, radius);
         const double step = step_downhill(r, dt);
         if (space_solve(r, step)) break;
-        move_down(r, step);
+        space_move(r, share_of(r, step, TURN_DOWN) * step);
         status = space_refresh(r, 0, err);
     }
     return status;
@@ -152,7 +156,7 @@ static hawser_status descend(Relaxation *r, StaticAim *aim, hawser_relaxation *o
         if (it > 0 && it % PATIENCE == 0) cap = fmin(cap, fmin(dt, 10)) / 10;
         dt = step_downhill(r, fmin(cap, GROWTH * dt));
         if (space_solve(r, dt)) break;
-        move_down(r, dt);
+        space_move(r, share_of(r, dt, TURN_DOWN) * dt);
         ++out->iterations;
         status = space_refresh(r, 0, err);
         if (!status) status = calm(r, dt / 10, aim->radius, err);

@@ -1,4 +1,4 @@
-#include "sim/run/statics.h"
+#include "sim/run/modes.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -13,6 +13,7 @@
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/modes.h"
 #include "sim/run/statics.h"
 #include "sim/watch/events.h"
 

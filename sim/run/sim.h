@@ -4,8 +4,8 @@
 #ifndef HAWSER_SIM_RUN_SIM_H
 #define HAWSER_SIM_RUN_SIM_H
 
+#include "sim/run/modes.h"
 #include "sim/run/stage.h"
-#include "sim/run/statics.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
 #include "sim/watch/peaks.h"

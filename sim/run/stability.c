@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/body.h"
 #include "sim/equipment/rod.h"
-#include "sim/run/statics.h"
+#include "sim/run/modes.h"
 
 /* A motion that grows so slowly beside its swing that a damping ratio of as much would hold it does not count: round
  * sections under a dead torque flutter at any load if nothing damps them. */
@@ -232,11 +232,4 @@ hawser_status stability_add(Stage *st, hawser_critical found, double *shape, haw
     largest_find(&st->scene.chain, shape, &found);
     s->critical[s->n++] = found;
     return HAWSER_OK;
-}
-
-void stability_free(Stability *s)
-{
-    for (int k = 0; k < s->n; ++k) free((double *)(uintptr_t)s->critical[k].shape);
-    free(s->critical);
-    memset(s, 0, sizeof *s);
 }

@@ -3,20 +3,7 @@
 #ifndef HAWSER_SIM_RUN_STABILITY_H
 #define HAWSER_SIM_RUN_STABILITY_H
 
-#include "core/chain.h"
-#include "hawser/hawser.h"
-
-struct Stage;
-
-/* What is known of a run's equilibria so far. */
-typedef struct Stability {
-    int unstable; /* motions that grow from the last one; -1: not counted */
-    int swings;   /* they swing while they grow: flutter, from which no way leads down */
-    int turned;   /* a joint has turned too far in one of them (sim/watch/events.h) */
-    double dt;    /* s, the step that stands for infinity in Newton's method; 0: not chosen yet */
-    int n, room;
-    hawser_critical *critical; /* [n], owned, and so are their shapes */
-} Stability;
+#include "sim/run/stage.h"
 
 /* The radius of inertia of segments with which signs are counted, m: a tenth of the rod (RD16). */
 double stability_radius(const Chain *chain);
@@ -25,21 +12,20 @@ double stability_least(const Chain *chain);
 
 /* How many independent motions grow from the stage's state as an equilibrium under the loads of its time, into
  * *unstable (-1: it cannot be said); *swings: none of them without swinging. Errors: MEMORY. */
-hawser_status stability_count(struct Stage *stage, int *unstable, int *swings, hawser_error *err);
+hawser_status stability_count(Stage *stage, int *unstable, int *swings, hawser_error *err);
 
 /* The motion that grows first, beside its load: into shape [6 n] as a mode's, its largest turn 1 rad or its largest
  * shift the rod's length, whichever is less. Of `count` motions that become possible together (a round section bends
  * either way) that which has the sense of the way from `from` [n positions] to the stage's state. count 0: they swing,
  * and that which grows fastest is wanted. Errors: MEMORY, RUN. */
-hawser_status stability_shape(struct Stage *stage, int count, const double *from, double *shape, hawser_error *err);
+hawser_status stability_shape(Stage *stage, int count, const double *from, double *shape, hawser_error *err);
 /* How much of the change of the loads from the stage's time to t pushes along that motion, 0 to 1 (RD18). Errors:
  * MEMORY. */
-hawser_status stability_push(struct Stage *stage, double t, const double *shape, double *share, hawser_error *err);
+hawser_status stability_push(Stage *stage, double t, const double *shape, double *share, hawser_error *err);
 /* Moves the stage's state along it by `size`. */
-void stability_nudge(struct Stage *stage, double size, const double *shape);
+void stability_nudge(Stage *stage, double size, const double *shape);
 
 /* Adds a critical load; takes `shape`, which may be NULL. Errors: MEMORY (shape is freed). */
-hawser_status stability_add(struct Stage *stage, hawser_critical found, double *shape, hawser_error *err);
-void stability_free(Stability *s);
+hawser_status stability_add(Stage *stage, hawser_critical found, double *shape, hawser_error *err);
 
 #endif

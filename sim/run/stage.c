@@ -191,11 +191,18 @@ hawser_status stage_new(Stage *st, const SceneDef *def, Team *team, hawser_error
     return status ? status : state_pack(st, err);
 }
 
+static void critical_free(Stability *s)
+{
+    for (int k = 0; k < s->n; ++k) free((double *)(uintptr_t)s->critical[k].shape);
+    free(s->critical);
+    memset(s, 0, sizeof *s);
+}
+
 void stage_free(Stage *st)
 {
     integrator_free(st->integrator);
     balance_free(st->balance);
-    stability_free(&st->stability);
+    critical_free(&st->stability);
     newton_free(&st->newton);
     planar_free(&st->planar);
     workspace_free(&st->ws);

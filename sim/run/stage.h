@@ -5,11 +5,20 @@
 #define HAWSER_SIM_RUN_STAGE_H
 
 #include "sim/planar/planar.h"
-#include "sim/run/stability.h"
 #include "sim/run/window.h"
 #include "sim/step/integrator.h"
 #include "sim/step/spatial.h"
 #include "sim/watch/balance.h"
+
+/* What is known of a run's equilibria so far; see sim/run/stability.h. */
+typedef struct Stability {
+    int unstable; /* motions that grow from the last one; -1: not counted */
+    int swings;   /* they swing while they grow: flutter, from which no way leads down */
+    int turned;   /* a joint has turned too far in one of them (sim/watch/events.h) */
+    double dt;    /* s, the step that stands for infinity in Newton's method; 0: not chosen yet */
+    int n, room;
+    hawser_critical *critical; /* [n], owned, and so are their shapes */
+} Stability;
 
 typedef struct Stage {
     Scene scene; /* its chain is the window */

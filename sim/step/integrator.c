@@ -208,12 +208,23 @@ static hawser_status history_check(Integrator *in, hawser_error *err)
                      version);
 }
 
+/* N_VClone of SUNDIALS 6 writes into a clone that could not be made. Whether there is room is asked first, of all
+ * vectors at once: Nordsieck's array, weights, corrections and scratch of CVODE, its solver's and ours. */
+static int has_room(int length)
+{
+    enum { VECTORS = 24 };
+    void *volatile all = malloc((size_t)VECTORS * (size_t)length * sizeof(double));
+    const int found = all != NULL;
+    free(all);
+    return found;
+}
+
 /* 0 if there is no memory. */
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
     in->weight = malloc((size_t)length * sizeof(double));
-    if (!in->weight || SUNContext_Create(NULL, &in->context)) return 0;
+    if (!in->weight || !has_room(length) || SUNContext_Create(NULL, &in->context)) return 0;
     in->motion->ops->weights(in->motion, in->weight);
     in->family.queue.team = in->motion->team;
     in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);

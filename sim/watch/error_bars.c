@@ -8,10 +8,12 @@
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
 static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 4; /* of what a figure wavers while a segment passes (EB1) */
-static const double MESH = 3e-4;                          /* of any figure, which no support shows */
+static const double EVERYWHERE = 0.25;                    /* of that, where only surfaces carry the cable (EB1) */
+static const double MESH = 5e-4;                          /* of any figure, which no support shows */
+static const double PAIRS = 0.005;       /* of the tension, a bend between rollers on both sides (EB6) */
 static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
 static const double SHARPNESS = 1.5 / 8; /* of the second difference at a peak (EB4) */
-static const double TOLERANCES = 3;      /* of a step, that a peak may be off by */
+static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
 
 /* What friction lacks at a speed, of what is there (EB5). */
 static double friction_missing(const FrictionLaw *law, double speed)
@@ -45,19 +47,31 @@ static double friction_most(const Scene *scene)
 /* Weight that a winch's clamp takes off a surface before it, by the length of a segment, N (EB3). */
 static double clamp_carries(const Scene *scene)
 {
-    const int head = scene->chain.n - 1;
-    if (scene->def.n_surfaces == 0 || !scene->winch->present || scene->def.winch.axial_only) return 0;
-    return ENDS * scene->chain.mass[head] * v3_norm(scene->def.gravity);
+    const SceneDef *const def = &scene->def;
+    const ChainPieceDef *const head =
+        &def->pieces[def->n_pieces - 1]; /* a winch's drum moves with it, and is no weight */
+    if (def->n_surfaces == 0 || !scene->winch->present || def->winch.axial_only) return 0;
+    return ENDS * def->cables[head->cable].mass * head->length / head->segments * v3_norm(def->gravity);
 }
 
-/* Of the pull: the clamp (EB3), and what the places of the route ask of segments (ME1)-(ME7). */
+/* What the laws of segments leave out where rollers hold a bend from both sides (EB6). */
+static double pairs_share(const Mesh *mesh)
+{
+    double share = 0;
+    for (int i = 0; i < mesh->n; ++i) {
+        if (mesh->place[i].pitch > 0 && !isnan(mesh->place[i].room)) share += PAIRS;
+    }
+    return share;
+}
+
+/* Of the pull: the clamp (EB3), what the places of the route ask of segments (ME1)-(ME7), and pairs of rollers. */
 static double mesh_share(const Scene *scene, double pull)
 {
     Mesh mesh;
     int worst;
     double share = MESH + (pull > 0 ? friction_most(scene) * clamp_carries(scene) / pull : 0);
     if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return NAN;
-    share += mesh_given(&mesh, &scene->def, &worst);
+    share += mesh_given(&mesh, &scene->def, &worst) + pairs_share(&mesh);
     mesh_free(&mesh);
     return share;
 }
@@ -67,6 +81,7 @@ ErrorShares error_shares(const Scene *scene, const BalanceWindow *books, double 
     const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
     return (ErrorShares){.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
                          .step = TOLERANCES * scene->def.solver.accuracy,
+                         .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
                          .mesh = mesh_share(scene, pull),
                          .friction = friction_share(scene)};
 }
@@ -80,7 +95,8 @@ hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares
 {
     const double size = fabs(mean_of(figure));
     if (!(figure->time > 0)) return bar(NAN, NAN, NAN);
-    return bar(shares->time * size, WAVER_OF_MEAN * mean_waver(figure) + shares->mesh * size, shares->friction * size);
+    return bar(shares->time * size, WAVER_OF_MEAN * shares->waver * mean_waver(figure) + shares->mesh * size,
+               shares->friction * size);
 }
 
 hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares)
@@ -88,5 +104,5 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double size = fabs(figure->peak);
     if (!figure->started) return bar(NAN, NAN, NAN);
     return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               WAVER_OF_PEAK * mean_waver(figure) + shares->mesh * size, shares->friction * size);
+               WAVER_OF_PEAK * shares->waver * mean_waver(figure) + shares->mesh * size, shares->friction * size);
 }

@@ -8,11 +8,12 @@
 #include "sim/time_mean.h"
 #include "sim/watch/balance.h"
 
-/* What all figures of a run share: parts of a force, 1. */
+/* What all figures of a run share: parts of a force, and of its wavering, 1. */
 typedef struct ErrorShares {
     double time;     /* of a mean: what the books of the window leave open or have lost (EB2) */
     double step;     /* of a peak: the tolerance of a step (EB4) */
-    double mesh;     /* what the places of the route and the head ask of segments (EB3) */
+    double waver;    /* what of a figure's wavering is the mesh's (EB1) */
+    double mesh;     /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction; /* not yet there at the speed of the pull (EB5) */
 } ErrorShares;
 

@@ -179,6 +179,43 @@ static int patch_look(Passing *p, const Scene *scene, const Workspace *ws, doubl
     return note(p, scene->contact.n_rollers + patch->surface, "surface", scene->def.surfaces[patch->surface].name, t);
 }
 
+/* What a rod keeps of a plane, however far off: which segments have been before it. 1 if the rod runs through it: of
+ * two neighbours that were before it one is behind by more than the cable's radius, and the line between them meets it.
+ */
+static int plane_pierced(Passing *p, const Scene *scene, const Kinematics *kin, const SurfacePatch *patch)
+{
+    const int face = SURFACE_FACES_MAX * patch->surface + patch->face;
+    char *const seen = &p->seen[(size_t)face * (size_t)scene->total + (size_t)scene->first];
+    double before = 0;
+    int pierced = 0;
+    for (int i = 0; i < scene->chain.n; ++i) {
+        const Vec3 here = v3_load(kin->p, i);
+        const double distance = surface_probe(patch, here).distance, low = fmin(before, distance);
+        if (distance > 0) seen[i] = 1;
+        if (i > 0 && before * distance < 0 && low < -scene->chain.radius[i] && seen[i - 1] && seen[i]) {
+            const Vec3 last = v3_load(kin->p, i - 1);
+            const Vec3 meets = v3_axpy(last, before / (before - distance), v3_sub(here, last));
+            const SurfaceProbe at = surface_probe(patch, meets);
+            pierced |= at.owned && at.share >= SHARE;
+        }
+        before = distance;
+    }
+    return pierced;
+}
+
+/* Candidates tell nothing of what has gone past in a single step of statics: a rod is held against every plane. */
+static int planes_look(Passing *p, const Scene *scene, const Workspace *ws, double t)
+{
+    int new = 0;
+    for (int k = 0; scene->rod->present && k < scene->surfaces.model.n_patches; ++k) {
+        const SurfacePatch *const patch = &scene->surfaces.patch[k];
+        if (isnan(patch->s0) && plane_pierced(p, scene, &ws->kin, patch))
+            new |= note(p, scene->contact.n_rollers + patch->surface, "surface",
+                        scene->def.surfaces[patch->surface].name, t);
+    }
+    return new;
+}
+
 static int surfaces_look(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)
 {
     int new = 0;
@@ -200,7 +237,8 @@ static int surfaces_look(Passing *p, const Scene *scene, const Workspace *ws, do
 int passing_look(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)
 {
     const int rollers = rollers_look(p, scene, ws, t);
-    return rollers | surfaces_look(p, scene, ws, travel, t);
+    const int planes = planes_look(p, scene, ws, t);
+    return rollers | planes | surfaces_look(p, scene, ws, travel, t);
 }
 
 int passing_record(Passing *p, const Scene *scene, const Workspace *ws, double travel, double t)

@@ -255,13 +255,20 @@ void stats_summary(const Stats *stats, hawser_summary *out)
     errors_of(stats, 1, &out->error_max_paper_pct, &out->error_mean_paper_pct);
 }
 
+/* What a joint takes from one roller it gives to the next: loads have wider bars than tensions (EB7). */
+static const double LOADS = 2;
+/* A force at the end of a bend acts on one element, whatever its length: half of that is twice the load a metre (EB8).
+ */
+static const double LINE_LOADS = 1;
+
 void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary *out)
 {
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there */
+    for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
-        row->line_load_error = row->line_load_N_per_m * out->pull_peak_error.total / fabs(stats->pull.peak);
+        const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);
+        row->line_load_error = row->line_load_N_per_m * (LINE_LOADS + tension);
     }
     for (int i = 0; i < stats->n_stations; ++i) {
         hawser_station *const s = &stats->station_out[i];
@@ -270,7 +277,7 @@ void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary 
     }
     for (int r = 0; r < stats->n_rollers; ++r) {
         hawser_roller *const row = &stats->roller_out[r];
-        row->steady_error_N = error_of_mean(&stats->roller[r].load, shares).total;
-        row->peak_error_N = error_of_peak(&stats->roller[r].load, shares).total;
+        row->steady_error_N = LOADS * error_of_mean(&stats->roller[r].load, shares).total;
+        row->peak_error_N = LOADS * error_of_peak(&stats->roller[r].load, shares).total;
     }
 }

@@ -16,9 +16,11 @@ static const double DAMPED = 0.01;                       /* of what moves, by th
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
-static const double DRIFT = 0.05; /* of the mean pull, from the window's first half to its second */
-static const double SPIKE = 0.2;  /* of the largest pull, above the rows beside it */
-enum { LOOKS = 16 };              /* at the cable's place in a run */
+static const double DRIFT = 0.05;  /* of the mean pull, from the window's first half to its second */
+static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */
+static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
+static const double SPIKE = 0.2;   /* of the largest pull, above the rows beside it */
+enum { LOOKS = 16 };               /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -161,6 +163,43 @@ static void add_friction_speed(List *list, const Scene *scene)
     }
 }
 
+/* m/N by which the chain between a machine and the winch is longer under load, at the run's end. */
+static double give_before(const Scene *scene, const ConveyorDef *c)
+{
+    const SceneDef *const def = &scene->def;
+    double rest = def->head_at + profile_integral(&def->winch.speed, def->duration) - (c->from + c->to) / 2;
+    double give = 0;
+    for (int k = def->n_pieces - 1; k >= 0 && rest > 0; --k) {
+        const double length = fmin(rest, def->pieces[k].length);
+        give += length / def->cables[def->pieces[k].cable].ea;
+        rest -= length;
+    }
+    return give;
+}
+
+/* A belt that keeps the winch's speed, and does not give way at some force, shares the pull with it by the length of
+ * the cable between them (WI23). */
+static void add_shared(List *list, const TrustFacts *f)
+{
+    const Scene *const scene = f->scene;
+    const hawser_summary *const s = f->figures;
+    double most = 0;
+    const char *name = NULL;
+    for (int i = 0; i < scene->def.n_conveyors; ++i) {
+        const ConveyorDef *const c = &scene->def.conveyors[i];
+        const double give = give_before(scene, c);
+        if (!c->sync || c->factor > 1 || c->factor < 1 || c->limit > 0 || !(give > 0)) continue;
+        most = fmax(most, fmin(LENGTH / give, 2 * c->mu * c->clamp));
+        name = c->name;
+    }
+    if (!name || scene->def.winch.mode != WINCH_SPEED || !(s->pull_peak_N > 0)) return;
+    const double share = most / fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100);
+    add(list, "shared", "1", share, SHARED,
+        "0.1 mm of cable between conveyor '%s' and the winch moves %.2g %% of the pull from one to the other: give the "
+        "conveyor a limit, a factor or a belt of its own",
+        name, 100 * share);
+}
+
 /* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
  * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against
  * it: the square leaves a margin (BA13). */
@@ -288,6 +327,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add_mesh(&list, scene);
     add_friction_speed(&list, scene);
     if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    if (dynamic && scene->def.winch.present) add_shared(&list, f);
     if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
     return list.n;
 }

@@ -31,6 +31,20 @@ run_hawser 0 run pull.yaml -o twice --set output.states=0
 missing twice/results.h5 twice/results.xdmf twice/certificate.json
 exists twice/series.csv twice/summary.json
 
+# and two at once are refused, until the first has ended, however it did
+(cd "$work" && exec "$hawser" run pull.yaml -o shared --quiet --set run.duration='1000 s' --set output.states=0) &
+first=$!
+for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    [ -s "$work/shared/series.csv" ] && break
+    sleep 0.1
+done
+run_hawser 4 run pull.yaml -o shared
+says err "'shared'" "in use by another run"
+kill -KILL "$first"
+wait "$first" 2>"$work/wait"
+run_hawser 0 run pull.yaml -o shared
+awk -F, 'NR == 1 {n = NF} NF != n {exit 1}' "$work/shared/series.csv" || fail "$what: rows are ragged"
+
 # standard descriptors that are closed are not taken by files of results
 for closed in 0 2; do
     what="hawser run with descriptor $closed closed"

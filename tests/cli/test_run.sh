@@ -5,6 +5,11 @@ files="series.csv stations.csv rollers.csv results.h5 results.xdmf summary.json"
 
 run_hawser 0 run pull.yaml
 for file in $files; do exists results/pull/$file; done
+# the answer comes first: the verdict, what it rests on, the pull with its bar; and the verdict last
+sed -n 4p "$work/out" | grep -q "^NOT JUDGED" || fail "$what: the verdict is not at the top"
+says out "the figures are to be trusted: all"
+sed -n 7p "$work/out" | grep -q "^Pull force: mean .* +- " || fail "$what: the pull is not below the verdict"
+tail -n 1 "$work/out" | grep -q "^NOT JUDGED" || fail "$what: the verdict is not at the end"
 says out "A short pull" "20 segments" "Pull force: mean" "reference theory" "Where the time went" "Results: results/pull"
 says err "t = 2.00 s of 2 s, 100 %"
 grep -q '"outcome": "finished"' "$work/results/pull/summary.json" || fail "$what: not finished in summary.json"
@@ -50,4 +55,10 @@ says err "hawser: integration failed at t =" "segment" "try"
 says out "Results: stuck"
 grep -q '"outcome": "failed"' "$work/stuck/summary.json" || fail "$what: not failed in summary.json"
 [ "$(wc -l <"$work/stuck/series.csv")" -ge 2 ] || fail "$what: nothing was kept"
+# reasons, one a line; the verdict names the first and counts the others
+run_hawser 3 run pull.yaml -o few --set solver.max_steps=10
+says out "NOT TRUSTED, for 3 reasons" "  finished         the run ended at" "  steady_window    the steady window was never" \
+    "and 2 more reasons" "no mean, its window begins at 1.5 s"
+grep -q '"steady_mean_N": null' "$work/few/summary.json" || fail "$what: a mean of a window that was never reached"
+
 finish

@@ -216,6 +216,43 @@ static void test_drawn_through_deep_u(void **state)
     scene_free(&s);
 }
 
+/* Largest penetration, m, of a line along x through (., 0, z) that is thick up to a joint and thin behind it, moved on
+ * by x over the roller at 1.25 m; 0: no contact. */
+static double thinning_depth(TestScene *s, double z, double x)
+{
+    for (int i = 0; i < N; ++i) vec_store(s->kin.p, i, v3((i - 1) * 0.5 + x, 0, z));
+    scene_refresh(s);
+    ContactDetail hit[SCENE_HITS_MAX];
+    const int hits = contact_details(&s->model, &s->chain, &s->kin, 0, &s->pairs, SCENE_HITS_MAX, hit);
+    double gap = 0;
+    for (int h = 0; h < hits; ++h) gap = fmin(gap, hit[h].gap);
+    return -gap;
+}
+
+/* A cable that ends in a thin rope, drawn through the middle of a U as deep as its radius: it is borne as by a flat
+ * roller, wherever the segment in between stands out of the groove (GR16). */
+static void test_thinning_in_deep_u(void **state)
+{
+    (void)state;
+    TestScene u, flat;
+    scene_new(&u, GEOMETRY_SMOOTH, N, 0.5);
+    scene_new(&flat, GEOMETRY_SMOOTH, N, 0.5);
+    const double rc = u.chain.radius[0];
+    const Groove groove = groove_u(1.25 * rc, 1.25 * rc);
+    grooved_roller(&u, v3(1.25, 0, 0), v3(0, 1, 0), groove, SHAPE_U_GROOVE);
+    scene_roller(&flat, v3(1.25, 0, 0), v3(0, 1, 0), 0.08, 0.25);
+    for (int i = N / 2; i < N; ++i) u.chain.radius[i] = flat.chain.radius[i] = rc / 10;
+    double deepest = 0;
+    for (double x = -0.5; x < 1; x += 1e-3) {
+        const double depth = thinning_depth(&u, 0.08 + rc - 1e-3, x);
+        check_close(depth, thinning_depth(&flat, 0.08 + rc - 1e-3, x), 1e-9);
+        deepest = fmax(deepest, depth);
+    }
+    check_at_least(deepest, 1e-3 - 1e-9);
+    scene_free(&flat);
+    scene_free(&u);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -225,6 +262,7 @@ int main(void)
         cmocka_unit_test(test_pushed_over_edges),
         cmocka_unit_test(test_askew_in_u),
         cmocka_unit_test(test_drawn_through_deep_u),
+        cmocka_unit_test(test_thinning_in_deep_u),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

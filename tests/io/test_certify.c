@@ -69,7 +69,7 @@ static void a_good_run(void **state)
     consistent(z.cert);
     assert_int_equal(z.cert->certified, 1);
     assert_int_equal(z.cert->n_runs, 2 + HAWSER_SOURCES);
-    check_at_most(z.cert->work, 7);
+    check_at_most(z.cert->work, 6.2);
     const hawser_certified *const pull = figure(z.cert, "pull, mean");
     hawser_summary sum;
     hawser_sim_summary(z.sim, &sum);
@@ -112,7 +112,7 @@ static void too_much_is_asked(void **state)
     assert_int_equal(z.cert->certified, 0);
     assert_int_equal(z.cert->n_runs, 2 + HAWSER_SOURCES);
     check_has(z.cert->verdict, "NOT CERTIFIED: to 0.0001 % do not hold: ");
-    check_has(z.cert->verdict, "tried in 5 runs down to solver.accuracy 1e-05");
+    check_has(z.cert->verdict, "tried in 5 runs down to solver.accuracy 2e-05");
     certified_free(&z);
 }
 
@@ -244,7 +244,7 @@ static void levels(void **state)
     check_equal(def.surfaces[0].friction.v_s, v_s);
     scene_def_refine(&def, some);
     assert_int_equal(def.pieces[0].segments, 4 * segments);
-    check_share(def.solver.accuracy, accuracy / 10, 1e-12);
+    check_share(def.solver.accuracy, accuracy / 5, 1e-12);
     check_share(def.surfaces[0].friction.v_s, v_s / 2, 1e-12);
     check_equal(def.surfaces[0].friction.v_d, v_d);
     assert_true(scene_def_has_source(&def, HAWSER_FRICTION));

@@ -119,6 +119,7 @@ static void test_rows(void **state)
         Sim *s = NULL;
         hawser_error err = {0};
         fixture_planar(&def, &(FixtureChoice){0});
+        def.output.steady_from = 0.5;
         if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
         scene_def_clear(&def);
         for (int k = 0; k <= 20; ++k) {
