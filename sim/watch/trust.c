@@ -138,7 +138,7 @@ static void add_mesh(List *list, const Scene *scene)
         const MeshPlace *const place = &mesh.place[worst];
         mesh_describe(place, sizeof where, where);
         add(list, "mesh", "1", error, MESH_ALLOWED,
-            "segments are too long, about %+.2g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm",
+            "segments are too long, about %+.3g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm",
             100 * error, where, place->piece, 1e3 * mesh_length(&mesh, place->piece, MESH_AIM));
     }
     mesh_free(&mesh);
@@ -262,6 +262,65 @@ static void add_steadiness(List *list, const TrustFacts *f)
         100 * spike, at);
 }
 
+/* Where the cable or rod begins: at rest, and on a rest that it would keep. */
+static void add_rest(List *list, const TrustFacts *f)
+{
+    const Scene *const scene = f->scene;
+    const int dynamic = scene->def.analysis.kind == ANALYSIS_DYNAMICS;
+    const double residual = f->relaxation->residual_N, tolerance = f->relaxation->tolerance_N;
+    const int rests = (scene->def.solver.relax || !dynamic) && tolerance > 0;
+    if (rests && rod_is_loose(scene)) {
+        add(list, "equilibrium", "N", residual, tolerance,
+            "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
+            "to false");
+    } else if (rests) {
+        add(list, "equilibrium", "N", residual, tolerance,
+            "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
+            f->relaxation->segment);
+    }
+    if (!dynamic && scene->def.analysis.stability != STABILITY_IGNORE) {
+        const double grow = f->unstable < 0 ? (double)INFINITY : (double)f->unstable;
+        add(list, "stable", "1", grow, 0, "%s",
+            f->unstable < 0 ? "the equilibrium's stability could not be counted: see 'analysis: modes'"
+                            : "the last equilibrium is not stable: see critical loads; a slow load would not leave the "
+                              "rod there");
+    }
+}
+
+/* What the books of energy and momentum leave open. */
+static void add_books(List *list, const TrustFacts *f)
+{
+    add(list, "energy", "1", f->balance->residual_share, ENERGY,
+        "energy does not add up by %.2g %% of what goes through '%s': try a smaller solver.accuracy",
+        100 * f->balance->residual_share, f->balance->turnover_of);
+    add(list, "momentum", "1", f->balance->impulse_residual_share, MOMENTUM,
+        "momentum does not add up by %.2g %%: try a smaller solver.accuracy", 100 * f->balance->impulse_residual_share);
+    add_damping(list, f);
+}
+
+/* Where it has been: nothing has been lost, passed or turned over. */
+static void add_places(List *list, const TrustFacts *f)
+{
+    const Scene *const scene = f->scene;
+    const Misfit *const start = &f->passing->start;
+    if (scene->def.analysis.kind == ANALYSIS_DYNAMICS && !scene->rod->present) {
+        add(list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
+            "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
+            f->stray.farthest, f->stray.at);
+    }
+    add(list, "passed", "1", f->passing->through, 0,
+        "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
+    if (start->force > 0 && !scene->def.solver.relax) {
+        add(list, "start", "N", start->force, start->allowed,
+            "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
+            "or less there",
+            start->name, 1e3 * misfit_segment(start));
+    }
+    add(list, "orientation", "1", f->turned, 0, "%s",
+        f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"
+                                : "joints have turned too far for the chain to follow: use shorter segments");
+}
+
 int trust_judge(const TrustFacts *f, hawser_condition *out)
 {
     const Scene *const scene = f->scene;
@@ -274,60 +333,20 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
-    const int rests = (scene->def.solver.relax || !dynamic) && f->relaxation->tolerance_N > 0;
-    if (rests && rod_is_loose(scene)) {
-        add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
-            "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
-            "to false");
-    } else if (rests) {
-        add(&list, "equilibrium", "N", f->relaxation->residual_N, f->relaxation->tolerance_N,
-            "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
-            f->relaxation->segment);
-    }
-    if (!dynamic && scene->def.analysis.stability != STABILITY_IGNORE) {
-        const double grow = f->unstable < 0 ? (double)INFINITY : (double)f->unstable;
-        add(&list, "stable", "1", grow, 0, "%s",
-            f->unstable < 0 ? "the equilibrium's stability could not be counted: see 'analysis: modes'"
-                            : "the last equilibrium is not stable: see critical loads; a slow load would not leave the "
-                              "rod there");
-    }
-    if (f->balance) {
-        add(&list, "energy", "1", f->balance->residual_share, ENERGY,
-            "energy does not add up by %.2g %% of what goes through '%s': try a smaller solver.accuracy",
-            100 * f->balance->residual_share, f->balance->turnover_of);
-        add(&list, "momentum", "1", f->balance->impulse_residual_share, MOMENTUM,
-            "momentum does not add up by %.2g %%: try a smaller solver.accuracy",
-            100 * f->balance->impulse_residual_share);
-        add_damping(&list, f);
-    }
-    if (dynamic && !scene->rod->present) {
-        add(&list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
-            "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
-            f->stray.farthest, f->stray.at);
-    }
-    add(&list, "passed", "1", f->passing->through, 0,
-        "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
-    const Misfit *const start = &f->passing->start;
-    if (start->force > 0 && !scene->def.solver.relax) {
-        add(&list, "start", "N", start->force, start->allowed,
-            "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
-            "or less there",
-            start->name, 1e3 * misfit_segment(start));
-    }
-    add(&list, "orientation", "1", f->turned, 0, "%s",
-        f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"
-                                : "joints have turned too far for the chain to follow: use shorter segments");
+    add_rest(&list, f);
+    if (f->balance) add_books(&list, f);
+    add_places(&list, f);
     if (scene->def.theory.cables > 1) {
         add(&list, "bundle", "1", scene->def.theory.cables, 1,
             "theory.cables is %d, but the run pulls one cable: give it the bundle's mass, stiffness and friction, or "
-            "judge "
-            "by `hawser theory`",
+            "judge by `hawser theory`",
             scene->def.theory.cables);
     }
     add_mesh(&list, scene);
     add_friction_speed(&list, scene);
-    if (dynamic && f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
-    if (dynamic && scene->def.winch.present) add_shared(&list, f);
-    if (dynamic && scene->def.winch.present) add_steadiness(&list, f);
+    if (!dynamic) return list.n;
+    if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    if (scene->def.winch.present) add_shared(&list, f);
+    if (scene->def.winch.present) add_steadiness(&list, f);
     return list.n;
 }
