@@ -113,6 +113,18 @@ double route_slope(const Route *route, double s)
     return atan2(t.z, hypot(t.x, t.y));
 }
 
+int route_grade_lost(const Route *route, double least, double *before, double *after)
+{
+    for (int i = 0; i < route->n; ++i) {
+        const RoutePiece *const p = &route->piece[i];
+        if (p->kind != ROUTE_BEND || fabs(p->centre.z) > 1e-9) continue;
+        *before = route_slope(route, p->s0);
+        *after = route_slope(route, p->s0 + p->length);
+        if (fabs(*after - *before) > least) return i;
+    }
+    return -1;
+}
+
 /* Where the tangent is vertical inside a bend, the tangent just before it is t - ds c with the level vector c
  * toward the centre; where a piece begins vertically, the question goes to the piece before it. (R3) */
 Vec3 route_left(const Route *route, double s)

@@ -53,6 +53,10 @@ void route_clear(Route *route);
 RoutePoint route_at(const Route *route, double s);
 /* Slope of the tangent above the horizontal at s, rad. */
 double route_slope(const Route *route, double s);
+/* A bend lies in one plane: one to the side that begins on a slope ends on another. The first of the route that begins
+ * with its centre at its start's height and changes the slope by more than `least` (rad); its slopes at both ends. -1:
+ * none. */
+int route_grade_lost(const Route *route, double least, double *before, double *after);
 /* Level unit vector to the left of the tangent at s (for a vertical tangent: of the heading before it). */
 Vec3 route_left(const Route *route, double s);
 

@@ -85,7 +85,7 @@ typedef struct hawser_balance {
 /* Something that happened: what pulls trips, stops, starts again. */
 typedef struct hawser_event {
     double t;         /* s */
-    const char *what; /* in words; lives for ever */
+    const char *what; /* in words; lives as long as the simulation */
     double pull_N;    /* on the rope's end then */
 } hawser_event;
 

@@ -85,6 +85,7 @@ typedef struct Description {
     Mesh mesh;
     MeshRow *demand; /* [n_demands] places that ask for less than the usual length */
     int n_demands;
+    char grades[480]; /* what bends to the side do to the route's grade, in words */
     char advice[160]; /* what the lengths of the segments are worth, in words */
 } Description;
 
@@ -113,6 +114,16 @@ static void fill_mesh(Description *d)
                  "too long: the run will not be trusted; chain.%d.segment: auto takes %.3g mm", place->piece,
                  1e3 * mesh_auto(&d->mesh, def, place->piece));
     }
+}
+
+/* Which bend to the side ends on another grade than it begins on. */
+static void fill_grades(Description *d)
+{
+    double before, after;
+    const int bend = route_grade_lost(&d->route, M_PI / 180, &before, &after);
+    if (bend < 0) return;
+    snprintf(d->grades, sizeof d->grades, "'%s' turns to the side in one plane: from %.1f to %.1f deg",
+             d->route.piece[bend].name, before * 180 / M_PI, after * 180 / M_PI);
 }
 
 static void fill_rows(Description *d)
@@ -177,6 +188,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"chain_mass_kg", "mass of cable and rope", "kg", cell_number(mass)},
         {"route_length_m", "length of the route", "m", cell_number(def->rod.present ? NAN : d->route.length)},
         {"route_rise_m", "rise of the route", "m", cell_number(def->rod.present ? NAN : last.z - def->route_start.z)},
+        {"route_grade", "grade of the route", "", cell_text(*d->grades ? d->grades : "no bend to the side changes it")},
         {"winch_speed_m_per_s", "winch speed at the end", "m/s",
          cell_number(turns ? profile_value(&def->winch.speed, end) : NAN)},
         {"winch_travel_m", "winch travel", "m", cell_number(turns ? profile_integral(&def->winch.speed, end) : NAN)},
@@ -219,6 +231,7 @@ static hawser_status gather(Description *d, hawser_error *err)
     d->surface = calloc((size_t)def->n_surfaces + 1, sizeof *d->surface);
     if (!d->piece || !d->leg || !d->surface) return error_memory(err);
     fill_rows(d);
+    fill_grades(d);
     const hawser_status found = mesh_find(def, &d->route, &d->mesh, err);
     if (found) return found;
     d->demand = calloc((size_t)d->mesh.n + 1, sizeof *d->demand);

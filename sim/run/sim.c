@@ -51,6 +51,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
     if (!status) status = trip_set(s, err);
     if (!status) status = start_check(s, err);
+    if (!status) status = start_grades(s, err);
     return status ? status : start_fit(s, err);
 }
 

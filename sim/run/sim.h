@@ -34,6 +34,7 @@ typedef struct hawser_sim {
     int overturned; /* what has turned too far, and was said */
     Stray stray;
     Steadiness steadiness;
+    char grade_says[512]; /* which bend loses the grade; an event has it */
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
     /* what the interface remembers for the results (io/api) */
@@ -50,6 +51,8 @@ Sim *sim_free(Sim *s);
 
 /* Whether the cable begins outside itself. Errors: INPUT. */
 hawser_status start_check(Sim *s, hawser_error *err);
+/* Says in an event which bend loses the route's grade. Errors: MEMORY. */
+hawser_status start_grades(Sim *s, hawser_error *err);
 /* A chain that is not to be relaxed, but whose chords lie inside of what the line would only touch, is moved out: by
  * the relaxation, which ends as soon as nothing is pressed by more than all loads together (E7). Errors: MEMORY. */
 hawser_status start_fit(Sim *s, hawser_error *err);

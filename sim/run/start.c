@@ -1,9 +1,13 @@
 /* Where the chain begins: outside itself, and outside of what it is pulled over. */
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/error.h"
 #include "sim/run/sim.h"
+
+static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
 
 /* Where lines meet no contact can tell on which side of each other they are. */
 hawser_status start_check(Sim *s, hawser_error *err)
@@ -18,6 +22,18 @@ hawser_status start_check(Sim *s, hawser_error *err)
                      "segments %d and %d: lead the route past itself with a cable's diameter between",
                      1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
                      deepest.foot);
+}
+
+hawser_status start_grades(Sim *s, hawser_error *err)
+{
+    const Route *const route = &s->stage.scene.route;
+    double before, after;
+    const int bend = route_grade_lost(route, GRADE_LOST, &before, &after);
+    if (bend < 0 || s->stage.scene.def.rod.present) return HAWSER_OK;
+    snprintf(s->grade_says, sizeof s->grade_says,
+             "bend '%s' turns to the side on a grade of %.1f deg and leaves it at %.1f deg: it lies in one plane",
+             route->piece[bend].name, before * 180 / M_PI, after * 180 / M_PI);
+    return events_add(&s->events, 0, s->grade_says, s->look.sample.winch_force, err);
 }
 
 /* Whether nothing is pressed by more than all loads together could ask for, by a look at the state of now. */

@@ -122,8 +122,14 @@ static void bends_on_slopes(void **state)
     assert_int_equal(route_build(&r, 1, &left, v3(0, 0, 0), 1.1, 0.3, NULL), HAWSER_OK);
     check_close(r.piece[0].centre.z, 0, 1e-16);
     check_close((route_slope(&r, 1e-5) - 0.3) / 1e-5, 0, 1e-5);
+    double before, after;
+    assert_int_equal(route_grade_lost(&r, 0.01, &before, &after), 0);
+    check_close(before, 0.3, 1e-15);
+    check_close(sin(after), sin(0.3) * cos(0.4), 1e-15);
+    assert_int_equal(route_grade_lost(&r, 0.1, &before, &after), -1);
     route_clear(&r);
     assert_int_equal(route_build(&r, 1, &up, v3(0, 0, 0), 1.1, 0.3, NULL), HAWSER_OK);
+    assert_int_equal(route_grade_lost(&r, 0.01, &before, &after), -1); /* that is what it is for */
     check_close(route_slope(&r, r.length), 0.7, 1e-15);
     check_vec(route_left(&r, r.length), v3(-sin(1.1), cos(1.1), 0), 1e-15);
     route_clear(&r);

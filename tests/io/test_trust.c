@@ -8,7 +8,8 @@
  *   several cables, of which a run pulls one        here, several_cables
  *   cables that jam, or fill their duct             here, three_cables_jam; theory/test_limits
  *   segments too long for bends, ducts, hold-downs  here, coarse_in_a_duct; io/test_mesh, long_segments_jam
- *   a bend to the side on a grade levels the route  not changed: `hawser check` lists the rise of every piece
+ *   a bend to the side on a grade levels the route  said, by an event and by `hawser check`: core/test_route,
+ *                                                   bends_on_slopes; cli/test_case.sh; no helix yet
  *   a conveyor that grips the rope                  io/test_grips, belts_wait_for_the_cable
  *   a stiff grip at the default accuracy            here, energy_lost; io/test_grips, a_shared_pull
  *   energy that does not add up, and peaks of jolts here, a_jolt_at_the_start, a_spike_between_rows
