@@ -292,8 +292,8 @@ static hawser_status brakes_set(Calculator *c, hawser_error *err)
         if (status) return status;
         const Finding at = finding_on(c->route, held->value, brake->where, brake->piece);
         snprintf(held->remedy, sizeof held->remedy,
-                 "the cable would run away or slacken: pushed with %.4g kN at %.40s; it needs a brake of %.4g kN "
-                 "more where the pull begins, and then a winch of %.4g kN",
+                 "the cable would run away or slacken: pushed with %.4g kN at %.36s; it needs a brake of %.4g kN "
+                 "more at the start, and then a winch of %.4g kN",
                  held->value / 1e3, at.where, brake->brake / 1e3, brake->force / 1e3);
     }
     return HAWSER_OK;
