@@ -57,11 +57,11 @@ typedef struct PlanPiece {
 } PlanPiece;
 
 typedef struct PlanWay {
-    Pull pull;            /* at speed: tensions and sidewall pressures of the worst loaded cable, and where */
-    double start;         /* N, reel and brake less the push (T24) */
-    double rope;          /* N, the rope's allowance (T25) */
-    double force;         /* N: tension at the end plus rope, of the last section */
-    double restart_force; /* N: the same with static friction */
+    Pull pull;                      /* at speed: tensions and sidewall pressures of the worst loaded cable, and where */
+    double start;                   /* N, reel and brake less the push (T24) */
+    double rope;                    /* N, the rope's allowance (T25) */
+    double force;                   /* N: tension at the end plus rope, of the last section */
+    double restart_force;           /* N: the same with static friction */
     double restart_max, restart_at; /* N, m; of the cable then */
     int restart_piece;              /* of the route, where that is */
     PlanPiece *piece;               /* [n], by the route's order */

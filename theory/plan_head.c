@@ -204,10 +204,11 @@ static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int w
     hawser_status status = plan_pull(def, load, &whole, &pull, err);
     if (status) return status;
     out->max_tension = pull.max_tension;
+    out->force = pull.end_tension + allowance(def, way);
     pull_clear(&pull);
     status = plan_heads(def, load, way, INFINITY, &heads, err);
     if (status) return status;
-    out->force = heads.peak.force;
+    out->peak = heads.peak.force;
     plan_heads_free(&heads);
     return HAWSER_OK;
 }

@@ -34,7 +34,8 @@ typedef struct Brake {
     double brake;       /* N, on top of what holds back already; 0: none is needed */
     double where;       /* m along the route: there it would be pushed most without */
     int piece;          /* of the route, there */
-    double force;       /* N, of the winch with the brake, the largest of all places of the head */
+    double force;       /* N, of the winch with the brake, the head at the end */
+    double peak;        /* N, the largest of all places of the head, if the brake is on from the start */
     double max_tension; /* N, of the cable then */
 } Brake;
 /* Errors: as pull_solve, MEMORY. */

@@ -11,7 +11,7 @@ double plan_first(const PlanDef *def, int way) { return way == PLAN_BACKWARD ? d
 
 double plan_last(const PlanDef *def, int way)
 {
-    return way == PLAN_BACKWARD ? -def->beyond : def->route->length + def->beyond;
+    return way == PLAN_BACKWARD ? 0 - def->beyond : def->route->length + def->beyond;
 }
 
 /* --------------------------------------------------------------------------------------------- sections */
@@ -172,8 +172,7 @@ hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPull
     Course course = {0};
     *out = (Pull){0};
     PullStep *const step = malloc((size_t)(def->n_pushes + def->n_steps + 1) * sizeof *step);
-    hawser_status status = step ? course_make(def, load, what->way, head, &course, err)
-                                : error_memory(err);
+    hawser_status status = step ? course_make(def, load, what->way, head, &course, err) : error_memory(err);
     if (!status) {
         const PullDef pull = {.route = def->route,
                               .law = def->law,

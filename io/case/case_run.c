@@ -10,7 +10,8 @@ static const char *const stabilities[] = {"follow", "report", "ignore", NULL};
 /* What belongs to which analysis keys_check says. */
 static const CaseKey run_keys[] = {
     {"analysis", KEY_CHOICE, .fallback = "dynamics", .choices = analyses, AT(SceneDef, analysis.kind)},
-    {"duration", KEY_NUMBER, DIM_TIME, .otherwise = "until the winch has hauled the front to the route's end; load steps 1 s", ABOVE(0, LATE),
+    {"duration", KEY_NUMBER, DIM_TIME,
+     .otherwise = "until the winch has hauled the front to the route's end; load steps 1 s", ABOVE(0, LATE),
      AT(SceneDef, duration)},
     {"load_steps", KEY_INTEGER, .fallback = "10", FROM(1, 100000), AT(SceneDef, analysis.load_steps)},
     {"tolerance", KEY_NUMBER, .fallback = "1e-10", ABOVE(0, 0.1), AT(SceneDef, analysis.tolerance)},
@@ -150,8 +151,8 @@ static hawser_status place_item(const CaseReader *r, const CaseNode *node, const
     if (status) return status;
     if (!*place->name) snprintf(place->name, sizeof place->name, "%.6g m", place->at);
     if (place->at < r->route.length) return HAWSER_OK;
-    return case_value_error(r->err, case_node_key(node, "at"), " is out of range: must be below the route's length, %g m",
-                            r->route.length);
+    return case_value_error(r->err, case_node_key(node, "at"),
+                            " is out of range: must be below the route's length, %g m", r->route.length);
 }
 
 static hawser_status pit_item(const CaseReader *r, const CaseNode *node, void *item)

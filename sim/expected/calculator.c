@@ -166,13 +166,16 @@ static hawser_status rules_find(const Scene *scene, Calculator *c, hawser_error 
 
 /* ------------------------------------------------------------------------------------------------- limits */
 
-/* The route's own smallest radius. */
-static Finding bend_finding(const Route *route)
+/* The route's own smallest radius, as far as the pull goes. */
+static Finding bend_finding(const Calculator *c, int way)
 {
+    const double low = fmin(plan_first(&c->def, way), plan_last(&c->def, way));
+    const double high = fmax(plan_first(&c->def, way), plan_last(&c->def, way));
     Finding f = {.value = INFINITY};
-    for (int p = 0; p < route->n; ++p) {
-        const RoutePiece *const piece = &route->piece[p];
-        if (piece->kind == ROUTE_BEND && piece->radius < f.value) f = finding_at(route, piece->radius, piece->s0);
+    for (int p = 0; p < c->route->n; ++p) {
+        const RoutePiece *const piece = &c->route->piece[p];
+        if (piece->kind != ROUTE_BEND || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
+        if (piece->radius < f.value) f = finding_at(c->route, piece->radius, piece->s0);
     }
     return f;
 }
@@ -201,7 +204,7 @@ static void limits_set(const Scene *scene, Calculator *c)
         f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
         f[LIMIT_SIDEWALL] = finding_on(route, way->pull.max_sidewall, way->pull.sidewall_at, way->pull.sidewall_piece);
         if (!(way->pull.max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
-        f[LIMIT_BEND] = bend_finding(route);
+        f[LIMIT_BEND] = bend_finding(c, k);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
         f[LIMIT_ROPE].value = fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart);
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
@@ -211,8 +214,8 @@ static void limits_set(const Scene *scene, Calculator *c)
     }
 }
 
-/* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a slope,
- * and no figure behind that place holds. */
+/* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
+ * slope, and no figure behind that place holds. */
 static void pulled_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {

@@ -6,8 +6,8 @@
 #include "sim/expected/expected.h"
 #include "sim/expected/stretches.h"
 #include "theory/limits.h"
-#include "theory/plan.h"
 #include "theory/plan_head.h"
+#include "theory/plan_pull.h"
 
 /* How the cables lie in one duct of the scene. */
 typedef struct CalculatorDuct {
@@ -55,12 +55,12 @@ void calculator_free(Calculator *c);
 
 /* The same pull with something else about it. */
 typedef struct Variation {
-    int way;         /* the only one that is asked for */
-    double friction; /* factor on all friction */
-    double radius;   /* factor on the radius of ... */
-    int bend;        /* ... this piece, or of every bend: -1 */
-    double beyond;   /* m, how far the pull goes beyond the route's end; below 0: stops short of it */
-    int n_machines;  /* so many more machines ... */
+    int way;               /* the only one that is asked for */
+    double friction;       /* factor on all friction */
+    double radius;         /* factor on the radius of ... */
+    int bend;              /* ... this piece, or of every bend: -1 */
+    double beyond;         /* m, how far the pull goes beyond the route's end; below 0: stops short of it */
+    int n_machines;        /* so many more machines ... */
     const double *machine; /* [n_machines] ... here (m along the route) ... */
     double push;           /* ... that take off up to so much (N) */
 } Variation;
