@@ -205,6 +205,7 @@ static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int w
     if (status) return status;
     out->max_tension = pull.max_tension;
     out->force = pull.end_tension + allowance(def, way);
+    if (fabs(out->force) < 1e-9 * pull.max_tension) out->force = 0; /* rounding */
     pull_clear(&pull);
     status = plan_heads(def, load, way, INFINITY, &heads, err);
     if (status) return status;
