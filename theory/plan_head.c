@@ -116,7 +116,7 @@ static hawser_status peak_refine(const PlanDef *def, const DuctLoad *load, int w
     HeadForce in[2];
     hawser_status status = plan_head(def, load, way, b - share * (b - a), &in[0], err);
     if (!status) status = plan_head(def, load, way, a + share * (b - a), &in[1], err);
-    for (int i = 0; i < 40 && !status; i++) {
+    for (int i = 0; i < 24 && !status; i++) {
         const int right = force_of(&in[1], restart) > force_of(&in[0], restart);
         if (right) a = in[0].head;
         if (!right) b = in[1].head;

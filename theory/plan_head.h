@@ -1,5 +1,5 @@
 /* The winch's force for every place of the cable's head: rope ahead, cable behind, bends passed one after the other.
- * docs/model.md, "The planner's calculation", (PL5)-(PL7). */
+ * docs/model.md, "The planner's calculation", (PN5)-(PN7). */
 #ifndef HAWSER_THEORY_PLAN_HEAD_H
 #define HAWSER_THEORY_PLAN_HEAD_H
 
@@ -29,7 +29,7 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
                          hawser_error *err);
 void plan_heads_free(HeadSeries *s);
 
-/* The smallest brake where the pull begins with which the cable is nowhere pushed, and the pull with it (PL8). */
+/* The smallest brake where the pull begins with which the cable is nowhere pushed, and the pull with it (PN8). */
 typedef struct Brake {
     double brake;       /* N, on top of what holds back already; 0: none is needed */
     double where;       /* m along the route: there it would be pushed most without */

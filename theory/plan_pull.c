@@ -93,7 +93,7 @@ static double wear_at(const PlanDef *def, double length)
     return factor;
 }
 
-/* The length that wear goes by at s, and its inverse, with the head at `head`: (PL4). */
+/* The length that wear goes by at s, and its inverse, with the head at `head`: (PN4). */
 static double wear_length(const PlanDef *def, int way, double head, double s)
 {
     return sign_of(way) * (def->wear_by == WEAR_CABLE ? s - plan_first(def, way) : head - s);

@@ -1,5 +1,5 @@
 /* One pull of a plan: the cable up to a place on the route and the rope ahead of it, one way, at speed or from rest.
- * docs/model.md, "The planner's calculation", (PL1)-(PL5). */
+ * docs/model.md, "The planner's calculation", (PN1)-(PN5). */
 #ifndef HAWSER_THEORY_PLAN_PULL_H
 #define HAWSER_THEORY_PLAN_PULL_H
 

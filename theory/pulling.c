@@ -81,8 +81,8 @@ static SpanLaw law_between(const PullDef *def, double low, double high)
                      .line = span_line(def->route, middle)};
 }
 
-/* The tension behind the steps at s: forces first, then what machines take of it (PL2); where the pull begins anew
- * nothing of all that counts (PL3). */
+/* The tension behind the steps at s: forces first, then what machines take of it (PN2); where the pull begins anew
+ * nothing of all that counts (PN3). */
 static double steps_pass(const PullDef *def, double s, double tension)
 {
     double anew = NAN;

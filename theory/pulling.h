@@ -26,7 +26,7 @@ typedef struct PullStretch {
 const PullStretch *stretch_at(int n, const PullStretch *stretch, double s);
 
 /* What happens to the tension at one point: it rises by the force (a conveyor that pushes so much: negative); a machine
- * takes off what arrives, up to the force (PL2); or the pull begins anew there, with the force as its tension (PL3). */
+ * takes off what arrives, up to the force (PN2); or the pull begins anew there, with the force as its tension (PN3). */
 typedef enum StepKind { STEP_ADD, STEP_TAKE, STEP_ANEW } StepKind;
 typedef struct PullStep {
     double at;    /* m along the route */

@@ -1,9 +1,11 @@
 /* The farthest value at which something holds, by bracketing and bisection: what the inverse answers are found with.
- * docs/model.md, "The planner's calculation", (PL9). */
+ * docs/model.md, "The planner's calculation", (PN9). Some forty looks for an answer within ten times of where it begins,
+ * up to a hundred for one that is not there. */
 #ifndef HAWSER_THEORY_SEARCH_H
 #define HAWSER_THEORY_SEARCH_H
 
-/* Whether it holds at x. */
+/* Whether it holds at x. What cannot be computed there does not hold; errors that end the search the caller keeps in
+ * `what`, and answers 0 from then on. */
 typedef int (*SearchHolds)(void *what, double x);
 
 typedef struct SearchDef {

@@ -172,16 +172,16 @@ static void answer_say(const InverseAnswer *a, AnswerRow *row)
     result_say(a, row->result);
 }
 
-static void machines_say(const Scene *scene, const InverseMachines *m, AnswerRow *row)
+static void machines_say(const Scene *scene, int n_pushers, const InverseMachines *m, AnswerRow *row)
 {
     *row = (AnswerRow){.direction = theory_ways[m->way],
                        .unit = "1",
-                       .now = scene->def.theory.n_machines + scene->def.n_conveyors,
+                       .now = scene->def.theory.n_machines + n_pushers,
                        .value = m->n >= 0 ? (double)m->n : NAN,
                        .binds = m->binds,
                        .place = m->where};
     snprintf(row->question, sizeof row->question, "least number of more machines of %.4g kN",
-             scene->def.theory.conveyor / 1e3);
+             scene->def.theory.machine_push / 1e3);
     snprintf(row->result, sizeof row->result, "%s",
              m->n < 0    ? "none: they would not help"
              : m->n == 0 ? "all holds without"
@@ -215,14 +215,15 @@ static int machines_add(const Inverse *inverse, TheoryTables *t)
     return row != NULL;
 }
 
-static int answers_add(const Scene *scene, const Inverse *inverse, TheoryTables *t)
+static int answers_add(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *t)
 {
     int n = 0;
     if (inverse->n == 0) return 1;
     AnswerRow *const row =
         theory_table_add(t, "answers", "What would still keep all limits", answer_columns, inverse->n + PLAN_WAYS);
     for (int i = 0; row && i < inverse->n; ++i) answer_say(&inverse->answer[i], &row[n++]);
-    for (int k = 0; row && inverse->asked && k < PLAN_WAYS; ++k) machines_say(scene, &inverse->machines[k], &row[n++]);
+    for (int k = 0; row && inverse->asked && k < PLAN_WAYS; ++k)
+        machines_say(scene, c->n_pushers, &inverse->machines[k], &row[n++]);
     if (row) t->table[t->n - 1].n = n;
     return row && (!inverse->asked || machines_add(inverse, t));
 }
@@ -280,6 +281,6 @@ static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
 
 int theory_planner_add(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *t)
 {
-    return heads_add(c, t) && sections_add(scene, c, t) && brakes_add(c, t) && answers_add(scene, inverse, t) &&
+    return heads_add(c, t) && sections_add(scene, c, t) && brakes_add(c, t) && answers_add(scene, c, inverse, t) &&
            notes_add(scene, c, t);
 }

@@ -27,7 +27,7 @@ static const CaseKey theory_keys[] = {
     {"wear_by", KEY_CHOICE, .fallback = "cable", .choices = wears, AT(TheoryDef, wear_by)},
     {"pits", KEY_LIST, .otherwise = "none", .form = "pits one by one", .section = &case_theory_pit},
     {"machines", KEY_LIST, .otherwise = "none", .form = "machines one by one", .section = &case_theory_machine},
-    {"conveyor", KEY_NUMBER, DIM_FORCE, .otherwise = "not asked", ABOVE(0, STRONG), AT(TheoryDef, conveyor)},
+    {"machine_push", KEY_NUMBER, DIM_FORCE, .otherwise = "not asked", ABOVE(0, STRONG), AT(TheoryDef, machine_push)},
     {"feed", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(TheoryDef, feed)},
     {"bears", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", FROM(0, STRONG), AT(TheoryDef, bears)},
     {"temperature", KEY_NUMBER, .otherwise = "not known", FROM(-60, 60), AT(TheoryDef, temperature)},

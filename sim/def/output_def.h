@@ -63,15 +63,15 @@ typedef struct TheoryPlaceDef {
 
 /* What the pulling calculation adds to the scene. NAN: not given. */
 typedef struct TheoryDef {
-    int cables;         /* pulled together, all alike */
-    int layout;         /* a DuctLayout: how they lie in ducts */
-    double reel, rope;  /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
-    double rope_mass;   /* kg/m of the rope ahead of the cable; NAN: the chain's, if it has one */
-    double rope_mu;     /* its friction; NAN: the cable's in the same place */
-    double feed, bears; /* N: push where the pull begins; the largest push that the cable bears, NAN */
-    double conveyor;    /* N, push of the machines of which the least number is asked; NAN */
-    double temperature; /* degrees Celsius; NAN */
-    int wear_by;        /* a WearKind */
+    int cables;          /* pulled together, all alike */
+    int layout;          /* a DuctLayout: how they lie in ducts */
+    double reel, rope;   /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
+    double rope_mass;    /* kg/m of the rope ahead of the cable; NAN: the chain's, if it has one */
+    double rope_mu;      /* its friction; NAN: the cable's in the same place */
+    double feed, bears;  /* N: push where the pull begins; the largest push that the cable bears, NAN */
+    double machine_push; /* N, of the machines of which the least number is asked; NAN */
+    double temperature;  /* degrees Celsius; NAN */
+    int wear_by;         /* a WearKind */
     int n_wear;
     PlanWear *wear;
     int n_friction;

@@ -51,7 +51,7 @@ void scene_def_defaults(SceneDef *def)
                               .rope_mass = NAN,
                               .rope_mu = NAN,
                               .bears = NAN,
-                              .conveyor = NAN,
+                              .machine_push = NAN,
                               .temperature = NAN};
     limits_defaults(&def->limits);
     def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};

@@ -28,7 +28,7 @@ static hawser_status duct_fill(const Scene *scene, const SurfaceDef *surface, Ca
     return error_set(err, HAWSER_ERR_INPUT, "key 'theory.cables': duct '%s': %s", surface->name, why.message);
 }
 
-/* Stretches in which the case gives friction for theory alone: what lies there is cut at both ends (PL1). */
+/* Stretches in which the case gives friction for theory alone: what lies there is cut at both ends (PN1). */
 static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error *err)
 {
     const TheoryDef *const theory = &scene->def.theory;
@@ -49,6 +49,16 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
     return HAWSER_OK;
 }
 
+/* Beyond either end of the route things are as they are at the end: a longer pull goes on in the same duct. */
+static void ends_extend(Stretches *s, double length)
+{
+    int first = 0;
+    while (s->n > 1 && s->stretch[s->n - 1].from >= length) --s->n;
+    while (first + 1 < s->n && s->stretch[first + 1].from <= 0) ++first;
+    s->n -= first;
+    memmove(s->stretch, s->stretch + first, (size_t)s->n * sizeof *s->stretch);
+}
+
 static const DuctLoad *load_in(const Calculator *c, const SurfaceDef *surface)
 {
     for (int i = 0; i < c->n_ducts; ++i) {
@@ -65,13 +75,14 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     c->duct = calloc((size_t)def->n_surfaces + 1, sizeof *c->duct);
     hawser_status status = c->duct ? stretches_find(scene, &c->stretches, err) : error_memory(err);
     if (!status) status = friction_set(scene, &c->stretches, err);
+    if (!status) ends_extend(&c->stretches, scene->route.length);
     for (int i = 0; i < def->n_surfaces && !status; ++i) {
         if (def->surfaces[i].shape.kind != SURFACE_DUCT) continue;
         status = duct_fill(scene, &def->surfaces[i], &c->duct[c->n_ducts++], err);
     }
     for (int i = 0; i < c->stretches.n && !status; ++i) {
         PullStretch *const s = &c->stretches.stretch[i];
-        const double middle = i + 1 < c->stretches.n ? (s->from + s[1].from) / 2 : s->from + 1;
+        const double to = i + 1 < c->stretches.n ? s[1].from : scene->route.length, middle = (s->from + to) / 2;
         const DuctLoad *const load = load_in(c, surface_at(def, middle));
         s->weight *= c->cables;
         s->share = load ? load->sidewall_factor : 1.0 / c->cables;
@@ -272,7 +283,7 @@ static double bound_of(const Calculator *c, int way, const char *name)
     return INFINITY;
 }
 
-/* (PL10). */
+/* (PN10). */
 static void trip_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {

@@ -18,7 +18,7 @@ typedef struct CalculatorDuct {
 /* Which rule of friction holds on a piece of the route: (T6), (LI1), or each on a part. */
 typedef enum SupportRule { SUPPORT_RESULTANT, SUPPORT_SEPARATE, SUPPORT_MIXED } SupportRule;
 
-/* At which force a winch should stop (PL10), and why not at more. */
+/* At which force a winch should stop (PN10), and why not at more. */
 typedef struct TripSetting {
     double force; /* N */
     const char *by;

@@ -155,7 +155,7 @@ static void takes_find(const Calculator *c, InverseMachines *m, double push)
         m->takes[i] = fmin(push, fmax(0, pull_at(&c->plan.way[m->way].pull, m->at[i]).tension));
 }
 
-/* (PL11): one more, as soon as its whole push can be used, until all holds. */
+/* (PN11): one more, as soon as its whole push can be used, until all holds. */
 static void machines_place(Question *q, double push, int early, InverseMachines *m)
 {
     Variation by = {.way = q->way, .friction = 1, .radius = 1, .bend = -1, .machine = m->at, .push = push};
@@ -189,7 +189,7 @@ static void machines_find(Question *q, double push, InverseMachines *out)
 
 hawser_status inverse_find(const Scene *scene, const Calculator *base, Inverse *out, hawser_error *err)
 {
-    const double push = scene->def.theory.conveyor;
+    const double push = scene->def.theory.machine_push;
     Question q = {.scene = scene, .base = base, .err = err};
     memset(out, 0, sizeof *out);
     for (q.way = 0; q.way < PLAN_WAYS; ++q.way) {

@@ -1,5 +1,5 @@
 /* What would still hold: the planner's questions the other way round, each answered by the same calculator.
- * docs/model.md, "The planner's calculation", (PL9), (PL11). */
+ * docs/model.md, "The planner's calculation", (PN9), (PN11). */
 #ifndef HAWSER_SIM_EXPECTED_INVERSE_H
 #define HAWSER_SIM_EXPECTED_INVERSE_H
 

@@ -151,7 +151,7 @@ static const char *const STRAIGHT = "cables: {c: {d: 60 mm, mass: 8 kg/m, E: 10 
                                     "route: {pieces: [{straight: 200 m}]}\n"
                                     "friction: {mu: 0.3}\n"
                                     "limits: {pull: 10 kN}\n"
-                                    "theory: {conveyor: 2 kN}\n";
+                                    "theory: {machine_push: 2 kN}\n";
 
 /* Closed forms: T = T0 + mu w L. */
 static void a_straight_the_other_way_round(void **state)
@@ -223,7 +223,7 @@ static void put_back(void **state)
 static void machines_put_back(void **state)
 {
     (void)state;
-    static const char *const tight[] = {"limits.pull", "7 kN", "theory.conveyor", "1.5 kN", NULL};
+    static const char *const tight[] = {"limits.pull", "7 kN", "theory.machine_push", "1.5 kN", NULL};
     json_t *o = theory(data_text("planner"), tight);
     check_has(word(o, "verdict_forward"), "NOT SAFE");
     const int n = (int)number(answer(o, "forward", "least number"), "value");
@@ -280,7 +280,7 @@ static void down_a_shaft(void **state)
     json_decref(o);
 }
 
-/* (PL10): alpha times the largest force, but never more than the cable or the rope may bear. */
+/* (PN10): alpha times the largest force, but never more than the cable or the rope may bear. */
 static void trip_setting(void **state)
 {
     (void)state;

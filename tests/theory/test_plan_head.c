@@ -43,7 +43,7 @@ static Plan plan_of(const PlanDef *def)
     return plan;
 }
 
-/* (PL6): a rope without weight goes round the bends ahead as round a capstan; one with weight is dragged as well. */
+/* (PN6): a rope without weight goes round the bends ahead as round a capstan; one with weight is dragged as well. */
 static void rope_ahead(void **state)
 {
     (void)state;
@@ -134,7 +134,7 @@ static void the_peak_lies_on_the_crest(void **state)
     route_clear(&route);
 }
 
-/* (PL3): what is pulled from a pit is a route that begins there. */
+/* (PN3): what is pulled from a pit is a route that begins there. */
 static void sections_are_cut_routes(void **state)
 {
     (void)state;
@@ -181,7 +181,7 @@ static void sections_are_cut_routes(void **state)
     route_clear(&route);
 }
 
-/* (PL2): what arrives, up to the push; the rope runs through it. */
+/* (PN2): what arrives, up to the push; the rope runs through it. */
 static void machines_take_off(void **state)
 {
     (void)state;
@@ -205,7 +205,7 @@ static void machines_take_off(void **state)
     route_clear(&route);
 }
 
-/* (PL4): by the cable's way, and by what has passed. On a straight of 40 m, friction twice as much from 15 m on. */
+/* (PN4): by the cable's way, and by what has passed. On a straight of 40 m, friction twice as much from 15 m on. */
 static void friction_by_length(void **state)
 {
     (void)state;
@@ -251,7 +251,7 @@ static void pushed_at_the_feed(void **state)
     route_clear(&route);
 }
 
-/* (PL8): down a slope the brake is the whole loss of tension, w L (sin - mu cos), and lifts the winch by as much. */
+/* (PN8): down a slope the brake is the whole loss of tension, w L (sin - mu cos), and lifts the winch by as much. */
 static void brake_on_a_slope(void **state)
 {
     (void)state;
@@ -300,7 +300,7 @@ static void mirrored(void **state)
 static int below(void *what, double x) { return x <= *(double *)what; }
 static int above(void *what, double x) { return x >= *(double *)what; }
 
-/* (PL9). */
+/* (PN9). */
 static void the_search(void **state)
 {
     (void)state;
