@@ -160,19 +160,6 @@ static void fill_terms(Theory *t)
     }
 }
 
-/* The least and the largest friction that the cable meets on its way forward. */
-static void friction_range(const Theory *t, double *least, double *largest)
-{
-    const Calculator *c = &t->calculator;
-    const Pull *pull = &c->plan.way[PLAN_FORWARD].pull;
-    *least = INFINITY;
-    *largest = 0;
-    for (int i = 0; i < pull->n; i++) {
-        *least = fmin(*least, pull->span[i].law.mu);
-        *largest = fmax(*largest, pull->span[i].law.mu);
-    }
-}
-
 enum { FACTS_MAX = 24 };
 
 /* What the whole is about, in the order in which it is asked; all of the whole route full of cable. Returns how many.
@@ -182,14 +169,12 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     const Calculator *c = &t->calculator;
     const PlanWay *there = &c->plan.way[PLAN_FORWARD], *back = &c->plan.way[PLAN_BACKWARD];
     const char *const best = theory_ways[c->best];
-    double least, largest;
     int n = 0;
-    friction_range(t, &least, &largest);
     fact[n++] = (Fact){"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->scene.cable_weight)};
-    fact[n++] = (Fact){"friction", "friction coefficient", "", cell_number(largest)};
-    if (largest > least) {
+    fact[n++] = (Fact){"friction", "friction coefficient", "", cell_number(c->mu_largest)};
+    if (c->mu_largest > c->mu_least) {
         fact[n - 1].label = "friction coefficient, largest";
-        fact[n++] = (Fact){"friction_least", "least", "", cell_number(least)};
+        fact[n++] = (Fact){"friction_least", "least", "", cell_number(c->mu_least)};
     }
     fact[n++] = (Fact){"length_m", "length of the route", "m", cell_number(t->scene.route.length)};
     fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};

@@ -20,7 +20,7 @@ static const CaseKey theory_keys[] = {
     {"rope_mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "the chain's rope, if it has one", FROM(0, 1e6),
      AT(TheoryDef, rope_mass)},
     {"rope_mu", KEY_NUMBER, .otherwise = "the cable's in the same place", FROM(0, 10), AT(TheoryDef, rope_mu)},
-    {"friction", KEY_LIST, .otherwise = "the case's, and that of its ducts and trays", .form = "stretches one by one",
+    {"stretches", KEY_LIST, .otherwise = "the case's, and that of its ducts and trays", .form = "stretches one by one",
      .section = &case_theory_friction},
     {"wear", KEY_LIST, .otherwise = "none", .form = "lengths and factors, by rising length",
      .section = &case_theory_wear},

@@ -93,7 +93,7 @@ static const CaseKey friction_keys[] = {
     {"mu", KEY_NUMBER, .required = 1, FROM(0, 10), AT(TheoryFrictionDef, mu)},
     {"mu_s", KEY_NUMBER, .otherwise = "`mu`", FROM(0, 10), AT(TheoryFrictionDef, mu_s)},
 };
-SECTION(case_theory_friction, "theory.friction.N", friction_keys);
+SECTION(case_theory_friction, "theory.stretches.N", friction_keys);
 
 static const CaseKey wear_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(0, LONG), AT(PlanWear, from)},
@@ -168,7 +168,7 @@ static hawser_status machine_item(const CaseReader *r, const CaseNode *node, voi
 hawser_status case_planner_read(CaseReader *r, const CaseNode *node)
 {
     TheoryDef *const t = &r->def->theory;
-    hawser_status status = case_list_read(r, case_node_key(node, "friction"), sizeof *t->friction, friction_item,
+    hawser_status status = case_list_read(r, case_node_key(node, "stretches"), sizeof *t->friction, friction_item,
                                           &t->friction, &t->n_friction);
     if (!status)
         status = case_list_read(r, case_node_key(node, "wear"), sizeof *t->wear, wear_item, &t->wear, &t->n_wear);

@@ -80,8 +80,11 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
         if (def->surfaces[i].shape.kind != SURFACE_DUCT) continue;
         status = duct_fill(scene, &def->surfaces[i], &c->duct[c->n_ducts++], err);
     }
+    c->mu_least = INFINITY;
     for (int i = 0; i < c->stretches.n && !status; ++i) {
         PullStretch *const s = &c->stretches.stretch[i];
+        c->mu_least = fmin(c->mu_least, s->mu);
+        c->mu_largest = fmax(c->mu_largest, s->mu);
         const double to = i + 1 < c->stretches.n ? s[1].from : scene->route.length, middle = (s->from + to) / 2;
         const DuctLoad *const load = load_in(c, surface_at(def, middle));
         s->weight *= c->cables;
@@ -399,6 +402,7 @@ hawser_status calculator_build(const Scene *scene, double start_tension, Calcula
     if (!status) status = rules_find(scene, out, err);
     if (!status) status = brakes_set(out, err);
     if (status) return status;
+    out->plan.better = out->heads[PLAN_BACKWARD].peak.force < out->heads[PLAN_FORWARD].peak.force; /* of all sections */
     best_set(out);
     trip_set(scene, out);
     return HAWSER_OK;

@@ -29,7 +29,8 @@ typedef struct Calculator {
     Route own;          /* one with other bends */
     PlanDef def;        /* what was asked; borrows all that follows */
     int cables;
-    Stretches stretches; /* of all cables together */
+    double mu_least, mu_largest; /* of what lies along the route, without a duct's correction and wear */
+    Stretches stretches;         /* of all cables together */
     int n_pushers;
     Pusher *pusher;            /* [n_pushers] conveyors and whatever else pushes */
     PullStep *push[PLAN_WAYS]; /* [n_pushers] N along the pull */

@@ -87,18 +87,14 @@ static int critical_bend(const Calculator *c, int way)
 static double now_of(const Question *q)
 {
     const Calculator *const c = q->base;
-    double mu = 0, radius = INFINITY;
+    double radius = INFINITY;
     if (q->kind == INVERSE_LENGTH) return c->route->length;
     if (q->kind == INVERSE_BEND) return c->route->piece[q->bend].radius;
-    for (int i = 0; i < c->plan.way[q->way].pull.n; ++i) {
-        const PullSpan *const span = &c->plan.way[q->way].pull.span[i];
-        const double s = span->s0 + (span->s1 - span->s0) / 2;
-        mu = fmax(mu, stretch_at(c->def.n_stretches, c->def.stretch, s)->mu);
-    }
+    if (q->kind == INVERSE_FRICTION) return c->mu_largest;
     for (int p = 0; p < c->route->n; ++p) {
         if (c->route->piece[p].kind == ROUTE_BEND) radius = fmin(radius, c->route->piece[p].radius);
     }
-    return q->kind == INVERSE_FRICTION ? mu : radius;
+    return radius;
 }
 
 static InverseAnswer answer_find(Question *q)

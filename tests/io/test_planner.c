@@ -138,7 +138,7 @@ static void one_force_and_right_names(void **state)
 static void friction_from_to(void **state)
 {
     (void)state;
-    static const char *const parts[] = {"theory.friction", "[{from: 10 m, to: 20 m, mu: 0.1, mu_s: 0.7}]", NULL};
+    static const char *const parts[] = {"theory.stretches", "[{from: 10 m, to: 20 m, mu: 0.1, mu_s: 0.7}]", NULL};
     json_t *o = theory(data_text("planner"), parts);
     check_share(number(o, "friction"), 0.5, 1e-12);
     check_share(number(o, "friction_least"), 0.1, 1e-12);
@@ -320,7 +320,7 @@ static void wrong_lists(void **state)
         const char *key, *value, *part;
     } cases[] = {
         {"theory.pits", "[{at: 500 m}]", "below the route's length"},
-        {"theory.friction", "[{from: 9 m, to: 4 m, mu: 0.2}]", "must not end at 9 m"},
+        {"theory.stretches", "[{from: 9 m, to: 4 m, mu: 0.2}]", "must not end at 9 m"},
         {"theory.wear", "[{from: 9 m, factor: 2}, {from: 9 m, factor: 3}]", "above 9 m"},
         {"theory", "{wear_by: place, wear: [{from: 9 m, factor: 0.5}]}", "must not fall"},
         {"theory.machines", "[{at: 5 m}]", "'theory.machines.0.push': missing"},
