@@ -53,6 +53,8 @@ typedef struct Calculator {
  * duct, and as plan_build), MEMORY. Give it back with calculator_free, also after an error. The scene must stay. */
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err);
 void calculator_free(Calculator *c);
+/* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */
+hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err);
 
 /* The same pull with something else about it. */
 typedef struct Variation {
