@@ -1,6 +1,6 @@
 /* The farthest value at which something holds, by bracketing and bisection: what the inverse answers are found with.
- * docs/model.md, "The planner's calculation", (PN9). Some forty looks for an answer within ten times of where it begins,
- * up to a hundred for one that is not there. */
+ * docs/model.md, "The planner's calculation", (PN9). Some forty looks for an answer within ten times of where it
+ * begins, up to a hundred for one that is not there. */
 #ifndef HAWSER_THEORY_SEARCH_H
 #define HAWSER_THEORY_SEARCH_H
 

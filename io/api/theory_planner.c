@@ -131,7 +131,7 @@ static int brakes_add(const Calculator *c, TheoryTables *t)
 
 typedef struct AnswerRow {
     const char *direction, *unit, *place;
-    char question[96], result[64];
+    char question[96], result[96];
     double now, value;
     const char *binds;
 } AnswerRow;
@@ -148,13 +148,13 @@ static const Column answer_column[] = {
 };
 static const Columns answer_columns = COLUMNS(AnswerRow, answer_column);
 
-/* In words: how far from now, or why there is no number. */
-static void result_say(const InverseAnswer *a, char result[64])
+/* In words: how far from now, or why there is no number, and what stays broken all the same. */
+static void result_say(const InverseAnswer *a, char result[96])
 {
-    const double factor = a->value / a->now;
-    if (a->end == SEARCH_NOWHERE) snprintf(result, 64, "none: it would not help");
-    if (a->end == SEARCH_EVERYWHERE) snprintf(result, 64, "any: nothing binds within 1000 times");
-    if (a->end == SEARCH_FOUND) snprintf(result, 64, "%.5g times the case's", factor);
+    char text[64] = "none: it would not help";
+    if (a->end == SEARCH_EVERYWHERE) snprintf(text, sizeof text, "any: nothing binds within 1000 times");
+    if (a->end == SEARCH_FOUND) snprintf(text, sizeof text, "%.5g times the case's", a->value / a->now);
+    snprintf(result, 96, "%s%s%s%s", text, *a->stays ? "; " : "", a->stays, *a->stays ? " stays" : "");
 }
 
 static void answer_say(const InverseAnswer *a, AnswerRow *row)

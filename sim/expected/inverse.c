@@ -14,7 +14,8 @@ typedef struct Question {
     const Scene *scene;
     const Calculator *base;
     InverseKind kind;
-    int way, bend;        /* bend: the piece that INVERSE_BEND is about */
+    int way, bend;                    /* bend: the piece that INVERSE_BEND is about */
+    int untouched[HAWSER_LIMITS_MAX]; /* by limit: the question does not change its value */
     hawser_status status; /* what ended the search; values that cannot be computed do not hold, and do not */
     hawser_error *err;
 } Question;
@@ -41,13 +42,53 @@ static int varied(Question *q, const Variation *by, Calculator *c)
     return !status;
 }
 
+/* Which limits the question does not touch: those that neither half nor twice of it changes. */
+static void touched_find(Question *q)
+{
+    for (int i = 0; i < HAWSER_LIMITS_MAX; ++i) q->untouched[i] = 1;
+    for (int k = 0; k < 2; ++k) {
+        Calculator c;
+        const Variation by = variation_of(q, k ? 2 : 0.5);
+        const int solved = varied(q, &by, &c);
+        for (int i = 0; i < q->base->n_limits; ++i) {
+            const double now = q->base->limit[q->way][i].value;
+            if (!solved || fabs(c.limit[q->way][i].value - now) > 1e-12 * fabs(now)) q->untouched[i] = 0;
+        }
+        calculator_free(&c);
+    }
+}
+
+/* The limit that is broken most of those that the question touches; NULL: none. */
+static const hawser_limit *broken(const Question *q, const Calculator *c)
+{
+    const hawser_limit *worst = NULL;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[q->way][i];
+        if (!l->judged || l->ok || q->untouched[i]) continue;
+        if (!worst || l->margin < worst->margin) worst = l;
+    }
+    return worst;
+}
+
+static int keeps(const Question *q, const Calculator *c) { return c->pulled[q->way].holds && !broken(q, c); }
+
+/* The first of those that it does not touch. */
+static void stays_find(const Question *q, const Calculator *c, char stays[24])
+{
+    *stays = 0;
+    for (int i = 0; i < c->n_limits && !*stays; ++i) {
+        const hawser_limit *const l = &c->limit[q->way][i];
+        if (l->judged && !l->ok && q->untouched[i]) snprintf(stays, 24, "%.23s", l->name);
+    }
+}
+
 static int question_holds(void *what, double x)
 {
     Question *const q = what;
     Calculator c;
     if (q->status) return 0;
     const Variation by = variation_of(q, x);
-    const int holds = varied(q, &by, &c) && calculator_holds(&c, q->way);
+    const int holds = varied(q, &by, &c) && keeps(q, &c);
     calculator_free(&c);
     return holds;
 }
@@ -64,7 +105,7 @@ static void binding_find(Question *q, const Variation *by, char binds[24], char 
         snprintf(binds, 24, "%s", "pulled");
         memcpy(where, finding_on(c.route, 0, pull->min_at, pull->min_piece).where, 80);
     } else {
-        const hawser_limit *const worst = calculator_worst(&c, q->way);
+        const hawser_limit *const worst = broken(q, &c);
         if (worst) snprintf(binds, 24, "%.23s", worst->name);
         if (worst) snprintf(where, 80, "%.79s", worst->where);
     }
@@ -102,10 +143,15 @@ static InverseAnswer answer_find(Question *q)
     const int less = q->kind == INVERSE_RADIUS || q->kind == INVERSE_BEND;
     InverseAnswer a = {.kind = q->kind, .way = q->way, .now = now_of(q), .value = NAN};
     const SearchDef search = {question_holds, q, 1, less ? 1 / FARTHEST : FARTHEST};
+    touched_find(q);
     const SearchBound bound = search_bound(&search);
     a.end = bound.end;
     if (q->kind == INVERSE_BEND) snprintf(a.what, sizeof a.what, "%s", q->base->route->piece[q->bend].name);
     if (bound.end == SEARCH_FOUND) a.value = bound.value * a.now;
+    Calculator c;
+    const Variation at = variation_of(q, bound.end == SEARCH_NOWHERE ? 1 : bound.value);
+    if (varied(q, &at, &c)) stays_find(q, &c, a.stays);
+    calculator_free(&c);
     if (bound.end == SEARCH_EVERYWHERE || q->status) return a;
     const Variation beyond = variation_of(q, bound.fails);
     binding_find(q, &beyond, a.binds, a.where);
@@ -160,9 +206,10 @@ static void machines_place(Question *q, double push, int early, InverseMachines 
     for (int n = 0; n <= INVERSE_MACHINES_MAX; ++n) {
         Calculator c;
         by.n_machines = n;
-        const int solved = varied(q, &by, &c), holds = solved && calculator_holds(&c, q->way);
+        const int solved = varied(q, &by, &c), holds = solved && keeps(q, &c);
         if (holds) m->n = n;
         if (holds) takes_find(&c, m, push);
+        if (holds) stays_find(q, &c, m->stays);
         if (solved && !holds && n < INVERSE_MACHINES_MAX) after = next_place(&c, q->way, push, after, early);
         calculator_free(&c);
         if (!solved || holds || isnan(after) || n == INVERSE_MACHINES_MAX) break;
@@ -198,6 +245,8 @@ hawser_status inverse_find(const Scene *scene, const Calculator *base, Inverse *
         }
         if (isnan(push) || q.status) continue;
         out->asked = 1;
+        q.kind = INVERSE_FRICTION; /* machines change what friction does */
+        touched_find(&q);
         machines_find(&q, push, &out->machines[q.way]);
     }
     return q.status;

@@ -246,6 +246,19 @@ static void machines_put_back(void **state)
     json_decref(o);
 }
 
+/* A duct that is too tight stays so whatever the friction: the answer is that of the other limits, and says so. */
+static void what_stays_broken(void **state)
+{
+    (void)state;
+    static const char *const narrow[] = {"surfaces.ducts.0.radius", "32 mm", NULL};
+    json_t *wide = theory(data_text("planner"), NULL), *o = theory(data_text("planner"), narrow);
+    check_share(number(answer(o, "forward", "largest friction"), "value"),
+                number(answer(wide, "forward", "largest friction"), "value"), 1e-9);
+    check_has(word(answer(o, "forward", "largest friction"), "result"), "clearance stays");
+    json_decref(wide);
+    json_decref(o);
+}
+
 /* Pits: the table of sections, and what a section's winch needs. */
 static void by_sections(void **state)
 {
@@ -332,11 +345,17 @@ static void wrong_lists(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_needed),   cmocka_unit_test(one_force_and_right_names),
-        cmocka_unit_test(friction_from_to), cmocka_unit_test(a_straight_the_other_way_round),
-        cmocka_unit_test(put_back),         cmocka_unit_test(machines_put_back),
-        cmocka_unit_test(by_sections),      cmocka_unit_test(down_a_shaft),
-        cmocka_unit_test(trip_setting),     cmocka_unit_test(notes),
+        cmocka_unit_test(what_is_needed),
+        cmocka_unit_test(one_force_and_right_names),
+        cmocka_unit_test(friction_from_to),
+        cmocka_unit_test(a_straight_the_other_way_round),
+        cmocka_unit_test(put_back),
+        cmocka_unit_test(machines_put_back),
+        cmocka_unit_test(what_stays_broken),
+        cmocka_unit_test(by_sections),
+        cmocka_unit_test(down_a_shaft),
+        cmocka_unit_test(trip_setting),
+        cmocka_unit_test(notes),
         cmocka_unit_test(wrong_lists),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
