@@ -6,37 +6,9 @@
 
 #include "core/base/error.h"
 
-static const CableDef *cable_of(const Scene *scene)
-{
-    return &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
-}
-
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
 
-/* How the cables lie in a duct; an error names it. */
-static hawser_status duct_fill(const Scene *scene, const SurfaceDef *surface, CalculatorDuct *out, hawser_error *err)
-{
-    const DuctDef def = {.duct_diameter = 2 * surface->shape.radius,
-                         .cable_diameter = cable_of(scene)->diameter,
-                         .cables = scene->def.theory.cables,
-                         .layout = (DuctLayout)scene->def.theory.layout};
-    hawser_error why = {.message = ""};
-    out->surface = surface;
-    const hawser_status status = duct_load(&def, &out->load, &why);
-    if (!status) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT, "key 'theory.cables': duct '%s': %s", surface->name, why.message);
-}
-
-static const DuctLoad *load_in(const Calculator *c, const SurfaceDef *surface)
-{
-    for (int i = 0; i < c->n_ducts; ++i) {
-        if (c->duct[i].surface == surface) return &c->duct[i].load;
-    }
-    return NULL;
-}
-
-/* Several cables: all their weight; in ducts more friction and an unequal share of T/R (T20), (T21), elsewhere each
- * bears its own. */
+/* How the cables lie in the ducts; in the stretches that is counted. */
 static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -44,17 +16,8 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     hawser_status status = c->duct ? stretches_find(scene, &c->stretches, err) : error_memory(err);
     for (int i = 0; i < def->n_surfaces && !status; ++i) {
         if (def->surfaces[i].shape.kind != SURFACE_DUCT) continue;
-        status = duct_fill(scene, &def->surfaces[i], &c->duct[c->n_ducts++], err);
-    }
-    for (int i = 0; i < c->stretches.n && !status; ++i) {
-        PullStretch *const s = &c->stretches.stretch[i];
-        const double middle = i + 1 < c->stretches.n ? (s->from + s[1].from) / 2 : s->from + 1;
-        const DuctLoad *const load = load_in(c, surface_at(def, middle));
-        s->weight *= c->cables;
-        s->share = load ? load->sidewall_factor : 1.0 / c->cables;
-        if (!load) continue;
-        s->mu *= load->weight_factor;
-        s->mu_static *= load->weight_factor;
+        c->duct[c->n_ducts].surface = &def->surfaces[i];
+        status = bundle_in(def, &def->surfaces[i], &c->duct[c->n_ducts++].load, err);
     }
     return status;
 }
@@ -193,7 +156,8 @@ static void limits_set(const Scene *scene, Calculator *c)
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
             limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
-        c->n_limits = limits_judge(&scene->def.limits, cable_of(scene)->diameter, c->cables, f, c->limit[k]);
+        c->n_limits = limits_judge(&scene->def.limits, bundle_diameter(&scene->def), scene->def.bundle.shape.thickest,
+                                   f, c->limit[k]);
     }
 }
 
@@ -208,7 +172,7 @@ static hawser_status plan_fill(const Scene *scene, double start_tension, Calcula
                     .stretch = c->stretches.stretch,
                     .reel_length = def->theory.reel,
                     .rope_length = def->theory.rope,
-                    .back_tension = fmax(0, c->cables * start_tension),
+                    .back_tension = fmax(0, start_tension),
                     .rope_force = def->drag.force,
                     .spacing = c->spacing,
                     .guides = c->guides};
@@ -247,7 +211,7 @@ static void pulled_set(Calculator *c)
 
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err)
 {
-    *out = (Calculator){.cables = scene->def.theory.cables};
+    *out = (Calculator){.cables = scene->def.bundle.shape.cables};
     hawser_status status = cables_set(scene, out, err);
     if (!status) status = spacings_find(scene, out, err);
     if (!status) status = plan_fill(scene, start_tension, out, err);

@@ -33,8 +33,8 @@ typedef struct Calculator {
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
 } Calculator;
 
-/* start_tension: N, of one cable where the pull begins, whichever way. Errors: INPUT (cables that do not fit into a
- * duct, and as plan_build), MEMORY. Give it back with calculator_free, also after an error. The scene must stay. */
+/* start_tension: N, of all cables where the pull begins, whichever way. Errors: INPUT (as plan_build), MEMORY. Give
+ * it back with calculator_free, also after an error. The scene must stay. */
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err);
 void calculator_free(Calculator *c);
 

@@ -4,6 +4,7 @@
 #ifndef HAWSER_SIM_RUN_SIM_H
 #define HAWSER_SIM_RUN_SIM_H
 
+#include "sim/expected/bundle_terms.h"
 #include "sim/run/modes.h"
 #include "sim/run/stage.h"
 #include "sim/watch/events.h"
@@ -23,6 +24,7 @@ typedef struct hawser_sim {
     Machines machines;
     Peaks peaks;
     Expected expected;
+    BundleTerms bundle;
     ByPosition by_position;
     EventLog events;
     hawser_relaxation relaxation;
