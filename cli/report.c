@@ -131,7 +131,7 @@ static void report_machines(const hawser_summary *s)
 static void report_bundle(const hawser_bundle *b)
 {
     if (!b) return;
-    printf("\nBundle: %s taken as one cable, %.4g kg/m, EA %.4g MN, EI %.4g and GJ %.4g N m2, %.4g mm round it\n",
+    printf("\nBundle: %s taken as one cable, %.4g kg/m, EA %.4g MN, EI %.4g and GJ %.4g N m2, touching with %.4g mm\n",
            b->name, b->mass_kg_per_m, b->EA_N / 1e6, b->EI_N_m2, b->GJ_N_m2, 1e3 * b->diameter_m);
     for (int i = 0; i < b->n_ducts; i++) {
         const hawser_bundle_duct *d = &b->ducts[i];

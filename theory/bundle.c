@@ -50,7 +50,7 @@ hawser_status bundle_shape(const BundleSet *set, BundleShape *out, hawser_error 
     }
     if (out->cables >= 3) out->jam_diameter = (out->diameter + nth_diameter(set, 1) + nth_diameter(set, 2)) / 3;
     const double effective = sqrt(out->diameter * out->diameter + out->thinner_square / out->thickest);
-    out->circle = effective * duct_circle(out->thickest);
+    out->touch = set->twisted ? effective * duct_circle(out->thickest) : out->diameter;
     out->pitch_radius = effective * pitch_ratio(out->thickest);
     out->share = set->twisted ? 1 : 1.0 / out->thickest;
     return HAWSER_OK;

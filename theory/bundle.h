@@ -27,7 +27,7 @@ typedef struct BundleShape {
     double diameter;       /* m, the largest */
     double thinner_square; /* m2, sum of the squares of the others' diameters */
     double jam_diameter;   /* m, mean of the three thickest; 0: there are no three */
-    double circle;         /* m, diameter of the circle round them: what the bundle touches with (BU6) */
+    double touch;          /* m, diameter with which the bundle touches what it lies on (BU6) */
     double pitch_radius;   /* m, from the bundle's middle to its cables' (BU3) */
     double share;          /* of a force across the bundle, on the worst cable where there is no duct (BU9) */
 } BundleShape;

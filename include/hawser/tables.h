@@ -126,10 +126,10 @@ typedef struct hawser_bundle {
     const char *name;              /* "3 x phase + 1 x earth" */
     const char *weight_correction; /* where the weight factor counts: "everywhere", "straights", "none" */
     double mass_kg_per_m, EA_N, GA_N, GJ_N_m2, EI_N_m2; /* of all together, free to slide on each other */
-    double diameter_m;                                  /* of the circle round them: what touches rollers and floors */
-    double lay_m;                                       /* NAN: not twisted */
-    double share; /* of a force across the bundle, on the worst cable, where there is no duct */
-    int pulled;   /* cables that count for the allowable pull */
+    double diameter_m; /* with which it touches: of the thickest, of twisted ones that of the circle round them */
+    double lay_m;      /* NAN: not twisted */
+    double share;      /* of a force across the bundle, on the worst cable, where there is no duct */
+    int pulled;        /* cables that count for the allowable pull */
     int n_ducts;
     const hawser_bundle_duct *ducts; /* [n_ducts] */
 } hawser_bundle;

@@ -165,7 +165,7 @@ static hawser_status bundle_room(const CaseReader *r, const CaseNode *node, Surf
     if (bundle_in(r->def, out, &load, &why)) {
         return case_key_error(r->err, node, "radius", "duct '%s': %s", out->name, why.message);
     }
-    out->shape.radius = r->def->bundle.shape.circle / 2 + load.room;
+    out->shape.radius = r->def->bundle.shape.touch / 2 + load.room;
     return HAWSER_OK;
 }
 

@@ -72,7 +72,7 @@ static void cable_add(const BundleDef *b, const CableDef *one, int n, CableDef *
 static CableDef equivalent_make(const SceneDef *def)
 {
     const BundleDef *const b = &def->bundle;
-    CableDef sum = {.diameter = b->shape.circle, .damping = 1};
+    CableDef sum = {.diameter = b->shape.touch, .damping = 1};
     for (int k = 0; k < b->set.kinds; ++k) cable_add(b, &def->cables[b->member[k]], b->set.count[k], &sum);
     const double stiffness[COMPONENTS] = {sum.ea, sum.ga, sum.ga, sum.gj, sum.ei_y, sum.ei_z};
     for (int c = 0; c < COMPONENTS; ++c) sum.damping_factor[c] /= stiffness[c];
