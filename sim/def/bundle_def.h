@@ -38,4 +38,14 @@ double bundle_share(const struct SceneDef *def, const struct SurfaceDef *surface
  * twisted. */
 int bundle_tails(const BundleDef *bundle);
 
+/* What is said of a bundle: every term of the cable that stands for it, and how it lies in each duct. */
+typedef struct BundleTerms {
+    hawser_bundle said;       /* cables 0: there is no bundle */
+    hawser_bundle_duct *duct; /* [said.n_ducts] owned */
+} BundleTerms;
+
+/* Borrows the definition's names. Errors: MEMORY. Give it back with bundle_terms_free, also after an error. */
+hawser_status bundle_terms_make(const struct SceneDef *def, BundleTerms *out, hawser_error *err);
+void bundle_terms_free(BundleTerms *terms);
+
 #endif

@@ -44,7 +44,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
-    if (!status) status = bundle_terms_make(scene, &s->bundle, err);
+    if (!status) status = bundle_terms_make(&scene->def, &s->bundle, err);
     if (!status && !scene->rod->present) {
         status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     }

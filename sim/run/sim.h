@@ -4,7 +4,6 @@
 #ifndef HAWSER_SIM_RUN_SIM_H
 #define HAWSER_SIM_RUN_SIM_H
 
-#include "sim/expected/bundle_terms.h"
 #include "sim/run/modes.h"
 #include "sim/run/stage.h"
 #include "sim/watch/events.h"

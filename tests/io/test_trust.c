@@ -184,7 +184,8 @@ static void energy_lost(void **state)
 static void several_cables(void **state)
 {
     (void)state;
-    const char *const three[] = {"theory", "{cables: 3}", "surfaces.ducts.0.radius", "70 mm", "chain.0.length", "10 m", NULL};
+    const char *const three[] = {"theory", "{cables: 3}", "surfaces.ducts.0.radius", "70 mm", "chain.0.length",
+                                 "10 m",   NULL};
     Judged one = judge(data_text("trust-duct"), NULL, HAWSER_OK), j = judge(data_text("trust-duct"), three, HAWSER_OK);
     check_above(j.found, -1);
     check_above(j.sum.reference_total_N, 3 * one.sum.reference_total_N);
