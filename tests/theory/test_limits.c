@@ -192,7 +192,8 @@ static void ducts(void **state)
     }
     /* two cables do not jam */
     limits_duct(&def, 2, NULL, NULL, f);
-    limits_duct(&def, 2, "wide", &wide, f);
+    const DuctLoad two = {.jam_ratio = 3.7, .clearance = 0.02, .fill = 0.3};
+    limits_duct(&def, 2, "wide", &two, f);
     assert_int_equal(limits_judge(&def, 0.08, 2, f, out), 2);
     check_close(out[1].limit, 0.31, 0);
 }
