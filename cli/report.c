@@ -127,6 +127,23 @@ static void report_machines(const hawser_summary *s)
     }
 }
 
+/* What the one cable that was computed stands for: its terms, then a line a duct. */
+static void report_bundle(const hawser_bundle *b)
+{
+    if (!b) return;
+    printf("\nBundle: %s taken as one cable, %.4g kg/m, EA %.4g MN, EI %.4g and GJ %.4g N m2, touching with %.4g mm\n",
+           b->name, b->mass_kg_per_m, b->EA_N / 1e6, b->EI_N_m2, b->GJ_N_m2, 1e3 * b->diameter_m);
+    for (int i = 0; i < b->n_ducts; i++) {
+        const hawser_bundle_duct *d = &b->ducts[i];
+        printf(
+            "  %s: %s, weight factor %.4g (%s), so friction %.4g, in bends %.4g; the worst cable bears %.3g of T/R\n",
+            d->name, d->layout, d->weight_factor, b->weight_correction, d->friction_straight, d->friction_bend,
+            d->sidewall_factor);
+        printf("  %*s  jam ratio %.3g (risk %s), clearance %.3g mm, fill %.3g %%, room %.3g mm\n", (int)strlen(d->name),
+               "", d->jam_ratio, d->jam_risk, 1e3 * d->clearance_m, 100 * d->fill, 1e3 * d->room_m);
+    }
+}
+
 /* Trips and what followed. */
 static void report_events(const hawser_summary *s)
 {
@@ -261,6 +278,7 @@ void report_run(hawser_sim *s, const char *dir)
     } else {
         report_pull(&sum);
     }
+    report_bundle(sum.bundle);
     report_machines(&sum);
     report_events(&sum);
     report_rollers(s);

@@ -217,7 +217,7 @@ void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctL
         jam->absent = room->absent = fill->absent = 1;
         return;
     }
-    if (cables == 3) {
+    if (load->jam_risk != JAM_NONE) {
         duct_worse(jam_distance(def, load->jam_ratio) < jam_distance(def, jam->value), load->jam_ratio, cables, name,
                    jam);
     }

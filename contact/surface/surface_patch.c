@@ -217,7 +217,7 @@ void surface_patches(const SurfaceShape *shape, const Route *route, int surface,
         }
     }
     for (SurfacePatch *p = patch; p < out; ++p) {
-        p->surface = surface;
+        p->surface = p->law = surface;
         p->face = (int)(p - patch) % faces_of(shape);
     }
 }

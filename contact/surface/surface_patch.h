@@ -35,6 +35,7 @@ typedef struct SurfaceFade {
 
 typedef struct SurfacePatch {
     int surface, face; /* of its cross-section, below SURFACE_FACES_MAX (surface_data.h) */
+    int law;           /* which of the model's friction laws: by surface_patches the surface's number */
     /* the way: s runs along it from its start */
     double s0, length;   /* m along the route at the start (NAN: none); m, 0: without end */
     Vec3 start, tangent; /* m; unit, at the start */

@@ -211,6 +211,7 @@ typedef struct hawser_summary {
     int n_machines;
     const hawser_machine *machines; /* [n_machines], as hawser_sim_machines gives them */
     const hawser_balance *balance;  /* from t = 0 until now; NULL where nothing has moved */
+    const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
 } hawser_summary;
 
 void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);

@@ -58,6 +58,21 @@ static const Column surface_column[] = {
     {COLUMN("clearance_mm", NUMBER, SurfaceRow, clearance), .label = "clearance, mm", .decimals = 1},
 };
 
+/* How several cables lie in a duct. */
+static const Column bundle_column[] = {
+    {COLUMN("name", TEXT, hawser_bundle_duct, name), .label = "duct"},
+    {COLUMN("layout", TEXT, hawser_bundle_duct, layout), .label = "lie as"},
+    {COLUMN("weight_factor", NUMBER, hawser_bundle_duct, weight_factor), .label = "weight factor", .decimals = 4},
+    {COLUMN("friction_straight", NUMBER, hawser_bundle_duct, friction_straight), .label = "friction", .decimals = 4},
+    {COLUMN("friction_bend", NUMBER, hawser_bundle_duct, friction_bend), .label = "in bends", .decimals = 4},
+    {COLUMN("sidewall_factor", NUMBER, hawser_bundle_duct, sidewall_factor), .label = "worst share", .decimals = 4},
+    {COLUMN("jam_ratio", NUMBER, hawser_bundle_duct, jam_ratio), .label = "jam ratio", .decimals = 3},
+    {COLUMN("jam_risk", TEXT, hawser_bundle_duct, jam_risk), .label = "risk of jamming"},
+    {COLUMN("clearance_m", NUMBER, hawser_bundle_duct, clearance_m), .label = "clearance, m", .decimals = 4},
+    {COLUMN("fill", NUMBER, hawser_bundle_duct, fill), .label = "fill", .decimals = 3},
+    {COLUMN("room_m", NUMBER, hawser_bundle_duct, room_m), .label = "room, m", .decimals = 4},
+};
+
 /* A place that asks for short segments. */
 typedef struct MeshRow {
     char where[96];
@@ -196,6 +211,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
          cell_number(pulls ? profile_value(&def->winch.tension, end) : NAN)},
         {"tail_tension_N", "tail tension at the end", "N", cell_number(profile_value(&def->tail.tension, end))},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
+        {"cables", "cables pulled together", "", cell_number(def->bundle.shape.cables)},
         {"paper_total_N", "winch force, paper's formulas", "N", cell_number(s->paper_total_N)},
         {"reference_total_N", "winch force, reference", "N", cell_number(s->reference_total_N)},
         {"duration_s", "to be simulated", "s", cell_number(end)},
@@ -208,6 +224,9 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"route", "Route", COLUMNS(RouteRow, route_column), def->rod.present ? 0 : d->route.n, d->leg},
         {"surfaces", "Ducts, trays, floors and walls", COLUMNS(SurfaceRow, surface_column), def->n_surfaces,
          d->surface},
+        {"bundle", "How the cables lie that the first of the chain stands for",
+         COLUMNS(hawser_bundle_duct, bundle_column), s->bundle ? s->bundle->n_ducts : 0,
+         s->bundle ? s->bundle->ducts : NULL},
         {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
     };
     Table tables[sizeof all / sizeof *all];

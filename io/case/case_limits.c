@@ -1,9 +1,7 @@
 /* What theory adds to the scene, and what is allowed. */
 #include "io/case/case_parts.h"
-#include "theory/duct.h"
 
 /* In the order of the enumerations that they stand for. */
-static const char *const layouts[] = {"auto", "single", "pair", "triangle", "cradle", "diamond", NULL};
 static const char *const codes[] = {"paper", "tb889", NULL};
 static const char *const wears[] = {"cable", "place", NULL};
 static const char *const practices[] = {"chinese", "fujikura", "aeic", "rollers", NULL};
@@ -14,7 +12,7 @@ static const char *const sheaths[] = {"pe", "xlpe", NULL};
 /* Straight into TheoryDef. */
 static const CaseKey theory_keys[] = {
     {"cables", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(TheoryDef, cables)},
-    {"layout", KEY_CHOICE, .fallback = "auto", .choices = layouts, AT(TheoryDef, layout)},
+    {"layout", KEY_CHOICE, .fallback = "auto", .choices = case_layouts, AT(TheoryDef, layout)},
     {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, reel)},
     {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, rope)},
     {"rope_mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "the chain's rope, if it has one", FROM(0, 1e6),
@@ -72,17 +70,11 @@ static const CaseKey limits_keys[] = {
 };
 SECTION(case_limits, "limits", limits_keys);
 
-/* The layout must belong to the number of cables; whether it holds in a duct, the calculation says. */
+/* Its cables and their layout were read as a bundle (case_bundle_read). */
 hawser_status case_theory_read(CaseReader *r, const CaseNode *node)
 {
-    static const int cables[] = {0, 1, 2, 3, 3, 4};
-    TheoryDef *const theory = &r->def->theory;
-    const hawser_status status = case_section_read(r, node, &case_theory, theory);
-    if (status) return status;
-    const int of = cables[theory->layout];
-    if (of == 0 || of == theory->cables) return case_planner_read(r, node);
-    return case_key_error(r->err, case_node_key(node, "layout"), NULL, "a %s is of %d cables, but 'cables' is %d",
-                          duct_layout_name((DuctLayout)theory->layout), of, theory->cables);
+    const hawser_status status = case_section_read(r, node, &case_theory, &r->def->theory);
+    return status ? status : case_planner_read(r, node);
 }
 
 /* Of two keys that say the same thing one is enough. */

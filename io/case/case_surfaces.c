@@ -156,10 +156,27 @@ static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, con
     return HAWSER_OK;
 }
 
+/* The equivalent cable's duct: as much wider than it as the bundle's middle can move (BU8). */
+static hawser_status bundle_room(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
+{
+    hawser_error why = {.message = ""};
+    DuctLoad load;
+    out->bore = out->shape.radius;
+    if (bundle_in(r->def, out, &load, &why)) {
+        return case_key_error(r->err, node, "radius", "duct '%s': %s", out->name, why.message);
+    }
+    out->shape.radius = r->def->bundle.shape.touch / 2 + load.room;
+    return HAWSER_OK;
+}
+
 static hawser_status duct_finish(const CaseReader *r, const CaseNode *node, int resting, SurfaceDef *out)
 {
     SurfaceShape *const s = &out->shape;
     s->kind = SURFACE_DUCT;
+    if (bundle_present(&r->def->bundle)) {
+        const hawser_status fits = bundle_room(r, node, out);
+        if (fits) return fits;
+    }
     if (s->radius <= s->cable_radius) {
         return case_key_error(r->err, node, "radius",
                               "%g m is too small: must be above the largest cable's radius, %g m", s->radius,

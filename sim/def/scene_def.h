@@ -12,6 +12,7 @@
 #include "core/route.h"
 #include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
+#include "sim/def/bundle_def.h"
 #include "sim/def/cable_def.h"
 #include "sim/def/flight_def.h"
 #include "sim/def/output_def.h"
@@ -68,6 +69,8 @@ typedef struct SurfaceDef {
     char name[NAME_MAX_LENGTH];
     SurfaceShape shape;
     FrictionLaw friction;
+    double bore; /* m, inside radius of a duct in which shape.radius is that of the room for the bundle's middle and the
+                  * equivalent cable (BU8); 0: they are the same */
 } SurfaceDef;
 
 typedef struct LeadInDef {
@@ -152,6 +155,7 @@ typedef struct SceneDef {
     CableDef *cables;
     int n_pieces;
     ChainPieceDef *pieces;
+    BundleDef bundle; /* what the cable before the eye stands for */
 
     int n_route;
     RoutePieceDef *route;
@@ -205,9 +209,10 @@ void scene_def_defaults(SceneDef *def);
 void scene_def_clear(SceneDef *def);
 /* What the cable touches of a roller. */
 Shape roller_def_shape(const RollerDef *roller);
-/* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides. */
+/* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides, a duct by the
+ * layout of the cables in it. */
 int surface_along_route(const SurfaceDef *surface);
-double surface_theory_friction(const SurfaceDef *surface);
+double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
 /* The name of the i-th thing that can jam, rollers first; NULL behind the last. */
 const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */

@@ -7,26 +7,7 @@
 
 #include "core/base/error.h"
 
-static const CableDef *cable_of(const Scene *scene)
-{
-    return &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
-}
-
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
-
-/* How the cables lie in a duct; an error names it. */
-static hawser_status duct_fill(const Scene *scene, const SurfaceDef *surface, CalculatorDuct *out, hawser_error *err)
-{
-    const DuctDef def = {.duct_diameter = 2 * surface->shape.radius,
-                         .cable_diameter = cable_of(scene)->diameter,
-                         .cables = scene->def.theory.cables,
-                         .layout = (DuctLayout)scene->def.theory.layout};
-    hawser_error why = {.message = ""};
-    out->surface = surface;
-    const hawser_status status = duct_load(&def, &out->load, &why);
-    if (!status) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT, "key 'theory.cables': duct '%s': %s", surface->name, why.message);
-}
 
 /* Stretches in which the case gives friction for theory alone: what lies there is cut at both ends (PN1). */
 static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error *err)
@@ -41,8 +22,12 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
         stretches_cut(s, def->to);
         for (int i = 0; i < s->n; ++i) {
             if (longer[i].from < def->from || longer[i].from >= def->to) continue;
-            longer[i].mu = longer[i].mu_rope = def->mu;
-            longer[i].mu_static = def->mu_s;
+            const double middle = i + 1 < s->n ? (longer[i].from + longer[i + 1].from) / 2 : longer[i].from + 1;
+            const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind == ROUTE_BEND;
+            const double correction = bundle_friction(&scene->def, surface_at(&scene->def, middle), in_bend);
+            longer[i].mu_rope = def->mu;
+            longer[i].mu = correction * def->mu;
+            longer[i].mu_static = correction * def->mu_s;
         }
     }
     for (int i = 0; i < s->n && !isnan(theory->rope_mu); ++i) longer[i].mu_rope = theory->rope_mu;
@@ -59,16 +44,7 @@ static void ends_extend(Stretches *s, double length)
     memmove(s->stretch, s->stretch + first, (size_t)s->n * sizeof *s->stretch);
 }
 
-static const DuctLoad *load_in(const Calculator *c, const SurfaceDef *surface)
-{
-    for (int i = 0; i < c->n_ducts; ++i) {
-        if (c->duct[i].surface == surface) return &c->duct[i].load;
-    }
-    return NULL;
-}
-
-/* Several cables: all their weight; in ducts more friction and an unequal share of T/R (T20), (T21), elsewhere each
- * bears its own. */
+/* How the cables lie in the ducts; what friction and weight they make is in the stretches. */
 static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -78,20 +54,13 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     if (!status) ends_extend(&c->stretches, scene->route.length);
     for (int i = 0; i < def->n_surfaces && !status; ++i) {
         if (def->surfaces[i].shape.kind != SURFACE_DUCT) continue;
-        status = duct_fill(scene, &def->surfaces[i], &c->duct[c->n_ducts++], err);
+        c->duct[c->n_ducts].surface = &def->surfaces[i];
+        status = bundle_in(def, &def->surfaces[i], &c->duct[c->n_ducts++].load, err);
     }
     c->mu_least = INFINITY;
     for (int i = 0; i < c->stretches.n && !status; ++i) {
-        PullStretch *const s = &c->stretches.stretch[i];
-        c->mu_least = fmin(c->mu_least, s->mu);
-        c->mu_largest = fmax(c->mu_largest, s->mu);
-        const double to = i + 1 < c->stretches.n ? s[1].from : scene->route.length, middle = (s->from + to) / 2;
-        const DuctLoad *const load = load_in(c, surface_at(def, middle));
-        s->weight *= c->cables;
-        s->share = load ? load->sidewall_factor : 1.0 / c->cables;
-        if (!load) continue;
-        s->mu *= load->weight_factor;
-        s->mu_static *= load->weight_factor;
+        c->mu_least = fmin(c->mu_least, c->stretches.stretch[i].mu_rope);
+        c->mu_largest = fmax(c->mu_largest, c->stretches.stretch[i].mu_rope);
     }
     return status;
 }
@@ -224,7 +193,8 @@ static void limits_set(const Scene *scene, Calculator *c)
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
             limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
-        c->n_limits = limits_judge(&scene->def.limits, cable_of(scene)->diameter, c->cables, f, c->limit[k]);
+        c->n_limits = limits_judge(&scene->def.limits, bundle_diameter(&scene->def), scene->def.bundle.shape.thickest,
+                                   f, c->limit[k]);
     }
 }
 
@@ -273,7 +243,7 @@ static void plan_set(const Scene *scene, double start_tension, Calculator *c)
     const TheoryDef *const theory = &scene->def.theory;
     c->def.reel_length = theory->reel;
     c->def.rope_length = theory->rope;
-    c->def.back_tension = fmax(0, c->cables * start_tension);
+    c->def.back_tension = fmax(0, start_tension);
     c->def.feed = theory->feed;
     c->def.rope_force = scene->def.drag.force;
     c->def.rope_weight = rope_weight(&scene->def);
@@ -320,7 +290,7 @@ enum { HEAD_PLACES = 40 }; /* of the head between the ends of the route, at leas
 
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err)
 {
-    *out = (Calculator){.cables = scene->def.theory.cables, .route = &scene->route};
+    *out = (Calculator){.cables = scene->def.bundle.shape.cables, .route = &scene->route};
     hawser_status status = cables_set(scene, out, err);
     if (!status) status = spacings_find(scene, out, err);
     if (!status) status = steps_set(&scene->def.theory, 0, out, err);

@@ -49,8 +49,8 @@ typedef struct Calculator {
     int best; /* the way that keeps the limits better; without limits the one that needs less force */
 } Calculator;
 
-/* start_tension: N, of one cable where the pull begins, whichever way. Errors: INPUT (cables that do not fit into a
- * duct, and as plan_build), MEMORY. Give it back with calculator_free, also after an error. The scene must stay. */
+/* start_tension: N, of all cables where the pull begins, whichever way. Errors: INPUT (as plan_build), MEMORY. Give
+ * it back with calculator_free, also after an error. The scene must stay. */
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err);
 void calculator_free(Calculator *c);
 /* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */

@@ -163,16 +163,16 @@ typedef struct Walk {
     double tension; /* N, at the end of the leg before */
 } Walk;
 
-static double friction_at(const SceneDef *def, double s)
+static double friction_on(const SceneDef *def, const RoutePiece *leg)
 {
-    const SurfaceDef *const surface = surface_at(def, s);
-    return surface ? surface_theory_friction(surface) : def->friction.mu_d;
+    const SurfaceDef *const surface = surface_at(def, leg->s0 + leg->length / 2);
+    return surface ? surface_theory_friction(def, surface, leg->kind == ROUTE_BEND) : def->friction.mu_d;
 }
 
 /* The pulling theory in one line a leg: friction on the weight, rise, capstan; never below the weight of a metre. */
 static void walk_leg(Walk *w, const RoutePiece *leg)
 {
-    const double mu = friction_at(w->def, leg->s0 + leg->length / 2);
+    const double mu = friction_on(w->def, leg);
     const double rise = route_at(w->route, leg->s0 + leg->length).position.z - leg->start.z;
     if (leg->kind == ROUTE_BEND) w->tension *= exp(mu * leg->angle);
     w->tension =
@@ -283,7 +283,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg)
                    .bending_length = sqrt(fmax(cable->ei_y, cable->ei_z) / w->tension),
                    .diameter = cable->diameter,
                    .weight = cable->mass * v3_norm(def->gravity),
-                   .mu = friction_at(def, bend->s0 + bend->length / 2),
+                   .mu = friction_on(def, bend),
                    .impact = surface ? def->line_impact : def->impact};
     if (!def->winch.present) { /* nothing is pulled: only the shape counts */
         p.wrapped = WRAPPED;

@@ -44,6 +44,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
+    if (!status) status = bundle_terms_make(&scene->def, &s->bundle, err);
     if (!status && !scene->rod->present) {
         status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     }
@@ -87,6 +88,7 @@ Sim *sim_free(Sim *s)
     events_free(&s->events);
     passing_free(&s->passing);
     expected_free(&s->expected);
+    bundle_terms_free(&s->bundle);
     by_position_free(&s->by_position);
     sample_free(&s->look);
     probes_free(&s->probes);
@@ -353,7 +355,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                          .n_events = s->events.n,
                          .events = s->events.event,
                          .n_machines = s->machines.n,
-                         .machines = s->machines.out};
+                         .machines = s->machines.out,
+                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);

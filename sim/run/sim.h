@@ -23,6 +23,7 @@ typedef struct hawser_sim {
     Machines machines;
     Peaks peaks;
     Expected expected;
+    BundleTerms bundle;
     ByPosition by_position;
     EventLog events;
     hawser_relaxation relaxation;

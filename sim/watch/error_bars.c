@@ -40,7 +40,7 @@ static double friction_most(const Scene *scene)
 {
     double most = 0;
     for (int r = 0; r < scene->contact.n_rollers; ++r) most = fmax(most, scene->contact.roller[r].friction.mu_d);
-    for (int k = 0; k < scene->def.n_surfaces; ++k) most = fmax(most, scene->def.surfaces[k].friction.mu_d);
+    for (int k = 0; k < 2 * scene->def.n_surfaces; ++k) most = fmax(most, scene->surfaces.friction[k].mu_d);
     return most;
 }
 

@@ -15,8 +15,9 @@ static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Sc
     Finding f = finding_at(&scene->route, peaks->sidewall.value, peaks->sidewall.at);
     for (int i = 0; i < stats->n_surfaces; ++i) {
         const hawser_surface *const s = &stats->surface_out[i];
-        if (!(s->line_load_N_per_m > f.value)) continue;
-        f.value = s->line_load_N_per_m;
+        const double worst = s->line_load_N_per_m * bundle_share(&scene->def, &scene->def.surfaces[i]);
+        if (!(worst > f.value)) continue;
+        f.value = worst;
         snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->line_load_at_m, s->name);
     }
     if (!(f.value > 0)) *f.where = 0;
@@ -82,22 +83,21 @@ static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const Expec
 }
 
 /* How the cables lie in the ducts; one in which they do not fit says nothing of itself. (LI8) */
-static void duct_findings(const Scene *scene, double diameter, Finding f[LIMIT_KINDS])
+static void duct_findings(const SceneDef *def, Finding f[LIMIT_KINDS])
 {
-    const SceneDef *const def = &scene->def;
-    limits_duct(&def->limits, def->theory.cables, NULL, NULL, f);
+    const int cables = def->bundle.shape.cables;
+    limits_duct(&def->limits, cables, NULL, NULL, f);
     for (int i = 0; i < def->n_surfaces; ++i) {
         const SurfaceDef *const surface = &def->surfaces[i];
-        const DuctDef duct = {2 * surface->shape.radius, diameter, def->theory.cables, (DuctLayout)def->theory.layout};
         DuctLoad load;
-        if (surface->shape.kind == SURFACE_DUCT && !duct_load(&duct, &load, NULL))
-            limits_duct(&def->limits, def->theory.cables, surface->name, &load, f);
+        if (surface->shape.kind == SURFACE_DUCT && !bundle_in(def, surface, &load, NULL))
+            limits_duct(&def->limits, cables, surface->name, &load, f);
     }
 }
 
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, hawser_limit *out)
 {
-    const CableDef *const cable = &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
+    const SceneDef *const def = &scene->def;
     Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}};
     if (!peaks->present) return 0;
     if (peaks->recorded > 0) {
@@ -114,6 +114,6 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
-    duct_findings(scene, cable->diameter, f);
-    return limits_judge(&scene->def.limits, cable->diameter, 1, f, out);
+    duct_findings(def, f);
+    return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);
 }

@@ -5,21 +5,18 @@
 
 #include "core/base/error.h"
 #include "core/base/worst.h"
-#include "theory/duct.h"
 
-/* Clearance and jam ratio of a duct with one cable in it; the sizes were checked when the case was read. */
-static void duct_fill(const SurfaceDef *def, hawser_surface *out)
+/* Clearance and jam ratio of a duct with the cables in it; the sizes were checked when the case was read. */
+static void duct_fill(const SceneDef *scene, const SurfaceDef *def, hawser_surface *out)
 {
-    const DuctDef duct = {
-        .duct_diameter = 2 * def->shape.radius, .cable_diameter = 2 * def->shape.cable_radius, .cables = 1};
     DuctLoad load;
     out->clearance_m = out->jam_ratio = NAN;
-    if (def->shape.kind != SURFACE_DUCT || duct_load(&duct, &load, NULL)) return;
+    if (def->shape.kind != SURFACE_DUCT || bundle_in(scene, def, &load, NULL)) return;
     out->clearance_m = load.clearance;
     out->jam_ratio = load.jam_ratio;
 }
 
-static hawser_surface surface_row(const SurfaceDef *def)
+static hawser_surface surface_row(const SceneDef *scene, const SurfaceDef *def)
 {
     static const char *const kinds[] = {"duct", "flat", "v", "u", "plane"};
     const int along = surface_along_route(def);
@@ -28,7 +25,7 @@ static hawser_surface surface_row(const SurfaceDef *def)
                           .from_m = along ? def->shape.from : NAN,
                           .to_m = along ? def->shape.to : NAN,
                           .line_load_at_m = NAN};
-    duct_fill(def, &row);
+    duct_fill(scene, def, &row);
     return row;
 }
 
@@ -64,7 +61,7 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
                                                .shift_m = NAN,
                                                .peak_shift_m = NAN};
     }
-    for (int i = 0; i < def->n_surfaces; ++i) stats->surface_out[i] = surface_row(&def->surfaces[i]);
+    for (int i = 0; i < def->n_surfaces; ++i) stats->surface_out[i] = surface_row(def, &def->surfaces[i]);
     return HAWSER_OK;
 }
 

@@ -336,12 +336,6 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add_rest(&list, f);
     if (f->balance) add_books(&list, f);
     add_places(&list, f);
-    if (scene->def.theory.cables > 1) {
-        add(&list, "bundle", "1", scene->def.theory.cables, 1,
-            "theory.cables is %d, but the run pulls one cable: give it the bundle's mass, stiffness and friction, or "
-            "judge by `hawser theory`",
-            scene->def.theory.cables);
-    }
     add_mesh(&list, scene);
     add_friction_speed(&list, scene);
     if (!dynamic) return list.n;

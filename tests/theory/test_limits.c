@@ -167,9 +167,9 @@ static void ducts(void **state)
 {
     (void)state;
     const LimitsDef def = given();
-    const DuctLoad wide = {.jam_ratio = 3.7, .clearance = 0.02, .fill = 0.3},
-                   high = {.jam_ratio = 3.1, .clearance = 0.03, .fill = 0.2},
-                   tight = {.jam_ratio = 2.3, .clearance = 0.005, .fill = 0.45};
+    const DuctLoad wide = {.jam_risk = JAM_SMALL, .jam_ratio = 3.7, .clearance = 0.02, .fill = 0.3},
+                   high = {.jam_risk = JAM_SMALL, .jam_ratio = 3.1, .clearance = 0.03, .fill = 0.2},
+                   tight = {.jam_risk = JAM_SMALL, .jam_ratio = 2.3, .clearance = 0.005, .fill = 0.45};
     Finding f[LIMIT_KINDS] = {{0}};
     hawser_limit out[HAWSER_LIMITS_MAX];
     for (int k = 0; k < LIMIT_JAM; k++) f[k].absent = 1;
@@ -192,7 +192,8 @@ static void ducts(void **state)
     }
     /* two cables do not jam */
     limits_duct(&def, 2, NULL, NULL, f);
-    limits_duct(&def, 2, "wide", &wide, f);
+    const DuctLoad two = {.jam_ratio = 3.7, .clearance = 0.02, .fill = 0.3};
+    limits_duct(&def, 2, "wide", &two, f);
     assert_int_equal(limits_judge(&def, 0.08, 2, f, out), 2);
     check_close(out[1].limit, 0.31, 0);
 }
