@@ -58,6 +58,14 @@ static const Column surface_column[] = {
     {COLUMN("clearance_mm", NUMBER, SurfaceRow, clearance), .label = "clearance, mm", .decimals = 1},
 };
 
+/* What the case did not say itself. */
+static const Column assumption_column[] = {
+    {COLUMN("key", CHARS, hawser_assumption, key), .label = "key"},
+    {COLUMN("value", CHARS, hawser_assumption, value), .label = "value"},
+    {COLUMN("origin", TEXT, hawser_assumption, origin), .label = "origin"},
+    {COLUMN("source", CHARS, hawser_assumption, source), .label = "from"},
+};
+
 /* A place that asks for short segments. */
 typedef struct MeshRow {
     char where[96];
@@ -209,6 +217,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"surfaces", "Ducts, trays, floors and walls", COLUMNS(SurfaceRow, surface_column), def->n_surfaces,
          d->surface},
         {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
+        {"assumptions", "Given, from the catalogue, estimated", COLUMNS(hawser_assumption, assumption_column),
+         def->n_assumptions, def->assumptions},
     };
     Table tables[sizeof all / sizeof *all];
     int n = 0;

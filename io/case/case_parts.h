@@ -5,6 +5,7 @@
 #define HAWSER_IO_CASE_CASE_PARTS_H
 
 #include "io/schema/case_schema.h"
+#include "theory/stiffness.h"
 
 enum {
     CASE_SEGMENTS_MAX = 200000,
@@ -24,6 +25,12 @@ extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, c
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
 hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, CableDef *cable);
+/* Limits that the case leaves open and the chain's own cables answer: conductor of the first piece, strength of the
+ * rope.
+ */
+hawser_status case_cables_limits(CaseReader *r, const CaseNode *node);
+/* Last: what the catalogue and estimates have put in, for the reader of the results. */
+hawser_status case_assumptions_read(CaseReader *r, const CaseNode *node);
 hawser_status case_chain_read(CaseReader *r, const CaseNode *node);
 hawser_status case_run_read(CaseReader *r, const CaseNode *node);
 /* Its chain without a route; r->route is then a straight of the chain's length. After the run, whose analysis says how
@@ -105,6 +112,8 @@ hawser_status case_paper_read(CaseReader *r, const CaseNode *node);
 hawser_status case_theory_read(CaseReader *r, const CaseNode *node);
 hawser_status case_limits_read(CaseReader *r, const CaseNode *node);
 
+/* What would be estimated of a cable (CS1). */
+StiffnessEstimate case_cable_estimate(const CableDef *cable);
 /* Length of the whole chain, m. */
 double case_chain_length(const SceneDef *def);
 /* Segments of the whole chain; the largest diameter of its cables, m. */

@@ -197,6 +197,9 @@ typedef struct SceneDef {
     SolverDef solver;
     OutputDef output;
     double duration; /* s */
+
+    int n_assumptions;
+    hawser_assumption *assumptions; /* what the case did not say itself */
 } SceneDef;
 
 /* Every default there is; docs/case-format.md lists them. */
