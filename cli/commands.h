@@ -33,6 +33,9 @@ void report_scene(const hawser_sim *s);
 /* Pull force, tension errors, speed, rollers, work, where the time went. `dir`: where the results are. */
 void report_run(hawser_sim *s, const char *dir);
 
+/* What the case did not say itself: how many values, and what an estimated EI is worth; nothing if it said all. */
+void report_assumptions(const hawser_sim *s);
+
 /* Computes the case again with finer settings, until its figures hold or `stopped` says something else than 0; writes
  * certificate.json into dir and prints its table. Returns whether the run is certified; *status: as hawser_certify. */
 int certify_run(const Arguments *args, hawser_case *c, hawser_sim *sim, const char *dir, int (*stopped)(void),

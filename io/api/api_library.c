@@ -81,7 +81,7 @@ static void estimates_say(const Units *units, const CaseNode *entry, char *text)
                             .conductor_metal = metal && case_word_place(metal, metals) > 0,
                             .conductor_cores = cores > 0 ? (int)cores : 1};
     if (!(cable.diameter > 0) || !(cable.mass > 0)) return;
-    const StiffnessEstimate e = case_cable_estimate(&cable);
+    const StiffnessEstimate e = cable_def_estimate(&cable);
     if (!case_node_key(entry, "EA")) say(text, "EA %.3g MN (factor %.2g)", e.ea / 1e6, e.ea_factor);
     if (!case_node_key(entry, "EI")) say(text, "EI %.4g N m2 (factor %.2g)", e.ei, e.ei_factor);
     if (!case_node_key(entry, "GJ")) say(text, "GJ %.4g N m2", e.gj);

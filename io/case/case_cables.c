@@ -169,18 +169,11 @@ static void estimate(CableDef *cable, double *value, double estimated, unsigned 
     cable->estimated |= which;
 }
 
-StiffnessEstimate case_cable_estimate(const CableDef *cable)
-{
-    const CableMake make = {cable->diameter, cable->mass, cable->conductor_area, cable->conductor_metal,
-                            cable->conductor_cores};
-    return stiffness_estimate(&make);
-}
-
 /* A cable without a word of the shorthand: what it does not say of its rigidities is estimated from what it says
  * (CS1) to (CS7), and noted. The shear rigidity goes with EA, the torsional one with EI, also where those are given. */
 static void cable_estimate(CableDef *cable, int bends)
 {
-    const StiffnessEstimate e = case_cable_estimate(cable);
+    const StiffnessEstimate e = cable_def_estimate(cable);
     estimate(cable, &cable->ea, e.ea, CABLE_ESTIMATED_EA);
     estimate(cable, &cable->ga, e.ga / e.ea * cable->ea, CABLE_ESTIMATED_GA);
     estimate(cable, &cable->gj, isnan(cable->ei_y) ? e.gj : e.gj / e.ei * cable->ei_y, CABLE_ESTIMATED_GJ);
@@ -203,6 +196,10 @@ static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, co
         if (isnan(cable->ei_y)) cable->ei_y = EI;
         if (isnan(cable->ei_z)) cable->ei_z = EI;
         cable_estimate(cable, bends);
+        if (!(cable->ea > 0 && cable->ga > 0 && cable->gj > 0)) { /* powers of the diameter that are 0 */
+            return case_key_error(r->err, node, "d", "%g m is too thin for an estimate: give EA, GA, GJ and EI",
+                                  cable->diameter);
+        }
     }
     hawser_status s = property(r, node, "EA", "E and A", c->E * c->A, &cable->ea);
     if (!s) s = property(r, node, "GA", "G and A", c->G * c->A, &cable->ga);

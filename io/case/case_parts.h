@@ -5,7 +5,6 @@
 #define HAWSER_IO_CASE_CASE_PARTS_H
 
 #include "io/schema/case_schema.h"
-#include "theory/stiffness.h"
 
 enum {
     CASE_SEGMENTS_MAX = 200000,
@@ -29,8 +28,6 @@ hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, Cable
  * rope.
  */
 hawser_status case_cables_limits(CaseReader *r, const CaseNode *node);
-/* Last: what the catalogue and estimates have put in, for the reader of the results. */
-hawser_status case_assumptions_read(CaseReader *r, const CaseNode *node);
 hawser_status case_chain_read(CaseReader *r, const CaseNode *node);
 hawser_status case_run_read(CaseReader *r, const CaseNode *node);
 /* Its chain without a route; r->route is then a straight of the chain's length. After the run, whose analysis says how
@@ -112,8 +109,6 @@ hawser_status case_paper_read(CaseReader *r, const CaseNode *node);
 hawser_status case_theory_read(CaseReader *r, const CaseNode *node);
 hawser_status case_limits_read(CaseReader *r, const CaseNode *node);
 
-/* What would be estimated of a cable (CS1). */
-StiffnessEstimate case_cable_estimate(const CableDef *cable);
 /* Length of the whole chain, m. */
 double case_chain_length(const SceneDef *def);
 /* Segments of the whole chain; the largest diameter of its cables, m. */

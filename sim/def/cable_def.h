@@ -2,6 +2,8 @@
 #ifndef HAWSER_SIM_DEF_CABLE_DEF_H
 #define HAWSER_SIM_DEF_CABLE_DEF_H
 
+#include "theory/stiffness.h"
+
 enum { NAME_MAX_LENGTH = 64 };
 
 /* Moment by curvature at first bending, in straight pieces from the origin, concave; the last piece goes on. Unbending
@@ -36,6 +38,9 @@ typedef struct CableDef {
     int conductor_cores;
     unsigned estimated; /* CABLE_ESTIMATED_EA and so on: what nobody gave (CS1) */
 } CableDef;
+
+/* What would be estimated of the rigidities of a cable that has a diameter and a mass (CS1) to (CS7). */
+StiffnessEstimate cable_def_estimate(const CableDef *cable);
 
 /* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */
 typedef struct ChainPieceDef {

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "io/case/case_parts.h"
 #include "io/library/library.h"
+#include "io/schema/case_schema.h"
 
 static const char GIVEN[] = "given", CATALOGUE[] = "catalogue", ESTIMATED[] = "estimated";
 
@@ -107,7 +107,7 @@ static hawser_status estimate_add(Gathering *g, const CaseNode *cable, const cha
 
 static hawser_status estimates_add(Gathering *g, const CaseNode *node, const CableDef *cable)
 {
-    const StiffnessEstimate e = case_cable_estimate(cable);
+    const StiffnessEstimate e = cable_def_estimate(cable);
     const unsigned which = cable->estimated;
     const char *const from =
         cable->conductor_area > 0 ? "diameter and conductor" : "diameter and mass, the metal taken for copper";
@@ -118,11 +118,11 @@ static hawser_status estimates_add(Gathering *g, const CaseNode *node, const Cab
                               e.ea_factor);
     }
     if (!status && which & CABLE_ESTIMATED_EI) {
-        status = estimate_add(
-            g, node, "EI", cable->ei_y, "N m2",
-            "(CS5) from %s; good within a factor of %.2g, from strands that slip to strands that stick: it "
-            "matters in bends and ducts, not for theory",
-            from, e.ei_factor);
+        status =
+            estimate_add(g, node, "EI", cable->ei_y, "N m2",
+                         "(CS5) from %s; good within a factor of %.2g, from strands that slip to strands that hold: it "
+                         "matters in bends and ducts, not for theory",
+                         from, e.ei_factor);
     }
     if (!status && which & CABLE_ESTIMATED_GJ) {
         status =
