@@ -200,6 +200,8 @@ typedef struct SceneDef {
 
     int n_assumptions;
     hawser_assumption *assumptions; /* what the case did not say itself */
+    double duration;   /* s */
+    int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
 } SceneDef;
 
 /* Every default there is; docs/case-format.md lists them. */
