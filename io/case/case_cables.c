@@ -247,10 +247,10 @@ hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
     LimitsDef *const limits = &def->limits;
+    (void)node;
+    if (!limits->present || def->n_pieces == 0) return HAWSER_OK;
     const CableDef *const cable = &def->cables[def->pieces[0].cable];
     const CableDef *const rope = &def->cables[def->pieces[def->n_pieces - 1].cable];
-    (void)node;
-    if (!limits->present) return HAWSER_OK;
     if (!(limits->area > 0) && cable->conductor_area > 0) {
         limits->metal = cable->conductor_metal;
         limits->area = cable->conductor_area;

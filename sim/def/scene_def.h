@@ -196,12 +196,11 @@ typedef struct SceneDef {
     AnalysisDef analysis;
     SolverDef solver;
     OutputDef output;
-    double duration; /* s */
+    double duration;   /* s */
+    int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
 
     int n_assumptions;
     hawser_assumption *assumptions; /* what the case did not say itself */
-    double duration;   /* s */
-    int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
 } SceneDef;
 
 /* Every default there is; docs/case-format.md lists them. */
