@@ -161,9 +161,17 @@ static int take_option(const Command *command, int letter, Arguments *args)
     }
 }
 
-/* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case. */
+/* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case;
+ * or up to two, of the catalogue. */
 static int take_case(const Command *command, int argc, char **argv, Arguments *args)
 {
+    if (strchr(command->options, '+')) {
+        if (optind < argc) args->kind = argv[optind++];
+        if (optind < argc) args->filter = argv[optind++];
+        if (optind == argc) return ARGUMENTS_GO_ON;
+        complain("%s takes a kind and a pattern; what is '%s'?", command->name, argv[optind]);
+        return EXIT_USAGE;
+    }
     if (strchr(command->options, '-')) {
         if (optind == argc) return ARGUMENTS_GO_ON;
         complain("%s takes no case file; what is '%s'?", command->name, argv[optind]);

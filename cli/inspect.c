@@ -35,6 +35,15 @@ static const char validate_help[] =
     "Exit status: 0 all are within their tolerances; 1 one is outside; 5 no memory;\n"
     "2 no case has such a name, or the command line is wrong.\n";
 
+static const char library_help[] =
+    "Usage: hawser library [KIND [PATTERN]] [options]\n"
+    "\n"
+    "Lists the catalogue, to which a case refers by 'type: NAME': figures, ranges, marks and sources. KIND is cables,\n"
+    "ropes, rollers, ducts or friction; PATTERN a part of the names. docs/library.md says more.\n"
+    "\n" FORMAT "\n"
+    "The files are in share/hawser/library beside the program, or where the environment's HAWSER_LIBRARY says.\n"
+    "Exit status: 0 done; 2 there is no such kind or name, or no catalogue.\n";
+
 typedef hawser_status (*Describe)(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 
 /* Loads the case, asks the library for its text and prints that. */
@@ -71,6 +80,18 @@ static int validate(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
+static int library(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    char *text = NULL;
+    const hawser_status status = hawser_library(args->kind, args->filter, args->format, &text, &err);
+    if (!status) fputs(text, stdout);
+    hawser_text_free(text);
+    return finish_stdout(exit_status(status, &err));
+}
+
+const Command command_library = {"library", "lists cables, ropes, rollers, ducts and friction by name", "f+",
+                                 library_help, library};
 const Command command_check = {"check", "checks a case and prints what would be built", "sf", check_help, check};
 const Command command_theory = {"theory", "prints the theoretical tension along the route", "sf", theory_help, theory};
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fFx-", validate_help,

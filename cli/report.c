@@ -283,6 +283,7 @@ void report_run(hawser_sim *s, const char *dir)
     report_events(&sum);
     report_rollers(s);
     report_limits(n, limit);
+    report_assumptions(s);
     report_relaxation(&sum.relaxation);
     report_balance(sum.balance);
     report_work(&sum);

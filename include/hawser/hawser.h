@@ -41,7 +41,7 @@ typedef struct hawser_case hawser_case;
 
 /* Reads a YAML case file (docs/case-format.md). The file's values are not interpreted yet: settings may follow. */
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
-/* The same from text; `name` stands in for the file's name in messages. */
+/* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
 /* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0:
  * "chain.0.segment". A key that is allowed but absent is added. */
@@ -236,6 +236,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 #endif
 
 #include "hawser/certify.h"
+#include "hawser/library.h"
 #include "hawser/limits.h"
 #include "hawser/validate.h"
 

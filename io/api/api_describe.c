@@ -73,6 +73,14 @@ static const Column bundle_column[] = {
     {COLUMN("room_m", NUMBER, hawser_bundle_duct, room_m), .label = "room, m", .decimals = 4},
 };
 
+/* What the case did not say itself. */
+static const Column assumption_column[] = {
+    {COLUMN("key", CHARS, hawser_assumption, key), .label = "key"},
+    {COLUMN("value", CHARS, hawser_assumption, value), .label = "value"},
+    {COLUMN("origin", TEXT, hawser_assumption, origin), .label = "origin"},
+    {COLUMN("source", CHARS, hawser_assumption, source), .label = "from"},
+};
+
 /* A place that asks for short segments. */
 typedef struct MeshRow {
     char where[96];
@@ -228,6 +236,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
          COLUMNS(hawser_bundle_duct, bundle_column), s->bundle ? s->bundle->n_ducts : 0,
          s->bundle ? s->bundle->ducts : NULL},
         {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
+        {"assumptions", "Given, from the catalogue, estimated", COLUMNS(hawser_assumption, assumption_column),
+         def->n_assumptions, def->assumptions},
     };
     Table tables[sizeof all / sizeof *all];
     int n = 0;

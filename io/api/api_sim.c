@@ -72,6 +72,12 @@ static const char *outcome_name(const hawser_sim *s)
     return hawser_sim_end_time(s) < s->stage.scene.def.duration ? "tripped" : "finished";
 }
 
+int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
+{
+    *out = s->stage.scene.def.assumptions;
+    return s->stage.scene.def.n_assumptions;
+}
+
 /* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
@@ -88,6 +94,8 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
                             .surface = s->stats.surface_out,
                             .n_rollers = s->stats.n_rollers,
                             .roller = s->stats.roller_out,
+                            .n_assumptions = scene->def.n_assumptions,
+                            .assumption = scene->def.assumptions,
                             .n_limits = peaks_judge(&s->peaks, &s->stats, scene, &s->expected, limit),
                             .limit = limit,
                             .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),

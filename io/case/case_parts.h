@@ -25,6 +25,10 @@ extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, c
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
 hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, CableDef *cable);
+/* Limits that the case leaves open and the chain's own cables answer: conductor of the first piece, strength of the
+ * rope.
+ */
+hawser_status case_cables_limits(CaseReader *r, const CaseNode *node);
 hawser_status case_chain_read(CaseReader *r, const CaseNode *node);
 /* Several cables pulled together: from then on the chain is the cable that stands for them. */
 hawser_status case_bundle_read(CaseReader *r, const CaseNode *node);

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
+#include "io/library/library.h"
 
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
@@ -12,6 +13,7 @@ static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 /* The whole case: its title, and the sections below. */
 static const CaseKey top_keys[] = {
     {"title", KEY_TEXT, .fallback = "", AT(SceneDef, title)},
+    {"include", KEY_ANY, .otherwise = "none", .form = "a file, or a list of files"},
     {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]", FROM(0, 1e3),
      .dimension = DIM_ACCELERATION},
     {"frame", KEY_CHOICE, .fallback = "symmetric", .choices = frames, AT(SceneDef, frame)},
@@ -132,19 +134,28 @@ static const struct {
     {"paper", case_paper_read},
     {"theory", case_theory_read},
     {"limits", case_limits_read},
+    {"cables", case_cables_limits},
+    {"cables", case_assumptions_read},
 };
 
-/* The reader's own things are given back on every way out; so is the definition, if there is an error. */
+/* The reader's own things are given back on every way out; so is the definition, if there is an error. What the
+ * catalogue brings is in a copy of the tree, so that a later setting finds the case as it was written. */
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
     CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .err = err};
+    CaseNode *typed = NULL;
+    Library *library = NULL;
     scene_def_defaults(def);
-    hawser_status status = r.units ? case_section_read(&r, tree->root, &case_top, def) : error_memory(err);
+    hawser_status status = r.units ? library_expand(tree, &typed, &library, err) : error_memory(err);
+    if (typed) r.root = typed;
+    if (!status) status = case_section_read(&r, r.root, &case_top, def);
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++) {
-        status = parts[k].read(&r, case_node_key(tree->root, parts[k].key));
+        status = parts[k].read(&r, case_node_key(r.root, parts[k].key));
     }
     route_clear(&r.route);
     units_free(r.units);
+    node_free(typed);
+    library_free(library);
     if (status) scene_def_clear(def);
     return status;
 }

@@ -22,6 +22,7 @@ typedef struct Row {
 
 /* A count of 0 means that the spacing decides. */
 static const CaseKey roller_row_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(Row, places.from)},
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG), AT(Row, places.to)},
     {"count", KEY_INTEGER, .fallback = "0", FROM(0, 100000), AT(Row, places.count)},
@@ -46,6 +47,7 @@ SECTION(case_roller_row, "rollers.along", roller_row_keys);
 
 /* By coordinates: nothing is known of the route. */
 static const CaseKey roller_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"centre", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(Row, roller.centre)},
     {"axis", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(Row, roller.axis)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(Row, roller.radius)},

@@ -16,6 +16,7 @@ static const char *const tray_sections[] = {"flat", "v", "u", NULL};
 
 /* Stretches: off the route is an error, which stretch_check finds. */
 static const CaseKey duct_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(Surface, def.shape.to)},

@@ -34,6 +34,8 @@ typedef struct SummaryLabels {
     const hawser_surface *surface; /* [n_surfaces] */
     int n_rollers;
     const hawser_roller *roller; /* [n_rollers] */
+    int n_assumptions;
+    const hawser_assumption *assumption; /* [n_assumptions] */
     int n_limits;
     const hawser_limit *limit; /* [n_limits] */
     int n_overloads;

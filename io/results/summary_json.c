@@ -137,6 +137,16 @@ static const Column condition_column[] = {
 };
 static const Columns condition_columns = COLUMNS(hawser_condition, condition_column);
 
+/* What the case did not say itself. */
+static const Column assumption_column[] = {
+    {COLUMN("key", CHARS, hawser_assumption, key)},
+    {COLUMN("value", CHARS, hawser_assumption, value)},
+    {COLUMN("origin", TEXT, hawser_assumption, origin)},
+    {COLUMN("source", CHARS, hawser_assumption, source)},
+};
+static const Columns assumption_columns = COLUMNS(hawser_assumption, assumption_column);
+static int is_assumption(const void *row) { return row != NULL; }
+
 static double limit_holds(const void *row)
 {
     const hawser_limit *const l = row;
@@ -263,6 +273,7 @@ static const Column summary_column[] = {
     {COLUMN("bundle", OBJECT, Summary, s.bundle), .of = &bundle_columns},
     {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},
     {LIST("moving_rollers", Summary, l.roller, l.n_rollers, moving_columns), .keep = roller_moves},
+    {LIST("assumptions", Summary, l.assumption, l.n_assumptions, assumption_columns), .keep = is_assumption},
     {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
     {LIST("trust", Summary, s.conditions, s.n_conditions, condition_columns)},
     {COLUMN("verdict", CHARS, Summary, verdict)},

@@ -78,3 +78,10 @@ double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, i
     const double mu = surface->friction.mu_d * bundle_friction(def, surface, in_bend);
     return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
 }
+
+StiffnessEstimate cable_def_estimate(const CableDef *cable)
+{
+    const CableMake make = {cable->diameter, cable->mass, cable->conductor_area, cable->conductor_metal,
+                            cable->conductor_cores};
+    return stiffness_estimate(&make);
+}

@@ -202,6 +202,9 @@ typedef struct SceneDef {
     OutputDef output;
     double duration;   /* s */
     int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
+
+    int n_assumptions;
+    hawser_assumption *assumptions; /* what the case did not say itself */
 } SceneDef;
 
 /* Every default there is; docs/case-format.md lists them. */
