@@ -8,6 +8,7 @@
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
 static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 4; /* of what a figure wavers while a segment passes (EB1) */
+static const double STANDS = 0.1;     /* of a segment: if less passes, nothing of it is seen (EB9) */
 static const double EVERYWHERE = 0.25;                    /* of that, where only surfaces carry the cable (EB1) */
 static const double MESH = 5e-4;                          /* of any figure, which no support shows */
 static const double PAIRS = 0.005;       /* of the tension, a bend between rollers on both sides (EB6) */
@@ -91,11 +92,20 @@ static hawser_error_bar bar(double time, double mesh, double friction)
     return (hawser_error_bar){time, mesh, friction, time + mesh + friction};
 }
 
+/* What a figure wavers by while a segment passes. If less has passed than that: what was seen of it, in a straight line
+ * over a segment, or what rollers may do, if that is more (EB9). */
+static double waver(const TimeMean *figure, const ErrorShares *shares)
+{
+    if (figure->blocks > 0 || !(shares->passed > 0)) return shares->waver * mean_waver(figure);
+    const double seen = shares->waver * mean_ripple(figure) / fmin(shares->passed, 1);
+    return shares->passed < STANDS ? fmax(seen, shares->still) : seen;
+}
+
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares)
 {
     const double size = fabs(mean_of(figure));
     if (!(figure->time > 0)) return bar(NAN, NAN, NAN);
-    return bar(shares->time * size, WAVER_OF_MEAN * shares->waver * mean_waver(figure) + shares->mesh * size,
+    return bar(shares->time * size, WAVER_OF_MEAN * waver(figure, shares) + shares->mesh * size,
                shares->friction * size);
 }
 
@@ -104,5 +114,5 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double size = fabs(figure->peak);
     if (!figure->started) return bar(NAN, NAN, NAN);
     return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               WAVER_OF_PEAK * shares->waver * mean_waver(figure) + shares->mesh * size, shares->friction * size);
+               WAVER_OF_PEAK * waver(figure, shares) + shares->mesh * size, shares->friction * size);
 }

@@ -13,6 +13,8 @@ typedef struct ErrorShares {
     double time;     /* of a mean: what the books of the window leave open or have lost (EB2) */
     double step;     /* of a peak: the tolerance of a step (EB4) */
     double waver;    /* what of a figure's wavering is the mesh's (EB1) */
+    double passed;   /* of a segment, while nothing has been wavering for a whole one */
+    double still;    /* N: what a tension may waver by besides, then (EB9) */
     double mesh;     /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction; /* not yet there at the speed of the pull (EB5) */
 } ErrorShares;
