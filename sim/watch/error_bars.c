@@ -3,17 +3,15 @@
 #include <math.h>
 
 #include "sim/equipment/winch.h"
-#include "sim/expected/mesh.h"
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
-static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 4; /* of what a figure wavers while a segment passes (EB1) */
+static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
 static const double STANDS = 0.1;     /* of a segment: if less passes, nothing of it is seen (EB9) */
 static const double EVERYWHERE = 0.25;                    /* of that, where only surfaces carry the cable (EB1) */
 static const double MESH = 5e-4;                          /* of any figure, which no support shows */
-static const double PAIRS = 0.005;       /* of the tension, a bend between rollers on both sides (EB6) */
 static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
-static const double SHARPNESS = 1.5 / 8; /* of the second difference at a peak (EB4) */
+static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
 
 /* What friction lacks at a speed, of what is there (EB5). */
@@ -55,35 +53,21 @@ static double clamp_carries(const Scene *scene)
     return ENDS * def->cables[head->cable].mass * head->length / head->segments * v3_norm(def->gravity);
 }
 
-/* What the laws of segments leave out where rollers hold a bend from both sides (EB6). */
-static double pairs_share(const Mesh *mesh)
+/* Of the pull: the clamp (EB3), and what the places of the route ask of segments (ME1)-(ME7). */
+static double mesh_share(const Scene *scene, const Mesh *mesh, double pull)
 {
-    double share = 0;
-    for (int i = 0; i < mesh->n; ++i) {
-        if (mesh->place[i].pitch > 0 && !isnan(mesh->place[i].room)) share += PAIRS;
-    }
-    return share;
-}
-
-/* Of the pull: the clamp (EB3), what the places of the route ask of segments (ME1)-(ME7), and pairs of rollers. */
-static double mesh_share(const Scene *scene, double pull)
-{
-    Mesh mesh;
     int worst;
-    double share = MESH + (pull > 0 ? friction_most(scene) * clamp_carries(scene) / pull : 0);
-    if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return NAN;
-    share += mesh_given(&mesh, &scene->def, &worst) + pairs_share(&mesh);
-    mesh_free(&mesh);
-    return share;
+    const double clamp = pull > 0 ? friction_most(scene) * clamp_carries(scene) / pull : 0;
+    return MESH + clamp + mesh_given(mesh, &scene->def, pull, &worst);
 }
 
-ErrorShares error_shares(const Scene *scene, const BalanceWindow *books, double pull)
+ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull)
 {
     const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
     return (ErrorShares){.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
                          .step = TOLERANCES * scene->def.solver.accuracy,
                          .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
-                         .mesh = mesh_share(scene, pull),
+                         .mesh = mesh_share(scene, mesh, pull),
                          .friction = friction_share(scene)};
 }
 
@@ -97,7 +81,7 @@ static hawser_error_bar bar(double time, double mesh, double friction)
 static double waver(const TimeMean *figure, const ErrorShares *shares)
 {
     if (figure->blocks > 0 || !(shares->passed > 0)) return shares->waver * mean_waver(figure);
-    const double seen = shares->waver * mean_ripple(figure) / fmin(shares->passed, 1);
+    const double seen = shares->waver * mean_waver_ahead(figure, fmin(shares->passed, 1));
     return shares->passed < STANDS ? fmax(seen, shares->still) : seen;
 }
 

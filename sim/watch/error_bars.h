@@ -4,6 +4,7 @@
 #define HAWSER_SIM_WATCH_ERROR_BARS_H
 
 #include "hawser/hawser.h"
+#include "sim/expected/mesh.h"
 #include "sim/scene.h"
 #include "sim/time_mean.h"
 #include "sim/watch/balance.h"
@@ -20,7 +21,7 @@ typedef struct ErrorShares {
 } ErrorShares;
 
 /* books: NULL where nothing has moved; pull: mean of the steady window, N. */
-ErrorShares error_shares(const Scene *scene, const BalanceWindow *books, double pull);
+ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull);
 
 /* Of the mean over the steady window; of the largest value of the run. */
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares);

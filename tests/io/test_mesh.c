@@ -133,7 +133,7 @@ static void there_is_an_end_to_it(void **state)
     int worst;
     Mesh mesh = mesh_of(narrow_duct(), "chain", "[{cable: c, length: 20 km}]", &def);
     assert_int_equal(def.pieces[0].segments, MESH_SEGMENTS_MAX);
-    check_above(mesh_given(&mesh, &def, &worst), MESH_ALLOWED);
+    check_above(mesh_given(&mesh, &def, 0, &worst), MESH_ALLOWED);
     mesh_free(&mesh);
     scene_def_clear(&def);
 }
