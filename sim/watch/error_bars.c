@@ -34,6 +34,14 @@ static double friction_share(const Scene *scene)
     return worst;
 }
 
+/* By how much friction at rest stands above that of sliding, of what slides; and the speed where it has fallen. */
+static void friction_falls(const FrictionLaw *law, ErrorShares *shares)
+{
+    if (friction_kind(law) == FRICTION_NONE || !(law->mu_d > 0)) return;
+    shares->falls = fmax(shares->falls, law->mu_s / law->mu_d - 1);
+    shares->falls_until = fmax(shares->falls_until, law->v_d);
+}
+
 /* Largest coefficient of sliding friction on what carries the cable. */
 static double friction_most(const Scene *scene)
 {
@@ -64,11 +72,14 @@ static double mesh_share(const Scene *scene, const Mesh *mesh, double pull)
 ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull)
 {
     const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
-    return (ErrorShares){.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
+    ErrorShares out = {.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
                          .step = TOLERANCES * scene->def.solver.accuracy,
                          .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
                          .mesh = mesh_share(scene, mesh, pull),
                          .friction = friction_share(scene)};
+    for (int r = 0; r < scene->contact.n_rollers; ++r) friction_falls(&scene->contact.roller[r].friction, &out);
+    for (int k = 0; k < scene->def.n_surfaces; ++k) friction_falls(&scene->def.surfaces[k].friction, &out);
+    return out;
 }
 
 static hawser_error_bar bar(double time, double mesh, double friction)
@@ -95,8 +106,9 @@ hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares
 
 hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares)
 {
-    const double size = fabs(figure->peak);
+    const double size = fabs(figure->peak), mean = figure->time > 0 ? fabs(mean_of(figure)) : 0;
+    const double loose = fmin(shares->breaks_loose * mean, fmax(0, size - mean));
     if (!figure->started) return bar(NAN, NAN, NAN);
     return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               WAVER_OF_PEAK * waver(figure, shares) + shares->mesh * size, shares->friction * size);
+               WAVER_OF_PEAK * waver(figure, shares) + shares->mesh * size, shares->friction * size + loose);
 }

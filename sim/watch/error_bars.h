@@ -18,6 +18,9 @@ typedef struct ErrorShares {
     double still;    /* N: what a tension may waver by besides, then (EB9) */
     double mesh;     /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction; /* not yet there at the speed of the pull (EB5) */
+    /* by which friction falls once the cable slides, of what is left; m/s, the speed where it has; the share again, if
+     * a peak is of a cable that breaks loose (EB10) */
+    double falls, falls_until, breaks_loose;
 } ErrorShares;
 
 /* books: NULL where nothing has moved; pull: mean of the steady window, N. */

@@ -218,6 +218,14 @@ static double standing_force(const Scene *scene, const Kinematics *kin, const ha
     return sum;
 }
 
+/* Speed of the slowest segment, m/s. */
+static double slowest(const Scene *scene, const hawser_sample *sample)
+{
+    double least = INFINITY;
+    for (int i = 0; i < scene->chain.n; ++i) least = fmin(least, sample->axial_speed[sample->first + i]);
+    return least;
+}
+
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
  * estimated what would come. */
 enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
@@ -245,6 +253,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stats->dt = dt;
     stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
+    if (stats->pull.at_peak) stats->peak_speed = slowest(scene, sample);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
@@ -301,6 +310,7 @@ void stats_errors(const Stats *stats, ErrorShares *shares, hawser_summary *out)
 {
     shares->passed = stats->passed;
     shares->still = stats->still;
+    shares->breaks_loose = stats->peak_speed < shares->falls_until ? shares->falls : 0;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
@@ -313,7 +323,7 @@ void stats_errors(const Stats *stats, ErrorShares *shares, hawser_summary *out)
         s->mean_error_N = error_of_mean(&stats->station[i], shares).total;
         s->peak_error_N = error_of_peak(&stats->station[i], shares).total;
     }
-    shares->still = 0; /* which pulls at the cable, not at a roller */
+    shares->still = shares->breaks_loose = 0; /* which pull at the cable, not at a roller */
     for (int r = 0; r < stats->n_rollers; ++r) {
         hawser_roller *const row = &stats->roller_out[r];
         row->steady_error_N = LOADS * error_of_mean(&stats->roller[r].load, shares).total;

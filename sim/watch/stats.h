@@ -29,6 +29,7 @@ typedef struct Stats {
     int passing;       /* samples since */
     double passed;     /* of a segment, since; while no block has ended */
     double still;      /* N, of the pull: what segments may make that stand still over rollers (EB9) */
+    double peak_speed; /* m/s, of the slowest segment when the pull was largest */
     double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */
