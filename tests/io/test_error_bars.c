@@ -6,17 +6,8 @@
 
 static hawser_summary pulled(const char *data, const char *const *settings)
 {
-    hawser_case *c = NULL;
-    hawser_sim *s = NULL;
     hawser_summary sum;
-    hawser_error err = {0};
-    assert_int_equal(hawser_case_parse(data_text(data), NAME, &c, NULL), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
-    hawser_case_free(c);
-    if (hawser_sim_run(s, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const s = run_of(data_text(data), settings);
     hawser_sim_summary(s, &sum);
     hawser_sim_free(s); /* the numbers stay */
     return sum;

@@ -13,16 +13,7 @@ typedef struct Found {
 static Found run(const char *name, const char *const settings[])
 {
     Found f = {.energy = 1, .shared = NAN};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    hawser_error err = {0};
-    assert_int_equal(hawser_case_parse(data_text(name), NAME, &c, NULL), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-    hawser_case_free(c);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const sim = run_of(data_text(name), settings);
     hawser_sim_summary(sim, &f.sum);
     f.energy = f.sum.balance->residual_share;
     for (int i = 0; i < f.sum.n_conditions; ++i) {
