@@ -5,11 +5,11 @@
 #include "sim/equipment/winch.h"
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
-static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
+static const double BOOKS = 3;                              /* of what the books of a mean leave open (EB2) */
 static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
-static const double STANDS = 0.1;     /* of a segment: if less passes, nothing of it is seen (EB9) */
-static const double EVERYWHERE = 0.25;                    /* of that, where only surfaces carry the cable (EB1) */
-static const double MESH = 5e-4;                          /* of any figure, which no support shows */
+static const double STANDS = 0.1;        /* of a segment: if less passes, nothing of it is seen (EB9) */
+static const double EVERYWHERE = 0.25;   /* of that, where only surfaces carry the cable (EB1) */
+static const double MESH = 5e-4;         /* of any figure, which no support shows */
 static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
@@ -73,10 +73,10 @@ ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWind
 {
     const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
     ErrorShares out = {.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
-                         .step = TOLERANCES * scene->def.solver.accuracy,
-                         .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
-                         .mesh = mesh_share(scene, mesh, pull),
-                         .friction = friction_share(scene)};
+                       .step = TOLERANCES * scene->def.solver.accuracy,
+                       .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
+                       .mesh = mesh_share(scene, mesh, pull),
+                       .friction = friction_share(scene)};
     for (int r = 0; r < scene->contact.n_rollers; ++r) friction_falls(&scene->contact.roller[r].friction, &out);
     for (int k = 0; k < scene->def.n_surfaces; ++k) friction_falls(&scene->def.surfaces[k].friction, &out);
     return out;

@@ -117,8 +117,7 @@ double along_eye(const Scene *scene, const Kinematics *kin, double travel)
 }
 
 /* The simulated joint before route coordinate s, and the tension there, N; -1 if no cable is there. */
-static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s,
-                        double *there)
+static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s, double *there)
 {
     const int n = scene->chain.n;
     const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
@@ -211,7 +210,8 @@ static double standing_force(const Scene *scene, const Kinematics *kin, const ha
         const double load = sample->roller_load[r];
         const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension) : -1;
         if (j < 0 || !(tension > 0)) continue;
-        const double bends = fmax(chain->stiffness[4][j], chain->stiffness[5][j]) / chain->half[j < chain->n ? j : j - 1];
+        const double bends =
+            fmax(chain->stiffness[4][j], chain->stiffness[5][j]) / chain->half[j < chain->n ? j : j - 1];
         const double turn = load / sqrt(tension * (tension + 2 * bends));
         sum += load / 2 * fmin(turn, 1);
     }

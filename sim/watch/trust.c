@@ -234,8 +234,10 @@ static void add_error(List *list, const char *name, const char *figure, const ha
         of = "steps in time";
         remedy = "a smaller solver.accuracy and output.interval";
     }
-    add(list, name, "1", bar->total / size, allowed, "%s may be off by %.2g %%, mostly by %s: use %s", figure,
-        100 * bar->total / size, of, remedy);
+    char share[32] = "more than its own size";
+    if (bar->total < size) snprintf(share, sizeof share, "%.2g %%", 100 * bar->total / size);
+    add(list, name, "1", bar->total / size, allowed, "%s may be off by %s, mostly by %s: use %s", figure, share, of,
+        remedy);
 }
 
 /* The error bars of the pull. */

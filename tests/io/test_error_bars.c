@@ -56,6 +56,16 @@ static void loose_steps(void **state)
     check_below(fine.pull_mean_error.time, rough.pull_mean_error.time / 10);
 }
 
+/* Less than a segment passes: the pull was 2676 N and its bar 20 N, and 2564 N at a speed that passes many (EB9). */
+static void a_slow_winch(void **state)
+{
+    (void)state;
+    const hawser_summary slow = pulled("error-slow-winch", NULL);
+    print_message("pull %.1f N +- %.1f N\n", slow.pull_mean_N, slow.pull_mean_error.total);
+    check_above(slow.pull_mean_error.total, fabs(slow.pull_mean_N - 2564));
+    check_above(slow.pull_mean_error.total, 0.02 * slow.pull_mean_N); /* not trusted */
+}
+
 /* A mean of 10 with a ripple of amplitude 2 and period 1 s on a slow rise: blocks of 2 s see the ripple and not the
  * rise; the peak's second difference is that of the ripple's crest. */
 static void what_a_signal_shows(void **state)
@@ -76,6 +86,7 @@ static void what_a_signal_shows(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(friction_not_there), cmocka_unit_test(coarse_segments),
-                                       cmocka_unit_test(loose_steps), cmocka_unit_test(what_a_signal_shows)};
+                                       cmocka_unit_test(loose_steps), cmocka_unit_test(what_a_signal_shows),
+                                       cmocka_unit_test(a_slow_winch)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
