@@ -366,7 +366,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
     const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
-    ErrorShares shares = error_shares(scene, &s->mesh, out->balance ? &books : NULL, out->pull_mean_N);
+    ErrorShares shares =
+        error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
     stats_errors(&s->stats, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
