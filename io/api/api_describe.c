@@ -117,7 +117,7 @@ static void fill_mesh(Description *d)
 {
     const SceneDef *const def = d->def;
     int worst;
-    const double error = mesh_given(&d->mesh, def, &worst);
+    const double error = mesh_given(&d->mesh, def, 0, &worst);
     for (int i = 0; i < d->mesh.n; ++i) {
         const MeshPlace *const place = &d->mesh.place[i];
         const ChainPieceDef *const p = &def->pieces[place->piece];
@@ -202,7 +202,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"segments", "segments", "", cell_number(s->segments)},
         {"bushings", "bushings", "", cell_number(s->bushings)},
         {"rollers", "rollers", "", cell_number(s->rollers)},
-        {"mesh_error_pct", "expected error by their length", "%", cell_number(100 * mesh_given(&d->mesh, def, &worst))},
+        {"mesh_error_pct", "expected error by their length", "%",
+         cell_number(100 * mesh_given(&d->mesh, def, 0, &worst))},
         {"mesh", "length of segments", "", cell_text(d->advice)},
         {"contact_candidates", "contact candidates", "", cell_number(s->contact_candidates)},
         {"contact_geometry", "contact geometry", "",

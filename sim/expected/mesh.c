@@ -24,14 +24,18 @@ static double jam_error(const MeshPlace *p, double h)
     return (soft + 2 * p->mu * p->impact.k * h * pow(depth, p->impact.e)) / p->tension;
 }
 
-/* Between rollers on both sides: segments that reach over more than one pair are bent by them, by the height of their
- * arc beyond that of the spacing, or beyond the room (ME4). */
+/* Between rollers on both sides: each pair bends a stiff chain by the height of its polygon's corners, as far as there
+ * is no room for that (ME12); segments that reach over more than one pair are bent by them, by the height of their arc
+ * beyond that of the spacing, or beyond the room (ME4). */
 static double pinch_error(const MeshPlace *p, double h)
 {
     static const double SOFT = 0.12;
+    const double a = p->pitch, x = fmin(h, a), loose = p->room / sagitta(p, x);
+    const double bends = p->bending_length * p->bending_length * x * x / (p->radius * a * a * a);
+    const double corners = 0.17 * p->mu * fmax(0, p->length / a - 1) * bends / (1 + loose * loose);
     const double free2 = fmax(p->pitch * p->pitch, 24 * p->radius * p->room), over = (h * h / free2 - 1) / SOFT;
     const double excess = free2 / (8 * p->radius) * SOFT * (over > 30 ? over : log1p(exp(over))), e = p->impact.e;
-    return 0.17 * p->mu * pow(p->impact.k, 1 / e) * pow(p->tension, -1 / e) * excess;
+    return corners + 0.17 * p->mu * pow(p->impact.k, 1 / e) * pow(p->tension, -1 / e) * excess;
 }
 
 /* Over rollers on one side: the turn at one of them is that of a joint or two, not spread by the bending stiffness
@@ -42,11 +46,13 @@ static double roller_error(const MeshPlace *p, double h)
     return 0.25 * p->turn * p->turn / (1 + 5.7 * stiff * stiff);
 }
 
-/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). On a surface the force that
- * bends the cable there has friction alone to show (ME10). */
+/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). A bend that is shorter than
+ * its rollers' spacing is no curve but a turn between two of them (ME11). On a surface the force that bends the cable
+ * there has friction alone to show (ME10). */
 static double bend_error(const MeshPlace *p, double h)
 {
-    const double turn = h / p->radius, limp = h / p->bending_length;
+    const double spread = p->pitch > p->length ? p->length / p->pitch : 1;
+    const double turn = spread * h / p->radius, limp = h / p->bending_length;
     const double anywhere = 3.4 / (1 + 7.9 * limp * limp), rubs = 5 * p->mu * p->bending_length / p->radius;
     return turn * turn * (p->surface ? fmin(anywhere, rubs) : anywhere);
 }
@@ -118,13 +124,14 @@ double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece)
     return fmax(wanted, least);
 }
 
-double mesh_given(const Mesh *mesh, const SceneDef *def, int *worst)
+double mesh_given(const Mesh *mesh, const SceneDef *def, double pull, int *worst)
 {
     double sum = 0, most = 0;
     *worst = -1;
     for (int i = 0; i < mesh->n; ++i) {
         const ChainPieceDef *const p = &def->pieces[mesh->place[i].piece];
-        const double error = mesh_error(&mesh->place[i], p->length / p->segments);
+        const double there = pull > mesh->place[i].tension ? mesh->place[i].tension / pull : 1;
+        const double error = there * mesh_error(&mesh->place[i], p->length / p->segments);
         sum += error;
         if (error <= most) continue;
         most = error;
@@ -267,6 +274,22 @@ static double roller_turn(const Walk *w, const RoutePiece *leg, const MeshPlace 
     return v3_norm(v3_add(v3_scale(fmin(p->pitch, leg->length), bend), v3_scale(p->pitch, down)));
 }
 
+/* Moment over curvature in a bend of this radius, N m2. */
+static double bending_stiffness(const CableDef *cable, double radius)
+{
+    const BendingTable *const t = &cable->bending;
+    double curvature = 0, moment = 0;
+    if (t->rows == 0) return fmax(cable->ei_y, cable->ei_z);
+    for (int k = 0; k < t->rows; ++k) {
+        const double slope = (t->moment[k] - moment) / (t->curvature[k] - curvature);
+        const int last = k == t->rows - 1;
+        if (last || t->curvature[k] * radius >= 1) return radius * (moment + slope * (1 / radius - curvature));
+        curvature = t->curvature[k];
+        moment = t->moment[k];
+    }
+    return 0;
+}
+
 /* A bend with a piece of the chain in it: on a surface, on rollers, or else round one thing. */
 static MeshPlace place_make(const Walk *w, int piece, int leg)
 {
@@ -278,9 +301,10 @@ static MeshPlace place_make(const Walk *w, int piece, int leg)
                    .leg = leg,
                    .at = bend->s0,
                    .radius = bend->radius,
+                   .length = bend->length,
                    .room = NAN,
                    .tension = w->tension,
-                   .bending_length = sqrt(fmax(cable->ei_y, cable->ei_z) / w->tension),
+                   .bending_length = sqrt(bending_stiffness(cable, bend->radius) / w->tension),
                    .diameter = cable->diameter,
                    .weight = cable->mass * v3_norm(def->gravity),
                    .mu = friction_on(def, bend),

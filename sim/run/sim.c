@@ -1,5 +1,6 @@
 #include "sim/run/sim.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,7 +41,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
     if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
-    status = passing_new(&s->passing, scene, err);
+    status = mesh_find(&scene->def, &scene->route, &s->mesh, err);
+    if (!status) status = passing_new(&s->passing, scene, err);
     if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
@@ -82,6 +84,7 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
 Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
+    mesh_free(&s->mesh);
     stats_free(&s->stats);
     machines_free(&s->machines);
     peaks_free(&s->peaks);
@@ -367,11 +370,13 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
     const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
-    const ErrorShares shares = error_shares(scene, out->balance ? &books : NULL, out->pull_mean_N);
+    ErrorShares shares =
+        error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
     stats_errors(&s->stats, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
+                              .mesh = &s->mesh,
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,

@@ -113,7 +113,8 @@ double along_eye(const Scene *scene, const Kinematics *kin, double travel)
     return j >= 0 && j <= scene->chain.n ? along_joint(scene, kin, travel, j) : NAN;
 }
 
-double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
+/* The simulated joint before route coordinate s, and the tension there, N; -1 if no cable is there. */
+static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s, double *there)
 {
     const int n = scene->chain.n;
     const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
@@ -138,9 +139,16 @@ double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_
         a = b;
         b = along_joint(scene, kin, sample->winch_travel, high);
     }
-    if (s < a || s > b) return NAN;
+    if (s < a || s > b) return -1;
     const double u = (s - a) / (b - a);
-    return (1 - u) * tension[low] + u * tension[high];
+    *there = (1 - u) * tension[low] + u * tension[high];
+    return low;
+}
+
+double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
+{
+    double tension;
+    return joint_before(scene, kin, sample, s, &tension) >= 0 ? tension : NAN;
 }
 
 static void stations_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
@@ -189,13 +197,45 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
-/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). */
-enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
-static void blocks_end(Stats *stats, const Scene *scene, double travel)
+/* Largest force along the cable by which a joint may be pushed on or held back at the rollers as they are loaded now,
+ * all of them in step, N (EB9). */
+static double standing_force(const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
-    if (++stats->passing < BLOCK_LEAST || fabs(travel - stats->passed_at) < 2 * scene->chain.half[0]) return;
+    const Chain *const chain = &scene->chain;
+    double sum = 0, tension;
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const double load = sample->roller_load[r];
+        const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension) : -1;
+        if (j < 0 || !(tension > 0)) continue;
+        const double bends =
+            fmax(chain->stiffness[4][j], chain->stiffness[5][j]) / chain->half[j < chain->n ? j : j - 1];
+        const double turn = load / sqrt(tension * (tension + 2 * bends));
+        sum += load / 2 * fmin(turn, 1);
+    }
+    return sum;
+}
+
+/* Speed of the slowest segment, m/s. */
+static double slowest(const Scene *scene, const hawser_sample *sample)
+{
+    double least = INFINITY;
+    for (int i = 0; i < scene->chain.n; ++i) least = fmin(least, sample->axial_speed[sample->first + i]);
+    return least;
+}
+
+/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
+ * estimated what would come. */
+enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
+static void blocks_end(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const double way = fabs(sample->winch_travel - stats->passed_at), length = 2 * scene->chain.half[0];
+    if (stats->pull.blocks <= 0) {
+        stats->passed = way / length;
+        stats->still = standing_force(scene, kin, sample);
+    }
+    if (++stats->passing < BLOCK_LEAST || way < length) return;
     stats->passing = 0;
-    stats->passed_at = travel;
+    stats->passed_at = sample->winch_travel;
     mean_block(&stats->pull);
     for (int i = 0; i < stats->n_stations; ++i) mean_block(&stats->station[i]);
     for (int r = 0; r < stats->n_rollers; ++r) mean_block(&stats->roller[r].load);
@@ -210,13 +250,18 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stats->dt = dt;
     stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
+    if (stats->pull.at_peak) stats->peak_speed = slowest(scene, sample);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
     stations_record(stats, scene, kin, sample, dt, steady);
     rollers_record(stats, sample, dt, steady);
     surfaces_record(stats, sample, dt, steady);
-    if (steady) blocks_end(stats, scene, sample->winch_travel);
+    if (steady) {
+        blocks_end(stats, scene, kin, sample);
+    } else {
+        stats->passed_at = sample->winch_travel;
+    }
     stats->last_t = sample->t;
 }
 
@@ -258,8 +303,11 @@ static const double LOADS = 2;
  */
 static const double LINE_LOADS = 1;
 
-void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary *out)
+void stats_errors(const Stats *stats, ErrorShares *shares, hawser_summary *out)
 {
+    shares->passed = stats->passed;
+    shares->still = stats->still;
+    shares->breaks_loose = stats->peak_speed < shares->falls_until ? shares->falls : 0;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
@@ -272,6 +320,7 @@ void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary 
         s->mean_error_N = error_of_mean(&stats->station[i], shares).total;
         s->peak_error_N = error_of_peak(&stats->station[i], shares).total;
     }
+    shares->still = shares->breaks_loose = 0; /* which pull at the cable, not at a roller */
     for (int r = 0; r < stats->n_rollers; ++r) {
         hawser_roller *const row = &stats->roller_out[r];
         row->steady_error_N = LOADS * error_of_mean(&stats->roller[r].load, shares).total;

@@ -47,16 +47,9 @@ typedef struct Judged {
 
 static Judged judge(const char *text, const char *const *settings, hawser_status expected)
 {
-    Judged j = {.sim = NULL};
-    hawser_case *c = NULL;
+    Judged j = {.sim = sim_of(text, settings)};
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_error err = {0};
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    assert_int_equal(hawser_sim_new(c, NULL, &j.sim, NULL), HAWSER_OK);
-    hawser_case_free(c);
     assert_int_equal(hawser_sim_run(j.sim, NULL, NULL, NULL, &err), expected);
     hawser_sim_summary(j.sim, &j.sum);
     const int n = hawser_sim_limits(j.sim, limit);
