@@ -13,13 +13,13 @@ typedef struct TimeBlock {
 
 typedef struct TimeMean {
     double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
-    int started; /* samples, two at most */
+    int started;                          /* samples, two at most */
     /* the last sample was the peak; the one before it; second difference of the value at the peak */
     int at_peak;
     double before, sharpness;
     double rough, rough_at_peak; /* value^2: mean square of second differences up to now, and up to the peak (EB11) */
-    TimeBlock block;        /* since mean_block */
-    double wavered, blocks; /* value^2 s; s: about their means, summed over the blocks that have ended */
+    TimeBlock block;             /* since mean_block */
+    double wavered, blocks;      /* value^2 s; s: about their means, summed over the blocks that have ended */
 } TimeMean;
 
 static const double ROUGH_FORGETS = 1.0 / 8; /* a sample: what is farther back than that many counts little */

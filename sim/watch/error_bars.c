@@ -7,14 +7,14 @@
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                              /* of what the books of a mean leave open (EB2) */
 static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
-static const double STANDS = 0.1;        /* of a segment: if less passes, nothing of it is seen (EB9) */
-static const double ROUGH = 0.27;        /* of second differences, before a peak of a cable that began anywhere (EB12) */
-static const double EVERYWHERE = 0.25;   /* of that, where only surfaces carry the cable (EB1) */
-static const double PARTLY = 0.5;        /* where rollers and surfaces do */
-static const double MESH = 5e-4;         /* of any figure, which no support shows */
-static const double SIDEWAYS = 0.1;      /* of what rollers that spin would hold (EB13) */
-static const double LEVEL = 1e-3;        /* of a bend: what is less to the side is none */
-static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
+static const double STANDS = 0.1;      /* of a segment: if less passes, nothing of it is seen (EB9) */
+static const double ROUGH = 0.27;      /* of second differences, before a peak of a cable that began anywhere (EB12) */
+static const double EVERYWHERE = 0.25; /* of that, where only surfaces carry the cable (EB1) */
+static const double PARTLY = 0.5;      /* where rollers and surfaces do */
+static const double MESH = 5e-4;       /* of any figure, which no support shows */
+static const double SIDEWAYS = 0.1;    /* of what rollers that spin would hold (EB13) */
+static const double LEVEL = 1e-3;      /* of a bend: what is less to the side is none */
+static const double ENDS = 0.2;        /* of a segment, whose weight a clamp carries and no surface */
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
 
@@ -113,8 +113,8 @@ static hawser_error_bar bar(double time, double mesh, double friction)
     return (hawser_error_bar){time, mesh, friction, time + mesh + friction};
 }
 
-/* What a figure wavers by while a segment passes; a cable that stands still shows nothing of it. If less has passed than that: what was seen of it, in a straight line
- * over a segment, or what rollers may do, if that is more (EB9). */
+/* What a figure wavers by while a segment passes; a cable that stands still shows nothing of it. If less has passed
+ * than that: what was seen of it, in a straight line over a segment, or what rollers may do, if that is more (EB9). */
 static double waver(const TimeMean *figure, const ErrorShares *shares)
 {
     if (figure->blocks > 0) return shares->waver * mean_waver(figure);
@@ -138,6 +138,6 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     if (!figure->started) return bar(NAN, NAN, NAN);
     const double passes = fmax(WAVER_OF_PEAK * waver(figure, shares), shares->placed);
     const double rough = shares->rough * sqrt(figure->rough_at_peak);
-    return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               fmax(passes, rough) + shares->mesh * size, shares->friction * size + loose);
+    return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size,
+               shares->friction * size + loose);
 }

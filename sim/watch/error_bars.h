@@ -28,8 +28,8 @@ typedef struct ErrorShares {
 /* books: NULL where nothing has moved; pull: mean of the steady window, N. */
 ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull);
 
-/* What a load of 1 N on the r-th roller takes from those beside the cable once it does not creep across it any more, N of
- * the pull (EB13). */
+/* What a load of 1 N on the r-th roller takes from those beside the cable once it does not creep across it any more, N
+ * of the pull (EB13). */
 double held_sideways(const Scene *scene, int r);
 /* Of the mean over the steady window; of the largest value of the run. */
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares);

@@ -115,7 +115,8 @@ double along_eye(const Scene *scene, const Kinematics *kin, double travel)
 }
 
 /* The simulated joint before route coordinate s, and the tension there, N; -1 if no cable is there. */
-static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s, double *there, double *share)
+static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s, double *there,
+                        double *share)
 {
     const int n = scene->chain.n;
     const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
@@ -199,8 +200,8 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
-/* m, of the cable that a roller holds up: half of the way between its neighbours, once the way to an only one; INFINITY:
- * there is no other. */
+/* m, of the cable that a roller holds up: half of the way between its neighbours, once the way to an only one;
+ * INFINITY: there is no other. */
 static double held_by(const SceneDef *def, int r)
 {
     const double before = r > 0 ? def->rollers[r].s - def->rollers[r - 1].s : INFINITY;
@@ -221,7 +222,7 @@ static double standing_force(const Scene *scene, const Kinematics *kin, const ha
         const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension, &passed) : -1;
         if (j < 0 || !(tension > 0)) continue;
         const double h = 2 * chain->half[j < chain->n ? j : j - 1], span = held_by(&scene->def, r);
-        const double bends = fmax(chain->stiffness[4][j], chain->stiffness[5][j]);
+        const double bends = fmin(chain->stiffness[4][j], chain->stiffness[5][j]); /* the softer way: the wider bar */
         const double stiff = tension + (span > 0 ? M_PI * M_PI * bends * h / (span * span) : 0);
         const double force = load / 2 * fmin(load / sqrt(stiff * (stiff + 4 * bends / h)), 1);
         sum += force;
@@ -345,7 +346,7 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    shares->placed = 0; /* of the pull alone */
+    shares->placed = 0;                           /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);
