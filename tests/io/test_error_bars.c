@@ -78,7 +78,7 @@ static void a_drum_weighs_nothing(void **state)
         NULL);
     hawser_sim_summary(s, &sum);
     hawser_sim_free(s);
-    check_above(sum.pull_mean_N, 1000);
+    check_above(sum.pull_mean_N, 500);
     check_at_most(sum.pull_mean_error.mesh, 0.1 * sum.pull_mean_N);
 }
 
@@ -90,6 +90,8 @@ static void loads_have_twice_the_bar(void **state)
     const double lacks = 1 / 0.6875 - 1;
     const hawser_roller *row;
     hawser_sim *const s = run_of(data_text("trust"), slow);
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum); /* bars are as of the last one */
     const int n = hawser_sim_rollers(s, &row);
     check_at_least(n, 5);
     for (int r = 0; r < n; r++) {
@@ -121,7 +123,7 @@ static void how_rough_a_peak_is(void **state)
     (void)state;
     TimeMean m = {0};
     for (int k = 0; k < 400; k++) mean_add(&m, k < 200 ? k % 2 * 2.0 - 1 + (k == 199) : 0, k ? 1 : 0, 0);
-    check_between(sqrt(m.rough_at_peak), 4, 4.2);
+    check_between(sqrt(m.rough_at_peak), 4, 4.3);
     check_below(m.rough, 1e-9);
 }
 
