@@ -49,9 +49,10 @@ typedef struct RopeDragDef {
 
 /* What the pulling calculation adds to the scene. */
 typedef struct TheoryDef {
-    int cables;        /* pulled together, all alike */
-    int layout;        /* a DuctLayout: how they lie in ducts */
-    double reel, rope; /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
+    int cables;           /* pulled together, all alike */
+    int layout;           /* a DuctLayout: how they lie in ducts */
+    double reel, rope;    /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
+    int guessed_friction; /* nothing carries the cable, and no friction is given: the default's is nobody's */
 } TheoryDef;
 
 #endif

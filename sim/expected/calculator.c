@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "sim/expected/findings.h"
 
 static const CableDef *cable_of(const Scene *scene)
 {
@@ -177,7 +178,7 @@ static Finding roller_finding(const Scene *scene, const PlanWay *way)
     return worst;
 }
 
-static void limits_set(const Scene *scene, Calculator *c)
+static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const Route *const route = &scene->route;
     for (int k = 0; k < PLAN_WAYS; ++k) {
@@ -190,11 +191,14 @@ static void limits_set(const Scene *scene, Calculator *c)
         f[LIMIT_BEND] = bend_finding(route);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
         f[LIMIT_ROPE].value = fmax(way->force, way->restart_force);
+        const hawser_status status = findings_of_way(scene, route, c, k, f, err);
+        if (status) return status;
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
             limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
         c->n_limits = limits_judge(&scene->def.limits, cable_of(scene)->diameter, c->cables, f, c->limit[k]);
     }
+    return HAWSER_OK;
 }
 
 /* ---------------------------------------------------------------------------------------------- the whole */
@@ -245,6 +249,19 @@ static void pulled_set(Calculator *c)
     }
 }
 
+/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. */
+static hawser_condition supported_by(const Scene *scene)
+{
+    const int guessed = scene->def.theory.guessed_friction;
+    hawser_condition c = {.name = "supported", .unit = "1", .value = guessed, .holds = !guessed};
+    snprintf(
+        c.remedy, sizeof c.remedy,
+        "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is that "
+        "of a guessed %g; give what carries it, or friction.mu",
+        scene->def.friction.mu_d);
+    return c;
+}
+
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err)
 {
     *out = (Calculator){.cables = scene->def.theory.cables};
@@ -252,8 +269,9 @@ hawser_status calculator_build(const Scene *scene, double start_tension, Calcula
     if (!status) status = spacings_find(scene, out, err);
     if (!status) status = plan_fill(scene, start_tension, out, err);
     if (!status) status = rules_find(scene, out, err);
-    if (!status) limits_set(scene, out);
+    if (!status) status = limits_set(scene, out, err);
     if (!status) pulled_set(out);
+    out->supported = supported_by(scene);
     return status;
 }
 

@@ -31,6 +31,7 @@ typedef struct Calculator {
     int n_limits;         /* of either way; 0: the case has none */
     hawser_limit limit[PLAN_WAYS][HAWSER_LIMITS_MAX];
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
+    hawser_condition supported;         /* whether anything is known of what carries it */
 } Calculator;
 
 /* start_tension: N, of one cable where the pull begins, whichever way. Errors: INPUT (cables that do not fit into a

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 
@@ -47,6 +48,7 @@ static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample 
         take(&peaks->tension, tension[j], s);
         take(&peaks->sidewall, tension[j] * v3_norm(route_at(&scene->route, s).curvature), s);
     }
+    take(&peaks->front, tension[eye], joint_place(scene, sample, eye));
     for (int j = eye + 1; j <= scene->chain.n; ++j) take(&peaks->rope, tension[j], joint_place(scene, sample, j));
     take(&peaks->rope, sample->winch_force, joint_place(scene, sample, scene->chain.n));
 }
@@ -75,6 +77,15 @@ static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *k
     }
 }
 
+/* Either way: a slow belt holds the cable back. */
+static void conveyors_record(Peaks *peaks, const hawser_sample *sample)
+{
+    for (int i = 0, at = 0; i < sample->machines; ++i) {
+        if (strcmp(sample->machine[i].kind, "conveyors")) continue;
+        take(&peaks->push, fabs(hawser_machine_figure(&sample->machine[i], "force_N")), at++);
+    }
+}
+
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     if (!peaks->present) return;
@@ -84,4 +95,5 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     joints_record(peaks, scene, sample, eye);
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);
+    conveyors_record(peaks, sample);
 }

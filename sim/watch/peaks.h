@@ -18,6 +18,8 @@ typedef struct Peaks {
     Peak sidewall;  /* N/m, T/R of the route's bends */
     Peak curvature; /* 1/m, of the cable between neighbouring segments */
     Peak rope;      /* N, of the rope, or on its end */
+    Peak front;     /* N, at the cable's eye or net */
+    Peak push;      /* N, of a conveyor; `at` counts them, from 0 */
     int n_rollers;
     double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
 } Peaks;

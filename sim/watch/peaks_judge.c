@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sim/expected/findings.h"
 #include "sim/watch/peaks.h"
 
 /* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
@@ -95,6 +96,21 @@ static void duct_findings(const Scene *scene, double diameter, Finding f[LIMIT_K
     }
 }
 
+/* The largest push of a conveyor. */
+static Finding push_finding(const Peaks *peaks, const SceneDef *def)
+{
+    Finding f = {.value = peaks->push.value};
+    if (f.value > 0) snprintf(f.where, sizeof f.where, "%s", def->conveyors[(int)peaks->push.at].name);
+    return f;
+}
+
+/* What the winch needs by itself: theory's pull or the mean, whichever is more. */
+static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, Finding *out)
+{
+    const double theory = expected->reference_total;
+    findings_trip(scene, theory, fmax(theory, mean_of(&stats->pull)), scene->def.drag.force, out);
+}
+
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, hawser_limit *out)
 {
     const CableDef *const cable = &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
@@ -107,13 +123,20 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_ROLLER_STEADY] = roller_finding(stats, 1);
         f[LIMIT_ROLLER_PEAK] = roller_finding(stats, 0);
         f[LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
+        f[LIMIT_WINCH] = f[LIMIT_ROPE];
+        f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
+        f[LIMIT_CONVEYOR] = push_finding(peaks, &scene->def);
         f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
+        findings_of_run(scene, expected, f);
+        trip_finding(stats, scene, expected, &f[LIMIT_TRIP]);
+        if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].absent = 1; /* the winch's force is none */
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {
             f[k].value = NAN;
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
+    findings_of_scene(scene, &scene->route, scene->joint_s[scene->eye], f);
     duct_findings(scene, cable->diameter, f);
     return limits_judge(&scene->def.limits, cable->diameter, 1, f, out);
 }
