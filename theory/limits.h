@@ -84,7 +84,7 @@ typedef struct Finding {
     double value;   /* in the limit's unit; NAN: not known */
     double rating;  /* N, of the roller found; of the run-away the largest tension, which its margin is measured by */
     int cables;     /* in the duct found */
-    double steady;  /* N, of a trip: the largest force that the winch needs without anything being wrong */
+    double steady;  /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
     double beyond;  /* N, of a trip: by what the winch pulls more than the cable's front, reckoned */
     char where[80]; /* its place */
     char why[160];  /* why it is not known; of the run-away what is missing */

@@ -129,6 +129,11 @@ double limits_trip(const LimitsDef *def, int cables, double force, double beyond
 static double trip_allowed(const LimitsDef *def, int cables, const Finding *f, char *source)
 {
     const double most = winch_most(def, cables, f->beyond), usual = limits_trip(def, cables, f->steady, f->beyond);
+    if (isnan(f->steady)) {
+        snprintf(source, SOURCE_SIZE, "%s",
+                 "the winch's force is not known before the cable is held back: see run_away");
+        return NAN;
+    }
     if (isnan(f->value)) {
         snprintf(source, SOURCE_SIZE, "needs drive.winch.trip: set it to %.4g kN", usual / 1e3);
         return NAN;

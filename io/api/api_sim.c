@@ -75,18 +75,19 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     hawser_summary summary;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     Overload *overload;
-    SummaryLabels labels = {.title = s->title,
-                            .case_name = s->case_name,
-                            .outcome = outcome_name(s),
-                            .message = s->outcome ? s->message : "",
-                            .n_surfaces = s->stats.n_surfaces,
-                            .surface = s->stats.surface_out,
-                            .n_rollers = s->stats.n_rollers,
-                            .roller = s->stats.roller_out,
-                            .n_limits = peaks_judge(&s->peaks, &s->stats, scene, &s->expected, limit),
-                            .limit = limit,
-                            .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),
-                            .trip_N = limits->present ? limits->alpha * s->expected.reference_total : NAN};
+    SummaryLabels labels = {
+        .title = s->title,
+        .case_name = s->case_name,
+        .outcome = outcome_name(s),
+        .message = s->outcome ? s->message : "",
+        .n_surfaces = s->stats.n_surfaces,
+        .surface = s->stats.surface_out,
+        .n_rollers = s->stats.n_rollers,
+        .roller = s->stats.roller_out,
+        .n_limits = peaks_judge(&s->peaks, &s->stats, scene, &s->expected, limit),
+        .limit = limit,
+        .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),
+        .trip_N = limits->present ? limits_trip(limits, 1, s->expected.reference_total, scene->def.drag.force) : NAN};
     if (labels.n_overloads < 0) return error_memory(err);
     labels.overload = overload;
     hawser_sim_summary(s, &summary);

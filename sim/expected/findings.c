@@ -89,7 +89,8 @@ void findings_of_scene(const Scene *scene, const Route *route, double head, Find
     finding[LIMIT_SQUEEZE] = squeeze(def);
     finding[LIMIT_CONVEYOR].absent = def->n_conveyors == 0;
     finding[LIMIT_SPEED] = (Finding){.value = speed, .absent = !def->winch.present || !isfinite(speed)};
-    if (!has_row(def)) finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = 1;
+    if (has_row(def)) return;
+    finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = finding[LIMIT_ALPHA].absent = 1;
 }
 
 void findings_trip(const Scene *scene, double force, double steady, double beyond, Finding *finding)
@@ -199,7 +200,7 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
     finding[LIMIT_CONVEYOR] = conveyor_push(c, way);
     findings_run_away(&b, &finding[LIMIT_RUN_AWAY]);
     findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope, &finding[LIMIT_TRIP]);
-    if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].absent = 1; /* the winch's force is none */
+    if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
     findings_of_scene(scene, route, 0, finding);
     free(of.step);
     return HAWSER_OK;

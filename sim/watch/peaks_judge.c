@@ -129,7 +129,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
         findings_of_run(scene, expected, f);
         trip_finding(stats, scene, expected, &f[LIMIT_TRIP]);
-        if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].absent = 1; /* the winch's force is none */
+        if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {
             f[k].value = NAN;
