@@ -22,7 +22,7 @@ void limits_defaults(LimitsDef *def)
                        .rope_bend = NAN,
                        .sheave = NAN,
                        .winch_capacity = NAN,
-                       .conveyor_push = NAN,
+                       .push = NAN,
                        .squeeze = NAN,
                        .speed = NAN,
                        .alpha = 1.5,
@@ -38,7 +38,7 @@ static const struct {
     const char *name, *unit;
 } kinds[LIMIT_KINDS] = {{"pull", "N"},        {"restart", "N"},   {"attachment", "N"},    {"sidewall", "N/m"},
                         {"bend_radius", "m"}, {"rope_bend", "1"}, {"roller_steady", "N"}, {"roller_peak", "N"},
-                        {"rope", "N"},        {"winch", "N"},     {"conveyor", "N"},      {"squeeze", "N/m"},
+                        {"rope", "N"},        {"winch", "N"},     {"push", "N"},          {"squeeze", "N/m"},
                         {"run_away", "N"},    {"alpha", "1"},     {"trip", "N"},          {"speed", "m/s"},
                         {"jam_ratio", "1"},   {"clearance", "m"}, {"fill", "1"},          {"weight_correction", "1"}};
 

@@ -45,7 +45,7 @@ typedef struct LimitsDef {
     double rope_bend;                  /* what it is bent round over its diameter */
     double sheave;                     /* m, diameter of the smallest sheave or drum that it runs round */
     double winch_capacity;             /* N */
-    double conveyor_push, squeeze;     /* N, of one machine; N/m, of belts on the cable */
+    double push, squeeze;              /* N, of one machine; N/m, of belts on the cable */
     double speed;                      /* m/s */
     double alpha;                      /* largest overload factor of eq. 12 */
     double jam_from, jam_to;           /* 1.05 D/d of three cables in a duct: not between these */
@@ -65,7 +65,7 @@ typedef enum LimitKind {
     LIMIT_ROLLER_PEAK,
     LIMIT_ROPE,     /* N */
     LIMIT_WINCH,    /* N */
-    LIMIT_CONVEYOR, /* N, largest push of a machine */
+    LIMIT_PUSH,     /* N, largest push of a machine */
     LIMIT_SQUEEZE,  /* N/m, of belts on the cable */
     LIMIT_RUN_AWAY, /* N, brake that is missing where the pull begins */
     LIMIT_ALPHA,

@@ -213,8 +213,8 @@ static double machine_allowed(const LimitsDef *def, LimitKind kind, int cables, 
         return by_rule(def->rope_bend, "limits.rope_bend", limits_rule(RULE_ROPE_BEND, -1, def->rope_kind, 0), source);
     case LIMIT_WINCH:
         return given(def->winch_capacity, "winch_capacity", source);
-    case LIMIT_CONVEYOR:
-        return given(def->conveyor_push, "conveyor_push", source);
+    case LIMIT_PUSH:
+        return given(def->push, "push", source);
     case LIMIT_SQUEEZE:
         return given(def->squeeze, "squeeze", source);
     case LIMIT_TRIP:

@@ -62,7 +62,7 @@ static const CaseKey limits_keys[] = {
     {"sheave", KEY_NUMBER, DIM_LENGTH, .otherwise = "none", ABOVE(0, 100), AT(LimitsDef, sheave)},
     {"winch_capacity", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG),
      AT(LimitsDef, winch_capacity)},
-    {"conveyor_push", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, conveyor_push)},
+    {"push", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, push)},
     {"squeeze", KEY_NUMBER, DIM_SPRING, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, squeeze)},
     {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "15 m/min", ABOVE(0, 1e3), AT(LimitsDef, speed)},
     {"alpha", KEY_NUMBER, .fallback = "1.5", FROM(1, 100), AT(LimitsDef, alpha)},

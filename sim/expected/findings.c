@@ -87,7 +87,7 @@ void findings_of_scene(const Scene *scene, const Route *route, double head, Find
     const double speed = winch_largest_speed(scene->winch);
     finding[LIMIT_ROPE_BEND] = rope_bend(scene, route, head);
     finding[LIMIT_SQUEEZE] = squeeze(def);
-    finding[LIMIT_CONVEYOR].absent = def->n_conveyors == 0;
+    finding[LIMIT_PUSH].absent = def->n_conveyors == 0;
     finding[LIMIT_SPEED] = (Finding){.value = speed, .absent = !def->winch.present || !isfinite(speed)};
     if (has_row(def)) return;
     finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = finding[LIMIT_ALPHA].absent = 1;
@@ -123,7 +123,8 @@ void findings_run_away(const Braked *b, Finding *finding)
     double most = 0, end = 0, low = 0;
     *finding = (Finding){0};
     if (b->solve(b, 0, &pull)) {
-        finding->absent = 1;
+        finding->value = NAN;
+        snprintf(finding->why, sizeof finding->why, "theory has no answer");
         return;
     }
     const double pushed = -pull.min_tension, at = pull.min_at;
@@ -197,7 +198,7 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
     }
     finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope;
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
-    finding[LIMIT_CONVEYOR] = conveyor_push(c, way);
+    finding[LIMIT_PUSH] = conveyor_push(c, way);
     findings_run_away(&b, &finding[LIMIT_RUN_AWAY]);
     findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope, &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;

@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/base/error.h"
 
@@ -77,12 +76,14 @@ static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *k
     }
 }
 
-/* Either way: a slow belt holds the cable back. */
-static void conveyors_record(Peaks *peaks, const hawser_sample *sample)
+/* Either way: a slow belt holds the cable back. Machines that push by other than a force have none. */
+static void pushes_record(Peaks *peaks, const hawser_sample *sample)
 {
-    for (int i = 0, at = 0; i < sample->machines; ++i) {
-        if (strcmp(sample->machine[i].kind, "conveyors")) continue;
-        take(&peaks->push, fabs(hawser_machine_figure(&sample->machine[i], "force_N")), at++);
+    for (int i = 0; i < sample->machines; ++i) {
+        const double force = fabs(hawser_machine_figure(&sample->machine[i], "force_N"));
+        if (!(force > peaks->push)) continue;
+        peaks->push = force;
+        peaks->pusher = sample->machine[i].name;
     }
 }
 
@@ -95,5 +96,5 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     joints_record(peaks, scene, sample, eye);
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);
-    conveyors_record(peaks, sample);
+    pushes_record(peaks, sample);
 }

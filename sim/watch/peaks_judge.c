@@ -96,11 +96,10 @@ static void duct_findings(const Scene *scene, double diameter, Finding f[LIMIT_K
     }
 }
 
-/* The largest push of a conveyor. */
-static Finding push_finding(const Peaks *peaks, const SceneDef *def)
+static Finding push_finding(const Peaks *peaks)
 {
-    Finding f = {.value = peaks->push.value};
-    if (f.value > 0) snprintf(f.where, sizeof f.where, "%s", def->conveyors[(int)peaks->push.at].name);
+    Finding f = {.value = peaks->push};
+    if (peaks->pusher) snprintf(f.where, sizeof f.where, "%s", peaks->pusher);
     return f;
 }
 
@@ -125,7 +124,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
         f[LIMIT_WINCH] = f[LIMIT_ROPE];
         f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
-        f[LIMIT_CONVEYOR] = push_finding(peaks, &scene->def);
+        f[LIMIT_PUSH] = push_finding(peaks);
         f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
         findings_of_run(scene, expected, f);
         trip_finding(stats, scene, expected, &f[LIMIT_TRIP]);

@@ -340,7 +340,7 @@ static void ropes_and_conveyors(void **state)
     hawser_limit limit[HAWSER_LIMITS_MAX];
     check_share(limit_number(o, "rope_bend", "value"), 240.0 / 16, 1e-12);
     check_share(limit_number(o, "squeeze", "value"), 9e3 / 1.8, 1e-12);
-    check_share(limit_number(o, "conveyor", "value"), 500, 1e-12);
+    check_share(limit_number(o, "push", "value"), 500, 1e-12);
     assert_null(limit_row(o, "jam_ratio"));
     json_decref(o);
     o = theory(data_text("limits-conveyor"), "rollers.along.1.spacing", "300 mm");
@@ -354,8 +354,8 @@ static void ropes_and_conveyors(void **state)
     assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, NULL), HAWSER_OK);
     const int n = hawser_sim_limits(sim, limit);
     check_share(find(n, limit, "rope_bend")->value, 240.0 / 16, 1e-12);
-    check_share(find(n, limit, "conveyor")->value, 500, 1e-3);
-    assert_string_equal(find(n, limit, "conveyor")->where, "K");
+    check_share(find(n, limit, "push")->value, 500, 1e-3);
+    assert_string_equal(find(n, limit, "push")->where, "K");
     hawser_sim_free(sim);
     hawser_case_free(c);
 }

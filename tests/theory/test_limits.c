@@ -258,7 +258,7 @@ static void held_and_broken(void **state)
     (void)state;
     LimitsDef def = given();
     def.area = 800e-6, def.rope_strength = 30e3, def.attachment_rating = 50e3, def.winch_capacity = 5e3;
-    def.conveyor_push = 8e3, def.squeeze = 10e3, def.weight_correction = 1.4;
+    def.push = 8e3, def.squeeze = 10e3, def.weight_correction = 1.4;
     static const double bound[LIMIT_KINDS] = {56e3, 56e3, 50e3, 3000, 1.6, 20,   62500, 100e3,   6000, 5e3,
                                               8e3,  10e3, 0,    1.5,  5e3, 0.25, 2.6,   6.35e-3, 0.53, 1.4};
     for (int broken = 0; broken < 2; broken++) {
@@ -342,7 +342,7 @@ static void not_judged(void **state)
                    {"roller_steady", "no roller has a rating: needs rollers.along.N.rating"},
                    {"rope", "needs limits.rope_strength"},
                    {"winch", "needs limits.winch_capacity"},
-                   {"conveyor", "needs limits.conveyor_push"},
+                   {"push", "needs limits.push"},
                    {"squeeze", "needs limits.squeeze"},
                    {"alpha", "no rollers"},
                    {"weight_correction", "needs limits.weight_correction"}};
