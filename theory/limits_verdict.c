@@ -82,8 +82,9 @@ int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t s
             if (limit[i].judged && !limit[i].ok) add_broken(&line, &limit[i], first), first = 0;
         }
     } else if (t.missing) {
-        add(&line, "NOT JUDGED: %s: %s; the %d limits that could be judged hold", t.missing->name, t.missing->source,
-            t.judged);
+        const int one = t.judged == 1;
+        add(&line, "NOT JUDGED: %s: %s; the %d limit%s that could be judged hold%s", t.missing->name, t.missing->source,
+            t.judged, one ? "" : "s", one ? "s" : "");
     } else {
         add(&line, "SAFE: all %d limits hold, smallest margin %.3g %% (%s%s%s)", t.judged, 100 * t.least->margin,
             t.least->name, *t.least->where ? " at " : "", t.least->where);

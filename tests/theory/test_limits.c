@@ -317,7 +317,7 @@ static void verdicts(void **state)
     l[1].value = 2700, l[1].margin = 0.1, l[1].ok = 1;
     l[0] = (hawser_limit){.name = "pull", .unit = "N", .source = "needs limits.pull"};
     expect_verdict(3, l, -1,
-                   "NOT JUDGED: pull: needs limits.pull; the 1 limits that could be judged hold; 2 not judged: pull, "
+                   "NOT JUDGED: pull: needs limits.pull; the 1 limit that could be judged holds; 2 not judged: pull, "
                    "rope");
     l[1].margin = -0.2, l[1].value = 3600, l[1].ok = 0;
     expect_verdict(2, l, 1, "NOT SAFE: 1 of 1 limits broken: sidewall by 20 % at 12 m; 1 not judged: pull");
