@@ -117,6 +117,15 @@ static int holds_with(const Braked *b, double more, double *most, double *end)
     return holds;
 }
 
+/* All N. */
+static void run_away_say(double pushed, double brake, double winch, Finding *out)
+{
+    snprintf(out->why, sizeof out->why,
+             "it runs away, pushed with %.4g kN: a brake of %.4g kN more is needed where the pull begins, then a winch "
+             "of %.4g kN",
+             pushed / 1e3, brake / 1e3, winch / 1e3);
+}
+
 void findings_run_away(const Braked *b, Finding *finding)
 {
     Pull pull;
@@ -142,34 +151,28 @@ void findings_run_away(const Braked *b, Finding *finding)
     holds_with(b, high, &most, &end);
     *finding = finding_at(b->route, high, at);
     finding->rating = most;
-    snprintf(finding->why, sizeof finding->why,
-             "it runs away, pushed with %.4g kN: a brake of %.4g kN more is needed where the pull begins, then a winch "
-             "of %.4g kN",
-             pushed / 1e3, high / 1e3, (end + b->beyond) / 1e3);
+    run_away_say(pushed, high, end + b->beyond, finding);
 }
 
 /* --------------------------------------------------------------------------------------------------- of theory */
 
-typedef struct WayPull {
-    const Calculator *calculator;
-    int way;
-    PullStep *step; /* [n_pushers] */
-} WayPull;
-
-static hawser_status solve_way(const Braked *b, double more, Pull *out)
+/* As findings_run_away, by the plan, which knows more of a pull than its stretches. */
+static hawser_status way_run_away(const Scene *scene, const Route *route, const Calculator *c, int way, Finding *out,
+                                  hawser_error *err)
 {
-    const WayPull *const of = b->of;
-    const Calculator *const c = of->calculator;
-    const int back = of->way == PLAN_BACKWARD;
-    const PullDef def = {.route = b->route,
-                         .from = back ? b->route->length : 0,
-                         .to = back ? 0 : b->route->length,
-                         .start_tension = c->plan.way[of->way].start + more,
-                         .n_stretches = c->stretches.n,
-                         .stretch = c->stretches.stretch,
-                         .n_steps = c->n_pushers,
-                         .step = of->step};
-    return pull_solve(&def, out, NULL);
+    const Pull *const pull = &c->plan.way[way].pull;
+    double allowed = fmax(1e-9 * fmax(1, pull->max_tension), c->def.feed);
+    for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[way][i].force);
+    allowed = fmin(allowed, scene->def.theory.bears);
+    *out = (Finding){.rating = pull->max_tension};
+    if (-pull->min_tension <= allowed) return HAWSER_OK;
+    Brake brake;
+    const hawser_status status = plan_brake(&c->def, &c->plan.duct, way, &brake, err);
+    if (status) return status;
+    *out = finding_at(route, brake.brake, brake.where);
+    out->rating = brake.max_tension;
+    run_away_say(-pull->min_tension, brake.brake, brake.force, out);
+    return HAWSER_OK;
 }
 
 /* The largest push of a conveyor. */
@@ -189,21 +192,14 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
                               Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     const PlanWay *const w = &c->plan.way[way];
-    const WayPull of = {c, way, malloc(((size_t)c->n_pushers + 1) * sizeof *of.step)};
-    Braked b = {.solve = solve_way, .route = route, .beyond = w->rope, .of = &of};
-    if (!of.step) return error_memory(err);
-    for (int i = 0; i < c->n_pushers; ++i) {
-        of.step[i] = (PullStep){.at = c->push[way][i].at, .force = -c->push[way][i].force};
-        b.allowed = fmax(b.allowed, c->push[way][i].force);
-    }
     finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope;
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
     finding[LIMIT_PUSH] = conveyor_push(c, way);
-    findings_run_away(&b, &finding[LIMIT_RUN_AWAY]);
+    const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
+    if (status) return status;
     findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope, &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
     findings_of_scene(scene, route, 0, finding);
-    free(of.step);
     return HAWSER_OK;
 }
 
