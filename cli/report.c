@@ -111,7 +111,9 @@ static void report_pull(const hawser_summary *s)
     report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct, s->error_mean_pct);
     report_theory("paper's formulas", s->paper_total_N, s->pull_mean_N, s->error_max_paper_pct,
                   s->error_mean_paper_pct);
-    printf("  speed %.5g m/s, settled at %.4g s\n", s->steady_speed_m_per_s, s->settle_time_s);
+    printf("  speed %.5g m/s, ", s->steady_speed_m_per_s);
+    if (isnan(s->settle_time_s)) printf("not settled: more than 2 %% off the winch's as the run ended\n");
+    if (!isnan(s->settle_time_s)) printf("settled at %.4g s\n", s->settle_time_s);
 }
 
 /* What machines did, one line each, under the heading of their kind. */

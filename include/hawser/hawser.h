@@ -189,8 +189,8 @@ typedef struct hawser_summary {
     double paper_total_N, reference_total_N;
     double error_max_pct, error_mean_pct;             /* stations against the reference theory */
     double error_max_paper_pct, error_mean_paper_pct; /* stations against the paper's formulas */
-    double steady_speed_m_per_s, settle_time_s;
-    double steady_from_s, steady_to_s;
+    double steady_speed_m_per_s, settle_time_s;       /* settle: NAN if the speed was 2 % off as the run ended */
+    double steady_from_s, steady_to_s;                /* to: NAN if the run ended before the window */
     hawser_relaxation relaxation;
     hawser_phases phases;
     int n_positions;

@@ -206,7 +206,8 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     fill_places(t);
     fill_terms(t);
     for (int k = 0; k < PLAN_WAYS; k++) {
-        hawser_verdict(1, &c->pulled[k], c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
+        const hawser_condition held[] = {c->supported, c->pulled[k]};
+        hawser_verdict(2, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
     Table table[3 + THEORY_TABLES_MAX] = {{"stations", "Tension along the route, full of cable, pulled forward",
                                            COLUMNS(Place, place_column), t->n, t->place}};
