@@ -106,10 +106,10 @@ static void take_span(Pull *pull, const PullSpan *span)
     const SpanExtremes *e = &span->extremes;
     take_tension(pull, e->max_at, e->max_tension);
     take_tension(pull, e->min_at, e->min_tension);
-    const double sidewall = e->max_tension * span->law.line.curvature * span->share;
+    const double sidewall = e->max_pressure * span->share;
     if (sidewall > pull->max_sidewall) {
         pull->max_sidewall = sidewall;
-        pull->sidewall_at = e->max_at;
+        pull->sidewall_at = e->pressure_at;
     }
 }
 
@@ -198,7 +198,7 @@ PullPoint pull_at(const Pull *pull, double s)
     const SpanFrame frame = span_frame(&span->law.line, at);
     point.normal = span_normal(&span->law, at, point.tension);
     point.support = span_support(&span->law, at, point.tension);
-    point.sidewall = point.tension * span->law.line.curvature * span->share;
+    point.sidewall = point.tension * frame.curvature * span->share;
     point.slope = asin(fmax(-1, fmin(1, frame.tz)));
     return point;
 }
@@ -210,7 +210,7 @@ PieceExtremes pull_piece_extremes(const Pull *pull, int piece)
         const PullSpan *span = &pull->span[i];
         if (span->piece != piece) continue;
         out.tension = fmax(out.tension, span->extremes.max_tension);
-        out.sidewall = fmax(out.sidewall, span->extremes.max_tension * span->law.line.curvature * span->share);
+        out.sidewall = fmax(out.sidewall, span->extremes.max_pressure * span->share);
         out.down = fmax(out.down, span->extremes.max_down);
         out.aside = fmax(out.aside, span->extremes.max_aside);
     }

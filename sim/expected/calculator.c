@@ -159,7 +159,7 @@ static Finding bend_finding(const Route *route)
     Finding f = {.value = INFINITY};
     for (int p = 0; p < route->n; ++p) {
         const RoutePiece *const piece = &route->piece[p];
-        if (piece->kind == ROUTE_BEND && piece->radius < f.value) f = finding_at(route, piece->radius, piece->s0);
+        if (piece->kind != ROUTE_STRAIGHT && piece->radius < f.value) f = finding_at(route, piece->radius, piece->s0);
     }
     return f;
 }

@@ -42,12 +42,6 @@ static Guided guided_part(const Scene *scene, int p)
                     end - last > 1.01 * half ? last + half : end};
 }
 
-/* Bends that turn to a side at all. */
-static int is_sideways(const RoutePiece *piece)
-{
-    return piece->kind == ROUTE_BEND && fabs(v3_cross(piece->tangent, piece->centre).z) > 1e-9;
-}
-
 const SurfaceDef *surface_at(const SceneDef *def, double s)
 {
     for (int i = 0; i < def->n_surfaces; ++i) {
@@ -90,7 +84,7 @@ static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *
         c->s[c->n++] = def->surfaces[i].shape.to;
     }
     for (int p = 0; p < pieces; ++p) {
-        if (!is_sideways(&scene->route.piece[p])) continue;
+        if (!route_turns_aside(&scene->route.piece[p])) continue;
         c->guided[p] = guided_part(scene, p);
         if (!(c->guided[p].from < c->guided[p].to)) continue;
         c->s[c->n++] = c->guided[p].from;
