@@ -254,7 +254,7 @@ hawser_status route_curve_set(Route *route, RoutePiece *p, const RoutePieceDef *
     }
     const hawser_status status = knots_add(route, p, err);
     if (status) return status;
-    if (p->kind == ROUTE_CUBIC) p->length = route->knot[p->curve.first + p->curve.n].x;
+    if (is_timed(p)) p->length = route->knot[p->curve.first + p->curve.n].x;
     assert(p->length > 0);
     measure(route, p);
     const Vec3 plan = v3_cross(def->cubic[0], v3_add(def->cubic[1], def->cubic[2]));
