@@ -10,7 +10,7 @@ static const double TWIST_MIN = 1e-9;
 /* 1/m: an arc that bends less is laid straight. */
 static const double STRAIGHT_MAX = 1e-7;
 
-/* The longest part, m: a quarter of a bend; of a curve, a pair of arcs that stays within SURFACE_WAY_OFF of it (DU19).
+/* The longest part, m: a quarter of a bend; of a curve, a pair of arcs that stays within SURFACE_WAY_OFF of it (RO18).
  */
 static double part_length(const RoutePiece *p)
 {
@@ -134,7 +134,7 @@ static SurfacePatch way_arc(const RoutePoint *a, const RoutePoint *b, double on,
     return way;
 }
 
-/* Two arcs that have places and tangents of the curve at both ends and a tangent in common where they meet (DU18). */
+/* Two arcs that have places and tangents of the curve at both ends and a tangent in common where they meet (RO17). */
 static int way_pair(const Route *route, double from, double to, int rolls, SurfacePatch *way)
 {
     const RoutePoint a = route_at(route, from), b = route_at(route, to);

@@ -284,9 +284,10 @@ static void spoil_all(const char *text, const CaseNode *node, Coverage *coverage
 static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
-    static const char *const names[] = {"full-ramps",         "full-tables", "full-tension",
-                                        "full-tension-table", "full-reel",   "full-reel-table",
-                                        "full-reel-weight",   "full-rod",    "full-rod-polyline"};
+    static const char *const names[] = {"full-ramps",         "full-tables",       "full-tension",
+                                        "full-tension-table", "full-reel",         "full-reel-table",
+                                        "full-reel-weight",   "full-rod",          "full-rod-polyline",
+                                        "full-route",         "full-route-points", "full-route-plan"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);
