@@ -425,9 +425,9 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
         if (!given || planned || strcmp(only[k].with, lists[kind]) == 0) continue;
         return case_key_error(r->err, given, NULL, "not with '%s'", lists[kind]);
     }
-    if (list->count < (kind == 1 ? 2 : 1))
-        return case_value_error(r->err, list, " of %d: the route needs %s at least", list->count,
-                                kind == 1 ? "two" : "one");
+    if (list->count == 0) return case_value_error(r->err, list, " without a piece: the route is empty");
+    if (kind == 1 && list->count < 2)
+        return case_value_error(r->err, list, " of %d: expected two points at least", list->count);
     return HAWSER_OK;
 }
 
