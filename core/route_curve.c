@@ -1,4 +1,4 @@
-#include "core/route_curve.h"
+#include "core/route_make.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
-#include "core/route_curve.h"
 
 /* Lengths and angles below these are rounding, m and rad. */
 static const double LENGTH_MIN = 1e-9, ANGLE_MIN = 1e-10;

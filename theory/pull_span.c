@@ -193,7 +193,7 @@ static double pressure_inside(const SpanLaw *p, double s, double tension, double
 {
     double trial[7] = {k[0]}, error;
     const double end = x > 0 ? dopri_step(p, s, tension, x, trial, &error) : tension;
-    return end * span_frame(&p->line, s + p->direction * x).curvature;
+    return fabs(end) * span_frame(&p->line, s + p->direction * x).curvature;
 }
 
 /* The largest T times curvature of a step on a curve: looks along it, then thirds about the best. */
@@ -265,8 +265,8 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
         h *= grow;
     }
     if (extremes && !p->line.route) { /* one curvature: where the tension is largest */
-        extremes->max_pressure = extremes->max_tension * p->line.curvature;
-        extremes->pressure_at = extremes->max_at;
+        extremes->max_pressure = fmax(extremes->max_tension, -extremes->min_tension) * p->line.curvature;
+        extremes->pressure_at = extremes->max_tension >= -extremes->min_tension ? extremes->max_at : extremes->min_at;
     }
     return tension;
 }

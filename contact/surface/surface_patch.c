@@ -1,8 +1,6 @@
 /* From a user's description to patches: each face of the cross-section is laid along each part of the way. */
 #include "contact/surface/surface_patch.h"
 
-#include "contact/surface/surface_way.h"
-
 static SurfaceFade fade_between(double from, double to, double band)
 {
     return (SurfaceFade){1, from - band / 2, from + band / 2, to - band / 2, to + band / 2};

@@ -1,6 +1,6 @@
 /* The way in parts: straights and arcs, cut at the route's corners and every quarter of a bend; curves are laid out in
  * pairs of arcs. */
-#include "contact/surface/surface_way.h"
+#include "contact/surface/surface_patch.h"
 
 #include "core/route.h"
 

@@ -17,6 +17,11 @@ hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, haws
     }
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
+    if (c->def.duration_open) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "%.200s: key 'run.duration': missing: without a winch that sets a speed nothing says how long",
+                         c->name);
+    }
     status = sim_new(&c->def, threads, out, err);
     if (status) return case_name_error(c, status, err);
     hawser_sim *const s = *out; /* the case may be gone soon */

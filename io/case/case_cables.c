@@ -233,10 +233,9 @@ hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
     SceneDef *const def = r->def;
     Mesh mesh;
     hawser_status status = mesh_find(def, &r->route, &mesh, r->err);
-    for (const CaseNode *item = node->first; item && !status; item = item->next) {
-        ChainPieceDef *const piece = &def->pieces[item->index];
-        if (piece->segments > 0) continue;
-        status = segments_count(r, item, mesh_auto(&mesh, def, item->index), piece);
+    for (int p = 0; p < def->n_pieces && !status; p++) {
+        if (def->pieces[p].segments > 0) continue;
+        status = segments_count(r, node ? case_node_item(node, p) : r->root, mesh_auto(&mesh, def, p), &def->pieces[p]);
     }
     mesh_free(&mesh);
     return status;
@@ -258,9 +257,25 @@ static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void 
     return HAWSER_OK;
 }
 
+/* Without a chain it is the only cable; how long it is the route says (case_route_read). */
+static hawser_status chain_of_one(CaseReader *r)
+{
+    SceneDef *const def = r->def;
+    if (case_node_key(r->root, "rod")) return case_key_error(r->err, r->root, "chain", "missing: a rod needs it");
+    if (def->n_cables > 1) {
+        return case_key_error(r->err, r->root, "chain", "missing: 'cables' has %d, and nothing says which is pulled",
+                              def->n_cables);
+    }
+    def->pieces = calloc(1, sizeof *def->pieces);
+    if (!def->pieces) return error_memory(r->err);
+    def->n_pieces = 1;
+    return HAWSER_OK;
+}
+
 hawser_status case_chain_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
+    if (!node) return chain_of_one(r);
     if (node->count == 0) return case_value_error(r->err, node, " without a piece: expected one at least");
     return case_list_read(r, node, sizeof *def->pieces, piece_read, &def->pieces, &def->n_pieces);
 }

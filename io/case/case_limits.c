@@ -5,6 +5,7 @@
 /* In the order of the enumerations that they stand for. */
 static const char *const layouts[] = {"auto", "single", "pair", "triangle", "cradle", "diamond", NULL};
 static const char *const codes[] = {"paper", "tb889", NULL};
+static const char *const wears[] = {"cable", "place", NULL};
 static const char *const practices[] = {"chinese", "fujikura", "aeic", "rollers", NULL};
 static const char *const attachments[] = {"eye", "net", NULL};
 static const char *const metals[] = {"copper", "aluminium", NULL};
@@ -16,6 +17,20 @@ static const CaseKey theory_keys[] = {
     {"layout", KEY_CHOICE, .fallback = "auto", .choices = layouts, AT(TheoryDef, layout)},
     {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, reel)},
     {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, rope)},
+    {"rope_mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "the chain's rope, if it has one", FROM(0, 1e6),
+     AT(TheoryDef, rope_mass)},
+    {"rope_mu", KEY_NUMBER, .otherwise = "the cable's in the same place", FROM(0, 10), AT(TheoryDef, rope_mu)},
+    {"stretches", KEY_LIST, .otherwise = "the case's, and that of its ducts and trays", .form = "stretches one by one",
+     .section = &case_theory_friction},
+    {"wear", KEY_LIST, .otherwise = "none", .form = "lengths and factors, by rising length",
+     .section = &case_theory_wear},
+    {"wear_by", KEY_CHOICE, .fallback = "cable", .choices = wears, AT(TheoryDef, wear_by)},
+    {"pits", KEY_LIST, .otherwise = "none", .form = "pits one by one", .section = &case_theory_pit},
+    {"machines", KEY_LIST, .otherwise = "none", .form = "machines one by one", .section = &case_theory_machine},
+    {"machine_push", KEY_NUMBER, DIM_FORCE, .otherwise = "not asked", ABOVE(0, STRONG), AT(TheoryDef, machine_push)},
+    {"feed", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(TheoryDef, feed)},
+    {"bears", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", FROM(0, STRONG), AT(TheoryDef, bears)},
+    {"temperature", KEY_NUMBER, .otherwise = "not known", FROM(-60, 60), AT(TheoryDef, temperature)},
 };
 SECTION(case_theory, "theory", theory_keys);
 
@@ -65,7 +80,7 @@ hawser_status case_theory_read(CaseReader *r, const CaseNode *node)
     const hawser_status status = case_section_read(r, node, &case_theory, theory);
     if (status) return status;
     const int of = cables[theory->layout];
-    if (of == 0 || of == theory->cables) return HAWSER_OK;
+    if (of == 0 || of == theory->cables) return case_planner_read(r, node);
     return case_key_error(r->err, case_node_key(node, "layout"), NULL, "a %s is of %d cables, but 'cables' is %d",
                           duct_layout_name((DuctLayout)theory->layout), of, theory->cables);
 }

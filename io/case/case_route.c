@@ -512,6 +512,7 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
     def->head_at = in.head_at;
     status = route_build(&r->route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope,
                          r->err);
+    if (!status && !case_node_key(r->root, "chain")) def->pieces[0].length = r->route.length;
     return status ? status : head_check(r, node);
 }
 

@@ -47,7 +47,8 @@ void scene_def_defaults(SceneDef *def)
     contact_defaults(def);
     drive_defaults(def);
     solver_defaults(&def->solver);
-    def->theory.cables = 1;
+    def->theory = (TheoryDef){
+        .cables = 1, .rope_mass = NAN, .rope_mu = NAN, .bears = NAN, .machine_push = NAN, .temperature = NAN};
     limits_defaults(&def->limits);
     def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};
     def->medium = (MediumDef){.normal = 1.2, .tangential = 0.01, .buoyancy = 1};

@@ -197,7 +197,8 @@ typedef struct SceneDef {
     AnalysisDef analysis;
     SolverDef solver;
     OutputDef output;
-    double duration; /* s */
+    double duration;   /* s */
+    int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
 } SceneDef;
 
 /* Every default there is; docs/case-format.md lists them. */

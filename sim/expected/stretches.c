@@ -113,6 +113,7 @@ static PullStretch stretch_make(const Scene *scene, const Corners *c, int i)
     return (PullStretch){.from = c->s[i],
                          .weight = scene->cable_weight,
                          .mu = mu,
+                         .mu_rope = mu,
                          .mu_static = law->mu_d > 0 ? mu * law->mu_s / law->mu_d : law->mu_s,
                          .separate = is_separate(scene, c, surface, middle)};
 }
@@ -132,6 +133,17 @@ hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *e
     }
     corners_free(&c);
     return status;
+}
+
+void stretches_cut(Stretches *stretches, double s)
+{
+    PullStretch *const a = stretches->stretch;
+    int i = stretches->n;
+    while (i > 0 && a[i - 1].from >= s) --i;
+    if ((i < stretches->n && a[i].from <= s) || i == 0) return;
+    for (int k = stretches->n++; k > i; --k) a[k] = a[k - 1];
+    a[i] = a[i - 1];
+    a[i].from = s;
 }
 
 void stretches_free(Stretches *s)

@@ -15,6 +15,8 @@ typedef struct Stretches {
  * Errors: MEMORY. */
 hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *err);
 void stretches_free(Stretches *s);
+/* Makes a stretch begin at s, m, if none does; the array must have room for one more. */
+void stretches_cut(Stretches *stretches, double s);
 
 /* Whether a roller of a row stands upright beside the cable: its axis is nearer to the route's upward normal than to
  * the level. */

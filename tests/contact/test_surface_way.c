@@ -1,7 +1,7 @@
 /* Ducts along curves: how far their arcs lie beside the route. */
 #include <stdlib.h>
 
-#include "contact/surface/surface_way.h"
+#include "contact/surface/surface_patch.h"
 #include "core/base/worst.h"
 #include "tests/support/check.h"
 
