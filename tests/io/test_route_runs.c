@@ -36,16 +36,16 @@ static void bends_keep_their_grade(void **state)
 {
     (void)state;
     static const char *const pieces =
-        "[{straight: 20 m}, {bend: 90 deg, radius: 12 m, plane: left%s}, {straight: 30 m, name: out}]";
+        "[{straight: 20 m, slope: -5 deg}, {bend: 90 deg, radius: 12 m, plane: left%s}, {straight: 30 m, name: out}]";
     char text[256];
     for (int plane = 0; plane < 2; ++plane) {
         SceneDef def;
         snprintf(text, sizeof text, pieces, plane ? ", grade: plane" : "");
-        expect_good(data_text("full-ramps"), "route.pieces", text, &def);
+        expect_good(data_text("full-route"), "route.pieces", text, &def);
         Route r = route_of(&def);
         const double grade = -5 * M_PI / 180;
         check_close(route_slope(&r, r.length), plane ? 0 : grade, 1e-12);
-        if (!plane) check_close(route_at(&r, r.length).position.z, 3 + 50 * sin(grade) + 6 * M_PI * tan(grade), 1e-12);
+        if (!plane) check_close(route_at(&r, r.length).position.z, 2 + 50 * sin(grade) + 6 * M_PI * tan(grade), 1e-12);
         route_clear(&r);
         scene_def_clear(&def);
     }
@@ -65,7 +65,7 @@ static void coordinates_come_down(void **state)
     scene_def_clear(&def);
     expect_bad(data_text("full-route"), "route.pieces.1.straight", "4 m", "too short for the changes of slope");
     expect_bad(data_text("full-route"), "route.pieces.0.radius", "4 m", "not allowed in a 'straight' piece");
-    expect_bad(data_text("full-route-plan"), "route.profile.3.station", "150 m", "is too short for the roundings");
+    expect_bad(data_text("full-route-plan"), "route.profile.2.parabola", "60 m", "is too short for the roundings");
     expect_bad(data_text("full-route-points"), "route.radius", "30 m", "too near for a radius");
 }
 
