@@ -173,6 +173,7 @@ int hawser_sim_positions(const hawser_sim *s, const hawser_position **out);
 
 typedef struct hawser_summary {
     int segments, bushings, rollers, surfaces;
+    double origin_m[3];     /* of all coordinates, in those of the case (route.origin) */
     int contact_candidates; /* pairs of line element and roller that are looked at, largest over the run */
     int contact_active_max;
     double sim_time_s, wall_time_s, real_time_factor;

@@ -159,10 +159,10 @@ static void fill_rows(Description *d)
     }
     for (int i = 0; i < d->route.n; i++) {
         const RoutePiece *const p = &d->route.piece[i];
-        const int bend = p->kind == ROUTE_BEND;
+        const int bend = p->kind != ROUTE_STRAIGHT;
         const double end = p->s0 + p->length;
         d->leg[i] = (RouteRow){.name = p->name,
-                               .kind = bend ? "bend" : "straight",
+                               .kind = route_piece_word(p),
                                .s = p->s0,
                                .length = p->length,
                                .radius = bend ? p->radius : NAN,

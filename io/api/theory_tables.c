@@ -75,7 +75,7 @@ static int pieces_add(const Scene *scene, const Calculator *c, TheoryTables *t)
                           .supports = rules[c->rule[p]],
                           .from = piece->s0,
                           .length = piece->length,
-                          .radius = piece->kind == ROUTE_BEND ? piece->radius : NAN};
+                          .radius = piece->kind != ROUTE_STRAIGHT ? piece->radius : NAN};
         for (int k = 0; k < PLAN_WAYS; ++k) {
             const PlanPiece *const way = &c->plan.way[k].piece[p];
             row->way[k] = (PieceWay){way->t_out, way->sidewall, supported ? way->roller_load : NAN,

@@ -24,7 +24,7 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
         for (int i = 0; i < s->n; ++i) {
             if (longer[i].from < def->from || longer[i].from >= def->to) continue;
             const double middle = i + 1 < s->n ? (longer[i].from + longer[i + 1].from) / 2 : longer[i].from + 1;
-            const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind == ROUTE_BEND;
+            const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
             const double correction = bundle_friction(&scene->def, surface_at(&scene->def, middle), in_bend);
             longer[i].mu_rope = def->mu;
             longer[i].mu = correction * def->mu;
@@ -158,7 +158,7 @@ static Finding bend_finding(const Calculator *c, int way)
     Finding f = {.value = INFINITY};
     for (int p = 0; p < c->route->n; ++p) {
         const RoutePiece *const piece = &c->route->piece[p];
-        if (piece->kind != ROUTE_BEND || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
+        if (piece->kind == ROUTE_STRAIGHT || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
         if (piece->radius < f.value) f = finding_at(c->route, piece->radius, piece->s0);
     }
     return f;
@@ -333,6 +333,15 @@ static double place_on(const Route *other, const Route *route, double s)
     return there->s0 + (s - here->s0) * there->length / here->length;
 }
 
+/* Makes what bends so many times as large. */
+static void piece_grow(RoutePieceDef *piece, double times)
+{
+    piece->radius *= times;
+    if (piece->kind == ROUTE_CURVE) piece->length *= times;
+    for (int end = 0; end < 2; ++end) piece->curvature[end] /= times;
+    for (int i = 0; i < 3; ++i) piece->cubic[i] = v3_scale(times, piece->cubic[i]);
+}
+
 /* The scene's route with other radii; angles stay, lengths follow. */
 static hawser_status route_vary(const Scene *scene, const Variation *by, Route *out, hawser_error *err)
 {
@@ -341,7 +350,7 @@ static hawser_status route_vary(const Scene *scene, const Variation *by, Route *
     if (!piece) return error_memory(err);
     for (int p = 0; p < def->n_route; ++p) {
         piece[p] = def->route[p];
-        if (by->bend < 0 || by->bend == p) piece[p].radius *= by->radius;
+        if (by->bend < 0 || by->bend == p) piece_grow(&piece[p], by->radius);
     }
     const hawser_status status =
         route_build(out, def->n_route, piece, def->route_start, def->route_heading, def->route_slope, err);

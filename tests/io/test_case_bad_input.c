@@ -158,6 +158,8 @@ static void wrong_any(const Site *site, Coverage *coverage)
         const char *key, *texts[10];
     } forms[] = {
         {"gravity", {"5 kg", "nan", "-1", "inf", "9.8x", "[0, 0]", "[0, 0, nan]", "{a: 1}", "", "1e9"}},
+        {"origin",
+         {"7", "aut", "[1, 2]", "[1, 2, nan]", "[1, 2, 3x]", "{a: 1}", "[1, 2, 5 kg]", "''", "[[1], 2, 3]", "nan"}},
         {"plane", {"upp", "5 kg", "nan", "inf", "[1]", "{a: 1}", "", "30x", "1000 deg", "-7"}},
         {"along",
          {"7", "[7]", "[[1]]", "{a: 1}", "[{from: 1}, {}]", "''", "{spacing: 1, count: 2}", "{}", "[~]", "nan"}},
@@ -287,9 +289,9 @@ static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
     static const char *const names[] = {
-        "full-ramps",      "full-tables",      "full-tension", "full-tension-table", "full-reel",
-        "full-reel-table", "full-reel-weight", "full-rod",     "full-rod-polyline",  "full-bundle",
-        "full-library"};
+        "full-ramps",      "full-tables",      "full-tension",      "full-tension-table", "full-reel",
+        "full-reel-table", "full-reel-weight", "full-rod",          "full-rod-polyline",  "full-bundle",
+        "full-library",    "full-route",       "full-route-points", "full-route-plan"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);
