@@ -42,7 +42,7 @@ static const CaseKey limits_keys[] = {
     {"stress", KEY_NUMBER, DIM_PRESSURE, .otherwise = "by `code`", ABOVE(0, STIFF), AT(LimitsDef, stress)},
     {"pull", KEY_NUMBER, DIM_FORCE, .otherwise = "by eq. 11", ABOVE(0, STRONG), AT(LimitsDef, pull)},
     {"practice", KEY_CHOICE, .fallback = "chinese", .choices = practices, AT(LimitsDef, practice)},
-    {"sidewall", KEY_NUMBER, DIM_SPRING, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
+    {"sidewall", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
     {"bend_factor", KEY_NUMBER, .otherwise = "by `practice`", ABOVE(0, 1000), AT(LimitsDef, bend_factor)},
     {"bend_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "`bend_factor` times the cable's diameter", ABOVE(0, LONG),
      AT(LimitsDef, bend_radius)},
