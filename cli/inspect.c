@@ -6,6 +6,7 @@
 #define SETTING "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
 #define FORMAT                                                                                                         \
     "      --format FORMAT     table (default), json or csv\n"                                                         \
+    "      --units UNITS       of the table: si (default) or us; json and csv are in SI\n"                             \
     "  -h, --help              this text\n"                                                                            \
     "  -V, --version           the version\n"
 
@@ -71,7 +72,7 @@ static int validate(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_check = {"check", "checks a case and prints what would be built", "sf", check_help, check};
-const Command command_theory = {"theory", "prints the theoretical tension along the route", "sf", theory_help, theory};
-const Command command_validate = {"validate", "runs scenes of which the result is known", "fFx-", validate_help,
+const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
+const Command command_theory = {"theory", "prints the theoretical tension along the route", "sfu", theory_help, theory};
+const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};

@@ -165,8 +165,12 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     };
     const int own = def->n_paper ? 2 : 1;
     for (int i = 0; i < t->tables.n; i++) tables[own + i] = t->tables.table[i];
-    const Document doc = {title,  sizeof facts / sizeof *facts, own + t->tables.n, facts,
-                          tables, &tables[own + THEORY_PIECES]};
+    const Document doc = {.title = title,
+                          .n_facts = sizeof facts / sizeof *facts,
+                          .n_tables = own + t->tables.n,
+                          .fact = facts,
+                          .table = tables,
+                          .csv = &tables[own + THEORY_PIECES]};
     return document_write(&doc, format, text, err);
 }
 

@@ -30,8 +30,10 @@ typedef struct Column {
     size_t offset;                     /* in the row */
     double (*number)(const void *row); /* in place of what lies there */
     const char *(*text)(const void *row);
-    const char *label;            /* over the column of a table for people */
+    const char *label;            /* over the column of a table for people; the key's unit may follow behind a comma */
     int decimals;                 /* there; < 0: as many as it takes */
+    int group;                    /* there: where a table that is too wide for a page is better cut than elsewhere */
+    const char *unit_by;          /* key of the column with each row's unit; NULL: the unit is the key's end */
     int digits;                   /* of CSV files; 0: nine */
     const struct Columns *of;     /* LIST, MAP, OBJECT: their columns */
     size_t count;                 /* LIST, MAP: where in the row the int is that says how many */
@@ -90,8 +92,11 @@ typedef struct Document {
     const Fact *fact;   /* [n_facts] */
     const Table *table; /* [n_tables] */
     const Table *csv;   /* the one table that CSV can hold; NULL: the facts */
+    const char *answer; /* for people, below the title and above all figures: whole lines; NULL: none */
 } Document;
 
+/* A document as text for people. */
+void document_print(FILE *f, const Document *doc, hawser_units units);
 /* The text in a format; malloc'ed. Errors: MEMORY. */
 hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err);
 

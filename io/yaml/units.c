@@ -44,9 +44,6 @@ static const DimensionRow dimensions[DIM_COUNT] = {
 /* Base units. The radian is one of them, so that an angle cannot pass for a pure number. */
 static const char *const base_units[] = {"m", "kg", "s", "rad"};
 
-/* m/s2, by which a weight is a mass: the pound of force and the kilogram of force are defined with it. */
-static const double STANDARD_GRAVITY = 9.80665;
-
 /* The others, each from those above it; the inch, foot and pound are exact by definition. A circular mil is the area of
  * a circle of a thousandth of an inch across. */
 typedef struct UnitRow {
@@ -56,11 +53,11 @@ typedef struct UnitRow {
 } UnitRow;
 
 static const UnitRow derived_units[] = {
-    {"in", 0.0254, "m"},
-    {"ft", 0.3048, "m"},
+    {"in", UNIT_FOOT / 12, "m"},
+    {"ft", UNIT_FOOT, "m"},
     {"g", 1e-3, "kg"},
     {"t", 1e3, "kg"},
-    {"lb", 0.45359237, "kg"},
+    {"lb", UNIT_POUND, "kg"},
     {"min", 60, "s"},
     {"h", 3600, "s"},
     {"deg", 3.14159265358979323846 / 180, "rad"},
@@ -68,8 +65,8 @@ static const UnitRow derived_units[] = {
     {"rpm", 1, "rev/min"},
     {"Hz", 1, "s-1"},
     {"N", 1, "kg m s-2"},
-    {"kgf", 9.80665, "N"},
-    {"lbf", 4.4482216152605, "N"},
+    {"kgf", UNIT_GRAVITY, "N"},
+    {"lbf", UNIT_POUND *UNIT_GRAVITY, "N"},
     {"kip", 1e3, "lbf"},
     {"Pa", 1, "N m-2"},
     {"bar", 1e5, "Pa"},
@@ -264,7 +261,7 @@ static double unit_read(const Units *units, const char *text, Dimension dimensio
     ut_unit *unit = unit_plausible(text) ? ut_parse(units->system, text, UT_UTF8) : NULL;
     double factor = unit ? unit_factor(unit, units->si[dimension]) : 0;
     if (unit && factor == 0 && dimension == DIM_LINE_MASS) {
-        factor = unit_factor(unit, units->si[DIM_LINE_FORCE]) / STANDARD_GRAVITY;
+        factor = unit_factor(unit, units->si[DIM_LINE_FORCE]) / UNIT_GRAVITY;
     }
     if (!unit) {
         snprintf(why, UNITS_WHY_MAX, "has an unknown unit '%.40s'", text);

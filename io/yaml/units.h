@@ -4,6 +4,11 @@
 #ifndef HAWSER_IO_YAML_UNITS_H
 #define HAWSER_IO_YAML_UNITS_H
 
+/* Exact by definition: m, kg, m/s2. Under standard gravity a pound of mass weighs a pound of force. */
+#define UNIT_FOOT    0.3048
+#define UNIT_POUND   0.45359237
+#define UNIT_GRAVITY 9.80665
+
 typedef enum Dimension {
     DIM_NONE, /* a pure number */
     DIM_LENGTH,

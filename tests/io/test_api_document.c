@@ -27,7 +27,7 @@ static const Fact facts[] = {{"mass_kg", "mass", "kg", {NULL, 12.5}}, {"kind", "
 static int fill(void **state)
 {
     (void)state;
-    doc = (Document){"Title", 2, 1, facts, &table, &table};
+    doc = (Document){.title = "Title", .n_facts = 2, .n_tables = 1, .fact = facts, .table = &table, .csv = &table};
     return 0;
 }
 
