@@ -26,6 +26,14 @@ const char *hawser_show_figure(const hawser_figure *figure, hawser_units units, 
  * digits as it has and four at least; of SI the sentence itself. At most `size` bytes. Returns `text`. */
 const char *hawser_show_text(const char *sentence, hawser_units units, char *text, size_t size);
 
+struct hawser_sim;
+
+/* What a report begins with: a line with the verdict, then what it rests on, each line "  word  sentence": the pull
+ * against what is allowed, the worst place, what to do about each limit that is broken, and whether the figures are to
+ * be trusted. At most `size` bytes (HAWSER_ANSWER_MAX is enough). Returns `text`. */
+enum { HAWSER_ANSWER_MAX = 8192 };
+const char *hawser_sim_answer(struct hawser_sim *s, hawser_units units, char *text, size_t size);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,5 +1,6 @@
 /* The closed-form calculation of a case: what `hawser theory` prints. The formulas are in theory/. */
 #include "core/base/error.h"
+#include "io/api/answer.h"
 #include "io/api/api_handles.h"
 #include "sim/expected/expected.h"
 #include "theory/paper.h"
@@ -49,6 +50,7 @@ typedef struct Theory {
     Calculator calculator;
     TheoryTables tables;
     char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX];
+    char answer[HAWSER_ANSWER_MAX];
     Term *term; /* [n_paper] */
 } Theory;
 
@@ -144,6 +146,8 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     for (int k = 0; k < PLAN_WAYS; k++) {
         hawser_verdict(1, &c->pulled[k], c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
+    Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
+    answer_theory(&answer, &t->scene, c, t->verdict);
     const Fact facts[] = {
         {"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->scene.cable_weight)},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
@@ -156,8 +160,8 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
         {"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(t->pull.max_sidewall)},
         {"cables", "cables pulled together", "", cell_number(c->cables)},
         {"better_direction", "less force when pulled", "", cell_text(c->plan.better ? "backward" : "forward")},
-        {"verdict_forward", "pulled forward", "", cell_text(t->verdict[PLAN_FORWARD])},
-        {"verdict_backward", "pulled backward", "", cell_text(t->verdict[PLAN_BACKWARD])},
+        {"verdict_forward", NULL, "", cell_text(t->verdict[PLAN_FORWARD])},
+        {"verdict_backward", NULL, "", cell_text(t->verdict[PLAN_BACKWARD])},
     };
     Table tables[2 + THEORY_TABLES_MAX] = {
         {"stations", "Tension along the route", COLUMNS(Place, place_column), t->n, t->place},
@@ -170,7 +174,8 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
                           .n_tables = own + t->tables.n,
                           .fact = facts,
                           .table = tables,
-                          .csv = &tables[own + THEORY_PIECES]};
+                          .csv = &tables[own + THEORY_PIECES],
+                          .answer = t->answer};
     return document_write(&doc, format, text, err);
 }
 

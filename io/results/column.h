@@ -81,7 +81,7 @@ typedef struct Table {
 
 typedef struct Fact {
     const char *key;   /* of JSON and CSV, with the unit: "cable_mass_kg" */
-    const char *label; /* for people */
+    const char *label; /* for people; NULL: they have read it in the answer */
     const char *unit;
     Cell cell;
 } Fact;

@@ -98,8 +98,7 @@ static const char *say_cell(const Page *page, const Shape *shape, int row, char 
 static int decimals_of(const Column *column, double factor)
 {
     if (column->decimals < 0 || factor == 1) return column->decimals;
-    const int wanted = column->decimals - (int)log10(factor),
-              most = column->decimals > 3 ? column->decimals : 3;
+    const int wanted = column->decimals - (int)log10(factor), most = column->decimals > 3 ? column->decimals : 3;
     return wanted < 0 ? 0 : wanted > most ? most : wanted;
 }
 
@@ -256,10 +255,12 @@ static void print_facts(FILE *f, const Document *doc, hawser_units units)
 {
     int width = 0;
     for (int i = 0; i < doc->n_facts; i++) {
-        const int w = (int)strlen(doc->fact[i].label);
+        const int w = doc->fact[i].label ? (int)strlen(doc->fact[i].label) : 0;
         if (w > width) width = w;
     }
-    for (int i = 0; i < doc->n_facts; i++) print_fact(f, &doc->fact[i], width, units);
+    for (int i = 0; i < doc->n_facts; i++) {
+        if (doc->fact[i].label) print_fact(f, &doc->fact[i], width, units);
+    }
 }
 
 void document_print(FILE *f, const Document *doc, hawser_units units)

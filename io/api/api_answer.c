@@ -1,0 +1,353 @@
+/* What a planner wants to know first, in words: of a run and of the calculation alike. */
+#include "io/api/answer.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "io/api/api_handles.h"
+
+enum { REMEDY_MAX = 256, OPEN_MAX = 400, PAGE = 118, INDENT = 17 };
+
+/* Adds so many bytes of a text, as far as there is room. */
+static void add(Answer *a, const char *text, int n)
+{
+    const int written = snprintf(a->text + a->used, a->size - a->used, "%.*s", n, text);
+    a->used += (size_t)written < a->size - a->used ? (size_t)written : a->size - a->used - 1;
+}
+
+/* Adds a sentence that begins at column `at`, in the reader's units, cut at blanks into lines that begin at `indent`.
+ */
+static void add_sentence(Answer *a, const char *sentence, int at, int indent)
+{
+    char shown[HAWSER_VERDICT_MAX], margin[INDENT + 2];
+    const char *rest = hawser_show_text(sentence, a->units, shown, sizeof shown);
+    const int blanks = snprintf(margin, sizeof margin, "\n%*s", indent, "");
+    while ((int)strlen(rest) > PAGE - at) {
+        int n = PAGE - at;
+        while (n > 0 && rest[n] != ' ') --n;
+        if (n == 0) break; /* a word that is too long stands as it is */
+        add(a, rest, n);
+        add(a, margin, blanks);
+        at = indent;
+        rest += n + 1;
+    }
+    add(a, rest, (int)strlen(rest));
+    add(a, "\n", 1);
+}
+
+void answer_line(Answer *a, const char *word, const char *format, ...)
+{
+    char sentence[HAWSER_VERDICT_MAX], first[64];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(sentence, sizeof sentence, format, args);
+    va_end(args);
+    const int at = snprintf(first, sizeof first, "  %-14s ", word);
+    add(a, first, at);
+    add_sentence(a, sentence, at, INDENT);
+}
+
+void answer_verdict(Answer *a, const char *verdict)
+{
+    a->used = 0;
+    add_sentence(a, verdict, 0, 2);
+}
+
+/* ---------------------------------------------------------------------------------------------------- remedies */
+
+/* A value in SI with its unit, in a buffer of the caller's. */
+static const char *say(double value, const char *unit, char *text) { return hawser_show(value, unit, HAWSER_SI, text); }
+
+/* A length rounded up to two digits behind its first, so that what is asked for is never too little. */
+static double rounded_up(double value)
+{
+    const double unit = pow(10, floor(log10(value)) - 1);
+    return ceil(value / unit - 1e-9) * unit;
+}
+
+/* The bend at a place that begins with metres along the route, "17.3 m (out)": the one there, or that ends or begins
+ * within the rounding; -1 if there is none. */
+static int bend_at(const Route *route, const char *where)
+{
+    char *end;
+    const double s = strtod(where, &end);
+    int found = -1;
+    if (end == where || strncmp(end, " m", 2) != 0) return -1;
+    for (int p = 0; p < route->n; ++p) {
+        const RoutePiece *const piece = &route->piece[p];
+        if (piece->kind != ROUTE_BEND || s < piece->s0 - 0.06 || s > piece->s0 + piece->length + 0.06) continue;
+        if (found < 0 || (s > piece->s0 && s < piece->s0 + piece->length)) found = p;
+    }
+    return found;
+}
+
+/* The duct of that name; NULL if there is none. */
+static const SurfaceDef *duct_called(const SceneDef *def, const char *name)
+{
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        const SurfaceDef *const s = &def->surfaces[i];
+        if (s->shape.kind == SURFACE_DUCT && !strcmp(s->name, name)) return s;
+    }
+    return NULL;
+}
+
+/* T/R goes down as R goes up. */
+static void sidewall_remedy(const Scene *scene, const hawser_limit *l, char *text)
+{
+    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
+    const int p = bend_at(&scene->route, l->where);
+    const double share = 100 * (1 - l->limit / l->value);
+    if (p < 0) {
+        snprintf(text, REMEDY_MAX, "%.3g %% less tension there, or what presses less", share);
+        return;
+    }
+    const RoutePiece *const bend = &scene->route.piece[p];
+    say(rounded_up(bend->radius * l->value / l->limit), "m", radius);
+    snprintf(text, REMEDY_MAX,
+             "a radius of %s in '%s' would do (route.pieces.%d.radius, now %s), or %.3g %% less tension there", radius,
+             bend->name, p, say(bend->radius, "m", now), share);
+}
+
+/* At the cable's head all that is pulled comes together. */
+static void pull_remedy(const hawser_limit *l, char *text)
+{
+    char over[HAWSER_SHOWN_MAX];
+    snprintf(
+        text, REMEDY_MAX,
+        "%s less: conveyors or an intermediate pull that take so much, a lubricant (friction), or the other direction",
+        say(l->value - l->limit, "N", over));
+}
+
+static void rope_remedy(const Scene *scene, const hawser_limit *l, char *text)
+{
+    char strength[HAWSER_SHOWN_MAX];
+    const double factor = scene->def.limits.rope_strength / l->limit; /* of safety */
+    snprintf(text, REMEDY_MAX, "a rope that breaks at %s (limits.rope_strength), or less pull",
+             say(rounded_up(l->value * factor), "N", strength));
+}
+
+/* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D - d, fill by (d/D)^2. */
+static void duct_remedy(const Scene *scene, const hawser_limit *l, char *text)
+{
+    char least[HAWSER_SHOWN_MAX], most[HAWSER_SHOWN_MAX] = "", now[HAWSER_SHOWN_MAX];
+    const LimitsDef *const limits = &scene->def.limits;
+    const SurfaceDef *const duct = duct_called(&scene->def, l->where);
+    if (!duct) return;
+    const double D = 2 * duct->shape.radius;
+    double wider = D * sqrt(l->value / l->limit);
+    if (!strcmp(l->name, "clearance")) wider = D + l->limit - l->value;
+    if (!strcmp(l->name, "jam_ratio")) {
+        wider = D * limits->jam_to / l->value;
+        say(D * limits->jam_from / l->value, "m", most);
+    }
+    snprintf(text, REMEDY_MAX, "an inside diameter of at least %s%s%s in '%s' would do (now %s)",
+             say(rounded_up(wider), "m", least), *most ? " or at most " : "", most, duct->name, say(D, "m", now));
+}
+
+static void roller_remedy(const hawser_limit *l, char *text)
+{
+    const int steady = !strcmp(l->name, "roller_steady");
+    snprintf(text, REMEDY_MAX, "rollers there at %.2g of their spacing, or rated %.3g times as high%s",
+             l->limit / l->value, l->value / l->limit, steady ? "" : ", or a softer start (drive.winch.to)");
+}
+
+void limit_remedy(const Scene *scene, const hawser_limit *l, char *text)
+{
+    static const char *const pulls[] = {"pull", "restart", "attachment", "winch"};
+    char value[HAWSER_SHOWN_MAX];
+    int pull = 0;
+    for (int k = 0; k < 4; ++k) pull |= !strcmp(l->name, pulls[k]);
+    *text = 0;
+    if (pull) {
+        pull_remedy(l, text);
+    } else if (!strcmp(l->name, "sidewall")) {
+        sidewall_remedy(scene, l, text);
+    } else if (!strcmp(l->name, "rope")) {
+        rope_remedy(scene, l, text);
+    } else if (!strcmp(l->name, "jam_ratio") || !strcmp(l->name, "clearance") || !strcmp(l->name, "fill")) {
+        duct_remedy(scene, l, text);
+    } else if (!strncmp(l->name, "roller_", 7)) {
+        roller_remedy(l, text);
+    } else if (!strcmp(l->name, "bend_radius")) {
+        snprintf(text, REMEDY_MAX, "a radius of at least %s there", say(l->limit, "m", value));
+    } else if (!strcmp(l->name, "alpha")) {
+        snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
+    } else if (!strcmp(l->name, "run_away")) {
+        snprintf(text, REMEDY_MAX, "a brake of %s where the pull begins (drive.tail.tension)",
+                 say(l->value, "N", value));
+    } else if (!strcmp(l->name, "speed")) {
+        snprintf(text, REMEDY_MAX, "a winch that pulls with at most %s (drive.winch.speed)",
+                 say(l->limit, "m/s", value));
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------ limits */
+
+/* "; allowed 18.9 kN: 75.6 % left". */
+static void say_margin(const hawser_limit *l, char *text, size_t size)
+{
+    char allowed[HAWSER_SHOWN_MAX];
+    const int over = l->margin < 0;
+    const double share = 100 * (over ? fabs(l->value / l->limit - 1) : l->margin);
+    snprintf(text, size, "allowed %s: %.3g %% %s", say(l->limit, l->unit, allowed), share,
+             !over                 ? "left"
+             : l->value > l->limit ? "over"
+                                   : "short");
+}
+
+static const hawser_limit *limit_called(int n, const hawser_limit *limit, const char *name)
+{
+    for (int i = 0; i < n; ++i) {
+        if (!strcmp(limit[i].name, name)) return &limit[i];
+    }
+    return NULL;
+}
+
+/* What was found at its worst place, and what to do if that is too much. */
+static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l)
+{
+    char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX];
+    say_margin(l, margin, sizeof margin);
+    answer_line(a, word, "%s %s%s%s; %s", l->name, say(l->value, l->unit, found), *l->where ? " at " : "", l->where,
+                margin);
+    if (l->ok) return;
+    limit_remedy(scene, l, remedy);
+    if (*remedy) answer_line(a, "remedy", "%s", remedy);
+}
+
+/* Names of those that are not judged. */
+static void open_line(Answer *a, int n, const hawser_limit *limit)
+{
+    char names[OPEN_MAX] = "";
+    for (int i = 0; i < n; ++i) {
+        const size_t used = strlen(names);
+        if (!limit[i].judged) snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", limit[i].name);
+    }
+    if (*names) answer_line(a, "not judged", "%s (the table of limits says why)", names);
+}
+
+void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit)
+{
+    const hawser_limit *worst = NULL;
+    for (int i = 0; i < n; ++i) {
+        if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
+    }
+    if (worst) limit_lines(a, scene, "worst", worst);
+    for (int i = 0; i < n; ++i) {
+        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, scene, "broken", &limit[i]);
+    }
+    if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
+    open_line(a, n, limit);
+}
+
+/* ------------------------------------------------------------------------------------------ of the calculation */
+
+/* The winch's force of one way, at speed and from rest. */
+static void way_line(Answer *a, const Calculator *c, int k)
+{
+    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "";
+    const PlanWay *const way = &c->plan.way[k];
+    const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
+    if (l && l->judged) {
+        strcpy(margin, "; ");
+        say_margin(l, margin + 2, sizeof margin - 2);
+    }
+    answer_line(a, k == PLAN_FORWARD ? "pull" : "pulled back", "%s at the winch, %s from rest%s",
+                say(way->force, "N", force), say(way->restart_force, "N", restart), margin);
+}
+
+static int way_holds(const Calculator *c, int k)
+{
+    int holds = c->pulled[k].holds;
+    for (int i = 0; i < c->n_limits; ++i) holds &= !c->limit[k][i].judged || c->limit[k][i].ok;
+    return holds;
+}
+
+void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const char verdict[][HAWSER_VERDICT_MAX])
+{
+    const int forward = way_holds(c, PLAN_FORWARD), backward = way_holds(c, PLAN_BACKWARD);
+    answer_verdict(a, verdict[PLAN_FORWARD]);
+    way_line(a, c, PLAN_FORWARD);
+    answer_limits(a, scene, c->n_limits, c->limit[PLAN_FORWARD]);
+    if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
+    way_line(a, c, PLAN_BACKWARD);
+    answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
+}
+
+/* -------------------------------------------------------------------------------------------------- of a run */
+
+/* " +- 0.38 %"; nothing where it is not known. Beyond the figure itself its size says nothing. */
+static const char *say_bar(const hawser_error_bar *bar, double figure, char text[32])
+{
+    *text = 0;
+    if (!(bar->total >= 0) || !(fabs(figure) > 0)) return text;
+    if (bar->total < fabs(figure)) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
+    if (bar->total >= fabs(figure)) snprintf(text, 32, " +- over 100 %%");
+    return text;
+}
+
+/* The winch's force, against what the cable may be pulled with. */
+static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_limit *limit)
+{
+    char mean[HAWSER_SHOWN_MAX], peak[HAWSER_SHOWN_MAX], bar[32], peak_bar[32], margin[128] = "";
+    const hawser_limit *const l = limit_called(n, limit, "pull");
+    if (l && l->judged) {
+        strcpy(margin, "; ");
+        say_margin(l, margin + 2, sizeof margin - 2);
+    }
+    say(s->pull_peak_N, "N", peak);
+    say_bar(&s->pull_peak_error, s->pull_peak_N, peak_bar);
+    if (!(s->pull_peak_N > 0)) {
+        answer_line(a, "pull", "nothing was pulled: there is no winch, or its rope stayed slack");
+    } else if (isnan(s->pull_mean_N)) {
+        answer_line(a, "pull", "peak %s%s; no mean: its window begins at %g s, the run ended at %.4g s%s", peak,
+                    peak_bar, s->steady_from_s, s->sim_time_s, margin);
+    } else {
+        answer_line(a, "pull", "mean %s%s, peak %s%s%s", say(s->pull_mean_N, "N", mean),
+                    say_bar(&s->pull_mean_error, s->pull_mean_N, bar), peak, peak_bar, margin);
+    }
+}
+
+/* Why the figures are not to be trusted, one reason a line; or that they are. */
+static void trust_lines(Answer *a, const hawser_summary *s)
+{
+    char found[HAWSER_SHOWN_MAX], allowed[HAWSER_SHOWN_MAX];
+    int failed = 0;
+    for (int i = 0; i < s->n_conditions; ++i) {
+        const hawser_condition *const c = &s->conditions[i];
+        if (c->holds) continue;
+        answer_line(a, c->name, "%s (found %s, allowed %s)", c->remedy, say(c->value, c->unit, found),
+                    say(c->allowed, c->unit, allowed));
+        ++failed;
+    }
+    if (!failed) answer_line(a, "trust", "the figures are to be trusted: all %d conditions hold", s->n_conditions);
+}
+
+/* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
+const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, size_t size)
+{
+    hawser_summary sum;
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    char verdict[HAWSER_VERDICT_MAX];
+    Answer a = {.text = text, .size = size, .units = units};
+    hawser_sim_summary(s, &sum);
+    const int n = hawser_sim_limits(s, limit), broken = hawser_limits_verdict(n, limit, verdict, sizeof verdict);
+    int failed = 0;
+    for (int i = 0; i < sum.n_conditions; ++i) failed += !sum.conditions[i].holds;
+    if (failed) {
+        snprintf(verdict, sizeof verdict, "NOT TRUSTED, for %d reason%s", failed, failed > 1 ? "s" : "");
+        if (broken > 0) snprintf(verdict + strlen(verdict), 64, "; besides, %d of the limits would be broken", broken);
+    }
+    answer_verdict(&a, verdict);
+    if (failed) trust_lines(&a, &sum);
+    if (!sum.rod) {
+        pull_line(&a, &sum, n, limit);
+        answer_limits(&a, &s->stage.scene, n, limit);
+    }
+    if (!failed) trust_lines(&a, &sum);
+    return text;
+}
