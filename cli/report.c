@@ -110,7 +110,7 @@ static void report_theory(const Report *r, const char *name, double total, doubl
 static void report_pull(const Report *r)
 {
     const hawser_summary *s = &r->sum;
-    if (!(s->pull_peak_N > 0) || isnan(s->pull_mean_N)) return;
+    if (!(s->pull_peak_N > 0) || isnan(s->pull_mean_N) || !(s->steady_to_s > s->steady_from_s)) return;
     say(r, "\nSteady pull from %g s to %g s: ripple %.3g N RMS, speed %.5g m/s, ", s->steady_from_s, s->steady_to_s,
         s->pull_ripple_N, s->steady_speed_m_per_s);
     if (s->settle_time_s < s->sim_time_s * (1 - 1e-9))
@@ -150,6 +150,7 @@ static void report_events(const Report *r)
 /* The most heavily loaded roller. */
 static void report_rollers(const Report *report, hawser_sim *s)
 {
+    char load[HAWSER_SHOWN_MAX];
     const hawser_roller *r;
     const int n = hawser_sim_rollers(s, &r);
     if (n == 0) return;
@@ -157,9 +158,9 @@ static void report_rollers(const Report *report, hawser_sim *s)
     for (int i = 1; i < n; i++) {
         if (r[i].peak_N > heaviest->peak_N) heaviest = &r[i];
     }
-    say(report, "  largest roller load %.1f N on %s", heaviest->peak_N, heaviest->name);
-    if (!isnan(heaviest->steady_N)) say(report, ", steady %.1f N", heaviest->steady_N);
-    if (heaviest->rating_N > 0) say(report, ", rated %g N", heaviest->rating_N);
+    printf("  largest roller load %s on %s", hawser_show(heaviest->peak_N, "N", report->units, load), heaviest->name);
+    if (!isnan(heaviest->steady_N)) printf(", steady %s", hawser_show(heaviest->steady_N, "N", report->units, load));
+    if (heaviest->rating_N > 0) printf(", rated %s", hawser_show(heaviest->rating_N, "N", report->units, load));
     printf("\n");
 }
 

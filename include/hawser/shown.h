@@ -23,7 +23,7 @@ const char *hawser_show(double value, const char *unit, hawser_units units, char
  * HAWSER_SHOWN_MAX bytes. */
 const char *hawser_show_figure(const hawser_figure *figure, hawser_units units, char *text);
 /* A sentence in which every quantity of an SI unit ("0.5 to 1 kN/m", "800 mm2") is turned into `units`, with as many
- * digits as it has and four at least; of SI the sentence itself. At most `size` bytes. Returns `text`. */
+ * digits as it has and three at least; of SI the sentence itself. At most `size` bytes. Returns `text`. */
 const char *hawser_show_text(const char *sentence, hawser_units units, char *text, size_t size);
 
 struct hawser_sim;

@@ -8,7 +8,7 @@
 typedef struct Answer {
     char *text; /* whole lines, cut where there is no more room */
     size_t size, used;
-    hawser_units units; /* of what is said; sentences are given in SI */
+    hawser_units units; /* of what is said; what is still in SI is turned into them */
 } Answer;
 
 /* The first line. */
@@ -23,6 +23,6 @@ void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const cha
 
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
-void limit_remedy(const Scene *scene, const hawser_limit *limit, char *text);
+void limit_remedy(const Scene *scene, const hawser_limit *limit, hawser_units units, char *text);
 
 #endif

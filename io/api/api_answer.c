@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "io/results/shown.h"
 
 enum { REMEDY_MAX = 256, OPEN_MAX = 400, PAGE = 118, INDENT = 17 };
 
@@ -59,14 +60,11 @@ void answer_verdict(Answer *a, const char *verdict)
 
 /* ---------------------------------------------------------------------------------------------------- remedies */
 
-/* A value in SI with its unit, in a buffer of the caller's. */
-static const char *say(double value, const char *unit, char *text) { return hawser_show(value, unit, HAWSER_SI, text); }
-
-/* A length rounded up to two digits behind its first, so that what is asked for is never too little. */
-static double rounded_up(double value)
+/* A value rounded up to three digits as it is shown, so that what is asked for is never too little. */
+static const char *show_up(double value, const char *unit, hawser_units units, char *text)
 {
-    const double unit = pow(10, floor(log10(value)) - 1);
-    return ceil(value / unit - 1e-9) * unit;
+    const double shown = fabs(value) * scale_of(unit, value, units).factor, step = pow(10, floor(log10(shown)) - 2);
+    return hawser_show(value * (ceil(shown / step - 1e-9) * step / shown), unit, units, text);
 }
 
 /* The bend at a place that begins with metres along the route, "17.3 m (out)": the one there, or that ends or begins
@@ -95,43 +93,55 @@ static const SurfaceDef *duct_called(const SceneDef *def, const char *name)
     return NULL;
 }
 
-/* T/R goes down as R goes up. */
-static void sidewall_remedy(const Scene *scene, const hawser_limit *l, char *text)
+/* N/m: how much a bend's tension grows at most with its radius. A longer bend has more weight on it, of which friction
+ * takes mu at its beginning and by exp(mu angle) more at its end; where it climbs, all of it. */
+static double tension_by_radius(const Scene *scene, const RoutePiece *bend)
+{
+    const SceneDef *const def = &scene->def;
+    double mu = def->friction.mu_d;
+    for (int i = 0; i < def->n_surfaces; ++i) mu = fmax(mu, def->surfaces[i].friction.mu_d);
+    const double rise =
+        fabs(route_slope(&scene->route, bend->s0)) + fabs(route_slope(&scene->route, bend->s0 + bend->length));
+    return scene->cable_weight * bend->angle * (mu * exp(mu * bend->angle) + (rise > 1e-6 ? 1 : 0));
+}
+
+/* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
+static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
     char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
     const int p = bend_at(&scene->route, l->where);
-    const double share = 100 * (1 - l->limit / l->value);
-    if (p < 0) {
+    const RoutePiece *const bend = p >= 0 ? &scene->route.piece[p] : NULL;
+    const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(scene, bend) : INFINITY;
+    if (!(l->limit > k)) {
         snprintf(text, REMEDY_MAX, "%.3g %% less tension there, or what presses less", share);
         return;
     }
-    const RoutePiece *const bend = &scene->route.piece[p];
-    say(rounded_up(bend->radius * l->value / l->limit), "m", radius);
+    show_up(bend->radius * (l->value - k) / (l->limit - k), "m", units, radius);
     snprintf(text, REMEDY_MAX,
              "a radius of %s in '%s' would do (route.pieces.%d.radius, now %s), or %.3g %% less tension there", radius,
-             bend->name, p, say(bend->radius, "m", now), share);
+             bend->name, p, hawser_show(bend->radius, "m", units, now), share);
 }
 
 /* At the cable's head all that is pulled comes together. */
-static void pull_remedy(const hawser_limit *l, char *text)
+static void pull_remedy(const hawser_limit *l, hawser_units units, char *text)
 {
     char over[HAWSER_SHOWN_MAX];
     snprintf(
         text, REMEDY_MAX,
         "%s less: conveyors or an intermediate pull that take so much, a lubricant (friction), or the other direction",
-        say(l->value - l->limit, "N", over));
+        hawser_show(l->value - l->limit, "N", units, over));
 }
 
-static void rope_remedy(const Scene *scene, const hawser_limit *l, char *text)
+static void rope_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
     char strength[HAWSER_SHOWN_MAX];
     const double factor = scene->def.limits.rope_strength / l->limit; /* of safety */
     snprintf(text, REMEDY_MAX, "a rope that breaks at %s (limits.rope_strength), or less pull",
-             say(rounded_up(l->value * factor), "N", strength));
+             show_up(l->value * factor, "N", units, strength));
 }
 
 /* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D - d, fill by (d/D)^2. */
-static void duct_remedy(const Scene *scene, const hawser_limit *l, char *text)
+static void duct_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
     char least[HAWSER_SHOWN_MAX], most[HAWSER_SHOWN_MAX] = "", now[HAWSER_SHOWN_MAX];
     const LimitsDef *const limits = &scene->def.limits;
@@ -142,10 +152,11 @@ static void duct_remedy(const Scene *scene, const hawser_limit *l, char *text)
     if (!strcmp(l->name, "clearance")) wider = D + l->limit - l->value;
     if (!strcmp(l->name, "jam_ratio")) {
         wider = D * limits->jam_to / l->value;
-        say(D * limits->jam_from / l->value, "m", most);
+        hawser_show(D * limits->jam_from / l->value, "m", units, most);
     }
     snprintf(text, REMEDY_MAX, "an inside diameter of at least %s%s%s in '%s' would do (now %s)",
-             say(rounded_up(wider), "m", least), *most ? " or at most " : "", most, duct->name, say(D, "m", now));
+             show_up(wider, "m", units, least), *most ? " or at most " : "", most, duct->name,
+             hawser_show(D, "m", units, now));
 }
 
 static void roller_remedy(const hawser_limit *l, char *text)
@@ -155,7 +166,7 @@ static void roller_remedy(const hawser_limit *l, char *text)
              l->limit / l->value, l->value / l->limit, steady ? "" : ", or a softer start (drive.winch.to)");
 }
 
-void limit_remedy(const Scene *scene, const hawser_limit *l, char *text)
+void limit_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
     static const char *const pulls[] = {"pull", "restart", "attachment", "winch"};
     char value[HAWSER_SHOWN_MAX];
@@ -163,37 +174,37 @@ void limit_remedy(const Scene *scene, const hawser_limit *l, char *text)
     for (int k = 0; k < 4; ++k) pull |= !strcmp(l->name, pulls[k]);
     *text = 0;
     if (pull) {
-        pull_remedy(l, text);
+        pull_remedy(l, units, text);
     } else if (!strcmp(l->name, "sidewall")) {
-        sidewall_remedy(scene, l, text);
+        sidewall_remedy(scene, l, units, text);
     } else if (!strcmp(l->name, "rope")) {
-        rope_remedy(scene, l, text);
+        rope_remedy(scene, l, units, text);
     } else if (!strcmp(l->name, "jam_ratio") || !strcmp(l->name, "clearance") || !strcmp(l->name, "fill")) {
-        duct_remedy(scene, l, text);
+        duct_remedy(scene, l, units, text);
     } else if (!strncmp(l->name, "roller_", 7)) {
         roller_remedy(l, text);
     } else if (!strcmp(l->name, "bend_radius")) {
-        snprintf(text, REMEDY_MAX, "a radius of at least %s there", say(l->limit, "m", value));
+        snprintf(text, REMEDY_MAX, "a radius of at least %s there", hawser_show(l->limit, "m", units, value));
     } else if (!strcmp(l->name, "alpha")) {
         snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
     } else if (!strcmp(l->name, "run_away")) {
         snprintf(text, REMEDY_MAX, "a brake of %s where the pull begins (drive.tail.tension)",
-                 say(l->value, "N", value));
+                 hawser_show(l->value, "N", units, value));
     } else if (!strcmp(l->name, "speed")) {
         snprintf(text, REMEDY_MAX, "a winch that pulls with at most %s (drive.winch.speed)",
-                 say(l->limit, "m/s", value));
+                 hawser_show(l->limit, "m/s", units, value));
     }
 }
 
 /* ------------------------------------------------------------------------------------------------------ limits */
 
 /* "; allowed 18.9 kN: 75.6 % left". */
-static void say_margin(const hawser_limit *l, char *text, size_t size)
+static void say_margin(const hawser_limit *l, hawser_units units, char *text, size_t size)
 {
     char allowed[HAWSER_SHOWN_MAX];
     const int over = l->margin < 0;
     const double share = 100 * (over ? fabs(l->value / l->limit - 1) : l->margin);
-    snprintf(text, size, "allowed %s: %.3g %% %s", say(l->limit, l->unit, allowed), share,
+    snprintf(text, size, "allowed %s: %.3g %% %s", hawser_show(l->limit, l->unit, units, allowed), share,
              !over                 ? "left"
              : l->value > l->limit ? "over"
                                    : "short");
@@ -211,11 +222,11 @@ static const hawser_limit *limit_called(int n, const hawser_limit *limit, const 
 static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l)
 {
     char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX];
-    say_margin(l, margin, sizeof margin);
-    answer_line(a, word, "%s %s%s%s; %s", l->name, say(l->value, l->unit, found), *l->where ? " at " : "", l->where,
-                margin);
+    say_margin(l, a->units, margin, sizeof margin);
+    answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
+                *l->where ? " at " : "", l->where, margin);
     if (l->ok) return;
-    limit_remedy(scene, l, remedy);
+    limit_remedy(scene, l, a->units, remedy);
     if (*remedy) answer_line(a, "remedy", "%s", remedy);
 }
 
@@ -254,10 +265,11 @@ static void way_line(Answer *a, const Calculator *c, int k)
     const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
     if (l && l->judged) {
         strcpy(margin, "; ");
-        say_margin(l, margin + 2, sizeof margin - 2);
+        say_margin(l, a->units, margin + 2, sizeof margin - 2);
     }
     answer_line(a, k == PLAN_FORWARD ? "pull" : "pulled back", "%s at the winch, %s from rest%s",
-                say(way->force, "N", force), say(way->restart_force, "N", restart), margin);
+                hawser_show(way->force, "N", a->units, force), hawser_show(way->restart_force, "N", a->units, restart),
+                margin);
 }
 
 static int way_holds(const Calculator *c, int k)
@@ -297,17 +309,17 @@ static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_li
     const hawser_limit *const l = limit_called(n, limit, "pull");
     if (l && l->judged) {
         strcpy(margin, "; ");
-        say_margin(l, margin + 2, sizeof margin - 2);
+        say_margin(l, a->units, margin + 2, sizeof margin - 2);
     }
-    say(s->pull_peak_N, "N", peak);
+    hawser_show(s->pull_peak_N, "N", a->units, peak);
     say_bar(&s->pull_peak_error, s->pull_peak_N, peak_bar);
     if (!(s->pull_peak_N > 0)) {
         answer_line(a, "pull", "nothing was pulled: there is no winch, or its rope stayed slack");
-    } else if (isnan(s->pull_mean_N)) {
+    } else if (isnan(s->pull_mean_N) || !(s->steady_to_s > s->steady_from_s)) {
         answer_line(a, "pull", "peak %s%s; no mean: its window begins at %g s, the run ended at %.4g s%s", peak,
                     peak_bar, s->steady_from_s, s->sim_time_s, margin);
     } else {
-        answer_line(a, "pull", "mean %s%s, peak %s%s%s", say(s->pull_mean_N, "N", mean),
+        answer_line(a, "pull", "mean %s%s, peak %s%s%s", hawser_show(s->pull_mean_N, "N", a->units, mean),
                     say_bar(&s->pull_mean_error, s->pull_mean_N, bar), peak, peak_bar, margin);
     }
 }
@@ -320,8 +332,8 @@ static void trust_lines(Answer *a, const hawser_summary *s)
     for (int i = 0; i < s->n_conditions; ++i) {
         const hawser_condition *const c = &s->conditions[i];
         if (c->holds) continue;
-        answer_line(a, c->name, "%s (found %s, allowed %s)", c->remedy, say(c->value, c->unit, found),
-                    say(c->allowed, c->unit, allowed));
+        answer_line(a, c->name, "%s (found %s, allowed %s)", c->remedy, hawser_show(c->value, c->unit, a->units, found),
+                    hawser_show(c->allowed, c->unit, a->units, allowed));
         ++failed;
     }
     if (!failed) answer_line(a, "trust", "the figures are to be trusted: all %d conditions hold", s->n_conditions);
@@ -346,7 +358,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     if (failed) trust_lines(&a, &sum);
     if (!sum.rod) {
         pull_line(&a, &sum, n, limit);
-        answer_limits(&a, &s->stage.scene, n, limit);
+        if (n > 0 || !failed) answer_limits(&a, &s->stage.scene, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);
     return text;

@@ -24,9 +24,12 @@ typedef struct Shape {
 typedef struct Page {
     const Table *table;
     hawser_units units;
-    int n;
+    int n, lead;              /* the first `lead` columns say what a row is about */
     Shape shape[COLUMNS_MAX]; /* [n] those that are shown */
 } Page;
+
+/* The column behind c in a piece of the table that has the leading columns and those from `from` on. */
+static int next_column(const Page *page, int c, int from) { return c + 1 == page->lead ? from : c + 1; }
 
 static Cell cell_of(const Page *page, int row, const Column *column)
 {
@@ -155,7 +158,7 @@ static void print_head(FILE *f, const Page *page, int from, int to)
     int units = 0;
     for (int line = 0; line < 1 + units; ++line) {
         int owed = 0; /* blanks before the next word */
-        for (int c = 0; c < to; c = c ? c + 1 : from) {
+        for (int c = 0; c < to; c = next_column(page, c, from)) {
             const Shape *const s = &page->shape[c];
             const char *const word = line ? s->scale.unit : s->column->label;
             const int length = line ? (int)strlen(word) : s->label, pad = s->width - length;
@@ -180,15 +183,15 @@ static void print_wrapped(FILE *f, const char *text, int indent, int width)
     fputs(text, f);
 }
 
-/* The rows of the first column and of columns from .. to, the last of which may be cut into lines. */
+/* The rows of the leading columns and of columns from .. to, the last of which may be cut into lines. */
 static void print_rows(FILE *f, const Page *page, int from, int to)
 {
     char text[CELL_MAX];
     for (int r = 0; r < page->table->n; ++r) {
         int at = 0;
-        for (int c = 0; c < to; c = c ? c + 1 : from) {
+        for (int c = 0; c < to; c = next_column(page, c, from)) {
             const Shape *const s = &page->shape[c];
-            const int last = (c ? c + 1 : from) >= to;
+            const int last = next_column(page, c, from) >= to;
             const char *const said = say_cell(page, s, r, text);
             fputs("  ", f);
             if (last && s->left) print_wrapped(f, said, at + 2, PAGE - at - 2 > WRAP_MIN ? PAGE - at - 2 : WRAP_MIN);
@@ -203,7 +206,8 @@ static void print_rows(FILE *f, const Page *page, int from, int to)
  * until there. A last column of text fits where a few words do. */
 static int page_end(const Page *page, int from)
 {
-    int width = 2 + page->shape[0].width, group = 0;
+    int width = 0, group = 0;
+    for (int c = 0; c < page->lead; ++c) width += 2 + page->shape[c].width;
     for (int c = from; c < page->n; ++c) {
         const Shape *const s = &page->shape[c];
         const int wraps = s->left && c + 1 == page->n && s->width > WRAP_MIN;
@@ -214,14 +218,16 @@ static int page_end(const Page *page, int from)
     return page->n;
 }
 
-/* A table that is too wide stands in pieces one below the other, each with the first column. */
+/* A table that is too wide stands in pieces one below the other, each with the leading columns: the first, and the
+ * second where both are text. */
 static void print_table(FILE *f, const Table *t, hawser_units units)
 {
     Page page = {.table = t, .units = units};
     char heading[CELL_MAX];
     for (int c = 0; c < t->columns.n; ++c) add_column(&page, &t->columns.column[c]);
     fprintf(f, "\n%s\n", hawser_show_text(t->heading, units, heading, sizeof heading));
-    for (int from = 1, first = 1; first || from < page.n; first = 0) {
+    page.lead = page.n > 2 && page.shape[0].left && page.shape[1].left ? 2 : 1;
+    for (int from = page.lead, first = 1; first || from < page.n; first = 0) {
         const int to = page_end(&page, from);
         if (!first) fputc('\n', f);
         print_head(f, &page, from, to);

@@ -319,7 +319,7 @@ const char *hawser_show_text(const char *sentence, hawser_units units, char *tex
         }
         char shown[HAWSER_SHOWN_MAX];
         const int digits = digits_of(p, length);
-        say_scaled(value_of(p, length), (Scale){unit->factor, gap < 0 ? "" : unit->us}, digits > 4 ? digits : 4, shown);
+        say_scaled(value_of(p, length), (Scale){unit->factor, gap < 0 ? "" : unit->us}, digits > 3 ? digits : 3, shown);
         used += (size_t)snprintf(text + used, size - used, "%s", shown);
         p += length;
         if (gap >= 0) p += (size_t)gap + strlen(unit->si);

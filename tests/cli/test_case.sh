@@ -17,7 +17,7 @@ says out "turns to the side in one plane: from 6.0 to 0.0 deg"
 
 # mu m g = 0.2 * 200 kg * 9.81 m/s2
 run_hawser 0 theory pull.yaml
-says out "middle" "392.4 N" "reference, N"
+says out "middle" "392.4 N" "paper  reference"
 run_hawser 0 theory pull.yaml --format csv
 says out "name,from_m,length_m,radius_m,supports,forward_end_N" "row,0,20,,resultant,784.8,0,196.2,"
 run_hawser 0 theory pull.yaml --format json

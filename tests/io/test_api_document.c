@@ -46,9 +46,10 @@ static void test_table(void **state)
                          "  mass  12.5 kg\n"
                          "  kind  a, b\n"
                          "\nSome rows\n"
-                         "  name       s, m     T, N\n"
-                         "  first      1.50  1000000\n"
-                         "  say \"x\"  -22.25        -\n");
+                         "  name          s     T\n"
+                         "                m    kN\n"
+                         "  first      1.50  1000\n"
+                         "  say \"x\"  -22.25     -\n");
 }
 
 static void test_csv(void **state)
