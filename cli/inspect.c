@@ -18,12 +18,15 @@ static const char check_help[] =
     "\n" SETTING FORMAT "\n"
     "Exit status: 0 the case is fine; 2 it is not.\n";
 
-static const char theory_help[] =
-    "Usage: hawser theory CASE [options]\n"
-    "\n"
-    "Prints the tension along the route by the paper's formulas and by the reference theory.\n"
-    "\n" SETTING FORMAT "\n"
-    "Exit status: 0 done; 2 the case is wrong.\n";
+static const char theory_help[] = "Usage: hawser theory CASE [options]\n"
+                                  "\n"
+                                  "Prints the pulling calculation, without a simulation: whether the pull is safe, the "
+                                  "force at the winch pulled either\n"
+                                  "way, the worst place and what would do about it; then the tension along the route "
+                                  "by the paper's formulas and by the\n"
+                                  "reference theory, the route piece by piece, ducts, and every limit.\n"
+                                  "\n" SETTING FORMAT "\n"
+                                  "Exit status: 0 done; 2 the case is wrong.\n";
 
 static const char validate_help[] =
     "Usage: hawser validate [options]\n"
@@ -73,6 +76,7 @@ static int validate(const Arguments *args)
 }
 
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
-const Command command_theory = {"theory", "prints the theoretical tension along the route", "sfu", theory_help, theory};
+const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
+                                "sfu", theory_help, theory};
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};

@@ -1,15 +1,11 @@
 /* What a planner wants to know first, in words: of a run and of the calculation alike. */
-#include "io/api/answer.h"
+#include "io/api/api_handles.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "core/base/error.h"
-#include "io/api/api_handles.h"
-#include "io/results/shown.h"
 
 enum { REMEDY_MAX = 256, OPEN_MAX = 400, PAGE = 118, INDENT = 17 };
 

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "io/results/column.h"
-#include "io/results/shown.h"
 
 enum { CELL_MAX = 256, COLUMNS_MAX = 32, PAGE = 118, WRAP_MIN = 30, DIGITS = 5 };
 

@@ -1,6 +1,6 @@
 /* What is shown in which unit. One table holds every unit that a column or a sentence may have, its counterpart and the
  * factor between them; tables, facts, figures and sentences all come here. */
-#include "io/results/shown.h"
+#include "io/results/column.h"
 
 #include "io/yaml/units.h"
 

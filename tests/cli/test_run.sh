@@ -65,6 +65,9 @@ says err "hawser: integration failed at t =" "segment" "try"
 says out "Results: stuck"
 grep -q '"outcome": "failed"' "$work/stuck/summary.json" || fail "$what: not failed in summary.json"
 [ "$(wc -l <"$work/stuck/series.csv")" -ge 2 ] || fail "$what: nothing was kept"
+# a run that never came to its speed has not settled when it ends
+run_hawser 0 run pull.yaml -o unsettled --set run.duration='800 ms' --set run.steady_from='400 ms'
+says out "from 0.4 s to 0.8 s" "not settled when the run ended"
 # reasons, one a line; the verdict names the first and counts the others
 run_hawser 3 run pull.yaml -o few --set solver.max_steps=10
 says out "NOT TRUSTED, for 3 reasons" "  finished       the run ended at" "  steady_window  the steady window was never" \

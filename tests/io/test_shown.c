@@ -2,7 +2,6 @@
 #include "tests/io/case_fixture.h"
 
 #include "io/results/column.h"
-#include "io/results/shown.h"
 #include "io/yaml/units.h"
 
 /* What a case would read back: the same quantity, in SI. */
