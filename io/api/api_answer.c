@@ -136,7 +136,23 @@ static void rope_remedy(const Scene *scene, const hawser_limit *l, hawser_units 
              show_up(l->value * factor, "N", units, strength));
 }
 
-/* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D - d, fill by (d/D)^2. */
+/* m, inside diameter between `narrow` and `wide`, which is enough, at which the uppermost cable has that clearance. */
+static double diameter_for(const Scene *scene, double clearance, double narrow, double wide)
+{
+    const SceneDef *const def = &scene->def;
+    const CableDef *const cable = &def->cables[def->pieces[scene->piece[scene->eye - 1]].cable];
+    for (int i = 0; i < 30; ++i) {
+        const double middle = (narrow + wide) / 2;
+        const DuctDef duct = {middle, cable->diameter, def->theory.cables, (DuctLayout)def->theory.layout};
+        DuctLoad load;
+        const int enough = !duct_load(&duct, &load, NULL) && load.clearance >= clearance;
+        *(enough ? &wide : &narrow) = middle;
+    }
+    return wide;
+}
+
+/* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D, by
+ * more than D where cables lie in a triangle; fill by (d/D)^2. */
 static void duct_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
     char least[HAWSER_SHOWN_MAX], most[HAWSER_SHOWN_MAX] = "", now[HAWSER_SHOWN_MAX];
@@ -145,7 +161,7 @@ static void duct_remedy(const Scene *scene, const hawser_limit *l, hawser_units 
     if (!duct) return;
     const double D = 2 * duct->shape.radius;
     double wider = D * sqrt(l->value / l->limit);
-    if (!strcmp(l->name, "clearance")) wider = D + l->limit - l->value;
+    if (!strcmp(l->name, "clearance")) wider = diameter_for(scene, l->limit, D, D + l->limit - l->value);
     if (!strcmp(l->name, "jam_ratio")) {
         wider = D * limits->jam_to / l->value;
         hawser_show(D * limits->jam_from / l->value, "m", units, most);
@@ -162,10 +178,34 @@ static void roller_remedy(const hawser_limit *l, char *text)
              l->limit / l->value, l->value / l->limit, steady ? "" : ", or a softer start (drive.winch.to)");
 }
 
+/* Remedies that are the limit itself, or of `missing` what is missing, put into words. */
+static const struct SimpleRemedy {
+    const char *name;
+    int missing;
+    const char *before, *after;
+} simple[] = {
+    {"bend_radius", 0, "a radius of at least ", " there"},
+    {"rope_bend", 0, "sheaves and bends of at least ", " times the rope's diameter"},
+    {"conveyor", 0, "more conveyors, each with at most ", ""},
+    {"squeeze", 0, "longer conveyors or more of them, pressing with at most ", ""},
+    {"run_away", 1, "a brake of ", " where the pull begins (drive.tail.tension)"},
+    {"trip", 0, "a winch that stops at ", " (drive.winch.trip)"},
+    {"speed", 0, "a winch that pulls with at most ", " (drive.winch.speed)"},
+};
+
+static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
+{
+    char value[HAWSER_SHOWN_MAX];
+    for (size_t k = 0; k < sizeof simple / sizeof *simple; ++k) {
+        if (strcmp(l->name, simple[k].name) != 0) continue;
+        hawser_show(simple[k].missing ? l->value : l->limit, l->unit, units, value);
+        snprintf(text, REMEDY_MAX, "%s%s%s", simple[k].before, value, simple[k].after);
+    }
+}
+
 void limit_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
     static const char *const pulls[] = {"pull", "restart", "attachment", "winch"};
-    char value[HAWSER_SHOWN_MAX];
     int pull = 0;
     for (int k = 0; k < 4; ++k) pull |= !strcmp(l->name, pulls[k]);
     *text = 0;
@@ -179,16 +219,10 @@ void limit_remedy(const Scene *scene, const hawser_limit *l, hawser_units units,
         duct_remedy(scene, l, units, text);
     } else if (!strncmp(l->name, "roller_", 7)) {
         roller_remedy(l, text);
-    } else if (!strcmp(l->name, "bend_radius")) {
-        snprintf(text, REMEDY_MAX, "a radius of at least %s there", hawser_show(l->limit, "m", units, value));
     } else if (!strcmp(l->name, "alpha")) {
         snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
-    } else if (!strcmp(l->name, "run_away")) {
-        snprintf(text, REMEDY_MAX, "a brake of %s where the pull begins (drive.tail.tension)",
-                 hawser_show(l->value, "N", units, value));
-    } else if (!strcmp(l->name, "speed")) {
-        snprintf(text, REMEDY_MAX, "a winch that pulls with at most %s (drive.winch.speed)",
-                 hawser_show(l->limit, "m/s", units, value));
+    } else {
+        simple_remedy(l, units, text);
     }
 }
 
