@@ -50,7 +50,8 @@ hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);
 
-typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV } hawser_format;
+/* Text for people, in SI or in US units (hawser/shown.h); for programs, in SI always. */
+typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV, HAWSER_TABLE_US } hawser_format;
 
 /* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err);
@@ -239,6 +240,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 #include "hawser/certify.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
+#include "hawser/shown.h"
 #include "hawser/validate.h"
 
 #endif

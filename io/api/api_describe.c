@@ -245,7 +245,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k) {
         if (k < 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route always */
     }
-    const Document doc = {title, sizeof facts / sizeof *facts, n, facts, tables, NULL};
+    const Document doc = {
+        .title = title, .n_facts = sizeof facts / sizeof *facts, .n_tables = n, .fact = facts, .table = tables};
     return document_write(&doc, format, text, err);
 }
 

@@ -123,9 +123,10 @@ hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double 
         *plane = k * PI / 2;
         if (strcmp(node->text, words[k]) == 0) return HAWSER_OK;
     }
-    char why[UNITS_WHY_MAX];
+    char why[UNITS_WHY_MAX] = "";
     if (!text || !units_read(r->units, node->text, DIM_ANGLE, plane, why)) {
-        return case_value_error(r->err, node, ": expected up, down, left, right or an angle, such as 30 deg");
+        return case_value_error(r->err, node, "%s%s: expected up, down, left, right or an angle, such as 30 deg",
+                                *why ? " " : "", why);
     }
     return case_range_check(r, node, key, *plane);
 }

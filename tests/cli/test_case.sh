@@ -17,7 +17,7 @@ says out "turns to the side in one plane: from 6.0 to 0.0 deg"
 
 # mu w L = 0.2 * 20 kg/m * 9.81 m/s2 * 20 m of a route full of cable; of the 10 m that a run pulls half of it
 run_hawser 0 theory pull.yaml
-says out "middle" "784.8 N" "reference, N" "392.40"
+says out "middle" "784.8 N" "paper  reference" "392.4"
 run_hawser 0 theory pull.yaml --format csv
 says out "name,from_m,length_m,radius_m,supports,forward_end_N" "row,0,20,,resultant,784.8,0,196.2,"
 run_hawser 0 theory pull.yaml --format json

@@ -108,12 +108,13 @@ static void missing(const Site *site, Coverage *coverage)
     coverage->mistakes++;
 }
 
-/* Bare numbers beyond both ends of the range. */
+/* Numbers beyond both ends of the range: bare, but for angles, of which a bare one is asked about. */
 static void out_of_range(const Site *site, Coverage *coverage)
 {
     char value[VALUE_MAX];
     const CaseKey *key = site->key;
-    const char *whole = key->kind == KEY_INTEGER ? "%.0f" : "%.17g";
+    const int angle = key->kind == KEY_NUMBER && key->dimension == DIM_ANGLE;
+    const char *whole = key->kind == KEY_INTEGER ? "%.0f" : angle ? "%.17g rad" : "%.17g";
     const double size = fabs(key->max) + 1;
     snprintf(value, sizeof value, whole, key->min - size);
     value_refused(site, value, "out of range: must be ", coverage);
@@ -121,7 +122,8 @@ static void out_of_range(const Site *site, Coverage *coverage)
     value_refused(site, value, "out of range: must be ", coverage);
     snprintf(value, sizeof value, whole, key->min);
     if (key->above) value_refused(site, value, "out of range: must be above", coverage);
-    if (key->min >= 0) value_refused(site, "-1", "out of range: must be ", coverage);
+    if (key->min >= 0) value_refused(site, angle ? "-1 rad" : "-1", "out of range: must be ", coverage);
+    if (angle) value_refused(site, "5", "is that degrees? write '5 deg' or '5 rad'", coverage);
 }
 
 static void wrong_number(const Site *site, Coverage *coverage)
