@@ -1,5 +1,6 @@
 /* From rows to alignments: which columns there are says what the table is. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/base/error.h"
@@ -11,88 +12,90 @@
 
 /* How a table may write headings: against x or against north, in which unit; and which side a positive radius is on. */
 typedef struct Convention {
-    double unit;
+    double unit; /* 0: they are not to be believed, or there are none: the way to the next row's point tells them */
     int bearing; /* clockwise from north */
     int side;    /* +1: positive is left */
 } Convention;
 
-enum { CONVENTIONS = 12 };
-
-static Convention convention_of(int i)
-{
-    static const double unit[] = {1, TURN / 360, TURN / 400};
-    return (Convention){unit[i % 3], i / 3 % 2, i < 6 ? 1 : -1};
-}
-
 static double curvature(double radius, int side) { return isnan(radius) || radius == 0 ? 0 : side / radius; }
 
+/* A row's element, heading for `heading`. */
 static PlanElement element_of(const TableRow *row, Convention c, double heading)
 {
-    const double *const v = row->value;
-    const double one = v[COLUMN_RADIUS], from = isnan(one) ? v[COLUMN_RADIUS_START] : one,
-                 to = isnan(one) ? v[COLUMN_RADIUS_END] : one;
-    const double stated = c.unit * v[COLUMN_HEADING], angle = c.bearing ? TURN / 4 - stated : stated;
-    const int straight = row->straight;
-    return (PlanElement){v[COLUMN_X],
-                         v[COLUMN_Y],
-                         isnan(stated) ? heading : angle,
-                         v[COLUMN_LENGTH],
-                         straight ? 0 : curvature(from, c.side),
-                         straight ? 0 : curvature(to, c.side)};
+    const double *const v = row->value, one = v[COLUMN_RADIUS];
+    const double from = isnan(one) ? v[COLUMN_RADIUS_START] : one, to = isnan(one) ? v[COLUMN_RADIUS_END] : one;
+    return (PlanElement){.x = v[COLUMN_X],
+                         .y = v[COLUMN_Y],
+                         .heading = heading,
+                         .length = v[COLUMN_LENGTH],
+                         .k0 = row->straight ? 0 : curvature(from, c.side),
+                         .k1 = row->straight ? 0 : curvature(to, c.side)};
 }
 
-/* By how far elements miss the beginnings of the next ones, by one convention, m. */
+/* Row i's element; before: the one before it, which tells the heading of a last one. */
+static PlanElement element_by(const Table *t, int i, Convention c, const PlanElement *before)
+{
+    const double stated = c.unit * t->row[i].value[COLUMN_HEADING];
+    if (c.unit > 0) return element_of(&t->row[i], c, c.bearing ? TURN / 4 - stated : stated);
+    PlanElement e = element_of(&t->row[i], c, 0);
+    const PlanElement tip = plan_at(&e, e.length);
+    const double *const next = i + 1 < t->n ? t->row[i + 1].value : NULL;
+    if (next)
+        e.heading = atan2(next[COLUMN_Y] - e.y, next[COLUMN_X] - e.x) - atan2(tip.y - e.y, tip.x - e.x);
+    else if (before)
+        e.heading = plan_at(before, before->length).heading;
+    return e;
+}
+
+/* By how far elements miss the beginnings of the next ones, m, and a metre's worth of their jumps in heading. */
 static double misfit(const Table *t, Convention c)
 {
     double sum = 0;
+    PlanElement e = element_by(t, 0, c, NULL);
     for (int i = 0; i + 1 < t->n; ++i) {
-        const PlanElement e = element_of(&t->row[i], c, NAN), end = plan_at(&e, e.length);
-        sum += hypot(t->row[i + 1].value[COLUMN_X] - end.x, t->row[i + 1].value[COLUMN_Y] - end.y);
+        const PlanElement end = plan_at(&e, e.length);
+        e = element_by(t, i + 1, c, &e);
+        sum += hypot(e.x - end.x, e.y - end.y) + fabs(remainder(e.heading - end.heading, TURN));
     }
     return sum;
 }
 
-/* Without headings: the chord to the next row's point tells them, with one side for positive radii, then the other. */
-static double chord_heading(const Table *t, int i, Convention c)
-{
-    const PlanElement level = element_of(&t->row[i], c, 0);
-    PlanElement from = level;
-    from.x = from.y = 0;
-    const PlanElement tip = plan_at(&from, from.length);
-    const double *const next = t->row[i + 1].value;
-    return atan2(next[COLUMN_Y] - level.y, next[COLUMN_X] - level.x) - atan2(tip.y, tip.x);
-}
-
-/* The convention by which the elements meet best. */
+/* The convention by which the elements meet best; headings count as wrong where they are ten times worse than none. */
 static Convention convention_find(SurveyInput *in, const Table *t)
 {
-    Convention best = convention_of(0);
+    static const double unit[] = {0, 1, TURN / 360, TURN / 400};
+    Convention best = {0};
     double least = INFINITY;
-    for (int i = 0; i < CONVENTIONS && t->has[COLUMN_HEADING]; ++i) {
-        const double miss = misfit(t, convention_of(i));
-        if (miss < least * (1 - 1e-9) - 1e-9) {
-            least = miss;
-            best = convention_of(i);
+    for (int i = 0; i < 16; ++i) {
+        const Convention c = {unit[i / 4], i % 2, i % 4 < 2 ? 1 : -1};
+        if (c.unit > 0 && !t->has[COLUMN_HEADING]) continue;
+        const double miss = misfit(t, c);
+        const double counts = c.unit == 0 && t->has[COLUMN_HEADING] ? 10 * miss + 1e-2 * t->n : miss;
+        if (counts < least * (1 - 1e-9)) {
+            least = counts;
+            best = c;
         }
     }
+    if (t->has[COLUMN_HEADING] && best.unit == 0)
+        survey_ignore(in->out, "headings: they do not lead to the next points");
     if (best.side < 0) survey_ignore(in->out, "radii: negative ones are taken as to the left, since elements meet so");
     return best;
 }
 
 static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
 {
-    const Convention c = convention_find(in, t);
     for (int i = 0; i < t->n; ++i) {
         const double *const v = t->row[i].value;
         in->line = t->row[i].line;
         if (!(v[COLUMN_LENGTH] > 0) || isnan(v[COLUMN_X]) || isnan(v[COLUMN_Y])) {
             return input_error(in, "an element needs x, y and a length above 0");
         }
-        const PlanElement *const before = i ? &a->plan[i - 1] : NULL;
-        const double on = i + 1 < t->n ? chord_heading(t, i, c) : before ? plan_at(before, before->length).heading : 0;
+    }
+    const Convention c = convention_find(in, t);
+    for (int i = 0; i < t->n; ++i) {
         PlanElement *const e = alignment_add_plan(a);
         if (!e) return error_memory(in->err);
-        *e = element_of(&t->row[i], c, on);
+        *e = element_by(t, i, c, i ? &a->plan[i - 1] : NULL);
     }
     return HAWSER_OK;
 }

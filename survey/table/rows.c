@@ -143,7 +143,8 @@ static hawser_status header_read(SurveyInput *in, char *text, Columns *columns, 
             return input_error(
                 in, "column '%.60s' has a unit that is not known: expected m, mm, ft, in, deg, rad, gon or %%",
                 cell[i]);
-        if (table->has[c]) return input_error(in, "column '%.60s' means the same as one before it", cell[i]);
+        if (table->has[c] && c < COLUMN_TYPE)
+            return input_error(in, "column '%.60s' means the same as one before it", cell[i]);
         table->has[c] = 1;
         columns->factor[i] = strpbrk(cell[i], "([,") ? factor : usual_factor(in, c);
     }
