@@ -1,5 +1,3 @@
-#include "survey/landxml/landxml.h"
-
 #include <expat.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,6 +6,7 @@
 #include <strings.h>
 
 #include "core/base/error.h"
+#include "survey/input.h"
 #include "survey/landxml/points.h"
 
 enum { DEPTH_MOST = 64, TEXT_MOST = 1 << 26, WORD_MOST = 64, CORNERS_MOST = 1 << 20, CHUNK = 1 << 16 };

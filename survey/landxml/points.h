@@ -14,7 +14,9 @@ enum { POINT_START, POINT_END, POINT_CENTER, POINT_PI, GEOMETRY_POINTS };
 /* Which of them an element's name means; -1: none. */
 int land_point_kind(const char *name);
 
+/* A name with its place. */
 typedef struct LandPoint LandPoint;
+
 typedef struct LandPoints {
     LandPoint *point; /* [n] */
     int *slot;        /* [slots] by a hash of the name: the point's number + 1, 0: empty */

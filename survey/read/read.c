@@ -3,13 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "survey/landxml/landxml.h"
-#include "survey/table/table.h"
-
 enum { HEAD_SIZE = 512 };
 
 typedef hawser_status (*Reader)(SurveyInput *in);
 
+static int is_step(const char *head) { return !strncmp(head, "ISO-10303-21", 12); }
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }
 
@@ -17,7 +15,7 @@ static int is_table(const char *head) { return *head != 0; }
 static const struct {
     int (*is)(const char *head);
     Reader read;
-} readers[] = {{is_xml, landxml_read}, {is_table, table_read}};
+} readers[] = {{is_step, ifc_read}, {is_xml, landxml_read}, {is_table, table_read}};
 
 /* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. */
 static void head_of(SurveyInput *in, char head[HEAD_SIZE])

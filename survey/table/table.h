@@ -47,7 +47,5 @@ typedef struct Table {
 hawser_status table_rows(SurveyInput *in, Table *table);
 /* Makes alignments of them, by what columns there are. Errors: INPUT with the reason, MEMORY. */
 hawser_status table_alignment(SurveyInput *in, const Table *table);
-/* Both. */
-hawser_status table_read(SurveyInput *in);
 
 #endif
