@@ -51,13 +51,16 @@ typedef struct InputLine {
 int input_line(SurveyInput *in, InputLine *line);
 
 /* The readers, each in a folder of its own: fill in->out from in->file. Errors: INPUT with line or entity and reason,
- * MEMORY.
- *   landxml  LandXML 1.0 to 2.0, streaming: alignments with their profiles, and plan features; northing before easting
- *   ifc      IFC 4.3 and the drafts 4x1 to 4x4: every IfcAlignment by its segments, or where it has none by the curves
- * that it is drawn with; units and placements are heeded, cant is counted as ignored table    CSV and TSV with names
- * over the columns (survey/table/table.h) */
+ * MEMORY. */
+/* LandXML 1.0 to 2.0, streaming: alignments with their profiles, and plan features; northing before easting. */
 hawser_status landxml_read(SurveyInput *in);
+/* IFC 4.3 and the drafts 4x1 to 4x4: every IfcAlignment by its segments, or where it has none by the curves that it is
+ * drawn with; units and placements are heeded, cant is counted as ignored. */
 hawser_status ifc_read(SurveyInput *in);
+/* DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each an alignment
+ * of its own, on its layer; INSERT and POINT as marks. */
+hawser_status dxf_read(SurveyInput *in);
+/* CSV and TSV with names over the columns: survey/table/table.h. */
 hawser_status table_read(SurveyInput *in);
 
 #endif

@@ -8,6 +8,19 @@ enum { HEAD_SIZE = 512 };
 typedef hawser_status (*Reader)(SurveyInput *in);
 
 static int is_step(const char *head) { return !strncmp(head, "ISO-10303-21", 12); }
+/* A first group 0 SECTION, maybe behind comments (999). */
+static int is_dxf(const char *head)
+{
+    const char *const behind = head + strspn(head, "0123456789");
+    return !strncmp(head, "AutoCAD Binary DXF", 18) ||
+           ((!strncmp(head, "999", 3) || !strncmp(head, "0", 1)) && (*behind == '\r' || *behind == '\n'));
+}
+/* What AutoCAD writes when it is not asked for DXF. */
+static int is_dwg(const char *head) { return !strncmp(head, "AC10", 4); }
+static hawser_status dwg_read(SurveyInput *in)
+{
+    return input_error(in, "a DWG drawing, which cannot be read: save it as DXF (SAVEAS, any version from R12 on)");
+}
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }
 
@@ -15,7 +28,8 @@ static int is_table(const char *head) { return *head != 0; }
 static const struct {
     int (*is)(const char *head);
     Reader read;
-} readers[] = {{is_step, ifc_read}, {is_xml, landxml_read}, {is_table, table_read}};
+} readers[] = {
+    {is_dxf, dxf_read}, {is_dwg, dwg_read}, {is_step, ifc_read}, {is_xml, landxml_read}, {is_table, table_read}};
 
 /* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. */
 static void head_of(SurveyInput *in, char head[HEAD_SIZE])
