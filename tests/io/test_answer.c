@@ -72,7 +72,7 @@ static void words(void **state)
 static void ducts(void **state)
 {
     const Scene *const scene = *state;
-    DuctDef def = {63.5e-3, 25.4e-3, 3, DUCT_AUTO};
+    DuctDef def = {.duct_diameter = 63.5e-3, .cable_diameter = 25.4e-3, .cables = 3};
     DuctLoad now, then;
     double least, most;
     assert_int_equal(duct_load(&def, &now, NULL), HAWSER_OK);
