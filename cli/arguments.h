@@ -31,8 +31,10 @@ typedef struct Arguments {
     int strict; /* a broken limit is an error */
     int certify;
     double tolerance; /* share; 0: the library's choice */
+    int verbose;      /* what it cost to compute is shown too */
     hawser_format format;
     const char *kind;   /* of the catalogue; NULL: all */
+    hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
 } Arguments;

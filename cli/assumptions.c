@@ -12,10 +12,11 @@ static int is_key(const char *key, const char *name)
 }
 
 /* Of the estimates only EI changes a run, so that it is said what it is worth. */
-void report_assumptions(const hawser_sim *s)
+void report_assumptions(const hawser_sim *s, hawser_units units)
 {
     const hawser_assumption *list;
     const int n = hawser_sim_assumptions(s, &list);
+    char line[1024], shown[1024];
     int taken = 0, estimated = 0;
     for (int i = 0; i < n; i++) {
         taken += strcmp(list[i].origin, "catalogue") == 0;
@@ -25,6 +26,7 @@ void report_assumptions(const hawser_sim *s)
     printf("\nAssumed: %d values from the catalogue, %d estimated (hawser check lists them)\n", taken, estimated);
     for (int i = 0; i < n; i++) {
         if (strcmp(list[i].origin, "estimated") != 0 || !is_key(list[i].key, "EI")) continue;
-        printf("  %s = %s %s\n", list[i].key, list[i].value, list[i].source);
+        snprintf(line, sizeof line, "  %s = %s %s\n", list[i].key, list[i].value, list[i].source);
+        fputs(hawser_show_text(line, units, shown, sizeof shown), stdout);
     }
 }

@@ -4,6 +4,7 @@ find_package(Threads REQUIRED)
 find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial)
 include(cmake/sundials_version.cmake)
 pkg_check_modules(YAML REQUIRED IMPORTED_TARGET yaml-0.1)
+pkg_check_modules(EXPAT REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
 

@@ -116,7 +116,7 @@ static void take_tension(Pull *pull, int piece, double s, double tension)
 static double span_sidewall(const PullSpan *span)
 {
     const SpanExtremes *e = &span->extremes;
-    return fmax(e->max_tension, -e->min_tension) * span->law.line.curvature * span->share;
+    return e->max_pressure * span->share;
 }
 
 /* Takes one finished span into the pull's extremes. */
@@ -128,7 +128,7 @@ static void take_span(Pull *pull, const PullSpan *span)
     const double sidewall = span_sidewall(span);
     if (sidewall > pull->max_sidewall) {
         pull->max_sidewall = sidewall;
-        pull->sidewall_at = e->max_tension >= -e->min_tension ? e->max_at : e->min_at;
+        pull->sidewall_at = e->pressure_at;
         pull->sidewall_piece = span->piece;
     }
 }
@@ -218,7 +218,7 @@ PullPoint pull_at(const Pull *pull, double s)
     const SpanFrame frame = span_frame(&span->law.line, at);
     point.normal = span_normal(&span->law, at, point.tension);
     point.support = span_support(&span->law, at, point.tension);
-    point.sidewall = fabs(point.tension) * span->law.line.curvature * span->share;
+    point.sidewall = fabs(point.tension) * frame.curvature * span->share;
     point.slope = asin(fmax(-1, fmin(1, frame.tz)));
     return point;
 }

@@ -56,7 +56,7 @@ typedef struct PullSpan {
     SpanExtremes extremes; /* on [s0, s1] */
 } PullSpan;
 
-/* The tension along one pull. It borrows nothing. */
+/* The tension along one pull. It borrows the route if that has curves. */
 typedef struct Pull {
     int n;
     PullSpan *span;       /* [n] */

@@ -159,10 +159,10 @@ static void fill_rows(Description *d)
     }
     for (int i = 0; i < d->route.n; i++) {
         const RoutePiece *const p = &d->route.piece[i];
-        const int bend = p->kind == ROUTE_BEND;
+        const int bend = p->kind != ROUTE_STRAIGHT;
         const double end = p->s0 + p->length;
         d->leg[i] = (RouteRow){.name = p->name,
-                               .kind = bend ? "bend" : "straight",
+                               .kind = route_piece_word(p),
                                .s = p->s0,
                                .length = p->length,
                                .radius = bend ? p->radius : NAN,
@@ -245,7 +245,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k) {
         if (k < 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route always */
     }
-    const Document doc = {title, sizeof facts / sizeof *facts, n, facts, tables, NULL};
+    const Document doc = {
+        .title = title, .n_facts = sizeof facts / sizeof *facts, .n_tables = n, .fact = facts, .table = tables};
     return document_write(&doc, format, text, err);
 }
 

@@ -123,7 +123,8 @@ static hawser_status list_write(const Library *library, const Units *units, unsi
     const Table table = {"entries", "Typical and estimated figures: a maker's data sheet is better (docs/library.md)",
                          COLUMNS(EntryRow, entry_column), n, row};
     const Fact count = {"entries_found", "entries", "", cell_number(n)};
-    const Document doc = {"Catalogue", 1, 1, &count, &table, &table};
+    const Document doc = {
+        .title = "Catalogue", .n_facts = 1, .n_tables = 1, .fact = &count, .table = &table, .csv = &table};
     hawser_status status = HAWSER_OK;
     if (n == 0) {
         char near[FIGURES_MAX];

@@ -62,6 +62,7 @@ typedef struct Theory {
     Inverse inverse;
     TheoryTables tables;
     char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX];
+    char answer[HAWSER_ANSWER_MAX];
     Term *term; /* [n_paper] */
 } Theory;
 
@@ -190,8 +191,8 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"cables", "cables pulled together", "", cell_number(c->cables)};
     fact[n++] = (Fact){"better_direction", "less force when pulled", "", cell_text(theory_ways[c->plan.better])};
     fact[n++] = (Fact){"best_direction", "better by its limits", "", cell_text(best)};
-    fact[n++] = (Fact){"verdict_forward", "pulled forward", "", cell_text(t->verdict[PLAN_FORWARD])};
-    fact[n++] = (Fact){"verdict_backward", "pulled backward", "", cell_text(t->verdict[PLAN_BACKWARD])};
+    fact[n++] = (Fact){"verdict_forward", NULL, "", cell_text(t->verdict[PLAN_FORWARD])};
+    fact[n++] = (Fact){"verdict_backward", NULL, "", cell_text(t->verdict[PLAN_BACKWARD])};
     return n;
 }
 
@@ -206,7 +207,8 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     fill_places(t);
     fill_terms(t);
     for (int k = 0; k < PLAN_WAYS; k++) {
-        hawser_verdict(1, &c->pulled[k], c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
+        const hawser_condition held[] = {c->supported, c->pulled[k]};
+        hawser_verdict(2, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
     Table table[3 + THEORY_TABLES_MAX] = {{"stations", "Tension along the route, full of cable, pulled forward",
                                            COLUMNS(Place, place_column), t->n, t->place}};
@@ -217,7 +219,15 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     if (!def->duration_open)
         table[n++] = (Table){"run", "What a run of this case is compared with", COLUMNS(RunRow, run_column), 1, &run};
-    const Document doc = {title, list_facts(t, fact), n, fact, table, &table[own + THEORY_PIECES]};
+    Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
+    answer_theory(&answer, &t->scene, c, t->verdict);
+    const Document doc = {.title = title,
+                          .n_facts = list_facts(t, fact),
+                          .n_tables = n,
+                          .fact = fact,
+                          .table = table,
+                          .csv = &table[own + THEORY_PIECES],
+                          .answer = t->answer};
     return document_write(&doc, format, text, err);
 }
 

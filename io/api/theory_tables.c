@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
 const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 
@@ -41,7 +41,7 @@ static const Column piece_column[] = {
     {COLUMN("forward_roller_N", NUMBER, PieceRow, FORWARD(roller)), .label = "roller, N"},
     {COLUMN("forward_margin_pct", NUMBER, PieceRow, FORWARD(margin)), .label = "margin, %", .decimals = 1},
     {COLUMN("forward_closed_N", NUMBER, PieceRow, FORWARD(closed)), .label = "closed form, N", .decimals = 1},
-    {COLUMN("backward_end_N", NUMBER, PieceRow, BACKWARD(end)), .label = "back: end, N", .decimals = 1},
+    {COLUMN("backward_end_N", NUMBER, PieceRow, BACKWARD(end)), .label = "back: end, N", .decimals = 1, .group = 1},
     {COLUMN("backward_sidewall_N_per_m", NUMBER, PieceRow, BACKWARD(sidewall)), .label = "sidewall, N/m",
      .decimals = 1},
     {COLUMN("backward_roller_N", NUMBER, PieceRow, BACKWARD(roller)), .label = "roller, N"},
@@ -75,7 +75,7 @@ static int pieces_add(const Scene *scene, const Calculator *c, TheoryTables *t)
                           .supports = rules[c->rule[p]],
                           .from = piece->s0,
                           .length = piece->length,
-                          .radius = piece->kind == ROUTE_BEND ? piece->radius : NAN};
+                          .radius = piece->kind != ROUTE_STRAIGHT ? piece->radius : NAN};
         for (int k = 0; k < PLAN_WAYS; ++k) {
             const PlanPiece *const way = &c->plan.way[k].piece[p];
             row->way[k] = (PieceWay){way->t_out, way->sidewall, supported ? way->roller_load : NAN,
@@ -221,8 +221,8 @@ static const char *limit_holds(const void *row)
 static const Column limit_column[] = {
     {COLUMN("direction", TEXT, LimitRow, direction), .label = "direction"},
     {COLUMN("name", TEXT, LimitRow, limit.name), .label = "limit"},
-    {COLUMN("value", NUMBER, LimitRow, limit.value), .label = "found", .decimals = -1},
-    {COLUMN("limit", NUMBER, LimitRow, limit.limit), .label = "allowed", .decimals = -1},
+    {COLUMN("value", NUMBER, LimitRow, limit.value), .label = "found", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("limit", NUMBER, LimitRow, limit.limit), .label = "allowed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, LimitRow, limit.unit), .label = "unit"},
     {COLUMN("margin", NUMBER, LimitRow, limit.margin), .label = "margin", .decimals = 3},
     {.key = "ok", .text = limit_holds, .label = "holds"},

@@ -2,12 +2,14 @@
 #include "io/case/case_parts.h"
 
 /* In the order of the enumerations that they stand for. */
-static const char *const codes[] = {"paper", "tb889", NULL};
+static const char *const codes[] = {"paper", "tb889", "aeic", "ieee1185", "iec", "tes", NULL};
+static const char *const practices[] = {"auto", "chinese", "fujikura", "aeic", "rollers", NULL};
+static const char *const types[] = {"unknown", "control", "power", "shielded", "armoured", NULL};
+static const char *const ropes[] = {"steel", "fibre", NULL};
 static const char *const wears[] = {"cable", "place", NULL};
-static const char *const practices[] = {"chinese", "fujikura", "aeic", "rollers", NULL};
 static const char *const attachments[] = {"eye", "net", NULL};
 static const char *const metals[] = {"copper", "aluminium", NULL};
-static const char *const sheaths[] = {"pe", "xlpe", NULL};
+static const char *const sheaths[] = {"pe", "xlpe", "lead", "copper", "aluminium", NULL};
 
 /* Straight into TheoryDef. */
 static const CaseKey theory_keys[] = {
@@ -54,26 +56,43 @@ static const CaseKey limits_keys[] = {
     {"K", KEY_NUMBER, .fallback = "1", ABOVE(0, 1), AT(LimitsDef, K)},
     {"stress", KEY_NUMBER, DIM_PRESSURE, .otherwise = "by `code`", ABOVE(0, STIFF), AT(LimitsDef, stress)},
     {"pull", KEY_NUMBER, DIM_FORCE, .otherwise = "by eq. 11", ABOVE(0, STRONG), AT(LimitsDef, pull)},
-    {"practice", KEY_CHOICE, .fallback = "chinese", .choices = practices, AT(LimitsDef, practice)},
-    {"sidewall", KEY_NUMBER, DIM_SPRING, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
+    {"grips", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(LimitsDef, grips)},
+    {"attachment_rating", KEY_NUMBER, DIM_FORCE, .otherwise = "by `code`", ABOVE(0, STRONG),
+     AT(LimitsDef, attachment_rating)},
+    {"practice", KEY_CHOICE, .fallback = "auto", .choices = practices, AT(LimitsDef, practice)},
+    {"cable_type", KEY_CHOICE, .fallback = "unknown", .choices = types, AT(LimitsDef, cable_type)},
+    {"sidewall", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
     {"bend_factor", KEY_NUMBER, .otherwise = "by `practice`", ABOVE(0, 1000), AT(LimitsDef, bend_factor)},
     {"bend_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "`bend_factor` times the cable's diameter", ABOVE(0, LONG),
      AT(LimitsDef, bend_radius)},
     {"roller_factor", KEY_NUMBER, .fallback = "1.6", FROM(1, 100), AT(LimitsDef, roller_factor)},
     {"rope_strength", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, rope_strength)},
     {"rope_factor", KEY_NUMBER, .fallback = "5", FROM(1, 100), AT(LimitsDef, rope_factor)},
+    {"rope_kind", KEY_CHOICE, .fallback = "steel", .choices = ropes, AT(LimitsDef, rope_kind)},
+    {"rope_diameter", KEY_NUMBER, DIM_LENGTH, .otherwise = "of the rope in `chain`", ABOVE(0, 1),
+     AT(LimitsDef, rope_diameter)},
+    {"rope_bend", KEY_NUMBER, .otherwise = "by `rope_kind`", ABOVE(0, 1000), AT(LimitsDef, rope_bend)},
+    {"sheave", KEY_NUMBER, DIM_LENGTH, .otherwise = "none", ABOVE(0, 100), AT(LimitsDef, sheave)},
+    {"winch_capacity", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG),
+     AT(LimitsDef, winch_capacity)},
+    {"push", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, push)},
+    {"squeeze", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, squeeze)},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "15 m/min", ABOVE(0, 1e3), AT(LimitsDef, speed)},
     {"alpha", KEY_NUMBER, .fallback = "1.5", FROM(1, 100), AT(LimitsDef, alpha)},
     {"jam_from", KEY_NUMBER, .fallback = "2.6", FROM(1, 100), AT(LimitsDef, jam_from)},
     {"jam_to", KEY_NUMBER, .fallback = "3.2", FROM(1, 100), AT(LimitsDef, jam_to)},
     {"clearance", KEY_NUMBER, DIM_LENGTH, .fallback = "6.35 mm", FROM(0, LONG), AT(LimitsDef, clearance)},
     {"fill", KEY_NUMBER, .otherwise = "by the number of cables", ABOVE(0, 1), AT(LimitsDef, fill)},
+    {"weight_correction", KEY_NUMBER, .otherwise = "not known", FROM(1, 100), AT(LimitsDef, weight_correction)},
 };
 SECTION(case_limits, "limits", limits_keys);
 
 /* Its cables and their layout were read as a bundle (case_bundle_read). */
 hawser_status case_theory_read(CaseReader *r, const CaseNode *node)
 {
-    const hawser_status status = case_section_read(r, node, &case_theory, &r->def->theory);
+    TheoryDef *const theory = &r->def->theory;
+    const hawser_status status = case_section_read(r, node, &case_theory, theory);
+    theory->guessed_friction = !case_node_key(r->root, "friction") && r->def->n_rollers == 0 && r->def->n_surfaces == 0;
     return status ? status : case_planner_read(r, node);
 }
 

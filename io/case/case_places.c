@@ -70,7 +70,7 @@ static hawser_status places_stretch(Places *p, double from, double to)
 
 static int is_wanted(const Places *p, const RoutePiece *piece, int where)
 {
-    const int bend = piece && piece->kind == ROUTE_BEND;
+    const int bend = piece && piece->kind != ROUTE_STRAIGHT;
     if (where == WHERE_STRAIGHTS) return !bend;
     return bend && (where == WHERE_BENDS || fabs(case_sideways(p->r, piece->s0 + piece->length / 2)) > 1e-9);
 }

@@ -9,6 +9,7 @@
  * open. */
 typedef struct ResultsDef {
     const char *title; /* the case's */
+    double origin[3];  /* m, of all coordinates; zero: not said */
     int segments;
     int rollers;
     const hawser_roller *roller;   /* [rollers]: names and places */

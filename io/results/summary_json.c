@@ -222,6 +222,7 @@ static const Column summary_column[] = {
     {COLUMN("version", TEXT, Summary, version)},
     {COLUMN("outcome", TEXT, Summary, l.outcome)},
     {COLUMN("message", TEXT, Summary, l.message)},
+    {COLUMN("origin_m", VECTOR, Summary, s.origin_m)},
     /* counts of the model */
     {COLUMN("segments", COUNT, Summary, s.segments)},
     {COLUMN("bushings", COUNT, Summary, s.bushings)},

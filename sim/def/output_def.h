@@ -78,6 +78,7 @@ typedef struct TheoryDef {
     TheoryFrictionDef *friction;
     int n_machines, n_pits;
     TheoryPlaceDef *machines, *pits;
+    int guessed_friction; /* nothing carries the cable, and no friction is given: the default's is nobody's */
 } TheoryDef;
 
 #endif

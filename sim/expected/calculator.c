@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/expected/findings.h"
 
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
 
@@ -23,7 +24,7 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
         for (int i = 0; i < s->n; ++i) {
             if (longer[i].from < def->from || longer[i].from >= def->to) continue;
             const double middle = i + 1 < s->n ? (longer[i].from + longer[i + 1].from) / 2 : longer[i].from + 1;
-            const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind == ROUTE_BEND;
+            const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
             const double correction = bundle_friction(&scene->def, surface_at(&scene->def, middle), in_bend);
             longer[i].mu_rope = def->mu;
             longer[i].mu = correction * def->mu;
@@ -157,7 +158,7 @@ static Finding bend_finding(const Calculator *c, int way)
     Finding f = {.value = INFINITY};
     for (int p = 0; p < c->route->n; ++p) {
         const RoutePiece *const piece = &c->route->piece[p];
-        if (piece->kind != ROUTE_BEND || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
+        if (piece->kind == ROUTE_STRAIGHT || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
         if (piece->radius < f.value) f = finding_at(c->route, piece->radius, piece->s0);
     }
     return f;
@@ -176,7 +177,7 @@ static Finding roller_finding(const Scene *scene, const PlanWay *way)
     return worst;
 }
 
-static void limits_set(const Scene *scene, Calculator *c)
+static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const Route *const route = c->route;
     for (int k = 0; k < PLAN_WAYS; ++k) {
@@ -190,12 +191,15 @@ static void limits_set(const Scene *scene, Calculator *c)
         f[LIMIT_BEND] = bend_finding(c, k);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
         f[LIMIT_ROPE].value = fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart);
+        const hawser_status status = findings_of_way(scene, route, c, k, f, err);
+        if (status) return status;
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
             limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
         c->n_limits = limits_judge(&scene->def.limits, bundle_diameter(&scene->def), scene->def.bundle.shape.thickest,
                                    f, c->limit[k]);
     }
+    return HAWSER_OK;
 }
 
 /* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
@@ -213,6 +217,19 @@ static void pulled_set(const Scene *scene, Calculator *c)
         *held = (hawser_condition){
             .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};
     }
+}
+
+/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. */
+static hawser_condition supported_by(const Scene *scene)
+{
+    const int guessed = scene->def.theory.guessed_friction;
+    hawser_condition c = {.name = "supported", .unit = "1", .value = guessed, .holds = !guessed};
+    snprintf(
+        c.remedy, sizeof c.remedy,
+        "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is that "
+        "of a guessed %g; give what carries it, or friction.mu",
+        scene->def.friction.mu_d);
+    return c;
 }
 
 /* ---------------------------------------------------------------------------------------------- the whole */
@@ -281,7 +298,9 @@ static hawser_status solve(const Scene *scene, double apart, Calculator *c, haws
         if (!c->def.skip[k] && !isnan(apart)) status = plan_heads(&c->def, &c->plan.duct, k, apart, &c->heads[k], err);
     }
     if (status) return status;
-    limits_set(scene, c);
+    c->supported = supported_by(scene);
+    status = limits_set(scene, c, err);
+    if (status) return status;
     pulled_set(scene, c);
     return HAWSER_OK;
 }
@@ -314,6 +333,15 @@ static double place_on(const Route *other, const Route *route, double s)
     return there->s0 + (s - here->s0) * there->length / here->length;
 }
 
+/* Makes what bends so many times as large. */
+static void piece_grow(RoutePieceDef *piece, double times)
+{
+    piece->radius *= times;
+    if (piece->kind == ROUTE_CURVE) piece->length *= times;
+    for (int end = 0; end < 2; ++end) piece->curvature[end] /= times;
+    for (int i = 0; i < 3; ++i) piece->cubic[i] = v3_scale(times, piece->cubic[i]);
+}
+
 /* The scene's route with other radii; angles stay, lengths follow. */
 static hawser_status route_vary(const Scene *scene, const Variation *by, Route *out, hawser_error *err)
 {
@@ -322,7 +350,7 @@ static hawser_status route_vary(const Scene *scene, const Variation *by, Route *
     if (!piece) return error_memory(err);
     for (int p = 0; p < def->n_route; ++p) {
         piece[p] = def->route[p];
-        if (by->bend < 0 || by->bend == p) piece[p].radius *= by->radius;
+        if (by->bend < 0 || by->bend == p) piece_grow(&piece[p], by->radius);
     }
     const hawser_status status =
         route_build(out, def->n_route, piece, def->route_start, def->route_heading, def->route_slope, err);

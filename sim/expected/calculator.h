@@ -46,7 +46,8 @@ typedef struct Calculator {
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];
-    int best; /* the way that keeps the limits better; without limits the one that needs less force */
+    int best;                   /* the way that keeps the limits better; without limits the one that needs less force */
+    hawser_condition supported; /* whether anything is known of what carries it */
 } Calculator;
 
 /* start_tension: N, of all cables where the pull begins, whichever way. Errors: INPUT (as plan_build), MEMORY. Give

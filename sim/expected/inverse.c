@@ -118,7 +118,7 @@ static int critical_bend(const Calculator *c, int way)
     const Plan *const plan = &c->plan;
     int worst = -1;
     for (int p = 0; p < plan->n; ++p) {
-        if (c->route->piece[p].kind != ROUTE_BEND) continue;
+        if (c->route->piece[p].kind == ROUTE_STRAIGHT) continue;
         if (worst < 0 || plan->way[way].piece[p].sidewall > plan->way[way].piece[worst].sidewall) worst = p;
     }
     return worst;
@@ -133,7 +133,7 @@ static double now_of(const Question *q)
     if (q->kind == INVERSE_BEND) return c->route->piece[q->bend].radius;
     if (q->kind == INVERSE_FRICTION) return c->mu_largest;
     for (int p = 0; p < c->route->n; ++p) {
-        if (c->route->piece[p].kind == ROUTE_BEND) radius = fmin(radius, c->route->piece[p].radius);
+        if (c->route->piece[p].kind != ROUTE_STRAIGHT) radius = fmin(radius, c->route->piece[p].radius);
     }
     return radius;
 }
@@ -171,7 +171,7 @@ static double next_place(const Calculator *c, int way, double push, double after
         if (sign * (span->s1 - after) <= 0 || fmax(span->t0, span->t1) < push) continue;
         double low = sign * (after - span->s0) > 0 ? after : span->s0, high = span->s1;
         const RoutePiece *const piece = &c->route->piece[span->piece];
-        if (piece->kind == ROUTE_BEND) {
+        if (piece->kind != ROUTE_STRAIGHT) {
             const double ends[2] = {piece->s0, piece->s0 + piece->length};
             const double begin = ends[way == PLAN_BACKWARD], end = ends[way == PLAN_FORWARD];
             return early && sign * (begin - after) > 0 ? begin : end;

@@ -173,7 +173,7 @@ typedef struct Walk {
 static double friction_on(const SceneDef *def, const RoutePiece *leg)
 {
     const SurfaceDef *const surface = surface_at(def, leg->s0 + leg->length / 2);
-    return surface ? surface_theory_friction(def, surface, leg->kind == ROUTE_BEND) : def->friction.mu_d;
+    return surface ? surface_theory_friction(def, surface, leg->kind != ROUTE_STRAIGHT) : def->friction.mu_d;
 }
 
 /* The pulling theory in one line a leg: friction on the weight, rise, capstan; never below the weight of a metre. */
@@ -181,7 +181,7 @@ static void walk_leg(Walk *w, const RoutePiece *leg)
 {
     const double mu = friction_on(w->def, leg);
     const double rise = route_at(w->route, leg->s0 + leg->length).position.z - leg->start.z;
-    if (leg->kind == ROUTE_BEND) w->tension *= exp(mu * leg->angle);
+    if (leg->kind != ROUTE_STRAIGHT) w->tension *= exp(mu * leg->angle);
     w->tension =
         fmax(w->weight, w->tension + w->weight * (rise + mu * sqrt(fmax(0, leg->length * leg->length - rise * rise))));
 }
@@ -290,11 +290,23 @@ static double bending_stiffness(const CableDef *cable, double radius)
     return 0;
 }
 
+/* Whether a bend goes on in the next leg without a jump of curvature, as a clothoid into its arc: only where curvature
+ * jumps does a bend cost something (ME1). */
+static int goes_on(const Route *route, int leg)
+{
+    if (leg + 1 >= route->n) return 0;
+    const RoutePiece *const a = &route->piece[leg], *const b = a + 1;
+    if (a->kind == ROUTE_STRAIGHT || b->kind == ROUTE_STRAIGHT || (a->kind < ROUTE_CURVE && b->kind < ROUTE_CURVE))
+        return 0;
+    const Vec3 before = route_on_piece(route, leg, b->s0).curvature;
+    const Vec3 jump = v3_sub(route_on_piece(route, leg + 1, b->s0).curvature, before);
+    return v3_norm(jump) < 0.1 / fmin(a->radius, b->radius);
+}
+
 /* A bend with a piece of the chain in it: on a surface, on rollers, or else round one thing. */
-static MeshPlace place_make(const Walk *w, int piece, int leg)
+static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece *bend)
 {
     const SceneDef *const def = w->def;
-    const RoutePiece *const bend = &w->route->piece[leg];
     const CableDef *const cable = &def->cables[def->pieces[piece].cable];
     const SurfaceDef *const surface = surface_at(def, bend->s0 + bend->length / 2);
     MeshPlace p = {.piece = piece,
@@ -371,10 +383,17 @@ hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, haws
         double from, to;
         piece_way(def, route, k, &from, &to);
         for (int leg = 0; leg < route->n; ++leg) {
-            const RoutePiece *const piece = &route->piece[leg];
-            walk_leg(&walk, piece);
-            if (piece->kind != ROUTE_BEND || piece->s0 > to || piece->s0 + piece->length < from) continue;
-            out->place[out->n++] = place_make(&walk, k, leg);
+            RoutePiece bend = route->piece[leg];
+            const int first = leg;
+            walk_leg(&walk, &bend);
+            for (; goes_on(route, leg); ++leg) {
+                const RoutePiece *const next = &route->piece[leg + 1];
+                walk_leg(&walk, next);
+                bend.length += next->length;
+                bend.radius = fmin(bend.radius, next->radius);
+            }
+            if (bend.kind == ROUTE_STRAIGHT || bend.s0 > to || bend.s0 + bend.length < from) continue;
+            out->place[out->n++] = place_make(&walk, k, first, &bend);
         }
     }
     return HAWSER_OK;

@@ -42,12 +42,6 @@ static Guided guided_part(const Scene *scene, int p)
                     end - last > 1.01 * half ? last + half : end};
 }
 
-/* Bends that turn to a side at all. */
-static int is_sideways(const RoutePiece *piece)
-{
-    return piece->kind == ROUTE_BEND && fabs(v3_cross(piece->tangent, piece->centre).z) > 1e-9;
-}
-
 const SurfaceDef *surface_at(const SceneDef *def, double s)
 {
     for (int i = 0; i < def->n_surfaces; ++i) {
@@ -92,7 +86,7 @@ static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *
     const int by_piece = bundle_present(&def->bundle) && def->bundle.correction == CORRECT_STRAIGHTS;
     for (int p = 0; p < pieces && by_piece; ++p) c->s[c->n++] = scene->route.piece[p].s0;
     for (int p = 0; p < pieces; ++p) {
-        if (!is_sideways(&scene->route.piece[p])) continue;
+        if (!route_turns_aside(&scene->route.piece[p])) continue;
         c->guided[p] = guided_part(scene, p);
         if (!(c->guided[p].from < c->guided[p].to)) continue;
         c->s[c->n++] = c->guided[p].from;
@@ -118,7 +112,7 @@ static PullStretch stretch_make(const Scene *scene, const Corners *c, int i)
     const double middle = i + 1 < c->n ? (c->s[i] + c->s[i + 1]) / 2 : c->s[i] + 1;
     const SurfaceDef *const surface = surface_at(&scene->def, middle);
     const FrictionLaw *const law = surface ? &surface->friction : &scene->def.friction;
-    const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind == ROUTE_BEND;
+    const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
     const double mu = surface ? surface_theory_friction(&scene->def, surface, in_bend) : law->mu_d;
     return (PullStretch){.from = c->s[i],
                          .weight = scene->cable_weight,

@@ -328,6 +328,7 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
+                         .origin_m = {scene->def.route_origin.x, scene->def.route_origin.y, scene->def.route_origin.z},
                          .bushings = scene->total - 1 + (scene->winch->present ? 1 : 0) + rod_ends_held(scene->rod),
                          .rollers = scene->contact.n_rollers,
                          .surfaces = scene->surfaces.model.n_surfaces,

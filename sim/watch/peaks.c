@@ -50,6 +50,7 @@ static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample 
         if (turn > 0)
             take(&peaks->sidewall, tension[j] * turn * bundle_share(&scene->def, surface_at(&scene->def, s)), s);
     }
+    take(&peaks->front, tension[eye], joint_place(scene, sample, eye));
     for (int j = eye + 1; j <= scene->chain.n; ++j) take(&peaks->rope, tension[j], joint_place(scene, sample, j));
     take(&peaks->rope, sample->winch_force, joint_place(scene, sample, scene->chain.n));
 }
@@ -78,6 +79,17 @@ static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *k
     }
 }
 
+/* Either way: a slow belt holds the cable back. Machines that push by other than a force have none. */
+static void pushes_record(Peaks *peaks, const hawser_sample *sample)
+{
+    for (int i = 0; i < sample->machines; ++i) {
+        const double force = fabs(hawser_machine_figure(&sample->machine[i], "force_N"));
+        if (!(force > peaks->push)) continue;
+        peaks->push = force;
+        peaks->pusher = sample->machine[i].name;
+    }
+}
+
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     if (!peaks->present) return;
@@ -87,4 +99,5 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     joints_record(peaks, scene, sample, eye);
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);
+    pushes_record(peaks, sample);
 }

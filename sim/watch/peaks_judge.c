@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sim/expected/findings.h"
 #include "sim/watch/peaks.h"
 
 /* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
@@ -95,6 +96,20 @@ static void duct_findings(const SceneDef *def, Finding f[LIMIT_KINDS])
     }
 }
 
+static Finding push_finding(const Peaks *peaks)
+{
+    Finding f = {.value = peaks->push};
+    if (peaks->pusher) snprintf(f.where, sizeof f.where, "%s", peaks->pusher);
+    return f;
+}
+
+/* What the winch needs by itself: theory's pull or the mean, whichever is more. */
+static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, Finding *out)
+{
+    const double theory = expected->reference_total;
+    findings_trip(scene, theory, fmax(theory, mean_of(&stats->pull)), scene->def.drag.force, out);
+}
+
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, hawser_limit *out)
 {
     const SceneDef *const def = &scene->def;
@@ -107,13 +122,20 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_ROLLER_STEADY] = roller_finding(stats, 1);
         f[LIMIT_ROLLER_PEAK] = roller_finding(stats, 0);
         f[LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
+        f[LIMIT_WINCH] = f[LIMIT_ROPE];
+        f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
+        f[LIMIT_PUSH] = push_finding(peaks);
         f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
+        findings_of_run(scene, expected, f);
+        trip_finding(stats, scene, expected, &f[LIMIT_TRIP]);
+        if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {
             f[k].value = NAN;
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
+    findings_of_scene(scene, &scene->route, scene->joint_s[scene->eye], f);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);
 }

@@ -316,9 +316,9 @@ void stats_summary(const Stats *stats, hawser_summary *out)
     out->pull_peak_N = stats->pull.peak;
     out->pull_ripple_N = mean_ripple(&stats->pull);
     out->steady_speed_m_per_s = mean_of(&stats->speed);
-    out->settle_time_s = stats->settled_at;
+    out->settle_time_s = stats->settled_at < stats->last_t ? stats->settled_at : NAN; /* it still swings */
     out->steady_from_s = stats->steady_from;
-    out->steady_to_s = fmax(stats->last_t, 0);
+    out->steady_to_s = stats->last_t > stats->steady_from ? stats->last_t : NAN; /* the window was not reached */
     errors_of(stats, 0, &out->error_max_pct, &out->error_mean_pct);
     errors_of(stats, 1, &out->error_max_paper_pct, &out->error_mean_paper_pct);
 }

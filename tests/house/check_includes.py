@@ -13,6 +13,7 @@ LIBRARIES = [
     (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/step/"),
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
+    (r"expat\.h$", r"survey/landxml/|survey/map/"),
     (r"yaml\.h$|udunits2\.h$|jansson\.h$|hdf5\w*\.h$", r"io/"),
 ]
 

@@ -108,12 +108,13 @@ static void missing(const Site *site, Coverage *coverage)
     coverage->mistakes++;
 }
 
-/* Bare numbers beyond both ends of the range. */
+/* Numbers beyond both ends of the range: bare, but for angles, of which a bare one is asked about. */
 static void out_of_range(const Site *site, Coverage *coverage)
 {
     char value[VALUE_MAX];
     const CaseKey *key = site->key;
-    const char *whole = key->kind == KEY_INTEGER ? "%.0f" : "%.17g";
+    const int angle = key->kind == KEY_NUMBER && key->dimension == DIM_ANGLE;
+    const char *whole = key->kind == KEY_INTEGER ? "%.0f" : angle ? "%.17g rad" : "%.17g";
     const double size = fabs(key->max) + 1;
     snprintf(value, sizeof value, whole, key->min - size);
     value_refused(site, value, "out of range: must be ", coverage);
@@ -121,7 +122,8 @@ static void out_of_range(const Site *site, Coverage *coverage)
     value_refused(site, value, "out of range: must be ", coverage);
     snprintf(value, sizeof value, whole, key->min);
     if (key->above) value_refused(site, value, "out of range: must be above", coverage);
-    if (key->min >= 0) value_refused(site, "-1", "out of range: must be ", coverage);
+    if (key->min >= 0) value_refused(site, angle ? "-1 rad" : "-1", "out of range: must be ", coverage);
+    if (angle) value_refused(site, "5", "is that degrees? write '5 deg' or '5 rad'", coverage);
 }
 
 static void wrong_number(const Site *site, Coverage *coverage)
@@ -158,6 +160,8 @@ static void wrong_any(const Site *site, Coverage *coverage)
         const char *key, *texts[10];
     } forms[] = {
         {"gravity", {"5 kg", "nan", "-1", "inf", "9.8x", "[0, 0]", "[0, 0, nan]", "{a: 1}", "", "1e9"}},
+        {"origin",
+         {"7", "aut", "[1, 2]", "[1, 2, nan]", "[1, 2, 3x]", "{a: 1}", "[1, 2, 5 kg]", "''", "[[1], 2, 3]", "nan"}},
         {"plane", {"upp", "5 kg", "nan", "inf", "[1]", "{a: 1}", "", "30x", "1000 deg", "-7"}},
         {"along",
          {"7", "[7]", "[[1]]", "{a: 1}", "[{from: 1}, {}]", "''", "{spacing: 1, count: 2}", "{}", "[~]", "nan"}},
@@ -287,9 +291,9 @@ static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
     static const char *const names[] = {
-        "full-ramps",      "full-tables",      "full-tension", "full-tension-table", "full-reel",
-        "full-reel-table", "full-reel-weight", "full-rod",     "full-rod-polyline",  "full-bundle",
-        "full-library"};
+        "full-ramps",      "full-tables",      "full-tension",      "full-tension-table", "full-reel",
+        "full-reel-table", "full-reel-weight", "full-rod",          "full-rod-polyline",  "full-bundle",
+        "full-library",    "full-route",       "full-route-points", "full-route-plan"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);

@@ -17,7 +17,7 @@ static const char HEAD[] =
  */
 
 /* An entry in the least case that it can be in. */
-static void case_with(const LibraryEntry *e, char *text)
+static void case_of_entry(const LibraryEntry *e, char *text)
 {
     static const char *const forms[] = {
         [LIBRARY_CABLES] = "cables: {c: {type: %s}}\n",
@@ -39,7 +39,7 @@ static void case_accepts(const LibraryEntry *e)
     char text[TEXT_MAX], *description = NULL;
     hawser_case *c = NULL;
     hawser_error err;
-    case_with(e, text);
+    case_of_entry(e, text);
     assert_int_equal(hawser_case_parse(text, NAME, &c, &err), HAWSER_OK);
     if (hawser_case_describe(c, HAWSER_TABLE, &description, &err)) fail_msg("%s: %s", e->name, err.message);
     assert_non_null(strstr(description, e->name)); /* check says where the figures are from */

@@ -1,0 +1,219 @@
+/* Sections and entities, one after the other: only what becomes a line or a mark is kept. */
+#include "survey/dxf/dxf.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+
+enum { NUMBERS_MOST = 1 << 26 };
+
+static void text_set(char *to, size_t size, const char *text) { snprintf(to, size, "%s", text); }
+
+/* ---------------------------------------------------------------------------------------------------------- entities
+ */
+
+static int number_add(DxfEntity *e, int code, double value)
+{
+    if (e->n == e->room) {
+        const int room = e->room ? 2 * e->room : 64;
+        DxfNumber *const wider = room <= NUMBERS_MOST ? realloc(e->number, (size_t)room * sizeof *wider) : NULL;
+        if (!wider) return 0;
+        e->number = wider;
+        e->room = room;
+    }
+    e->number[e->n++] = (DxfNumber){code, value};
+    return 1;
+}
+
+/* Collects the tags behind `tag`, which begins an entity, up to the next one. */
+static hawser_status entity_read(DxfStream *s, const DxfTag *begin, DxfEntity *e)
+{
+    DxfTag tag;
+    int more;
+    text_set(e->kind, sizeof e->kind, begin->text);
+    *e->layer = *e->name = *e->text = 0;
+    e->n = 0;
+    e->line = s->in->line;
+    while ((more = dxf_next(s, &tag)) > 0 && tag.code != 0) {
+        if (tag.code == 8) text_set(e->layer, sizeof e->layer, tag.text);
+        if (tag.code == 2) text_set(e->name, sizeof e->name, tag.text);
+        if (tag.code == 1) text_set(e->text, sizeof e->text, tag.text);
+        const int kept = tag.code >= 10 && tag.code < 240 && tag.code != 100 && tag.code != 102 && tag.code != 105;
+        if (kept && isnan(tag.number)) return input_error(s->in, "group %d of a %s is no number", tag.code, e->kind);
+        if (kept && !number_add(e, tag.code, tag.number)) return error_memory(s->in->err);
+    }
+    if (more > 0) dxf_hold(s);
+    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+}
+
+/* POLYLINE: VERTEX after VERTEX up to SEQEND. Flags: 1 closed, 8 in space, 16 and 64 meshes; of a vertex 16: a spline's
+ * frame, which is no part of the line. */
+static hawser_status polyline_read(DxfStream *s, const DxfEntity *head)
+{
+    enum { CLOSED = 1, SPACE = 8, MESHES = 16 | 64, FRAME = 16 };
+    const int flags = (int)dxf_number(head, 70, 0), space = (flags & SPACE) != 0;
+    DxfCorner *corner = NULL;
+    DxfEntity vertex = {0};
+    DxfTag tag;
+    int n = 0;
+    hawser_status status = HAWSER_OK;
+    while (!status && dxf_next(s, &tag) > 0) {
+        if (tag.code == 0 && strcmp(tag.text, "VERTEX")) {
+            dxf_hold(s);
+            break;
+        }
+        status = entity_read(s, &tag, &vertex);
+        if (status || ((int)dxf_number(&vertex, 70, 0) & FRAME) || n >= SURVEY_MOST) continue;
+        if ((n & (n - 1)) == 0) {
+            DxfCorner *const wider = realloc(corner, (n ? 2 * (size_t)n : 1) * sizeof *wider);
+            if (!wider)
+                status = error_memory(s->in->err);
+            else
+                corner = wider;
+        }
+        const double z = space ? dxf_number(&vertex, 30, 0) : dxf_number(head, 30, 0);
+        if (!status)
+            corner[n++] =
+                (DxfCorner){v3(dxf_number(&vertex, 10, 0), dxf_number(&vertex, 20, 0), z), dxf_number(&vertex, 42, 0)};
+    }
+    if (!status && (flags & MESHES))
+        survey_ignore(s->in->out, "POLYLINE: meshes");
+    else if (!status)
+        status = dxf_add_corners(s->in, head, n, corner, flags & CLOSED, space);
+    free(corner);
+    free(vertex.number);
+    return status;
+}
+
+/* A point or a block's insertion, in its own system; attributes follow an insertion with 66. The first with a text
+ * names it. */
+static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
+{
+    const int insert = !strcmp(e->kind, "INSERT");
+    const DxfSystem system = dxf_system(s->in, e);
+    const Vec3 at = v3(dxf_number(e, 10, 0), dxf_number(e, 20, 0), dxf_number(e, 30, 0));
+    const double turned = 3.14159265358979323846 / 180 * dxf_number(e, 50, 0);
+    DxfEntity attribute = {0};
+    DxfTag tag;
+    SurveyMark *const mark = survey_add_mark(s->in->out, insert ? e->name : "POINT", e->layer);
+    if (!mark) return error_memory(s->in->err);
+    mark->at = insert ? dxf_world(&system, at) : v3_scale(s->in->unit, at);
+    mark->heading = system.axis.z < 0 ? 3.14159265358979323846 - turned : turned;
+    hawser_status status = HAWSER_OK;
+    for (int named = 0; insert && !status && dxf_number(e, 66, 0) == 1 && dxf_next(s, &tag) > 0;) {
+        if (tag.code == 0 && strcmp(tag.text, "ATTRIB")) {
+            dxf_hold(s);
+            break;
+        }
+        status = entity_read(s, &tag, &attribute);
+        const size_t used = strlen(mark->name);
+        if (!status && *attribute.text) {
+            snprintf(mark->name + used, SURVEY_NAME_MAX - used, "%s%s", named++ ? ", " : ": ", attribute.text);
+        }
+    }
+    free(attribute.number);
+    return status;
+}
+
+static hawser_status entity_add(DxfStream *s, const DxfEntity *e)
+{
+    static const struct {
+        const char *kind;
+        hawser_status (*add)(const SurveyInput *in, const DxfEntity *e);
+    } shapes[] = {
+        {"LINE", dxf_add_line}, {"ARC", dxf_add_arc}, {"LWPOLYLINE", dxf_add_lwpolyline}, {"SPLINE", dxf_add_spline}};
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
+        if (!strcmp(e->kind, shapes[i].kind)) return shapes[i].add(s->in, e);
+    }
+    if (!strcmp(e->kind, "POLYLINE")) return polyline_read(s, e);
+    if (!strcmp(e->kind, "INSERT") || !strcmp(e->kind, "POINT")) return mark_read(s, e);
+    if (strcmp(e->kind, "SEQEND")) survey_ignore(s->in->out, e->kind);
+    return HAWSER_OK;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- sections
+ */
+
+/* $INSUNITS by number: metres in one. */
+static void unit_set(SurveyInput *in, int code)
+{
+    static const struct {
+        int code;
+        double metres;
+        const char *name;
+    } units[] = {{1, 0.0254, "inches"},  {2, 0.3048, "feet"},
+                 {3, 1609.344, "miles"}, {4, 1e-3, "mm"},
+                 {5, 1e-2, "cm"},        {6, 1, "m"},
+                 {7, 1e3, "km"},         {10, 0.9144, "yards"},
+                 {14, 0.1, "dm"},        {21, 1200.0 / 3937, "US survey feet"}};
+    for (size_t i = 0; i < sizeof units / sizeof *units; ++i) {
+        if (units[i].code == code) {
+            input_unit(in, units[i].metres, units[i].name);
+            return;
+        }
+    }
+    input_unit(in, 1, "the drawing does not say");
+}
+
+/* Variables: 9 with a name, then its value. */
+static hawser_status header_read(DxfStream *s)
+{
+    DxfTag tag;
+    int unit_next = 0, more;
+    while ((more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+        if (unit_next && tag.code == 70) unit_set(s->in, isnan(tag.number) ? 0 : (int)fmin(fmax(tag.number, 0), 99));
+        unit_next = tag.code == 9 && !strcmp(tag.text, "$INSUNITS");
+    }
+    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+}
+
+static hawser_status entities_read(DxfStream *s)
+{
+    DxfEntity e = {0};
+    DxfTag tag;
+    int more = 1;
+    hawser_status status = HAWSER_OK;
+    while (!status && (more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+        if (tag.code != 0) continue;
+        status = entity_read(s, &tag, &e);
+        if (!status) status = entity_add(s, &e);
+    }
+    free(e.number);
+    return status ? status : more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+}
+
+static hawser_status section_skip(DxfStream *s)
+{
+    DxfTag tag;
+    int more;
+    while ((more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+    }
+    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+}
+
+hawser_status dxf_read(SurveyInput *in)
+{
+    DxfStream s;
+    DxfTag tag;
+    int more = 1, sections = 0;
+    hawser_status status = HAWSER_OK;
+    dxf_begin(&s, in);
+    unit_set(in, 0);
+    while (!status && (more = dxf_next(&s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "EOF"))) {
+        if (tag.code != 2) continue; /* a section's name behind its beginning */
+        ++sections;
+        if (!strcmp(tag.text, "HEADER"))
+            status = header_read(&s);
+        else if (!strcmp(tag.text, "ENTITIES"))
+            status = entities_read(&s);
+        else
+            status = section_skip(&s);
+    }
+    if (!status && more < 0) status = HAWSER_ERR_INPUT;
+    if (!status && sections == 0) status = input_error(in, "no section in the drawing");
+    dxf_end(&s);
+    return status;
+}

@@ -1,0 +1,252 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "survey/ifc/parts.h"
+
+enum { PLACEMENTS_MOST = 64 };
+
+/* ----------------------------------------------------------------------------------------------------------- units */
+
+static double prefix_factor(const StepValue *prefix)
+{
+    static const struct {
+        const char *name;
+        double factor;
+    } prefixes[] = {{"MILLI", 1e-3}, {"CENTI", 1e-2}, {"DECI", 1e-1}, {"KILO", 1e3}, {"MICRO", 1e-6}};
+    for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; ++i) {
+        if (step_is(prefix, prefixes[i].name)) return prefixes[i].factor;
+    }
+    return 1;
+}
+
+/* IfcConversionBasedUnit(Dimensions, UnitType, Name, ConversionFactor): the factor, an IfcMeasureWithUnit(value, unit).
+ */
+static hawser_status conversion_read(const IfcFile *file, long id, double *factor)
+{
+    StepEntity e = {0}, unit = {0};
+    hawser_status status = step_entity(&file->step, id, &e);
+    if (!status) status = step_entity(&file->step, step_reference(&e, 1), &unit);
+    if (!status) *factor = step_number(&e, 0) * prefix_factor(step_attribute(&unit, 2));
+    if (!status && !(*factor > 0)) status = input_error(file->step.in, "#%ld: a unit's factor must be above 0", id);
+    step_entity_free(&e);
+    step_entity_free(&unit);
+    return status;
+}
+
+/* One unit of the project's assignment: of length or of plane angle, others are of no use. */
+static hawser_status unit_read(IfcFile *file, long id)
+{
+    StepEntity e = {0};
+    double factor = 1;
+    hawser_status status = step_entity(&file->step, id, &e);
+    const StepValue *const of = step_attribute(&e, 1);
+    const int length = step_is(of, "LENGTHUNIT"), angle = step_is(of, "PLANEANGLEUNIT");
+    if (!status && (length || angle)) {
+        const int converted = !strcmp(e.name, "IFCCONVERSIONBASEDUNIT");
+        const StepValue *const name = step_attribute(&e, converted ? 2 : 3);
+        char text[64];
+        snprintf(text, sizeof text, "%.*s", name->text ? name->length : 0, name->text ? name->text : "");
+        factor = prefix_factor(step_attribute(&e, 2));
+        if (converted) status = conversion_read(file, step_reference(&e, 3), &factor);
+        if (!status && length) input_unit(file->step.in, factor, text);
+        if (!status && angle) file->angle = factor;
+    }
+    step_entity_free(&e);
+    return status;
+}
+
+static hawser_status units_read(IfcFile *file)
+{
+    StepEntity e = {0};
+    const int at = step_next(&file->step, 0, "IFCUNITASSIGNMENT");
+    hawser_status status = at < 0 ? HAWSER_OK : step_entity(&file->step, file->step.entry[at].id, &e);
+    const StepValue *v = at < 0 || status ? NULL : step_item(&e, step_attribute(&e, 0), 0);
+    for (; v && !status; v = step_behind(&e, v)) status = unit_read(file, v->reference);
+    step_entity_free(&e);
+    return status;
+}
+
+/* The system of coordinates by name; where the model lies in it is said and not applied. */
+static hawser_status system_read(IfcFile *file)
+{
+    StepEntity e = {0};
+    char *const text = file->step.in->out->system;
+    const int crs = step_next(&file->step, 0, "IFCPROJECTEDCRS"), map = step_next(&file->step, 0, "IFCMAPCONVERSION");
+    hawser_status status = crs < 0 ? HAWSER_OK : step_entity(&file->step, file->step.entry[crs].id, &e);
+    const StepValue *const name = step_attribute(&e, 0);
+    if (crs >= 0 && !status && name->kind == STEP_TEXT)
+        snprintf(text, SURVEY_NAME_MAX, "%.*s", name->length, name->text);
+    if (map >= 0 && !status) status = step_entity(&file->step, file->step.entry[map].id, &e);
+    if (map >= 0 && !status && (step_number(&e, 2) != 0 || step_number(&e, 3) != 0)) {
+        const size_t used = strlen(text);
+        snprintf(text + used, SURVEY_NAME_MAX - used, "%smap conversion by E %.10g, N %.10g not applied",
+                 used ? ", " : "", step_number(&e, 2), step_number(&e, 3));
+    }
+    step_entity_free(&e);
+    return status;
+}
+
+/* --------------------------------------------------------------------------------------------------------- nesting */
+
+static int by_whole(const void *a, const void *b)
+{
+    const IfcNest *const p = a, *const q = b;
+    if (p->whole != q->whole) return p->whole < q->whole ? -1 : 1;
+    return (p->order > q->order) - (p->order < q->order);
+}
+
+static hawser_status nest_add(IfcFile *file, long whole, long part)
+{
+    const int n = file->n_nests;
+    if ((n & (n - 1)) == 0) {
+        IfcNest *const wider = realloc(file->nest, (n ? 2 * (size_t)n : 1) * sizeof *wider);
+        if (!wider) return error_memory(file->step.in->err);
+        file->nest = wider;
+    }
+    file->nest[file->n_nests++] = (IfcNest){whole, part, n};
+    return HAWSER_OK;
+}
+
+/* IfcRelNests and IfcRelAggregates(GlobalId, OwnerHistory, Name, Description, whole, parts). */
+static hawser_status nests_read(IfcFile *file, const char *name)
+{
+    StepEntity e = {0};
+    hawser_status status = HAWSER_OK;
+    for (int i = -1; !status && (i = step_next(&file->step, i + 1, name)) >= 0;) {
+        status = step_entity(&file->step, file->step.entry[i].id, &e);
+        const StepValue *v = status ? NULL : step_item(&e, step_attribute(&e, 5), 0);
+        for (; v && !status; v = step_behind(&e, v)) status = nest_add(file, step_reference(&e, 4), v->reference);
+    }
+    step_entity_free(&e);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------------ placement */
+
+/* Turned by `angle` about the origin, then moved. */
+static void element_place(PlanElement *e, Vec3 origin, double angle)
+{
+    const double x = e->x, y = e->y;
+    e->x = origin.x + x * cos(angle) - y * sin(angle);
+    e->y = origin.y + x * sin(angle) + y * cos(angle);
+    e->heading += angle;
+}
+
+static void alignment_place(const IfcFile *file, Alignment *a, Vec3 origin, double angle)
+{
+    const Vec3 at = v3_scale(file->step.in->unit, origin);
+    for (int i = 0; i < a->n_plan; ++i) element_place(&a->plan[i], at, angle);
+    for (int i = 0; i < a->n_profile; ++i) a->profile[i].z += at.z;
+    for (int i = 0; i < a->n_points; ++i) {
+        PlanElement e = {.x = a->point[i].x, .y = a->point[i].y};
+        element_place(&e, at, angle);
+        a->point[i] = v3(e.x, e.y, a->point[i].z + at.z);
+    }
+}
+
+/* IfcLocalPlacement(PlacementRelTo, RelativePlacement), one within the other. */
+static hawser_status placement_apply(const IfcFile *file, long id, Alignment *a)
+{
+    StepEntity e = {0};
+    hawser_status status = HAWSER_OK;
+    for (int depth = 0; id && !status; ++depth) {
+        Vec3 origin, x_axis;
+        int tilted = 0;
+        if (depth > PLACEMENTS_MOST) status = input_error(file->step.in, "#%ld: placements without an end", id);
+        if (!status) status = step_entity(&file->step, id, &e);
+        if (status || strcmp(e.name, "IFCLOCALPLACEMENT")) break;
+        status = ifc_axes(file, step_reference(&e, 1), &origin, &x_axis, &tilted);
+        if (!status && tilted) survey_ignore(file->step.in->out, "placements that are not upright");
+        if (!status && !tilted) alignment_place(file, a, origin, atan2(x_axis.y, x_axis.x));
+        id = step_reference(&e, 0);
+    }
+    step_entity_free(&e);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------------ alignments */
+
+/* A segment, in an IfcAlignmentSegment (its design parameters) or alone. */
+static hawser_status segment_add(const IfcFile *file, long id, Alignment *a)
+{
+    StepEntity e = {0};
+    hawser_status status = step_entity(&file->step, id, &e);
+    if (!status && !strcmp(e.name, "IFCALIGNMENTSEGMENT")) status = step_entity(&file->step, step_reference(&e, 7), &e);
+    if (!status && !strcmp(e.name, "IFCALIGNMENTHORIZONTALSEGMENT"))
+        status = ifc_horizontal_segment(file, &e, a);
+    else if (!status && !strcmp(e.name, "IFCALIGNMENTVERTICALSEGMENT"))
+        status = ifc_vertical_segment(file, &e, a);
+    step_entity_free(&e);
+    return status;
+}
+
+/* Horizontal or vertical, with its segments; the first of each kind counts. */
+static hawser_status layout_add(const IfcFile *file, long id, Alignment *a)
+{
+    StepEntity e = {0};
+    int n = 0;
+    hawser_status status = step_entity(&file->step, id, &e);
+    const int plan = !status && !strcmp(e.name, "IFCALIGNMENTHORIZONTAL");
+    const int profile = !status && !strcmp(e.name, "IFCALIGNMENTVERTICAL");
+    const IfcNest *const part = ifc_parts(file, id, &n);
+    if (!status && !plan && !profile && !strncmp(e.name, "IFCALIGNMENT", 12)) survey_ignore(file->step.in->out, e.name);
+    if ((plan && a->n_plan == 0) || (profile && a->n_profile == 0)) {
+        for (int i = 0; i < n && !status; ++i) status = segment_add(file, part[i].part, a);
+    } else if (profile) {
+        survey_ignore(file->step.in->out, "further vertical layouts of an alignment");
+    }
+    step_entity_free(&e);
+    return status;
+}
+
+/* Stations of the profile count from where the file says; the alignment begins at its first element in plan. */
+static hawser_status alignment_read(const IfcFile *file, long id)
+{
+    StepEntity e = {0};
+    int n = 0;
+    hawser_status status = step_entity(&file->step, id, &e);
+    if (status) return step_entity_free(&e), status;
+    char name[SURVEY_NAME_MAX] = "";
+    const StepValue *const label = step_attribute(&e, 2);
+    if (label->kind == STEP_TEXT) snprintf(name, sizeof name, "%.*s", label->length, label->text);
+    Alignment *const a = survey_add(file->step.in->out, name);
+    if (!a) return step_entity_free(&e), error_memory(file->step.in->err);
+    const IfcNest *const part = ifc_parts(file, id, &n);
+    for (int i = 0; i < n && !status; ++i) status = layout_add(file, part[i].part, a);
+    if (!status && a->n_plan + a->n_profile == 0 && step_reference(&e, 7))
+        status = ifc_axis(file, step_reference(&e, 7), a);
+    if (!status && a->n_plan == 0 && step_reference(&e, 6)) status = ifc_shape(file, step_reference(&e, 6), a);
+    if (!status) status = placement_apply(file, step_reference(&e, 5), a);
+    step_entity_free(&e);
+    return status;
+}
+
+static hawser_status alignments_read(IfcFile *file)
+{
+    hawser_status status = HAWSER_OK;
+    for (int i = -1; !status && (i = step_next(&file->step, i + 1, "IFCALIGNMENT")) >= 0;) {
+        status = alignment_read(file, file->step.entry[i].id);
+    }
+    return status;
+}
+
+hawser_status ifc_read(SurveyInput *in)
+{
+    IfcFile file = {.angle = 1};
+    hawser_status status = step_open(&file.step, in);
+    if (!status && strncmp(file.step.schema, "IFC", 3))
+        status = input_error(in, "a STEP file of schema '%s': expected IFC", file.step.schema);
+    if (!status) status = units_read(&file);
+    if (!status) status = system_read(&file);
+    if (!status) status = nests_read(&file, "IFCRELNESTS");
+    if (!status) status = nests_read(&file, "IFCRELAGGREGATES");
+    if (!status && file.n_nests) qsort(file.nest, (size_t)file.n_nests, sizeof *file.nest, by_whole);
+    if (!status) status = alignments_read(&file);
+    if (!status && in->out->n == 0) status = input_error(in, "no IfcAlignment in the file");
+    free(file.nest);
+    step_close(&file.step);
+    return status;
+}

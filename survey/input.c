@@ -1,0 +1,119 @@
+#define _GNU_SOURCE /* strtod_l, newlocale */
+#include "survey/input.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+
+hawser_status input_open(SurveyInput *in, const char *path, const SurveyOptions *options, Survey *out,
+                         hawser_error *err)
+{
+    *in = (SurveyInput){.path = path, .options = *options, .unit = 1, .out = out, .err = err};
+    if (!isnan(options->unit)) input_unit(in, options->unit, "");
+    in->numbers = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (!in->numbers) return error_memory(err);
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a FIFO must not hold us up */
+    struct stat state;
+    if (fd < 0 || fstat(fd, &state)) {
+        const char *const why = strerror(errno);
+        if (fd >= 0) close(fd);
+        return error_set(err, HAWSER_ERR_INPUT, "%.200s: cannot be read: %s", path, why);
+    }
+    if (!S_ISREG(state.st_mode) || state.st_size > ((off_t)1 << 32)) {
+        close(fd);
+        return error_set(err, HAWSER_ERR_INPUT, "%.200s: %s", path,
+                         S_ISREG(state.st_mode) ? "larger than 4 GiB" : "not a regular file");
+    }
+    in->file = fdopen(fd, "rb");
+    if (in->file) return HAWSER_OK;
+    close(fd);
+    return error_memory(err);
+}
+
+void input_close(SurveyInput *in)
+{
+    if (in->file) fclose(in->file);
+    if (in->numbers) freelocale(in->numbers);
+    in->file = NULL;
+    in->numbers = (locale_t)0;
+}
+
+hawser_status input_error(const SurveyInput *in, const char *format, ...)
+{
+    char text[sizeof in->err->message];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    if (in->line > 0) return error_set(in->err, HAWSER_ERR_INPUT, "%.200s:%ld: %s", in->path, in->line, text);
+    return error_set(in->err, HAWSER_ERR_INPUT, "%.200s: %s", in->path, text);
+}
+
+int input_number(const SurveyInput *in, const char *text, char **end, double *value)
+{
+    char digits[64]; /* a copy: D is no exponent to strtod, and hexadecimal numbers, inf and nan are none to us */
+    size_t n = 0;
+    while (*text == ' ' || *text == '\t') ++text;
+    while (n + 1 < sizeof digits && text[n] && strchr("+-.0123456789eEdD", text[n])) {
+        digits[n] = text[n] == 'd' || text[n] == 'D' ? 'e' : text[n];
+        ++n;
+    }
+    digits[n] = 0;
+    char *stop;
+    *value = strtod_l(digits, &stop, in->numbers);
+    *end = (char *)(size_t)text + (stop - digits);
+    return stop > digits && isfinite(*value);
+}
+
+int input_number_whole(const SurveyInput *in, const char *text, double *value)
+{
+    char *end;
+    if (!input_number(in, text, &end, value)) return 0;
+    return end[strspn(end, " \t\r\n")] == 0;
+}
+
+void input_unit(SurveyInput *in, double metres, const char *name)
+{
+    const int asked = !isnan(in->options.unit);
+    in->unit = asked ? in->options.unit : metres;
+    snprintf(in->out->unit, sizeof in->out->unit, "%s%g m%s%.60s%s", asked ? "as asked, " : "", in->unit,
+             *name ? asked ? ", where the file says " : ", " : "", name, "");
+}
+
+/* Twice as much room, or room for a first line. */
+static int line_widen(SurveyInput *in, InputLine *line)
+{
+    if (line->room >= INPUT_LINE_MOST) {
+        input_error(in, "a line of more than %d characters", INPUT_LINE_MOST);
+        return 0;
+    }
+    const size_t room = line->room ? 2 * line->room : 256;
+    char *const text = realloc(line->text, room);
+    if (!text) return error_memory(in->err), 0;
+    line->text = text;
+    line->room = room;
+    return 1;
+}
+
+int input_line(SurveyInput *in, InputLine *line)
+{
+    int c = getc_unlocked(in->file);
+    line->length = 0;
+    if (c == EOF) return 0;
+    ++in->line;
+    for (; c != EOF && c != '\n'; c = getc_unlocked(in->file)) {
+        if (line->length + 1 >= line->room && !line_widen(in, line)) return -1;
+        line->text[line->length++] = (char)c;
+    }
+    if (line->room == 0 && !line_widen(in, line)) return -1;
+    if (line->length && line->text[line->length - 1] == '\r') line->length--;
+    line->text[line->length] = 0;
+    return 1;
+}

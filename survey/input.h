@@ -1,0 +1,66 @@
+/* A file that is being read: what every reader needs. Files are untrusted: readers bound what they keep by what the
+ * file holds, and say line and what is wrong. */
+#ifndef HAWSER_SURVEY_INPUT_H
+#define HAWSER_SURVEY_INPUT_H
+
+#include <locale.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "survey/alignment.h"
+
+/* How a file is to be read, by whoever asks for it. */
+typedef struct SurveyOptions {
+    double unit; /* metres in the file's unit of length; NAN: as the file says */
+} SurveyOptions;
+
+typedef struct SurveyInput {
+    const char *path;
+    FILE *file;
+    long line; /* the one being read, from 1; 0: lines say nothing */
+    SurveyOptions options;
+    double unit; /* metres in the file's unit */
+    Survey *out;
+    locale_t numbers; /* a point is a point */
+    hawser_error *err;
+} SurveyInput;
+
+/* Opens a regular file of at most 4 GiB. Errors: INPUT (no regular file), MEMORY. Close it in any case. */
+hawser_status input_open(SurveyInput *in, const char *path, const SurveyOptions *options, Survey *out,
+                         hawser_error *err);
+void input_close(SurveyInput *in);
+
+/* INPUT, "path:line: ..." */
+hawser_status input_error(const SurveyInput *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* A number at the beginning of a text, finite, decimal; *end behind it. 0: there is none. Fortran's D for E and a
+ * leading + are taken. */
+int input_number(const SurveyInput *in, const char *text, char **end, double *value);
+/* All of a text as one number, blanks around it. */
+int input_number_whole(const SurveyInput *in, const char *text, double *value);
+/* Sets the unit of length and says which: the options' if they give one. name: as the file has it. */
+void input_unit(SurveyInput *in, double metres, const char *name);
+
+/* Line by line; without its end, cut at the limit. NULL: the end of the file. *room grows with the longest line, at
+ * most to INPUT_LINE_MOST; longer ones are an error. */
+enum { INPUT_LINE_MOST = 1 << 20 };
+typedef struct InputLine {
+    char *text;
+    size_t room, length;
+} InputLine;
+/* 1: a line; 0: no more; -1: too long or no memory, with the reason in in->err. in->line counts. */
+int input_line(SurveyInput *in, InputLine *line);
+
+/* The readers, each in a folder of its own: fill in->out from in->file. Errors: INPUT with line or entity and reason,
+ * MEMORY. */
+/* LandXML 1.0 to 2.0, streaming: alignments with their profiles, and plan features; northing before easting. */
+hawser_status landxml_read(SurveyInput *in);
+/* IFC 4.3 and the drafts 4x1 to 4x4: every IfcAlignment by its segments, or where it has none by the curves that it is
+ * drawn with; units and placements are heeded, cant is counted as ignored. */
+hawser_status ifc_read(SurveyInput *in);
+/* DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each an alignment
+ * of its own, on its layer; INSERT and POINT as marks. */
+hawser_status dxf_read(SurveyInput *in);
+/* CSV and TSV with names over the columns: survey/table/table.h. */
+hawser_status table_read(SurveyInput *in);
+
+#endif

@@ -1,0 +1,522 @@
+#include <expat.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "core/base/error.h"
+#include "survey/input.h"
+#include "survey/landxml/points.h"
+
+enum { DEPTH_MOST = 64, TEXT_MOST = 1 << 26, WORD_MOST = 64, CORNERS_MOST = 1 << 20, CHUNK = 1 << 16 };
+
+/* A line, curve or spiral on its way. */
+typedef struct Geometry {
+    PointOf have[GEOMETRY_POINTS];     /* Start, End, Center, PI */
+    double length, radius, radius_end; /* m; NAN: not given, infinite: straight */
+    int right;                         /* turns clockwise */
+    char kind[WORD_MOST];              /* of a spiral */
+} Geometry;
+
+typedef struct Reader {
+    SurveyInput *in;
+    XML_Parser parser;
+    hawser_status status;
+    int depth, skipped; /* depth of elements; of the one below which nothing is read, 0: none */
+    int geometry_at;    /* depth of a CoordGeom that is read, 0: none */
+    int current;        /* alignment, -1: none */
+    Geometry geometry;
+    LandPoints points;
+    char point_name[WORD_MOST];
+    char reference[WORD_MOST]; /* pntRef of the element that is open */
+    char *text;                /* of the element that is open */
+    size_t text_length, text_room;
+    ProfileCorner *corner;
+    int n_corners, profiles; /* profiles: design profiles seen of this alignment */
+    double curve_length, curve_after, curve_radius;
+} Reader;
+
+/* --------------------------------------------------------------------------------------------------------- errors */
+
+/* The first error stops the parser. */
+static void fail(Reader *r, hawser_status status)
+{
+    if (!r->status) r->status = status;
+    XML_StopParser(r->parser, XML_FALSE);
+}
+
+#define FAIL(r, ...)                                                                                                   \
+    ((r)->in->line = (long)XML_GetCurrentLineNumber((r)->parser), fail((r), input_error((r)->in, __VA_ARGS__)))
+
+static void fail_memory(Reader *r) { fail(r, error_memory(r->in->err)); }
+
+/* ----------------------------------------------------------------------------------------------------- attributes */
+
+/* An attribute's text; NULL: it is not there. */
+static const char *attribute(const char **attributes, const char *name)
+{
+    for (int i = 0; attributes[i]; i += 2) {
+        if (!strcmp(attributes[i], name)) return attributes[i + 1];
+    }
+    return NULL;
+}
+
+/* A number times `unit`; NAN: not there, "INF" is infinite. */
+static double number(Reader *r, const char **attributes, const char *name, double unit)
+{
+    const char *const text = attribute(attributes, name);
+    double value;
+    if (!text || !*text) return NAN;
+    if (!strncasecmp(text, "inf", 3)) return INFINITY;
+    if (input_number_whole(r->in, text, &value)) return unit * value;
+    FAIL(r, "attribute '%s' is '%.40s': expected a number", name, text);
+    return NAN;
+}
+
+static void word(char out[WORD_MOST], const char *text) { snprintf(out, WORD_MOST, "%s", text ? text : ""); }
+
+/* ------------------------------------------------------------------------------------------------------ geometry */
+
+/* Adds an element; one without a length is left out. */
+static void element_add(Reader *r, Vec3 start, double heading, double length, double k0, double k1)
+{
+    if (!(length > 1e-9)) return;
+    PlanElement *const e = alignment_add_plan(&r->in->out->alignment[r->current]);
+    if (!e) {
+        fail_memory(r);
+        return;
+    }
+    *e = (PlanElement){start.x, start.y, heading, length, k0, k1};
+}
+
+static void line_add(Reader *r, Vec3 from, Vec3 to)
+{
+    element_add(r, from, atan2(to.y - from.y, to.x - from.x), hypot(to.x - from.x, to.y - from.y), 0, 0);
+}
+
+/* Where a curve's centre is if the file does not say: by the chord, the radius and the side. `long_way`: beyond half a
+ * turn. */
+static Vec3 centre_guess(const Geometry *g, Vec3 start, Vec3 end)
+{
+    const double chord = hypot(end.x - start.x, end.y - start.y), half = 0.5 * chord;
+    const double away = sqrt(fmax(0, g->radius * g->radius - half * half));
+    const int long_way = g->length > acos(-1) * g->radius;
+    const double side = (g->right != long_way ? -away : away) / fmax(chord, 1e-12);
+    return v3(0.5 * (start.x + end.x) - side * (end.y - start.y), 0.5 * (start.y + end.y) + side * (end.x - start.x),
+              0);
+}
+
+static void curve_add(Reader *r)
+{
+    const Geometry *const g = &r->geometry;
+    const int has_centre = g->have[POINT_CENTER].known;
+    if (!has_centre && !(g->radius > 0 && isfinite(g->radius))) {
+        FAIL(r, "a Curve has neither Center nor radius");
+        return;
+    }
+    const Vec3 start = g->have[POINT_START].at, end = g->have[POINT_END].at;
+    const Vec3 centre = has_centre ? g->have[POINT_CENTER].at : centre_guess(g, start, end);
+    const double radius = hypot(start.x - centre.x, start.y - centre.y), side = g->right ? -1 : 1;
+    if (!(radius > 1e-6)) {
+        FAIL(r, "a Curve begins in its Center");
+        return;
+    }
+    const double from = atan2(start.y - centre.y, start.x - centre.x), to = atan2(end.y - centre.y, end.x - centre.x);
+    double turn = side * (to - from);
+    turn -= 2 * acos(-1) * floor(turn / (2 * acos(-1)));
+    element_add(r, start, from + side * acos(0), radius * turn, side / radius, side / radius);
+}
+
+/* The heading follows from the chord: (AL2) from heading 0 tells the direction in which a spiral ends. */
+static void spiral_add(Reader *r)
+{
+    const Geometry *const g = &r->geometry;
+    const Vec3 start = g->have[POINT_START].at, end = g->have[POINT_END].at;
+    const double side = g->right ? -1 : 1;
+    if (!(g->length > 0) || isnan(g->radius) || isnan(g->radius_end) || g->radius == 0 || g->radius_end == 0) {
+        FAIL(r, "a Spiral needs length, radiusStart and radiusEnd, none of them 0");
+        return;
+    }
+    const PlanElement level = {0, 0, 0, g->length, side / g->radius, side / g->radius_end};
+    const PlanElement tip = plan_at(&level, g->length);
+    const double heading = atan2(end.y - start.y, end.x - start.x) - atan2(tip.y, tip.x);
+    if (*g->kind && strcmp(g->kind, "clothoid")) {
+        char what[2 * WORD_MOST];
+        snprintf(what, sizeof what, "Spiral's type '%s': taken as a clothoid", g->kind);
+        survey_ignore(r->in->out, what);
+    }
+    element_add(r, start, heading, g->length, level.k0, level.k1);
+}
+
+/* Numbers of a list one by one; 0 at its end. Anything else is an error. */
+static int next_number(Reader *r, char **text, double *value)
+{
+    *text += strspn(*text, " \t\r\n");
+    if (!**text) return 0;
+    if (input_number(r->in, *text, text, value) && strchr(" \t\r\n", **text)) return 1;
+    FAIL(r, "'%.40s' is no list of numbers", *text);
+    return 0;
+}
+
+/* The straights between the points of a PntList: `size` numbers each, northing before easting. */
+static void list_add(Reader *r, int size)
+{
+    Geometry *const g = &r->geometry;
+    PointOf before = g->have[POINT_START];
+    double value[3] = {0};
+    char *text = r->text;
+    for (int i = 0; text && next_number(r, &text, &value[i % size]); ++i) {
+        if (i % size < size - 1) continue;
+        const Vec3 at = v3_scale(r->in->unit, v3(value[1], value[0], 0));
+        if (before.known) line_add(r, before.at, at);
+        before = (PointOf){at, 1};
+    }
+    g->have[POINT_START] = before; /* what follows begins there */
+}
+
+static int is_geometry(const char *name)
+{
+    return !strcmp(name, "Line") || !strcmp(name, "Curve") || !strcmp(name, "Spiral") || !strcmp(name, "IrregularLine");
+}
+
+static void geometry_begin(Reader *r, const char **attributes)
+{
+    const char *const rot = attribute(attributes, "rot");
+    const double unit = r->in->unit;
+    double radius = number(r, attributes, "radius", unit);
+    if (isnan(radius)) radius = number(r, attributes, "radiusStart", unit);
+    r->geometry = (Geometry){.length = number(r, attributes, "length", unit),
+                             .radius = radius,
+                             .radius_end = number(r, attributes, "radiusEnd", unit),
+                             .right = rot && !strcmp(rot, "cw")};
+    word(r->geometry.kind, attribute(attributes, "spiType"));
+}
+
+static void geometry_end(Reader *r, const char *name)
+{
+    const PointOf *const have = r->geometry.have;
+    if (!have[POINT_START].known || !have[POINT_END].known) {
+        FAIL(r, "a %s without Start or End", name);
+    } else if (!strcmp(name, "Curve")) {
+        curve_add(r);
+    } else if (!strcmp(name, "Spiral")) {
+        spiral_add(r);
+    } else { /* Line, and the rest of an IrregularLine */
+        line_add(r, have[POINT_START].at, have[POINT_END].at);
+    }
+}
+
+/* --------------------------------------------------------------------------------------------------------- points */
+
+/* "northing easting [height]" of the element that is open, or the point that it refers to. */
+static PointOf point_here(Reader *r, const char *name)
+{
+    double value[3] = {0};
+    char *text = r->text;
+    int n = 0;
+    if (*r->reference && (r->text_length == 0 || r->text[strspn(r->text, " \t\r\n")] == 0)) {
+        const PointOf *const found = land_points_find(&r->points, r->reference);
+        if (!found) FAIL(r, "<%s> refers to point '%s', which does not stand before it", name, r->reference);
+        return found ? *found : (PointOf){0};
+    }
+    while (n < 3 && text && next_number(r, &text, &value[n])) ++n;
+    if (n < 2 && !r->status) FAIL(r, "<%s> has no northing and easting", name);
+    return (PointOf){v3_scale(r->in->unit, v3(value[1], value[0], value[2])), n >= 2};
+}
+
+/* -------------------------------------------------------------------------------------------------------- profiles */
+
+static int is_corner(const char *name)
+{
+    return !strcmp(name, "PVI") || !strcmp(name, "ParaCurve") || !strcmp(name, "UnsymParaCurve") ||
+           !strcmp(name, "CircCurve");
+}
+
+static void corner_begin(Reader *r, const char *name, const char **attributes)
+{
+    const double unit = r->in->unit;
+    const int uneven = !strcmp(name, "UnsymParaCurve");
+    r->curve_radius = strcmp(name, "CircCurve") ? 0 : number(r, attributes, "radius", unit);
+    r->curve_length = uneven ? number(r, attributes, "lengthIn", unit) : number(r, attributes, "length", unit) / 2;
+    r->curve_after = uneven ? number(r, attributes, "lengthOut", unit) : r->curve_length;
+}
+
+/* "station height" with the curve around it. */
+static void corner_end(Reader *r, const char *name)
+{
+    double value[2] = {0};
+    char *text = r->text;
+    int n = 0;
+    while (n < 2 && text && next_number(r, &text, &value[n])) ++n;
+    const int arc = r->curve_radius != 0;
+    if (n < 2 || (arc && !(r->curve_radius > 0))) {
+        FAIL(r, "<%s> needs station and height%s", name, arc ? " and a radius above 0" : "");
+        return;
+    }
+    if (r->n_corners >= CORNERS_MOST) {
+        FAIL(r, "a profile of more than %d corners", CORNERS_MOST);
+        return;
+    }
+    if ((r->n_corners & (r->n_corners - 1)) == 0) {
+        const size_t room = r->n_corners ? 2 * (size_t)r->n_corners : 1;
+        ProfileCorner *const wider = realloc(r->corner, room * sizeof *wider);
+        if (!wider) {
+            fail_memory(r);
+            return;
+        }
+        r->corner = wider;
+    }
+    const double unit = r->in->unit, start = r->in->out->alignment[r->current].station;
+    const int curved = strcmp(name, "PVI") != 0 && !arc;
+    r->corner[r->n_corners++] = (ProfileCorner){.station = unit * value[0] - start,
+                                                .z = unit * value[1],
+                                                .kind = arc ? PROFILE_ARC : PROFILE_PARABOLA,
+                                                .before = curved && r->curve_length > 0 ? r->curve_length : 0,
+                                                .after = curved && r->curve_after > 0 ? r->curve_after : 0,
+                                                .radius = arc ? r->curve_radius : 0};
+}
+
+static void profile_end(Reader *r)
+{
+    hawser_error why = {.message = ""};
+    if (r->n_corners < 2 || r->status) return;
+    const hawser_status status =
+        profile_from_corners(&r->in->out->alignment[r->current], r->n_corners, r->corner, &why);
+    if (status == HAWSER_ERR_INPUT)
+        FAIL(r, "alignment '%.40s': %s", r->in->out->alignment[r->current].name, why.message);
+    if (status == HAWSER_ERR_MEMORY) fail_memory(r);
+    r->n_corners = 0;
+}
+
+/* ------------------------------------------------------------------------------------------------------- the tree */
+
+static const struct {
+    const char *name;
+    double metres;
+} units[] = {{"meter", 1},
+             {"millimeter", 1e-3},
+             {"centimeter", 1e-2},
+             {"kilometer", 1e3},
+             {"foot", 0.3048},
+             {"inch", 0.0254},
+             {"USSurveyFoot", 1200.0 / 3937},
+             {"mile", 1609.344}};
+
+static void units_read(Reader *r, const char **attributes)
+{
+    const char *const name = attribute(attributes, "linearUnit");
+    for (size_t i = 0; name && i < sizeof units / sizeof *units; ++i) {
+        if (!strcasecmp(name, units[i].name)) {
+            input_unit(r->in, units[i].metres, name);
+            return;
+        }
+    }
+    FAIL(r, "linearUnit is '%.40s': expected meter, foot, USSurveyFoot, inch and the like", name ? name : "not given");
+}
+
+static void alignment_begin(Reader *r, const char **attributes)
+{
+    Alignment *const a = survey_add(r->in->out, attribute(attributes, "name"));
+    if (!a) {
+        fail_memory(r);
+        return;
+    }
+    const double station = number(r, attributes, "staStart", r->in->unit);
+    a->stated_length = number(r, attributes, "length", r->in->unit);
+    a->station = isfinite(station) ? station : 0;
+    r->current = r->in->out->n - 1;
+    r->profiles = 0;
+}
+
+/* What is left out below an alignment or the file as a whole. Notes that say nothing of the line are not worth a word.
+ */
+static void skip(Reader *r, const char *name)
+{
+    static const char *const silent[] = {"Project", "Application", "Feature", "Units", "AlignPIs"};
+    for (size_t i = 0; i < sizeof silent / sizeof *silent; ++i) {
+        if (!strcmp(name, silent[i])) {
+            r->skipped = r->depth;
+            return;
+        }
+    }
+    survey_ignore(r->in->out, name);
+    r->skipped = r->depth;
+}
+
+/* Elements that are only ways to others. */
+static int passes(const char *name)
+{
+    static const char *const ways[] = {"LandXML", "Alignments", "PlanFeatures", "CgPoints", "Units", "Profile"};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; ++i) {
+        if (!strcmp(name, ways[i])) return 1;
+    }
+    return 0;
+}
+
+/* An element inside an alignment. */
+static void inner_begin(Reader *r, const char *name, const char **attributes)
+{
+    if (!strcmp(name, "CoordGeom")) {
+        r->geometry_at = r->depth;
+    } else if (r->geometry_at && is_geometry(name)) {
+        geometry_begin(r, attributes);
+    } else if (r->geometry_at && (land_point_kind(name) >= 0 || !strncmp(name, "PntList", 7))) {
+        word(r->reference, attribute(attributes, "pntRef"));
+    } else if (!strcmp(name, "ProfAlign") && r->profiles++ == 0) {
+        r->n_corners = 0;
+    } else if (is_corner(name)) {
+        corner_begin(r, name, attributes);
+    } else {
+        skip(r, name);
+    }
+}
+
+/* Names may have a prefix of their own. */
+static const char *local(const char *name)
+{
+    const char *const colon = strrchr(name, ':');
+    return colon ? colon + 1 : name;
+}
+
+static void begin(void *data, const char *name, const char **attributes)
+{
+    Reader *const r = data;
+    name = local(name);
+    if (++r->depth > DEPTH_MOST) {
+        FAIL(r, "elements more than %d deep", DEPTH_MOST);
+        return;
+    }
+    r->text_length = 0;
+    if (r->text) *r->text = 0;
+    if (r->skipped || r->status) return;
+    if (r->depth == 1 && strcmp(name, "LandXML")) {
+        FAIL(r, "the outermost element is <%.40s>: expected <LandXML>", name);
+    } else if (!strcmp(name, "Metric") || !strcmp(name, "Imperial")) {
+        units_read(r, attributes);
+    } else if (!strcmp(name, "CoordinateSystem")) {
+        const char *const epsg = attribute(attributes, "epsgCode"), *const desc = attribute(attributes, "desc");
+        snprintf(r->in->out->system, sizeof r->in->out->system, "%s%s%s%s", epsg ? "EPSG:" : "", epsg ? epsg : "",
+                 epsg && desc ? ", " : "", desc ? desc : "");
+    } else if (!strcmp(name, "CgPoint")) {
+        const char *const label = attribute(attributes, "name");
+        word(r->point_name, label ? label : attribute(attributes, "oID"));
+        word(r->reference, attribute(attributes, "pntRef"));
+    } else if (!strcmp(name, "Alignment") || !strcmp(name, "PlanFeature")) {
+        alignment_begin(r, attributes);
+    } else if (!passes(name)) {
+        if (r->current >= 0)
+            inner_begin(r, name, attributes);
+        else
+            skip(r, name);
+    }
+}
+
+static void end(void *data, const char *name)
+{
+    Reader *const r = data;
+    const int depth = r->depth--;
+    name = local(name);
+    if (r->status) return;
+    if (r->skipped) {
+        if (r->skipped == depth) r->skipped = 0;
+        return;
+    }
+    const int point = land_point_kind(name);
+    if (!strcmp(name, "CgPoint")) {
+        if (*r->point_name && !land_points_add(&r->points, r->point_name, point_here(r, name)) && !r->status)
+            fail_memory(r);
+    } else if (r->current < 0) {
+        return;
+    } else if (r->geometry_at && point >= 0) {
+        r->geometry.have[point] = point_here(r, name);
+    } else if (r->geometry_at && !strcmp(name, "PntList2D")) {
+        list_add(r, 2);
+    } else if (r->geometry_at && !strcmp(name, "PntList3D")) {
+        list_add(r, 3);
+    } else if (r->geometry_at && is_geometry(name)) {
+        geometry_end(r, name);
+    } else if (depth == r->geometry_at) {
+        r->geometry_at = 0;
+    } else if (is_corner(name)) {
+        corner_end(r, name);
+    } else if (!strcmp(name, "ProfAlign")) {
+        profile_end(r);
+    } else if (!strcmp(name, "Alignment") || !strcmp(name, "PlanFeature")) {
+        r->current = -1;
+    }
+}
+
+/* Text is kept of the innermost element alone. */
+static void text(void *data, const char *piece, int n)
+{
+    Reader *const r = data;
+    if (r->skipped || r->status) return;
+    if (r->text_length + (size_t)n + 1 > r->text_room) {
+        const size_t room = 2 * (r->text_length + (size_t)n) + 256;
+        char *const wider = room <= TEXT_MOST ? realloc(r->text, room) : NULL;
+        if (!wider) {
+            if (room > TEXT_MOST)
+                FAIL(r, "a text of more than %d characters", TEXT_MOST / 2);
+            else
+                fail_memory(r);
+            return;
+        }
+        r->text = wider;
+        r->text_room = room;
+    }
+    memcpy(r->text + r->text_length, piece, (size_t)n);
+    r->text_length += (size_t)n;
+    r->text[r->text_length] = 0;
+}
+
+/* A LandXML file has no need of entities of its own; a hostile one has. */
+static void entity(void *data, const char *name, int parameter, const char *value, int length, const char *base,
+                   const char *system, const char *public, const char *notation)
+{
+    Reader *const r = data;
+    (void)parameter, (void)value, (void)length, (void)base, (void)system, (void)public, (void)notation;
+    FAIL(r, "the file declares an entity, '%.40s': not read", name);
+}
+
+/* ------------------------------------------------------------------------------------------------------- the file */
+
+static void parse(Reader *r)
+{
+    for (int last = 0; !last && !r->status;) {
+        void *const buffer = XML_GetBuffer(r->parser, CHUNK);
+        if (!buffer) {
+            fail_memory(r);
+            return;
+        }
+        const size_t n = fread(buffer, 1, CHUNK, r->in->file);
+        last = n == 0;
+        if (XML_ParseBuffer(r->parser, (int)n, last) == XML_STATUS_OK || r->status) continue;
+        FAIL(r, "no XML: %s", XML_ErrorString(XML_GetErrorCode(r->parser)));
+    }
+}
+
+hawser_status landxml_read(SurveyInput *in)
+{
+    Reader *const r = calloc(1, sizeof *r);
+    if (!r) return error_memory(in->err);
+    r->in = in;
+    r->current = -1;
+    r->parser = XML_ParserCreate(NULL);
+    if (r->parser) {
+        XML_SetUserData(r->parser, r);
+        XML_SetElementHandler(r->parser, begin, end);
+        XML_SetCharacterDataHandler(r->parser, text);
+        XML_SetEntityDeclHandler(r->parser, entity);
+        parse(r);
+        XML_ParserFree(r->parser);
+    } else {
+        r->status = error_memory(in->err);
+    }
+    const hawser_status status = r->status;
+    land_points_free(&r->points);
+    free(r->corner);
+    free(r->text);
+    free(r);
+    return status;
+}

@@ -1,0 +1,75 @@
+#include "survey/read/read.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { HEAD_SIZE = 512 };
+
+typedef hawser_status (*Reader)(SurveyInput *in);
+
+static int is_step(const char *head) { return !strncmp(head, "ISO-10303-21", 12); }
+/* A first group 0 SECTION, maybe behind comments (999). */
+static int is_dxf(const char *head)
+{
+    const char *const behind = head + strspn(head, "0123456789");
+    return !strncmp(head, "AutoCAD Binary DXF", 18) ||
+           ((!strncmp(head, "999", 3) || !strncmp(head, "0", 1)) && (*behind == '\r' || *behind == '\n'));
+}
+/* What AutoCAD writes when it is not asked for DXF. */
+static int is_dwg(const char *head) { return !strncmp(head, "AC10", 4); }
+static hawser_status dwg_read(SurveyInput *in)
+{
+    return input_error(in, "a DWG drawing, which cannot be read: save it as DXF (SAVEAS, any version from R12 on)");
+}
+static int is_xml(const char *head) { return *head == '<'; }
+static int is_table(const char *head) { return *head != 0; }
+
+/* The first whose sign is there reads the file. */
+static const struct {
+    int (*is)(const char *head);
+    Reader read;
+} readers[] = {
+    {is_dxf, dxf_read}, {is_dwg, dwg_read}, {is_step, ifc_read}, {is_xml, landxml_read}, {is_table, table_read}};
+
+/* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. */
+static void head_of(SurveyInput *in, char head[HEAD_SIZE])
+{
+    char text[HEAD_SIZE] = "";
+    const size_t n = fread(text, 1, HEAD_SIZE - 1, in->file);
+    text[n] = 0;
+    const char *from = text + (strncmp(text, "\xEF\xBB\xBF", 3) ? 0 : 3);
+    from += strspn(from, " \t\r\n");
+    snprintf(head, HEAD_SIZE, "%s", from);
+    rewind(in->file);
+}
+
+/* Alignments without a name are called as the file, without folder and ending. */
+static void names_fill(const char *path, Survey *s)
+{
+    const char *const slash = strrchr(path, '/'), *const base = slash ? slash + 1 : path;
+    const char *const dot = strrchr(base, '.');
+    for (int i = 0; i < s->n; ++i) {
+        if (*s->alignment[i].name) continue;
+        snprintf(s->alignment[i].name, SURVEY_NAME_MAX, "%.*s", (int)(dot ? dot - base : (long)strlen(base)), base);
+    }
+}
+
+hawser_status survey_read(const char *path, const SurveyOptions *options, Survey *out, hawser_error *err)
+{
+    SurveyInput in;
+    hawser_error why;
+    char head[HEAD_SIZE] = "";
+    *out = (Survey){0};
+    hawser_status status = input_open(&in, path, options, out, err ? err : &why);
+    if (!status) head_of(&in, head);
+    if (!status && !*head) status = input_error(&in, "the file is empty");
+    for (size_t i = 0; !status && i < sizeof readers / sizeof *readers; ++i) {
+        if (!readers[i].is(head)) continue;
+        status = readers[i].read(&in);
+        break;
+    }
+    input_close(&in);
+    if (!status) names_fill(path, out);
+    if (status) survey_clear(out);
+    return status;
+}

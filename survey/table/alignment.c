@@ -1,0 +1,278 @@
+/* From rows to alignments: which columns there are says what the table is. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "survey/table/table.h"
+
+#define TURN (2 * 3.14159265358979323846)
+
+/* ------------------------------------------------------------------------------------------- elements in plan */
+
+/* How a table may write headings: against x or against north, in which unit; and which side a positive radius is on. */
+typedef struct Convention {
+    double unit; /* 0: they are not to be believed, or there are none: the way to the next row's point tells them */
+    int bearing; /* clockwise from north */
+    int side;    /* +1: positive is left */
+} Convention;
+
+static double curvature(double radius, int side) { return isnan(radius) || radius == 0 ? 0 : side / radius; }
+
+/* A row's element, heading for `heading`. */
+static PlanElement element_of(const TableRow *row, Convention c, double heading)
+{
+    const double *const v = row->value, one = v[COLUMN_RADIUS];
+    const double from = isnan(one) ? v[COLUMN_RADIUS_START] : one, to = isnan(one) ? v[COLUMN_RADIUS_END] : one;
+    return (PlanElement){.x = v[COLUMN_X],
+                         .y = v[COLUMN_Y],
+                         .heading = heading,
+                         .length = v[COLUMN_LENGTH],
+                         .k0 = row->straight ? 0 : curvature(from, c.side),
+                         .k1 = row->straight ? 0 : curvature(to, c.side)};
+}
+
+/* Row i's element; before: the one before it, which tells the heading of a last one. */
+static PlanElement element_by(const Table *t, int i, Convention c, const PlanElement *before)
+{
+    const double stated = c.unit * t->row[i].value[COLUMN_HEADING];
+    if (c.unit > 0) return element_of(&t->row[i], c, c.bearing ? TURN / 4 - stated : stated);
+    PlanElement e = element_of(&t->row[i], c, 0);
+    const PlanElement tip = plan_at(&e, e.length);
+    const double *const next = i + 1 < t->n ? t->row[i + 1].value : NULL;
+    if (next)
+        e.heading = atan2(next[COLUMN_Y] - e.y, next[COLUMN_X] - e.x) - atan2(tip.y - e.y, tip.x - e.x);
+    else if (before)
+        e.heading = plan_at(before, before->length).heading;
+    return e;
+}
+
+/* By how far elements miss the beginnings of the next ones, m, and a metre's worth of their jumps in heading. */
+static double misfit(const Table *t, Convention c)
+{
+    double sum = 0;
+    PlanElement e = element_by(t, 0, c, NULL);
+    for (int i = 0; i + 1 < t->n; ++i) {
+        const PlanElement end = plan_at(&e, e.length);
+        e = element_by(t, i + 1, c, &e);
+        sum += hypot(e.x - end.x, e.y - end.y) + fabs(remainder(e.heading - end.heading, TURN));
+    }
+    return sum;
+}
+
+/* The convention by which the elements meet best; headings count as wrong where they are ten times worse than none. */
+static Convention convention_find(SurveyInput *in, const Table *t)
+{
+    static const double unit[] = {0, 1, TURN / 360, TURN / 400};
+    Convention best = {0};
+    double least = INFINITY;
+    for (int i = 0; i < 16; ++i) {
+        const Convention c = {unit[i / 4], i % 2, i % 4 < 2 ? 1 : -1};
+        if (c.unit > 0 && !t->has[COLUMN_HEADING]) continue;
+        const double miss = misfit(t, c);
+        const double counts = c.unit == 0 && t->has[COLUMN_HEADING] ? 10 * miss + 1e-2 * t->n : miss;
+        if (counts < least * (1 - 1e-9)) {
+            least = counts;
+            best = c;
+        }
+    }
+    if (t->has[COLUMN_HEADING] && best.unit == 0)
+        survey_ignore(in->out, "headings: they do not lead to the next points");
+    if (best.side < 0) survey_ignore(in->out, "radii: negative ones are taken as to the left, since elements meet so");
+    return best;
+}
+
+static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
+{
+    for (int i = 0; i < t->n; ++i) {
+        const double *const v = t->row[i].value;
+        in->line = t->row[i].line;
+        if (!(v[COLUMN_LENGTH] > 0) || isnan(v[COLUMN_X]) || isnan(v[COLUMN_Y])) {
+            return input_error(in, "an element needs x, y and a length above 0");
+        }
+    }
+    const Convention c = convention_find(in, t);
+    for (int i = 0; i < t->n; ++i) {
+        PlanElement *const e = alignment_add_plan(a);
+        if (!e) return error_memory(in->err);
+        *e = element_by(t, i, c, i ? &a->plan[i - 1] : NULL);
+    }
+    return HAWSER_OK;
+}
+
+/* ---------------------------------------------------------------------------------------------------- profiles */
+
+/* What a row leaves out: the first one begins at 0, a grade leads to the next height. */
+static void profile_fill(const Table *t, int i, double v[COLUMN_TYPE])
+{
+    const double *const next = i + 1 < t->n ? t->row[i + 1].value : NULL;
+    for (int c = 0; c < COLUMN_TYPE; ++c) v[c] = t->row[i].value[c];
+    if (i == 0 && isnan(v[COLUMN_STATION])) v[COLUMN_STATION] = 0;
+    if (next && isnan(v[COLUMN_GRADE])) {
+        v[COLUMN_GRADE] = (next[COLUMN_Z] - v[COLUMN_Z]) / (next[COLUMN_STATION] - v[COLUMN_STATION]);
+    }
+    if (isnan(v[COLUMN_GRADE_END])) v[COLUMN_GRADE_END] = v[COLUMN_GRADE];
+}
+
+/* Row by row. A table may leave out a length or get it wrong: the next station says it. */
+static hawser_status profile_make(SurveyInput *in, const Table *t, Alignment *a)
+{
+    double v[COLUMN_TYPE], first = 0;
+    for (int i = 0; i < t->n; ++i) {
+        profile_fill(t, i, v);
+        if (i == 0) first = v[COLUMN_STATION];
+        const double stated = v[COLUMN_LENGTH];
+        const double length = i + 1 < t->n ? t->row[i + 1].value[COLUMN_STATION] - v[COLUMN_STATION] : stated;
+        in->line = t->row[i].line;
+        if (isnan(v[COLUMN_Z]) || isnan(v[COLUMN_GRADE]) || !(length > 0)) {
+            return input_error(in, "an element of a profile needs station, height, gradient, and a length above 0 or a "
+                                   "next station behind its own");
+        }
+        if (fabs(stated - length) > 1e-3 + 1e-5 * length) {
+            survey_ignore(in->out, "lengths that differ from the way to the next station");
+        }
+        const double radius = fabs(v[COLUMN_RADIUS]), change = v[COLUMN_GRADE_END] - v[COLUMN_GRADE];
+        const int arc = change != 0 && radius > 0;
+        ProfileElement *const e = alignment_add_profile(a);
+        if (!e) return error_memory(in->err);
+        *e = (ProfileElement){.kind = arc ? PROFILE_ARC : PROFILE_PARABOLA,
+                              .station = v[COLUMN_STATION] - first,
+                              .length = length,
+                              .z = v[COLUMN_Z],
+                              .grade = v[COLUMN_GRADE],
+                              .bend = arc ? copysign(1 / radius, change) : change / length};
+    }
+    return HAWSER_OK;
+}
+
+/* Corner by corner, with or without curves. */
+static hawser_status corners_make(SurveyInput *in, const Table *t, Alignment *a)
+{
+    ProfileCorner *const corner = calloc((size_t)t->n, sizeof *corner);
+    if (!corner) return error_memory(in->err);
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < t->n && !status; ++i) {
+        const double *const v = t->row[i].value;
+        const double half = v[COLUMN_CURVE_LENGTH] / 2, radius = fabs(v[COLUMN_RADIUS]);
+        in->line = t->row[i].line;
+        if (isnan(v[COLUMN_STATION]) || isnan(v[COLUMN_Z]))
+            status = input_error(in, "a corner needs station and height");
+        corner[i] = (ProfileCorner){.station = v[COLUMN_STATION] - t->row[0].value[COLUMN_STATION],
+                                    .z = v[COLUMN_Z],
+                                    .before = half > 0 ? half : 0,
+                                    .after = half > 0 ? half : 0,
+                                    .radius = radius > 0 ? radius : 0};
+    }
+    in->line = 0;
+    hawser_error why = {.message = ""};
+    if (!status && t->n < 2) status = input_error(in, "a profile needs two rows at least");
+    if (!status) status = profile_from_corners(a, t->n, corner, &why);
+    if (*why.message) input_error(in, "%s", why.message);
+    free(corner);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------------ pieces */
+
+static hawser_status points_make(SurveyInput *in, const Table *t, Alignment *a)
+{
+    for (int i = 0; i < t->n; ++i) {
+        const double *const v = t->row[i].value, z = v[COLUMN_Z];
+        in->line = t->row[i].line;
+        if (isnan(v[COLUMN_X]) || isnan(v[COLUMN_Y])) return input_error(in, "a point needs x and y");
+        Vec3 *const p = alignment_add_point(a);
+        if (!p) return error_memory(in->err);
+        *p = v3(v[COLUMN_X], v[COLUMN_Y], isnan(z) ? 0 : z);
+        a->flat = a->flat || isnan(z);
+    }
+    return HAWSER_OK;
+}
+
+/* What has been laid so far, piece by piece. */
+typedef struct Laying {
+    double plan, z, slope; /* m in plan, height, angle */
+} Laying;
+
+static int lay_profile(Alignment *a, Laying *at, double plan, double bend)
+{
+    ProfileElement *const e = alignment_add_profile(a);
+    if (!e) return 0;
+    *e = (ProfileElement){bend != 0 ? PROFILE_ARC : PROFILE_PARABOLA, at->plan, plan, at->z, tan(at->slope), bend};
+    const ProfileElement end = profile_at(e, plan);
+    at->plan += plan;
+    at->z = end.z;
+    at->slope = atan(end.grade);
+    return 1;
+}
+
+static int lay_plan(Alignment *a, double plan, double k)
+{
+    PlanElement *const e = alignment_add_plan(a);
+    if (e) *e = (PlanElement){.length = plan, .k0 = k, .k1 = k};
+    return e != NULL;
+}
+
+/* A straight has a length; a bend an angle, a radius and a side, in plan at the slope there is, or up or down. */
+static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *a, Laying *at)
+{
+    const double *const v = row->value;
+    const double angle = v[COLUMN_ANGLE], radius = v[COLUMN_RADIUS];
+    const int bend = fabs(angle) > 0, upright = row->turn == TURN_UP || row->turn == TURN_DOWN;
+    if (!isnan(v[COLUMN_SLOPE])) at->slope = atan(v[COLUMN_SLOPE]);
+    if (bend && !(radius > 0)) return input_error(in, "a bend needs a radius above 0");
+    if (bend && row->turn == TURN_NONE && angle > 0)
+        return input_error(in, "a bend needs a turn: left, right, up or down");
+    if (!bend && !(v[COLUMN_LENGTH] > 0))
+        return input_error(in, "a straight needs a length above 0, a bend an angle and a radius");
+    double plan = bend ? radius * fabs(angle) : v[COLUMN_LENGTH] * cos(at->slope), k = 0, rise = 0;
+    if (bend && upright) {
+        const double to = at->slope + (row->turn == TURN_UP ? angle : -angle);
+        if (fabs(to) > 1.5) return input_error(in, "the route would be steeper than 86 deg: a table has no shafts");
+        rise = (row->turn == TURN_UP ? 1 : -1) / radius;
+        plan = (sin(to) - sin(at->slope)) / rise;
+    } else if (bend) {
+        k = (row->turn == TURN_RIGHT || angle < 0 ? -1 : 1) / radius;
+    }
+    return lay_plan(a, plan, k) && lay_profile(a, at, plan, rise) ? HAWSER_OK : error_memory(in->err);
+}
+
+static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
+{
+    Laying at = {0};
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < t->n && !status; ++i) {
+        in->line = t->row[i].line;
+        status = piece_lay(in, &t->row[i], a, &at);
+    }
+    alignment_chain(a);
+    return status;
+}
+
+/* -------------------------------------------------------------------------------------------------------- kinds */
+
+hawser_status table_alignment(SurveyInput *in, const Table *t)
+{
+    const int *const has = t->has, plan = has[COLUMN_X] && has[COLUMN_Y];
+    Alignment *const a = survey_add(in->out, "");
+    if (!a) return error_memory(in->err);
+    if (plan && has[COLUMN_LENGTH]) return plan_make(in, t, a);
+    if (plan) return points_make(in, t, a);
+    const double station = has[COLUMN_STATION] ? t->row[0].value[COLUMN_STATION] : NAN;
+    a->station = isnan(station) ? 0 : station;
+    if (has[COLUMN_STATION] && has[COLUMN_Z] && has[COLUMN_GRADE]) return profile_make(in, t, a);
+    if (has[COLUMN_STATION] && has[COLUMN_Z]) return corners_make(in, t, a);
+    if (has[COLUMN_LENGTH] || has[COLUMN_ANGLE]) return pieces_make(in, t, a);
+    in->line = 0;
+    return input_error(in,
+                       "the columns are none of these: length, angle, radius, turn, slope; x, y, z; x, y, direction, "
+                       "length, radius; station, height and gradient or curve length");
+}
+
+hawser_status table_read(SurveyInput *in)
+{
+    Table table = {0};
+    hawser_status status = table_rows(in, &table);
+    if (!status) status = table_alignment(in, &table);
+    free(table.row);
+    return status;
+}

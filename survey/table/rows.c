@@ -1,0 +1,237 @@
+/* From text to rows of numbers: separators, headers, units, decimal commas. */
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "core/base/error.h"
+#include "survey/table/table.h"
+
+enum { CELLS_MOST = 200, HEADER_MOST = 80 };
+
+/* Which words stand over which column: letters and digits alone, in lower case. */
+static const struct {
+    TableColumn column;
+    const char *names; /* each between blanks */
+} headers[] = {
+    {COLUMN_X, " x easting east startpointx startx e ostwert rechtswert "},
+    {COLUMN_Y, " y northing north startpointy starty n nordwert hochwert "},
+    {COLUMN_Z, " z elevation height level startheight altitude elev hoehe "},
+    {COLUMN_LENGTH, " length segmentlength horizontallength planlength distance laenge "},
+    {COLUMN_ANGLE, " angle bend deflection turnangle winkel "},
+    {COLUMN_RADIUS, " radius r radiusofcurvature bendradius curveradius "},
+    {COLUMN_SLOPE, " slope inclination neigung "},
+    {COLUMN_RADIUS_START, " startradiusofcurvature startradius radiusstart "},
+    {COLUMN_RADIUS_END, " endradiusofcurvature endradius radiusend "},
+    {COLUMN_HEADING, " startdirection direction heading bearing azimuth "},
+    {COLUMN_STATION, " station startdistalong chainage sta kp mileage stationierung "},
+    {COLUMN_GRADE, " startgradient grade gradient startgrade "},
+    {COLUMN_GRADE_END, " endgradient endgrade "},
+    {COLUMN_CURVE_LENGTH, " curvelength verticalcurve vclength "},
+    {COLUMN_TYPE, " predefinedtype type kind "},
+    {COLUMN_TURN, " turn plane side toward "},
+    {COLUMN_NAME, " name id entity label "},
+};
+
+/* What a unit behind a header's name multiplies by. */
+static const struct {
+    const char *name;
+    double factor;
+} factors[] = {{"m", 1},
+               {"mm", 1e-3},
+               {"cm", 1e-2},
+               {"km", 1e3},
+               {"ft", 0.3048},
+               {"in", 0.0254},
+               {"deg", 0.017453292519943295},
+               {"rad", 1},
+               {"gon", 0.015707963267948967},
+               {"%", 1e-2},
+               {"degrees", 0.017453292519943295},
+               {"percent", 1e-2}};
+
+typedef struct Columns {
+    int n;
+    TableColumn meaning[CELLS_MOST]; /* TABLE_COLUMNS: none */
+    double factor[CELLS_MOST];
+    char separator;
+} Columns;
+
+/* Splits a line where the separator stands outside of quotes, in place. */
+static int split(SurveyInput *in, char *text, char separator, char *cell[CELLS_MOST])
+{
+    int n = 0;
+    char *to = text;
+    for (;;) {
+        if (n == CELLS_MOST) return input_error(in, "a row of more than %d cells", CELLS_MOST), -1;
+        cell[n++] = to;
+        for (int quoted = 0; *text && (quoted || *text != separator); ++text) {
+            if (*text != '"')
+                *to++ = *text;
+            else if (quoted && text[1] == '"')
+                *to++ = *text++;
+            else
+                quoted = !quoted;
+        }
+        const int last = *text == 0;
+        *to++ = 0;
+        if (last) return n;
+        ++text;
+        if (to > text) to = text;
+    }
+}
+
+/* "Start Radius (ft)" into its letters, and the unit's factor; NAN: no such unit. */
+static double header_parse(const char *text, char letters[HEADER_MOST])
+{
+    const char *const bracket = strpbrk(text, "([,");
+    const char *end = bracket ? bracket : text + strlen(text);
+    size_t n = 0;
+    for (const char *c = text; c < end && n + 1 < HEADER_MOST; ++c) {
+        if (isalnum((unsigned char)*c)) letters[n++] = (char)tolower((unsigned char)*c);
+    }
+    letters[n] = 0;
+    if (!bracket) return 1;
+    const char *const unit = bracket + 1 + strspn(bracket + 1, " ");
+    const size_t size = strcspn(unit, " )]");
+    for (size_t i = 0; i < sizeof factors / sizeof *factors; ++i) {
+        if (strlen(factors[i].name) == size && !strncasecmp(unit, factors[i].name, size)) return factors[i].factor;
+    }
+    return NAN;
+}
+
+static TableColumn column_of(const char *letters)
+{
+    char wanted[HEADER_MOST + 2] = " ";
+    strcat(strcat(wanted, letters), " ");
+    for (size_t i = 0; *letters && i < sizeof headers / sizeof *headers; ++i) {
+        if (strstr(headers[i].names, wanted)) return headers[i].column;
+    }
+    return TABLE_COLUMNS;
+}
+
+static int is_length(TableColumn c)
+{
+    return c <= COLUMN_LENGTH || c == COLUMN_RADIUS || c == COLUMN_RADIUS_START || c == COLUMN_RADIUS_END ||
+           c == COLUMN_STATION || c == COLUMN_CURVE_LENGTH;
+}
+
+/* The factor where the header names no unit: the file's lengths, angles in degrees; headings are judged later. */
+static double usual_factor(const SurveyInput *in, TableColumn c)
+{
+    if (is_length(c)) return in->unit;
+    return c == COLUMN_ANGLE ? 0.017453292519943295 : 1;
+}
+
+static hawser_status header_read(SurveyInput *in, char *text, Columns *columns, Table *table)
+{
+    char *cell[CELLS_MOST], letters[HEADER_MOST];
+    columns->separator = strchr(text, '\t') ? '\t' : strchr(text, ';') ? ';' : ',';
+    columns->n = split(in, text, columns->separator, cell);
+    for (int i = 0; i < columns->n; ++i) {
+        const double factor = header_parse(cell[i], letters);
+        const TableColumn c = column_of(letters);
+        columns->meaning[i] = c;
+        if (c == TABLE_COLUMNS) {
+            char what[HEADER_MOST + 16];
+            snprintf(what, sizeof what, "column '%.60s'", cell[i]);
+            survey_ignore(in->out, what);
+            continue;
+        }
+        if (isnan(factor))
+            return input_error(
+                in, "column '%.60s' has a unit that is not known: expected m, mm, ft, in, deg, rad, gon or %%",
+                cell[i]);
+        if (table->has[c] && c < COLUMN_TYPE)
+            return input_error(in, "column '%.60s' means the same as one before it", cell[i]);
+        table->has[c] = 1;
+        columns->factor[i] = strpbrk(cell[i], "([,") ? factor : usual_factor(in, c);
+    }
+    return columns->n < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+}
+
+/* One number; a decimal comma where commas do not separate. A percent sign or nothing behind it. */
+static int cell_number(const SurveyInput *in, const Columns *columns, char *text, double *value)
+{
+    char *end;
+    for (char *c = text; columns->separator != ',' && *c; ++c) {
+        if (*c == ',') *c = '.';
+    }
+    if (!input_number(in, text, &end, value)) return 0;
+    end += strspn(end, " ");
+    if (*end == '%') *value /= 100, ++end;
+    return end[strspn(end, " ")] == 0;
+}
+
+static TableTurn turn_of(const char *text)
+{
+    static const char *const words[] = {"left", "right", "up", "down"};
+    text += strspn(text, " ");
+    for (int i = 0; i < 4; ++i) {
+        if (!strncasecmp(text, words[i], strlen(words[i])) ||
+            (strlen(text) == 1 && tolower((unsigned char)*text) == *words[i])) {
+            return (TableTurn)(TURN_LEFT + i);
+        }
+    }
+    return TURN_NONE;
+}
+
+static hawser_status cell_read(SurveyInput *in, const Columns *columns, int i, char *text, TableRow *row)
+{
+    const TableColumn c = columns->meaning[i];
+    text += strspn(text, " ");
+    if (c == COLUMN_TYPE) row->straight = !strncasecmp(text, "LINE", 4) || !strncasecmp(text, "straight", 8);
+    if (c == COLUMN_TURN) row->turn = turn_of(text);
+    if (c == COLUMN_TURN && *text && *text != '-' && row->turn == TURN_NONE)
+        return input_error(in, "turn '%.40s': expected left, right, up or down", text);
+    if (c >= COLUMN_TYPE || !*text || !strcmp(text, "-") || !strcmp(text, "$")) return HAWSER_OK;
+    if (!strncasecmp(text, "inf", 3)) {
+        row->value[c] = 0; /* of a radius: straight */
+        return HAWSER_OK;
+    }
+    if (!cell_number(in, columns, text, &row->value[c])) return input_error(in, "'%.40s' is no number", text);
+    row->value[c] *= columns->factor[i];
+    return HAWSER_OK;
+}
+
+static hawser_status row_read(SurveyInput *in, const Columns *columns, char *text, Table *table)
+{
+    char *cell[CELLS_MOST];
+    const int n = split(in, text, columns->separator, cell);
+    if (n < 0) return HAWSER_ERR_INPUT;
+    if ((table->n & (table->n - 1)) == 0) {
+        TableRow *const wider = realloc(table->row, (table->n ? 2 * (size_t)table->n : 1) * sizeof *wider);
+        if (!wider) return error_memory(in->err);
+        table->row = wider;
+    }
+    if (table->n >= SURVEY_MOST) return input_error(in, "more than %d rows", SURVEY_MOST);
+    TableRow *const row = &table->row[table->n++];
+    *row = (TableRow){.line = in->line};
+    for (int c = 0; c < COLUMN_TYPE; ++c) row->value[c] = NAN;
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < n && i < columns->n && !status; ++i) {
+        if (columns->meaning[i] != TABLE_COLUMNS) status = cell_read(in, columns, i, cell[i], row);
+    }
+    return status;
+}
+
+hawser_status table_rows(SurveyInput *in, Table *table)
+{
+    InputLine line = {0};
+    Columns *const columns = calloc(1, sizeof *columns);
+    hawser_status status = columns ? HAWSER_OK : error_memory(in->err);
+    int more = 1;
+    while (!status && (more = input_line(in, &line)) > 0) {
+        char *text = line.text;
+        if (in->line == 1 && !strncmp(text, "\xEF\xBB\xBF", 3)) text += 3;
+        if (text[strspn(text, " \t;,")] == 0 || *text == '#') continue;
+        status = columns->n ? row_read(in, columns, text, table) : header_read(in, text, columns, table);
+    }
+    if (!status && more < 0) status = in->err->status;
+    if (!status && table->n == 0)
+        status = input_error(in, "no rows: expected a line of column names and rows below it");
+    free(columns);
+    free(line.text);
+    return status;
+}

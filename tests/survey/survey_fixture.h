@@ -1,0 +1,58 @@
+/* Files of the tests' own and of the folder of real alignments that may lie beside the project. */
+#ifndef HAWSER_TESTS_SURVEY_SURVEY_FIXTURE_H
+#define HAWSER_TESTS_SURVEY_SURVEY_FIXTURE_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "survey/read/read.h"
+#include "tests/support/check.h"
+
+static const SurveyOptions usual = {.unit = NAN};
+
+/* A file of the real alignments: in HAWSER_ROUTES, or ../shared/routes beside the project. Skips the test without it.
+ */
+static Survey __attribute__((unused)) shared_file(const char *name)
+{
+    char path[1024];
+    const char *const folder = getenv("HAWSER_ROUTES");
+    snprintf(path, sizeof path, "%s/%s", folder ? folder : HAWSER_SOURCE_DIR "/../shared/routes", name);
+    if (access(path, R_OK)) {
+        print_message("no %s: skipped\n", path);
+        skip();
+    }
+    Survey s;
+    hawser_error err;
+    if (survey_read(path, &usual, &s, &err)) fail_msg("%s", err.message);
+    return s;
+}
+
+/* A text as a file; the message where it is not read, else empty. Give it a Survey to be cleared. */
+static const char *__attribute__((unused)) read_text(const char *text, Survey *s)
+{
+    static hawser_error err;
+    char path[] = "/tmp/hawser-survey-XXXXXX";
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    assert_int_equal(write(fd, text, strlen(text)), (long)strlen(text));
+    close(fd);
+    const hawser_status status = survey_read(path, &usual, s, &err);
+    unlink(path);
+    if (status == HAWSER_OK) return "";
+    const char *const colon = strstr(err.message, ":");
+    return colon ? colon + 1 : err.message;
+}
+
+/* The alignment of a name. */
+static __attribute__((unused)) const Alignment *named(const Survey *s, const char *name)
+{
+    for (int i = 0; i < s->n; ++i) {
+        if (!strcmp(s->alignment[i].name, name)) return &s->alignment[i];
+    }
+    fail_msg("no alignment '%s'", name);
+    return NULL;
+}
+
+#endif

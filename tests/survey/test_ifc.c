@@ -1,0 +1,188 @@
+/* IFC: the real files, by meaning and by what is drawn; units, placements, the older schema; what is wrong. */
+#include "tests/survey/survey_fixture.h"
+
+#define IFC(schema, body)                                                                                              \
+    "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('" schema "'));\nENDSEC;\nDATA;\n" body "ENDSEC;\nEND-ISO-10303-21;\n"
+
+static void tunnel(void **state)
+{
+    (void)state;
+    Survey s = shared_file("tunnel-alignment.ifc");
+    assert_int_equal(s.n, 1);
+    const Alignment *const a = &s.alignment[0];
+    const AlignmentMeasure m = alignment_measure(a);
+    assert_int_equal(a->n_plan, 12);
+    check_close(a->plan[0].length, 135.7701281426, 1e-9);
+    check_close(a->plan[1].length, 47.6666668494, 1e-9);
+    check_below(m.gap, 1e-6);
+    check_below(m.turn, 1e-6);
+    check_close(m.least_radius, 124.024774, 1e-6);
+    assert_int_equal(a->n_profile, 5);
+    check_close(alignment_measure(a).start.z, 31.2446 + 15.9278 * 0.01689175912921463, 1e-9);
+    check_has(s.system, "EPSG:25832");
+    survey_clear(&s);
+}
+
+/* Each of these holds one segment; the name says which. */
+static void atoms(void **state)
+{
+    (void)state;
+    Survey s = shared_file("Clothoid_100.0_-300_-1000_1_Meter.ifc");
+    check_close(s.alignment[0].plan[0].k0, -1.0 / 300, 1e-15);
+    check_close(s.alignment[0].plan[0].k1, -1e-3, 1e-15);
+    check_close(s.alignment[0].plan[0].length, 100, 0);
+    survey_clear(&s);
+    s = shared_file("CircularArc_100.0_10.0_0.0_0.5_1_Meter.ifc");
+    const double radius = 100 / (0.5 / sqrt(1.25));
+    check_close(alignment_at(&s.alignment[0], 100).at.z, 10 + radius * (1 - 1 / sqrt(1.25)), 1e-9);
+    survey_clear(&s);
+    s = shared_file("ParabolicArc_100.0_10.0_-0.5_0.0_1_Meter.ifc");
+    check_close(alignment_at(&s.alignment[0], 100).at.z, 10 - 25, 1e-9);
+    survey_clear(&s);
+    s = shared_file("ConstantGradient_100.0_10.0_0.5_1.0_1_Meter.ifc");
+    check_close(alignment_at(&s.alignment[0], 100).at.z, 60, 1e-9);
+    survey_clear(&s);
+}
+
+/* A file's text with every `from` made `to`, of the same length. */
+static char *changed(const char *name, const char *from, const char *to)
+{
+    char path[1024];
+    const char *const folder = getenv("HAWSER_ROUTES");
+    snprintf(path, sizeof path, "%s/%s", folder ? folder : HAWSER_SOURCE_DIR "/../shared/routes", name);
+    FILE *const f = fopen(path, "rb");
+    char *const text = calloc(1, 1 << 20);
+    assert_non_null(text);
+    assert_non_null(f);
+    assert_true(fread(text, 1, (1 << 20) - 1, f) > 0);
+    fclose(f);
+    for (char *c = text; (c = strstr(c, from)); c += strlen(from)) memcpy(c, to, strlen(to));
+    return text;
+}
+
+/* Without its nesting an alignment is taken from its curves: the same line. */
+static void drawn(const char *name)
+{
+    Survey s = shared_file(name), curves;
+    char *const text = changed(name, "IFCRELNESTS", "IFCRELNONE_");
+    assert_string_equal(read_text(text, &curves), "");
+    const Alignment *const a = &s.alignment[0], *const b = &curves.alignment[0];
+    const double length = alignment_measure(a).plan_length;
+    assert_int_equal(a->n_plan, b->n_plan);
+    assert_int_equal(a->n_profile, b->n_profile);
+    check_close(alignment_measure(b).plan_length, length, 1e-6);
+    for (double at = 0; at < length; at += 1) check_vec(alignment_at(a, at).at, alignment_at(b, at).at, 1e-5);
+    survey_clear(&s);
+    survey_clear(&curves);
+    free(text);
+}
+
+static void by_curves(void **state)
+{
+    (void)state;
+    drawn("tunnel-alignment.ifc");
+    drawn("stn01-quadri.ifc");
+}
+
+/* Millimetres, degrees, a placement that is turned and moved, comments, a text with quotes. */
+static void units_and_placement(void **state)
+{
+    (void)state;
+    Survey s;
+    const char *const text = IFC(
+        "IFC4X3",
+        "#1=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);/* a comment; with a semicolon */\n"
+        "#2=IFCSIUNIT(*,.PLANEANGLEUNIT.,$,.RADIAN.);\n#3=IFCMEASUREWITHUNIT(IFCPLANEANGLEMEASURE(0.017453292519943295)"
+        ",#2);\n"
+        "#4=IFCCONVERSIONBASEDUNIT(*,.PLANEANGLEUNIT.,'DEGREE',#3);\n#5=IFCUNITASSIGNMENT((#1,#4));\n"
+        "#10=IFCALIGNMENT('a',$,'it''s (1;2)',$,$,#20,$,$);\n#11=IFCALIGNMENTHORIZONTAL('b',$,$,$,$,$,$);\n"
+        "#12=IFCALIGNMENTVERTICAL('b',$,$,$,$,$,$);\n#13=IFCALIGNMENTSEGMENT('c',$,$,$,$,$,$,#14);\n"
+        "#14=IFCALIGNMENTHORIZONTALSEGMENT($,$,#15,90.,0.,0.,5000.,$,.LINE.);\n#15=IFCCARTESIANPOINT((1000.,2000.));\n"
+        "#16=IFCALIGNMENTVERTICALSEGMENT($,$,0.,5000.,1000.,0.1,$,$,.CONSTANTGRADIENT.);\n"
+        "#17=IFCRELNESTS('d',$,$,$,#10,(#11,#12));\n#18=IFCRELNESTS('e',$,$,$,#11,(#13));\n#19=IFCRELNESTS('f',$,$,$,#"
+        "12,(#16));\n"
+        "#20=IFCLOCALPLACEMENT(#24,#21);\n#21=IFCAXIS2PLACEMENT3D(#22,$,#23);\n#22=IFCCARTESIANPOINT((0.,0.,500.));\n"
+        "#23=IFCDIRECTION((0.,1.,0.));\n#24=IFCLOCALPLACEMENT($,#25);\n#25=IFCAXIS2PLACEMENT3D(#26,$,$);\n"
+        "#26=IFCCARTESIANPOINT((10000.,0.,0.));\n");
+    assert_string_equal(read_text(text, &s), "");
+    const AlignmentMeasure m = alignment_measure(&s.alignment[0]);
+    check_vec(m.start, v3(8, 1, 1.5), 1e-12);
+    check_vec(m.end, v3(3, 1, 2), 1e-12);
+    assert_string_equal(s.alignment[0].name, "it''s (1;2)");
+    survey_clear(&s);
+}
+
+/* 4x1's curves: an arc to the right, a transition, a crest. And a polyline in space. */
+static void older_schema_and_polyline(void **state)
+{
+    (void)state;
+    Survey s;
+    const char *const text =
+        IFC("IFC4X1",
+            "#1=IFCALIGNMENT('a',$,'old',$,$,$,$,#2,$);\n#2=IFCALIGNMENTCURVE(#3,#4,$);\n#3=IFCALIGNMENT2DHORIZONTAL(0."
+            ",(#5,#6));\n"
+            "#4=IFCALIGNMENT2DVERTICAL((#7,#8));\n#5=IFCALIGNMENT2DHORIZONTALSEGMENT(.T.,$,$,#9);\n"
+            "#6=IFCALIGNMENT2DHORIZONTALSEGMENT(.T.,$,$,#10);\n#7=IFCALIGNMENT2DVERSEGLINE(.T.,$,$,0.,10.,2.,0.1);\n"
+            "#8=IFCALIGNMENT2DVERSEGPARABOLICARC(.T.,$,$,10.,20.,3.,0.1,200.,.T.);\n#9=IFCCIRCULARARCSEGMENT2D(#11,0.,"
+            "10.,50.,.F.);\n"
+            "#10=IFCTRANSITIONCURVESEGMENT2D(#12,-0.2,20.,50.,$,.F.,.F.,.CLOTHOIDCURVE.);\n#11=IFCCARTESIANPOINT((0.,0."
+            "));\n"
+            "#12=IFCCARTESIANPOINT((9.93346653975,-0.99667110794));\n"
+            "#20=IFCALIGNMENT('b',$,'line',$,$,$,#21,$,$);\n#21=IFCPRODUCTDEFINITIONSHAPE($,$,(#22));\n"
+            "#22=IFCSHAPEREPRESENTATION($,'Axis','Curve3D',(#23));\n#23=IFCPOLYLINE((#24,#25,#26));\n#24="
+            "IFCCARTESIANPOINT((0.,0.,0.));\n"
+            "#25=IFCCARTESIANPOINT((3.,0.,4.));\n#26=IFCCARTESIANPOINT((3.,12.,9.));\n"
+            "#30=IFCALIGNMENT('c',$,'indexed',$,$,$,#31,$,$);\n#31=IFCPRODUCTDEFINITIONSHAPE($,$,(#32));\n"
+            "#32=IFCSHAPEREPRESENTATION($,'Axis','Curve3D',(#33));\n#33=IFCINDEXEDPOLYCURVE(#34,(IFCLINEINDEX((1,2)),"
+            "IFCLINEINDEX((2,3))),$);\n"
+            "#34=IFCCARTESIANPOINTLIST3D(((0.,0.,0.),(1.,0.,0.),(1.,2.,2.)));\n");
+    assert_string_equal(read_text(text, &s), "");
+    const Alignment *const old = named(&s, "old");
+    check_close(old->plan[0].k0, -0.02, 1e-15);
+    check_close(old->plan[1].k1, 0, 0);
+    check_below(alignment_measure(old).gap, 1e-9);
+    check_close(old->profile[1].bend, -0.005, 1e-15);
+    check_close(alignment_measure(named(&s, "line")).length, 18, 1e-12);
+    check_close(alignment_measure(named(&s, "indexed")).length, 1 + sqrt(8), 1e-12);
+    survey_clear(&s);
+}
+
+static void bad(const char *text, const char *reason)
+{
+    Survey s;
+    check_has(read_text(text, &s), reason);
+}
+
+static void what_is_wrong(void **state)
+{
+    (void)state;
+    bad("ISO-10303-21;\nHEADER;", "no section DATA");
+    bad(IFC("AP242", ""), "expected IFC");
+    bad(IFC("IFC4X3", ""), "no IfcAlignment");
+    bad(IFC("IFC4X3", "#1=IFCALIGNMENT('a'"), "7: expected an entity or ENDSEC;");
+    bad(IFC("IFC4X3", "#1=IFCALIGNMENT('a',$,'x',$,$,#9,$,$);\n"), "#9 is not in the file");
+    bad(IFC("IFC4X3", "#1=IFCALIGNMENT((((1,2;\n"), "#1: expected , or )");
+    bad(IFC("IFC4X3",
+            "#1=IFCALIGNMENT($,$,$,$,$,#2,$,$);\n#2=IFCLOCALPLACEMENT(#2,#3);\n#3=IFCAXIS2PLACEMENT3D(#4,$,$);\n"
+            "#4=IFCCARTESIANPOINT((0.,0.,0.));\n"),
+        "placements without an end");
+    bad(IFC("IFC4X3", "#1=IFCALIGNMENT($,$,$,$,$,$,#2,$);\n#2=IFCPRODUCTDEFINITIONSHAPE($,$,(#3));\n"
+                      "#3=IFCSHAPEREPRESENTATION($,$,$,(#4));\n#4=IFCGRADIENTCURVE((),.F.,#4,$);\n"),
+        "curves over curves without an end");
+    bad(IFC("IFC4X3", "#1=IFCALIGNMENT($,$,$,$,$,$,$,$);\n#2=IFCALIGNMENTHORIZONTAL($,$,$,$,$,$,$);\n#3=IFCRELNESTS($,$"
+                      ",$,$,#1,(#2));\n"
+                      "#4=IFCALIGNMENTHORIZONTALSEGMENT($,$,#5,$,0.,0.,5.,$,.LINE.);\n#5=IFCCARTESIANPOINT((0.,0.));\n#"
+                      "6=IFCRELNESTS($,$,$,$,#2,(#4));\n"),
+        "without point, direction");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(tunnel),
+                                       cmocka_unit_test(atoms),
+                                       cmocka_unit_test(by_curves),
+                                       cmocka_unit_test(units_and_placement),
+                                       cmocka_unit_test(older_schema_and_polyline),
+                                       cmocka_unit_test(what_is_wrong)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

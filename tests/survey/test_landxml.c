@@ -1,0 +1,128 @@
+/* LandXML: the real files against their own figures, all elements, what is wrong. */
+#include "tests/survey/survey_fixture.h"
+
+#define XML(units, body)                                                                                               \
+    "<?xml version=\"1.0\"?>\n<LandXML version=\"1.2\">\n<Units>" units "</Units>\n" body "</LandXML>\n"
+#define METRIC "<Metric linearUnit=\"meter\"/>"
+#define ALIGNMENT(geometry, rest)                                                                                      \
+    "<Alignments><Alignment name=\"a\" length=\"1\" staStart=\"100\"><CoordGeom>" geometry "</CoordGeom>" rest         \
+    "</Alignment></Alignments>"
+
+static void tramway(void **state)
+{
+    (void)state;
+    static const double length[] = {108.360853736, 14.566530746, 47.349749727, 14.578784415,
+                                    58.981749834,  39.724959032, 9.190333403};
+    Survey s = shared_file("cabling-civil3d.landxml.xml");
+    assert_int_equal(s.n, 7);
+    check_has(s.system, "EPSG:3944");
+    for (int i = 0; i < s.n; ++i) {
+        const AlignmentMeasure m = alignment_measure(&s.alignment[i]);
+        check_close(m.plan_length, length[i], 1e-3);
+        check_close(s.alignment[i].stated_length, length[i], 1e-8);
+        check_below(m.gap, 1e-6);
+    }
+    const AlignmentMeasure first = alignment_measure(named(&s, "A1"));
+    check_vec(first.start, v3(1892028.4500, 3126573.3474, 3.582147135511), 1e-4);
+    check_vec(first.end, v3(1891982.8940, 3126671.4206, 3.838905911441), 1e-4);
+    check_close(first.least_radius, 25, 1e-3);
+    survey_clear(&s);
+}
+
+static void railway(void **state)
+{
+    (void)state;
+    Survey s = shared_file("stn01.landxml.xml");
+    assert_int_equal(s.n, 1);
+    const Alignment *const a = &s.alignment[0];
+    const AlignmentMeasure m = alignment_measure(a);
+    check_close(m.plan_length, 1029.3720712725, 1e-6);
+    check_vec(m.start, v3(452270.18825, 4539403.94736, 5), 1e-5);
+    check_vec(m.end, v3(453202.52411, 4539831.92869, 2), 1e-5);
+    assert_int_equal(m.pieces, 9);
+    check_below(m.gap, 1e-4);
+    check_below(m.turn, 1e-6);
+    check_close(m.least_radius, 1000, 1e-6);
+    check_close(a->station, -153.1, 1e-12);
+    /* level, arc of 5000 m, -1 %, arc, level */
+    assert_int_equal(a->n_profile, 5);
+    check_close(a->profile[1].station, 478.0045, 1e-3);
+    check_close(a->profile[1].length, 49.9975, 1e-4);
+    check_close(a->profile[2].grade, -0.01, 1e-12);
+    survey_clear(&s);
+}
+
+/* Feet, points by name, a curve without its centre on either side and both ways, a spiral, a list of points. */
+static void all_elements(void **state)
+{
+    (void)state;
+    Survey s;
+    const char *const text = XML(
+        "<Imperial linearUnit=\"foot\"/>",
+        "<CgPoints><CgPoint name=\"p\">0 0</CgPoint><CgPoint name=\"q\">0 100 7</CgPoint></CgPoints>" ALIGNMENT(
+            "<Line><Start pntRef=\"p\"/><End pntRef=\"q\"/></Line>"
+            "<Curve rot=\"ccw\" radius=\"50\" length=\"78.5398163397\"><Start>0 100</Start><End>50 150</End></Curve>"
+            "<Curve rot=\"cw\" radius=\"50\" length=\"235.619449\"><Start>50 150</Start><End>0 200</End></Curve>"
+            "<Spiral spiType=\"bloss\" length=\"40\" rot=\"ccw\" radiusStart=\"INF\" radiusEnd=\"200\">"
+            "<Start>0 0</Start><PI>0 1</PI><End>1.3323828 39.9600308</End></Spiral>"
+            "<IrregularLine><Start>0 0</Start><End>30 0</End><PntList2D>0 0 10 0 20 5</PntList2D></IrregularLine>",
+            "<Profile><ProfAlign name=\"d\"><PVI>100 0</PVI><UnsymParaCurve lengthIn=\"10\" lengthOut=\"20\">150 5"
+            "</UnsymParaCurve><PVI>200 0</PVI></ProfAlign><ProfAlign name=\"e\"><PVI>0 0</PVI></ProfAlign>"
+            "<ProfSurf name=\"ground\"/></Profile>"));
+    assert_string_equal(read_text(text, &s), "");
+    const Alignment *const a = &s.alignment[0];
+    const double ft = 0.3048;
+    assert_int_equal(a->n_plan, 7);
+    check_close(a->plan[0].length, 100 * ft, 1e-12);
+    check_close(a->plan[0].heading, 0, 1e-15);
+    check_close(a->plan[1].k0, 1 / (50 * ft), 1e-12);
+    check_close(a->plan[1].heading, 0, 1e-12);
+    check_close(a->plan[1].length, acos(0) * 50 * ft, 1e-9);
+    check_close(a->plan[2].k0, -1 / (50 * ft), 1e-12); /* three quarters of a turn to the right */
+    check_close(a->plan[2].length, 3 * acos(0) * 50 * ft, 1e-9);
+    check_close(a->plan[3].heading, 0, 1e-7);
+    check_close(a->plan[3].k1, 1 / (200 * ft), 1e-12);
+    check_close(a->plan[4].length, 10 * ft, 1e-12);
+    check_close(a->plan[6].length, hypot(10, 5) * ft, 1e-12);
+    assert_int_equal(a->n_profile, 4);
+    check_close(a->profile[1].station, 40 * ft, 1e-12);
+    check_close(a->profile[3].grade, -0.1, 1e-12);
+    assert_int_equal(s.n_ignored, 3); /* bloss, a second profile, the ground */
+    check_has(s.unit, "foot");
+    survey_clear(&s);
+}
+
+static void bad(const char *text, const char *reason)
+{
+    Survey s;
+    check_has(read_text(text, &s), reason);
+}
+
+static void what_is_wrong(void **state)
+{
+    (void)state;
+    bad("<LandXML><Units>", "no XML");
+    bad("<svg/>", "expected <LandXML>");
+    bad(XML("<Metric linearUnit=\"cubit\"/>", ""), "3: linearUnit is 'cubit'");
+    bad("<!DOCTYPE x [<!ENTITY a \"b\">]><LandXML/>", "declares an entity");
+    bad(XML(METRIC, ALIGNMENT("<Line><Start>1 2</Start></Line>", "")), "without Start or End");
+    bad(XML(METRIC, ALIGNMENT("<Line><Start>1 two</Start><End>1 2</End></Line>", "")), "'two' is no list of numbers");
+    bad(XML(METRIC, ALIGNMENT("<Line><Start>1</Start><End>1 2</End></Line>", "")), "no northing and easting");
+    bad(XML(METRIC, ALIGNMENT("<Line><Start pntRef=\"z\"/><End>1 2</End></Line>", "")), "refers to point 'z'");
+    bad(XML(METRIC, ALIGNMENT("<Curve rot=\"cw\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
+        "neither Center nor radius");
+    bad(XML(METRIC, ALIGNMENT("<Curve rot=\"cw\" radius=\"x\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
+        "expected a number");
+    bad(XML(METRIC, ALIGNMENT("<Spiral length=\"9\"><Start>0 0</Start><End>1 2</End></Spiral>", "")), "a Spiral needs");
+    bad(XML(METRIC, ALIGNMENT("", "<Profile><ProfAlign><PVI>1</PVI></ProfAlign></Profile>")),
+        "needs station and height");
+    bad(XML(METRIC, ALIGNMENT("", "<Profile><ProfAlign><PVI>5 1</PVI><PVI>4 1</PVI></ProfAlign></Profile>")),
+        "do not rise");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(tramway), cmocka_unit_test(railway),
+                                       cmocka_unit_test(all_elements), cmocka_unit_test(what_is_wrong)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,139 @@
+/* Tables: the real ones against the same line as LandXML, the planner's pieces, points, profiles, what is wrong. */
+#include "tests/survey/survey_fixture.h"
+
+/* The plan table with the profile table over it. */
+static Alignment joined(const char *plan, const char *profile)
+{
+    Survey p = shared_file(plan), q = shared_file(profile);
+    Alignment a;
+    assert_true(alignment_copy(&p.alignment[0], &a));
+    for (int i = 0; i < q.alignment[0].n_profile; ++i) *alignment_add_profile(&a) = q.alignment[0].profile[i];
+    survey_clear(&p);
+    survey_clear(&q);
+    return a;
+}
+
+/* The farthest that two alignments are apart, every metre over the shorter one. */
+static double apart(const Alignment *a, const Alignment *b, double behind)
+{
+    const double length = fmin(alignment_measure(a).plan_length - behind, alignment_measure(b).plan_length);
+    double most = 0;
+    for (double s = 0; s <= length; s += 1) {
+        most = fmax(most, v3_norm(v3_sub(alignment_at(a, s + behind).at, alignment_at(b, s).at)));
+    }
+    return most;
+}
+
+static void railway_as_tables(void **state)
+{
+    (void)state;
+    Survey s = shared_file("stn01.landxml.xml");
+    Alignment a = joined("stn01-horizontal.csv", "stn01-vertical.csv");
+    check_close(alignment_measure(&a).plan_length, 1029.3720712725, 1e-3);
+    check_below(alignment_measure(&a).gap, 1e-3);
+    check_below(apart(&s.alignment[0], &a, 0), 5e-3);
+    alignment_clear(&a);
+    survey_clear(&s);
+}
+
+/* Their radii are negative to the left; the first begins where the railway is 153 m old. */
+static void tables_with_other_signs(void **state)
+{
+    (void)state;
+    Survey s = shared_file("stn01.landxml.xml");
+    Alignment one = joined("al22-alignment1-horizontal.csv", "al22-alignment1-vertical.csv");
+    check_below(alignment_measure(&one).gap, 1e-3);
+    check_close(one.plan[2].k0, 1e-3, 1e-12);
+    const double behind = 387.72327629696491 - 234.719412;
+    check_below(apart(&s.alignment[0], &one, behind), 5e-3);
+    Alignment two = joined("al22-alignment2-horizontal.csv", "al22-alignment2-vertical.csv");
+    check_below(alignment_measure(&two).gap, 2e-3);
+    alignment_clear(&one);
+    alignment_clear(&two);
+    survey_clear(&s);
+}
+
+/* Feet, decimal commas, a slope in per cent, a bend upward, one to the side on the grade. */
+static void planners_pieces(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text("# a duct\nname;length [ft];angle;radius (ft);turn;slope;remark\n"
+                  "a;\"100,5\";;;;0;x\nb;;30,0;\"20,0\";up;;\nc;50;;;;;\n\nd;;90;10;left;;\ne;7,0;-;;;-10%;\n",
+                  &s),
+        "");
+    const Alignment *const a = &s.alignment[0];
+    const double ft = 0.3048;
+    assert_int_equal(a->n_plan, 5);
+    check_close(a->plan[0].length, 100.5 * ft, 1e-12);
+    check_close(a->plan[1].length, 20 * ft * 0.5, 1e-12);
+    check_close(a->plan[2].length, 50 * ft * sqrt(0.75), 1e-12);
+    check_close(a->plan[3].k0, 0.1 / ft, 1e-12);
+    check_close(a->profile[2].grade, tan(acos(-1) / 6), 1e-12);
+    check_close(a->profile[3].grade, tan(acos(-1) / 6), 1e-12); /* the bend keeps it */
+    check_close(a->profile[4].grade, -0.1, 1e-12);
+    const double rise =
+        20 * ft * (1 - sqrt(0.75)) + 25 * ft + 5 * acos(-1) * ft * tan(acos(-1) / 6) - 0.7 * ft / sqrt(1.01);
+    check_close(alignment_measure(a).end.z, rise, 1e-12);
+    assert_int_equal(s.n_ignored, 1);
+    survey_clear(&s);
+}
+
+static void points_and_corners(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(read_text("\xEF\xBB\xBF"
+                                  "Easting\tNorthing\tElevation\r\n1,5\t2\t3\r\n4,5\t6\t3\r\n",
+                                  &s),
+                        "");
+    assert_int_equal(s.alignment[0].n_points, 2);
+    check_close(alignment_measure(&s.alignment[0]).length, 5, 1e-12);
+    survey_clear(&s);
+    assert_string_equal(read_text("station,elevation,curve length\n0,1,\n50,6,20\n100,1,\n", &s), "");
+    assert_int_equal(s.alignment[0].n_profile, 3);
+    check_close(s.alignment[0].profile[1].bend, -0.01, 1e-15);
+    survey_clear(&s);
+    /* no headings: by the chords */
+    assert_string_equal(read_text("x,y,length,radius\n0,0,10,\n10,0,15.707963267949,10\n20,10,5,\n", &s), "");
+    check_close(s.alignment[0].plan[1].heading, 0, 1e-12);
+    check_close(s.alignment[0].plan[2].heading, acos(0), 1e-12);
+    survey_clear(&s);
+}
+
+static void bad(const char *text, const char *reason)
+{
+    Survey s;
+    check_has(read_text(text, &s), reason);
+}
+
+static void what_is_wrong(void **state)
+{
+    (void)state;
+    bad("", "the file is empty");
+    bad("length,angle\n", "no rows");
+    bad("length (cubits)\n1\n", "a unit that is not known");
+    bad("length,Length\n1,2\n", "means the same");
+    bad("length\n1\n-3\n", "3: a straight needs a length above 0");
+    bad("length\n1e999\n", "2: '1e999' is no number");
+    bad("length\n0x10\n", "is no number");
+    bad("angle,radius\n10,5\n", "a bend needs a turn");
+    bad("angle,turn\n10,left\n", "a radius above 0");
+    bad("angle,turn,radius\n10,sideways,5\n", "turn 'sideways'");
+    bad("angle,turn,radius\n89,up,5\n", "no shafts");
+    bad("station,elevation\n0,1\n", "two rows at least");
+    bad("station,elevation\n5,1\n4,1\n", "do not rise");
+    bad("station,elevation,gradient,length\n5,1,,3\n", "needs station, height, gradient");
+    bad("x,y\n1,\n", "a point needs x and y");
+    bad("x,y,length\n1,1,\n", "an element needs x, y and a length");
+    bad("colour,size\nred,3\n", "the columns are none of these");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(railway_as_tables), cmocka_unit_test(tables_with_other_signs),
+                                       cmocka_unit_test(planners_pieces), cmocka_unit_test(points_and_corners),
+                                       cmocka_unit_test(what_is_wrong)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
