@@ -86,5 +86,9 @@ if grep -q "SAFE: all" "$work/out"; then fail "$what: it falls freely, and is ca
 run_hawser 0 run pull.yaml -o short --set run.duration="600 ms" --set run.steady_from="500 ms"
 says out "not settled when the run ended"
 grep -q '"settle_time_s": null' "$work/short/summary.json" || fail "$what: it settled"
+# One that stops before its window has no mean at all.
+run_hawser 3 run pull.yaml -o stopped --set solver.max_steps=20
+grep -q '"steady_mean_N": null' "$work/stopped/summary.json" || fail "$what: a mean of nothing"
+if grep -q "SAFE: all" "$work/out"; then fail "$what: it stopped, and is called safe"; fi
 
 finish
