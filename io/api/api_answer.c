@@ -126,14 +126,20 @@ static void way_line(Answer *a, const Calculator *c, int k)
 {
     char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "";
     const PlanWay *const way = &c->plan.way[k];
+    const char *const word = k == PLAN_FORWARD ? "pull" : "pulled back";
     const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
+    if (!c->pulled[k].holds && !isnan(c->brake[k].brake)) {
+        answer_line(a, word, "%s at the winch with the brake that is missing, %s",
+                    hawser_show(c->brake[k].force, "N", a->units, force),
+                    hawser_show(c->brake[k].brake, "N", a->units, restart));
+        return;
+    }
     if (l && l->judged) {
         strcpy(margin, "; ");
         say_margin(l, a->units, margin + 2, sizeof margin - 2);
     }
-    answer_line(a, k == PLAN_FORWARD ? "pull" : "pulled back", "%s at the winch, %s from rest%s",
-                hawser_show(way->force, "N", a->units, force), hawser_show(way->restart_force, "N", a->units, restart),
-                margin);
+    answer_line(a, word, "%s at the winch, %s from rest%s", hawser_show(way->force, "N", a->units, force),
+                hawser_show(way->restart_force, "N", a->units, restart), margin);
 }
 
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
