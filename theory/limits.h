@@ -127,9 +127,14 @@ double limits_pull(const LimitsDef *def, int cables, char *source);
 double limits_attachment(const LimitsDef *def, char *source);
 double limits_sidewall(const LimitsDef *def, char *source);
 double limits_radius(const LimitsDef *def, double d, char *source);
-/* What the winch should be set to trip at, N: alpha times the force that theory gives it, or what cable, rope and winch
- * bear if that is less (LI11); NAN if neither is known. beyond: as in a Finding. */
-double limits_trip(const LimitsDef *def, int cables, double force, double beyond);
+/* At which force a winch should stop, and why not at more. */
+typedef struct TripSetting {
+    double force; /* N; NAN: not known */
+    const char *by;
+} TripSetting;
+/* What the winch should be set to trip at: alpha times the force that theory gives it, or what cable, eye, rope and
+ * winch bear if that is less (LI11). beyond: as in a Finding. */
+TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond);
 /* The bound of any kind for what was found, in its unit, (LI3)-(LI12); likewise. And whether it is the least that is
  * allowed, not the most. */
 double limits_allowed(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,

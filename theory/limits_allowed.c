@@ -112,23 +112,33 @@ static double rope_allowed(const LimitsDef *def, char *source)
     return def->rope_strength / def->rope_factor;
 }
 
-/* The smallest of those that are known: cable, rope and winch, N at the winch (LI11); NAN if none is. */
-static double winch_most(const LimitsDef *def, int cables, double beyond)
+/* The smallest of those that are known: cable, eye, rope and winch, N at the winch (LI11); NAN if none is. */
+static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
 {
     char source[SOURCE_SIZE];
-    return fmin(fmin(limits_pull(def, cables, source), limits_attachment(def, source)) + beyond,
-                fmin(rope_allowed(def, source), def->winch_capacity));
+    const TripSetting each[] = {{limits_pull(def, cables, source) + beyond, "what the cable may be pulled with"},
+                                {limits_attachment(def, source) + beyond, "what the eye or net bears"},
+                                {rope_allowed(def, source), "what the rope may be pulled with"},
+                                {def->winch_capacity, "what the winch can pull"}};
+    TripSetting least = {NAN, "nothing is known that gives first"};
+    for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
+        if (!isnan(each[i].force) && !(each[i].force >= least.force)) least = each[i];
+    }
+    return least;
 }
 
-double limits_trip(const LimitsDef *def, int cables, double force, double beyond)
+TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond)
 {
-    return fmin(force > 0 ? def->alpha * force : NAN, winch_most(def, cables, beyond));
+    const TripSetting usual = {force > 0 ? def->alpha * force : NAN, "alpha times the largest force"},
+                      most = winch_most(def, cables, beyond);
+    return isnan(usual.force) || most.force < usual.force ? most : usual;
 }
 
 /* Above all that the winch needs and below all that something bears: the nearer end of that band. */
 static double trip_allowed(const LimitsDef *def, int cables, const Finding *f, char *source)
 {
-    const double most = winch_most(def, cables, f->beyond), usual = limits_trip(def, cables, f->steady, f->beyond);
+    const double most = winch_most(def, cables, f->beyond).force,
+                 usual = limits_trip(def, cables, f->steady, f->beyond).force;
     if (isnan(f->steady)) {
         snprintf(source, SOURCE_SIZE, "%s",
                  "the winch's force is not known before the cable is held back: see run_away");

@@ -61,7 +61,12 @@ static void say_margin(const hawser_limit *l, hawser_units units, char *text, si
     char allowed[HAWSER_SHOWN_MAX];
     const int over = l->margin < 0;
     const double share = 100 * (over ? fabs(l->value / l->limit - 1) : l->margin);
-    snprintf(text, size, "allowed %s: %.3g %% %s", hawser_show(l->limit, l->unit, units, allowed), share,
+    hawser_show(l->limit, l->unit, units, allowed);
+    if (!isfinite(share)) { /* of nothing that is allowed everything is beyond any share */
+        snprintf(text, size, "allowed %s", allowed);
+        return;
+    }
+    snprintf(text, size, "allowed %s: %.3g %% %s", allowed, share,
              !over                 ? "left"
              : l->value > l->limit ? "over"
                                    : "short");
@@ -75,8 +80,8 @@ static const hawser_limit *limit_called(int n, const hawser_limit *limit, const 
     return NULL;
 }
 
-/* What was found at its worst place, and what to do if that is too much. */
-static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l)
+/* What was found at its worst place, and what to do if that is too much, unless that was `said` just before. */
+static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l, char said[REMEDY_MAX])
 {
     char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX];
     say_margin(l, a->units, margin, sizeof margin);
@@ -84,7 +89,8 @@ static void limit_lines(Answer *a, const Scene *scene, const char *word, const h
                 *l->where ? " at " : "", l->where, margin);
     if (l->ok) return;
     limit_remedy(scene, l, a->units, remedy);
-    if (*remedy) answer_line(a, "remedy", "%s", remedy);
+    if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
+    strcpy(said, remedy);
 }
 
 /* Names of those that are not judged. */
@@ -101,12 +107,13 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
 void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit)
 {
     const hawser_limit *worst = NULL;
+    char said[REMEDY_MAX] = "";
     for (int i = 0; i < n; ++i) {
         if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
     }
-    if (worst) limit_lines(a, scene, "worst", worst);
+    if (worst) limit_lines(a, scene, "worst", worst, said);
     for (int i = 0; i < n; ++i) {
-        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, scene, "broken", &limit[i]);
+        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, scene, "broken", &limit[i], said);
     }
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
     open_line(a, n, limit);
@@ -119,29 +126,53 @@ static void way_line(Answer *a, const Calculator *c, int k)
 {
     char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "";
     const PlanWay *const way = &c->plan.way[k];
+    const char *const word = k == PLAN_FORWARD ? "pull" : "pulled back";
     const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
+    if (!c->pulled[k].holds && !isnan(c->brake[k].brake)) {
+        answer_line(a, word, "%s at the winch with the brake that is missing, %s",
+                    hawser_show(c->brake[k].force, "N", a->units, force),
+                    hawser_show(c->brake[k].brake, "N", a->units, restart));
+        return;
+    }
     if (l && l->judged) {
         strcpy(margin, "; ");
         say_margin(l, a->units, margin + 2, sizeof margin - 2);
     }
-    answer_line(a, k == PLAN_FORWARD ? "pull" : "pulled back", "%s at the winch, %s from rest%s",
-                hawser_show(way->force, "N", a->units, force), hawser_show(way->restart_force, "N", a->units, restart),
-                margin);
+    answer_line(a, word, "%s at the winch, %s from rest%s", hawser_show(way->force, "N", a->units, force),
+                hawser_show(way->restart_force, "N", a->units, restart), margin);
 }
 
-static int way_holds(const Calculator *c, int k)
+/* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
+static void inverse_lines(Answer *a, const Scene *scene, const Inverse *inverse, int way)
 {
-    int holds = c->pulled[k].holds;
-    for (int i = 0; i < c->n_limits; ++i) holds &= !c->limit[k][i].judged || c->limit[k][i].ok;
-    return holds;
+    char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
+    const InverseMachines *const m = &inverse->machines[way];
+    for (int i = 0; i < inverse->n; ++i) {
+        const InverseAnswer *const b = &inverse->answer[i];
+        const char *const but = *b->stays ? " but " : "";
+        if (b->way != way || b->end != SEARCH_FOUND || !(b->value < b->now)) continue;
+        if (b->kind == INVERSE_FRICTION)
+            answer_line(a, "remedy", "friction of at most %.3g, now %.3g, would keep all limits%s%s",
+                        floor(1e3 * b->value) / 1e3, b->now, but, b->stays);
+        if (b->kind == INVERSE_LENGTH)
+            answer_line(a, "remedy", "a pull of at most %s, now %s, would keep all limits%s%s",
+                        hawser_show(b->value, "m", a->units, shown), hawser_show(b->now, "m", a->units, now), but,
+                        b->stays);
+    }
+    if (inverse->asked && m->n > 0)
+        answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s", m->n,
+                    m->n > 1 ? "s" : "", hawser_show(scene->def.theory.machine_push, "N", a->units, shown),
+                    hawser_show(m->at[0], "m", a->units, now), *m->stays ? " but " : "", m->stays);
 }
 
-void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const char verdict[][HAWSER_VERDICT_MAX])
+void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inverse *inverse,
+                   const char verdict[][HAWSER_VERDICT_MAX])
 {
-    const int forward = way_holds(c, PLAN_FORWARD), backward = way_holds(c, PLAN_BACKWARD);
+    const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, c, PLAN_FORWARD);
     answer_limits(a, scene, c->n_limits, c->limit[PLAN_FORWARD]);
+    if (!forward) inverse_lines(a, scene, inverse, PLAN_FORWARD);
     if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
     way_line(a, c, PLAN_BACKWARD);
     answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);

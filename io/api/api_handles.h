@@ -57,7 +57,8 @@ void answer_line(Answer *a, const char *word, const char *format, ...) __attribu
 void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit);
 
 /* All of it for the calculation, each way of pulling with its verdict. */
-void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const char verdict[][HAWSER_VERDICT_MAX]);
+void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inverse *inverse,
+                   const char verdict[][HAWSER_VERDICT_MAX]);
 
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */

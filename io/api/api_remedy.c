@@ -57,7 +57,7 @@ static double tension_by_radius(const Scene *scene, const RoutePiece *bend)
 /* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
 static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
-    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
+    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], place[96] = "there";
     const int p = bend_at(&scene->route, l->where);
     const RoutePiece *const bend = p >= 0 ? &scene->route.piece[p] : NULL;
     const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(scene, bend) : INFINITY;
@@ -66,9 +66,10 @@ static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_un
         return;
     }
     show_bound(bend->radius * (l->value - k) / (l->limit - k), 1, "m", units, radius);
+    if (*bend->name) snprintf(place, sizeof place, "in '%s'", bend->name);
     snprintf(text, REMEDY_MAX,
-             "a radius of %s in '%s' would do (route.pieces.%d.radius, now %s), or %.3g %% less tension there", radius,
-             bend->name, p, hawser_show(bend->radius, "m", units, now), share);
+             "a radius of %s %s would do (route.pieces.%d.radius, now %s), or %.3g %% less tension there", radius,
+             place, p, hawser_show(bend->radius, "m", units, now), share);
 }
 
 /* At the cable's head all that is pulled comes together. */

@@ -101,6 +101,7 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
                             .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),
                             .trip_N = limits->present ? limits_trip(limits, scene->def.bundle.shape.thickest,
                                                                     s->expected.reference_total, scene->def.drag.force)
+                                                            .force
                                                       : NAN};
     if (labels.n_overloads < 0) return error_memory(err);
     labels.overload = overload;

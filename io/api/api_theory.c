@@ -220,7 +220,7 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     if (!def->duration_open)
         table[n++] = (Table){"run", "What a run of this case is compared with", COLUMNS(RunRow, run_column), 1, &run};
     Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
-    answer_theory(&answer, &t->scene, c, t->verdict);
+    answer_theory(&answer, &t->scene, c, &t->inverse, t->verdict);
     const Document doc = {.title = title,
                           .n_facts = list_facts(t, fact),
                           .n_tables = n,

@@ -38,6 +38,7 @@ static const CaseKey bundle_keys[] = {
      AT(BundleRecord, bundle.correction)},
     {"weight_factor", KEY_NUMBER, .otherwise = "by the layout", FROM(1, 10),
      AT(BundleRecord, bundle.set.weight_factor)},
+    {"oval", KEY_NUMBER, .fallback = "1.05", FROM(1, 2), AT(BundleRecord, bundle.set.oval)},
 };
 SECTION(case_bundle, "bundle", bundle_keys);
 

@@ -18,12 +18,6 @@ typedef struct CalculatorDuct {
 /* Which rule of friction holds on a piece of the route: (T6), (LI1), or each on a part. */
 typedef enum SupportRule { SUPPORT_RESULTANT, SUPPORT_SEPARATE, SUPPORT_MIXED } SupportRule;
 
-/* At which force a winch should stop (PN10), and why not at more. */
-typedef struct TripSetting {
-    double force; /* N */
-    const char *by;
-} TripSetting;
-
 typedef struct Calculator {
     const Route *route; /* the scene's, or `own` */
     Route own;          /* one with other bends */
@@ -54,6 +48,8 @@ typedef struct Calculator {
  * it back with calculator_free, also after an error. The scene must stay. */
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err);
 void calculator_free(Calculator *c);
+/* Fills limits, `supported` and `pulled` of one that is solved. Errors: MEMORY. */
+hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
 /* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */
 hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err);
 

@@ -172,7 +172,7 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
     Brake brake;
     const hawser_status status = plan_brake(&c->def, &c->plan.duct, way, &brake, err);
     if (status) return status;
-    *out = finding_at(route, brake.brake, brake.where);
+    *out = finding_on(route, brake.brake, brake.where, brake.piece);
     out->rating = brake.max_tension;
     run_away_say(-pull->min_tension, brake.brake, brake.force, out);
     return HAWSER_OK;

@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 NEAR = 0.01
+OF_ALL = " of all"
 LBF, FOOT = 4.4482216152605, 0.3048
 UNITS = {"1": 1, "N": 1, "kN": 1e3, "lbf": LBF, "N/m": 1, "kN/m": 1e3, "lbf/ft": LBF / FOOT, "mm": 1e-3}
 HEAD = "| source | case | figure | published | ours | difference | why |\n|---|---|---|---:|---:|---:|---|\n"
@@ -39,6 +40,8 @@ def value_at(document, where):
 def in_unit(document, value, unit):
     if unit == "% of weight":  # of the cable that fills the route
         return 100 * value / (document["weight_N_per_m"] * sum(p["length_m"] for p in document["pieces"]))
+    if unit.endswith(OF_ALL):  # sidewall pressure of all cables, where the program has the worst loaded one's
+        return in_unit(document, value, unit[: -len(OF_ALL)]) / document["ducts"][0]["sidewall_factor"]
     return value / UNITS[unit]
 
 
@@ -51,7 +54,7 @@ def like(text, value):
 def row_of(row, document, complaints):
     """A line of the table; complains about a difference without a reason and a reason without a difference."""
     ours = in_unit(document, value_at(document, row["where"]), row["unit"])
-    unit = "" if row["unit"] == "1" else " " + row["unit"]
+    unit = "" if row["unit"] == "1" else " " + row["unit"].removesuffix(OF_ALL)
     if ".." in row["published"]:
         low, high = row["published"].split("..")
         far, shown = not float(low) <= round(ours, 1) <= float(high), f"{low} to {high}"

@@ -1,6 +1,22 @@
 /* The planner's side of `hawser theory`: what it needs to be told and what not, one force in header and tables,
  * friction and places by their right names, and the answers the other way round: closed forms on a straight, and put
- * back into the case they just keep its limits. */
+ * back into the case they just keep its limits.
+ *
+ * What an engineer once found wrong on this side, and the tests that would find it again:
+ * - falls freely, called safe: test_trust nothing_holds_it, test_case_limits carried_by_nothing, cli/limits
+ * - runs away down a shaft, called safe: test_trust a_shaft_without_a_brake, test_case_limits shaft_needs_a_brake and
+ *   run_runs_away, down_a_shaft here
+ * - a run pulls one of three cables: test_case_bundle runs_as_theory_says, test_trust several_cables
+ * - jamming, clearance and fill are no limits: test_trust three_cables_jam, test_answer ducts
+ * - long segments in bends, no warning: test_trust coarse_in_a_duct, test_mesh long_segments_jam
+ * - a bend to the side levels a grade: test_route_runs bends_keep_their_grade
+ * - a conveyor grips the rope: test_grips belts_wait_for_the_cable
+ * - two winch forces, "T/R", a bend's place named after the next piece: one_force_and_right_names here; of a run
+ *   cli/tutorial
+ * - the friction of nothing in the case: friction_from_to here
+ * - settled as the run ends, means of nothing: test_stats, cli/run, cli/limits
+ * - `bend: 5`, `sidewall: 300 lb/ft`: test_units bare_angles_are_questioned, pounds_in_place_of_pounds_of_force
+ * - EA to EI and a duration for theory: what_is_needed here, test_library stiffness_is_estimated, cli/examples */
 #include "tests/io/case_fixture.h"
 
 #include <jansson.h>
@@ -75,7 +91,7 @@ static json_t *limit(json_t *o, const char *direction, const char *name)
 static void what_is_needed(void **state)
 {
     (void)state;
-    const char *const text = "cables: {c: {d: 60 mm, mass: 8 kg/m, E: 10 GPa, G: 3 GPa, A: 2000 mm2}}\n"
+    const char *const text = "cables: {c: {d: 60 mm, mass: 8 kg/m}}\n"
                              "route: {pieces: [{straight: 100 m}]}\n"
                              "friction: {mu: 0.3}\n";
     json_t *o = theory(text, NULL);

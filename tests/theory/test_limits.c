@@ -226,7 +226,7 @@ static void trips(void **state)
     assert_false(l.judged);
     check_has(l.source, "needs drive.winch.trip: set it to 30 kN");
     check_has(judged_alone(&def, LIMIT_TRIP, (Finding){.value = 30e3, .steady = NAN}).source, "see run_away");
-    check_share(limits_trip(&def, 1, 40e3, 2e3), 50e3, 1e-12); /* 1.5 x 40 kN are more than the winch has */
+    check_share(limits_trip(&def, 1, 40e3, 2e3).force, 50e3, 1e-12); /* 1.5 x 40 kN are more than the winch has */
     def.area = 0, def.rope_strength = def.winch_capacity = NAN;
     f.value = 30e3;
     l = judged_alone(&def, LIMIT_TRIP, f);

@@ -66,7 +66,8 @@ DuctDef bundle_in_duct(const BundleSet *set, const BundleShape *shape, double du
                      .thinner = shape->cables - shape->thickest,
                      .thinner_square = shape->thinner_square,
                      .jam_diameter = shape->jam_diameter,
-                     .weight_factor = set->weight_factor};
+                     .weight_factor = set->weight_factor,
+                     .oval = set->oval};
 }
 
 LayFactors bundle_lay(const BundleSet *set, const BundleShape *shape, double EI, double GJ)

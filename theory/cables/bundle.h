@@ -19,6 +19,7 @@ typedef struct BundleSet {
     int twisted;
     double lay;           /* m of the set in which a twisted cable goes round once */
     double weight_factor; /* in place of the layout's; 0: none */
+    double oval;          /* of the ducts' bends, for jamming; 0: as usual */
 } BundleSet;
 
 /* The set as a whole. */

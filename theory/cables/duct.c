@@ -142,6 +142,9 @@ static double layout_room(DuctLayout layout, double D, double d, double x)
     return r;
 }
 
+/* Bends of ducts are oval by 5 % as a rule (makers' tables). */
+static const double OVAL = 1.05;
+
 /* Southwire's bands of 1.05 D/d, as tabulated by Cableizer; the critical ones are those in which three cables
  * in a row just bridge the duct. */
 static JamRisk jam_risk(const DuctDef *def, double ratio)
@@ -167,9 +170,9 @@ hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err)
     status = check_layout(def, layout, x, err);
     if (status) return status;
     const double wide = effective_diameter(def), wide_x = wall_sine(D, wide);
-    const double jam_diameter = def->jam_diameter > 0 ? def->jam_diameter : d;
+    const double jam_diameter = def->jam_diameter > 0 ? def->jam_diameter : d, oval = def->oval > 0 ? def->oval : OVAL;
     *out =
-        (DuctLoad){.layout = layout, .jam_ratio = 1.05 * D / jam_diameter, .fill = def->cables * wide * wide / (D * D)};
+        (DuctLoad){.layout = layout, .jam_ratio = oval * D / jam_diameter, .fill = def->cables * wide * wide / (D * D)};
     layout_factors(layout, x, out);
     if (def->thinner > 0) out->weight_factor = fmax(out->weight_factor, UNEQUAL); /* (BU7) */
     if (def->weight_factor > 0) out->weight_factor = def->weight_factor;

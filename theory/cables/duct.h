@@ -22,6 +22,7 @@ typedef struct DuctDef {
     double thinner_square; /* m2, the sum of the squares of their diameters */
     double jam_diameter;   /* m, mean of the three thickest; 0: d */
     double weight_factor;  /* in place of the layout's; 0: none */
+    double oval;           /* how many times as wide bends make the duct, for jamming; 0: 1.05 */
 } DuctDef;
 
 typedef struct DuctLoad {
@@ -30,7 +31,7 @@ typedef struct DuctLoad {
                                one cable's */
     double sidewall_factor; /* of the worst loaded cable: its pressure is this times T/R, T the tension of all
                                together */
-    double jam_ratio;       /* 1.05 D/d; bends are 5 % oval */
+    double jam_ratio;       /* `oval` D/d */
     JamRisk jam_risk;       /* three cables in a row; JAM_NONE where there are no three, or they are twisted */
     double clearance;       /* m, from the uppermost cable straight up to the duct */
     double fill;            /* share of the duct's cross-section */

@@ -1,0 +1,176 @@
+/* What follows from a pull that is solved: the limits and whether they hold, which way is better, the trip, the brake.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "sim/expected/calculator.h"
+#include "sim/expected/findings.h"
+
+/* ------------------------------------------------------------------------------------------------- limits */
+
+/* The route's own smallest radius, as far as the pull goes. */
+static Finding bend_finding(const Calculator *c, int way)
+{
+    const double low = fmin(plan_first(&c->def, way), plan_last(&c->def, way));
+    const double high = fmax(plan_first(&c->def, way), plan_last(&c->def, way));
+    Finding f = {.value = INFINITY};
+    for (int p = 0; p < c->route->n; ++p) {
+        const RoutePiece *const piece = &c->route->piece[p];
+        if (piece->kind == ROUTE_STRAIGHT || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
+        if (piece->radius < f.value) f = finding_at(c->route, piece->radius, piece->s0);
+    }
+    return f;
+}
+
+/* The rated roller whose piece loads it most for its rating. */
+static Finding roller_finding(const Scene *scene, const PlanWay *way)
+{
+    Finding worst = {.value = NAN};
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const RollerDef *const roller = &scene->def.rollers[r];
+        if (isnan(roller->s) || !(roller->rating > 0)) continue;
+        const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
+        if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
+    }
+    return worst;
+}
+
+static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)
+{
+    const Route *const route = c->route;
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        const PlanWay *const way = &c->plan.way[k];
+        if (c->def.skip[k]) continue;
+        Finding f[LIMIT_KINDS] = {[LIMIT_ROLLER_PEAK] = {.absent = 1}, [LIMIT_ALPHA] = {.absent = 1}};
+        f[LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
+        f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
+        f[LIMIT_SIDEWALL] = finding_on(route, way->pull.max_sidewall, way->pull.sidewall_at, way->pull.sidewall_piece);
+        if (!(way->pull.max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
+        f[LIMIT_BEND] = bend_finding(c, k);
+        f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
+        f[LIMIT_ROPE].value = fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart);
+        const hawser_status status = findings_of_way(scene, route, c, k, f, err);
+        if (status) return status;
+        limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
+        for (int i = 0; i < c->n_ducts; ++i)
+            limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
+        c->n_limits = limits_judge(&scene->def.limits, bundle_diameter(&scene->def), scene->def.bundle.shape.thickest,
+                                   f, c->limit[k]);
+    }
+    return HAWSER_OK;
+}
+
+/* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
+ * slope, and no figure behind that place holds. */
+static void pulled_set(const Scene *scene, Calculator *c)
+{
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        const PlanWay *const way = &c->plan.way[k];
+        hawser_condition *const held = &c->pulled[k];
+        if (c->def.skip[k]) continue;
+        const double pushed = fmax(0, -way->pull.min_tension);
+        double allowed = fmax(1e-9 * fmax(1, way->pull.max_tension), c->def.feed); /* rounding, or what is meant */
+        for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[k][i].force);
+        allowed = fmin(allowed, scene->def.theory.bears);
+        *held = (hawser_condition){
+            .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};
+    }
+}
+
+/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. */
+static hawser_condition supported_by(const Scene *scene)
+{
+    const int guessed = scene->def.theory.guessed_friction;
+    hawser_condition c = {.name = "supported", .unit = "1", .value = guessed, .holds = !guessed};
+    snprintf(
+        c.remedy, sizeof c.remedy,
+        "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is that "
+        "of a guessed %g; give what carries it, or friction.mu",
+        scene->def.friction.mu_d);
+    return c;
+}
+
+hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
+{
+    c->supported = supported_by(scene);
+    const hawser_status status = limits_set(scene, c, err);
+    if (!status) pulled_set(scene, c);
+    return status;
+}
+
+/* -------------------------------------------------------------------------------- which way, trip, brake */
+
+int calculator_holds(const Calculator *c, int way)
+{
+    for (int i = 0; i < c->n_limits; ++i) {
+        if (c->limit[way][i].judged && !c->limit[way][i].ok) return 0;
+    }
+    return c->pulled[way].holds;
+}
+
+const hawser_limit *calculator_worst(const Calculator *c, int way)
+{
+    const hawser_limit *worst = NULL;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[way][i];
+        if (l->judged && (!worst || l->margin < worst->margin)) worst = l;
+    }
+    return worst;
+}
+
+/* Where one way holds and the other does not, that one; else the one with the larger of the least margins. */
+static void best_set(Calculator *c)
+{
+    const int there = calculator_holds(c, PLAN_FORWARD), back = calculator_holds(c, PLAN_BACKWARD);
+    const hawser_limit *const a = calculator_worst(c, PLAN_FORWARD), *const b = calculator_worst(c, PLAN_BACKWARD);
+    c->best = c->plan.better;
+    if (there != back) {
+        c->best = back ? PLAN_BACKWARD : PLAN_FORWARD;
+    } else if (a && b && fabs(a->margin - b->margin) > 1e-12) {
+        c->best = b->margin > a->margin ? PLAN_BACKWARD : PLAN_FORWARD;
+    }
+}
+
+/* (PN10). Of a cable that runs away no force is known before it is held back. */
+static void trip_set(const Scene *scene, Calculator *c)
+{
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        c->trip[k] = limits_trip(&scene->def.limits, scene->def.bundle.shape.thickest,
+                                 fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart), c->plan.way[k].rope);
+        if (!c->pulled[k].holds) c->trip[k] = (TripSetting){NAN, "not known before the cable is held back"};
+    }
+}
+
+/* Where the cable would run away: the brake that holds it, in the remedy too. */
+static hawser_status brakes_set(Calculator *c, hawser_error *err)
+{
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        hawser_condition *const held = &c->pulled[k];
+        Brake *const brake = &c->brake[k];
+        if (held->holds) continue;
+        const hawser_status status = plan_brake(&c->def, &c->plan.duct, k, brake, err);
+        if (status) return status;
+        if (isnan(brake->brake)) {
+            snprintf(held->remedy, sizeof held->remedy,
+                     "the cable would run away or slacken: pushed with %.4g kN, and no brake at the start holds it",
+                     held->value / 1e3);
+            continue;
+        }
+        const Finding at = finding_on(c->route, held->value, brake->where, brake->piece);
+        snprintf(held->remedy, sizeof held->remedy,
+                 "the cable would run away or slacken: pushed with %.4g kN at %.36s; it needs a brake of %.4g kN "
+                 "more at the start, and then a winch of %.4g kN",
+                 held->value / 1e3, at.where, brake->brake / 1e3, brake->force / 1e3);
+    }
+    return HAWSER_OK;
+}
+
+hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err)
+{
+    const hawser_status status = brakes_set(c, err);
+    if (status) return status;
+    c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* of all sections */
+    best_set(c);
+    trip_set(scene, c);
+    return HAWSER_OK;
+}
