@@ -15,6 +15,8 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"threads", required_argument, NULL, 't'},
                                             {"linear-solver", required_argument, NULL, OPTION_LINEAR_SOLVER},
                                             {"quiet", no_argument, NULL, 'q'},
+                                            {"verbose", no_argument, NULL, 'v'},
+                                            {"units", required_argument, NULL, 'u'},
                                             {"format", required_argument, NULL, 'f'},
                                             {"filter", required_argument, NULL, 'F'},
                                             {"strict", no_argument, NULL, OPTION_STRICT},
@@ -33,7 +35,7 @@ static void select_options(const Command *command, struct option *list, char *le
         if (!strchr("hV", o->val) && !strchr(command->options, o->val)) continue;
         *list++ = *o;
         /* only these have a short form */
-        if (!strchr("oqhV", o->val)) continue;
+        if (!strchr("oqvhV", o->val)) continue;
         *letters++ = (char)o->val;
         if (o->has_arg) *letters++ = ':';
     }
@@ -81,6 +83,27 @@ static int parse_format(const char *text, Arguments *args)
         return ARGUMENTS_GO_ON;
     }
     complain("--format %s: 'table', 'json' or 'csv' can be used", text);
+    return EXIT_USAGE;
+}
+
+/* --units: of what people read; files and formats for programs are in SI. */
+static int parse_units(const char *text, Arguments *args)
+{
+    args->units = strcmp(text, "us") ? HAWSER_SI : HAWSER_US;
+    if (args->units == HAWSER_US || !strcmp(text, "si")) return ARGUMENTS_GO_ON;
+    complain("--units %s: 'si' or 'us' can be used", text);
+    return EXIT_USAGE;
+}
+
+/* A format for programs has no units to choose. */
+static int settle_units(Arguments *args)
+{
+    if (args->units == HAWSER_SI) return ARGUMENTS_GO_ON;
+    if (args->format == HAWSER_TABLE) {
+        args->format = HAWSER_TABLE_US;
+        return ARGUMENTS_GO_ON;
+    }
+    complain("--units us is for tables: --format json and csv are in SI");
     return EXIT_USAGE;
 }
 
@@ -134,6 +157,11 @@ static int take_option(const Command *command, int letter, Arguments *args)
         return parse_threads(optarg, args);
     case 'f':
         return parse_format(optarg, args);
+    case 'u':
+        return parse_units(optarg, args);
+    case 'v':
+        args->verbose = 1;
+        return ARGUMENTS_GO_ON;
     case 'F':
         args->filter = optarg;
         return ARGUMENTS_GO_ON;
@@ -161,9 +189,17 @@ static int take_option(const Command *command, int letter, Arguments *args)
     }
 }
 
-/* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case. */
+/* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case;
+ * or up to two, of the catalogue. */
 static int take_case(const Command *command, int argc, char **argv, Arguments *args)
 {
+    if (strchr(command->options, '+')) {
+        if (optind < argc) args->kind = argv[optind++];
+        if (optind < argc) args->filter = argv[optind++];
+        if (optind == argc) return ARGUMENTS_GO_ON;
+        complain("%s takes a kind and a pattern; what is '%s'?", command->name, argv[optind]);
+        return EXIT_USAGE;
+    }
     if (strchr(command->options, '-')) {
         if (optind == argc) return ARGUMENTS_GO_ON;
         complain("%s takes no case file; what is '%s'?", command->name, argv[optind]);
@@ -201,6 +237,7 @@ int arguments_parse(const Command *command, int argc, char **argv, Arguments *ar
         }
         result = take_option(command, letter, args);
     }
+    if (result == ARGUMENTS_GO_ON) result = settle_units(args);
     return result == ARGUMENTS_GO_ON ? take_case(command, argc, argv, args) : result;
 }
 

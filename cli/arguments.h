@@ -31,16 +31,20 @@ typedef struct Arguments {
     int strict; /* a broken limit is an error */
     int certify;
     double tolerance; /* share; 0: the library's choice */
+    int verbose;      /* what it cost to compute is shown too */
     hawser_format format;
+    const char *kind;   /* of the catalogue; NULL: all */
+    hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
 } Arguments;
 
 typedef struct Command {
     const char *name;
-    const char *summary;               /* a line for the list of commands */
-    const char *options;               /* the letters of the options it takes, see arguments.c; '-': it takes no case */
-    const char *help;                  /* the text of --help */
+    const char *summary; /* a line for the list of commands */
+    const char *options; /* the letters of the options it takes, see arguments.c; '-': it takes no case; '+': a kind and
+                            a pattern */
+    const char *help;    /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;
 

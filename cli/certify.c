@@ -29,7 +29,7 @@ int certify_run(const Arguments *args, hawser_case *c, hawser_sim *sim, const ch
     *status = hawser_certify(c, sim, &options, &certificate, err);
     progress_end(&progress);
     if (!*status) *status = hawser_certificate_write(certificate, dir, err);
-    if (!*status && !args->quiet) *status = hawser_certificate_text(certificate, HAWSER_TABLE, &text, err);
+    if (!*status && !args->quiet) *status = hawser_certificate_text(certificate, args->format, &text, err);
     if (text) printf("\n%s\n%s\n", text, certificate->verdict);
     fflush(stdout);
     hawser_text_free(text);

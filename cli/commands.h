@@ -4,7 +4,7 @@
 
 #include "cli/arguments.h"
 
-extern const Command command_run, command_check, command_theory, command_validate;
+extern const Command command_run, command_check, command_theory, command_validate, command_library;
 
 /* Loads the case and applies the settings of the command line. *out is NULL on failure. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err);
@@ -28,10 +28,14 @@ void progress_certify(Progress *p, const hawser_certify_state *state);
 /* Clears the live line. */
 void progress_end(Progress *p);
 
-/* What is about to be run: the case and its counts. */
-void report_scene(const hawser_sim *s);
-/* Pull force, tension errors, speed, rollers, work, where the time went. `dir`: where the results are. */
-void report_run(hawser_sim *s, const char *dir);
+/* What is about to be run: the case, with --verbose its counts. */
+void report_scene(const hawser_sim *s, const Arguments *args);
+/* The answer, then pull, machines, events, rollers, limits; with --verbose work and where the time went. `dir`: where
+ * the results are. */
+void report_run(hawser_sim *s, const Arguments *args, const char *dir);
+
+/* What the case did not say itself: how many values, and what an estimated EI is worth; nothing if it said all. */
+void report_assumptions(const hawser_sim *s, hawser_units units);
 
 /* Computes the case again with finer settings, until its figures hold or `stopped` says something else than 0; writes
  * certificate.json into dir and prints its table. Returns whether the run is certified; *status: as hawser_certify. */

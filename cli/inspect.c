@@ -6,6 +6,7 @@
 #define SETTING "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
 #define FORMAT                                                                                                         \
     "      --format FORMAT     table (default), json or csv\n"                                                         \
+    "      --units UNITS       of the table: si (default) or us; json and csv are in SI\n"                             \
     "  -h, --help              this text\n"                                                                            \
     "  -V, --version           the version\n"
 
@@ -17,12 +18,15 @@ static const char check_help[] =
     "\n" SETTING FORMAT "\n"
     "Exit status: 0 the case is fine; 2 it is not.\n";
 
-static const char theory_help[] =
-    "Usage: hawser theory CASE [options]\n"
-    "\n"
-    "Prints the tension along the route by the paper's formulas and by the reference theory.\n"
-    "\n" SETTING FORMAT "\n"
-    "Exit status: 0 done; 2 the case is wrong.\n";
+static const char theory_help[] = "Usage: hawser theory CASE [options]\n"
+                                  "\n"
+                                  "Prints the pulling calculation, without a simulation: whether the pull is safe, the "
+                                  "force at the winch pulled either\n"
+                                  "way, the worst place and what would do about it; then the tension along the route "
+                                  "by the paper's formulas and by the\n"
+                                  "reference theory, the route piece by piece, ducts, and every limit.\n"
+                                  "\n" SETTING FORMAT "\n"
+                                  "Exit status: 0 done; 2 the case is wrong.\n";
 
 static const char validate_help[] =
     "Usage: hawser validate [options]\n"
@@ -34,6 +38,15 @@ static const char validate_help[] =
     "      --fast              only those that take a moment\n" FORMAT "\n"
     "Exit status: 0 all are within their tolerances; 1 one is outside; 5 no memory;\n"
     "2 no case has such a name, or the command line is wrong.\n";
+
+static const char library_help[] =
+    "Usage: hawser library [KIND [PATTERN]] [options]\n"
+    "\n"
+    "Lists the catalogue, to which a case refers by 'type: NAME': figures, ranges, marks and sources. KIND is cables,\n"
+    "ropes, rollers, ducts or friction; PATTERN a part of the names. docs/library.md says more.\n"
+    "\n" FORMAT "\n"
+    "The files are in share/hawser/library beside the program, or where the environment's HAWSER_LIBRARY says.\n"
+    "Exit status: 0 done; 2 there is no such kind or name, or no catalogue.\n";
 
 typedef hawser_status (*Describe)(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 
@@ -71,7 +84,20 @@ static int validate(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_check = {"check", "checks a case and prints what would be built", "sf", check_help, check};
-const Command command_theory = {"theory", "prints the theoretical tension along the route", "sf", theory_help, theory};
-const Command command_validate = {"validate", "runs scenes of which the result is known", "fFx-", validate_help,
+static int library(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    char *text = NULL;
+    const hawser_status status = hawser_library(args->kind, args->filter, args->format, &text, &err);
+    if (!status) fputs(text, stdout);
+    hawser_text_free(text);
+    return finish_stdout(exit_status(status, &err));
+}
+
+const Command command_library = {"library", "lists cables, ropes, rollers, ducts and friction by name", "fu+",
+                                 library_help, library};
+const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
+const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
+                                "sfu", theory_help, theory};
+const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};

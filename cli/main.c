@@ -6,14 +6,15 @@
 #include <string.h>
 #include <unistd.h>
 
-static const Command *const commands[] = {&command_run, &command_check, &command_theory, &command_validate};
+static const Command *const commands[] = {&command_run, &command_check, &command_theory, &command_validate,
+                                          &command_library};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* What hawser says about itself: the commands with a line each. */
 static void print_usage(FILE *f)
 {
     fprintf(f, "Usage: hawser COMMAND CASE [options]\n\n"
-               "Simulates how a power cable is pulled over rollers. Commands:\n\n");
+               "Says how hard a power cable will have to be pulled, and whether that is safe. Commands:\n\n");
     for (int i = 0; i < COMMANDS; i++) fprintf(f, "  %-8s %s\n", commands[i]->name, commands[i]->summary);
     fprintf(f, "\nhawser COMMAND --help says more about each. Case files are described in docs/case-format.md.\n"
                "  -h, --help     this text\n"

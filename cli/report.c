@@ -1,21 +1,45 @@
 /* Everything in the report is also in summary.json, stations.csv and rollers.csv, where programs should look for it:
- * the layout here may change. */
+ * the layout here may change. It begins with the answer; what it cost to compute is said on request alone. */
 #include "cli/commands.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-/* A rod's places, as the run ended. */
-static void report_rod(const hawser_summary *s)
+enum { SENTENCE_MAX = 1024, PAGE = 118 };
+
+/* What is reported, and how. */
+typedef struct Report {
+    hawser_summary sum;
+    hawser_units units;
+} Report;
+
+static void say(const Report *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* printf in the reader's units: whatever number stands before an SI unit is converted. */
+static void say(const Report *r, const char *format, ...)
 {
-    printf("\nAt the end (%s), m, rad, N, N m; forces are those of the part ahead on the part behind\n", s->analysis);
+    char si[SENTENCE_MAX], shown[SENTENCE_MAX];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(si, sizeof si, format, args);
+    va_end(args);
+    fputs(hawser_show_text(si, r->units, shown, sizeof shown), stdout);
+}
+
+/* A rod's places, as the run ended. */
+static void report_rod(const Report *r)
+{
+    const hawser_summary *s = &r->sum;
+    printf("\nAt the end (%s); forces are those of the part ahead on the part behind\n", s->analysis);
     for (int i = 0; i < s->n_probes; i++) {
         const hawser_probe *p = &s->probes[i];
-        const double *const d = p->displacement, *const r = p->rotation, *const f = p->force, *const m = p->moment;
-        printf("  %-12s moved (%.6g, %.6g, %.6g), turned (%.6g, %.6g, %.6g)\n", p->name, d[0], d[1], d[2], r[0], r[1],
-               r[2]);
-        printf("  %-12s force (%.6g, %.6g, %.6g), moment (%.6g, %.6g, %.6g)\n", "", f[0], f[1], f[2], m[0], m[1], m[2]);
+        const double *const d = p->displacement, *const q = p->rotation, *const f = p->force, *const m = p->moment;
+        say(r, "  %-12s moved (%.6g m, %.6g m, %.6g m), turned (%.6g, %.6g, %.6g) rad\n", p->name, d[0], d[1], d[2],
+            q[0], q[1], q[2]);
+        say(r, "  %-12s force (%.6g N, %.6g N, %.6g N), moment (%.6g N m, %.6g N m, %.6g N m)\n", "", f[0], f[1], f[2],
+            m[0], m[1], m[2]);
     }
 }
 
@@ -32,113 +56,120 @@ static void report_modes(const hawser_summary *s)
 }
 
 /* Loads at which an equilibrium stopped being stable, and how the run ended. */
-static void report_stability(const hawser_summary *s)
+static void report_stability(const Report *r)
 {
+    const hawser_summary *s = &r->sum;
     if (s->n_critical > 0) printf("\nCritical loads\n");
     for (int i = 0; i < s->n_critical; i++) {
         const hawser_critical *const c = &s->critical[i];
         const double *const d = c->direction;
-        printf("  %-12s at %.6g s, %.6g of the run; moves most at %.4g m, along (%.3g, %.3g, %.3g)\n", c->kind, c->t,
-               c->share, c->at, d[0], d[1], d[2]);
+        say(r, "  %-12s at %.6g s, %.6g of the run; moves most at %.4g m, along (%.3g, %.3g, %.3g)\n", c->kind, c->t,
+            c->share, c->at, d[0], d[1], d[2]);
     }
     if (s->unstable > 0) printf("  the last equilibrium is not stable: %d motions grow\n", s->unstable);
     if (s->unstable == 0) printf("  the last equilibrium is stable\n");
 }
 
-/* Before the run: what the counts of the model are. */
-void report_scene(const hawser_sim *s)
+/* Before the run: what it is, and on request the counts of its model. */
+void report_scene(const hawser_sim *s, const Arguments *args)
 {
     hawser_summary sum;
     hawser_sim_summary(s, &sum);
     printf("%s\n", hawser_sim_title(s));
+    if (!args->verbose) return;
     printf("  %d segments, %d bushings, %d rollers, %d contact candidates; %g s to simulate\n", sum.segments,
            sum.bushings, sum.rollers, sum.contact_candidates, hawser_sim_end_time(s));
 }
 
 /* Whether the run began at rest. Not having reached it is no error, but the start of the run is then not to be trusted.
  */
-static void report_relaxation(const hawser_relaxation *r)
+static void report_relaxation(const Report *report)
 {
+    const hawser_relaxation *const r = &report->sum.relaxation;
     if (!(r->tolerance_N > 0)) return; /* the case did not want it */
     if (r->reached) {
-        printf("\nAt rest before t = 0: largest unbalanced force %.2g N after %d iterations, moved by up to "
-               "%.3g mm\n",
-               r->residual_N, r->iterations, 1e3 * r->moved_m);
+        say(report,
+            "\nAt rest before t = 0: largest unbalanced force %.2g N after %d iterations, moved by up to %.3g mm\n",
+            r->residual_N, r->iterations, 1e3 * r->moved_m);
     } else {
-        printf(
-            "\nNot at rest before t = 0: %.3g N are unbalanced at segment %d (aim: %.3g N); the start of the run may "
-            "show it\n",
-            r->residual_N, r->segment, r->tolerance_N);
+        say(report, "\nNot at rest before t = 0: %.3g N are unbalanced at segment %d (aim: %.3g N)\n", r->residual_N,
+            r->segment, r->tolerance_N);
     }
 }
 
 /* One theory: its winch force, how far the simulated mean lies from it, and the stations' errors. */
-static void report_theory(const char *name, double total, double pull, double max_pct, double mean_pct)
+static void report_theory(const Report *r, const char *name, double total, double max_pct, double mean_pct)
 {
+    char force[HAWSER_SHOWN_MAX];
     if (!(total > 0)) return;
-    printf("  %-18s %12.2f N %+13.2f %% %21.2f %% %7.2f %%\n", name, total, 100 * (pull - total) / total, max_pct,
-           mean_pct);
+    printf("  %-18s %14s %+12.2f %% %21.2f %% %7.2f %%\n", name, hawser_show(total, "N", r->units, force),
+           100 * (r->sum.pull_mean_N - total) / total, max_pct, mean_pct);
 }
 
-/* An error bar behind its figure; nothing where it is not known. Beyond the figure itself its size says nothing. */
-static const char *say_error(const hawser_error_bar *bar, double figure, char text[32])
+/* How even the pull was and what theory says of it; the pull itself is in the answer. */
+static void report_pull(const Report *r)
 {
-    *text = 0;
-    if (!(bar->total >= 0) || !(fabs(figure) > 0)) return text;
-    if (bar->total < fabs(figure)) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
-    if (bar->total >= fabs(figure)) snprintf(text, 32, " +- over 100 %%");
-    return text;
-}
-
-/* The figures that a run is made for: the pull, its theory, and when it was steady. */
-static void report_pull(const hawser_summary *s)
-{
-    if (!(s->pull_peak_N > 0)) {
-        printf("\nNothing was pulled: there is no winch, or its rope stayed slack\n");
-        return;
-    }
-    char mean[32], peak[32];
-    say_error(&s->pull_mean_error, s->pull_mean_N, mean);
-    say_error(&s->pull_peak_error, s->pull_peak_N, peak);
-    if (isnan(s->pull_mean_N)) {
-        printf("\nPull force: peak %.2f N%s; no mean, its window begins at %g s\n", s->pull_peak_N, peak,
-               s->steady_from_s);
-        return;
-    }
-    printf("\nPull force: mean %.2f N%s (ripple %.3g N RMS) from %g s to %g s, peak %.2f N%s\n", s->pull_mean_N, mean,
-           s->pull_ripple_N, s->steady_from_s, s->steady_to_s, s->pull_peak_N, peak);
-    printf("  %-18s %14s %15s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");
-    report_theory("reference theory", s->reference_total_N, s->pull_mean_N, s->error_max_pct, s->error_mean_pct);
-    report_theory("paper's formulas", s->paper_total_N, s->pull_mean_N, s->error_max_paper_pct,
-                  s->error_mean_paper_pct);
-    printf("  speed %.5g m/s, settled at %.4g s\n", s->steady_speed_m_per_s, s->settle_time_s);
+    const hawser_summary *s = &r->sum;
+    if (!(s->pull_peak_N > 0) || isnan(s->pull_mean_N) || !(s->steady_to_s > s->steady_from_s)) return;
+    say(r, "\nSteady pull from %g s to %g s: ripple %.3g N RMS, speed %.5g m/s, ", s->steady_from_s, s->steady_to_s,
+        s->pull_ripple_N, s->steady_speed_m_per_s);
+    if (s->settle_time_s < s->sim_time_s * (1 - 1e-9))
+        printf("settled at %.4g s\n", s->settle_time_s);
+    else
+        printf("not settled when the run ended\n");
+    printf("  %-18s %14s %14s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");
+    report_theory(r, "reference theory", s->reference_total_N, s->error_max_pct, s->error_mean_pct);
+    report_theory(r, "paper's formulas", s->paper_total_N, s->error_max_paper_pct, s->error_mean_paper_pct);
 }
 
 /* What machines did, one line each, under the heading of their kind. */
-static void report_machines(const hawser_summary *s)
+static void report_machines(const Report *r)
 {
+    char figure[2 * HAWSER_SHOWN_MAX];
     const char *kind = "";
-    for (int i = 0; i < s->n_machines; i++) {
-        const hawser_machine *m = &s->machines[i];
+    for (int i = 0; i < r->sum.n_machines; i++) {
+        const hawser_machine *m = &r->sum.machines[i];
         if (strcmp(kind, m->kind)) printf("  %s:\n", kind = m->kind);
         printf("    %s:", m->name);
-        for (int k = 0; k < m->n_figures; k++) printf("%s %s %.4g", k ? "," : "", m->figure[k].key, m->figure[k].value);
+        for (int k = 0; k < m->n_figures; k++) {
+            printf("%s %s", k ? "," : "", hawser_show_figure(&m->figure[k], r->units, figure));
+        }
         printf("\n");
     }
 }
 
-/* Trips and what followed. */
-static void report_events(const hawser_summary *s)
+/* What the one cable that was computed stands for: its terms, then a line a duct. */
+static void report_bundle(const Report *r)
 {
-    for (int i = 0; i < s->n_events; i++) {
-        const hawser_event *e = &s->events[i];
-        printf("  t = %8.3f s: %s, pull %.2f N\n", e->t, e->what, e->pull_N);
+    const hawser_bundle *const b = r->sum.bundle;
+    if (!b) return;
+    say(r,
+        "\nBundle: %s taken as one cable, %.4g kg/m, EA %.4g MN, EI %.4g N m2, GJ %.4g N m2, touching with %.4g mm\n",
+        b->name, b->mass_kg_per_m, b->EA_N / 1e6, b->EI_N_m2, b->GJ_N_m2, 1e3 * b->diameter_m);
+    for (int i = 0; i < b->n_ducts; i++) {
+        const hawser_bundle_duct *const d = &b->ducts[i];
+        printf(
+            "  %s: %s, weight factor %.4g (%s), so friction %.4g, in bends %.4g; the worst cable bears %.3g of T/R\n",
+            d->name, d->layout, d->weight_factor, b->weight_correction, d->friction_straight, d->friction_bend,
+            d->sidewall_factor);
+        say(r, "  %*s  jam ratio %.3g (risk %s), clearance %.3g mm, fill %.3g %%, room %.3g mm\n", (int)strlen(d->name),
+            "", d->jam_ratio, d->jam_risk, 1e3 * d->clearance_m, 100 * d->fill, 1e3 * d->room_m);
+    }
+}
+
+/* Trips and what followed. */
+static void report_events(const Report *r)
+{
+    for (int i = 0; i < r->sum.n_events; i++) {
+        const hawser_event *e = &r->sum.events[i];
+        say(r, "  t = %8.3f s: %s, pull %.2f N\n", e->t, e->what, e->pull_N);
     }
 }
 
 /* The most heavily loaded roller. */
-static void report_rollers(hawser_sim *s)
+static void report_rollers(const Report *report, hawser_sim *s)
 {
+    char load[HAWSER_SHOWN_MAX];
     const hawser_roller *r;
     const int n = hawser_sim_rollers(s, &r);
     if (n == 0) return;
@@ -146,9 +177,9 @@ static void report_rollers(hawser_sim *s)
     for (int i = 1; i < n; i++) {
         if (r[i].peak_N > heaviest->peak_N) heaviest = &r[i];
     }
-    printf("  largest roller load %.1f N on %s", heaviest->peak_N, heaviest->name);
-    if (!isnan(heaviest->steady_N)) printf(", steady %.1f N", heaviest->steady_N);
-    if (heaviest->rating_N > 0) printf(", rated %g N", heaviest->rating_N);
+    printf("  largest roller load %s on %s", hawser_show(heaviest->peak_N, "N", report->units, load), heaviest->name);
+    if (!isnan(heaviest->steady_N)) printf(", steady %s", hawser_show(heaviest->steady_N, "N", report->units, load));
+    if (heaviest->rating_N > 0) printf(", rated %s", hawser_show(heaviest->rating_N, "N", report->units, load));
     printf("\n");
 }
 
@@ -171,10 +202,11 @@ static void report_work(const hawser_summary *s)
 }
 
 /* Whether energy and momentum add up. */
-static void report_balance(const hawser_balance *b)
+static void report_balance(const Report *r)
 {
+    const hawser_balance *const b = r->sum.balance;
     if (!b) return;
-    printf(
+    say(r,
         "\nBalances: energy closes to %.2g %% of what goes through '%s' (%.4g kJ), momentum to %.2g %% of the largest "
         "impulse; the steps in time took %.2g %%\n",
         100 * b->residual_share, b->turnover_of, b->turnover_J / 1e3, 100 * b->impulse_residual_share,
@@ -198,76 +230,51 @@ static void report_phases(const hawser_summary *s)
     }
 }
 
-/* A number with its unit, in kN where it is a large force. */
-static const char *say_quantity(double value, const char *unit, char text[32])
+/* The limits one by one; where a limit comes from stands below it if the line has no room for it. */
+static void report_limits(const Report *r, int n, const hawser_limit *limit)
 {
-    const int large = unit[0] == 'N';
-    const char *const shown = !strcmp(unit, "1") ? "" : unit;
-    if (isinf(value)) return "none";
-    if (isnan(value)) return "-";
-    snprintf(text, 32, "%.4g%s%s%s", large ? value / 1e3 : value, *shown ? " " : "", large ? "k" : "", shown);
-    return text;
-}
-
-/* The verdict and what it rests on, one reason a line: the answer that everything below is for. */
-static void report_verdict(const hawser_summary *s, const char *verdict)
-{
-    char found[32], allowed[32];
-    int failed = 0;
-    for (int i = 0; i < s->n_conditions; i++) failed += !s->conditions[i].holds;
-    if (failed) {
-        printf("\nNOT TRUSTED, for %d reason%s\n", failed, failed > 1 ? "s" : "");
-    } else {
-        printf("\n%s\n  the figures are to be trusted: all %d conditions hold\n", verdict, s->n_conditions);
-    }
-    for (int i = 0; i < s->n_conditions; i++) {
-        const hawser_condition *c = &s->conditions[i];
-        if (c->holds) continue;
-        printf("  %-16s %s (found %s, allowed %s)\n", c->name, c->remedy, say_quantity(c->value, c->unit, found),
-               say_quantity(c->allowed, c->unit, allowed));
-    }
-}
-
-/* The limits one by one. */
-static void report_limits(int n, const hawser_limit *limit)
-{
-    char found[32], allowed[32];
-    if (n > 0) printf("\nLimits\n  %-14s %12s %12s %9s\n", "", "found", "allowed", "margin");
+    char found[HAWSER_SHOWN_MAX], allowed[HAWSER_SHOWN_MAX], where[SENTENCE_MAX], source[SENTENCE_MAX];
+    if (n > 0) printf("\nLimits\n  %-14s %13s %13s %9s\n", "", "found", "allowed", "margin");
     for (int i = 0; i < n; i++) {
         const hawser_limit *l = &limit[i];
-        printf("  %-14s %12s %12s ", l->name, say_quantity(l->value, l->unit, found),
-               say_quantity(l->limit, l->unit, allowed));
-        if (l->judged)
-            printf("%7.1f %%  %-10s %s; %s\n", 100 * l->margin, l->ok ? "holds" : "BROKEN", l->where, l->source);
-        if (!l->judged) printf("%9s  not judged: %s\n", "-", l->source);
+        hawser_show_text(l->where, r->units, where, sizeof where);
+        hawser_show_text(l->source, r->units, source, sizeof source);
+        int used = printf("  %-14s %13s %13s ", l->name, hawser_show(l->value, l->unit, r->units, found),
+                          hawser_show(l->limit, l->unit, r->units, allowed));
+        if (l->judged) used += printf("%7.1f %%  %-7s %s", 100 * l->margin, l->ok ? "holds" : "BROKEN", where);
+        if (!l->judged) used += printf("%9s  not judged", "-");
+        const int fits = used + 2 + (int)strlen(source) <= PAGE;
+        printf(fits ? "; %s\n" : "\n                 %s\n", source);
     }
 }
 
-/* The whole report, in the order in which a planner asks. The verdict comes first, and last of all in one line, where a
- * long report ends. */
-void report_run(hawser_sim *s, const char *dir)
+/* The whole report, in the order in which a planner asks: the answer, then what it rests on. */
+void report_run(hawser_sim *s, const Arguments *args, const char *dir)
 {
-    hawser_summary sum;
+    Report r = {.units = args->units};
     hawser_limit limit[HAWSER_LIMITS_MAX];
-    char verdict[HAWSER_VERDICT_MAX];
-    hawser_sim_summary(s, &sum);
+    char answer[HAWSER_ANSWER_MAX];
+    hawser_sim_summary(s, &r.sum);
     const int n = hawser_sim_limits(s, limit);
-    hawser_verdict(sum.n_conditions, sum.conditions, n, limit, verdict, sizeof verdict);
-    report_verdict(&sum, verdict);
-    if (sum.rod) {
-        report_rod(&sum);
-        report_stability(&sum);
-        report_modes(&sum);
+    printf("\n%s", hawser_sim_answer(s, args->units, answer, sizeof answer));
+    if (r.sum.rod) {
+        report_rod(&r);
+        report_stability(&r);
+        report_modes(&r.sum);
     } else {
-        report_pull(&sum);
+        report_pull(&r);
     }
-    report_machines(&sum);
-    report_events(&sum);
-    report_rollers(s);
-    report_limits(n, limit);
-    report_relaxation(&sum.relaxation);
-    report_balance(sum.balance);
-    report_work(&sum);
-    report_phases(&sum);
-    printf("\nResults: %s\n\n%s\n", dir, verdict);
+    report_bundle(&r);
+    report_machines(&r);
+    report_events(&r);
+    report_rollers(&r, s);
+    report_limits(&r, n, limit);
+    report_assumptions(s, r.units);
+    if (args->verbose) {
+        report_relaxation(&r);
+        report_balance(&r);
+        report_work(&r.sum);
+        report_phases(&r.sum);
+    }
+    printf("\nResults: %s\n", dir);
 }

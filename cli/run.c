@@ -11,9 +11,9 @@ static const char help[] =
     "Usage: hawser run CASE [options]\n"
     "\n"
     "Simulates the pull that the case file CASE describes, prints a report and writes the results. The report begins\n"
-    "with the verdict: SAFE or NOT SAFE by the case's limits, NOT JUDGED without them, NOT TRUSTED with reasons where "
+    "with the answer: SAFE or NOT SAFE by the case's limits, NOT JUDGED without them, NOT TRUSTED with reasons where "
     "the\n"
-    "figures are not worth judging.\n"
+    "figures are not worth judging; then the pull against what is allowed, the worst place, and what to do about it.\n"
     "\n"
     "  -o, --output DIR        where the results go (default: results/NAME, NAME from CASE)\n"
     "      --set KEY=VALUE     changes a value of the case, as in --set drive.winch.speed='3 m/min';\n"
@@ -26,6 +26,8 @@ static const char help[] =
     "      --tolerance SHARE   that of --certify, which it implies (default: 1%)\n"
     "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
     "                            figures that are not to be trusted: status 6; not certified: status 7\n"
+    "      --units UNITS       of what is printed: si (default: kN, m, mm2) or us (lbf, ft, kcmil); files are in SI\n"
+    "  -v, --verbose           prints the solver's work, balances and timings too\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
@@ -114,7 +116,7 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
                     hawser_error *err)
 {
     const int kept = status == HAWSER_OK || status == HAWSER_STOPPED || status == HAWSER_ERR_RUN;
-    if (!args->quiet && kept) report_run(sim, dir);
+    if (!args->quiet && kept) report_run(sim, args, dir);
     fflush(stdout);
     int certified = 1;
     if (args->certify && !status) certified = certify_run(args, c, sim, dir, was_interrupted, err, &status);
@@ -139,7 +141,7 @@ static int run(const Arguments *args)
     const char *dir = args->dir ? args->dir : made;
     int result = EXIT_INTERNAL;
     if (dir) {
-        if (!args->quiet) report_scene(sim);
+        if (!args->quiet) report_scene(sim, args);
         fflush(stdout);
         catch_signals();
         progress_start(&progress, args->quiet);
@@ -153,4 +155,4 @@ static int run(const Arguments *args)
     return result;
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqSCT", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCT", help, run};

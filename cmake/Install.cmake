@@ -41,6 +41,10 @@ set_target_properties(hawser_static PROPERTIES OUTPUT_NAME hawser LINKER_LANGUAG
 install(TARGETS hawser_shared EXPORT hawserTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS hawser_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(FILES LICENSE NOTICE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The catalogue is found by its place beside program and library (io/library/library_place.c), also in a build.
+install(DIRECTORY library/ DESTINATION share/hawser/library FILES_MATCHING PATTERN "*.yaml")
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/hawser)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/library ${PROJECT_BINARY_DIR}/share/hawser/library SYMBOLIC)
 install(DIRECTORY include/hawser DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
 # The pkg-config file finds the prefix from its own place, so that the tree may be moved.

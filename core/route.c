@@ -5,20 +5,21 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "core/route_make.h"
 
 /* Level part of a unit tangent below which it counts as vertical; rounding leaves about 1e-15 of it. */
 static const double LEVEL_MIN = 1e-9;
 
-/* The level unit vector to the left of a tangent, e_z x t (R2); the zero vector for a vertical tangent. */
-static Vec3 level_left(Vec3 t)
+Vec3 route_level_left(Vec3 t)
 {
     const double level = hypot(t.x, t.y);
     return level > LEVEL_MIN ? v3(-t.y / level, t.x / level, 0) : v3(0, 0, 0);
 }
 
-/* Position, tangent and curvature at distance x from a piece's start; straight on for x < 0. (R1) */
-static RoutePoint piece_at(const RoutePiece *p, double x)
+/* Position, tangent and curvature at distance x from a piece's start; straight on for x < 0. (R1), (RO1) */
+static RoutePoint piece_at(const Route *route, const RoutePiece *p, double x)
 {
+    if (p->kind >= ROUTE_CURVE && x >= 0) return route_curve_at(route, p, x);
     RoutePoint at = {.position = v3_axpy(p->start, x, p->tangent), .tangent = p->tangent};
     if (p->kind == ROUTE_BEND && x >= 0) {
         const double turn = x / p->radius, c = cos(turn), s = sin(turn), half = sin(turn / 2);
@@ -30,24 +31,27 @@ static RoutePoint piece_at(const RoutePiece *p, double x)
     return at;
 }
 
-/* Unit vector from a bend's start toward its centre: cos(plane) left + sin(plane) up, up = t x left. (R2) */
-static Vec3 bend_centre(Vec3 tangent, Vec3 left, double plane)
+/* The tangent on this slope whose level left is known. */
+static Vec3 tangent_on(double slope, Vec3 left)
 {
-    const Vec3 up = v3_cross(tangent, left);
-    return v3_unit(v3_reject(v3_add(v3_scale(cos(plane), left), v3_scale(sin(plane), up)), tangent));
+    return v3_axpy(v3_scale(cos(slope), v3(left.y, -left.x, 0)), sin(slope), v3(0, 0, 1));
 }
 
 /* Sets one piece to begin at s0 with the given start and tangent; left is the level left there. */
-static void piece_set(RoutePiece *p, const RoutePieceDef *def, double s0, const RoutePoint *at, Vec3 left)
+static hawser_status piece_set(Route *route, RoutePiece *p, const RoutePieceDef *def, const RoutePoint *at, Vec3 left,
+                               hawser_error *err)
 {
     const int bend = def->kind == ROUTE_BEND;
-    *p = (RoutePiece){.kind = def->kind, .s0 = s0, .start = at->position, .tangent = at->tangent};
+    *p = (RoutePiece){.kind = def->kind, .s0 = route->length, .start = at->position, .tangent = at->tangent};
     memcpy(p->name, def->name, sizeof p->name);
+    if (def->sloped) p->tangent = tangent_on(def->slope, left);
+    if (def->kind >= ROUTE_CURVE) return route_curve_set(route, p, def, left, err);
     p->length = bend ? def->radius * def->angle : def->length;
     p->radius = bend ? def->radius : 0;
     p->angle = bend ? def->angle : 0;
-    p->centre = bend ? bend_centre(at->tangent, left, def->plane) : v3(0, 0, 0);
+    p->centre = bend ? route_centre(p->tangent, left, def->plane) : v3(0, 0, 0);
     assert(p->length > 0);
+    return HAWSER_OK;
 }
 
 hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 start, double heading, double slope,
@@ -61,19 +65,25 @@ hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 st
     }
     RoutePoint at = {.position = start};
     at.tangent = v3(cos(slope) * cos(heading), cos(slope) * sin(heading), sin(slope));
-    Vec3 left = level_left(at.tangent);
-    for (int i = 0; i < n; i++) {
-        piece_set(&route->piece[i], &def[i], route->length, &at, left);
-        at = piece_at(&route->piece[i], route->piece[i].length);
+    route->left = route_level_left(at.tangent);
+    if (v3_norm(route->left) < 0.5) route->left = v3(-sin(heading), cos(heading), 0);
+    Vec3 left = route->left;
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < n && !status; i++) {
+        status = piece_set(route, &route->piece[i], &def[i], &at, left, err);
+        if (status) break;
+        at = piece_at(route, &route->piece[i], route->piece[i].length);
         route->length += route->piece[i].length;
         left = route_left(route, route->length);
     }
-    return HAWSER_OK;
+    if (status) route_clear(route);
+    return status;
 }
 
 void route_clear(Route *route)
 {
     free(route->piece);
+    free(route->knot);
     *route = (Route){0};
 }
 
@@ -98,12 +108,20 @@ RoutePoint route_at(const Route *route, double s)
     const int i = piece_find(route, s);
     const RoutePiece *p = &route->piece[i];
     const double beyond = s - route->length;
-    RoutePoint at = piece_at(p, beyond > 0 ? p->length : s - p->s0);
+    RoutePoint at = piece_at(route, p, beyond > 0 ? p->length : s - p->s0);
     at.piece = i;
     if (beyond > 0) {
         at.position = v3_axpy(at.position, beyond, at.tangent);
         at.curvature = v3(0, 0, 0);
     }
+    return at;
+}
+
+RoutePoint route_on_piece(const Route *route, int piece, double s)
+{
+    const RoutePiece *const p = &route->piece[piece];
+    RoutePoint at = piece_at(route, p, fmin(fmax(s - p->s0, 0), p->length));
+    at.piece = piece;
     return at;
 }
 
@@ -125,18 +143,34 @@ int route_grade_lost(const Route *route, double least, double *before, double *a
     return -1;
 }
 
+int route_turns_aside(const RoutePiece *piece)
+{
+    if (piece->kind == ROUTE_BEND) return fabs(v3_cross(piece->tangent, piece->centre).z) > 1e-9;
+    return piece->kind != ROUTE_STRAIGHT && piece->curve.sideways;
+}
+
+const char *route_piece_word(const RoutePiece *piece)
+{
+    static const char *const words[] = {"straight", "bend", "curve", "cubic"};
+    const RouteCurve *const c = &piece->curve;
+    if (piece->kind != ROUTE_CURVE) return words[piece->kind];
+    if (fabs(c->sharp) > 0) return c->profile == PROFILE_GRADE ? "clothoid" : "curve";
+    if (!(fabs(c->bend) > 0)) return c->profile == PROFILE_PARABOLA ? "parabola" : "vertical arc";
+    return c->profile == PROFILE_GRADE ? "helix" : "curve";
+}
+
 /* Where the tangent is vertical inside a bend, the tangent just before it is t - ds c with the level vector c
  * toward the centre; where a piece begins vertically, the question goes to the piece before it. (R3) */
 Vec3 route_left(const Route *route, double s)
 {
     const RoutePoint at = route_at(route, s);
-    Vec3 left = level_left(at.tangent);
+    Vec3 left = route_level_left(at.tangent);
     for (int i = at.piece; v3_norm(left) < 0.5 && i >= 0; i--) {
         const RoutePiece *p = &route->piece[i];
         const double x = s < p->s0 + p->length ? s - p->s0 : p->length;
-        const RoutePoint before = piece_at(p, x);
-        left = level_left(before.tangent);
-        if (v3_norm(left) < 0.5 && x > 0) left = level_left(v3_scale(-1, before.curvature));
+        const RoutePoint before = piece_at(route, p, x);
+        left = route_level_left(before.tangent);
+        if (v3_norm(left) < 0.5 && x > 0) left = route_level_left(v3_scale(-1, before.curvature));
     }
-    return v3_unit(left);
+    return v3_norm(left) < 0.5 ? route->left : v3_unit(left);
 }

@@ -1,40 +1,81 @@
-/* A route: straights and circular bends end to end in three dimensions, with tangents that join smoothly.
- * It is the line on which the cable's centre is meant to lie. s is the arc length from the start, m. */
+/* A route: pieces end to end in three dimensions, with tangents that join smoothly: straights, bends in a plane, and
+ * curves (clothoids, helices, plan and profile together, cubics). It is the line on which the cable's centre is meant
+ * to lie. s is the arc length from the start, m. docs/model.md, "Routes". What makes lists of pieces out of points,
+ * plans and profiles stands in core/route_make.h. */
 #ifndef HAWSER_CORE_ROUTE_H
 #define HAWSER_CORE_ROUTE_H
 
 #include "core/base/vec3.h"
 #include "hawser/hawser.h"
 
-typedef enum RoutePieceKind { ROUTE_STRAIGHT, ROUTE_BEND } RoutePieceKind;
+typedef enum RoutePieceKind { ROUTE_STRAIGHT, ROUTE_BEND, ROUTE_CURVE, ROUTE_CUBIC } RoutePieceKind;
+
+/* How a curve rises over its plan: slope's angle linear in s (constant, or a circular arc), or height a parabola. */
+typedef enum RouteProfileKind { PROFILE_GRADE, PROFILE_ARC, PROFILE_PARABOLA } RouteProfileKind;
 
 enum { ROUTE_NAME_MAX = 48 };
 
 /* One piece as the user describes it; plane is the angle of the bend's centre about the tangent: 0 the centre lies to
- * the left and level, pi/2 above (the route turns upward), pi to the right, 3pi/2 below. */
+ * the left and level, pi/2 above (the route turns upward), pi to the right, 3pi/2 below.
+ * A curve is a plan, whose curvature is linear along its own length, with a profile over it. Upright: the plan is
+ * level, curvature counts to the left, and the profile begins on the slope that the route has there. Not upright: the
+ * plan lies in the plane of the tangent and of the centre that `plane` says, toward which curvature counts; it has no
+ * profile. */
 typedef struct RoutePieceDef {
     RoutePieceKind kind;
     char name[ROUTE_NAME_MAX];
-    double length; /* straight: m, > 0 */
+    double length; /* straight: m, > 0; curve: of its plan */
     double radius; /* bend: m, > 0 */
     double angle;  /* bend: rad, > 0 */
-    double plane;  /* bend: rad */
+    double plane;  /* bend, curve that is not upright: rad */
+    int sloped;   /* it begins on a slope of its own, on the heading of the piece before: a corner (see route_make.h) */
+    double slope; /* rad, of that */
+    int upright;  /* curve */
+    double curvature[2];      /* curve: of the plan, at its start and end, 1/m; not both 0 unless the profile bends */
+    RouteProfileKind profile; /* curve that is upright */
+    double slope_end;         /* curve with an arc or a parabola: slope at its end, rad, within +-pi/2 */
+    Vec3 cubic[3];            /* cubic: position from its start is c0 u + c1 u^2 + c2 u^3, 0 <= u <= 1, m; c0 != 0 */
 } RoutePieceDef;
+
+/* Where the integrals along a curve have been taken: its parameter u, arc length and plan up to there, m. */
+typedef struct RouteKnot {
+    double u, x;
+    double along, aside;
+} RouteKnot;
+
+/* A curve that is built (RO1)-(RO9). The parameter u is the plan's length, m, or a cubic's 0..1. */
+typedef struct RouteCurve {
+    Vec3 axis[3];       /* unit: along the plan's first tangent, toward positive curvature, up */
+    double bend, sharp; /* plan curvature at its start, 1/m, and by how much it grows per metre, 1/m2 */
+    RouteProfileKind profile;
+    double slope;    /* rad, at its start, over the plan */
+    double vertical; /* arc: 1/m, curvature of the profile; parabola: by how much tan(slope) grows per metre of plan */
+    Vec3 cubic[3];
+    double end;   /* u there */
+    int first, n; /* of the route's knots: n + 1 of them at even steps of u; n = 0: closed form */
+    double jerk;  /* 1/m2, largest |dkappa/ds| square to the tangent */
+    int sideways; /* its plan is not straight */
+} RouteCurve;
 
 typedef struct RoutePiece {
     RoutePieceKind kind;
     char name[ROUTE_NAME_MAX];
     double s0, length; /* m */
-    double radius, angle;
-    Vec3 start;   /* m */
-    Vec3 tangent; /* unit, at the piece's start */
-    Vec3 centre;  /* bends: unit vector from the start toward the centre */
+    double radius,
+        angle;        /* m, rad; of curves the least radius in space and the whole turn of the tangent; straights: 0 */
+    Vec3 start;       /* m */
+    Vec3 tangent;     /* unit, at the piece's start */
+    Vec3 centre;      /* bends: unit vector from the start toward the centre */
+    RouteCurve curve; /* curves and cubics */
 } RoutePiece;
 
 typedef struct Route {
     int n;
     RoutePiece *piece; /* [n] */
     double length;     /* m */
+    Vec3 left;         /* level, unit: to the left of the first heading */
+    int n_knots;
+    RouteKnot *knot; /* [n_knots] of the curves */
 } Route;
 
 /* What the route is like at arc length s: position (m), unit tangent, curvature vector (1/m, toward the centre). */
@@ -44,20 +85,26 @@ typedef struct RoutePoint {
 } RoutePoint;
 
 /* Builds a route of n >= 1 pieces from `start`; heading is the first tangent's angle from x toward y, slope its angle
- * above the horizontal (rad, |slope| < pi/2). Errors: HAWSER_ERR_MEMORY. The definitions must have been checked. */
+ * above the horizontal (rad, |slope| <= pi/2). Errors: HAWSER_ERR_MEMORY. The definitions must have been checked. */
 hawser_status route_build(Route *route, int n, const RoutePieceDef *def, Vec3 start, double heading, double slope,
                           hawser_error *err);
 void route_clear(Route *route);
 
 /* The route at s; before 0 and past its length it goes on straight. */
 RoutePoint route_at(const Route *route, double s);
+/* The same on one piece, whose law holds up to both its ends. */
+RoutePoint route_on_piece(const Route *route, int piece, double s);
 /* Slope of the tangent above the horizontal at s, rad. */
 double route_slope(const Route *route, double s);
+/* Whether a piece turns to a side at all. */
+int route_turns_aside(const RoutePiece *piece);
 /* A bend lies in one plane: one to the side that begins on a slope ends on another. The first of the route that begins
  * with its centre at its start's height and changes the slope by more than `least` (rad); its slopes at both ends. -1:
  * none. */
 int route_grade_lost(const Route *route, double least, double *before, double *after);
 /* Level unit vector to the left of the tangent at s (for a vertical tangent: of the heading before it). */
 Vec3 route_left(const Route *route, double s);
+/* What a table calls a piece: "straight", "bend", "helix", "clothoid", "parabola", "vertical arc", "curve", "cubic". */
+const char *route_piece_word(const RoutePiece *piece);
 
 #endif

@@ -40,7 +40,8 @@ double scene_way(const Scene *scene)
 {
     const int n_patches = scene->surfaces.model.n_patches, n_rollers = scene->contact.n_rollers;
     double cable = INFINITY, way = INFINITY;
-    for (int i = 0; i < scene->def.n_cables; ++i) cable = fmin(cable, scene->def.cables[i].diameter / 2);
+    for (int p = 0; p < scene->def.n_pieces; ++p)
+        cable = fmin(cable, scene->def.cables[scene->def.pieces[p].cable].diameter / 2);
     for (int r = 0; r < n_rollers; ++r) {
         const Shape *const shape = &scene->contact.roller[r].shape;
         way = fmin(way, fmin(shape->radius, shape->half_width) + cable);

@@ -36,7 +36,7 @@ typedef struct Drag {
 typedef struct Surfaces {
     SurfaceModel model;
     SurfacePatch *patch;
-    FrictionLaw *friction; /* [surfaces] */
+    FrictionLaw *friction; /* [2 surfaces] on straights, then in bends */
     SurfacePoints points;
 } Surfaces;
 
@@ -48,7 +48,7 @@ struct Scene {
     int *piece;           /* [total] the chain piece of each segment */
     double *joint_s;      /* [total+1] route coordinate of each joint at t = 0, if all the chain lay there, m */
     int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
-    double cable_weight;  /* N/m, of the piece before the eye */
+    double cable_weight;  /* N/m, of the piece before the eye: of all cables together */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
     double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */
     Route route;

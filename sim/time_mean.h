@@ -6,9 +6,9 @@
 
 #include <math.h>
 
-/* Sums over a stretch of time of a value less `from`. */
+/* Sums over a stretch of time of a value less `from`, `moment` of that times the time since its beginning. */
 typedef struct TimeBlock {
-    double from, sum, square, time; /* value; value s; value^2 s; s */
+    double from, sum, square, moment, time; /* value; value s; value^2 s; value s^2; s */
 } TimeBlock;
 
 typedef struct TimeMean {
@@ -31,6 +31,7 @@ static inline void mean_add(TimeMean *m, double value, double dt, int steady)
         m->time += dt;
         m->block.sum += off * dt;
         m->block.square += off * off * dt;
+        m->block.moment += off * (m->block.time + dt / 2) * dt;
         m->block.time += dt;
     }
     if (m->at_peak) m->sharpness = fabs(m->before - 2 * m->last + value);
@@ -66,6 +67,17 @@ static inline double mean_ripple(const TimeMean *m)
 static inline double mean_waver(const TimeMean *m)
 {
     return m->blocks > 0 ? sqrt(m->wavered / m->blocks) : mean_ripple(m);
+}
+
+/* What a block will show that has not ended, of which a share `passed` has: a straight line goes on as far as the whole
+ * block, and about it the value wavers as it does (EB9). */
+static inline double mean_waver_ahead(const TimeMean *m, double passed)
+{
+    const TimeBlock *const b = &m->block;
+    if (!(b->time > 0)) return 0;
+    const double mean = b->sum / b->time, rise = 12 * (b->moment / b->time - b->sum / 2) / b->time;
+    const double line = rise * rise / 12, about = fmax(0, b->square / b->time - mean * mean - line);
+    return sqrt(about + line / (passed * passed));
 }
 
 #endif

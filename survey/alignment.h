@@ -5,7 +5,7 @@
 #ifndef HAWSER_SURVEY_ALIGNMENT_H
 #define HAWSER_SURVEY_ALIGNMENT_H
 
-#include "core/base/vec3.h"
+#include "core/route.h"
 #include "hawser/hawser.h"
 
 /* A piece in plan. Its curvature, positive to the left, grows evenly from k0 to k1: both 0 a straight, equal an arc,
@@ -16,11 +16,9 @@ typedef struct PlanElement {
     double k0, k1;        /* 1/m */
 } PlanElement;
 
-typedef enum ProfileKind { PROFILE_PARABOLA, PROFILE_ARC } ProfileKind; /* a grade is a parabola that does not bend */
-
 /* A piece of the profile, over the length in plan. */
 typedef struct ProfileElement {
-    ProfileKind kind;
+    RouteProfileKind kind;
     double station;  /* m in plan from where the alignment begins */
     double length;   /* m in plan, > 0 */
     double z, grade; /* m and dz/ds where it begins */
@@ -108,7 +106,7 @@ void alignment_chain(Alignment *a);
 /* Corners of a profile: a straight grade from each to the next, rounded off by a curve of that kind. */
 typedef struct ProfileCorner {
     double station, z; /* m in plan from the alignment's start */
-    ProfileKind kind;
+    RouteProfileKind kind;
     double before, after; /* m in plan, of a parabola on either side of the corner; 0: none */
     double radius;        /* m, of an arc; 0: none */
 } ProfileCorner;

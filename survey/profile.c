@@ -32,7 +32,7 @@ static double reach(const ProfileCorner *c, double in, double out, int side)
     return tangent * cos(atan(side < 0 ? in : out));
 }
 
-static int element_add(Alignment *a, ProfileKind kind, double station, double length, double z, double grade,
+static int element_add(Alignment *a, RouteProfileKind kind, double station, double length, double z, double grade,
                        double bend)
 {
     if (length < 1e-9) return 1;

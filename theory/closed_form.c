@@ -205,6 +205,9 @@ hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, d
         *T2 = slope_tension(T1, w, mu, piece->length, direction * slope);
         return HAWSER_OK;
     }
+    if (piece->kind != ROUTE_BEND) {
+        return error_set(err, HAWSER_ERR_INPUT, "a %s: no closed form", route_piece_word(piece));
+    }
     const double aside = fabs(v3_cross(piece->tangent, piece->centre).z);
     if (fabs(piece->tangent.z) < PLANE_TOLERANCE && fabs(piece->centre.z) < PLANE_TOLERANCE) {
         const double R = piece->radius, turn = piece->angle;

@@ -1,4 +1,4 @@
-#include "theory/plan.h"
+#include "theory/plan_pull.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -8,6 +8,36 @@
 #include "theory/closed_form.h"
 
 static int is_length(double x) { return x >= 0 && isfinite(x); }
+
+/* Rope, push, machines and wear. */
+static hawser_status check_planner(const PlanDef *def, hawser_error *err)
+{
+    if (!is_length(def->rope_weight) || !is_length(def->feed)) {
+        return error_set(err, HAWSER_ERR_INPUT, "a rope of %g N/m and a push of %g N must not be negative",
+                         def->rope_weight, def->feed);
+    }
+    if (!isfinite(def->beyond) || def->route->length + def->beyond <= 0) {
+        return error_set(err, HAWSER_ERR_INPUT, "a pull that ends %g m beyond a route of %g m has no length",
+                         def->beyond, def->route->length);
+    }
+    for (int i = 0; i < def->n_steps; i++) {
+        if (!is_length(def->step[i].force)) {
+            return error_set(err, HAWSER_ERR_INPUT, "the machine or pit at %g m: %g N must not be negative",
+                             def->step[i].at, def->step[i].force);
+        }
+    }
+    for (int k = 0; k < def->n_wear; k++) {
+        const PlanWear *w = &def->wear[k];
+        const int later = k == 0 || w->from > w[-1].from;
+        const int more = def->wear_by == WEAR_CABLE || w->factor >= (k > 0 ? w[-1].factor : 1);
+        if (!(w->factor > 0 && isfinite(w->factor)) || !is_length(w->from) || !later || !more) {
+            return error_set(err, HAWSER_ERR_INPUT,
+                             "wear from %g m on by %g: lengths must rise, factors be positive and, by place, not fall",
+                             w->from, w->factor);
+        }
+    }
+    return HAWSER_OK;
+}
 
 static hawser_status check_def(const PlanDef *def, hawser_error *err)
 {
@@ -29,45 +59,7 @@ static hawser_status check_def(const PlanDef *def, hawser_error *err)
                              def->route->length);
         }
     }
-    return HAWSER_OK;
-}
-
-/* What pull_solve is given: friction times the duct's weight factor (T20), pushes as negative steps (T26).
- */
-typedef struct Inputs {
-    PullStretch *stretch;
-    PullStep *step[PLAN_WAYS];
-} Inputs;
-
-static void inputs_clear(Inputs *in)
-{
-    free(in->stretch);
-    for (int k = 0; k < PLAN_WAYS; k++) free(in->step[k]);
-}
-
-/* The pushes of one direction; NULL without memory. */
-static PullStep *steps_new(int n, const PullStep *push)
-{
-    PullStep *step = malloc((size_t)(n + 1) * sizeof *step);
-    for (int i = 0; step && i < n; i++) step[i] = (PullStep){.at = push[i].at, .force = -push[i].force};
-    return step;
-}
-
-/* With a duct the worst loaded cable's share of T/R is the duct's. */
-static hawser_status inputs_set(const PlanDef *def, const DuctLoad *duct, Inputs *in, hawser_error *err)
-{
-    const int n = def->n_pushes;
-    in->stretch = malloc((size_t)def->n_stretches * sizeof *in->stretch);
-    in->step[PLAN_FORWARD] = steps_new(n, def->push);
-    in->step[PLAN_BACKWARD] = steps_new(n, def->push_back ? def->push_back : def->push);
-    if (!in->stretch || !in->step[PLAN_FORWARD] || !in->step[PLAN_BACKWARD]) return error_memory(err);
-    for (int i = 0; i < def->n_stretches; i++) {
-        in->stretch[i] = def->stretch[i];
-        in->stretch[i].mu *= duct->weight_factor;
-        in->stretch[i].mu_static *= duct->weight_factor;
-        if (def->duct) in->stretch[i].share = duct->sidewall_factor;
-    }
-    return HAWSER_OK;
+    return check_planner(def, err);
 }
 
 /* One span's outcome by the closed form, where the piece is a single span. */
@@ -112,31 +104,23 @@ static void fill_pieces(const PlanDef *def, PlanWay *way)
 }
 
 /* The route pulled one way: reel, pull, rope; then again from rest. */
-static hawser_status solve_way(const PlanDef *def, const Inputs *in, int backward, PlanWay *way, hawser_error *err)
+static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, PlanWay *way, hawser_error *err)
 {
-    const double first = backward ? def->route->length : 0, last = backward ? 0 : def->route->length;
     /* of what lies where the pull starts: it is what the reel pays out */
-    const double weight = stretch_at(def->n_stretches, def->stretch, first)->weight;
-    way->start = weight * def->reel_length + def->back_tension; /* (T24) */
-    way->rope = weight * def->rope_length + def->rope_force;    /* (T25) */
-    PullDef pull = {.route = def->route,
-                    .from = first,
-                    .to = last,
-                    .start_tension = way->start,
-                    .n_stretches = def->n_stretches,
-                    .stretch = in->stretch,
-                    .n_steps = def->n_pushes,
-                    .step = in->step[backward],
-                    .restart = 1};
+    const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, k))->weight;
+    PlanPullDef what = {.way = k, .whole = 1, .restart = 1};
     Pull restart;
-    hawser_status status = pull_solve(&pull, &restart, err);
+    way->start = plan_section(def, k, 0).start;
+    way->rope = weight * def->rope_length + def->rope_force; /* (T25) */
+    hawser_status status = plan_pull(def, load, &what, &restart, err);
     if (status) return status;
     way->restart_force = restart.end_tension + way->rope;
     way->restart_max = restart.max_tension;
     way->restart_at = restart.max_at;
+    way->restart_piece = restart.max_piece;
     pull_clear(&restart);
-    pull.restart = 0;
-    status = pull_solve(&pull, &way->pull, err);
+    what.restart = 0;
+    status = plan_pull(def, load, &what, &way->pull, err);
     if (status) return status;
     way->force = way->pull.end_tension + way->rope;
     way->piece = calloc((size_t)def->route->n, sizeof *way->piece);
@@ -148,14 +132,11 @@ static hawser_status solve_way(const PlanDef *def, const Inputs *in, int backwar
 hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err)
 {
     *out = (Plan){.duct = {.layout = DUCT_SINGLE, .weight_factor = 1, .sidewall_factor = 1}};
-    Inputs in = {0};
     hawser_status status = check_def(def, err);
     if (!status && def->duct) status = duct_load(def->duct, &out->duct, err);
-    if (!status) status = inputs_set(def, &out->duct, &in, err);
     for (int k = 0; k < PLAN_WAYS && !status; k++) {
-        status = solve_way(def, &in, k, &out->way[k], err);
+        if (!def->skip[k]) status = solve_way(def, &out->duct, k, &out->way[k], err);
     }
-    inputs_clear(&in);
     if (status) {
         plan_clear(out);
         return status;

@@ -8,13 +8,18 @@ static const double STEP_TOLERANCE = 1e-12;
 /* Share of weight (and of T/R) below which a normal force, or its part out of the bend's plane, counts as
  * zero. */
 static const double ZERO_FORCE = 1e-11;
+/* 1/m: a curve that bends less counts as straight there. */
+static const double STRAIGHT_MAX = 1e-12;
 
 SpanLine span_line(const Route *route, double s)
 {
     const RoutePoint at = route_at(route, s);
     SpanLine line = {.s_ref = s, .tz = at.tangent.z, .nz = hypot(at.tangent.x, at.tangent.y)};
-    if (v3_norm(at.curvature) > 0) {
-        const RoutePiece *p = &route->piece[at.piece];
+    const RoutePiece *p = &route->piece[at.piece];
+    if (s >= 0 && s <= route->length && p->kind >= ROUTE_CURVE) {
+        line.route = route;
+        line.piece = at.piece;
+    } else if (v3_norm(at.curvature) > 0) {
         line.s_ref = p->s0;
         line.curvature = 1 / p->radius;
         line.tz = p->tangent.z;
@@ -24,26 +29,40 @@ SpanLine span_line(const Route *route, double s)
     return line;
 }
 
+/* On a curve: the centre's direction where it bends, else a straight's frame (RO16). */
+static SpanFrame curve_frame(const SpanLine *line, double s)
+{
+    const RoutePoint at = route_on_piece(line->route, line->piece, s);
+    const double k = v3_norm(at.curvature), level = hypot(at.tangent.x, at.tangent.y);
+    if (!(k > STRAIGHT_MAX)) return (SpanFrame){.tz = at.tangent.z, .nz = level};
+    const Vec3 n = v3_scale(1 / k, at.curvature);
+    return (SpanFrame){.curvature = k, .tz = at.tangent.z, .nz = n.z, .bz = v3_cross(at.tangent, n).z};
+}
+
 SpanFrame span_frame(const SpanLine *line, double s)
 {
+    if (line->route) return curve_frame(line, s);
     const double turn = (s - line->s_ref) * line->curvature, c = cos(turn), n = sin(turn);
-    return (SpanFrame){.tz = c * line->tz + n * line->nz, .nz = c * line->nz - n * line->tz};
+    return (SpanFrame){.curvature = line->curvature,
+                       .tz = c * line->tz + n * line->nz,
+                       .nz = c * line->nz - n * line->tz,
+                       .bz = line->bz};
 }
 
 /* (T6): the support balances T k n plus the weight's normal part, -w (nz n + bz b). */
 static double normal_force(const SpanLaw *p, SpanFrame f, double tension)
 {
-    const double pull = p->law == PULL_REFERENCE ? tension * p->line.curvature : 0;
-    return hypot(pull - p->weight * f.nz, p->weight * p->line.bz);
+    const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
+    return hypot(pull - p->weight * f.nz, p->weight * f.bz);
 }
 
 /* (LI1), by the frame's vertical components. The slope's cosine c is the length of (nz, bz). */
 static SpanParts support_parts(const SpanLaw *p, SpanFrame f, double tension)
 {
-    const double c = hypot(f.nz, p->line.bz);
-    const double pull = p->law == PULL_REFERENCE ? tension * p->line.curvature : 0;
+    const double c = hypot(f.nz, f.bz);
+    const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
     if (!(c > 0)) return (SpanParts){.aside = pull}; /* upright: no weight lies on anything */
-    return (SpanParts){.down = p->weight * c - pull * f.nz / c, .aside = pull * p->line.bz / c};
+    return (SpanParts){.down = p->weight * c - pull * f.nz / c, .aside = pull * f.bz / c};
 }
 
 static double sum_of_supports(const SpanLaw *p, SpanFrame f, double tension)
@@ -120,10 +139,11 @@ static double dopri_step(const SpanLaw *p, double s, double tension, double h, d
  * of the corner. */
 static double signed_normal(const SpanLaw *p, double s, double tension)
 {
-    if (p->law != PULL_REFERENCE || p->line.curvature <= 0) return 0;
-    if (!p->separate && fabs(p->line.bz) > ZERO_FORCE) return 0;
-    const double pull = tension * p->line.curvature;
+    if (p->law != PULL_REFERENCE) return 0;
     const SpanFrame f = span_frame(&p->line, s);
+    if (f.curvature <= 0) return 0;
+    if (!p->separate && fabs(f.bz) > ZERO_FORCE) return 0;
+    const double pull = tension * f.curvature;
     const double g = p->separate ? support_parts(p, f, tension).down : pull - p->weight * f.nz;
     return fabs(g) > ZERO_FORCE * (fabs(pull) + p->weight) ? g : 0;
 }
@@ -168,6 +188,43 @@ static void extremes_take_inside(SpanExtremes *e, const SpanLaw *p, double s, do
     extremes_take(e, s + p->direction * high, end);
 }
 
+/* T times the curvature at x from the step's start. */
+static double pressure_inside(const SpanLaw *p, double s, double tension, double x, const double k[7])
+{
+    double trial[7] = {k[0]}, error;
+    const double end = x > 0 ? dopri_step(p, s, tension, x, trial, &error) : tension;
+    return fabs(end) * span_frame(&p->line, s + p->direction * x).curvature;
+}
+
+/* The largest T times curvature of a step on a curve: looks along it, then thirds about the best. */
+static void pressure_take(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h, const double k[7])
+{
+    enum { LOOKS = 8 };
+    int best = 0;
+    double most = -INFINITY;
+    for (int i = 0; i <= LOOKS; ++i) {
+        const double look = pressure_inside(p, s, tension, h * i / LOOKS, k);
+        if (look > most) {
+            most = look;
+            best = i;
+        }
+    }
+    double low = h * fmax(best - 1, 0) / LOOKS, high = h * fmin(best + 1, LOOKS) / LOOKS;
+    for (int i = 0; i < 30; ++i) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        if (pressure_inside(p, s, tension, a, k) > pressure_inside(p, s, tension, b, k)) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    const double refined = pressure_inside(p, s, tension, (low + high) / 2, k);
+    const double at = refined > most ? (low + high) / 2 : h * best / LOOKS;
+    if (fmax(most, refined) <= e->max_pressure) return;
+    e->max_pressure = fmax(most, refined);
+    e->pressure_at = s + p->direction * at;
+}
+
 /* One accepted step of h from (s, tension) to (s_end, end). */
 static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h, double s_end,
                                double end, const double k[7])
@@ -175,6 +232,7 @@ static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, doub
     extremes_take(e, s, tension);
     extremes_take_inside(e, p, s, tension, h, k);
     extremes_take(e, s_end, end);
+    if (p->line.route) pressure_take(e, p, s, tension, h, k);
     const SpanParts first = span_parts(p, s, tension), last = span_parts(p, s_end, end);
     e->max_down = fmax(e->max_down, fmax(fabs(first.down), fabs(last.down)));
     e->max_aside = fmax(e->max_aside, fmax(fabs(first.aside), fabs(last.aside)));
@@ -205,6 +263,10 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
         tension = end;
         k[0] = k[6];
         h *= grow;
+    }
+    if (extremes && !p->line.route) { /* one curvature: where the tension is largest */
+        extremes->max_pressure = fmax(extremes->max_tension, -extremes->min_tension) * p->line.curvature;
+        extremes->pressure_at = extremes->max_tension >= -extremes->min_tension ? extremes->max_at : extremes->min_at;
     }
     return tension;
 }

@@ -1,6 +1,5 @@
-/* One span of a pull: a stretch of route with one curvature, one weight and one friction, and the integration
- * of the tension along it. docs/model.md, "Pulling theory", (T5)-(T8). Used by pulling.c; callers want
- * theory/pulling.h. */
+/* One span of a pull: a stretch of one piece of the route with one weight and one friction, and the integration of the
+ * tension along it. docs/model.md, "Pulling theory", (T5)-(T8). Used by pulling.c; callers want theory/pulling.h. */
 #ifndef HAWSER_THEORY_PULL_SPAN_H
 #define HAWSER_THEORY_PULL_SPAN_H
 
@@ -9,25 +8,30 @@
 /* Which law of friction: the reference, or the paper's, whose normal force is the weight's alone. */
 typedef enum PullLaw { PULL_REFERENCE, PULL_NO_CAPSTAN } PullLaw;
 
-/* What the law needs of the line: the vertical components of its frame turn with s as on a circle. */
+/* What the law needs of the line: on straights and in bends the vertical components of its frame turn with s as on a
+ * circle; on curves the route is asked. */
 typedef struct SpanLine {
-    double s_ref;      /* m, where the frame below holds */
-    double curvature;  /* 1/m; 0: straight */
-    double tz, nz, bz; /* vertical components of tangent, unit vector toward the centre, and their cross
-                        * product; straights: nz belongs to the normal in the vertical plane, bz is 0 */
+    double s_ref;       /* m, where the frame below holds */
+    double curvature;   /* 1/m; 0: straight */
+    double tz, nz, bz;  /* vertical components of tangent, unit vector toward the centre, and their cross
+                         * product; straights: nz belongs to the normal in the vertical plane, bz is 0 */
+    const Route *route; /* borrowed, of a curve; NULL: the numbers above hold */
+    int piece;
 } SpanLine;
 
-/* Vertical components of the frame at s: tangent and centre direction (the third one stays). */
+/* Curvature (1/m) and vertical components of the frame at s. */
 typedef struct SpanFrame {
-    double tz, nz;
+    double curvature;
+    double tz, nz, bz;
 } SpanFrame;
 
 /* Extremes met on the way, N and m along the route. max_down and max_aside are the largest of those at the integrator's
- * steps. */
+ * steps; max_pressure is T times the curvature. */
 typedef struct SpanExtremes {
     double max_tension, max_at;
     double min_tension, min_at;
-    double max_down, max_aside; /* N/m, sizes of span_parts */
+    double max_down, max_aside;       /* N/m, sizes of span_parts */
+    double max_pressure, pressure_at; /* N/m */
 } SpanExtremes;
 
 typedef struct SpanLaw {

@@ -81,35 +81,55 @@ static SpanLaw law_between(const PullDef *def, double low, double high)
                      .line = span_line(def->route, middle)};
 }
 
-static double steps_at(const PullDef *def, double s)
+/* The tension behind the steps at s: forces first, then what machines take of it (PN2); where the pull begins anew
+ * nothing of all that counts (PN3). */
+static double steps_pass(const PullDef *def, double s, double tension)
 {
-    double sum = 0;
-    for (int i = 0; i < def->n_steps; i++) sum += def->step[i].at == s ? def->step[i].force : 0;
-    return sum;
+    double anew = NAN;
+    for (int i = 0; i < def->n_steps; i++) {
+        if (def->step[i].at == s && def->step[i].kind == STEP_ADD) tension += def->step[i].force;
+    }
+    for (int i = 0; i < def->n_steps; i++) {
+        const PullStep *step = &def->step[i];
+        if (step->at != s) continue;
+        if (step->kind == STEP_TAKE) tension -= fmin(fmax(tension, 0), step->force);
+        if (step->kind == STEP_ANEW) anew = step->force;
+    }
+    return isnan(anew) ? tension : anew;
 }
 
-static void take_tension(Pull *pull, double s, double tension)
+static void take_tension(Pull *pull, int piece, double s, double tension)
 {
     if (tension > pull->max_tension) {
         pull->max_tension = tension;
         pull->max_at = s;
+        pull->max_piece = piece;
     }
     if (tension < pull->min_tension) {
         pull->min_tension = tension;
         pull->min_at = s;
+        pull->min_piece = piece;
     }
+}
+
+/* The largest of it on a span: a cable that is pushed presses outward as hard as one that is pulled presses inward. */
+static double span_sidewall(const PullSpan *span)
+{
+    const SpanExtremes *e = &span->extremes;
+    return e->max_pressure * span->share;
 }
 
 /* Takes one finished span into the pull's extremes. */
 static void take_span(Pull *pull, const PullSpan *span)
 {
     const SpanExtremes *e = &span->extremes;
-    take_tension(pull, e->max_at, e->max_tension);
-    take_tension(pull, e->min_at, e->min_tension);
-    const double sidewall = e->max_tension * span->law.line.curvature * span->share;
+    take_tension(pull, span->piece, e->max_at, e->max_tension);
+    take_tension(pull, span->piece, e->min_at, e->min_tension);
+    const double sidewall = span_sidewall(span);
     if (sidewall > pull->max_sidewall) {
         pull->max_sidewall = sidewall;
-        pull->sidewall_at = e->max_at;
+        pull->sidewall_at = e->pressure_at;
+        pull->sidewall_piece = span->piece;
     }
 }
 
@@ -118,7 +138,7 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
 {
     const int forward = def->to > def->from;
     double tension = def->start_tension;
-    take_tension(pull, def->from, tension);
+    take_tension(pull, route_at(def->route, cut[forward ? 0 : n - 1]).piece, def->from, tension);
     for (int i = 0; i < n - 1; i++) {
         const double low = cut[forward ? i : n - 2 - i], high = cut[forward ? i + 1 : n - 1 - i];
         PullSpan *span = &pull->span[i];
@@ -127,13 +147,13 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
         span->law = law_between(def, low, high);
         const double share = stretch_at(def->n_stretches, def->stretch, low + (high - low) / 2)->share;
         span->share = share > 0 ? share : 1;
-        span->t0 = tension + steps_at(def, span->s0);
+        span->t0 = steps_pass(def, span->s0, tension);
         span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY};
         tension = span->t1 = span_integrate(&span->law, span->s0, span->t0, span->s1, &span->extremes);
         take_span(pull, span);
     }
-    pull->end_tension = tension + steps_at(def, def->to);
-    take_tension(pull, def->to, pull->end_tension);
+    pull->end_tension = steps_pass(def, def->to, tension);
+    take_tension(pull, pull->span[n - 2].piece, def->to, pull->end_tension);
 }
 
 hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err)
@@ -198,7 +218,7 @@ PullPoint pull_at(const Pull *pull, double s)
     const SpanFrame frame = span_frame(&span->law.line, at);
     point.normal = span_normal(&span->law, at, point.tension);
     point.support = span_support(&span->law, at, point.tension);
-    point.sidewall = point.tension * span->law.line.curvature * span->share;
+    point.sidewall = fabs(point.tension) * frame.curvature * span->share;
     point.slope = asin(fmax(-1, fmin(1, frame.tz)));
     return point;
 }
@@ -210,7 +230,7 @@ PieceExtremes pull_piece_extremes(const Pull *pull, int piece)
         const PullSpan *span = &pull->span[i];
         if (span->piece != piece) continue;
         out.tension = fmax(out.tension, span->extremes.max_tension);
-        out.sidewall = fmax(out.sidewall, span->extremes.max_tension * span->law.line.curvature * span->share);
+        out.sidewall = fmax(out.sidewall, span_sidewall(span));
         out.down = fmax(out.down, span->extremes.max_down);
         out.aside = fmax(out.aside, span->extremes.max_aside);
     }

@@ -19,15 +19,19 @@ typedef struct PullStretch {
     double mu_static; /* at a restart; counts as mu if it is smaller */
     int separate;     /* weight and turning force rest on supports of their own: friction adds up (LI1) */
     double share;     /* of T/R that presses on the worst loaded cable, of several; 0: all of it */
+    double mu_rope;   /* of the rope that goes ahead of the cable: plan.h puts it in place of mu there */
 } PullStretch;
 
 /* The one of n that lies around s (m). */
 const PullStretch *stretch_at(int n, const PullStretch *stretch, double s);
 
-/* A force that acts at one point against the pull: the tension rises by it. Conveyors push: negative. */
+/* What happens to the tension at one point: it rises by the force (a conveyor that pushes so much: negative); a machine
+ * takes off what arrives, up to the force (PN2); or the pull begins anew there, with the force as its tension (PN3). */
+typedef enum StepKind { STEP_ADD, STEP_TAKE, STEP_ANEW } StepKind;
 typedef struct PullStep {
     double at;    /* m along the route */
     double force; /* N */
+    StepKind kind;
 } PullStep;
 
 typedef struct PullDef {
@@ -52,15 +56,16 @@ typedef struct PullSpan {
     SpanExtremes extremes; /* on [s0, s1] */
 } PullSpan;
 
-/* The tension along one pull. It borrows nothing. */
+/* The tension along one pull. It borrows the route if that has curves. */
 typedef struct Pull {
     int n;
     PullSpan *span;       /* [n] */
     double start_tension; /* N at `from`, before any step there */
     double end_tension;   /* N at `to`, after any step there: the pull's force */
     double max_tension, max_at;
-    double min_tension, min_at;       /* below 0: the cable would have to be pushed, or goes slack */
-    double max_sidewall, sidewall_at; /* N/m, T/R in bends times the stretch's share, and where (m) */
+    double min_tension, min_at;               /* below 0: the cable would have to be pushed, or goes slack */
+    double max_sidewall, sidewall_at;         /* N/m, |T|/R in bends times the stretch's share, and where (m) */
+    int max_piece, min_piece, sidewall_piece; /* of the route, which the pull was on there */
 } Pull;
 
 /* What the theory says at one point. */
@@ -68,7 +73,7 @@ typedef struct PullPoint {
     double tension;  /* N */
     double normal;   /* N/m, force between cable and support, weight included: a roller's load per spacing */
     double support;  /* N/m, the same on the one that bears most, where supports are separate */
-    double sidewall; /* N/m, T/R times the stretch's share; 0 on straights */
+    double sidewall; /* N/m, |T|/R times the stretch's share; 0 on straights */
     double slope;    /* rad, of the route, up toward growing s positive */
     int piece;
 } PullPoint;

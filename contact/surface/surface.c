@@ -98,7 +98,7 @@ static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, cons
     const SurfaceBed *const bed = stick->n_beds > 0 ? &stick->bed[SURFACE_FACES_MAX * p->surface + p->face] : NULL;
     return (SurfaceStrip){.patch = p,
                           .impact = &model->impact,
-                          .friction = &model->friction[p->surface],
+                          .friction = &model->friction[p->law],
                           .friction_scale = scale,
                           .points = model->points,
                           .chain = chain,

@@ -26,7 +26,7 @@ typedef struct SurfaceModel {
     ImpactLaw impact; /* for each metre of cable: k in N/m^e per m, c in N s/m per m */
     double reach;     /* m: as in ContactModel */
     int n_surfaces, n_patches;
-    const FrictionLaw *friction; /* [n_surfaces], borrowed */
+    const FrictionLaw *friction; /* by SurfacePatch.law, the surfaces' own first; borrowed */
     const SurfacePatch *patch;   /* [n_patches], by surface, then along the way, borrowed */
     const SurfacePoints *points; /* borrowed */
 } SurfaceModel;

@@ -1,77 +1,5 @@
-/* From a user's description to patches: the way is cut at the route's corners and every quarter of a bend, then each
- * face of the cross-section is laid along each part. */
+/* From a user's description to patches: each face of the cross-section is laid along each part of the way. */
 #include "contact/surface/surface_patch.h"
-
-#include <assert.h>
-
-static const double PI = 3.14159265358979323846;
-/* Changes of roll below this are rounding, rad. */
-static const double TWIST_MIN = 1e-9;
-
-/* Where the part of the way that begins at s ends: at a corner of the route, after at most a quarter of a bend, or at
- * `last`. The route goes on straight at both ends. */
-static double way_end(const Route *route, double s, double last)
-{
-    if (s < 0) return fmin(0, last);
-    if (s >= route->length) return last;
-    const int i = route_at(route, s).piece;
-    const RoutePiece *const p = &route->piece[i];
-    const double corner = i + 1 < route->n ? route->piece[i + 1].s0 : route->length;
-    double end = corner;
-    if (p->kind == ROUTE_BEND) {
-        const double parts = ceil((corner - s) / (p->radius * PI / 2) - 1e-9);
-        if (parts > 1) end = s + (corner - s) / parts;
-    }
-    return fmin(end, last);
-}
-
-/* Angle of the level left at s about the tangent, from `side` toward tangent x side, within half a turn of `near`. */
-static double roll_at(const Route *route, double s, Vec3 side, double near)
-{
-    const Vec3 left = route_left(route, s), up = v3_cross(route_at(route, s).tangent, side);
-    const double roll = atan2(v3_dot(left, up), v3_dot(left, side));
-    return roll + 2 * PI * round((near - roll) / (2 * PI));
-}
-
-/* The roll at both ends of an arc (DU6), followed along it so that no turn is lost. */
-static void way_roll(const Route *route, double from, double to, SurfacePatch *way)
-{
-    enum { STEPS = 16 };
-    double roll = roll_at(route, from, way->side, 0);
-    way->roll[0] = roll;
-    for (int k = 1; k <= STEPS; ++k) {
-        /* the side turns with the arc and stays in its plane; the end belongs to this arc, not to the next piece */
-        const double turn = (to - from) / way->bend * k / STEPS;
-        const Vec3 side = v3_axpy(v3_scale(cos(turn), way->side), -sin(turn), way->tangent);
-        roll = roll_at(route, k < STEPS ? from + (to - from) * k / STEPS : to, side, roll);
-    }
-    way->roll[1] = roll;
-    way->twisted = fabs(way->roll[1] - way->roll[0]) > TWIST_MIN;
-    way->roll_cos = cos(way->roll[0]);
-    way->roll_sin = sin(way->roll[0]);
-}
-
-/* The part of the way between two places, without a section. Its end is, to the last bit, where the next one starts. */
-static SurfacePatch way_part(const Route *route, double from, double to, int rolls)
-{
-    const RoutePoint a = route_at(route, from), b = route_at(route, to);
-    SurfacePatch way = {.s0 = from, .length = to - from, .start = a.position, .tangent = a.tangent};
-    way.depth = SURFACE_DEPTH_MAX;
-    way.end = b.position;
-    way.end_tangent = b.tangent;
-    way.roll_cos = 1;
-    const int inside = from >= 0 && from < route->length;
-    if (inside && route->piece[a.piece].kind == ROUTE_BEND) {
-        way.bend = route->piece[a.piece].radius;
-        way.side = v3_unit(a.curvature);
-        way.centre = v3_axpy(a.position, way.bend, way.side);
-        if (rolls) way_roll(route, from, to, &way);
-    } else {
-        way.side = route_left(route, (from + to) / 2);
-    }
-    way.up = v3_cross(way.tangent, way.side);
-    return way;
-}
 
 static SurfaceFade fade_between(double from, double to, double band)
 {
@@ -191,10 +119,8 @@ int surface_patch_count(const SurfaceShape *shape, const Route *route)
     const double last = shape->to + shape->fade / 2;
     int parts = 0;
     double s = shape->from - shape->fade / 2;
-    while (s < last) {
-        s = way_end(route, s, last);
-        ++parts;
-    }
+    SurfacePatch way[SURFACE_WAY_MAX];
+    while (s < last) parts += surface_way(route, &s, last, 0, way);
     return parts * faces_of(shape);
 }
 
@@ -209,15 +135,16 @@ void surface_patches(const SurfaceShape *shape, const Route *route, int surface,
         const double last = shape->to + shape->fade / 2;
         double s = shape->from - shape->fade / 2;
         while (s < last) {
-            const double end = way_end(route, s, last);
-            SurfacePatch way = way_part(route, s, end, rolls);
-            way_fade(shape, &way);
-            out += faces(shape, &way, out);
-            s = end;
+            SurfacePatch way[SURFACE_WAY_MAX];
+            const int parts = surface_way(route, &s, last, rolls, way);
+            for (int k = 0; k < parts; ++k) {
+                way_fade(shape, &way[k]);
+                out += faces(shape, &way[k], out);
+            }
         }
     }
     for (SurfacePatch *p = patch; p < out; ++p) {
-        p->surface = surface;
+        p->surface = p->law = surface;
         p->face = (int)(p - patch) % faces_of(shape);
     }
 }

@@ -35,6 +35,7 @@ typedef struct SurfaceFade {
 
 typedef struct SurfacePatch {
     int surface, face; /* of its cross-section, below SURFACE_FACES_MAX (surface_data.h) */
+    int law;           /* which of the model's friction laws: by surface_patches the surface's number */
     /* the way: s runs along it from its start */
     double s0, length;   /* m along the route at the start (NAN: none); m, 0: without end */
     Vec3 start, tangent; /* m; unit, at the start */
@@ -73,5 +74,15 @@ SurfaceProbe surface_probe(const SurfacePatch *patch, Vec3 p);
 
 /* SurfacePatch.depth of what has another side, m. A plane without ends has none. */
 #define SURFACE_DEPTH_MAX 0.2
+
+/* m: how far the arcs of a duct or tray may lie beside a curve of the route. */
+#define SURFACE_WAY_OFF 5e-5
+
+enum { SURFACE_WAY_MAX = 2 };
+
+/* The part of the way that begins at *s and ends at `last` or before: patches without a section, each of whose ends is,
+ * to the last bit, where the next one starts. Moves *s to the part's end. rolls: the section has a top, and needs the
+ * roll that keeps it level. Returns how many patches: two arcs for a part of a curve, else one. */
+int surface_way(const Route *route, double *s, double last, int rolls, SurfacePatch way[SURFACE_WAY_MAX]);
 
 #endif

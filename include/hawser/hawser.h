@@ -41,7 +41,7 @@ typedef struct hawser_case hawser_case;
 
 /* Reads a YAML case file (docs/case-format.md). The file's values are not interpreted yet: settings may follow. */
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
-/* The same from text; `name` stands in for the file's name in messages. */
+/* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
 /* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0:
  * "chain.0.segment". A key that is allowed but absent is added. */
@@ -50,7 +50,8 @@ hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);
 
-typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV } hawser_format;
+/* Text for people, in SI or in US units (hawser/shown.h); for programs, in SI always. */
+typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV, HAWSER_TABLE_US } hawser_format;
 
 /* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err);
@@ -173,6 +174,7 @@ int hawser_sim_positions(const hawser_sim *s, const hawser_position **out);
 
 typedef struct hawser_summary {
     int segments, bushings, rollers, surfaces;
+    double origin_m[3];     /* of all coordinates, in those of the case (route.origin) */
     int contact_candidates; /* pairs of line element and roller that are looked at, largest over the run */
     int contact_active_max;
     double sim_time_s, wall_time_s, real_time_factor;
@@ -189,8 +191,8 @@ typedef struct hawser_summary {
     double paper_total_N, reference_total_N;
     double error_max_pct, error_mean_pct;             /* stations against the reference theory */
     double error_max_paper_pct, error_mean_paper_pct; /* stations against the paper's formulas */
-    double steady_speed_m_per_s, settle_time_s;
-    double steady_from_s, steady_to_s;
+    double steady_speed_m_per_s, settle_time_s;       /* settle: NAN if the speed was 2 % off as the run ended */
+    double steady_from_s, steady_to_s;                /* to: NAN if the run ended before the window */
     hawser_relaxation relaxation;
     hawser_phases phases;
     int n_positions;
@@ -211,6 +213,7 @@ typedef struct hawser_summary {
     int n_machines;
     const hawser_machine *machines; /* [n_machines], as hawser_sim_machines gives them */
     const hawser_balance *balance;  /* from t = 0 until now; NULL where nothing has moved */
+    const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
 } hawser_summary;
 
 void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);
@@ -235,7 +238,9 @@ const char *hawser_sim_title(const hawser_sim *s);
 #endif
 
 #include "hawser/certify.h"
+#include "hawser/library.h"
 #include "hawser/limits.h"
+#include "hawser/shown.h"
 #include "hawser/validate.h"
 
 #endif

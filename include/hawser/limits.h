@@ -11,22 +11,23 @@
 extern "C" {
 #endif
 
-enum { HAWSER_LIMITS_MAX = 12, HAWSER_VERDICT_MAX = 2048 };
+enum { HAWSER_LIMITS_MAX = 24, HAWSER_VERDICT_MAX = 2048 };
 
 /* One limit of a pull. */
 typedef struct hawser_limit {
-    const char *name; /* "pull", "restart", "sidewall", "bend_radius", "roller_steady", "roller_peak", "rope", "alpha",
-                       * "jam_ratio", "clearance", "fill" */
-    const char *unit; /* "N", "N/m", "m", "1" */
+    const char *name; /* "pull", "restart", "attachment", "sidewall", "bend_radius", "rope_bend", "roller_steady",
+                       * "roller_peak", "rope", "winch", "push", "squeeze", "run_away", "alpha", "trip", "speed",
+                       * "jam_ratio", "clearance", "fill", "weight_correction" */
+    const char *unit; /* "N", "N/m", "m", "m/s", "1" */
     double value;     /* what was found: the worst */
-    double limit;     /* what is allowed: at most, of bend_radius and clearance at least; of jam_ratio the nearer end of
-                       * the band in which cables jam */
+    double limit;     /* what is allowed: at most, of bend_radius, rope_bend and clearance at least; of jam_ratio the
+                       * nearer end of the band in which cables jam; of trip that of the band in which it may be */
     double margin;    /* 1 - value/limit, where it is the least that is allowed 1 - limit/value: below 0 the limit is
                        * broken */
     int judged;       /* 0: value or limit is not known, and `source` says why */
     int ok;           /* the limit holds; 0 if it was not judged */
     char where[80];   /* the place of `value`, "" if there is none */
-    char source[160]; /* where `limit` comes from */
+    char source[160]; /* where `limit` comes from; if it was not judged why, and the case's key that is missing */
 } hawser_limit;
 
 struct hawser_sim;
@@ -35,7 +36,8 @@ struct hawser_sim;
  * how many limits there are: 0 if the case has no such section. */
 int hawser_sim_limits(struct hawser_sim *s, hawser_limit *out);
 /* One line that says whether the pull is safe: "SAFE: ...", "NOT SAFE: ..." or "NOT JUDGED: ..."; at most `size` bytes
- * (HAWSER_VERDICT_MAX is enough). Returns how many limits are broken, -1 if none could be judged. */
+ * (HAWSER_VERDICT_MAX is enough). A pull is not safe before its tension and sidewall pressure could be judged. Returns
+ * how many limits are broken, -1 if none is and none, or one of those two not, could be judged. */
 int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size);
 
 /* The same for a run of which the conditions are known: "NOT TRUSTED: ...", with the first that fails and how many more

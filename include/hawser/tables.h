@@ -107,6 +107,33 @@ typedef struct hawser_condition {
     char remedy[200]; /* what is wrong if it does not hold, and what to do */
 } hawser_condition;
 
+/* How several cables lie in a duct (docs/model.md, "Bundles"). */
+typedef struct hawser_bundle_duct {
+    const char *name, *layout;
+    double weight_factor;     /* of the layout; how much of it friction has, the next two say */
+    double friction_straight; /* coefficient of the cable that stands for them, at speed */
+    double friction_bend;
+    double sidewall_factor;   /* the worst loaded cable's share of T/R and of any force across the bundle */
+    double jam_ratio;         /* 1.05 times the duct's diameter over the cables' */
+    const char *jam_risk;     /* "none": there are not three side by side */
+    double clearance_m, fill; /* above the uppermost; share of the cross-section */
+    double room_m;            /* how far the middle of the cables can move from the duct's */
+} hawser_bundle_duct;
+
+/* Several cables pulled together, and the one cable that is computed in their place. */
+typedef struct hawser_bundle {
+    int cables;
+    const char *name;              /* "3 x phase + 1 x earth" */
+    const char *weight_correction; /* where the weight factor counts: "everywhere", "straights", "none" */
+    double mass_kg_per_m, EA_N, GA_N, GJ_N_m2, EI_N_m2; /* of all together, free to slide on each other */
+    double diameter_m; /* with which it touches: of the thickest, of twisted ones that of the circle round them */
+    double lay_m;      /* NAN: not twisted */
+    double share;      /* of a force across the bundle, on the worst cable, where there is no duct */
+    int pulled;        /* cables that count for the allowable pull */
+    int n_ducts;
+    const hawser_bundle_duct *ducts; /* [n_ducts] */
+} hawser_bundle;
+
 /* One station of the tension table (stations.csv). */
 typedef struct hawser_station {
     const char *name;

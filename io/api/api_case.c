@@ -47,6 +47,17 @@ static void drop_read(hawser_case *c)
     c->read = 0;
 }
 
+/* Other files may be found now. */
+hawser_status hawser_case_folder(hawser_case *c, const char *folder, hawser_error *err)
+{
+    char *const own = strdup(folder);
+    if (!own) return error_memory(err);
+    drop_read(c);
+    free(c->tree->folder);
+    c->tree->folder = own;
+    return HAWSER_OK;
+}
+
 /* Whatever was read before may be different now. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err)
 {

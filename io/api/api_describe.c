@@ -58,6 +58,29 @@ static const Column surface_column[] = {
     {COLUMN("clearance_mm", NUMBER, SurfaceRow, clearance), .label = "clearance, mm", .decimals = 1},
 };
 
+/* How several cables lie in a duct. */
+static const Column bundle_column[] = {
+    {COLUMN("name", TEXT, hawser_bundle_duct, name), .label = "duct"},
+    {COLUMN("layout", TEXT, hawser_bundle_duct, layout), .label = "lie as"},
+    {COLUMN("weight_factor", NUMBER, hawser_bundle_duct, weight_factor), .label = "weight factor", .decimals = 4},
+    {COLUMN("friction_straight", NUMBER, hawser_bundle_duct, friction_straight), .label = "friction", .decimals = 4},
+    {COLUMN("friction_bend", NUMBER, hawser_bundle_duct, friction_bend), .label = "in bends", .decimals = 4},
+    {COLUMN("sidewall_factor", NUMBER, hawser_bundle_duct, sidewall_factor), .label = "worst share", .decimals = 4},
+    {COLUMN("jam_ratio", NUMBER, hawser_bundle_duct, jam_ratio), .label = "jam ratio", .decimals = 3},
+    {COLUMN("jam_risk", TEXT, hawser_bundle_duct, jam_risk), .label = "risk of jamming"},
+    {COLUMN("clearance_m", NUMBER, hawser_bundle_duct, clearance_m), .label = "clearance, m", .decimals = 4},
+    {COLUMN("fill", NUMBER, hawser_bundle_duct, fill), .label = "fill", .decimals = 3},
+    {COLUMN("room_m", NUMBER, hawser_bundle_duct, room_m), .label = "room, m", .decimals = 4},
+};
+
+/* What the case did not say itself. */
+static const Column assumption_column[] = {
+    {COLUMN("key", CHARS, hawser_assumption, key), .label = "key"},
+    {COLUMN("value", CHARS, hawser_assumption, value), .label = "value"},
+    {COLUMN("origin", TEXT, hawser_assumption, origin), .label = "origin"},
+    {COLUMN("source", CHARS, hawser_assumption, source), .label = "from"},
+};
+
 /* A place that asks for short segments. */
 typedef struct MeshRow {
     char where[96];
@@ -94,7 +117,7 @@ static void fill_mesh(Description *d)
 {
     const SceneDef *const def = d->def;
     int worst;
-    const double error = mesh_given(&d->mesh, def, &worst);
+    const double error = mesh_given(&d->mesh, def, 0, &worst);
     for (int i = 0; i < d->mesh.n; ++i) {
         const MeshPlace *const place = &d->mesh.place[i];
         const ChainPieceDef *const p = &def->pieces[place->piece];
@@ -136,10 +159,10 @@ static void fill_rows(Description *d)
     }
     for (int i = 0; i < d->route.n; i++) {
         const RoutePiece *const p = &d->route.piece[i];
-        const int bend = p->kind == ROUTE_BEND;
+        const int bend = p->kind != ROUTE_STRAIGHT;
         const double end = p->s0 + p->length;
         d->leg[i] = (RouteRow){.name = p->name,
-                               .kind = bend ? "bend" : "straight",
+                               .kind = route_piece_word(p),
                                .s = p->s0,
                                .length = p->length,
                                .radius = bend ? p->radius : NAN,
@@ -179,7 +202,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"segments", "segments", "", cell_number(s->segments)},
         {"bushings", "bushings", "", cell_number(s->bushings)},
         {"rollers", "rollers", "", cell_number(s->rollers)},
-        {"mesh_error_pct", "expected error by their length", "%", cell_number(100 * mesh_given(&d->mesh, def, &worst))},
+        {"mesh_error_pct", "expected error by their length", "%",
+         cell_number(100 * mesh_given(&d->mesh, def, 0, &worst))},
         {"mesh", "length of segments", "", cell_text(d->advice)},
         {"contact_candidates", "contact candidates", "", cell_number(s->contact_candidates)},
         {"contact_geometry", "contact geometry", "",
@@ -196,6 +220,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
          cell_number(pulls ? profile_value(&def->winch.tension, end) : NAN)},
         {"tail_tension_N", "tail tension at the end", "N", cell_number(profile_value(&def->tail.tension, end))},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
+        {"cables", "cables pulled together", "", cell_number(def->bundle.shape.cables)},
         {"paper_total_N", "winch force, paper's formulas", "N", cell_number(s->paper_total_N)},
         {"reference_total_N", "winch force, reference", "N", cell_number(s->reference_total_N)},
         {"duration_s", "to be simulated", "s", cell_number(end)},
@@ -208,14 +233,20 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"route", "Route", COLUMNS(RouteRow, route_column), def->rod.present ? 0 : d->route.n, d->leg},
         {"surfaces", "Ducts, trays, floors and walls", COLUMNS(SurfaceRow, surface_column), def->n_surfaces,
          d->surface},
+        {"bundle", "How the cables lie that the first of the chain stands for",
+         COLUMNS(hawser_bundle_duct, bundle_column), s->bundle ? s->bundle->n_ducts : 0,
+         s->bundle ? s->bundle->ducts : NULL},
         {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
+        {"assumptions", "Given, from the catalogue, estimated", COLUMNS(hawser_assumption, assumption_column),
+         def->n_assumptions, def->assumptions},
     };
     Table tables[sizeof all / sizeof *all];
     int n = 0;
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k) {
         if (k < 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route always */
     }
-    const Document doc = {title, sizeof facts / sizeof *facts, n, facts, tables, NULL};
+    const Document doc = {
+        .title = title, .n_facts = sizeof facts / sizeof *facts, .n_tables = n, .fact = facts, .table = tables};
     return document_write(&doc, format, text, err);
 }
 

@@ -6,7 +6,7 @@
 #include "io/results/column.h"
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
-#include "sim/expected/calculator.h"
+#include "sim/expected/inverse.h"
 #include "sim/run/sim.h"
 
 struct hawser_case {
@@ -22,7 +22,7 @@ hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
 
-enum { THEORY_TABLES_MAX = 6, THEORY_PIECES = 0 };
+enum { THEORY_TABLES_MAX = 14, THEORY_PIECES = 0 };
 
 /* The calculator's results, for `hawser theory`. */
 typedef struct TheoryTables {
@@ -31,8 +31,36 @@ typedef struct TheoryTables {
     void *rows[THEORY_TABLES_MAX];  /* owned */
 } TheoryTables;
 
-/* The texts are the calculator's and the scene's, which must stay. Errors: MEMORY. */
-hawser_status theory_tables_make(const Scene *scene, const Calculator *c, TheoryTables *out, hawser_error *err);
+/* The texts are the calculator's, the answers' and the scene's, which must stay. Errors: MEMORY. */
+hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *out,
+                                 hawser_error *err);
+/* Adds what the planner asks: places of the head, sections, brake, machines, answers the other way round, notes.
+ * Returns 0 without memory. */
+int theory_planner_add(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *t);
+/* Gives a table n rows of its own; NULL without memory. */
+void *theory_table_add(TheoryTables *t, const char *key, const char *heading, Columns columns, int n);
+extern const char *const theory_ways[PLAN_WAYS];
 void theory_tables_free(TheoryTables *t);
+
+/* The answer that a report begins with: verdict, pull against what is allowed, the worst place and what to do. */
+typedef struct Answer {
+    char *text; /* whole lines, cut where there is no more room */
+    size_t size, used;
+    hawser_units units; /* of what is said; what is still in SI is turned into them */
+} Answer;
+
+/* The first line. */
+void answer_verdict(Answer *a, const char *verdict);
+/* "  word   sentence", in as many lines as that takes. */
+void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* The worst of the limits, what to do about each that is broken, and which are not judged. */
+void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit);
+
+/* All of it for the calculation, each way of pulling with its verdict. */
+void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const char verdict[][HAWSER_VERDICT_MAX]);
+
+/* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
+ * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
+void limit_remedy(const Scene *scene, const hawser_limit *limit, hawser_units units, char *text);
 
 #endif

@@ -131,6 +131,8 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     hawser_sim *s = run->s;
     const OutputDef *output = &s->stage.scene.def.output;
     ResultsDef def = {.title = s->title,
+                      .origin = {s->stage.scene.def.route_origin.x, s->stage.scene.def.route_origin.y,
+                                 s->stage.scene.def.route_origin.z},
                       .segments = run->look->segments,
                       .reel = !isnan(run->look->paid_out),
                       .front = !isnan(run->look->head_at),

@@ -17,6 +17,11 @@ hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, haws
     }
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
+    if (c->def.duration_open) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "%.200s: key 'run.duration': missing: without a winch that sets a speed nothing says how long",
+                         c->name);
+    }
     status = sim_new(&c->def, threads, out, err);
     if (status) return case_name_error(c, status, err);
     hawser_sim *const s = *out; /* the case may be gone soon */
@@ -67,6 +72,12 @@ static const char *outcome_name(const hawser_sim *s)
     return hawser_sim_end_time(s) < s->stage.scene.def.duration ? "tripped" : "finished";
 }
 
+int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
+{
+    *out = s->stage.scene.def.assumptions;
+    return s->stage.scene.def.n_assumptions;
+}
+
 /* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
@@ -83,10 +94,14 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
                             .surface = s->stats.surface_out,
                             .n_rollers = s->stats.n_rollers,
                             .roller = s->stats.roller_out,
+                            .n_assumptions = scene->def.n_assumptions,
+                            .assumption = scene->def.assumptions,
                             .n_limits = peaks_judge(&s->peaks, &s->stats, scene, &s->expected, limit),
                             .limit = limit,
                             .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),
-                            .trip_N = limits->present ? limits->alpha * s->expected.reference_total : NAN};
+                            .trip_N = limits->present ? limits_trip(limits, scene->def.bundle.shape.thickest,
+                                                                    s->expected.reference_total, scene->def.drag.force)
+                                                      : NAN};
     if (labels.n_overloads < 0) return error_memory(err);
     labels.overload = overload;
     hawser_sim_summary(s, &summary);

@@ -3,7 +3,6 @@
 #include "io/api/api_handles.h"
 #include "sim/expected/expected.h"
 #include "theory/paper.h"
-#include "theory/pulling.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,17 +37,32 @@ static const Column term_column[] = {
     {COLUMN("force_N", NUMBER, Term, force), .label = "N", .decimals = 2},
 };
 
+/* What a run of the case is compared with: the stretch of cable in the middle of its steady window. */
+typedef struct RunRow {
+    double from, to, start, paper, reference; /* m, m, N, N, N */
+} RunRow;
+
+static const Column run_column[] = {
+    {COLUMN("from_m", NUMBER, RunRow, from), .label = "counted from, m", .decimals = 3},
+    {COLUMN("to_m", NUMBER, RunRow, to), .label = "to, m", .decimals = 3},
+    {COLUMN("start_tension_N", NUMBER, RunRow, start), .label = "start, N", .decimals = 2},
+    {COLUMN("paper_total_N", NUMBER, RunRow, paper), .label = "winch, paper, N", .decimals = 2},
+    {COLUMN("reference_total_N", NUMBER, RunRow, reference), .label = "winch, reference, N", .decimals = 2},
+};
+
 typedef struct Theory {
     Scene scene;
     int built; /* the scene is */
     Expected expected;
-    Pull pull;             /* the reference theory's */
-    int n;                 /* places */
-    Place *place;          /* [n] */
-    hawser_station *value; /* [n] */
+    double paper_total; /* N, of the whole route */
+    Pull paper;         /* without capstan effect */
+    int n;              /* places */
+    Place *place;       /* [n] */
     Calculator calculator;
+    Inverse inverse;
     TheoryTables tables;
     char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX];
+    char answer[HAWSER_ANSWER_MAX];
     Term *term; /* [n_paper] */
 } Theory;
 
@@ -85,41 +99,55 @@ static hawser_status make_arrays(Theory *t, hawser_error *err)
 {
     const size_t places = (size_t)(t->scene.def.n_stations + t->scene.route.n + 1);
     t->place = calloc(places, sizeof *t->place);
-    t->value = calloc(places, sizeof *t->value);
     t->term = calloc((size_t)t->scene.def.n_paper + 1, sizeof *t->term);
-    return t->place && t->value && t->term ? HAWSER_OK : error_memory(err);
+    return t->place && t->term ? HAWSER_OK : error_memory(err);
 }
 
-/* Both theories at every place. */
+/* The paper's theory of the whole route: its own formulas if the case lists them, else the law without capstan effect
+ * along the route. */
+static hawser_status solve_paper(Theory *t, hawser_error *err)
+{
+    const SceneDef *def = &t->scene.def;
+    const PlanPullDef whole = {.way = PLAN_FORWARD, .whole = 1};
+    PlanDef plan = t->calculator.def;
+    plan.law = PULL_NO_CAPSTAN;
+    const hawser_status status = plan_pull(&plan, &t->calculator.plan.duct, &whole, &t->paper, err);
+    if (status) return status;
+    t->paper_total = t->paper.end_tension + t->calculator.plan.way[PLAN_FORWARD].rope;
+    const double g = v3_norm(def->gravity);
+    if (def->n_paper > 0) {
+        t->paper_total = paper_total(def->n_paper, def->paper, t->scene.cable_weight / g, def->friction.mu_d, g);
+    }
+    return HAWSER_OK;
+}
+
+/* The run's own figures are those of its stretch, full of cable and pulled forward are the others. */
 static hawser_status solve(Theory *t, hawser_error *err)
 {
     hawser_status status = make_arrays(t, err);
     if (status) return status;
     collect_places(t);
-    for (int i = 0; i < t->n; i++) {
-        t->value[i].name = t->place[i].name;
-        t->value[i].s = t->place[i].s;
-    }
-    status = expected_fill(&t->scene, t->n, t->value, &t->expected, err);
-    /* the pull that the reference totals come from, for the sidewall pressure */
-    if (!status) status = expected_pull(&t->scene, &t->expected, PULL_REFERENCE, &t->pull, err);
+    status = expected_fill(&t->scene, 0, NULL, &t->expected, err);
     if (!status) status = calculator_build(&t->scene, t->expected.start_tension, &t->calculator, err);
-    return status ? status : theory_tables_make(&t->scene, &t->calculator, &t->tables, err);
+    if (!status) status = solve_paper(t, err);
+    if (!status) status = inverse_find(&t->scene, &t->calculator, &t->inverse, err);
+    return status ? status : theory_tables_make(&t->scene, &t->calculator, &t->inverse, &t->tables, err);
 }
 
-/* Off the counted stretch there is no cable, so no force: those cells stay empty. */
+/* The whole route full of cable, pulled forward. */
 static void fill_places(Theory *t)
 {
+    const SceneDef *def = &t->scene.def;
+    const double g = v3_norm(def->gravity), W = g > 0 ? t->scene.cable_weight / g : 0;
     for (int i = 0; i < t->n; i++) {
-        const hawser_station *v = &t->value[i];
-        const int on = isfinite(v->reference_N);
-        const PullPoint at = pull_at(&t->pull, v->s);
         Place *const row = &t->place[i];
-        row->slope = route_slope(&t->scene.route, v->s) * 180 / M_PI;
-        row->paper = v->paper_N;
-        row->reference = v->reference_N;
-        row->normal = on ? at.normal : NAN;
-        row->sidewall = on ? at.sidewall : NAN;
+        const PullPoint at = pull_at(&t->calculator.plan.way[PLAN_FORWARD].pull, row->s);
+        row->slope = route_slope(&t->scene.route, row->s) * 180 / M_PI;
+        row->reference = at.tension;
+        row->normal = at.normal;
+        row->sidewall = at.sidewall;
+        row->paper = def->n_paper > 0 ? paper_tension(def->n_paper, def->paper, W, def->friction.mu_d, g, row->s)
+                                      : pull_at(&t->paper, row->s).tension;
     }
 }
 
@@ -133,40 +161,73 @@ static void fill_terms(Theory *t)
     }
 }
 
+enum { FACTS_MAX = 24 };
+
+/* What the whole is about, in the order in which it is asked; all of the whole route full of cable. Returns how many.
+ */
+static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
+{
+    const Calculator *c = &t->calculator;
+    const PlanWay *there = &c->plan.way[PLAN_FORWARD], *back = &c->plan.way[PLAN_BACKWARD];
+    const char *const best = theory_ways[c->best];
+    int n = 0;
+    fact[n++] = (Fact){"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->scene.cable_weight)};
+    fact[n++] = (Fact){"friction", "friction coefficient", "", cell_number(c->mu_largest)};
+    if (c->mu_largest > c->mu_least) {
+        fact[n - 1].label = "friction coefficient, largest";
+        fact[n++] = (Fact){"friction_least", "least", "", cell_number(c->mu_least)};
+    }
+    fact[n++] = (Fact){"length_m", "length of the route", "m", cell_number(t->scene.route.length)};
+    fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};
+    fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->scene.def.drag.force)};
+    fact[n++] = (Fact){"paper_total_N", "winch force, paper's formulas", "N", cell_number(t->paper_total)};
+    fact[n++] = (Fact){"reference_total_N", "winch force, pulled forward", "N", cell_number(there->force)};
+    fact[n++] = (Fact){"backward_total_N", "winch force, pulled backward", "N", cell_number(back->force)};
+    fact[n++] =
+        (Fact){"largest_force_N", "largest on the way, forward", "N", cell_number(c->heads[PLAN_FORWARD].peak.force)};
+    fact[n++] = (Fact){"largest_force_head_m", "with the head at", "m", cell_number(c->heads[PLAN_FORWARD].peak.head)};
+    fact[n++] =
+        (Fact){"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(there->pull.max_sidewall)};
+    fact[n++] = (Fact){"cables", "cables pulled together", "", cell_number(c->cables)};
+    fact[n++] = (Fact){"better_direction", "less force when pulled", "", cell_text(theory_ways[c->plan.better])};
+    fact[n++] = (Fact){"best_direction", "better by its limits", "", cell_text(best)};
+    fact[n++] = (Fact){"verdict_forward", NULL, "", cell_text(t->verdict[PLAN_FORWARD])};
+    fact[n++] = (Fact){"verdict_backward", NULL, "", cell_text(t->verdict[PLAN_BACKWARD])};
+    return n;
+}
+
 /* Facts first, the tension along the route, then the paper's own terms if the case lists them. */
 static hawser_status write_theory(Theory *t, const char *title, hawser_format format, char **text, hawser_error *err)
 {
     const SceneDef *def = &t->scene.def;
     const Expected *e = &t->expected;
     const Calculator *c = &t->calculator;
+    const RunRow run = {e->from, e->to, e->start_tension, e->paper_total, e->reference_total};
+    Fact fact[FACTS_MAX];
     fill_places(t);
     fill_terms(t);
     for (int k = 0; k < PLAN_WAYS; k++) {
-        hawser_verdict(1, &c->pulled[k], c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
+        const hawser_condition held[] = {c->supported, c->pulled[k]};
+        hawser_verdict(2, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
-    const Fact facts[] = {
-        {"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->scene.cable_weight)},
-        {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
-        {"from_m", "counted from", "m along the route", cell_number(e->from)},
-        {"to_m", "to", "m along the route", cell_number(e->to)},
-        {"start_tension_N", "tension there at the start", "N", cell_number(e->start_tension)},
-        {"rope_drag_N", "drag on the rope", "N", cell_number(def->drag.force)},
-        {"paper_total_N", "winch force, paper's formulas", "N", cell_number(e->paper_total)},
-        {"reference_total_N", "winch force, reference", "N", cell_number(e->reference_total)},
-        {"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(t->pull.max_sidewall)},
-        {"cables", "cables pulled together", "", cell_number(c->cables)},
-        {"better_direction", "less force when pulled", "", cell_text(c->plan.better ? "backward" : "forward")},
-        {"verdict_forward", "pulled forward", "", cell_text(t->verdict[PLAN_FORWARD])},
-        {"verdict_backward", "pulled backward", "", cell_text(t->verdict[PLAN_BACKWARD])},
-    };
-    Table tables[2 + THEORY_TABLES_MAX] = {
-        {"stations", "Tension along the route", COLUMNS(Place, place_column), t->n, t->place},
-        {"terms", "Terms of the paper's sum", COLUMNS(Term, term_column), def->n_paper, t->term},
-    };
-    const int own = def->n_paper ? 2 : 1;
-    for (int i = 0; i < t->tables.n; i++) tables[own + i] = t->tables.table[i];
-    const Document doc = {title,  sizeof facts / sizeof *facts, own + t->tables.n, facts,
-                          tables, &tables[own + THEORY_PIECES]};
+    Table table[3 + THEORY_TABLES_MAX] = {{"stations", "Tension along the route, full of cable, pulled forward",
+                                           COLUMNS(Place, place_column), t->n, t->place}};
+    int n = 1;
+    if (def->n_paper > 0)
+        table[n++] = (Table){"terms", "Terms of the paper's sum", COLUMNS(Term, term_column), def->n_paper, t->term};
+    const int own = n;
+    for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
+    if (!def->duration_open)
+        table[n++] = (Table){"run", "What a run of this case is compared with", COLUMNS(RunRow, run_column), 1, &run};
+    Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
+    answer_theory(&answer, &t->scene, c, t->verdict);
+    const Document doc = {.title = title,
+                          .n_facts = list_facts(t, fact),
+                          .n_tables = n,
+                          .fact = fact,
+                          .table = table,
+                          .csv = &table[own + THEORY_PIECES],
+                          .answer = t->answer};
     return document_write(&doc, format, text, err);
 }
 
@@ -182,13 +243,12 @@ static hawser_status build_and_solve(Theory *t, const hawser_case *c, hawser_err
 /* Also for a theory that was never finished. */
 static void theory_free(Theory *t)
 {
-    pull_clear(&t->pull);
+    pull_clear(&t->paper);
     theory_tables_free(&t->tables);
     calculator_free(&t->calculator);
     expected_free(&t->expected);
     if (t->built) scene_clear(&t->scene);
     free(t->place);
-    free(t->value);
     free(t->term);
     free(t);
 }

@@ -33,10 +33,10 @@ static const Column quantity_column[] = {
     {.key = "case", .text = case_name, .label = "case"},
     {COLUMN("quantity", CHARS, ValidationRow, quantity), .label = "quantity"},
     {COLUMN("unit", TEXT, ValidationRow, unit), .label = "unit"},
-    {.key = "expected", .number = expected, .label = "expected", .decimals = -1},
-    {COLUMN("found", NUMBER, ValidationRow, found), .label = "found", .decimals = -1},
-    {COLUMN("error", NUMBER, ValidationRow, error), .label = "error", .decimals = 4},
-    {COLUMN("tolerance", NUMBER, ValidationRow, tolerance), .label = "tolerance", .decimals = -1},
+    {.key = "expected", .number = expected, .label = "expected", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("found", NUMBER, ValidationRow, found), .label = "found", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("error", NUMBER, ValidationRow, error), .label = "error", .decimals = 4, .unit_by = "in"},
+    {COLUMN("tolerance", NUMBER, ValidationRow, tolerance), .label = "tolerance", .decimals = -1, .unit_by = "in"},
     {.key = "in", .text = error_unit, .label = "in"},
     {.key = "verdict", .text = verdict, .label = "verdict"},
     {.key = "source", .text = case_source, .label = "source"},
@@ -54,7 +54,12 @@ static hawser_status write_log(const ValidationLog *log, int ran, int outside, h
     };
     const Table table = {"quantities", "What was expected and what was found", COLUMNS(ValidationRow, quantity_column),
                          log->n, log->row};
-    const Document doc = {"Validation", sizeof facts / sizeof *facts, 1, facts, &table, &table};
+    const Document doc = {.title = "Validation",
+                          .n_facts = sizeof facts / sizeof *facts,
+                          .n_tables = 1,
+                          .fact = facts,
+                          .table = &table,
+                          .csv = &table};
     return document_write(&doc, format, text, err);
 }
 

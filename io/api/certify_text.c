@@ -59,8 +59,8 @@ typedef struct Shown {
 
 static const Column shown_column[] = {
     {COLUMN("name", TEXT, Shown, name), .label = "figure"},
-    {COLUMN("value", NUMBER, Shown, value), .label = "this run", .decimals = -1},
-    {COLUMN("best", NUMBER, Shown, best), .label = "finest", .decimals = -1},
+    {COLUMN("value", NUMBER, Shown, value), .label = "this run", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("best", NUMBER, Shown, best), .label = "finest", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, Shown, unit), .label = ""},
     {COLUMN("time", NUMBER, Shown, by[HAWSER_TIME]), .label = "time %", .decimals = 3},
     {COLUMN("length", NUMBER, Shown, by[HAWSER_LENGTH]), .label = "length %", .decimals = 3},
@@ -126,7 +126,7 @@ hawser_status hawser_certificate_text(const hawser_certificate *certificate, haw
                           {"certified", "certified", "", cell_number(c->certified)},
                           {"verdict", "", "", cell_text(c->verdict)}};
     Document doc = {.title = "Certificate", .n_facts = 5, .fact = facts, .n_tables = 2, .table = tables, .csv = &all};
-    if (format == HAWSER_TABLE) {
+    if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) {
         doc.n_facts = 3;
         doc.n_tables = 1;
         doc.table = &few;

@@ -5,12 +5,11 @@
 
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
-static const char *const ways[PLAN_WAYS] = {"forward", "backward"};
+const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 
-/* Gives a table's shape rows of its own; NULL without memory. */
-static void *table_add(TheoryTables *t, const char *key, const char *heading, Columns columns, int n)
+void *theory_table_add(TheoryTables *t, const char *key, const char *heading, Columns columns, int n)
 {
     void *const rows = t->rows[t->n] = calloc((size_t)n + 1, columns.size);
     t->table[t->n++] = (Table){key, heading, columns, n, rows};
@@ -38,12 +37,13 @@ static const Column piece_column[] = {
     {COLUMN("radius_m", NUMBER, PieceRow, radius), .label = "R, m", .decimals = 2},
     {COLUMN("supports", TEXT, PieceRow, supports), .label = "friction on"},
     {COLUMN("forward_end_N", NUMBER, PieceRow, FORWARD(end)), .label = "forward: end, N", .decimals = 1},
-    {COLUMN("forward_sidewall_N_per_m", NUMBER, PieceRow, FORWARD(sidewall)), .label = "T/R, N/m", .decimals = 1},
+    {COLUMN("forward_sidewall_N_per_m", NUMBER, PieceRow, FORWARD(sidewall)), .label = "sidewall, N/m", .decimals = 1},
     {COLUMN("forward_roller_N", NUMBER, PieceRow, FORWARD(roller)), .label = "roller, N"},
     {COLUMN("forward_margin_pct", NUMBER, PieceRow, FORWARD(margin)), .label = "margin, %", .decimals = 1},
     {COLUMN("forward_closed_N", NUMBER, PieceRow, FORWARD(closed)), .label = "closed form, N", .decimals = 1},
-    {COLUMN("backward_end_N", NUMBER, PieceRow, BACKWARD(end)), .label = "back: end, N", .decimals = 1},
-    {COLUMN("backward_sidewall_N_per_m", NUMBER, PieceRow, BACKWARD(sidewall)), .label = "T/R, N/m", .decimals = 1},
+    {COLUMN("backward_end_N", NUMBER, PieceRow, BACKWARD(end)), .label = "back: end, N", .decimals = 1, .group = 1},
+    {COLUMN("backward_sidewall_N_per_m", NUMBER, PieceRow, BACKWARD(sidewall)), .label = "sidewall, N/m",
+     .decimals = 1},
     {COLUMN("backward_roller_N", NUMBER, PieceRow, BACKWARD(roller)), .label = "roller, N"},
     {COLUMN("backward_margin_pct", NUMBER, PieceRow, BACKWARD(margin)), .label = "margin, %", .decimals = 1},
     {COLUMN("backward_closed_N", NUMBER, PieceRow, BACKWARD(closed)), .label = "closed form, N", .decimals = 1},
@@ -66,8 +66,8 @@ static double margin_of(const Calculator *c, int way, const PlanPiece *piece)
 static int pieces_add(const Scene *scene, const Calculator *c, TheoryTables *t)
 {
     static const char *const rules[] = {"resultant", "separate", "both"};
-    PieceRow *row = table_add(t, "pieces", "The route piece by piece, full of cable, pulled forward and back",
-                              piece_columns, c->plan.n);
+    PieceRow *row = theory_table_add(t, "pieces", "The route piece by piece, full of cable, pulled forward and back",
+                                     piece_columns, c->plan.n);
     for (int p = 0; row && p < c->plan.n; ++p, ++row) {
         const RoutePiece *const piece = &scene->route.piece[p];
         const int supported = c->spacing[p] > 0 || c->guides[p] > 0;
@@ -75,7 +75,7 @@ static int pieces_add(const Scene *scene, const Calculator *c, TheoryTables *t)
                           .supports = rules[c->rule[p]],
                           .from = piece->s0,
                           .length = piece->length,
-                          .radius = piece->kind == ROUTE_BEND ? piece->radius : NAN};
+                          .radius = piece->kind != ROUTE_STRAIGHT ? piece->radius : NAN};
         for (int k = 0; k < PLAN_WAYS; ++k) {
             const PlanPiece *const way = &c->plan.way[k].piece[p];
             row->way[k] = (PieceWay){way->t_out, way->sidewall, supported ? way->roller_load : NAN,
@@ -88,6 +88,8 @@ static int pieces_add(const Scene *scene, const Calculator *c, TheoryTables *t)
 typedef struct WayRow {
     const char *direction;
     PlanWay way;
+    HeadForce peak;
+    TripSetting trip;
     double sidewall_at; /* NAN: nowhere */
 } WayRow;
 
@@ -97,20 +99,26 @@ static const Column way_column[] = {
     {COLUMN("rope_N", NUMBER, WayRow, way.rope), .label = "rope, N", .decimals = 1},
     {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "winch, N", .decimals = 1},
     {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart, N", .decimals = 1},
+    {COLUMN("largest_force_N", NUMBER, WayRow, peak.force), .label = "largest, N", .decimals = 1},
+    {COLUMN("largest_force_head_m", NUMBER, WayRow, peak.head), .label = "with the head at, m", .decimals = 1},
+    {COLUMN("trip_N", NUMBER, WayRow, trip.force), .label = "trip at, N", .decimals = 0},
+    {COLUMN("trip_by", TEXT, WayRow, trip.by), .label = "by"},
     {COLUMN("max_tension_N", NUMBER, WayRow, way.pull.max_tension), .label = "largest tension, N", .decimals = 1},
     {COLUMN("max_tension_at_m", NUMBER, WayRow, way.pull.max_at), .label = "at, m", .decimals = 1},
     {COLUMN("min_tension_N", NUMBER, WayRow, way.pull.min_tension), .label = "least, N", .decimals = 1},
-    {COLUMN("max_sidewall_N_per_m", NUMBER, WayRow, way.pull.max_sidewall), .label = "largest T/R, N/m", .decimals = 1},
+    {COLUMN("max_sidewall_N_per_m", NUMBER, WayRow, way.pull.max_sidewall), .label = "largest sidewall, N/m",
+     .decimals = 1},
     {COLUMN("max_sidewall_at_m", NUMBER, WayRow, sidewall_at), .label = "at, m", .decimals = 1},
 };
 static const Columns way_columns = COLUMNS(WayRow, way_column);
 
 static int ways_add(const Calculator *c, TheoryTables *t)
 {
-    WayRow *const row = table_add(t, "directions", "Both directions", way_columns, PLAN_WAYS);
+    WayRow *const row = theory_table_add(t, "directions", "Both directions", way_columns, PLAN_WAYS);
     for (int k = 0; row && k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
-        row[k] = (WayRow){ways[k], *way, way->pull.max_sidewall > 0 ? way->pull.sidewall_at : NAN};
+        row[k] = (WayRow){theory_ways[k], *way, c->heads[k].peak, c->trip[k],
+                          way->pull.max_sidewall > 0 ? way->pull.sidewall_at : NAN};
     }
     return row != NULL;
 }
@@ -131,13 +139,13 @@ static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
 {
     const int n = PLAN_WAYS * c->plan.n;
     NoteRow *const row =
-        table_add(t, "refused", "Closed forms refused: the integrated law stands alone", note_columns, n);
+        theory_table_add(t, "refused", "Closed forms refused: the integrated law stands alone", note_columns, n);
     Table *const table = &t->table[t->n - 1];
     table->n = 0;
     for (int i = 0; row && i < n; ++i) {
         const PlanPiece *const piece = &c->plan.way[i % PLAN_WAYS].piece[i / PLAN_WAYS];
         if (!*piece->reason) continue;
-        row[table->n++] = (NoteRow){scene->route.piece[i / PLAN_WAYS].name, ways[i % PLAN_WAYS], piece->reason};
+        row[table->n++] = (NoteRow){scene->route.piece[i / PLAN_WAYS].name, theory_ways[i % PLAN_WAYS], piece->reason};
     }
     return row != NULL;
 }
@@ -164,7 +172,7 @@ static const Columns duct_columns = COLUMNS(DuctRow, duct_column);
 static int ducts_add(const Calculator *c, TheoryTables *t)
 {
     if (c->n_ducts == 0) return 1;
-    DuctRow *const row = table_add(t, "ducts", "Ducts", duct_columns, c->n_ducts);
+    DuctRow *const row = theory_table_add(t, "ducts", "Ducts", duct_columns, c->n_ducts);
     for (int i = 0; row && i < c->n_ducts; ++i) {
         const DuctLoad *const load = &c->duct[i].load;
         row[i] = (DuctRow){c->duct[i].surface->name, duct_layout_name(load->layout), jam_risk_name(load->jam_risk),
@@ -190,7 +198,7 @@ static int pushes_add(const Calculator *c, TheoryTables *t)
 {
     const int n = c->n_pushers;
     if (n == 0) return 1;
-    PushRow *const row = table_add(t, "pushes", "Pushes", push_columns, n);
+    PushRow *const row = theory_table_add(t, "pushes", "Pushes", push_columns, n);
     for (int i = 0; row && i < n; ++i) {
         row[i] = (PushRow){c->pusher[i].name,
                            c->push[PLAN_FORWARD][i].at,
@@ -213,8 +221,8 @@ static const char *limit_holds(const void *row)
 static const Column limit_column[] = {
     {COLUMN("direction", TEXT, LimitRow, direction), .label = "direction"},
     {COLUMN("name", TEXT, LimitRow, limit.name), .label = "limit"},
-    {COLUMN("value", NUMBER, LimitRow, limit.value), .label = "found", .decimals = -1},
-    {COLUMN("limit", NUMBER, LimitRow, limit.limit), .label = "allowed", .decimals = -1},
+    {COLUMN("value", NUMBER, LimitRow, limit.value), .label = "found", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("limit", NUMBER, LimitRow, limit.limit), .label = "allowed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, LimitRow, limit.unit), .label = "unit"},
     {COLUMN("margin", NUMBER, LimitRow, limit.margin), .label = "margin", .decimals = 3},
     {.key = "ok", .text = limit_holds, .label = "holds"},
@@ -225,18 +233,19 @@ static const Columns limit_columns = COLUMNS(LimitRow, limit_column);
 static int limits_add(const Calculator *c, TheoryTables *t)
 {
     if (c->n_limits == 0) return 1;
-    LimitRow *const row = table_add(t, "limits", "Limits", limit_columns, PLAN_WAYS * c->n_limits);
+    LimitRow *const row = theory_table_add(t, "limits", "Limits", limit_columns, PLAN_WAYS * c->n_limits);
     for (int i = 0; row && i < PLAN_WAYS * c->n_limits; ++i) {
-        row[i] = (LimitRow){ways[i / c->n_limits], c->limit[i / c->n_limits][i % c->n_limits]};
+        row[i] = (LimitRow){theory_ways[i / c->n_limits], c->limit[i / c->n_limits][i % c->n_limits]};
     }
     return row != NULL;
 }
 
-hawser_status theory_tables_make(const Scene *scene, const Calculator *c, TheoryTables *out, hawser_error *err)
+hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *out,
+                                 hawser_error *err)
 {
     *out = (TheoryTables){0};
     const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(c, out) && pushes_add(c, out) &&
-                     limits_add(c, out) && notes_add(scene, c, out);
+                     theory_planner_add(scene, c, inverse, out) && limits_add(c, out) && notes_add(scene, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

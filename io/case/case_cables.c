@@ -38,6 +38,16 @@ static const CaseKey preload_keys[] = {
 };
 static SECTION(preload, "cables.NAME.preload", preload_keys);
 
+static const char *const metals[] = {"copper", "aluminium", NULL};
+
+/* What stiffness is estimated from, and what an eye pulls at. */
+static const CaseKey cable_conductor_keys[] = {
+    {"material", KEY_CHOICE, .required = 1, .choices = metals, AT(CableDef, conductor_metal)},
+    {"area", KEY_NUMBER, DIM_AREA, .required = 1, ABOVE(0, 1), AT(CableDef, conductor_area)},
+    {"cores", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(CableDef, conductor_cores)},
+};
+static SECTION(cable_conductor, "cables.NAME.conductor", cable_conductor_keys);
+
 /* A cable, with the paper's shorthand for its rigidities (its eq. 2). */
 typedef struct CableRecord {
     CableDef cable; /* first, for the sections within */
@@ -46,15 +56,17 @@ typedef struct CableRecord {
 
 /* A rigidity has no default of its own: cable_resolve takes it from the shorthand. */
 static const CaseKey cable_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 100), AT(CableRecord, cable.diameter)},
     {"E", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, E)},
     {"G", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, G)},
     {"A", KEY_NUMBER, DIM_AREA, .otherwise = "none", ABOVE(0, 1e4), AT(CableRecord, A)},
     {"density", KEY_NUMBER, DIM_DENSITY, .otherwise = "none", ABOVE(0, 1e6), AT(CableRecord, density)},
-    {"EA", KEY_NUMBER, DIM_FORCE, .otherwise = "E A", ABOVE(0, STIFF), AT(CableRecord, cable.ea)},
-    {"GA", KEY_NUMBER, DIM_FORCE, .otherwise = "G A", ABOVE(0, STIFF), AT(CableRecord, cable.ga)},
-    {"GJ", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "G pi d^4/32", ABOVE(0, STIFF), AT(CableRecord, cable.gj)},
-    {"EI", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "E pi d^4/64", ABOVE(0, STIFF), AT(CableRecord, EI)},
+    {"EA", KEY_NUMBER, DIM_FORCE, .otherwise = "E A, or estimated", ABOVE(0, STIFF), AT(CableRecord, cable.ea)},
+    {"GA", KEY_NUMBER, DIM_FORCE, .otherwise = "G A, or estimated", ABOVE(0, STIFF), AT(CableRecord, cable.ga)},
+    {"GJ", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "G pi d^4/32, or estimated", ABOVE(0, STIFF),
+     AT(CableRecord, cable.gj)},
+    {"EI", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "E pi d^4/64, or estimated", ABOVE(0, STIFF), AT(CableRecord, EI)},
     {"EI_y", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_y)},
     {"EI_z", KEY_NUMBER, DIM_RIGIDITY, .otherwise = "EI", ABOVE(0, STIFF), AT(CableRecord, cable.ei_z)},
     {"mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "density A", ABOVE(0, 1e6), AT(CableRecord, cable.mass)},
@@ -64,6 +76,8 @@ static const CaseKey cable_keys[] = {
     {"damping_ratio", KEY_SECTION, .otherwise = "none", .section = &damping_ratio},
     {"preload", KEY_SECTION, .otherwise = "its defaults", .section = &preload},
     {"bending", KEY_SECTION, .otherwise = "elastic, by EI", .section = &case_bending},
+    {"conductor", KEY_MAP, .otherwise = "not known", .section = &cable_conductor},
+    {"strength", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(CableRecord, cable.strength)},
 };
 SECTION(case_cable, "cables.NAME", cable_keys);
 
@@ -148,14 +162,49 @@ static void damping_complete(CableDef *cable)
     if (isnan(cable->damping_ratio_at)) cable->damping_ratio_at = 0;
 }
 
+static void estimate(CableDef *cable, double *value, double estimated, unsigned which)
+{
+    if (!isnan(*value)) return;
+    *value = estimated;
+    cable->estimated |= which;
+}
+
+/* A cable without a word of the shorthand: what it does not say of its rigidities is estimated from what it says
+ * (CS1) to (CS7), and noted. The shear rigidity goes with EA, the torsional one with EI, also where those are given. */
+static void cable_estimate(CableDef *cable, int bends)
+{
+    const StiffnessEstimate e = cable_def_estimate(cable);
+    estimate(cable, &cable->ea, e.ea, CABLE_ESTIMATED_EA);
+    estimate(cable, &cable->ga, e.ga / e.ea * cable->ea, CABLE_ESTIMATED_GA);
+    estimate(cable, &cable->gj, isnan(cable->ei_y) ? e.gj : e.gj / e.ei * cable->ei_y, CABLE_ESTIMATED_GJ);
+    if (bends) return;
+    estimate(cable, &cable->ei_y, e.ei, CABLE_ESTIMATED_EI);
+    estimate(cable, &cable->ei_z, e.ei, CABLE_ESTIMATED_EI);
+}
+
+/* Needs diameter and mass. */
+static int shorthand_begun(const CableRecord *c) { return !isnan(c->E) || !isnan(c->G) || !isnan(c->A); }
+
 /* The paper's eq. 2: EA = E A, GA = G A, GJ = G pi d^4/32, EI = E pi d^4/64, each unless given directly. */
 static hawser_status cable_resolve(const CaseReader *r, const CaseNode *node, const CableRecord *c, CableDef *cable)
 {
     const double J = PI * pow(cable->diameter, 4) / 32, EI = isnan(c->EI) ? c->E * J / 2 : c->EI;
+    const int bends = case_node_key(node, "bending") != NULL;
+    if (!shorthand_begun(c)) {
+        const hawser_status known = property(r, node, "mass", "density and A", NAN, &cable->mass);
+        if (known) return known;
+        if (isnan(cable->ei_y)) cable->ei_y = EI;
+        if (isnan(cable->ei_z)) cable->ei_z = EI;
+        cable_estimate(cable, bends);
+        if (!(cable->ea > 0 && cable->ga > 0 && cable->gj > 0)) { /* powers of the diameter that are 0 */
+            return case_key_error(r->err, node, "d", "%g m is too thin for an estimate: give EA, GA, GJ and EI",
+                                  cable->diameter);
+        }
+    }
     hawser_status s = property(r, node, "EA", "E and A", c->E * c->A, &cable->ea);
     if (!s) s = property(r, node, "GA", "G and A", c->G * c->A, &cable->ga);
     if (!s) s = property(r, node, "GJ", "G", c->G * J, &cable->gj);
-    if (case_node_key(node, "bending")) {
+    if (bends) {
         if (!s) s = case_bending_read(r, node, cable);
     } else {
         if (!s) s = property(r, node, "EI_y", "EI, or E", EI, &cable->ei_y);
@@ -175,10 +224,13 @@ static hawser_status cable_read(const CaseReader *r, const CaseNode *node, void 
         return case_key_error(r->err, node, NULL, "the name is too long: at most %zu characters",
                               sizeof cable->name - 1);
     }
-    const hawser_status status = case_section_read(r, node, &case_cable, &record);
+    const CaseNode *const conductor = case_node_key(node, "conductor");
+    hawser_status status = case_section_read(r, node, &case_cable, &record);
+    if (!status && conductor) status = case_section_read(r, conductor, &cable_conductor, &record.cable);
     if (status) return status;
     *cable = record.cable;
     if (isnan(cable->gyration)) cable->gyration = 0;
+    if (isnan(cable->strength)) cable->strength = 0;
     strcpy(cable->name, node->key);
     return cable_resolve(r, node, &record, cable);
 }
@@ -188,6 +240,24 @@ hawser_status case_cables_read(CaseReader *r, const CaseNode *node)
     SceneDef *def = r->def;
     if (node->count == 0) return case_value_error(r->err, node, " without a cable: expected one at least");
     return case_list_read(r, node, sizeof *def->cables, cable_read, &def->cables, &def->n_cables);
+}
+
+/* What is pulled is the first piece, and where there are several, the last is the rope. */
+hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
+{
+    SceneDef *const def = r->def;
+    LimitsDef *const limits = &def->limits;
+    (void)node;
+    if (!limits->present || def->n_pieces == 0) return HAWSER_OK;
+    const CableDef *const cable = &def->cables[def->pieces[0].cable];
+    const CableDef *const rope = &def->cables[def->pieces[def->n_pieces - 1].cable];
+    if (!(limits->area > 0) && cable->conductor_area > 0) {
+        limits->metal = cable->conductor_metal;
+        limits->area = cable->conductor_area;
+        limits->cores = cable->conductor_cores;
+    }
+    if (isnan(limits->rope_strength) && def->n_pieces > 1 && rope->strength > 0) limits->rope_strength = rope->strength;
+    return HAWSER_OK;
 }
 
 /* The cable that a piece names. */
@@ -233,10 +303,9 @@ hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
     SceneDef *const def = r->def;
     Mesh mesh;
     hawser_status status = mesh_find(def, &r->route, &mesh, r->err);
-    for (const CaseNode *item = node->first; item && !status; item = item->next) {
-        ChainPieceDef *const piece = &def->pieces[item->index];
-        if (piece->segments > 0) continue;
-        status = segments_count(r, item, mesh_auto(&mesh, def, item->index), piece);
+    for (int p = 0; p < def->n_pieces && !status; p++) {
+        if (def->pieces[p].segments > 0) continue;
+        status = segments_count(r, node ? case_node_item(node, p) : r->root, mesh_auto(&mesh, def, p), &def->pieces[p]);
     }
     mesh_free(&mesh);
     return status;
@@ -258,9 +327,25 @@ static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void 
     return HAWSER_OK;
 }
 
+/* Without a chain it is the only cable; how long it is the route says (case_route_read). */
+static hawser_status chain_of_one(CaseReader *r)
+{
+    SceneDef *const def = r->def;
+    if (case_node_key(r->root, "rod")) return case_key_error(r->err, r->root, "chain", "missing: a rod needs it");
+    if (def->n_cables > 1) {
+        return case_key_error(r->err, r->root, "chain", "missing: 'cables' has %d, and nothing says which is pulled",
+                              def->n_cables);
+    }
+    def->pieces = calloc(1, sizeof *def->pieces);
+    if (!def->pieces) return error_memory(r->err);
+    def->n_pieces = 1;
+    return HAWSER_OK;
+}
+
 hawser_status case_chain_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
+    if (!node) return chain_of_one(r);
     if (node->count == 0) return case_value_error(r->err, node, " without a piece: expected one at least");
     return case_list_read(r, node, sizeof *def->pieces, piece_read, &def->pieces, &def->n_pieces);
 }

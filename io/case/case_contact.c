@@ -26,6 +26,7 @@ typedef struct FrictionRecord {
 
 /* No fallbacks: what is absent is the case's own law for a roller, and the default law for the case. */
 static const CaseKey friction_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"mu", KEY_NUMBER, .otherwise = "0.2", FROM(0, 10), AT(FrictionRecord, mu)},
     {"mu_s", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_s)},
     {"mu_d", KEY_NUMBER, .otherwise = "mu", FROM(0, 10), AT(FrictionRecord, mu_d)},

@@ -188,6 +188,15 @@ hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const Ca
     return case_profile_read(r, node, section, "tension", &tail->tension, &tail->table_time, &tail->table_value);
 }
 
+/* The tension of one cable's tail becomes that of so many (BU10). */
+static void tails_join(int tails, TailDef *tail)
+{
+    Profile *const p = &tail->tension;
+    p->v0 *= tails;
+    p->v1 *= tails;
+    for (int i = 0; p->kind == PROFILE_TABLE && i < p->n; i++) tail->table_value[i] *= tails;
+}
+
 /* Each of the three is optional: a case without a winch lies still or slides. The drag's velocity function has the
  * friction law's shape, with mu_s = 1. */
 hawser_status case_drive_read(CaseReader *r, const CaseNode *node)
@@ -198,6 +207,7 @@ hawser_status case_drive_read(CaseReader *r, const CaseNode *node)
     hawser_status status = case_section_read(r, node, &case_drive, r->def);
     if (!status && head) status = winch_read(r, head);
     if (!status && tail) status = case_tail_read(r, tail, &case_tail);
+    if (!status) tails_join(bundle_tails(&r->def->bundle), &r->def->tail);
     if (!status && rope) status = case_section_read(r, rope, &rope_drag, drag);
     if (!status && rope) status = case_speeds_check(r, rope, drag->v_s, &drag->v_d);
     return status;

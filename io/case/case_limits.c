@@ -1,21 +1,36 @@
 /* What theory adds to the scene, and what is allowed. */
 #include "io/case/case_parts.h"
-#include "theory/duct.h"
 
 /* In the order of the enumerations that they stand for. */
-static const char *const layouts[] = {"auto", "single", "pair", "triangle", "cradle", "diamond", NULL};
-static const char *const codes[] = {"paper", "tb889", NULL};
-static const char *const practices[] = {"chinese", "fujikura", "aeic", "rollers", NULL};
+static const char *const codes[] = {"paper", "tb889", "aeic", "ieee1185", "iec", "tes", NULL};
+static const char *const practices[] = {"auto", "chinese", "fujikura", "aeic", "rollers", NULL};
+static const char *const types[] = {"unknown", "control", "power", "shielded", "armoured", NULL};
+static const char *const ropes[] = {"steel", "fibre", NULL};
+static const char *const wears[] = {"cable", "place", NULL};
 static const char *const attachments[] = {"eye", "net", NULL};
 static const char *const metals[] = {"copper", "aluminium", NULL};
-static const char *const sheaths[] = {"pe", "xlpe", NULL};
+static const char *const sheaths[] = {"pe", "xlpe", "lead", "copper", "aluminium", NULL};
 
 /* Straight into TheoryDef. */
 static const CaseKey theory_keys[] = {
     {"cables", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(TheoryDef, cables)},
-    {"layout", KEY_CHOICE, .fallback = "auto", .choices = layouts, AT(TheoryDef, layout)},
+    {"layout", KEY_CHOICE, .fallback = "auto", .choices = case_layouts, AT(TheoryDef, layout)},
     {"reel", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, reel)},
     {"rope", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(TheoryDef, rope)},
+    {"rope_mass", KEY_NUMBER, DIM_LINE_MASS, .otherwise = "the chain's rope, if it has one", FROM(0, 1e6),
+     AT(TheoryDef, rope_mass)},
+    {"rope_mu", KEY_NUMBER, .otherwise = "the cable's in the same place", FROM(0, 10), AT(TheoryDef, rope_mu)},
+    {"stretches", KEY_LIST, .otherwise = "the case's, and that of its ducts and trays", .form = "stretches one by one",
+     .section = &case_theory_friction},
+    {"wear", KEY_LIST, .otherwise = "none", .form = "lengths and factors, by rising length",
+     .section = &case_theory_wear},
+    {"wear_by", KEY_CHOICE, .fallback = "cable", .choices = wears, AT(TheoryDef, wear_by)},
+    {"pits", KEY_LIST, .otherwise = "none", .form = "pits one by one", .section = &case_theory_pit},
+    {"machines", KEY_LIST, .otherwise = "none", .form = "machines one by one", .section = &case_theory_machine},
+    {"machine_push", KEY_NUMBER, DIM_FORCE, .otherwise = "not asked", ABOVE(0, STRONG), AT(TheoryDef, machine_push)},
+    {"feed", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(TheoryDef, feed)},
+    {"bears", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", FROM(0, STRONG), AT(TheoryDef, bears)},
+    {"temperature", KEY_NUMBER, .otherwise = "not known", FROM(-60, 60), AT(TheoryDef, temperature)},
 };
 SECTION(case_theory, "theory", theory_keys);
 
@@ -41,33 +56,44 @@ static const CaseKey limits_keys[] = {
     {"K", KEY_NUMBER, .fallback = "1", ABOVE(0, 1), AT(LimitsDef, K)},
     {"stress", KEY_NUMBER, DIM_PRESSURE, .otherwise = "by `code`", ABOVE(0, STIFF), AT(LimitsDef, stress)},
     {"pull", KEY_NUMBER, DIM_FORCE, .otherwise = "by eq. 11", ABOVE(0, STRONG), AT(LimitsDef, pull)},
-    {"practice", KEY_CHOICE, .fallback = "chinese", .choices = practices, AT(LimitsDef, practice)},
-    {"sidewall", KEY_NUMBER, DIM_SPRING, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
+    {"grips", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(LimitsDef, grips)},
+    {"attachment_rating", KEY_NUMBER, DIM_FORCE, .otherwise = "by `code`", ABOVE(0, STRONG),
+     AT(LimitsDef, attachment_rating)},
+    {"practice", KEY_CHOICE, .fallback = "auto", .choices = practices, AT(LimitsDef, practice)},
+    {"cable_type", KEY_CHOICE, .fallback = "unknown", .choices = types, AT(LimitsDef, cable_type)},
+    {"sidewall", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
     {"bend_factor", KEY_NUMBER, .otherwise = "by `practice`", ABOVE(0, 1000), AT(LimitsDef, bend_factor)},
     {"bend_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "`bend_factor` times the cable's diameter", ABOVE(0, LONG),
      AT(LimitsDef, bend_radius)},
     {"roller_factor", KEY_NUMBER, .fallback = "1.6", FROM(1, 100), AT(LimitsDef, roller_factor)},
     {"rope_strength", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, rope_strength)},
     {"rope_factor", KEY_NUMBER, .fallback = "5", FROM(1, 100), AT(LimitsDef, rope_factor)},
+    {"rope_kind", KEY_CHOICE, .fallback = "steel", .choices = ropes, AT(LimitsDef, rope_kind)},
+    {"rope_diameter", KEY_NUMBER, DIM_LENGTH, .otherwise = "of the rope in `chain`", ABOVE(0, 1),
+     AT(LimitsDef, rope_diameter)},
+    {"rope_bend", KEY_NUMBER, .otherwise = "by `rope_kind`", ABOVE(0, 1000), AT(LimitsDef, rope_bend)},
+    {"sheave", KEY_NUMBER, DIM_LENGTH, .otherwise = "none", ABOVE(0, 100), AT(LimitsDef, sheave)},
+    {"winch_capacity", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG),
+     AT(LimitsDef, winch_capacity)},
+    {"push", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, push)},
+    {"squeeze", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, squeeze)},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "15 m/min", ABOVE(0, 1e3), AT(LimitsDef, speed)},
     {"alpha", KEY_NUMBER, .fallback = "1.5", FROM(1, 100), AT(LimitsDef, alpha)},
     {"jam_from", KEY_NUMBER, .fallback = "2.6", FROM(1, 100), AT(LimitsDef, jam_from)},
     {"jam_to", KEY_NUMBER, .fallback = "3.2", FROM(1, 100), AT(LimitsDef, jam_to)},
     {"clearance", KEY_NUMBER, DIM_LENGTH, .fallback = "6.35 mm", FROM(0, LONG), AT(LimitsDef, clearance)},
     {"fill", KEY_NUMBER, .otherwise = "by the number of cables", ABOVE(0, 1), AT(LimitsDef, fill)},
+    {"weight_correction", KEY_NUMBER, .otherwise = "not known", FROM(1, 100), AT(LimitsDef, weight_correction)},
 };
 SECTION(case_limits, "limits", limits_keys);
 
-/* The layout must belong to the number of cables; whether it holds in a duct, the calculation says. */
+/* Its cables and their layout were read as a bundle (case_bundle_read). */
 hawser_status case_theory_read(CaseReader *r, const CaseNode *node)
 {
-    static const int cables[] = {0, 1, 2, 3, 3, 4};
     TheoryDef *const theory = &r->def->theory;
     const hawser_status status = case_section_read(r, node, &case_theory, theory);
-    if (status) return status;
-    const int of = cables[theory->layout];
-    if (of == 0 || of == theory->cables) return HAWSER_OK;
-    return case_key_error(r->err, case_node_key(node, "layout"), NULL, "a %s is of %d cables, but 'cables' is %d",
-                          duct_layout_name((DuctLayout)theory->layout), of, theory->cables);
+    theory->guessed_friction = !case_node_key(r->root, "friction") && r->def->n_rollers == 0 && r->def->n_surfaces == 0;
+    return status ? status : case_planner_read(r, node);
 }
 
 /* Of two keys that say the same thing one is enough. */

@@ -31,7 +31,7 @@ static const CaseKey obstacle_keys[] = {
     {"bell", KEY_TEXT, .fallback = "", AT(Obstacle, name[OBSTACLE_BELL])},
     {"at", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `centre` says where it is", FROM(-LONG, LONG), AT(Obstacle, at)},
     {"offset", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-1e3, 1e3), AT(Obstacle, offset)},
-    {"centre", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(Obstacle, def.centre)},
+    {"centre", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-1e8, 1e8), AT(Obstacle, def.centre)},
     {"axis", KEY_POINT, .fallback = "[0, 0, 0]", FROM(-1e6, 1e6), AT(Obstacle, def.axis)},
     {"size", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(0, 1e4), AT(Obstacle, size)},
     {"round", KEY_NUMBER, DIM_LENGTH, .fallback = "5 mm", ABOVE(0, 1e3), AT(Obstacle, round)},
@@ -101,6 +101,7 @@ static hawser_status place_find(const CaseReader *r, const CaseNode *node, int k
         return case_key_error(r->err, node, "axis",
                               turned ? "expected a direction that is not zero" : "missing: needed with 'centre'");
     }
+    if (!along) d->centre = v3_sub(d->centre, r->def->route_origin);
     if (along) {
         const RoutePoint on = route_at(&r->route, o->at);
         const Vec3 left = route_left(&r->route, o->at), up = v3_cross(on.tangent, left);

@@ -15,17 +15,31 @@ enum {
     CASE_CONVEYORS_MAX = 10000
 };
 
-extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, case_run, case_rod, case_rod_tail,
-    case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_lead_in, case_contact,
-    case_friction, case_groove, case_spin, case_mount, case_roller_row, case_rollers, case_surfaces, case_drive,
-    case_tail, case_back_tension, case_reel, case_conveyor, case_jam, case_obstacle, case_solver, case_output,
-    case_probe, case_paper, case_theory, case_limits, case_medium, case_launch;
+extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, case_bundle, case_run, case_rod,
+    case_rod_tail, case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_route_plan,
+    case_route_profile, case_lead_in, case_contact, case_friction, case_groove, case_spin, case_mount, case_roller_row,
+    case_rollers, case_surfaces, case_drive, case_tail, case_back_tension, case_reel, case_conveyor, case_jam,
+    case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory, case_theory_friction,
+    case_theory_wear, case_theory_pit, case_theory_machine, case_limits, case_medium, case_launch;
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
 hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, CableDef *cable);
+/* Limits that the case leaves open and the chain's own cables answer: conductor of the first piece, strength of the
+ * rope.
+ */
+hawser_status case_cables_limits(CaseReader *r, const CaseNode *node);
 hawser_status case_chain_read(CaseReader *r, const CaseNode *node);
+/* Several cables pulled together: from then on the chain is the cable that stands for them. */
+hawser_status case_bundle_read(CaseReader *r, const CaseNode *node);
+/* What a bundle cannot be beside. After all that could be. */
+hawser_status case_bundle_check(CaseReader *r, const CaseNode *node);
+extern const char *const case_layouts[]; /* in the order of DuctLayout */
 hawser_status case_run_read(CaseReader *r, const CaseNode *node);
+/* After the route and the drive, which say how long a run takes whose case does not. */
+hawser_status case_run_complete(CaseReader *r, const CaseNode *node);
+/* The lists of the section `theory`. */
+hawser_status case_planner_read(CaseReader *r, const CaseNode *node);
 /* Its chain without a route; r->route is then a straight of the chain's length. After the run, whose analysis says how
  * loads come in. */
 hawser_status case_rod_read(CaseReader *r, const CaseNode *node);

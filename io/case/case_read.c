@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
+#include "io/library/library.h"
 
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
@@ -12,12 +13,15 @@ static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 /* The whole case: its title, and the sections below. */
 static const CaseKey top_keys[] = {
     {"title", KEY_TEXT, .fallback = "", AT(SceneDef, title)},
+    {"include", KEY_ANY, .otherwise = "none", .form = "a file, or a list of files"},
     {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]", FROM(0, 1e3),
      .dimension = DIM_ACCELERATION},
     {"frame", KEY_CHOICE, .fallback = "symmetric", .choices = frames, AT(SceneDef, frame)},
     {"cables", KEY_MAP, .required = 1, .form = "a name and its properties for each kind of cable",
      .section = &case_cable},
-    {"chain", KEY_LIST, .required = 1, .form = "the pieces, from the tail to the winch", .section = &case_chain_piece},
+    {"chain", KEY_LIST, .otherwise = "the only cable, as long as the route",
+     .form = "the pieces, from the tail to the winch", .section = &case_chain_piece},
+    {"bundle", KEY_MAP, .otherwise = "one cable", .section = &case_bundle},
     {"route", KEY_MAP, .otherwise = "none: it is needed without a `rod`", .section = &case_route},
     {"rod", KEY_MAP, .otherwise = "none", .section = &case_rod},
     {"lead_in", KEY_MAP, .otherwise = "none", .section = &case_lead_in},
@@ -32,7 +36,7 @@ static const CaseKey top_keys[] = {
     {"jams", KEY_LIST, .otherwise = "none", .form = "jams one by one", .section = &case_jam},
     {"medium", KEY_MAP, .otherwise = "none", .section = &case_medium},
     {"launch", KEY_MAP, .otherwise = "at rest", .section = &case_launch},
-    {"run", KEY_MAP, .required = 1, .section = &case_run},
+    {"run", KEY_MAP, .otherwise = "its defaults", .section = &case_run},
     {"solver", KEY_MAP, .otherwise = "its defaults", .section = &case_solver},
     {"output", KEY_MAP, .otherwise = "its defaults", .section = &case_output},
     {"paper", KEY_MAP, .otherwise = "from the route", .section = &case_paper},
@@ -102,44 +106,36 @@ static const struct {
     const char *key;
     hawser_status (*read)(CaseReader *r, const CaseNode *node);
 } parts[] = {
-    {"gravity", gravity_read},
-    {"cables", case_cables_read},
-    {"chain", case_chain_read},
-    {"run", case_run_read},
-    {"rod", case_rod_read},
-    {"route", case_route_read},
-    {"rod", case_rod_check},
-    {"lead_in", case_lead_in_read},
-    {"drive", case_drive_read},
-    {"contact", case_contact_read},
-    {"friction", case_frictions_read},
-    {"rollers", case_rollers_read},
-    {"surfaces", case_surfaces_read},
-    {"obstacles", case_obstacles_read},
-    {"reel", case_reel_read},
-    {"conveyors", case_conveyors_read},
-    {"medium", case_medium_read},
-    {"launch", case_launch_read},
-    {"jams", case_jams_read},
-    {"chain", case_mesh_read},
-    {"solver", solver_read},
-    {"output", case_output_read},
-    {"paper", case_paper_read},
-    {"theory", case_theory_read},
-    {"limits", case_limits_read},
+    {"gravity", gravity_read},          {"cables", case_cables_read},   {"chain", case_chain_read},
+    {"bundle", case_bundle_read},       {"run", case_run_read},         {"rod", case_rod_read},
+    {"route", case_route_read},         {"rod", case_rod_check},        {"lead_in", case_lead_in_read},
+    {"drive", case_drive_read},         {"run", case_run_complete},     {"contact", case_contact_read},
+    {"friction", case_frictions_read},  {"rollers", case_rollers_read}, {"surfaces", case_surfaces_read},
+    {"obstacles", case_obstacles_read}, {"reel", case_reel_read},       {"conveyors", case_conveyors_read},
+    {"medium", case_medium_read},       {"launch", case_launch_read},   {"jams", case_jams_read},
+    {"bundle", case_bundle_check},      {"chain", case_mesh_read},      {"solver", solver_read},
+    {"output", case_output_read},       {"paper", case_paper_read},     {"theory", case_theory_read},
+    {"limits", case_limits_read},       {"cables", case_cables_limits}, {"cables", case_assumptions_read},
 };
 
-/* The reader's own things are given back on every way out; so is the definition, if there is an error. */
+/* The reader's own things are given back on every way out; so is the definition, if there is an error. What the
+ * catalogue brings is in a copy of the tree, so that a later setting finds the case as it was written. */
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
     CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .err = err};
+    CaseNode *typed = NULL;
+    Library *library = NULL;
     scene_def_defaults(def);
-    hawser_status status = r.units ? case_section_read(&r, tree->root, &case_top, def) : error_memory(err);
+    hawser_status status = r.units ? library_expand(tree, &typed, &library, err) : error_memory(err);
+    if (typed) r.root = typed;
+    if (!status) status = case_section_read(&r, r.root, &case_top, def);
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++) {
-        status = parts[k].read(&r, case_node_key(tree->root, parts[k].key));
+        status = parts[k].read(&r, case_node_key(r.root, parts[k].key));
     }
     route_clear(&r.route);
     units_free(r.units);
+    node_free(typed);
+    library_free(library);
     if (status) scene_def_clear(def);
     return status;
 }

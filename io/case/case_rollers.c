@@ -22,6 +22,7 @@ typedef struct Row {
 
 /* A count of 0 means that the spacing decides. */
 static const CaseKey roller_row_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(Row, places.from)},
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG), AT(Row, places.to)},
     {"count", KEY_INTEGER, .fallback = "0", FROM(0, 100000), AT(Row, places.count)},
@@ -46,7 +47,8 @@ SECTION(case_roller_row, "rollers.along", roller_row_keys);
 
 /* By coordinates: nothing is known of the route. */
 static const CaseKey roller_keys[] = {
-    {"centre", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(Row, roller.centre)},
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
+    {"centre", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-1e8, 1e8), AT(Row, roller.centre)},
     {"axis", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(Row, roller.axis)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(Row, roller.radius)},
     {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(Row, roller.width)},
@@ -237,6 +239,7 @@ static hawser_status roller_read(const CaseReader *r, const CaseNode *node)
     }
     if (status) return status;
     d->axis = v3_unit(d->axis);
+    d->centre = v3_sub(d->centre, r->def->route_origin);
     d->s = NAN;
     if (!*d->name) snprintf(d->name, sizeof d->name, "L%d", node->index + 1);
     def->rollers[def->n_rollers] = *d;

@@ -3,29 +3,107 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "core/route_make.h"
 #include "io/case/case_parts.h"
 
-/* Where the route begins and what it is made of. */
+/* m: surveyors' coordinates may be as far from their zero, and lines that begin farther than NEAR count from an origin
+ * of their own. */
+#define FAR 1e8
+static const double NEAR = 1e4, ORIGIN_GRID = 1e3;
+static const double PI = 3.14159265358979323846;
+
+/* The section without its lists. */
+typedef struct RouteRecord {
+    Vec3 start;
+    double heading, slope, head_at, transition, radius, station;
+    int spline;
+} RouteRecord;
+
+/* Where the route begins and what it is made of; the keys of which kind form_check says. */
 static const CaseKey route_keys[] = {
-    {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(SceneDef, route_start)},
+    {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-FAR, FAR), AT(RouteRecord, start)},
+    {"origin", KEY_ANY, DIM_LENGTH, .fallback = "auto", .form = "`auto` or [x, y, z], each a length", FROM(-FAR, FAR)},
     {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
-     AT(SceneDef, route_heading)},
-    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-89), DEGREES(89)), AT(SceneDef, route_slope)},
-    {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(SceneDef, head_at)},
-    {"pieces", KEY_LIST, .required = 1, .form = "straights and bends, end to end", .section = &case_route_piece},
+     AT(RouteRecord, heading)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-90), DEGREES(90)), AT(RouteRecord, slope)},
+    {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(RouteRecord, head_at)},
+    {"transition_radius", KEY_NUMBER, DIM_LENGTH,
+     .otherwise = "`limits.bend_radius`, else 20 times the largest diameter", ABOVE(0, LONG),
+     AT(RouteRecord, transition)},
+    {"pieces", KEY_LIST, .otherwise = "none: or `points`, or `plan`", .form = "straights, bends and curves, end to end",
+     .section = &case_route_piece},
+    {"points", KEY_LIST, DIM_LENGTH, .otherwise = "none",
+     .form = "points [x, y, z] or [x, y, z, radius], from the start on", FROM(-FAR, FAR)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: corners of `points` need it", ABOVE(0, LONG),
+     AT(RouteRecord, radius)},
+    {"spline", KEY_FLAG, .fallback = "false", AT(RouteRecord, spline)},
+    {"plan", KEY_LIST, .otherwise = "none", .form = "lines, arcs and clothoids, end to end",
+     .section = &case_route_plan},
+    {"profile", KEY_LIST, .otherwise = "none: level", .form = "its corners, by rising station",
+     .section = &case_route_profile},
+    {"station", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RouteRecord, station)},
 };
 SECTION(case_route, "route", route_keys);
 
-/* Which keys belong to straights and which to bends piece_read says. */
+static const char *const grades[] = {"keep", "plane", NULL};
+
+/* What a piece may say beside its definition. NAN: not given. */
+typedef struct PieceRecord {
+    RoutePieceDef def;
+    double straight, clothoid, parabola, slope, start_radius, end_radius, end_slope;
+} PieceRecord;
+
+/* Which keys belong to which kind piece_keys_check says. */
 static const CaseKey route_piece_keys[] = {
-    {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "it is a bend", ABOVE(0, LONG), AT(RoutePieceDef, length)},
-    {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "it is a straight", ABOVE(0, DEGREES(360)), AT(RoutePieceDef, angle)},
-    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: bends need it", ABOVE(0, LONG), AT(RoutePieceDef, radius)},
+    {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PieceRecord, straight)},
+    {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "the slope there", FROM(DEGREES(-90), DEGREES(90)),
+     AT(PieceRecord, slope)},
+    {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "another kind", ABOVE(0, DEGREES(360)), AT(PieceRecord, def.angle)},
+    {"clothoid", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PieceRecord, clothoid)},
+    {"parabola", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PieceRecord, parabola)},
+    {"end_slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: parabolas need it", FROM(DEGREES(-80), DEGREES(80)),
+     AT(PieceRecord, end_slope)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: bends need it", ABOVE(0, LONG), AT(PieceRecord, def.radius)},
+    {"start_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "straight there", ABOVE(0, LONG),
+     AT(PieceRecord, start_radius)},
+    {"end_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "straight there", ABOVE(0, LONG), AT(PieceRecord, end_radius)},
     {"plane", KEY_ANY, DIM_ANGLE, .otherwise = "none: bends need it",
      .form = "`up`, `down`, `left`, `right` or an angle", FROM(DEGREES(-360), DEGREES(360))},
-    {"name", KEY_TEXT, .fallback = "", AT(RoutePieceDef, name)},
+    {"grade", KEY_CHOICE, .otherwise = "`keep` for `left` and `right`, else `plane`", .choices = grades,
+     AT(PieceRecord, def.upright)},
+    {"name", KEY_TEXT, .fallback = "", AT(PieceRecord, def.name)},
 };
 SECTION(case_route_piece, "route.pieces.N", route_piece_keys);
+
+static const char *const turns[] = {"left", "right", NULL};
+
+typedef struct PlanRecord {
+    RoutePlanElement element;
+    double line, arc, clothoid, radius, start_radius, end_radius;
+    int right;
+} PlanRecord;
+
+static const CaseKey plan_keys[] = {
+    {"line", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PlanRecord, line)},
+    {"arc", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PlanRecord, arc)},
+    {"clothoid", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PlanRecord, clothoid)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: arcs need it", ABOVE(0, LONG), AT(PlanRecord, radius)},
+    {"start_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "straight there", ABOVE(0, LONG),
+     AT(PlanRecord, start_radius)},
+    {"end_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "straight there", ABOVE(0, LONG), AT(PlanRecord, end_radius)},
+    {"turn", KEY_CHOICE, .fallback = "left", .choices = turns, AT(PlanRecord, right)},
+    {"name", KEY_TEXT, .fallback = "", AT(PlanRecord, element.name)},
+};
+SECTION(case_route_plan, "route.plan.N", plan_keys);
+
+static const CaseKey profile_keys[] = {
+    {"station", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(RouteProfileCorner, station)},
+    {"height", KEY_NUMBER, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(RouteProfileCorner, height)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "the transition radius", ABOVE(0, LONG),
+     AT(RouteProfileCorner, radius)},
+    {"parabola", KEY_NUMBER, DIM_LENGTH, .otherwise = "an arc", ABOVE(0, LONG), AT(RouteProfileCorner, parabola)},
+};
+SECTION(case_route_profile, "route.profile.N", profile_keys);
 
 static const char *const weights[] = {"full", "carried", NULL};
 
@@ -36,8 +114,6 @@ static const CaseKey lead_in_keys[] = {
 };
 SECTION(case_lead_in, "lead_in", lead_in_keys);
 
-static const double PI = 3.14159265358979323846;
-
 hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double *plane)
 {
     static const char *const words[4] = {"left", "up", "right", "down"};
@@ -47,46 +123,363 @@ hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double 
         *plane = k * PI / 2;
         if (strcmp(node->text, words[k]) == 0) return HAWSER_OK;
     }
-    char why[UNITS_WHY_MAX];
+    char why[UNITS_WHY_MAX] = "";
     if (!text || !units_read(r->units, node->text, DIM_ANGLE, plane, why)) {
-        return case_value_error(r->err, node, ": expected up, down, left, right or an angle, such as 30 deg");
+        return case_value_error(r->err, node, "%s%s: expected up, down, left, right or an angle, such as 30 deg",
+                                *why ? " " : "", why);
     }
     return case_range_check(r, node, key, *plane);
 }
 
-/* A key that a piece of this kind must have, or must not. */
-static hawser_status key_expect(const CaseReader *r, const CaseNode *piece, const char *key, int wanted)
+/* ---------------------------------------------------------------------------------------------------- pieces */
+
+/* Keys of a piece's map that none of `allowed` (NULL behind the last) is. */
+static hawser_status keys_only(const CaseReader *r, const CaseNode *node, const char *kind, const char *const *allowed)
 {
-    const CaseNode *node = case_node_key(piece, key);
-    if (wanted && !node) return case_key_error(r->err, piece, key, "missing: a bend has a radius and a plane");
-    if (!wanted && node) return case_key_error(r->err, node, NULL, "not allowed in a straight piece");
+    for (const CaseNode *key = node->first; key; key = key->next) {
+        int known = strcmp(key->key, "name") == 0 || strcmp(key->key, kind) == 0;
+        for (const char *const *word = allowed; *word; ++word) known = known || strcmp(key->key, *word) == 0;
+        if (!known) return case_key_error(r->err, key, NULL, "not allowed in a '%s' piece", kind);
+    }
     return HAWSER_OK;
 }
 
-/* Either straight or a bend, with the keys of its kind and no others. */
-static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void *item)
+static hawser_status key_needed(const CaseReader *r, const CaseNode *node, const char *key, const char *kind)
 {
-    RoutePieceDef *const piece = item;
-    hawser_status status = case_section_read(r, node, &case_route_piece, piece);
-    if (status) return status;
-    const int bend = !isnan(piece->angle);
-    if (bend == !isnan(piece->length)) {
-        return case_key_error(r->err, node, NULL, "%s: give either 'straight' or 'bend'",
-                              bend ? "straight and bent at once" : "neither straight nor bent");
+    if (case_node_key(node, key)) return HAWSER_OK;
+    return case_key_error(r->err, node, key, "missing: a '%s' piece needs it", kind);
+}
+
+/* The one of these kinds that a map has; -1 after an error. */
+static int kind_of(const CaseReader *r, const CaseNode *node, const char *const *kinds, const char *list)
+{
+    int found = -1, n = 0;
+    for (int k = 0; kinds[k]; ++k) {
+        if (!case_node_key(node, kinds[k])) continue;
+        found = k;
+        ++n;
     }
-    status = key_expect(r, node, "radius", bend);
-    if (!status) status = key_expect(r, node, "plane", bend);
-    if (!status && bend) status = case_plane_read(r, case_node_key(node, "plane"), &piece->plane);
+    if (n != 1) case_key_error(r->err, node, NULL, "%s: give one of %s", n ? "two kinds at once" : "no kind", list);
+    return n == 1 ? found : -1;
+}
+
+/* A radius must leave room for the cable itself. NAN passes: it is not given. */
+static hawser_status radius_check(const CaseReader *r, const CaseNode *node, const char *key, double radius)
+{
+    const double least = case_largest_diameter(r->def) / 2;
+    if (!(radius <= least)) return HAWSER_OK;
+    return case_value_error(r->err, case_node_key(node, key),
+                            " is too small: must be above the cable's own radius, %g m", least);
+}
+
+/* Curvatures at a clothoid's ends, of which one may be straight. */
+static hawser_status ends_read(const CaseReader *r, const CaseNode *node, double start, double end, double out[2])
+{
+    if (isnan(start) && isnan(end))
+        return case_key_error(r->err, node, "end_radius", "missing: a clothoid has a radius at one end at least");
+    const hawser_status status = radius_check(r, node, "start_radius", start);
+    out[0] = isnan(start) ? 0 : 1 / start;
+    out[1] = isnan(end) ? 0 : 1 / end;
+    return status ? status : radius_check(r, node, "end_radius", end);
+}
+
+/* A bend is an arc, or by the radii of its ends a clothoid of that angle; in its plane, or at a constant grade. */
+static hawser_status bend_make(const CaseReader *r, const CaseNode *node, PieceRecord *in)
+{
+    RoutePieceDef *const p = &in->def;
+    const char *const kind = isnan(in->clothoid) ? "bend" : "clothoid";
+    const int arc = isnan(in->clothoid) && isnan(in->start_radius) && isnan(in->end_radius);
+    static const char *const of_arc[] = {"radius", "plane", "grade", NULL};
+    static const char *const of_clothoid[] = {"start_radius", "end_radius", "plane", "grade", NULL};
+    const CaseNode *const plane = case_node_key(node, "plane"), *const grade = case_node_key(node, "grade");
+    hawser_status status = keys_only(r, node, kind, arc ? of_arc : of_clothoid);
+    if (!status && arc) status = key_needed(r, node, "radius", kind);
+    if (!status) status = key_needed(r, node, "plane", kind);
+    if (!status) status = case_plane_read(r, plane, &p->plane);
+    if (!status && arc) status = radius_check(r, node, "radius", p->radius);
+    if (!status && !arc) status = ends_read(r, node, in->start_radius, in->end_radius, p->curvature);
     if (status) return status;
-    piece->kind = bend ? ROUTE_BEND : ROUTE_STRAIGHT;
-    if (bend) piece->length = 0;
-    if (!bend) piece->radius = piece->angle = 0;
-    if (bend && piece->radius <= case_largest_diameter(r->def) / 2) {
-        return case_value_error(r->err, case_node_key(node, "radius"),
-                                " is too small: must be above the cable's own radius, %g m",
-                                case_largest_diameter(r->def) / 2);
+    const int left = strcmp(plane->text, "left") == 0, right = strcmp(plane->text, "right") == 0;
+    p->upright = grade ? p->upright == 0 : left || right;
+    if (p->upright && !left && !right)
+        return case_key_error(r->err, grade, NULL, "only bends to the left or right keep a grade");
+    p->kind = arc && !p->upright ? ROUTE_BEND : ROUTE_CURVE;
+    if (arc) {
+        p->curvature[0] = p->curvature[1] = 1 / p->radius;
+        p->length = p->radius * p->angle;
+    } else {
+        p->length = isnan(in->clothoid) ? 2 * p->angle / (p->curvature[0] + p->curvature[1]) : in->clothoid;
+    }
+    if (p->upright && right) {
+        p->curvature[0] = -p->curvature[0];
+        p->curvature[1] = -p->curvature[1];
     }
     return HAWSER_OK;
+}
+
+static hawser_status piece_read(const CaseReader *r, const CaseNode *node, void *item)
+{
+    static const char *const kinds[] = {"straight", "bend", "clothoid", "parabola", NULL};
+    static const char *const of_straight[] = {"slope", NULL}, *const of_parabola[] = {"end_slope", NULL};
+    PieceRecord in = {.def = {.kind = ROUTE_STRAIGHT}};
+    const hawser_status status = case_section_read(r, node, &case_route_piece, &in);
+    RoutePieceDef *const p = item;
+    if (status) return status;
+    const int kind = kind_of(r, node, kinds, "straight, bend, clothoid and parabola");
+    if (kind < 0) return HAWSER_ERR_INPUT;
+    if (kind == 1 || kind == 2) {
+        const hawser_status bent = bend_make(r, node, &in);
+        *p = in.def;
+        return bent;
+    }
+    memcpy(p->name, in.def.name, sizeof p->name);
+    if (kind == 0) {
+        p->length = in.straight;
+        p->sloped = !isnan(in.slope);
+        p->slope = p->sloped ? in.slope : 0;
+        return keys_only(r, node, kinds[kind], of_straight);
+    }
+    p->kind = ROUTE_CURVE;
+    p->upright = 1;
+    p->length = in.parabola;
+    p->profile = PROFILE_PARABOLA;
+    p->slope_end = in.end_slope;
+    const hawser_status known = keys_only(r, node, kinds[kind], of_parabola);
+    return known ? known : key_needed(r, node, "end_slope", kinds[kind]);
+}
+
+/* Slope and heading behind a piece that begins on them. */
+static hawser_status piece_pass(const RoutePieceDef *p, double *heading, double *slope, hawser_error *err)
+{
+    Route one;
+    const hawser_status status = route_build(&one, 1, p, V3_ZERO, *heading, *slope, err);
+    if (status) return status;
+    const Vec3 left = route_left(&one, one.length);
+    *slope = route_slope(&one, one.length);
+    *heading = atan2(-left.x, left.y);
+    route_clear(&one);
+    return HAWSER_OK;
+}
+
+/* On the level a bend that keeps its grade is one in a plane, and one that begins upright has no other: those stay
+ * arcs. Behind the pieces the slopes of straights are rounded. */
+static hawser_status grades_settle(const CaseReader *r, const CaseNode *list, int n, RoutePieceDef *def,
+                                   const RouteRecord *in)
+{
+    const double level = 1e-12, upright = DEGREES(89);
+    double heading = in->heading, slope = in->slope;
+    const CaseNode *node = list->first;
+    for (int i = 0; i < n; ++i, node = node->next) {
+        RoutePieceDef *const p = &def[i];
+        const int arc = p->kind == ROUTE_CURVE && p->angle > 0 && p->radius > 0;
+        const int steep = fabs(slope) > upright;
+        if (steep && p->kind == ROUTE_CURVE && p->profile == PROFILE_PARABOLA)
+            return case_key_error(r->err, node, "parabola", "the route is upright there: a parabola cannot begin");
+        if (arc && p->upright && (fabs(slope) < level || steep)) {
+            p->kind = ROUTE_BEND;
+            p->upright = 0;
+        } else if (p->kind == ROUTE_CURVE && p->upright && steep) {
+            p->upright = 0;
+            p->curvature[0] = fabs(p->curvature[0]);
+            p->curvature[1] = fabs(p->curvature[1]);
+        }
+        if (p->sloped) slope = p->slope;
+        const hawser_status status = piece_pass(p, &heading, &slope, r->err);
+        if (status) return status;
+    }
+    return HAWSER_OK;
+}
+
+/* Pieces as they are; with changes of slope rounded. */
+static hawser_status pieces_line(const CaseReader *r, const CaseNode *list, const RouteRecord *in, RouteLine *out)
+{
+    RoutePieceDef *def = NULL;
+    int n = 0, sloped = 0;
+    hawser_status status = case_list_read(r, list, sizeof *def, piece_read, &def, &n);
+    if (!status) status = grades_settle(r, list, n, def, in);
+    for (int i = 0; i < n; ++i) sloped |= def[i].sloped;
+    if (!status && sloped) {
+        hawser_error why = {.message = ""};
+        status = route_round_slopes(n, def, in->heading, in->slope, in->transition, out, &why);
+        if (status) status = case_key_error(r->err, list, NULL, "%s", why.message);
+        free(def);
+        return status;
+    }
+    *out = (RouteLine){.heading = in->heading, .slope = in->slope, .n = n, .piece = def};
+    return status;
+}
+
+/* --------------------------------------------------------------------------------- points; plan and profile */
+
+static hawser_status point_read(const CaseReader *r, const CaseNode *node, void *item)
+{
+    const CaseKey *const at = case_key_of(&case_route, "points"), *const round = case_key_of(&case_route, "radius");
+    const CaseKey *const keys[4] = {at, at, at, round};
+    const int n = node->kind == NODE_LIST && node->count == 4 ? 4 : 3;
+    double value[4] = {0, 0, 0, NAN};
+    const hawser_status status = case_numbers_read(r, node, n, keys, value);
+    *(RouteCorner *)item = (RouteCorner){v3(value[0], value[1], value[2]), value[3]};
+    return status;
+}
+
+/* The points count from `from`. */
+static hawser_status points_line(const CaseReader *r, const CaseNode *list, const RouteRecord *in, Vec3 from, int n,
+                                 RouteCorner *corner, RouteLine *out)
+{
+    hawser_error why = {.message = ""};
+    Vec3 *const point = malloc((size_t)n * sizeof *point);
+    if (!point) return error_memory(r->err);
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < n && !status; ++i) {
+        corner[i].point = point[i] = v3_sub(corner[i].point, from);
+        if (isnan(corner[i].radius)) corner[i].radius = in->radius;
+        if (isnan(corner[i].radius) && !in->spline && i > 0 && i + 1 < n)
+            status = case_key_error(r->err, list->parent, "radius", "missing: corners of 'points' are rounded by it");
+    }
+    if (!status) {
+        status = in->spline ? route_from_spline(n, point, out, &why) : route_from_corners(n, corner, out, &why);
+        if (status) status = case_key_error(r->err, list, NULL, "%s", why.message);
+    }
+    free(point);
+    return status;
+}
+
+static hawser_status plan_read(const CaseReader *r, const CaseNode *node, void *item)
+{
+    static const char *const kinds[] = {"line", "arc", "clothoid", NULL};
+    static const char *const of_line[] = {NULL}, *const of_arc[] = {"radius", "turn", NULL};
+    static const char *const of_clothoid[] = {"start_radius", "end_radius", "turn", NULL};
+    static const char *const *const allowed[] = {of_line, of_arc, of_clothoid};
+    PlanRecord in = {.right = 0};
+    hawser_status status = case_section_read(r, node, &case_route_plan, &in);
+    if (status) return status;
+    const int kind = kind_of(r, node, kinds, "line, arc and clothoid");
+    if (kind < 0) return HAWSER_ERR_INPUT;
+    RoutePlanElement *const e = item;
+    *e = in.element;
+    e->length = kind == 0 ? in.line : kind == 1 ? in.arc : in.clothoid;
+    status = keys_only(r, node, kinds[kind], allowed[kind]);
+    if (!status && kind == 1) status = key_needed(r, node, "radius", "arc");
+    if (!status && kind == 1) status = radius_check(r, node, "radius", in.radius);
+    if (!status && kind == 1) e->curvature[0] = e->curvature[1] = 1 / in.radius;
+    if (!status && kind == 2) status = ends_read(r, node, in.start_radius, in.end_radius, e->curvature);
+    for (int k = 0; k < 2; ++k) e->curvature[k] *= in.right ? -1 : 1;
+    return status;
+}
+
+static hawser_status profile_read(const CaseReader *r, const CaseNode *node, void *item)
+{
+    RouteProfileCorner *const c = item;
+    const hawser_status status = case_section_read(r, node, &case_route_profile, c);
+    if (status) return status;
+    if (!isnan(c->radius) && !isnan(c->parabola))
+        return case_key_error(r->err, node, "parabola", "beside 'radius': give one of them");
+    if (isnan(c->radius)) c->radius = 0;
+    if (isnan(c->parabola)) c->parabola = 0;
+    return HAWSER_OK;
+}
+
+static hawser_status plan_line(const CaseReader *r, const CaseNode *plan, const CaseNode *rise, const RouteRecord *in,
+                               Vec3 start, RouteLine *out)
+{
+    RoutePlanElement *element = NULL;
+    RouteProfileCorner *corner = NULL;
+    RouteProfile profile = {.n = 0};
+    hawser_error why = {.message = ""};
+    int n = 0, n_corners = 0;
+    hawser_status status = case_list_read(r, plan, sizeof *element, plan_read, &element, &n);
+    if (!status) status = case_list_read(r, rise, sizeof *corner, profile_read, &corner, &n_corners);
+    if (!status && rise && n_corners < 2)
+        status = case_value_error(r->err, rise, " of %d points: expected two at least", n_corners);
+    if (!status && rise) {
+        status = route_profile_from_corners(n_corners, corner, in->transition, &profile, &why);
+        if (status) status = case_key_error(r->err, rise, NULL, "%s", why.message);
+    }
+    if (!status) {
+        const Vec3 from = v3(start.x, start.y, rise ? 0 : start.z);
+        status =
+            route_from_plan_and_profile(n, element, rise ? &profile : NULL, in->station, from, in->heading, out, &why);
+        if (status) status = case_key_error(r->err, rise ? rise : plan, NULL, "%s", why.message);
+    }
+    free(element);
+    free(corner);
+    free(profile.element);
+    return status;
+}
+
+/* ----------------------------------------------------------------------------------------------- the section */
+
+/* Which keys go with which list. */
+static hawser_status form_check(const CaseReader *r, const CaseNode *node)
+{
+    static const char *const lists[] = {"pieces", "points", "plan", NULL};
+    static const struct {
+        const char *key, *with;
+    } only[] = {{"slope", "pieces"}, {"heading", "pieces"}, {"radius", "points"}, {"spline", "points"},
+                {"start", "pieces"}, {"profile", "plan"},   {"station", "plan"}};
+    const int kind = kind_of(r, node, lists, "pieces, points and plan");
+    if (kind < 0) return HAWSER_ERR_INPUT;
+    const CaseNode *const list = case_node_key(node, lists[kind]);
+    for (size_t k = 0; k < sizeof only / sizeof *only; ++k) {
+        const CaseNode *const given = case_node_key(node, only[k].key);
+        const int planned = kind == 2 && (strcmp(only[k].key, "heading") == 0 || strcmp(only[k].key, "start") == 0);
+        if (!given || planned || strcmp(only[k].with, lists[kind]) == 0) continue;
+        return case_key_error(r->err, given, NULL, "not with '%s'", lists[kind]);
+    }
+    if (list->count == 0) return case_value_error(r->err, list, " without a piece: the route is empty");
+    if (kind == 1 && list->count < 2)
+        return case_value_error(r->err, list, " of %d: expected two points at least", list->count);
+    return HAWSER_OK;
+}
+
+/* What coordinates of results and of the definition count from: a point of the surveyor's. */
+static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3 first)
+{
+    const CaseKey *const key = case_key_of(&case_route, "origin"), *const keys[3] = {key, key, key};
+    Vec3 *const origin = &r->def->route_origin;
+    *origin = V3_ZERO;
+    if (node && !(node->kind == NODE_TEXT && strcmp(node->text, "auto") == 0)) {
+        double value[3] = {0, 0, 0};
+        if (node->kind != NODE_LIST) return case_value_error(r->err, node, ": expected %s", key->form);
+        const hawser_status status = case_numbers_read(r, node, 3, keys, value);
+        *origin = v3(value[0], value[1], value[2]);
+        return status;
+    }
+    if (fmax(fabs(first.x), fabs(first.y)) > NEAR)
+        *origin = v3(ORIGIN_GRID * round(first.x / ORIGIN_GRID), ORIGIN_GRID * round(first.y / ORIGIN_GRID), 0);
+    return HAWSER_OK;
+}
+
+/* What a change of slope is rounded by if nothing is said: the cable's limit. */
+static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
+{
+    const CaseNode *const limit = case_node_key(case_node_key(r->root, "limits"), "bend_radius");
+    if (!isnan(in->transition)) return HAWSER_OK;
+    in->transition = 20 * case_largest_diameter(r->def);
+    return limit ? case_number_read(r, limit, case_key_of(&case_limits, "bend_radius"), &in->transition) : HAWSER_OK;
+}
+
+/* The route as a line of pieces that counts from the origin. */
+static hawser_status line_read(const CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
+{
+    const CaseNode *const points = case_node_key(node, "points"), *const plan = case_node_key(node, "plan");
+    const CaseNode *const origin = case_node_key(node, "origin");
+    RouteCorner *corner = NULL;
+    int n = 0;
+    hawser_status status = points ? case_list_read(r, points, sizeof *corner, point_read, &corner, &n) : HAWSER_OK;
+    if (!status) status = origin_read(r, origin, points ? corner[0].point : in->start);
+    const Vec3 start = v3_sub(in->start, r->def->route_origin);
+    if (!status && points) status = points_line(r, points, in, r->def->route_origin, n, corner, out);
+    if (!status && plan) {
+        status = plan_line(r, plan, case_node_key(node, "profile"), in, start, out);
+        if (case_node_key(node, "profile")) out->start.z -= r->def->route_origin.z;
+    }
+    if (!status && !points && !plan) {
+        status = pieces_line(r, case_node_key(node, "pieces"), in, out);
+        out->start = start;
+    }
+    free(corner);
+    return status;
 }
 
 /* Where the cable's front is at the start: on the route. */
@@ -105,13 +498,22 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
     SceneDef *const def = r->def;
     if (def->rod.present) return HAWSER_OK;
     if (!node) return case_key_error(r->err, r->root, "route", "missing: give it, or a 'rod'");
-    hawser_status status = case_section_read(r, node, &case_route, def);
-    const CaseNode *const list = case_node_key(node, "pieces");
-    if (!status && list->count == 0) return case_value_error(r->err, list, " without a piece: the route is empty");
-    if (!status) status = case_list_read(r, list, sizeof *def->route, piece_read, &def->route, &def->n_route);
+    RouteRecord in = {.start = V3_ZERO};
+    RouteLine line = {.n = 0};
+    hawser_status status = case_section_read(r, node, &case_route, &in);
+    if (!status) status = form_check(r, node);
+    if (!status) status = transition_read(r, &in);
+    if (!status) status = line_read(r, node, &in, &line);
+    def->route = line.piece;
+    def->n_route = line.n;
     if (status) return status;
+    def->route_start = line.start;
+    def->route_heading = line.heading;
+    def->route_slope = line.slope;
+    def->head_at = in.head_at;
     status = route_build(&r->route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope,
                          r->err);
+    if (!status && !case_node_key(r->root, "chain")) def->pieces[0].length = r->route.length;
     return status ? status : head_check(r, node);
 }
 

@@ -16,6 +16,7 @@ static const char *const tray_sections[] = {"flat", "v", "u", NULL};
 
 /* Stretches: off the route is an error, which stretch_check finds. */
 static const CaseKey duct_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
     {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.from)},
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(Surface, def.shape.to)},
@@ -48,7 +49,7 @@ static SECTION(tray, "surfaces.trays.N", tray_keys);
 /* By coordinates. A length or width of 0 has no end. */
 static const CaseKey plane_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(Surface, def.name)},
-    {"point", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-LONG, LONG), AT(Surface, def.shape.point)},
+    {"point", KEY_POINT, DIM_LENGTH, .required = 1, FROM(-1e8, 1e8), AT(Surface, def.shape.point)},
     {"normal", KEY_POINT, .required = 1, FROM(-1e6, 1e6), AT(Surface, def.shape.normal)},
     {"along", KEY_POINT, .fallback = "[0, 0, 0]", FROM(-1e6, 1e6), AT(Surface, def.shape.along)},
     {"length", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(0, LONG), AT(Surface, def.shape.length)},
@@ -134,7 +135,7 @@ static hawser_status bends_check(const CaseReader *r, const CaseNode *node, cons
 {
     for (int i = 0; i < r->route.n; i++) {
         const RoutePiece *const p = &r->route.piece[i];
-        if (p->kind != ROUTE_BEND || p->s0 >= s->to || p->s0 + p->length <= s->from) continue;
+        if (p->kind == ROUTE_STRAIGHT || p->s0 >= s->to || p->s0 + p->length <= s->from) continue;
         if (p->radius > extent) continue;
         return case_key_error(r->err, node, key,
                               "%g m is out of range: must be below the radius of the bend at %.10g m, %g m", extent,
@@ -156,10 +157,27 @@ static hawser_status slopes_check(const CaseReader *r, const CaseNode *node, con
     return HAWSER_OK;
 }
 
+/* The equivalent cable's duct: as much wider than it as the bundle's middle can move (BU8). */
+static hawser_status bundle_room(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
+{
+    hawser_error why = {.message = ""};
+    DuctLoad load;
+    out->bore = out->shape.radius;
+    if (bundle_in(r->def, out, &load, &why)) {
+        return case_key_error(r->err, node, "radius", "duct '%s': %s", out->name, why.message);
+    }
+    out->shape.radius = r->def->bundle.shape.touch / 2 + load.room;
+    return HAWSER_OK;
+}
+
 static hawser_status duct_finish(const CaseReader *r, const CaseNode *node, int resting, SurfaceDef *out)
 {
     SurfaceShape *const s = &out->shape;
     s->kind = SURFACE_DUCT;
+    if (bundle_present(&r->def->bundle)) {
+        const hawser_status fits = bundle_room(r, node, out);
+        if (fits) return fits;
+    }
     if (s->radius <= s->cable_radius) {
         return case_key_error(r->err, node, "radius",
                               "%g m is too small: must be above the largest cable's radius, %g m", s->radius,
@@ -275,6 +293,7 @@ static hawser_status plane_finish(const CaseReader *r, const CaseNode *node, int
     }
     s->kind = SURFACE_PLANE;
     s->normal = v3_unit(s->normal);
+    s->point = v3_sub(s->point, r->def->route_origin);
     s->along = along_of(s->along, s->normal);
     if (!(v3_norm(s->along) > 0.5)) {
         return case_value_error(r->err, case_node_key(node, "along"),

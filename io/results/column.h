@@ -30,8 +30,10 @@ typedef struct Column {
     size_t offset;                     /* in the row */
     double (*number)(const void *row); /* in place of what lies there */
     const char *(*text)(const void *row);
-    const char *label;            /* over the column of a table for people */
+    const char *label;            /* over the column of a table for people; the key's unit may follow behind a comma */
     int decimals;                 /* there; < 0: as many as it takes */
+    int group;                    /* there: where a table that is too wide for a page is better cut than elsewhere */
+    const char *unit_by;          /* key of the column with each row's unit; NULL: the unit is the key's end */
     int digits;                   /* of CSV files; 0: nine */
     const struct Columns *of;     /* LIST, MAP, OBJECT: their columns */
     size_t count;                 /* LIST, MAP: where in the row the int is that says how many */
@@ -66,6 +68,30 @@ Cell column_cell(const Column *column, const void *row);
  */
 void csv_cell(FILE *f, Cell cell, int digits);
 
+/* ------------------------------------------------------------------- units: everything is in SI until it is shown */
+
+/* A value times `factor` is so many `unit`. */
+typedef struct Scale {
+    double factor;
+    const char *unit; /* lives for ever, or is the unit that was asked about */
+} Scale;
+
+/* How values of a unit are shown of which the largest is `size` (in that unit; NAN: the plain unit). A unit that is not
+ * in the table ("s", "deg") stays as it is. */
+Scale scale_of(const char *unit, double size, hawser_units units);
+
+/* The unit with which a key ends, as in "forward_end_N" and "max_sidewall_N_per_m"; "" if it has none. */
+const char *unit_of_key(const char *key);
+/* The length of a key without its unit. */
+size_t key_length(const char *key);
+
+/* A number in so many significant digits, never with a power of ten where it can be read without. `text` has
+ * HAWSER_SHOWN_MAX bytes. */
+const char *say_digits(double value, int digits, char *text);
+
+/* The pairs of units one by one, for tests: NULL behind the last. *factor: how many of `*shown` one `*si` is. */
+const char *shown_pair(int i, const char **shown, double *factor);
+
 /* ------------------------------------------------------------------------------------------------- documents */
 
 /* What `check`, `theory` and `validate` print: facts and tables, as text for people, JSON or CSV. */
@@ -79,7 +105,7 @@ typedef struct Table {
 
 typedef struct Fact {
     const char *key;   /* of JSON and CSV, with the unit: "cable_mass_kg" */
-    const char *label; /* for people */
+    const char *label; /* for people; NULL: they have read it in the answer */
     const char *unit;
     Cell cell;
 } Fact;
@@ -90,8 +116,11 @@ typedef struct Document {
     const Fact *fact;   /* [n_facts] */
     const Table *table; /* [n_tables] */
     const Table *csv;   /* the one table that CSV can hold; NULL: the facts */
+    const char *answer; /* for people, below the title and above all figures: whole lines; NULL: none */
 } Document;
 
+/* A document as text for people. */
+void document_print(FILE *f, const Document *doc, hawser_units units);
 /* The text in a format; malloc'ed. Errors: MEMORY. */
 hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err);
 

@@ -1,5 +1,5 @@
-/* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns,
- * lists of objects or CSV. */
+/* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns
+ * (page.c), lists of objects or CSV. */
 #include "io/results/column.h"
 
 #include "core/base/error.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELL_MAX = 160, TABLE_COLUMNS_MAX = 16, DIGITS = 10 };
+enum { DIGITS = 10 };
 
 Cell column_cell(const Column *column, const void *row)
 {
@@ -34,70 +34,9 @@ Cell column_cell(const Column *column, const void *row)
     }
 }
 
-/* A cell as people read it. */
-static const char *say_cell(Cell cell, int decimals, char *text)
-{
-    if (cell.text) return cell.text;
-    if (!isfinite(cell.value)) return "-";
-    if (decimals < 0) snprintf(text, CELL_MAX, "%.8g", cell.value);
-    if (decimals >= 0) snprintf(text, CELL_MAX, "%.*f", decimals, cell.value);
-    return text;
-}
-
 static Cell cell_at(const Table *t, int row, int column)
 {
     return column_cell(&t->columns.column[column], (const char *)t->rows + (size_t)row * t->columns.size);
-}
-
-/* Wide enough for the label and for every cell, counted in bytes (names with accents come out a little narrow). */
-static int column_width(const Table *t, int c)
-{
-    char text[CELL_MAX];
-    size_t width = strlen(t->columns.column[c].label);
-    for (int r = 0; r < t->n; r++) {
-        const size_t w = strlen(say_cell(cell_at(t, r, c), t->columns.column[c].decimals, text));
-        if (w > width) width = w;
-    }
-    return (int)width;
-}
-
-/* Columns in line: text to the left, numbers to the right. */
-static void print_table(FILE *f, const Table *t)
-{
-    char text[CELL_MAX];
-    int width[TABLE_COLUMNS_MAX];
-    assert(t->columns.n <= TABLE_COLUMNS_MAX);
-    fprintf(f, "\n%s\n", t->heading);
-    for (int c = 0; c < t->columns.n; c++) {
-        width[c] = column_width(t, c);
-        const int left = t->n > 0 && cell_at(t, 0, c).text;
-        fprintf(f, "  %*s", left ? -width[c] : width[c], t->columns.column[c].label);
-    }
-    for (int r = 0; r < t->n; r++) {
-        fputc('\n', f);
-        for (int c = 0; c < t->columns.n; c++) {
-            const Cell cell = cell_at(t, r, c);
-            fprintf(f, "  %*s", cell.text ? -width[c] : width[c], say_cell(cell, t->columns.column[c].decimals, text));
-        }
-    }
-    fputc('\n', f);
-}
-
-/* Label, value, unit; the values stand under each other. */
-static void print_facts(FILE *f, const Document *doc)
-{
-    char text[CELL_MAX];
-    int width = 0;
-    for (int i = 0; i < doc->n_facts; i++) {
-        const int w = (int)strlen(doc->fact[i].label);
-        if (w > width) width = w;
-    }
-    fprintf(f, "%s\n", doc->title);
-    for (int i = 0; i < doc->n_facts; i++) {
-        const Fact *fact = &doc->fact[i];
-        const char *space = fact->unit[0] ? " " : "";
-        fprintf(f, "  %-*s  %s%s%s\n", width, fact->label, say_cell(fact->cell, -1, text), space, fact->unit);
-    }
 }
 
 /* RFC 4180: texts in quotes where they need them. Readers of CSV disagree about "nan"; an empty cell is understood by
@@ -183,8 +122,7 @@ static void print_document(FILE *f, const Document *doc, hawser_format format)
         if (body) fprintf(f, "%s\n", body);
         free(body);
     } else {
-        print_facts(f, doc);
-        for (int i = 0; i < doc->n_tables; i++) print_table(f, &doc->table[i]);
+        document_print(f, doc, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI);
     }
 }
 

@@ -9,6 +9,7 @@
  * open. */
 typedef struct ResultsDef {
     const char *title; /* the case's */
+    double origin[3];  /* m, of all coordinates; zero: not said */
     int segments;
     int rollers;
     const hawser_roller *roller;   /* [rollers]: names and places */
@@ -34,6 +35,8 @@ typedef struct SummaryLabels {
     const hawser_surface *surface; /* [n_surfaces] */
     int n_rollers;
     const hawser_roller *roller; /* [n_rollers] */
+    int n_assumptions;
+    const hawser_assumption *assumption; /* [n_assumptions] */
     int n_limits;
     const hawser_limit *limit; /* [n_limits] */
     int n_overloads;

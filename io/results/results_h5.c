@@ -8,6 +8,7 @@
 #include "sim/def/scene_def.h"
 
 #include <hdf5.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -166,6 +167,11 @@ static int make_file(H5File *h, const ResultsDef *def)
     if (file < 0) return 0;
     h->file = file;
     int ok = write_text(file, "title", def->title) && write_text(file, "hawser_version", hawser_version());
+    if (fabs(def->origin[0]) + fabs(def->origin[1]) + fabs(def->origin[2]) > 0) {
+        char text[96];
+        snprintf(text, sizeof text, "%.10g %.10g %.10g", def->origin[0], def->origin[1], def->origin[2]);
+        ok = ok && write_text(file, "origin_m", text);
+    }
     for (int k = 0; k < sample_columns && ok; k++) ok = make_set(h, k);
     const hid_t frames = ok ? H5Gcreate2(file, "frames", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1;
     if (frames < 0) return 0;

@@ -50,6 +50,39 @@ static int roller_moves(const void *row)
     return !isnan(r->spin_rad_per_s) || !isnan(r->shift_m);
 }
 
+/* Several cables taken as one, and how they lie in the ducts. */
+static const Column bundle_duct_column[] = {
+    {COLUMN("name", TEXT, hawser_bundle_duct, name)},
+    {COLUMN("layout", TEXT, hawser_bundle_duct, layout)},
+    {COLUMN("weight_factor", NUMBER, hawser_bundle_duct, weight_factor)},
+    {COLUMN("friction_straight", NUMBER, hawser_bundle_duct, friction_straight)},
+    {COLUMN("friction_bend", NUMBER, hawser_bundle_duct, friction_bend)},
+    {COLUMN("sidewall_factor", NUMBER, hawser_bundle_duct, sidewall_factor)},
+    {COLUMN("jam_ratio", NUMBER, hawser_bundle_duct, jam_ratio)},
+    {COLUMN("jam_risk", TEXT, hawser_bundle_duct, jam_risk)},
+    {COLUMN("clearance_m", NUMBER, hawser_bundle_duct, clearance_m)},
+    {COLUMN("fill", NUMBER, hawser_bundle_duct, fill)},
+    {COLUMN("room_m", NUMBER, hawser_bundle_duct, room_m)},
+};
+static const Columns bundle_duct_columns = COLUMNS(hawser_bundle_duct, bundle_duct_column);
+
+static const Column bundle_column[] = {
+    {COLUMN("cables", COUNT, hawser_bundle, cables)},
+    {COLUMN("name", TEXT, hawser_bundle, name)},
+    {COLUMN("weight_correction", TEXT, hawser_bundle, weight_correction)},
+    {COLUMN("mass_kg_per_m", NUMBER, hawser_bundle, mass_kg_per_m)},
+    {COLUMN("EA_N", NUMBER, hawser_bundle, EA_N)},
+    {COLUMN("GA_N", NUMBER, hawser_bundle, GA_N)},
+    {COLUMN("GJ_N_m2", NUMBER, hawser_bundle, GJ_N_m2)},
+    {COLUMN("EI_N_m2", NUMBER, hawser_bundle, EI_N_m2)},
+    {COLUMN("diameter_m", NUMBER, hawser_bundle, diameter_m)},
+    {COLUMN("lay_m", NUMBER, hawser_bundle, lay_m)},
+    {COLUMN("share", NUMBER, hawser_bundle, share)},
+    {COLUMN("pulled", COUNT, hawser_bundle, pulled)},
+    {LIST("ducts", hawser_bundle, ducts, n_ducts, bundle_duct_columns)},
+};
+static const Columns bundle_columns = COLUMNS(hawser_bundle, bundle_column);
+
 /* The pull by the place of the cable's front. */
 static const Column position_column[] = {
     {COLUMN("head_m", NUMBER, hawser_position, head_m)},
@@ -103,6 +136,16 @@ static const Column condition_column[] = {
     {COLUMN("holds", FLAG, hawser_condition, holds)},       {COLUMN("remedy", CHARS, hawser_condition, remedy)},
 };
 static const Columns condition_columns = COLUMNS(hawser_condition, condition_column);
+
+/* What the case did not say itself. */
+static const Column assumption_column[] = {
+    {COLUMN("key", CHARS, hawser_assumption, key)},
+    {COLUMN("value", CHARS, hawser_assumption, value)},
+    {COLUMN("origin", TEXT, hawser_assumption, origin)},
+    {COLUMN("source", CHARS, hawser_assumption, source)},
+};
+static const Columns assumption_columns = COLUMNS(hawser_assumption, assumption_column);
+static int is_assumption(const void *row) { return row != NULL; }
 
 static double limit_holds(const void *row)
 {
@@ -179,6 +222,7 @@ static const Column summary_column[] = {
     {COLUMN("version", TEXT, Summary, version)},
     {COLUMN("outcome", TEXT, Summary, l.outcome)},
     {COLUMN("message", TEXT, Summary, l.message)},
+    {COLUMN("origin_m", VECTOR, Summary, s.origin_m)},
     /* counts of the model */
     {COLUMN("segments", COUNT, Summary, s.segments)},
     {COLUMN("bushings", COUNT, Summary, s.bushings)},
@@ -227,8 +271,10 @@ static const Column summary_column[] = {
     {LIST("critical_loads", Summary, s.critical, s.n_critical, critical_columns)},
     {LIST("events", Summary, s.events, s.n_events, event_columns)},
     {LIST("pull_by_position", Summary, s.positions, s.n_positions, position_columns)},
+    {COLUMN("bundle", OBJECT, Summary, s.bundle), .of = &bundle_columns},
     {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},
     {LIST("moving_rollers", Summary, l.roller, l.n_rollers, moving_columns), .keep = roller_moves},
+    {LIST("assumptions", Summary, l.assumption, l.n_assumptions, assumption_columns), .keep = is_assumption},
     {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
     {LIST("trust", Summary, s.conditions, s.n_conditions, condition_columns)},
     {COLUMN("verdict", CHARS, Summary, verdict)},

@@ -109,6 +109,10 @@ int case_word_place(const CaseNode *node, const char *const *word);
 /* The row of a key that the section is known to have. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name);
 
+/* Fills r->def->assumptions with what the catalogue and estimates have put in, once all else has been read. cables: the
+ * section. Errors: MEMORY. */
+hawser_status case_assumptions_read(CaseReader *r, const CaseNode *cables);
+
 enum { CASE_SECTIONS_MAX = 100, CASE_RANGE_MAX = 96, CASE_FORM_MAX = 128 };
 /* Adds a section and all below it to all[CASE_SECTIONS_MAX], which has n; returns how many it has then. */
 int case_sections(const CaseSection *section, const CaseSection *all[], int n);

@@ -94,11 +94,10 @@ hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char
 
 static int least(int a, int b) { return a < b ? a : b; }
 
-/* How many letters must be changed, added, dropped or swapped with their neighbour to make b of a (optimal
- * string alignment); words of up to 31 letters. */
-static int word_distance(const char *a, const char *b)
+/* Optimal string alignment; words of up to 63 letters. */
+int case_distance(const char *a, const char *b)
 {
-    enum { LETTERS = 31 };
+    enum { LETTERS = 63 };
     int d[LETTERS + 1][LETTERS + 1];
     const int n = (int)strlen(a), m = (int)strlen(b);
     if (n > LETTERS || m > LETTERS) return LETTERS;
@@ -123,7 +122,7 @@ const char *case_nearest(const char *word, const char *const *name, int n)
     int best_distance = least(3, 1 + (int)strlen(word) / 3);
     for (int k = 0; k < n; k++) {
         if (strcasecmp(word, name[k]) == 0) return name[k];
-        const int distance = word_distance(word, name[k]);
+        const int distance = case_distance(word, name[k]);
         if (distance >= best_distance) continue;
         best = name[k];
         best_distance = distance;

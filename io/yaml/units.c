@@ -33,6 +33,7 @@ static const DimensionRow dimensions[DIM_COUNT] = {
     [DIM_MASS] = {"a mass", "kg", "300 kg"},
     [DIM_INERTIA] = {"a moment of inertia", "kg m2", "0.05 kg m2"},
     [DIM_SPRING] = {"a stiffness", "N/m", "500 kN/m"},
+    [DIM_LINE_FORCE] = {"a force per length", "N/m", "5 kN/m"},
     [DIM_TURN_SPRING] = {"a stiffness in turning", "N m/rad", "20 kN m/rad"},
     [DIM_DASHPOT] = {"a force per speed", "N s/m", "10 kN s/m"},
     [DIM_CURVATURE] = {"a curvature", "m-1", "0.02 m-1"},
@@ -43,7 +44,8 @@ static const DimensionRow dimensions[DIM_COUNT] = {
 /* Base units. The radian is one of them, so that an angle cannot pass for a pure number. */
 static const char *const base_units[] = {"m", "kg", "s", "rad"};
 
-/* The others, each from those above it; the inch, foot and pound are exact by definition. */
+/* The others, each from those above it; the inch, foot and pound are exact by definition. A circular mil is the area of
+ * a circle of a thousandth of an inch across. */
 typedef struct UnitRow {
     const char *name;
     double scale;
@@ -51,11 +53,11 @@ typedef struct UnitRow {
 } UnitRow;
 
 static const UnitRow derived_units[] = {
-    {"in", 0.0254, "m"},
-    {"ft", 0.3048, "m"},
+    {"in", UNIT_FOOT / 12, "m"},
+    {"ft", UNIT_FOOT, "m"},
     {"g", 1e-3, "kg"},
     {"t", 1e3, "kg"},
-    {"lb", 0.45359237, "kg"},
+    {"lb", UNIT_POUND, "kg"},
     {"min", 60, "s"},
     {"h", 3600, "s"},
     {"deg", 3.14159265358979323846 / 180, "rad"},
@@ -63,18 +65,22 @@ static const UnitRow derived_units[] = {
     {"rpm", 1, "rev/min"},
     {"Hz", 1, "s-1"},
     {"N", 1, "kg m s-2"},
-    {"kgf", 9.80665, "N"},
-    {"lbf", 4.4482216152605, "N"},
+    {"kgf", UNIT_GRAVITY, "N"},
+    {"lbf", UNIT_POUND *UNIT_GRAVITY, "N"},
+    {"kip", 1e3, "lbf"},
     {"Pa", 1, "N m-2"},
     {"bar", 1e5, "Pa"},
     {"psi", 6894.757293168361, "Pa"},
+    {"ksi", 1e3, "psi"},
+    {"cmil", 3.14159265358979323846 / 4 * 25.4e-6 * 25.4e-6, "m2"},
+    {"MCM", 1e3, "cmil"},
     {"J", 1, "N m"},
     {"W", 1, "J s-1"},
 };
 enum { N_BASE = sizeof base_units / sizeof *base_units, N_DERIVED = sizeof derived_units / sizeof *derived_units };
 
-static const char *const prefix_names[] = {"n", "u", "\xc2\xb5", "m", "c", "k", "M", "G", NULL};
-static const double prefix_values[] = {1e-9, 1e-6, 1e-6, 1e-3, 1e-2, 1e3, 1e6, 1e9};
+static const char *const prefix_names[] = {"n", "u", "\xc2\xb5", "m", "c", "da", "k", "M", "G", NULL};
+static const double prefix_values[] = {1e-9, 1e-6, 1e-6, 1e-3, 1e-2, 10, 1e3, 1e6, 1e9};
 
 struct Units {
     ut_system *system;
@@ -225,20 +231,67 @@ static double unit_factor(ut_unit *unit, ut_unit *si)
     return fabs(four - 4 * one) < 1e-9 * fabs(one) ? one : 0;
 }
 
-/* The factor from the unit called text to SI; 0 with `why`. */
+/* Where text says a pound of mass and a force is asked for, the text with "lbf" in its place; 0 if it does not. */
+static int pound_as_force(const char *text, char *asked, size_t size)
+{
+    const char *const lb = strstr(text, "lb");
+    if (!lb || isalpha((unsigned char)lb[2]) || (lb > text && isalpha((unsigned char)lb[-1]))) return 0;
+    snprintf(asked, size, "%.*slbf%s", (int)(lb - text), text, lb + 2);
+    return 1;
+}
+
+/* Why a unit of another kind was refused; a pound of mass in place of one of force is asked about. */
+static void unit_explain(const Units *units, const char *text, Dimension dimension, char *why)
+{
+    char asked[64];
+    const int pound = strlen(text) < 40 && pound_as_force(text, asked, sizeof asked);
+    ut_unit *const force = pound ? ut_parse(units->system, asked, UT_UTF8) : NULL;
+    const int meant = force && unit_factor(force, units->si[dimension]) != 0;
+    snprintf(why, UNITS_WHY_MAX, "has the unit '%.40s', which is not that of %s%s%s%s", text,
+             dimensions[dimension].name, meant ? "; write '" : "", meant ? asked : "",
+             meant ? "' for pounds of force" : "");
+    ut_free(force);
+}
+
+/* The factor from the unit called text to SI; 0 with `why`. A mass per length may be given by its weight, which is
+ * that mass under standard gravity. */
 static double unit_read(const Units *units, const char *text, Dimension dimension, char *why)
 {
     const ut_error_message_handler before = udunits_enter();
     ut_unit *unit = unit_plausible(text) ? ut_parse(units->system, text, UT_UTF8) : NULL;
-    const double factor = unit ? unit_factor(unit, units->si[dimension]) : 0;
+    double factor = unit ? unit_factor(unit, units->si[dimension]) : 0;
+    if (unit && factor == 0 && dimension == DIM_LINE_MASS) {
+        factor = unit_factor(unit, units->si[DIM_LINE_FORCE]) / UNIT_GRAVITY;
+    }
     if (!unit) {
         snprintf(why, UNITS_WHY_MAX, "has an unknown unit '%.40s'", text);
     } else if (factor == 0) {
-        snprintf(why, UNITS_WHY_MAX, "has the unit '%.40s', which is not that of %s", text, dimensions[dimension].name);
+        unit_explain(units, text, dimension, why);
     }
     ut_free(unit);
     udunits_leave(before);
     return factor;
+}
+
+double awg_area(int number)
+{
+    const double across = 0.127e-3 * pow(92, (36 - number) / 39.0);
+    return 3.14159265358979323846 / 4 * across * across;
+}
+
+/* "4/0 AWG" or "12 AWG", and nothing else: 1 and the number, 0 for 1/0, -1 for 2/0 and so on. */
+static int awg_read(const char *text, int *number)
+{
+    char *end;
+    text += strspn(text, " ");
+    if (!isdigit((unsigned char)*text)) return 0;
+    const long n = strtol(text, &end, 10);
+    const int aught = !strncmp(end, "/0", 2);
+    end += aught ? 2 : 0;
+    end += strspn(end, " ");
+    if (strncmp(end, "AWG", 3) != 0 || end[3 + strspn(end + 3, " ")]) return 0;
+    *number = (int)(aught ? 1 - n : n);
+    return aught ? n >= 1 && n <= 4 : n <= 40;
 }
 
 /* A unit of scale 0 does not exist, so a factor of 0 can mean an error. */
@@ -247,7 +300,13 @@ int units_read(const Units *units, const char *text, Dimension dimension, double
     assert(dimension != DIM_STIFFNESS);
     const char *unit;
     double number;
+    int gauge;
+    if (dimension == DIM_AREA && awg_read(text, &gauge)) return *value = awg_area(gauge), 1;
     if (!number_read(units, text, &number, &unit, why)) return 0;
+    if (dimension == DIM_ANGLE && !*unit && fabs(number) > 0) {
+        return snprintf(why, UNITS_WHY_MAX, "has no unit: is that degrees? write '%g deg' or '%g rad'", number, number),
+               0;
+    }
     const double factor = *unit ? unit_read(units, unit, dimension, why) : 1;
     if (factor == 0) return 0;
     *value = number * factor;

@@ -1,7 +1,13 @@
-/* Numbers with units, as users write them: "500 mm", "115 GPa", "6 m/min". A bare number is SI.
+/* Numbers with units, as users write them: "500 mm", "115 GPa", "6 m/min", "4/0 AWG". A bare number is SI; an angle
+ * other than 0 is never bare, for it would be taken for degrees by whoever writes it and for radians by the program.
  * docs/case-format.md lists the units; the algebra of units is the udunits library's. */
 #ifndef HAWSER_IO_YAML_UNITS_H
 #define HAWSER_IO_YAML_UNITS_H
+
+/* Exact by definition: m, kg, m/s2. Under standard gravity a pound of mass weighs a pound of force. */
+#define UNIT_FOOT    0.3048
+#define UNIT_POUND   0.45359237
+#define UNIT_GRAVITY 9.80665
 
 typedef enum Dimension {
     DIM_NONE, /* a pure number */
@@ -20,7 +26,8 @@ typedef enum Dimension {
     DIM_LINE_MASS,
     DIM_MASS,
     DIM_INERTIA,     /* moment of inertia */
-    DIM_SPRING,      /* force per length */
+    DIM_SPRING,      /* force per length of travel */
+    DIM_LINE_FORCE,  /* force per length of cable: sidewall pressure, weight */
     DIM_TURN_SPRING, /* moment per angle */
     DIM_DASHPOT,     /* force per speed */
     DIM_CURVATURE,
@@ -44,6 +51,9 @@ Units *units_free(Units *units);
 int units_read(const Units *units, const char *text, Dimension dimension, double *value, char *why);
 /* Reads a stiffness per power of a length, "3.4e8 N/m^1.5" or a bare number of N/m^e; the power must be e. */
 int units_read_stiffness(const Units *units, const char *text, double e, double *value, char *why);
+
+/* Area of a round wire of an American gauge, m2: its number, 0 for 1/0, -1 for 2/0, -3 for 4/0 (ASTM B258). */
+double awg_area(int number);
 
 /* "a length", its SI unit "m" (which a bare number has), and an example "500 mm". */
 const char *dimension_name(Dimension dimension);

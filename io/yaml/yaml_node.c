@@ -29,6 +29,34 @@ CaseNode *node_free(CaseNode *node)
     return NULL;
 }
 
+/* One node's own part of a copy. */
+static CaseNode *node_copy(const CaseNode *node, const struct LibraryEntry *entry)
+{
+    CaseNode *const copy = node_new(node->kind, node->origin, node->line);
+    if (!copy) return NULL;
+    copy->entry = entry ? entry : node->entry;
+    copy->text = node->text ? strdup(node->text) : NULL;
+    return node->text && !copy->text ? node_free(copy) : copy;
+}
+
+/* Recursion is as deep as the tree. */
+CaseNode *node_clone(const CaseNode *node, const struct LibraryEntry *entry)
+{
+    CaseNode *copy = node_copy(node, entry);
+    for (const CaseNode *child = node->first; child && copy; child = child->next) {
+        CaseNode *const below = node_clone(child, entry);
+        char *const key = child->key ? strdup(child->key) : NULL;
+        if (!below || (child->key && !key)) {
+            free(key);
+            node_free(below);
+            return node_free(copy);
+        }
+        below->key = key;
+        node_append(copy, below);
+    }
+    return copy;
+}
+
 /* In constant time, by the pointer to the last child. */
 void node_append(CaseNode *parent, CaseNode *child)
 {

@@ -42,8 +42,17 @@ CaseTree *case_tree_free(CaseTree *tree)
         free(origin);
         origin = next;
     }
+    free(tree->folder);
     free(tree);
     return NULL;
+}
+
+/* The folder of a path, malloc'ed; NULL if there is no memory. */
+static char *folder_of(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    if (!slash) return strdup(".");
+    return strndup(path, slash == path ? 1 : (size_t)(slash - path));
 }
 
 /* A tree from `size` bytes of text, which editors may begin with a byte order mark. */
@@ -112,8 +121,13 @@ hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err
     fclose(f);
     if (!text && reason == ENOMEM) return error_memory(err);
     if (!text) return error_set(err, HAWSER_ERR_INPUT, "%s: cannot be read: %s", path, strerror(reason));
-    const hawser_status status = tree_new(text, size, path, out, err);
+    hawser_status status = tree_new(text, size, path, out, err);
     free(text);
+    if (!status) (*out)->folder = folder_of(path);
+    if (!status && !(*out)->folder) {
+        *out = case_tree_free(*out);
+        status = error_memory(err);
+    }
     return status;
 }
 

@@ -14,12 +14,13 @@ typedef enum NodeKind { NODE_TEXT, NODE_MAP, NODE_LIST } NodeKind;
 /* One value. Children of a map have keys, those of a list have numbers. */
 typedef struct CaseNode {
     NodeKind kind;
-    const char *origin; /* the file's name, or "--set KEY"; belongs to the tree */
-    int line;           /* where its key, or else itself, begins, from 1; 0: not from a file */
-    char *key;          /* in a map, else NULL */
-    int index;          /* place among its siblings, from 0 */
-    char *text;         /* of a NODE_TEXT, else NULL */
-    int count;          /* children */
+    const char *origin;               /* the file's name, or "--set KEY"; belongs to the tree */
+    int line;                         /* where its key, or else itself, begins, from 1; 0: not from a file */
+    char *key;                        /* in a map, else NULL */
+    int index;                        /* place among its siblings, from 0 */
+    char *text;                       /* of a NODE_TEXT, else NULL */
+    int count;                        /* children */
+    const struct LibraryEntry *entry; /* of a catalogue, from which it was merged (io/library); NULL: the case's own */
     struct CaseNode *parent, *first, *last, *next;
 } CaseNode;
 
@@ -33,6 +34,8 @@ CaseNode *node_new(NodeKind kind, const char *origin, int line);
 CaseNode *node_free(CaseNode *node);
 /* Makes child the last of parent. */
 void node_append(CaseNode *parent, CaseNode *child);
+/* A copy with all below it, without parent and key; `entry`: put into all of its nodes. NULL if there is no memory. */
+CaseNode *node_clone(const CaseNode *node, const struct LibraryEntry *entry);
 /* Puts `by` in old's place under old's key, and frees old. */
 void node_replace(CaseNode *old, CaseNode *by);
 
@@ -41,12 +44,13 @@ void node_replace(CaseNode *old, CaseNode *by);
 typedef struct CaseTree {
     CaseNode *root;             /* a map */
     struct CaseOrigin *origins; /* the names of the places that nodes point at */
+    char *folder;               /* where the files that it includes are looked for; NULL: it came as a text, none are */
 } CaseTree;
 
 /* Reads a file. Errors: INPUT with file and line (not readable, not YAML, empty, not a map, several
  * documents, a key twice, too large, too deep); MEMORY. *out is NULL then. */
 hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err);
-/* The same for text; `name` stands in for the file's name. */
+/* The same for text; `name` stands in for the file's name. Its folder stays NULL. */
 hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out, hawser_error *err);
 /* Gives the dotted key ("chain.0.segment") a new value, which is YAML itself ("250 mm", "[0, 0, -9.8]"). Maps
  * on the way are made where they are missing; list items must exist. Errors: INPUT that names the setting;
@@ -81,6 +85,8 @@ hawser_status case_value_error(hawser_error *err, const CaseNode *node, const ch
 hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char *key, const char *what, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* How many letters must be changed, added, dropped or swapped with their neighbour to make b of a. */
+int case_distance(const char *a, const char *b);
 /* The name of names[n] that `word` was probably meant to be; NULL if none is near. */
 const char *case_nearest(const char *word, const char *const *name, int n);
 

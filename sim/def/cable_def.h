@@ -2,6 +2,8 @@
 #ifndef HAWSER_SIM_DEF_CABLE_DEF_H
 #define HAWSER_SIM_DEF_CABLE_DEF_H
 
+#include "theory/cables/stiffness.h"
+
 enum { NAME_MAX_LENGTH = 64 };
 
 /* Moment by curvature at first bending, in straight pieces from the origin, concave; the last piece goes on. Unbending
@@ -12,6 +14,8 @@ typedef struct BendingTable {
     double curvature[BENDING_ROWS_MAX]; /* 1/m, rising, above 0 */
     double moment[BENDING_ROWS_MAX];    /* N m, above 0 and not falling */
 } BendingTable;
+
+enum { CABLE_ESTIMATED_EA = 1, CABLE_ESTIMATED_GA = 2, CABLE_ESTIMATED_GJ = 4, CABLE_ESTIMATED_EI = 8 };
 
 /* A kind of cable or rope, per unit length. */
 typedef struct CableDef {
@@ -28,7 +32,15 @@ typedef struct CableDef {
     double damping_ratio_at;  /* Hz, where the ratios hold; 0: in each bushing's own mode */
     double preload[6];        /* N, N m: the wrench of an undeformed bushing, the same components (eq. 1) */
     BendingTable bending;
+    double strength;       /* N, a rope's breaking force; 0: not known */
+    double conductor_area; /* m2, of one conductor; 0: not known */
+    int conductor_metal;   /* a ConductorMetal (theory/limits.h) */
+    int conductor_cores;
+    unsigned estimated; /* CABLE_ESTIMATED_EA and so on: what nobody gave (CS1) */
 } CableDef;
+
+/* What would be estimated of the rigidities of a cable that has a diameter and a mass (CS1) to (CS7). */
+StiffnessEstimate cable_def_estimate(const CableDef *cable);
 
 /* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */
 typedef struct ChainPieceDef {

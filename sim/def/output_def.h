@@ -5,6 +5,7 @@
 
 #include "theory/limits.h"
 #include "theory/paper.h"
+#include "theory/plan.h"
 
 enum { PROBE_NAME_MAX = 64 };
 
@@ -47,11 +48,37 @@ typedef struct RopeDragDef {
     double v_s, v_d, ratio; /* velocity function: v_s, v_d m/s; ratio = mu_d / mu_s */
 } RopeDragDef;
 
-/* What the pulling calculation adds to the scene. */
+/* Friction on a stretch of the route, in place of the case's and of what lies there. */
+typedef struct TheoryFrictionDef {
+    double from, to; /* m along the route */
+    double mu, mu_s; /* mu_s: from rest; NAN: mu */
+} TheoryFrictionDef;
+
+/* A machine that takes the cable's tension off, up to its force; or a pit from which the cable is pulled on, with the
+ * force as its tension there. */
+typedef struct TheoryPlaceDef {
+    char name[PROBE_NAME_MAX];
+    double at, force; /* m along the route; N */
+} TheoryPlaceDef;
+
+/* What the pulling calculation adds to the scene. NAN: not given. */
 typedef struct TheoryDef {
-    int cables;        /* pulled together, all alike */
-    int layout;        /* a DuctLayout: how they lie in ducts */
-    double reel, rope; /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
+    int cables;          /* pulled together, all alike */
+    int layout;          /* a DuctLayout: how they lie in ducts */
+    double reel, rope;   /* m of cable whose weight is added to the tail's tension, and to the drag on the rope */
+    double rope_mass;    /* kg/m of the rope ahead of the cable; NAN: the chain's, if it has one */
+    double rope_mu;      /* its friction; NAN: the cable's in the same place */
+    double feed, bears;  /* N: push where the pull begins; the largest push that the cable bears, NAN */
+    double machine_push; /* N, of the machines of which the least number is asked; NAN */
+    double temperature;  /* degrees Celsius; NAN */
+    int wear_by;         /* a WearKind */
+    int n_wear;
+    PlanWear *wear;
+    int n_friction;
+    TheoryFrictionDef *friction;
+    int n_machines, n_pits;
+    TheoryPlaceDef *machines, *pits;
+    int guessed_friction; /* nothing carries the cable, and no friction is given: the default's is nobody's */
 } TheoryDef;
 
 #endif

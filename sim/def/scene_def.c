@@ -47,7 +47,9 @@ void scene_def_defaults(SceneDef *def)
     contact_defaults(def);
     drive_defaults(def);
     solver_defaults(&def->solver);
-    def->theory.cables = 1;
+    def->theory = (TheoryDef){
+        .cables = 1, .rope_mass = NAN, .rope_mu = NAN, .bears = NAN, .machine_push = NAN, .temperature = NAN};
+    def->bundle.shape = (BundleShape){.cables = 1, .thickest = 1};
     limits_defaults(&def->limits);
     def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};
     def->medium = (MediumDef){.normal = 1.2, .tangential = 0.01, .buoyancy = 1};
@@ -70,9 +72,16 @@ Shape roller_def_shape(const RollerDef *roller)
 
 int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind != SURFACE_PLANE; }
 
-/* (DU15). */
-double surface_theory_friction(const SurfaceDef *surface)
+/* (DU15), (BU7). */
+double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend)
 {
-    const double mu = surface->friction.mu_d;
+    const double mu = surface->friction.mu_d * bundle_friction(def, surface, in_bend);
     return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
+}
+
+StiffnessEstimate cable_def_estimate(const CableDef *cable)
+{
+    const CableMake make = {cable->diameter, cable->mass, cable->conductor_area, cable->conductor_metal,
+                            cable->conductor_cores};
+    return stiffness_estimate(&make);
 }

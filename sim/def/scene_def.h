@@ -12,6 +12,7 @@
 #include "core/route.h"
 #include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
+#include "sim/def/bundle_def.h"
 #include "sim/def/cable_def.h"
 #include "sim/def/flight_def.h"
 #include "sim/def/output_def.h"
@@ -68,6 +69,8 @@ typedef struct SurfaceDef {
     char name[NAME_MAX_LENGTH];
     SurfaceShape shape;
     FrictionLaw friction;
+    double bore; /* m, inside radius of a duct in which shape.radius is that of the room for the bundle's middle and the
+                  * equivalent cable (BU8); 0: they are the same */
 } SurfaceDef;
 
 typedef struct LeadInDef {
@@ -152,9 +155,11 @@ typedef struct SceneDef {
     CableDef *cables;
     int n_pieces;
     ChainPieceDef *pieces;
+    BundleDef bundle; /* what the cable before the eye stands for */
 
     int n_route;
     RoutePieceDef *route;
+    Vec3 route_origin; /* m, of the case's coordinates: all others here, and those of results, count from it */
     Vec3 route_start;
     double route_heading, route_slope;
     double head_at; /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
@@ -196,7 +201,11 @@ typedef struct SceneDef {
     AnalysisDef analysis;
     SolverDef solver;
     OutputDef output;
-    double duration; /* s */
+    double duration;   /* s */
+    int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
+
+    int n_assumptions;
+    hawser_assumption *assumptions; /* what the case did not say itself */
 } SceneDef;
 
 /* Every default there is; docs/case-format.md lists them. */
@@ -204,9 +213,10 @@ void scene_def_defaults(SceneDef *def);
 void scene_def_clear(SceneDef *def);
 /* What the cable touches of a roller. */
 Shape roller_def_shape(const RollerDef *roller);
-/* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides. */
+/* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides, a duct by the
+ * layout of the cables in it. */
 int surface_along_route(const SurfaceDef *surface);
-double surface_theory_friction(const SurfaceDef *surface);
+double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
 /* The name of the i-th thing that can jam, rollers first; NULL behind the last. */
 const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */

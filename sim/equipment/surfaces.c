@@ -13,6 +13,22 @@ static double tip_length(const ImpactLaw *point, const ImpactLaw *line)
     return point->k / line->k * pow(line->d, point->e - line->e);
 }
 
+/* A law for each surface, with what several cables' layout makes of it, and behind these one for each in bends
+ * (BU7). */
+static void frictions_set(const SceneDef *def, int patches, Surfaces *s)
+{
+    for (int i = 0; i < 2 * def->n_surfaces; ++i) {
+        const SurfaceDef *const surface = &def->surfaces[i % def->n_surfaces];
+        const double factor = bundle_friction(def, surface, i >= def->n_surfaces);
+        s->friction[i] = surface->friction;
+        s->friction[i].mu_s *= factor;
+        s->friction[i].mu_d *= factor;
+    }
+    for (int p = 0; p < patches; ++p) {
+        if (s->patch[p].bend > 0) s->patch[p].law += def->n_surfaces;
+    }
+}
+
 static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -23,7 +39,7 @@ static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
     int patches = 0;
     for (int i = 0; i < def->n_surfaces; ++i) patches += surface_patch_count(&def->surfaces[i].shape, route);
     SurfacePatch *next = s->patch = calloc((size_t)patches + 1, sizeof *s->patch);
-    s->friction = calloc((size_t)def->n_surfaces, sizeof *s->friction);
+    s->friction = calloc(2 * (size_t)def->n_surfaces, sizeof *s->friction);
     s->points.tip = tip_length(&def->impact, &def->line_impact);
     room->self = s; /* the scene's own member, for the clearing */
     if (!s->patch || !s->friction || !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
@@ -32,8 +48,8 @@ static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
     for (int i = 0; i < def->n_surfaces; ++i) {
         surface_patches(&def->surfaces[i].shape, route, i, next);
         next += surface_patch_count(&def->surfaces[i].shape, route);
-        s->friction[i] = def->surfaces[i].friction;
     }
+    frictions_set(def, patches, s);
     s->model = (SurfaceModel){.impact = def->line_impact,
                               .reach = def->contact_reach,
                               .n_surfaces = def->n_surfaces,

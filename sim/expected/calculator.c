@@ -3,91 +3,88 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
-
-static const CableDef *cable_of(const Scene *scene)
-{
-    return &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
-}
+#include "sim/expected/findings.h"
 
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
 
-/* How the cables lie in a duct; an error names it. */
-static hawser_status duct_fill(const Scene *scene, const SurfaceDef *surface, CalculatorDuct *out, hawser_error *err)
+/* Stretches in which the case gives friction for theory alone: what lies there is cut at both ends (PN1). */
+static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error *err)
 {
-    const DuctDef def = {.duct_diameter = 2 * surface->shape.radius,
-                         .cable_diameter = cable_of(scene)->diameter,
-                         .cables = scene->def.theory.cables,
-                         .layout = (DuctLayout)scene->def.theory.layout};
-    hawser_error why = {.message = ""};
-    out->surface = surface;
-    const hawser_status status = duct_load(&def, &out->load, &why);
-    if (!status) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT, "key 'theory.cables': duct '%s': %s", surface->name, why.message);
-}
-
-static const DuctLoad *load_in(const Calculator *c, const SurfaceDef *surface)
-{
-    for (int i = 0; i < c->n_ducts; ++i) {
-        if (c->duct[i].surface == surface) return &c->duct[i].load;
+    const TheoryDef *const theory = &scene->def.theory;
+    PullStretch *const longer = realloc(s->stretch, (size_t)(s->n + 2 * theory->n_friction + 1) * sizeof *longer);
+    if (!longer) return error_memory(err);
+    s->stretch = longer;
+    for (int f = 0; f < theory->n_friction; ++f) {
+        const TheoryFrictionDef *const def = &theory->friction[f];
+        stretches_cut(s, def->from);
+        stretches_cut(s, def->to);
+        for (int i = 0; i < s->n; ++i) {
+            if (longer[i].from < def->from || longer[i].from >= def->to) continue;
+            const double middle = i + 1 < s->n ? (longer[i].from + longer[i + 1].from) / 2 : longer[i].from + 1;
+            const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
+            const double correction = bundle_friction(&scene->def, surface_at(&scene->def, middle), in_bend);
+            longer[i].mu_rope = def->mu;
+            longer[i].mu = correction * def->mu;
+            longer[i].mu_static = correction * def->mu_s;
+        }
     }
-    return NULL;
+    for (int i = 0; i < s->n && !isnan(theory->rope_mu); ++i) longer[i].mu_rope = theory->rope_mu;
+    return HAWSER_OK;
 }
 
-/* Several cables: all their weight; in ducts more friction and an unequal share of T/R (T20), (T21), elsewhere each
- * bears its own. */
+/* Beyond either end of the route things are as they are at the end: a longer pull goes on in the same duct. */
+static void ends_extend(Stretches *s, double length)
+{
+    int first = 0;
+    while (s->n > 1 && s->stretch[s->n - 1].from >= length) --s->n;
+    while (first + 1 < s->n && s->stretch[first + 1].from <= 0) ++first;
+    s->n -= first;
+    memmove(s->stretch, s->stretch + first, (size_t)s->n * sizeof *s->stretch);
+}
+
+/* How the cables lie in the ducts; what friction and weight they make is in the stretches. */
 static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
     c->duct = calloc((size_t)def->n_surfaces + 1, sizeof *c->duct);
     hawser_status status = c->duct ? stretches_find(scene, &c->stretches, err) : error_memory(err);
+    if (!status) status = friction_set(scene, &c->stretches, err);
+    if (!status) ends_extend(&c->stretches, scene->route.length);
     for (int i = 0; i < def->n_surfaces && !status; ++i) {
         if (def->surfaces[i].shape.kind != SURFACE_DUCT) continue;
-        status = duct_fill(scene, &def->surfaces[i], &c->duct[c->n_ducts++], err);
+        c->duct[c->n_ducts].surface = &def->surfaces[i];
+        status = bundle_in(def, &def->surfaces[i], &c->duct[c->n_ducts++].load, err);
     }
+    c->mu_least = INFINITY;
     for (int i = 0; i < c->stretches.n && !status; ++i) {
-        PullStretch *const s = &c->stretches.stretch[i];
-        const double middle = i + 1 < c->stretches.n ? (s->from + s[1].from) / 2 : s->from + 1;
-        const DuctLoad *const load = load_in(c, surface_at(def, middle));
-        s->weight *= c->cables;
-        s->share = load ? load->sidewall_factor : 1.0 / c->cables;
-        if (!load) continue;
-        s->mu *= load->weight_factor;
-        s->mu_static *= load->weight_factor;
+        c->mu_least = fmin(c->mu_least, c->stretches.stretch[i].mu_rope);
+        c->mu_largest = fmax(c->mu_largest, c->stretches.stretch[i].mu_rope);
     }
     return status;
 }
 
 /* The pushes one by one along the pull: each takes what the ones before it leave. */
-static hawser_status pushes_find(const Scene *scene, const PlanDef *plan, const Pusher *by, int way, PullStep *push,
-                                 hawser_error *err)
+static hawser_status pushes_find(const Scene *scene, Calculator *c, int way, hawser_error *err)
 {
-    const int n = plan->n_pushes, back = way == PLAN_BACKWARD;
-    PullStep *const step = calloc((size_t)n + 1, sizeof *step);
-    if (!step) return error_memory(err);
-    hawser_status status = HAWSER_OK;
-    for (int k = 0; k < n && !status; ++k) {
-        const int i = back ? n - 1 - k : k;
-        const double w = plan->stretch[0].weight;
-        const PullDef def = {.route = plan->route,
-                             .from = back ? plan->route->length : 0,
-                             .to = back ? 0 : plan->route->length,
-                             .start_tension = plan->back_tension + w * plan->reel_length,
-                             .n_stretches = plan->n_stretches,
-                             .stretch = plan->stretch,
-                             .n_steps = k,
-                             .step = step};
+    const DuctLoad single = {.weight_factor = 1, .sidewall_factor = 1};
+    const PlanPullDef whole = {.way = way, .whole = 1};
+    PlanDef def = c->def;
+    PullStep *const push = c->push[way];
+    for (int i = 0; i < c->n_pushers; ++i) push[i] = (PullStep){.at = c->pusher[i].at};
+    def.push = def.push_back = push;
+    for (int k = 0; k < c->n_pushers; ++k) {
+        const int i = way == PLAN_BACKWARD ? c->n_pushers - 1 - k : k;
+        const Pusher *const by = &c->pusher[i];
         Pull pull;
-        push[i] = (PullStep){.at = by[i].at};
-        status = pull_solve(&def, &pull, err);
-        if (status) break;
-        push[i].force = by[i].room->kind->push(by[i].room, scene, by[i].item, pull_at(&pull, push[i].at).tension);
-        step[k] = (PullStep){.at = push[i].at, .force = -push[i].force};
+        const hawser_status status = plan_pull(&def, &single, &whole, &pull, err);
+        if (status) return status;
+        push[i].force = by->room->kind->push(by->room, scene, by->item, pull_at(&pull, push[i].at).tension);
         pull_clear(&pull);
     }
-    free(step);
-    return status;
+    return HAWSER_OK;
 }
 
 /* ------------------------------------------------------------------------------------------ rollers, rules */
@@ -153,13 +150,16 @@ static hawser_status rules_find(const Scene *scene, Calculator *c, hawser_error 
 
 /* ------------------------------------------------------------------------------------------------- limits */
 
-/* The route's own smallest radius. */
-static Finding bend_finding(const Route *route)
+/* The route's own smallest radius, as far as the pull goes. */
+static Finding bend_finding(const Calculator *c, int way)
 {
+    const double low = fmin(plan_first(&c->def, way), plan_last(&c->def, way));
+    const double high = fmax(plan_first(&c->def, way), plan_last(&c->def, way));
     Finding f = {.value = INFINITY};
-    for (int p = 0; p < route->n; ++p) {
-        const RoutePiece *const piece = &route->piece[p];
-        if (piece->kind == ROUTE_BEND && piece->radius < f.value) f = finding_at(route, piece->radius, piece->s0);
+    for (int p = 0; p < c->route->n; ++p) {
+        const RoutePiece *const piece = &c->route->piece[p];
+        if (piece->kind == ROUTE_STRAIGHT || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
+        if (piece->radius < f.value) f = finding_at(c->route, piece->radius, piece->s0);
     }
     return f;
 }
@@ -177,92 +177,250 @@ static Finding roller_finding(const Scene *scene, const PlanWay *way)
     return worst;
 }
 
-static void limits_set(const Scene *scene, Calculator *c)
+static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    const Route *const route = &scene->route;
+    const Route *const route = c->route;
     for (int k = 0; k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
+        if (c->def.skip[k]) continue;
         Finding f[LIMIT_KINDS] = {[LIMIT_ROLLER_PEAK] = {.absent = 1}, [LIMIT_ALPHA] = {.absent = 1}};
-        f[LIMIT_PULL] = finding_at(route, way->pull.max_tension, way->pull.max_at);
-        f[LIMIT_RESTART] = finding_at(route, way->restart_max, way->restart_at);
-        f[LIMIT_SIDEWALL] = finding_at(route, way->pull.max_sidewall, way->pull.sidewall_at);
+        f[LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
+        f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
+        f[LIMIT_SIDEWALL] = finding_on(route, way->pull.max_sidewall, way->pull.sidewall_at, way->pull.sidewall_piece);
         if (!(way->pull.max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
-        f[LIMIT_BEND] = bend_finding(route);
+        f[LIMIT_BEND] = bend_finding(c, k);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
-        f[LIMIT_ROPE].value = fmax(way->force, way->restart_force);
+        f[LIMIT_ROPE].value = fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart);
+        const hawser_status status = findings_of_way(scene, route, c, k, f, err);
+        if (status) return status;
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
             limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
-        c->n_limits = limits_judge(&scene->def.limits, cable_of(scene)->diameter, c->cables, f, c->limit[k]);
+        c->n_limits = limits_judge(&scene->def.limits, bundle_diameter(&scene->def), scene->def.bundle.shape.thickest,
+                                   f, c->limit[k]);
     }
+    return HAWSER_OK;
 }
 
-/* ---------------------------------------------------------------------------------------------- the whole */
-
-/* The tension at the start, the reel's and the rope's allowances, one set of pushes for each way. */
-static hawser_status plan_fill(const Scene *scene, double start_tension, Calculator *c, hawser_error *err)
-{
-    const SceneDef *const def = &scene->def;
-    PlanDef plan = {.route = &scene->route,
-                    .n_stretches = c->stretches.n,
-                    .stretch = c->stretches.stretch,
-                    .reel_length = def->theory.reel,
-                    .rope_length = def->theory.rope,
-                    .back_tension = fmax(0, c->cables * start_tension),
-                    .rope_force = def->drag.force,
-                    .spacing = c->spacing,
-                    .guides = c->guides};
-    hawser_status status = HAWSER_OK;
-    c->n_pushers = plan.n_pushes = scene_pushers(scene, &c->pusher);
-    if (c->n_pushers < 0) return error_memory(err);
-    for (int k = 0; k < PLAN_WAYS && !status; ++k) {
-        c->push[k] = calloc((size_t)c->n_pushers + 1, sizeof *c->push[k]);
-        status = c->push[k] ? pushes_find(scene, &plan, c->pusher, k, c->push[k], err) : error_memory(err);
-    }
-    plan.push = c->push[PLAN_FORWARD];
-    plan.push_back = c->push[PLAN_BACKWARD];
-    return status ? status : plan_build(&plan, &c->plan, err);
-}
-
-/* A cable cannot be pushed: where theory finds compression it slackens or runs away down a slope, and no figure behind
- * that place holds. A back tension as large as the compression prevents it, wherever bends lie. */
-static void pulled_set(Calculator *c)
+/* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
+ * slope, and no figure behind that place holds. */
+static void pulled_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
         hawser_condition *const held = &c->pulled[k];
+        if (c->def.skip[k]) continue;
         const double pushed = fmax(0, -way->pull.min_tension);
-        double allowed =
-            1e-9 * fmax(1, way->pull.max_tension); /* rounding; a machine may push a cable ahead of itself */
+        double allowed = fmax(1e-9 * fmax(1, way->pull.max_tension), c->def.feed); /* rounding, or what is meant */
         for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[k][i].force);
+        allowed = fmin(allowed, scene->def.theory.bears);
         *held = (hawser_condition){
             .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};
-        snprintf(
-            held->remedy, sizeof held->remedy,
-            "the cable would run away or slacken: at %.4g m it would have to be pushed with %.4g kN; it needs a brake "
-            "or back tension of up to %.4g kN more where the pull begins",
-            way->pull.min_at, pushed / 1e3, pushed / 1e3);
     }
 }
 
+/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. */
+static hawser_condition supported_by(const Scene *scene)
+{
+    const int guessed = scene->def.theory.guessed_friction;
+    hawser_condition c = {.name = "supported", .unit = "1", .value = guessed, .holds = !guessed};
+    snprintf(
+        c.remedy, sizeof c.remedy,
+        "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is that "
+        "of a guessed %g; give what carries it, or friction.mu",
+        scene->def.friction.mu_d);
+    return c;
+}
+
+/* ---------------------------------------------------------------------------------------------- the whole */
+
+/* Machines and pits, and `more` of that sort to come. */
+static hawser_status steps_set(const TheoryDef *theory, int more, Calculator *c, hawser_error *err)
+{
+    c->step = calloc((size_t)(theory->n_machines + theory->n_pits + more + 1), sizeof *c->step);
+    if (!c->step) return error_memory(err);
+    for (int i = 0; i < theory->n_machines; ++i)
+        c->step[c->def.n_steps++] = (PullStep){theory->machines[i].at, theory->machines[i].force, STEP_TAKE};
+    for (int i = 0; i < theory->n_pits; ++i)
+        c->step[c->def.n_steps++] = (PullStep){theory->pits[i].at, theory->pits[i].force, STEP_ANEW};
+    return HAWSER_OK;
+}
+
+/* Of the rope ahead, N/m: as given, or the chain's. */
+static double rope_weight(const SceneDef *def)
+{
+    const double given = def->theory.rope_mass, g = v3_norm(def->gravity);
+    if (!isnan(given)) return given * g;
+    return def->n_pieces > 1 ? def->cables[def->pieces[def->n_pieces - 1].cable].mass * g : 0;
+}
+
+/* The tension at the start, the reel's and the rope's allowances, friction by the length pulled. */
+static void plan_set(const Scene *scene, double start_tension, Calculator *c)
+{
+    const TheoryDef *const theory = &scene->def.theory;
+    c->def.reel_length = theory->reel;
+    c->def.rope_length = theory->rope;
+    c->def.back_tension = fmax(0, start_tension);
+    c->def.feed = theory->feed;
+    c->def.rope_force = scene->def.drag.force;
+    c->def.rope_weight = rope_weight(&scene->def);
+    c->def.n_wear = theory->n_wear;
+    c->def.wear = theory->wear;
+    c->def.wear_by = (WearKind)theory->wear_by;
+}
+
+/* What the arrays are by now. */
+static void plan_borrow(Calculator *c)
+{
+    c->def.route = c->route;
+    c->def.n_stretches = c->stretches.n;
+    c->def.stretch = c->stretches.stretch;
+    c->def.spacing = c->spacing;
+    c->def.guides = c->guides;
+    c->def.n_pushes = c->n_pushers;
+    c->def.push = c->push[PLAN_FORWARD];
+    c->def.push_back = c->push[PLAN_BACKWARD];
+    c->def.step = c->step;
+}
+
+/* Pushes, plan, the head's places no farther apart than `apart` (m; NAN: they are not asked for), limits. */
+static hawser_status solve(const Scene *scene, double apart, Calculator *c, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < PLAN_WAYS && !status; ++k) {
+        c->push[k] = calloc((size_t)c->n_pushers + 1, sizeof *c->push[k]);
+        if (!c->push[k]) status = error_memory(err);
+        plan_borrow(c);
+        if (!status && !c->def.skip[k]) status = pushes_find(scene, c, k, err);
+    }
+    if (!status) status = plan_build(&c->def, &c->plan, err);
+    for (int k = 0; k < PLAN_WAYS && !status; ++k) {
+        if (!c->def.skip[k] && !isnan(apart)) status = plan_heads(&c->def, &c->plan.duct, k, apart, &c->heads[k], err);
+    }
+    if (status) return status;
+    c->supported = supported_by(scene);
+    status = limits_set(scene, c, err);
+    if (status) return status;
+    pulled_set(scene, c);
+    return HAWSER_OK;
+}
+
+enum { HEAD_PLACES = 40 }; /* of the head between the ends of the route, at least */
+
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err)
 {
-    *out = (Calculator){.cables = scene->def.theory.cables};
+    *out = (Calculator){.cables = scene->def.bundle.shape.cables, .route = &scene->route};
     hawser_status status = cables_set(scene, out, err);
     if (!status) status = spacings_find(scene, out, err);
-    if (!status) status = plan_fill(scene, start_tension, out, err);
+    if (!status) status = steps_set(&scene->def.theory, 0, out, err);
+    if (!status) out->n_pushers = scene_pushers(scene, &out->pusher);
+    if (!status && out->n_pushers < 0) status = error_memory(err);
+    plan_set(scene, start_tension, out);
+    if (!status) status = solve(scene, scene->route.length / HEAD_PLACES, out, err);
     if (!status) status = rules_find(scene, out, err);
-    if (!status) limits_set(scene, out);
-    if (!status) pulled_set(out);
+    return status ? status : calculator_follow(scene, out, err);
+}
+
+/* ------------------------------------------------------------------------------------------- variations */
+
+/* The place of another route that s is on this one: the same share of the same piece. */
+static double place_on(const Route *other, const Route *route, double s)
+{
+    if (!(s > 0)) return s;
+    if (s >= route->length) return s - route->length + other->length;
+    const int p = route_at(route, s).piece;
+    const RoutePiece *const here = &route->piece[p], *const there = &other->piece[p];
+    return there->s0 + (s - here->s0) * there->length / here->length;
+}
+
+/* Makes what bends so many times as large. */
+static void piece_grow(RoutePieceDef *piece, double times)
+{
+    piece->radius *= times;
+    if (piece->kind == ROUTE_CURVE) piece->length *= times;
+    for (int end = 0; end < 2; ++end) piece->curvature[end] /= times;
+    for (int i = 0; i < 3; ++i) piece->cubic[i] = v3_scale(times, piece->cubic[i]);
+}
+
+/* The scene's route with other radii; angles stay, lengths follow. */
+static hawser_status route_vary(const Scene *scene, const Variation *by, Route *out, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    RoutePieceDef *const piece = malloc((size_t)def->n_route * sizeof *piece);
+    if (!piece) return error_memory(err);
+    for (int p = 0; p < def->n_route; ++p) {
+        piece[p] = def->route[p];
+        if (by->bend < 0 || by->bend == p) piece_grow(&piece[p], by->radius);
+    }
+    const hawser_status status =
+        route_build(out, def->n_route, piece, def->route_start, def->route_heading, def->route_slope, err);
+    free(piece);
     return status;
+}
+
+static void *copy_of(const void *from, int n, size_t size)
+{
+    void *const to = malloc(((size_t)n + 1) * size);
+    if (to) memcpy(to, from, (size_t)n * size);
+    return to;
+}
+
+/* What the base has along its route, in the same places of the other one. */
+static hawser_status places_vary(const Calculator *base, const Variation *by, Calculator *c, hawser_error *err)
+{
+    const int n = base->plan.n;
+    c->stretches = (Stretches){base->stretches.n,
+                               copy_of(base->stretches.stretch, base->stretches.n, sizeof *c->stretches.stretch)};
+    c->pusher = copy_of(base->pusher, base->n_pushers, sizeof *c->pusher);
+    c->spacing = copy_of(base->spacing, n, sizeof *c->spacing);
+    c->guides = copy_of(base->guides, n, sizeof *c->guides);
+    c->duct = copy_of(base->duct, base->n_ducts, sizeof *c->duct);
+    if (!c->stretches.stretch || !c->pusher || !c->spacing || !c->guides || !c->duct) return error_memory(err);
+    c->n_pushers = base->n_pushers;
+    c->n_ducts = base->n_ducts;
+    for (int i = 0; i < c->stretches.n; ++i) {
+        PullStretch *const s = &c->stretches.stretch[i];
+        s->from = place_on(c->route, base->route, s->from);
+        s->mu *= by->friction;
+        s->mu_static *= by->friction;
+        s->mu_rope *= by->friction;
+    }
+    for (int i = 0; i < c->n_pushers; ++i) c->pusher[i].at = place_on(c->route, base->route, c->pusher[i].at);
+    for (int i = 0; i < c->def.n_steps; ++i) c->step[i].at = place_on(c->route, base->route, c->step[i].at);
+    return HAWSER_OK;
+}
+
+hawser_status calculator_vary(const Scene *scene, const Calculator *base, const Variation *by, Calculator *out,
+                              hawser_error *err)
+{
+    const double apart = isnan(scene->def.limits.rope_strength) ? NAN : INFINITY;
+    *out = (Calculator){.cables = base->cables, .route = base->route, .def = base->def};
+    out->def.n_steps = 0;
+    out->def.beyond = by->beyond;
+    out->def.skip[!by->way] = 1;
+    hawser_status status = HAWSER_OK;
+    if (by->radius != 1) {
+        status = route_vary(scene, by, &out->own, err);
+        out->route = &out->own;
+    }
+    if (!status) status = steps_set(&scene->def.theory, by->n_machines, out, err);
+    if (!status) status = places_vary(base, by, out, err);
+    for (int i = 0; i < by->n_machines && !status; ++i)
+        out->step[out->def.n_steps++] = (PullStep){by->machine[i], by->push, STEP_TAKE};
+    return status ? status : solve(scene, apart, out, err);
 }
 
 void calculator_free(Calculator *c)
 {
     plan_clear(&c->plan);
     stretches_free(&c->stretches);
-    for (int k = 0; k < PLAN_WAYS; ++k) free(c->push[k]);
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        free(c->push[k]);
+        plan_heads_free(&c->heads[k]);
+    }
+    route_clear(&c->own);
     free(c->pusher);
+    free(c->step);
     free(c->spacing);
     free(c->guides);
     free(c->rule);

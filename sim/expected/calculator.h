@@ -1,12 +1,13 @@
-/* The pulling calculator for a scene: the whole route filled with cable and pulled either way. docs/model.md, "The
- * calculator" and "Limits". */
+/* The pulling calculator for a scene: the whole route filled with cable and pulled either way, and every place of the
+ * cable's head before that. docs/model.md, "The planner's calculation" and "Limits". */
 #ifndef HAWSER_SIM_EXPECTED_CALCULATOR_H
 #define HAWSER_SIM_EXPECTED_CALCULATOR_H
 
 #include "sim/expected/expected.h"
 #include "sim/expected/stretches.h"
 #include "theory/limits.h"
-#include "theory/plan.h"
+#include "theory/plan_head.h"
+#include "theory/plan_pull.h"
 
 /* How the cables lie in one duct of the scene. */
 typedef struct CalculatorDuct {
@@ -17,25 +18,64 @@ typedef struct CalculatorDuct {
 /* Which rule of friction holds on a piece of the route: (T6), (LI1), or each on a part. */
 typedef enum SupportRule { SUPPORT_RESULTANT, SUPPORT_SEPARATE, SUPPORT_MIXED } SupportRule;
 
+/* At which force a winch should stop (PN10), and why not at more. */
+typedef struct TripSetting {
+    double force; /* N */
+    const char *by;
+} TripSetting;
+
 typedef struct Calculator {
-    Plan plan;
+    const Route *route; /* the scene's, or `own` */
+    Route own;          /* one with other bends */
+    PlanDef def;        /* what was asked; borrows all that follows */
     int cables;
-    Stretches stretches; /* of all cables together */
+    double mu_least, mu_largest; /* of what lies along the route, without a duct's correction and wear */
+    Stretches stretches;         /* of all cables together */
     int n_pushers;
     Pusher *pusher;            /* [n_pushers] conveyors and whatever else pushes */
     PullStep *push[PLAN_WAYS]; /* [n_pushers] N along the pull */
+    PullStep *step;            /* [def.n_steps] machines and pits of the section `theory` */
     double *spacing, *guides;  /* [pieces] m, the largest gap between carriers there, and between guides; 0: none */
     SupportRule *rule;         /* [pieces] */
     int n_ducts;
     CalculatorDuct *duct; /* [n_ducts] */
-    int n_limits;         /* of either way; 0: the case has none */
+    Plan plan;
+    HeadSeries heads[PLAN_WAYS]; /* the winch's force by the place of the head */
+    int n_limits;                /* of either way; 0: the case has none */
     hawser_limit limit[PLAN_WAYS][HAWSER_LIMITS_MAX];
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
+    Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
+    TripSetting trip[PLAN_WAYS];
+    int best;                   /* the way that keeps the limits better; without limits the one that needs less force */
+    hawser_condition supported; /* whether anything is known of what carries it */
 } Calculator;
 
-/* start_tension: N, of one cable where the pull begins, whichever way. Errors: INPUT (cables that do not fit into a
- * duct, and as plan_build), MEMORY. Give it back with calculator_free, also after an error. The scene must stay. */
+/* start_tension: N, of all cables where the pull begins, whichever way. Errors: INPUT (as plan_build), MEMORY. Give
+ * it back with calculator_free, also after an error. The scene must stay. */
 hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err);
 void calculator_free(Calculator *c);
+/* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */
+hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err);
+
+/* The same pull with something else about it. */
+typedef struct Variation {
+    int way;               /* the only one that is asked for */
+    double friction;       /* factor on all friction */
+    double radius;         /* factor on the radius of ... */
+    int bend;              /* ... this piece, or of every bend: -1 */
+    double beyond;         /* m, how far the pull goes beyond the route's end; below 0: stops short of it */
+    int n_machines;        /* so many more machines ... */
+    const double *machine; /* [n_machines] ... here (m along the route) ... */
+    double push;           /* ... that take off up to so much (N) */
+} Variation;
+
+/* Solved as far as plan, limits and `pulled` of that way go. Errors as calculator_build; give it back likewise. `base`
+ * must stay. */
+hawser_status calculator_vary(const Scene *scene, const Calculator *base, const Variation *by, Calculator *out,
+                              hawser_error *err);
+/* The limit that is broken most, or that is nearest to it; NULL if none is judged. */
+const hawser_limit *calculator_worst(const Calculator *c, int way);
+/* Whether all limits of a way hold that can be judged, and the cable is pulled everywhere. */
+int calculator_holds(const Calculator *c, int way);
 
 #endif

@@ -220,9 +220,14 @@ hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, 
 
 Finding finding_at(const Route *route, double value, double s)
 {
+    return finding_on(route, value, s, route_at(route, s).piece);
+}
+
+Finding finding_on(const Route *route, double value, double s, int piece)
+{
     Finding f = {.value = value};
-    const RoutePiece *const piece = &route->piece[route_at(route, s).piece];
-    const char *const where = s < 0 ? "before the route" : s > route->length ? "beyond the route" : piece->name;
+    const char *const name = route->piece[piece].name;
+    const char *const where = s < 0 ? "before the route" : s > route->length ? "beyond the route" : name;
     snprintf(f.where, sizeof f.where, "%.1f m%s%s%s", s, *where ? " (" : "", where, *where ? ")" : "");
     return f;
 }

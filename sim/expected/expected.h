@@ -41,8 +41,10 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
 double expected_push(const Expected *e, const Room *room, int item);
 void expected_free(Expected *e);
 
-/* For limits: a value that was found at s m along the route, with the place in words. */
+/* For limits: a value that was found at s m along the route, with the place in words; at the end of a piece that of the
+ * piece ahead, or of the one that is meant. */
 Finding finding_at(const Route *route, double value, double s);
+Finding finding_on(const Route *route, double value, double s, int piece);
 /* Takes the rated roller with this load (N) in, if it has more of its rating than the worst so far. */
 void finding_load(Finding *worst, const char *roller, double load, double rating);
 

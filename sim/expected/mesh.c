@@ -24,14 +24,18 @@ static double jam_error(const MeshPlace *p, double h)
     return (soft + 2 * p->mu * p->impact.k * h * pow(depth, p->impact.e)) / p->tension;
 }
 
-/* Between rollers on both sides: segments that reach over more than one pair are bent by them, by the height of their
- * arc beyond that of the spacing, or beyond the room (ME4). */
+/* Between rollers on both sides: each pair bends a stiff chain by the height of its polygon's corners, as far as there
+ * is no room for that (ME12); segments that reach over more than one pair are bent by them, by the height of their arc
+ * beyond that of the spacing, or beyond the room (ME4). */
 static double pinch_error(const MeshPlace *p, double h)
 {
     static const double SOFT = 0.12;
+    const double a = p->pitch, x = fmin(h, a), loose = p->room / sagitta(p, x);
+    const double bends = p->bending_length * p->bending_length * x * x / (p->radius * a * a * a);
+    const double corners = 0.17 * p->mu * fmax(0, p->length / a - 1) * bends / (1 + loose * loose);
     const double free2 = fmax(p->pitch * p->pitch, 24 * p->radius * p->room), over = (h * h / free2 - 1) / SOFT;
     const double excess = free2 / (8 * p->radius) * SOFT * (over > 30 ? over : log1p(exp(over))), e = p->impact.e;
-    return 0.17 * p->mu * pow(p->impact.k, 1 / e) * pow(p->tension, -1 / e) * excess;
+    return corners + 0.17 * p->mu * pow(p->impact.k, 1 / e) * pow(p->tension, -1 / e) * excess;
 }
 
 /* Over rollers on one side: the turn at one of them is that of a joint or two, not spread by the bending stiffness
@@ -42,11 +46,13 @@ static double roller_error(const MeshPlace *p, double h)
     return 0.25 * p->turn * p->turn / (1 + 5.7 * stiff * stiff);
 }
 
-/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). On a surface the force that
- * bends the cable there has friction alone to show (ME10). */
+/* Anywhere: where the bend begins and ends curvature grows over the bending length (ME1). A bend that is shorter than
+ * its rollers' spacing is no curve but a turn between two of them (ME11). On a surface the force that bends the cable
+ * there has friction alone to show (ME10). */
 static double bend_error(const MeshPlace *p, double h)
 {
-    const double turn = h / p->radius, limp = h / p->bending_length;
+    const double spread = p->pitch > p->length ? p->length / p->pitch : 1;
+    const double turn = spread * h / p->radius, limp = h / p->bending_length;
     const double anywhere = 3.4 / (1 + 7.9 * limp * limp), rubs = 5 * p->mu * p->bending_length / p->radius;
     return turn * turn * (p->surface ? fmin(anywhere, rubs) : anywhere);
 }
@@ -118,13 +124,14 @@ double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece)
     return fmax(wanted, least);
 }
 
-double mesh_given(const Mesh *mesh, const SceneDef *def, int *worst)
+double mesh_given(const Mesh *mesh, const SceneDef *def, double pull, int *worst)
 {
     double sum = 0, most = 0;
     *worst = -1;
     for (int i = 0; i < mesh->n; ++i) {
         const ChainPieceDef *const p = &def->pieces[mesh->place[i].piece];
-        const double error = mesh_error(&mesh->place[i], p->length / p->segments);
+        const double there = pull > mesh->place[i].tension ? mesh->place[i].tension / pull : 1;
+        const double error = there * mesh_error(&mesh->place[i], p->length / p->segments);
         sum += error;
         if (error <= most) continue;
         most = error;
@@ -163,18 +170,18 @@ typedef struct Walk {
     double tension; /* N, at the end of the leg before */
 } Walk;
 
-static double friction_at(const SceneDef *def, double s)
+static double friction_on(const SceneDef *def, const RoutePiece *leg)
 {
-    const SurfaceDef *const surface = surface_at(def, s);
-    return surface ? surface_theory_friction(surface) : def->friction.mu_d;
+    const SurfaceDef *const surface = surface_at(def, leg->s0 + leg->length / 2);
+    return surface ? surface_theory_friction(def, surface, leg->kind != ROUTE_STRAIGHT) : def->friction.mu_d;
 }
 
 /* The pulling theory in one line a leg: friction on the weight, rise, capstan; never below the weight of a metre. */
 static void walk_leg(Walk *w, const RoutePiece *leg)
 {
-    const double mu = friction_at(w->def, leg->s0 + leg->length / 2);
+    const double mu = friction_on(w->def, leg);
     const double rise = route_at(w->route, leg->s0 + leg->length).position.z - leg->start.z;
-    if (leg->kind == ROUTE_BEND) w->tension *= exp(mu * leg->angle);
+    if (leg->kind != ROUTE_STRAIGHT) w->tension *= exp(mu * leg->angle);
     w->tension =
         fmax(w->weight, w->tension + w->weight * (rise + mu * sqrt(fmax(0, leg->length * leg->length - rise * rise))));
 }
@@ -267,23 +274,52 @@ static double roller_turn(const Walk *w, const RoutePiece *leg, const MeshPlace 
     return v3_norm(v3_add(v3_scale(fmin(p->pitch, leg->length), bend), v3_scale(p->pitch, down)));
 }
 
+/* Moment over curvature in a bend of this radius, N m2. */
+static double bending_stiffness(const CableDef *cable, double radius)
+{
+    const BendingTable *const t = &cable->bending;
+    double curvature = 0, moment = 0;
+    if (t->rows == 0) return fmax(cable->ei_y, cable->ei_z);
+    for (int k = 0; k < t->rows; ++k) {
+        const double slope = (t->moment[k] - moment) / (t->curvature[k] - curvature);
+        const int last = k == t->rows - 1;
+        if (last || t->curvature[k] * radius >= 1) return radius * (moment + slope * (1 / radius - curvature));
+        curvature = t->curvature[k];
+        moment = t->moment[k];
+    }
+    return 0;
+}
+
+/* Whether a bend goes on in the next leg without a jump of curvature, as a clothoid into its arc: only where curvature
+ * jumps does a bend cost something (ME1). */
+static int goes_on(const Route *route, int leg)
+{
+    if (leg + 1 >= route->n) return 0;
+    const RoutePiece *const a = &route->piece[leg], *const b = a + 1;
+    if (a->kind == ROUTE_STRAIGHT || b->kind == ROUTE_STRAIGHT || (a->kind < ROUTE_CURVE && b->kind < ROUTE_CURVE))
+        return 0;
+    const Vec3 before = route_on_piece(route, leg, b->s0).curvature;
+    const Vec3 jump = v3_sub(route_on_piece(route, leg + 1, b->s0).curvature, before);
+    return v3_norm(jump) < 0.1 / fmin(a->radius, b->radius);
+}
+
 /* A bend with a piece of the chain in it: on a surface, on rollers, or else round one thing. */
-static MeshPlace place_make(const Walk *w, int piece, int leg)
+static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece *bend)
 {
     const SceneDef *const def = w->def;
-    const RoutePiece *const bend = &w->route->piece[leg];
     const CableDef *const cable = &def->cables[def->pieces[piece].cable];
     const SurfaceDef *const surface = surface_at(def, bend->s0 + bend->length / 2);
     MeshPlace p = {.piece = piece,
                    .leg = leg,
                    .at = bend->s0,
                    .radius = bend->radius,
+                   .length = bend->length,
                    .room = NAN,
                    .tension = w->tension,
-                   .bending_length = sqrt(fmax(cable->ei_y, cable->ei_z) / w->tension),
+                   .bending_length = sqrt(bending_stiffness(cable, bend->radius) / w->tension),
                    .diameter = cable->diameter,
                    .weight = cable->mass * v3_norm(def->gravity),
-                   .mu = friction_at(def, bend->s0 + bend->length / 2),
+                   .mu = friction_on(def, bend),
                    .impact = surface ? def->line_impact : def->impact};
     if (!def->winch.present) { /* nothing is pulled: only the shape counts */
         p.wrapped = WRAPPED;
@@ -347,10 +383,17 @@ hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, haws
         double from, to;
         piece_way(def, route, k, &from, &to);
         for (int leg = 0; leg < route->n; ++leg) {
-            const RoutePiece *const piece = &route->piece[leg];
-            walk_leg(&walk, piece);
-            if (piece->kind != ROUTE_BEND || piece->s0 > to || piece->s0 + piece->length < from) continue;
-            out->place[out->n++] = place_make(&walk, k, leg);
+            RoutePiece bend = route->piece[leg];
+            const int first = leg;
+            walk_leg(&walk, &bend);
+            for (; goes_on(route, leg); ++leg) {
+                const RoutePiece *const next = &route->piece[leg + 1];
+                walk_leg(&walk, next);
+                bend.length += next->length;
+                bend.radius = fmin(bend.radius, next->radius);
+            }
+            if (bend.kind == ROUTE_STRAIGHT || bend.s0 > to || bend.s0 + bend.length < from) continue;
+            out->place[out->n++] = place_make(&walk, k, first, &bend);
         }
     }
     return HAWSER_OK;

@@ -12,6 +12,7 @@ typedef struct MeshPlace {
     int surface;           /* held by a surface, not by rollers */
     double at;             /* m along the route, where it begins */
     double radius;         /* m, of the bend; of a rod: its least radius of curvature, 0: straight */
+    double length;         /* m, of the bend */
     double room;           /* m, from the cable in the middle to either side; NAN: it is held on one side alone */
     double pitch;          /* m between rollers; 0: it is held everywhere */
     double wrapped;        /* round one drum or wheel, and nothing else counts: share in (h/R)^2; 0: not so */
@@ -46,9 +47,9 @@ double mesh_place_length(const MeshPlace *place, double error);
 
 /* What `segment: auto` takes for a piece of this length, m (ME8). */
 double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece);
-/* What the segments of the definition are expected to cost: the sum over all places (a share of the pull), and the
- * place with most of it (-1: none). */
-double mesh_given(const Mesh *mesh, const SceneDef *def, int *worst);
+/* What the segments of the definition are expected to cost: the sum over all places, a share of a pull (N; 0: of the
+ * tension at each), and the place with most of it (-1: none). */
+double mesh_given(const Mesh *mesh, const SceneDef *def, double pull, int *worst);
 /* The place in words: "bend at 31 m, R 3 m, room 2 mm". */
 void mesh_describe(const MeshPlace *place, int size, char *text);
 

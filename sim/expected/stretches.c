@@ -42,12 +42,6 @@ static Guided guided_part(const Scene *scene, int p)
                     end - last > 1.01 * half ? last + half : end};
 }
 
-/* Bends that turn to a side at all. */
-static int is_sideways(const RoutePiece *piece)
-{
-    return piece->kind == ROUTE_BEND && fabs(v3_cross(piece->tangent, piece->centre).z) > 1e-9;
-}
-
 const SurfaceDef *surface_at(const SceneDef *def, double s)
 {
     for (int i = 0; i < def->n_surfaces; ++i) {
@@ -80,7 +74,7 @@ static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *
 {
     const SceneDef *const def = &scene->def;
     const int pieces = scene->route.n;
-    c->s = malloc((size_t)(2 * def->n_surfaces + 2 * pieces + 1) * sizeof *c->s);
+    c->s = malloc((size_t)(2 * def->n_surfaces + 3 * pieces + 1) * sizeof *c->s);
     c->guided = calloc((size_t)pieces, sizeof *c->guided);
     if (!c->s || !c->guided) return error_memory(err);
     c->s[c->n++] = FAR_BEHIND;
@@ -89,8 +83,10 @@ static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *
         c->s[c->n++] = def->surfaces[i].shape.from;
         c->s[c->n++] = def->surfaces[i].shape.to;
     }
+    const int by_piece = bundle_present(&def->bundle) && def->bundle.correction == CORRECT_STRAIGHTS;
+    for (int p = 0; p < pieces && by_piece; ++p) c->s[c->n++] = scene->route.piece[p].s0;
     for (int p = 0; p < pieces; ++p) {
-        if (!is_sideways(&scene->route.piece[p])) continue;
+        if (!route_turns_aside(&scene->route.piece[p])) continue;
         c->guided[p] = guided_part(scene, p);
         if (!(c->guided[p].from < c->guided[p].to)) continue;
         c->s[c->n++] = c->guided[p].from;
@@ -109,18 +105,22 @@ static int is_separate(const Scene *scene, const Corners *c, const SurfaceDef *s
     return surface && surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0;
 }
 
-/* The stretch that begins at c->s[i]. Friction is the surface's where there is one. */
+/* The stretch that begins at c->s[i]. Friction is the surface's where there is one; of several cables one bears more
+ * than the others. */
 static PullStretch stretch_make(const Scene *scene, const Corners *c, int i)
 {
     const double middle = i + 1 < c->n ? (c->s[i] + c->s[i + 1]) / 2 : c->s[i] + 1;
     const SurfaceDef *const surface = surface_at(&scene->def, middle);
     const FrictionLaw *const law = surface ? &surface->friction : &scene->def.friction;
-    const double mu = surface ? surface_theory_friction(surface) : law->mu_d;
+    const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
+    const double mu = surface ? surface_theory_friction(&scene->def, surface, in_bend) : law->mu_d;
     return (PullStretch){.from = c->s[i],
                          .weight = scene->cable_weight,
                          .mu = mu,
+                         .mu_rope = surface ? mu / bundle_friction(&scene->def, surface, in_bend) : mu,
                          .mu_static = law->mu_d > 0 ? mu * law->mu_s / law->mu_d : law->mu_s,
-                         .separate = is_separate(scene, c, surface, middle)};
+                         .separate = is_separate(scene, c, surface, middle),
+                         .share = bundle_share(&scene->def, surface)};
 }
 
 hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *err)
@@ -138,6 +138,17 @@ hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *e
     }
     corners_free(&c);
     return status;
+}
+
+void stretches_cut(Stretches *stretches, double s)
+{
+    PullStretch *const a = stretches->stretch;
+    int i = stretches->n;
+    while (i > 0 && a[i - 1].from >= s) --i;
+    if ((i < stretches->n && a[i].from <= s) || i == 0) return;
+    for (int k = stretches->n++; k > i; --k) a[k] = a[k - 1];
+    a[i] = a[i - 1];
+    a[i].from = s;
 }
 
 void stretches_free(Stretches *s)

@@ -11,10 +11,12 @@ typedef struct Stretches {
     PullStretch *stretch; /* [n] owned, by rising `from`; the first one begins far behind the route */
 } Stretches;
 
-/* Of one cable. Supports are separate where guide rollers stand in a bend to the side and in trays with upright sides.
- * Errors: MEMORY. */
+/* Of all cables together. Supports are separate where guide rollers stand in a bend to the side and in trays with
+ * upright sides. Errors: MEMORY. */
 hawser_status stretches_find(const Scene *scene, Stretches *out, hawser_error *err);
 void stretches_free(Stretches *s);
+/* Makes a stretch begin at s, m, if none does; the array must have room for one more. */
+void stretches_cut(Stretches *stretches, double s);
 
 /* Whether a roller of a row stands upright beside the cable: its axis is nearer to the route's upward normal than to
  * the level. */

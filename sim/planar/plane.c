@@ -24,6 +24,10 @@ static Vec3 likely_normal(const Scene *scene)
     for (int k = 0; k < route->n; ++k) {
         const RoutePiece *const piece = &route->piece[k];
         if (piece->kind == ROUTE_BEND) return v3_unit(v3_cross(piece->tangent, piece->centre));
+        if (piece->kind == ROUTE_STRAIGHT) continue;
+        const RoutePoint at = route_at(route, piece->s0 + piece->length / 2);
+        const Vec3 normal = v3_cross(at.tangent, at.curvature);
+        if (v3_norm(normal) > CLOSE) return v3_unit(normal);
     }
     const Vec3 across = v3_cross(tangent, scene->weight.gravity);
     if (v3_norm(across) > CLOSE * v3_norm(scene->weight.gravity)) return v3_unit(across);
@@ -66,6 +70,19 @@ static int plane_attitude(const Scene *scene, Plane *plane)
 
 /* ----------------------------------------------------------------------------------------------- what must fit */
 
+/* A curve by looks along it, more than a cubic out of the plane has zeros. */
+static int curve_fits(const Route *route, int k, const Plane *plane)
+{
+    enum { LOOKS = 8 };
+    for (int i = 0; i <= LOOKS && route->piece[k].kind >= ROUTE_CURVE; ++i) {
+        const RoutePoint at = route_on_piece(route, k, route->piece[k].s0 + route->piece[k].length * i / LOOKS);
+        const Vec3 off = v3_sub(at.position, plane->origin);
+        if (fabs(v3_dot(at.tangent, plane->normal)) > CLOSE) return 0;
+        if (fabs(v3_dot(off, plane->normal)) > CLOSE * (1 + v3_norm(off))) return 0;
+    }
+    return 1;
+}
+
 static int route_fits(const Scene *scene, const Plane *plane)
 {
     for (int k = 0; k < scene->route.n; ++k) {
@@ -74,6 +91,7 @@ static int route_fits(const Scene *scene, const Plane *plane)
         if (fabs(v3_dot(piece->tangent, plane->normal)) > CLOSE) return 0;
         if (fabs(v3_dot(off, plane->normal)) > CLOSE * (1 + v3_norm(off))) return 0;
         if (piece->kind == ROUTE_BEND && fabs(v3_dot(piece->centre, plane->normal)) > CLOSE) return 0;
+        if (!curve_fits(&scene->route, k, plane)) return 0;
     }
     return 1;
 }

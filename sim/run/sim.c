@@ -1,5 +1,6 @@
 #include "sim/run/sim.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,10 +41,12 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
     if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
-    status = passing_new(&s->passing, scene, err);
+    status = mesh_find(&scene->def, &scene->route, &s->mesh, err);
+    if (!status) status = passing_new(&s->passing, scene, err);
     if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
+    if (!status) status = bundle_terms_make(&scene->def, &s->bundle, err);
     if (!status && !scene->rod->present) {
         status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     }
@@ -81,12 +84,14 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
 Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
+    mesh_free(&s->mesh);
     stats_free(&s->stats);
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     events_free(&s->events);
     passing_free(&s->passing);
     expected_free(&s->expected);
+    bundle_terms_free(&s->bundle);
     by_position_free(&s->by_position);
     sample_free(&s->look);
     probes_free(&s->probes);
@@ -323,6 +328,7 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
+                         .origin_m = {scene->def.route_origin.x, scene->def.route_origin.y, scene->def.route_origin.z},
                          .bushings = scene->total - 1 + (scene->winch->present ? 1 : 0) + rod_ends_held(scene->rod),
                          .rollers = scene->contact.n_rollers,
                          .surfaces = scene->surfaces.model.n_surfaces,
@@ -353,7 +359,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                          .n_events = s->events.n,
                          .events = s->events.event,
                          .n_machines = s->machines.n,
-                         .machines = s->machines.out};
+                         .machines = s->machines.out,
+                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -364,11 +371,13 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
     const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
-    const ErrorShares shares = error_shares(scene, out->balance ? &books : NULL, out->pull_mean_N);
+    ErrorShares shares =
+        error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
     stats_errors(&s->stats, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
+                              .mesh = &s->mesh,
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,

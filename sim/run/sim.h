@@ -4,6 +4,7 @@
 #ifndef HAWSER_SIM_RUN_SIM_H
 #define HAWSER_SIM_RUN_SIM_H
 
+#include "sim/expected/mesh.h"
 #include "sim/run/modes.h"
 #include "sim/run/stage.h"
 #include "sim/watch/events.h"
@@ -17,12 +18,14 @@
 typedef struct hawser_sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
+    Mesh mesh; /* what the places ask of segments */
     Probes probes;
     Modes modes;
     Stats stats;
     Machines machines;
     Peaks peaks;
     Expected expected;
+    BundleTerms bundle;
     ByPosition by_position;
     EventLog events;
     hawser_relaxation relaxation;

@@ -3,16 +3,15 @@
 #include <math.h>
 
 #include "sim/equipment/winch.h"
-#include "sim/expected/mesh.h"
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
-static const double BOOKS = 3;                            /* of what the books of a mean leave open (EB2) */
-static const double WAVER_OF_MEAN = 1, WAVER_OF_PEAK = 4; /* of what a figure wavers while a segment passes (EB1) */
-static const double EVERYWHERE = 0.25;                    /* of that, where only surfaces carry the cable (EB1) */
-static const double MESH = 5e-4;                          /* of any figure, which no support shows */
-static const double PAIRS = 0.005;       /* of the tension, a bend between rollers on both sides (EB6) */
+static const double BOOKS = 3;                              /* of what the books of a mean leave open (EB2) */
+static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
+static const double STANDS = 0.1;        /* of a segment: if less passes, nothing of it is seen (EB9) */
+static const double EVERYWHERE = 0.25;   /* of that, where only surfaces carry the cable (EB1) */
+static const double MESH = 5e-4;         /* of any figure, which no support shows */
 static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
-static const double SHARPNESS = 1.5 / 8; /* of the second difference at a peak (EB4) */
+static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
 
 /* What friction lacks at a speed, of what is there (EB5). */
@@ -35,12 +34,20 @@ static double friction_share(const Scene *scene)
     return worst;
 }
 
+/* By how much friction at rest stands above that of sliding, of what slides; and the speed where it has fallen. */
+static void friction_falls(const FrictionLaw *law, ErrorShares *shares)
+{
+    if (friction_kind(law) == FRICTION_NONE || !(law->mu_d > 0)) return;
+    shares->falls = fmax(shares->falls, law->mu_s / law->mu_d - 1);
+    shares->falls_until = fmax(shares->falls_until, law->v_d);
+}
+
 /* Largest coefficient of sliding friction on what carries the cable. */
 static double friction_most(const Scene *scene)
 {
     double most = 0;
     for (int r = 0; r < scene->contact.n_rollers; ++r) most = fmax(most, scene->contact.roller[r].friction.mu_d);
-    for (int k = 0; k < scene->def.n_surfaces; ++k) most = fmax(most, scene->def.surfaces[k].friction.mu_d);
+    for (int k = 0; k < 2 * scene->def.n_surfaces; ++k) most = fmax(most, scene->surfaces.friction[k].mu_d);
     return most;
 }
 
@@ -54,36 +61,25 @@ static double clamp_carries(const Scene *scene)
     return ENDS * def->cables[head->cable].mass * head->length / head->segments * v3_norm(def->gravity);
 }
 
-/* What the laws of segments leave out where rollers hold a bend from both sides (EB6). */
-static double pairs_share(const Mesh *mesh)
+/* Of the pull: the clamp (EB3), and what the places of the route ask of segments (ME1)-(ME7). */
+static double mesh_share(const Scene *scene, const Mesh *mesh, double pull)
 {
-    double share = 0;
-    for (int i = 0; i < mesh->n; ++i) {
-        if (mesh->place[i].pitch > 0 && !isnan(mesh->place[i].room)) share += PAIRS;
-    }
-    return share;
-}
-
-/* Of the pull: the clamp (EB3), what the places of the route ask of segments (ME1)-(ME7), and pairs of rollers. */
-static double mesh_share(const Scene *scene, double pull)
-{
-    Mesh mesh;
     int worst;
-    double share = MESH + (pull > 0 ? friction_most(scene) * clamp_carries(scene) / pull : 0);
-    if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return NAN;
-    share += mesh_given(&mesh, &scene->def, &worst) + pairs_share(&mesh);
-    mesh_free(&mesh);
-    return share;
+    const double clamp = pull > 0 ? friction_most(scene) * clamp_carries(scene) / pull : 0;
+    return MESH + clamp + mesh_given(mesh, &scene->def, pull, &worst);
 }
 
-ErrorShares error_shares(const Scene *scene, const BalanceWindow *books, double pull)
+ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull)
 {
     const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
-    return (ErrorShares){.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
-                         .step = TOLERANCES * scene->def.solver.accuracy,
-                         .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
-                         .mesh = mesh_share(scene, pull),
-                         .friction = friction_share(scene)};
+    ErrorShares out = {.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
+                       .step = TOLERANCES * scene->def.solver.accuracy,
+                       .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
+                       .mesh = mesh_share(scene, mesh, pull),
+                       .friction = friction_share(scene)};
+    for (int r = 0; r < scene->contact.n_rollers; ++r) friction_falls(&scene->contact.roller[r].friction, &out);
+    for (int k = 0; k < scene->def.n_surfaces; ++k) friction_falls(&scene->def.surfaces[k].friction, &out);
+    return out;
 }
 
 static hawser_error_bar bar(double time, double mesh, double friction)
@@ -91,18 +87,28 @@ static hawser_error_bar bar(double time, double mesh, double friction)
     return (hawser_error_bar){time, mesh, friction, time + mesh + friction};
 }
 
+/* What a figure wavers by while a segment passes. If less has passed than that: what was seen of it, in a straight line
+ * over a segment, or what rollers may do, if that is more (EB9). */
+static double waver(const TimeMean *figure, const ErrorShares *shares)
+{
+    if (figure->blocks > 0 || !(shares->passed > 0)) return shares->waver * mean_waver(figure);
+    const double seen = shares->waver * mean_waver_ahead(figure, fmin(shares->passed, 1));
+    return shares->passed < STANDS ? fmax(seen, shares->still) : seen;
+}
+
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares)
 {
     const double size = fabs(mean_of(figure));
     if (!(figure->time > 0)) return bar(NAN, NAN, NAN);
-    return bar(shares->time * size, WAVER_OF_MEAN * shares->waver * mean_waver(figure) + shares->mesh * size,
+    return bar(shares->time * size, WAVER_OF_MEAN * waver(figure, shares) + shares->mesh * size,
                shares->friction * size);
 }
 
 hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares)
 {
-    const double size = fabs(figure->peak);
+    const double size = fabs(figure->peak), mean = figure->time > 0 ? fabs(mean_of(figure)) : 0;
+    const double loose = fmin(shares->breaks_loose * mean, fmax(0, size - mean));
     if (!figure->started) return bar(NAN, NAN, NAN);
     return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               WAVER_OF_PEAK * shares->waver * mean_waver(figure) + shares->mesh * size, shares->friction * size);
+               WAVER_OF_PEAK * waver(figure, shares) + shares->mesh * size, shares->friction * size + loose);
 }

@@ -4,6 +4,7 @@
 #define HAWSER_SIM_WATCH_ERROR_BARS_H
 
 #include "hawser/hawser.h"
+#include "sim/expected/mesh.h"
 #include "sim/scene.h"
 #include "sim/time_mean.h"
 #include "sim/watch/balance.h"
@@ -13,12 +14,17 @@ typedef struct ErrorShares {
     double time;     /* of a mean: what the books of the window leave open or have lost (EB2) */
     double step;     /* of a peak: the tolerance of a step (EB4) */
     double waver;    /* what of a figure's wavering is the mesh's (EB1) */
+    double passed;   /* of a segment, while nothing has been wavering for a whole one */
+    double still;    /* N: what a tension may waver by besides, then (EB9) */
     double mesh;     /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction; /* not yet there at the speed of the pull (EB5) */
+    /* by which friction falls once the cable slides, of what is left; m/s, the speed where it has; the share again, if
+     * a peak is of a cable that breaks loose (EB10) */
+    double falls, falls_until, breaks_loose;
 } ErrorShares;
 
 /* books: NULL where nothing has moved; pull: mean of the steady window, N. */
-ErrorShares error_shares(const Scene *scene, const BalanceWindow *books, double pull);
+ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull);
 
 /* Of the mean over the steady window; of the largest value of the run. */
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "sim/expected/stretches.h"
 
 hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
 {
@@ -38,15 +39,18 @@ static Vec3 axis_of(const Kinematics *kin, int i)
     return quat_rotate(q, v3(1, 0, 0));
 }
 
-/* Tension and the pressure that it brings in a bend of the route. */
+/* Tension and the pressure that it brings in a bend of the route, on the worst loaded of several cables. */
 static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample *sample, int eye)
 {
     const double *const tension = sample->tension + scene->first;
     for (int j = 0; j <= eye; ++j) {
         const double s = joint_place(scene, sample, j);
         take(&peaks->tension, tension[j], s);
-        take(&peaks->sidewall, tension[j] * v3_norm(route_at(&scene->route, s).curvature), s);
+        const double turn = v3_norm(route_at(&scene->route, s).curvature);
+        if (turn > 0)
+            take(&peaks->sidewall, tension[j] * turn * bundle_share(&scene->def, surface_at(&scene->def, s)), s);
     }
+    take(&peaks->front, tension[eye], joint_place(scene, sample, eye));
     for (int j = eye + 1; j <= scene->chain.n; ++j) take(&peaks->rope, tension[j], joint_place(scene, sample, j));
     take(&peaks->rope, sample->winch_force, joint_place(scene, sample, scene->chain.n));
 }
@@ -75,6 +79,17 @@ static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *k
     }
 }
 
+/* Either way: a slow belt holds the cable back. Machines that push by other than a force have none. */
+static void pushes_record(Peaks *peaks, const hawser_sample *sample)
+{
+    for (int i = 0; i < sample->machines; ++i) {
+        const double force = fabs(hawser_machine_figure(&sample->machine[i], "force_N"));
+        if (!(force > peaks->push)) continue;
+        peaks->push = force;
+        peaks->pusher = sample->machine[i].name;
+    }
+}
+
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     if (!peaks->present) return;
@@ -84,4 +99,5 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     joints_record(peaks, scene, sample, eye);
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);
+    pushes_record(peaks, sample);
 }

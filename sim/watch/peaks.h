@@ -15,9 +15,12 @@ typedef struct Peaks {
     int present;
     int recorded;   /* samples so far */
     Peak tension;   /* N, of the cable, eye included */
-    Peak sidewall;  /* N/m, T/R of the route's bends */
+    Peak sidewall;  /* N/m, T/R of the route's bends, on the worst cable */
     Peak curvature; /* 1/m, of the cable between neighbouring segments */
     Peak rope;      /* N, of the rope, or on its end */
+    Peak front;     /* N, at the cable's eye or net */
+    double push;    /* N, of a machine on the cable, and which: its name is the simulation's */
+    const char *pusher;
     int n_rollers;
     double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
 } Peaks;

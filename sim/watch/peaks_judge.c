@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sim/expected/findings.h"
 #include "sim/watch/peaks.h"
 
 /* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
@@ -15,8 +16,9 @@ static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Sc
     Finding f = finding_at(&scene->route, peaks->sidewall.value, peaks->sidewall.at);
     for (int i = 0; i < stats->n_surfaces; ++i) {
         const hawser_surface *const s = &stats->surface_out[i];
-        if (!(s->line_load_N_per_m > f.value)) continue;
-        f.value = s->line_load_N_per_m;
+        const double worst = s->line_load_N_per_m * bundle_share(&scene->def, &scene->def.surfaces[i]);
+        if (!(worst > f.value)) continue;
+        f.value = worst;
         snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->line_load_at_m, s->name);
     }
     if (!(f.value > 0)) *f.where = 0;
@@ -82,22 +84,35 @@ static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const Expec
 }
 
 /* How the cables lie in the ducts; one in which they do not fit says nothing of itself. (LI8) */
-static void duct_findings(const Scene *scene, double diameter, Finding f[LIMIT_KINDS])
+static void duct_findings(const SceneDef *def, Finding f[LIMIT_KINDS])
 {
-    const SceneDef *const def = &scene->def;
-    limits_duct(&def->limits, def->theory.cables, NULL, NULL, f);
+    const int cables = def->bundle.shape.cables;
+    limits_duct(&def->limits, cables, NULL, NULL, f);
     for (int i = 0; i < def->n_surfaces; ++i) {
         const SurfaceDef *const surface = &def->surfaces[i];
-        const DuctDef duct = {2 * surface->shape.radius, diameter, def->theory.cables, (DuctLayout)def->theory.layout};
         DuctLoad load;
-        if (surface->shape.kind == SURFACE_DUCT && !duct_load(&duct, &load, NULL))
-            limits_duct(&def->limits, def->theory.cables, surface->name, &load, f);
+        if (surface->shape.kind == SURFACE_DUCT && !bundle_in(def, surface, &load, NULL))
+            limits_duct(&def->limits, cables, surface->name, &load, f);
     }
+}
+
+static Finding push_finding(const Peaks *peaks)
+{
+    Finding f = {.value = peaks->push};
+    if (peaks->pusher) snprintf(f.where, sizeof f.where, "%s", peaks->pusher);
+    return f;
+}
+
+/* What the winch needs by itself: theory's pull or the mean, whichever is more. */
+static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, Finding *out)
+{
+    const double theory = expected->reference_total;
+    findings_trip(scene, theory, fmax(theory, mean_of(&stats->pull)), scene->def.drag.force, out);
 }
 
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, hawser_limit *out)
 {
-    const CableDef *const cable = &scene->def.cables[scene->def.pieces[scene->piece[scene->eye - 1]].cable];
+    const SceneDef *const def = &scene->def;
     Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}};
     if (!peaks->present) return 0;
     if (peaks->recorded > 0) {
@@ -107,13 +122,20 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_ROLLER_STEADY] = roller_finding(stats, 1);
         f[LIMIT_ROLLER_PEAK] = roller_finding(stats, 0);
         f[LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
+        f[LIMIT_WINCH] = f[LIMIT_ROPE];
+        f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
+        f[LIMIT_PUSH] = push_finding(peaks);
         f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
+        findings_of_run(scene, expected, f);
+        trip_finding(stats, scene, expected, &f[LIMIT_TRIP]);
+        if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {
             f[k].value = NAN;
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
-    duct_findings(scene, cable->diameter, f);
-    return limits_judge(&scene->def.limits, cable->diameter, 1, f, out);
+    findings_of_scene(scene, &scene->route, scene->joint_s[scene->eye], f);
+    duct_findings(def, f);
+    return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);
 }

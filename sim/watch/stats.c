@@ -5,21 +5,18 @@
 
 #include "core/base/error.h"
 #include "core/base/worst.h"
-#include "theory/duct.h"
 
-/* Clearance and jam ratio of a duct with one cable in it; the sizes were checked when the case was read. */
-static void duct_fill(const SurfaceDef *def, hawser_surface *out)
+/* Clearance and jam ratio of a duct with the cables in it; the sizes were checked when the case was read. */
+static void duct_fill(const SceneDef *scene, const SurfaceDef *def, hawser_surface *out)
 {
-    const DuctDef duct = {
-        .duct_diameter = 2 * def->shape.radius, .cable_diameter = 2 * def->shape.cable_radius, .cables = 1};
     DuctLoad load;
     out->clearance_m = out->jam_ratio = NAN;
-    if (def->shape.kind != SURFACE_DUCT || duct_load(&duct, &load, NULL)) return;
+    if (def->shape.kind != SURFACE_DUCT || bundle_in(scene, def, &load, NULL)) return;
     out->clearance_m = load.clearance;
     out->jam_ratio = load.jam_ratio;
 }
 
-static hawser_surface surface_row(const SurfaceDef *def)
+static hawser_surface surface_row(const SceneDef *scene, const SurfaceDef *def)
 {
     static const char *const kinds[] = {"duct", "flat", "v", "u", "plane"};
     const int along = surface_along_route(def);
@@ -28,7 +25,7 @@ static hawser_surface surface_row(const SurfaceDef *def)
                           .from_m = along ? def->shape.from : NAN,
                           .to_m = along ? def->shape.to : NAN,
                           .line_load_at_m = NAN};
-    duct_fill(def, &row);
+    duct_fill(scene, def, &row);
     return row;
 }
 
@@ -64,7 +61,7 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
                                                .shift_m = NAN,
                                                .peak_shift_m = NAN};
     }
-    for (int i = 0; i < def->n_surfaces; ++i) stats->surface_out[i] = surface_row(&def->surfaces[i]);
+    for (int i = 0; i < def->n_surfaces; ++i) stats->surface_out[i] = surface_row(def, &def->surfaces[i]);
     return HAWSER_OK;
 }
 
@@ -116,7 +113,8 @@ double along_eye(const Scene *scene, const Kinematics *kin, double travel)
     return j >= 0 && j <= scene->chain.n ? along_joint(scene, kin, travel, j) : NAN;
 }
 
-double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
+/* The simulated joint before route coordinate s, and the tension there, N; -1 if no cable is there. */
+static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s, double *there)
 {
     const int n = scene->chain.n;
     const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
@@ -141,9 +139,16 @@ double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_
         a = b;
         b = along_joint(scene, kin, sample->winch_travel, high);
     }
-    if (s < a || s > b) return NAN;
+    if (s < a || s > b) return -1;
     const double u = (s - a) / (b - a);
-    return (1 - u) * tension[low] + u * tension[high];
+    *there = (1 - u) * tension[low] + u * tension[high];
+    return low;
+}
+
+double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
+{
+    double tension;
+    return joint_before(scene, kin, sample, s, &tension) >= 0 ? tension : NAN;
 }
 
 static void stations_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
@@ -192,13 +197,45 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
-/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). */
-enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
-static void blocks_end(Stats *stats, const Scene *scene, double travel)
+/* Largest force along the cable by which a joint may be pushed on or held back at the rollers as they are loaded now,
+ * all of them in step, N (EB9). */
+static double standing_force(const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
-    if (++stats->passing < BLOCK_LEAST || fabs(travel - stats->passed_at) < 2 * scene->chain.half[0]) return;
+    const Chain *const chain = &scene->chain;
+    double sum = 0, tension;
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const double load = sample->roller_load[r];
+        const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension) : -1;
+        if (j < 0 || !(tension > 0)) continue;
+        const double bends =
+            fmax(chain->stiffness[4][j], chain->stiffness[5][j]) / chain->half[j < chain->n ? j : j - 1];
+        const double turn = load / sqrt(tension * (tension + 2 * bends));
+        sum += load / 2 * fmin(turn, 1);
+    }
+    return sum;
+}
+
+/* Speed of the slowest segment, m/s. */
+static double slowest(const Scene *scene, const hawser_sample *sample)
+{
+    double least = INFINITY;
+    for (int i = 0; i < scene->chain.n; ++i) least = fmin(least, sample->axial_speed[sample->first + i]);
+    return least;
+}
+
+/* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
+ * estimated what would come. */
+enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
+static void blocks_end(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const double way = fabs(sample->winch_travel - stats->passed_at), length = 2 * scene->chain.half[0];
+    if (stats->pull.blocks <= 0) {
+        stats->passed = way / length;
+        stats->still = standing_force(scene, kin, sample);
+    }
+    if (++stats->passing < BLOCK_LEAST || way < length) return;
     stats->passing = 0;
-    stats->passed_at = travel;
+    stats->passed_at = sample->winch_travel;
     mean_block(&stats->pull);
     for (int i = 0; i < stats->n_stations; ++i) mean_block(&stats->station[i]);
     for (int r = 0; r < stats->n_rollers; ++r) mean_block(&stats->roller[r].load);
@@ -213,13 +250,18 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stats->dt = dt;
     stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
+    if (stats->pull.at_peak) stats->peak_speed = slowest(scene, sample);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
     stations_record(stats, scene, kin, sample, dt, steady);
     rollers_record(stats, sample, dt, steady);
     surfaces_record(stats, sample, dt, steady);
-    if (steady) blocks_end(stats, scene, sample->winch_travel);
+    if (steady) {
+        blocks_end(stats, scene, kin, sample);
+    } else {
+        stats->passed_at = sample->winch_travel;
+    }
     stats->last_t = sample->t;
 }
 
@@ -248,9 +290,9 @@ void stats_summary(const Stats *stats, hawser_summary *out)
     out->pull_peak_N = stats->pull.peak;
     out->pull_ripple_N = mean_ripple(&stats->pull);
     out->steady_speed_m_per_s = mean_of(&stats->speed);
-    out->settle_time_s = stats->settled_at;
+    out->settle_time_s = stats->settled_at < stats->last_t ? stats->settled_at : NAN; /* it still swings */
     out->steady_from_s = stats->steady_from;
-    out->steady_to_s = fmax(stats->last_t, 0);
+    out->steady_to_s = stats->last_t > stats->steady_from ? stats->last_t : NAN; /* the window was not reached */
     errors_of(stats, 0, &out->error_max_pct, &out->error_mean_pct);
     errors_of(stats, 1, &out->error_max_paper_pct, &out->error_mean_paper_pct);
 }
@@ -261,8 +303,11 @@ static const double LOADS = 2;
  */
 static const double LINE_LOADS = 1;
 
-void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary *out)
+void stats_errors(const Stats *stats, ErrorShares *shares, hawser_summary *out)
 {
+    shares->passed = stats->passed;
+    shares->still = stats->still;
+    shares->breaks_loose = stats->peak_speed < shares->falls_until ? shares->falls : 0;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
@@ -275,6 +320,7 @@ void stats_errors(const Stats *stats, const ErrorShares *shares, hawser_summary 
         s->mean_error_N = error_of_mean(&stats->station[i], shares).total;
         s->peak_error_N = error_of_peak(&stats->station[i], shares).total;
     }
+    shares->still = shares->breaks_loose = 0; /* which pull at the cable, not at a roller */
     for (int r = 0; r < stats->n_rollers; ++r) {
         hawser_roller *const row = &stats->roller_out[r];
         row->steady_error_N = LOADS * error_of_mean(&stats->roller[r].load, shares).total;

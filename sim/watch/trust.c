@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/mesh.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
 
@@ -126,22 +126,19 @@ static void add(List *list, const char *name, const char *unit, double value, do
     va_end(args);
 }
 
-/* What the lengths of the segments are expected to add to the pull. Without memory nothing is said. */
-static void add_mesh(List *list, const Scene *scene)
+/* What the lengths of the segments are expected to add to the pull. */
+static void add_mesh(List *list, const TrustFacts *f)
 {
-    Mesh mesh;
     int worst;
     char where[96];
-    if (mesh_find(&scene->def, &scene->route, &mesh, NULL)) return;
-    const double error = mesh_given(&mesh, &scene->def, &worst);
-    if (worst >= 0) {
-        const MeshPlace *const place = &mesh.place[worst];
-        mesh_describe(place, sizeof where, where);
-        add(list, "mesh", "1", error, MESH_ALLOWED,
-            "segments are too long, about %+.3g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm",
-            100 * error, where, place->piece, 1e3 * mesh_length(&mesh, place->piece, MESH_AIM));
-    }
-    mesh_free(&mesh);
+    const double error =
+        mesh_given(f->mesh, &f->scene->def, fmin(f->figures->pull_mean_N, f->figures->reference_total_N), &worst);
+    if (worst < 0) return;
+    const MeshPlace *const place = &f->mesh->place[worst];
+    mesh_describe(place, sizeof where, where);
+    add(list, "mesh", "1", error, MESH_ALLOWED,
+        "segments are too long, about %+.3g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm", 100 * error,
+        where, place->piece, 1e3 * mesh_length(f->mesh, place->piece, MESH_AIM));
 }
 
 /* Below the speed at which friction is fully there the pull is too small. */
@@ -177,8 +174,19 @@ static double give_before(const Scene *scene, const ConveyorDef *c)
     return give;
 }
 
-/* A belt that keeps the winch's speed, and does not give way at some force, shares the pull with it by the length of
- * the cable between them (WI23). */
+/* N that a conveyor might push more than it does: up to its limit, or from one end of its grip to the other. */
+static double push_left(const ConveyorDef *c, const hawser_summary *s)
+{
+    if (!(c->limit > 0)) return 2 * c->mu * c->clamp;
+    for (int i = 0; i < s->n_machines; ++i) {
+        if (strcmp(s->machines[i].kind, "conveyors") || strcmp(s->machines[i].name, c->name)) continue;
+        return fmax(0, c->limit - fabs(hawser_machine_figure(&s->machines[i], "steady_mean_N")));
+    }
+    return 0;
+}
+
+/* A belt that keeps the winch's speed shares the pull with it by the length of the cable between them (WI23), as far as
+ * its grip and its limit let it. */
 static void add_shared(List *list, const TrustFacts *f)
 {
     const Scene *const scene = f->scene;
@@ -188,15 +196,17 @@ static void add_shared(List *list, const TrustFacts *f)
     for (int i = 0; i < scene->def.n_conveyors; ++i) {
         const ConveyorDef *const c = &scene->def.conveyors[i];
         const double give = give_before(scene, c);
-        if (!c->sync || c->factor > 1 || c->factor < 1 || c->limit > 0 || !(give > 0)) continue;
-        most = fmax(most, fmin(LENGTH / give, 2 * c->mu * c->clamp));
+        if (!c->sync || c->factor > 1 || c->factor < 1 || !(give > 0)) continue;
+        const double moves = fmin(LENGTH / give, push_left(c, s));
+        if (name && moves <= most) continue;
+        most = moves;
         name = c->name;
     }
     if (!name || scene->def.winch.mode != WINCH_SPEED || !(s->pull_peak_N > 0)) return;
     const double share = most / fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100);
     add(list, "shared", "1", share, SHARED,
         "0.1 mm of cable between conveyor '%s' and the winch moves %.2g %% of the pull from one to the other: give the "
-        "conveyor a limit, a factor or a belt of its own",
+        "conveyor a limit that it reaches, a factor or a belt of its own",
         name, 100 * share);
 }
 
@@ -225,8 +235,10 @@ static void add_error(List *list, const char *name, const char *figure, const ha
         of = "steps in time";
         remedy = "a smaller solver.accuracy and output.interval";
     }
-    add(list, name, "1", bar->total / size, allowed, "%s may be off by %.2g %%, mostly by %s: use %s", figure,
-        100 * bar->total / size, of, remedy);
+    char share[32] = "more than its own size";
+    if (bar->total < size) snprintf(share, sizeof share, "%.2g %%", 100 * bar->total / size);
+    add(list, name, "1", bar->total / size, allowed, "%s may be off by %s, mostly by %s: use %s", figure, share, of,
+        remedy);
 }
 
 /* The error bars of the pull. */
@@ -336,13 +348,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add_rest(&list, f);
     if (f->balance) add_books(&list, f);
     add_places(&list, f);
-    if (scene->def.theory.cables > 1) {
-        add(&list, "bundle", "1", scene->def.theory.cables, 1,
-            "theory.cables is %d, but the run pulls one cable: give it the bundle's mass, stiffness and friction, or "
-            "judge by `hawser theory`",
-            scene->def.theory.cables);
-    }
-    add_mesh(&list, scene);
+    add_mesh(&list, f);
     add_friction_speed(&list, scene);
     if (!dynamic) return list.n;
     if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);

@@ -5,6 +5,7 @@
 
 #include "hawser/hawser.h"
 #include "sim/dynamics.h"
+#include "sim/expected/mesh.h"
 #include "sim/watch/passing.h"
 
 /* How far the cable has been from its route. */
@@ -48,6 +49,7 @@ double steadiness_spike(const Steadiness *s, double *at);
 typedef struct TrustFacts {
     const Scene *scene;
     double t, end; /* s, reached and asked for */
+    const Mesh *mesh;
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
     const hawser_summary *figures; /* with their error bars */

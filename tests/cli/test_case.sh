@@ -10,22 +10,22 @@ says out '"segments": 20' '"route_length_m": 20.0' '"chain": ['
 run_hawser 0 check pull.yaml --format=csv
 says out "key,value,unit" "chain_mass_kg,200,kg"
 
-# a bend to the side lies in one plane: on a slope it loses the grade, and that is said
+# a bend to the side keeps the grade of a slope; told to lie in one plane it loses it, and that is said
 says out "route_grade,no bend to the side changes it"
-run_hawser 0 check pull.yaml --set route.slope=6deg --set 'route.pieces=[{straight: 10}, {bend: 90 deg, radius: 6, plane: left}, {straight: 5}]'
+run_hawser 0 check pull.yaml --set route.slope=6deg --set 'route.pieces=[{straight: 10}, {bend: 90 deg, radius: 6, plane: left, grade: plane}, {straight: 5}]'
 says out "turns to the side in one plane: from 6.0 to 0.0 deg"
 
-# mu m g = 0.2 * 200 kg * 9.81 m/s2
+# mu w L = 0.2 * 20 kg/m * 9.81 m/s2 * 20 m of a route full of cable; of the 10 m that a run pulls half of it
 run_hawser 0 theory pull.yaml
-says out "middle" "392.4 N" "reference, N"
+says out "middle" "784.8 N" "paper  reference" "392.4"
 run_hawser 0 theory pull.yaml --format csv
 says out "name,from_m,length_m,radius_m,supports,forward_end_N" "row,0,20,,resultant,784.8,0,196.2,"
 run_hawser 0 theory pull.yaml --format json
-says out '"reference_total_N": 392.4' '"stations": [' '"pieces": [' '"directions": ['
+says out '"reference_total_N": 784.8' '"reference_total_N": 392.4' '"stations": [' '"pieces": [' '"directions": ['
 run_hawser 0 theory pull.yaml --set friction.mu=0.4
-says out "784.8 N"
+says out "1.5696 kN"
 run_hawser 0 theory --set friction.mu=0.4 --set friction.mu=0.3 -- pull.yaml
-says out "588.6 N"
+says out "1.1772 kN"
 
 run_hawser 2 check nowhere.yaml
 says err "nowhere.yaml" "No such file"

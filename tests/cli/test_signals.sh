@@ -19,7 +19,7 @@ for signal in INT TERM; do
     status=$?
     [ $status = 130 ] || fail "$what: exit status $status, not 130"
     says err "stopped at t ="
-    says out "Pull force" "Results: $signal"
+    says out "NOT TRUSTED" "  pull           " "Results: $signal"
     exists $signal/stations.csv $signal/rollers.csv
     grep -q '"outcome": "stopped"' "$work/$signal/summary.json" || fail "$what: not stopped in summary.json"
     tail -c 8 "$work/$signal/results.xdmf" | grep -qF '</Xdmf>' || fail "$what: results.xdmf is cut off"

@@ -25,9 +25,12 @@ mv "$work/first" "$prefix"
 lib=$(dirname "$(find "$prefix" -name libhawser.a)")
 version=$(sed -n 's/^project(hawser VERSION \([0-9.]*\).*/\1/p' "$source_dir/CMakeLists.txt")
 for file in "$prefix/bin/hawser" "$prefix/include/hawser/hawser.h" "$prefix/include/hawser/tables.h" "$lib/libhawser.so" "$lib/pkgconfig/hawser.pc" \
-    "$lib/cmake/hawser/hawserConfig.cmake" "$prefix/share/doc/hawser/LICENSE" "$prefix/share/doc/hawser/CHANGELOG.md"; do
+    "$lib/cmake/hawser/hawserConfig.cmake" "$prefix/share/doc/hawser/LICENSE" "$prefix/share/doc/hawser/CHANGELOG.md" "$prefix/share/hawser/library/cables-by-makers.yaml" \
+    "$prefix/include/hawser/library.h"; do
     [ -e "$file" ] || fail "not installed: $file"
 done
+# The catalogue is found from the program's own place, whatever the folder is called.
+(cd / && env -u HAWSER_LIBRARY "$prefix/bin/hawser" library ducts pe-160-sdr17 | grep -q "MS 1058") || fail "the installed program does not find its catalogue"
 "$prefix/bin/hawser" --version | grep -qF "$version" || fail "hawser --version is not $version"
 
 grep -q "^## $version" "$prefix/share/doc/hawser/CHANGELOG.md" || fail "CHANGELOG.md does not speak of $version"

@@ -50,6 +50,38 @@ static inline void expect_bad(const char *text, const char *key, const char *val
     if (!strstr(err.message, part)) fail_msg("'%s' is not in: %s", part, err.message);
 }
 
+/* A text read as a case called NAME, with settings ("key", "value", ..., NULL), or NULL. */
+static inline hawser_case *case_with(const char *text, const char *const *settings)
+{
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    if (hawser_case_parse(text, NAME, &c, &err)) fail_msg("%s", err.message);
+    for (int i = 0; settings && settings[i]; i += 2) {
+        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
+    }
+    return c;
+}
+
+/* Its simulation, before it begins. */
+static inline hawser_sim *sim_of(const char *text, const char *const *settings)
+{
+    hawser_sim *sim = NULL;
+    hawser_error err = {0};
+    hawser_case *const c = case_with(text, settings);
+    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return sim;
+}
+
+/* The same at its end. */
+static inline hawser_sim *run_of(const char *text, const char *const *settings)
+{
+    hawser_error err = {0};
+    hawser_sim *const sim = sim_of(text, settings);
+    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    return sim;
+}
+
 /* The route of a definition. */
 static inline Route route_of(const SceneDef *def)
 {

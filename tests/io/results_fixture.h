@@ -24,8 +24,15 @@ static const int fixture_watched[2] = {0, 4};
 
 static const int fixture_loads[2] = {1, 0};
 
-static const ResultsDef fixture_def = {"A title", N, R, fixture_rollers, 0, NULL, 2, fixture_watched, 0, NULL, 1,
-                                       0,         0, 2, fixture_loads};
+static const ResultsDef fixture_def = {.title = "A title",
+                                       .segments = N,
+                                       .rollers = R,
+                                       .roller = fixture_rollers,
+                                       .n_watched = 2,
+                                       .watched = fixture_watched,
+                                       .states = 1,
+                                       .n_loads = 2,
+                                       .loads = fixture_loads};
 
 typedef struct Fixture {
     char dir[64];

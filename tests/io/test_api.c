@@ -106,8 +106,8 @@ static void test_texts(void **state)
     assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
     o = json_loads(text, 0, NULL);
     hawser_text_free(text);
-    check_close(json_number_value(json_object_get(o, "reference_total_N")), 392.4, 1e-6);
-    check_close(json_number_value(json_object_get(o, "paper_total_N")), 392.4, 1e-6);
+    check_close(json_number_value(json_object_get(o, "reference_total_N")), 784.8, 1e-6);
+    check_close(json_number_value(json_object_get(o, "paper_total_N")), 784.8, 1e-6);
     json_decref(o);
     hawser_case_free(c);
 }

@@ -108,12 +108,13 @@ static void missing(const Site *site, Coverage *coverage)
     coverage->mistakes++;
 }
 
-/* Bare numbers beyond both ends of the range. */
+/* Numbers beyond both ends of the range: bare, but for angles, of which a bare one is asked about. */
 static void out_of_range(const Site *site, Coverage *coverage)
 {
     char value[VALUE_MAX];
     const CaseKey *key = site->key;
-    const char *whole = key->kind == KEY_INTEGER ? "%.0f" : "%.17g";
+    const int angle = key->kind == KEY_NUMBER && key->dimension == DIM_ANGLE;
+    const char *whole = key->kind == KEY_INTEGER ? "%.0f" : angle ? "%.17g rad" : "%.17g";
     const double size = fabs(key->max) + 1;
     snprintf(value, sizeof value, whole, key->min - size);
     value_refused(site, value, "out of range: must be ", coverage);
@@ -121,7 +122,8 @@ static void out_of_range(const Site *site, Coverage *coverage)
     value_refused(site, value, "out of range: must be ", coverage);
     snprintf(value, sizeof value, whole, key->min);
     if (key->above) value_refused(site, value, "out of range: must be above", coverage);
-    if (key->min >= 0) value_refused(site, "-1", "out of range: must be ", coverage);
+    if (key->min >= 0) value_refused(site, angle ? "-1 rad" : "-1", "out of range: must be ", coverage);
+    if (angle) value_refused(site, "5", "is that degrees? write '5 deg' or '5 rad'", coverage);
 }
 
 static void wrong_number(const Site *site, Coverage *coverage)
@@ -158,6 +160,8 @@ static void wrong_any(const Site *site, Coverage *coverage)
         const char *key, *texts[10];
     } forms[] = {
         {"gravity", {"5 kg", "nan", "-1", "inf", "9.8x", "[0, 0]", "[0, 0, nan]", "{a: 1}", "", "1e9"}},
+        {"origin",
+         {"7", "aut", "[1, 2]", "[1, 2, nan]", "[1, 2, 3x]", "{a: 1}", "[1, 2, 5 kg]", "''", "[[1], 2, 3]", "nan"}},
         {"plane", {"upp", "5 kg", "nan", "inf", "[1]", "{a: 1}", "", "30x", "1000 deg", "-7"}},
         {"along",
          {"7", "[7]", "[[1]]", "{a: 1}", "[{from: 1}, {}]", "''", "{spacing: 1, count: 2}", "{}", "[~]", "nan"}},
@@ -167,6 +171,8 @@ static void wrong_any(const Site *site, Coverage *coverage)
         {"hold_down",
          {"sagg", "true", "7", "[7]", "[[1, 2, 3]]", "[[2, 1]]", "[[1, nan]]", "{a: 1}", "", "[[1, 5 kg]]"}},
         {"k", {"5 kg", "nan", "inf", "-1", "0", "1e8 N/m^9", "1e8 N/m", "[1]", "1e8x", ""}},
+        {"include", {"7", "{a: 1}", "''", "", "[7]", "[{a: 1}]", "nan", "[[a]]", "[~]", "/dev/null"}},
+        {"type", {"bogus", "5 kg", "nan", "[a]", "{a: 1}", "''", "", "7", "[7]", "Straight"}},
         {"stations",
          {"7", "[7]", "{a: 1}", "{spacing: nan}", "{spacing: 0}", "[{name: A}]", "[{at: 1}]", "''", "nan",
           "{list: 7}"}},
@@ -284,9 +290,10 @@ static void spoil_all(const char *text, const CaseNode *node, Coverage *coverage
 static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
-    static const char *const names[] = {"full-ramps",         "full-tables", "full-tension",
-                                        "full-tension-table", "full-reel",   "full-reel-table",
-                                        "full-reel-weight",   "full-rod",    "full-rod-polyline"};
+    static const char *const names[] = {
+        "full-ramps",      "full-tables",      "full-tension",      "full-tension-table", "full-reel",
+        "full-reel-table", "full-reel-weight", "full-rod",          "full-rod-polyline",  "full-bundle",
+        "full-library",    "full-route",       "full-route-points", "full-route-plan"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);

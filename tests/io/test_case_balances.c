@@ -45,7 +45,7 @@ static int case_closes(const char *file)
     if (hawser_case_load(file, &c, &err)) fail_msg("%s", err.message);
     const int rod = strstr(file, "/rod-") != NULL;
     if (!rod) {
-        set(c, "run.duration", duration_of(file));
+        set(c, "run.duration", duration_of(strrchr(file, '/')));
         set(c, "run.steady_from", "0.5 s");
     }
     if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_run(s, NULL, NULL, NULL, &err))
@@ -55,8 +55,9 @@ static int case_closes(const char *file)
     if (b) {
         print_message("%-24s energy %.1e of %10.4g J (%s), momentum %.1e\n", strrchr(file, '/') + 1, b->residual_share,
                       b->turnover_J, b->turnover_of, b->impulse_residual_share);
-        const double most = strstr(file, "stick")                               ? STICKS_MOST
-                            : strstr(file, "rollers") || strstr(file, "limits") ? SMALL_MOST
+        const char *const name = strrchr(file, '/');
+        const double most = strstr(name, "stick")                               ? STICKS_MOST
+                            : strstr(name, "rollers") || strstr(name, "limits") ? SMALL_MOST
                                                                                 : ENERGY_MOST;
         if (!(b->residual_share < most)) fail_msg("%s: energy %g J is not accounted for", file, b->residual_J);
         check_below(b->impulse_residual_share, strstr(file, "drum-contact") ? JERKS_MOST : MOMENTUM_MOST);

@@ -3,29 +3,6 @@
 #include "sim/run/sim.h"
 #include "tests/io/case_fixture.h"
 
-/* A case with settings (pairs, NULL at the end; NULL: none). */
-static hawser_sim *sim_of(const char *text, const char *const *settings)
-{
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    hawser_error err = {0};
-    if (hawser_case_parse(text, NAME, &c, &err)) fail_msg("%s", err.message);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    return sim;
-}
-
-static hawser_sim *run_of(const char *text, const char *const *settings)
-{
-    hawser_sim *const sim = sim_of(text, settings);
-    hawser_error err = {0};
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
-    return sim;
-}
-
 /* The condition, which must be there. */
 static hawser_condition condition_of(const hawser_sim *sim, const char *name)
 {

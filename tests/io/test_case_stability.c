@@ -5,16 +5,7 @@
 /* Runs a case of tests/data with settings to its end. */
 static hawser_sim *run(const char *name, const char *const *settings, hawser_summary *sum)
 {
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    hawser_error err = {0};
-    assert_int_equal(hawser_case_parse(data_text(name), NAME, &c, NULL), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const sim = run_of(data_text(name), settings);
     hawser_sim_summary(sim, sum);
     return sim;
 }

@@ -12,12 +12,8 @@ typedef struct Certified {
 
 static Certified certify(const char *text, const char *const *settings, const hawser_certify_options *options)
 {
-    Certified z = {.c = NULL};
+    Certified z = {.c = case_with(text, settings)};
     hawser_error err = {0};
-    assert_int_equal(hawser_case_parse(text, NAME, &z.c, NULL), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(z.c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
     if (hawser_sim_new(z.c, NULL, &z.sim, &err)) fail_msg("%s", err.message);
     if (hawser_sim_run(z.sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
     if (hawser_certify(z.c, z.sim, options, &z.cert, &err)) fail_msg("%s", err.message);

@@ -13,16 +13,7 @@ typedef struct Found {
 static Found run(const char *name, const char *const settings[])
 {
     Found f = {.energy = 1, .shared = NAN};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    hawser_error err = {0};
-    assert_int_equal(hawser_case_parse(data_text(name), NAME, &c, NULL), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-    hawser_case_free(c);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const sim = run_of(data_text(name), settings);
     hawser_sim_summary(sim, &f.sum);
     f.energy = f.sum.balance->residual_share;
     for (int i = 0; i < f.sum.n_conditions; ++i) {
@@ -51,11 +42,12 @@ static void a_shared_pull(void **state)
     check_share(small.sum.pull_mean_N, fine.sum.pull_mean_N, 0.003);
     check_below(usual.energy, 0.005);
 
-    /* 14 m of cable between them: 0.1 mm moves 670 N (WI23), many times the pull. Not asked of a belt that gives way.
-     */
+    /* 14 m of cable between them: 0.1 mm moves 670 N (WI23), many times the pull. A limit that it reaches
+     * decides, and one that it does not leaves what is over. */
     check_share(usual.shared * usual.sum.pull_mean_N, 94e6 / 14 * 1e-4, 0.1);
     const Found limited = run("grip-shared", (const char *const[]){"conveyors.0.limit", "15 N", NULL});
-    assert_true(isnan(limited.shared));
+    check_below(limited.shared, 1);
+    check_below(limited.shared, usual.shared / 10);
 }
 
 /* It gripped the rope, or the air before the cable was there. 2 * 0.3 * 200 N = 120 N while there is cable. */

@@ -14,15 +14,9 @@ typedef struct Pulled {
 static Pulled pulled(const char *text, const char *segment)
 {
     Pulled out = {.expected = 0};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
     hawser_summary sum;
     hawser_limit limit[HAWSER_LIMITS_MAX];
-    hawser_error err = {0};
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "chain.0.segment", segment, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const sim = run_of(text, (const char *const[]){"chain.0.segment", segment, NULL});
     hawser_sim_summary(sim, &sum);
     const int n = hawser_sim_limits(sim, limit);
     out.found = hawser_verdict(sum.n_conditions, sum.conditions, n, limit, out.verdict, sizeof out.verdict);
@@ -32,7 +26,6 @@ static Pulled pulled(const char *text, const char *segment)
         if (!strcmp(sum.conditions[i].name, "mesh")) out.expected = sum.conditions[i].value;
     }
     hawser_sim_free(sim);
-    hawser_case_free(c);
     return out;
 }
 
@@ -133,7 +126,7 @@ static void there_is_an_end_to_it(void **state)
     int worst;
     Mesh mesh = mesh_of(narrow_duct(), "chain", "[{cable: c, length: 20 km}]", &def);
     assert_int_equal(def.pieces[0].segments, MESH_SEGMENTS_MAX);
-    check_above(mesh_given(&mesh, &def, &worst), MESH_ALLOWED);
+    check_above(mesh_given(&mesh, &def, 0, &worst), MESH_ALLOWED);
     mesh_free(&mesh);
     scene_def_clear(&def);
 }

@@ -10,18 +10,9 @@ typedef struct Swing {
 
 static Swing swing(const char *const *settings)
 {
-    hawser_case *c = NULL;
-    hawser_sim *s = NULL;
     hawser_summary sum;
-    hawser_error err = {0};
     Swing out = {.damping = {.value = NAN}};
-    assert_int_equal(hawser_case_parse(data_text("undamped-span"), NAME, &c, NULL), HAWSER_OK);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
-    hawser_case_free(c);
-    if (hawser_sim_run(s, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const s = run_of(data_text("undamped-span"), settings);
     hawser_sim_summary(s, &sum);
     out.books = *sum.balance;
     out.motion_and_springs = sum.balance->stored_J;

@@ -1,34 +1,5 @@
 /* Cases far from the usual that once went wrong without a word: each runs well now, or says what is the matter. */
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "hawser/hawser.h"
-#include "tests/support/check.h"
-#include "tests/support/data.h"
-
-/* Builds a text with settings ("key", "value", ..., NULL), or NULL. */
-static hawser_sim *sim_of(const char *text, const char *const *settings)
-{
-    hawser_error err = {0};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    if (hawser_case_parse(text, "stress.yaml", &c, &err)) fail_msg("%s", err.message);
-    for (int i = 0; settings && settings[i]; i += 2) {
-        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    return sim;
-}
-
-static hawser_sim *run(const char *text, const char *const *settings)
-{
-    hawser_error err = {0};
-    hawser_sim *const sim = sim_of(text, settings);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
-    return sim;
-}
+#include "tests/io/case_fixture.h"
 
 /* Whether an event of the run says so; at most once. */
 static int says(const hawser_sim *sim, const char *part)
@@ -49,7 +20,7 @@ static void test_falls_on_rollers(void **state)
     static const char *const planar[] = {"auto", "off"};
     for (int k = 0; k < 2; ++k) {
         const char *const settings[] = {"solver.planar", planar[k], NULL};
-        hawser_sim *const sim = run(data_text("stress-fall"), settings);
+        hawser_sim *const sim = run_of(data_text("stress-fall"), settings);
         hawser_summary s;
         hawser_sim_summary(sim, &s);
         print_message("middle at z = %.3f m after %ld steps\n", s.probes[0].position[2], s.steps);
@@ -65,7 +36,7 @@ static void test_joint_turned(void **state)
     (void)state;
     for (int many = 0; many < 2; ++many) {
         const char *const settings[] = {"rod.head.motion.0.turn", many ? "4000 deg" : "2000 deg", NULL};
-        hawser_sim *const sim = run(data_text("stress-turned-rod"), settings);
+        hawser_sim *const sim = run_of(data_text("stress-turned-rod"), settings);
         assert_int_equal(says(sim, "a joint is turned"), many);
         hawser_sim_free(sim);
     }
@@ -77,7 +48,7 @@ static void test_head_turned(void **state)
     (void)state;
     for (int limp = 0; limp < 2; ++limp) {
         const char *const settings[] = {"cables.a.EI", limp ? "500 N m2" : "16.4 kN m2", NULL};
-        hawser_sim *const sim = run(data_text("stress-limp-head"), settings);
+        hawser_sim *const sim = run_of(data_text("stress-limp-head"), settings);
         assert_int_equal(says(sim, "the head is turned"), limp);
         hawser_sim_free(sim);
     }
@@ -87,7 +58,7 @@ static void test_head_turned(void **state)
 static void test_short_stiff_rod(void **state)
 {
     (void)state;
-    hawser_sim *const sim = run(data_text("stress-stiff-rod"), NULL);
+    hawser_sim *const sim = run_of(data_text("stress-stiff-rod"), NULL);
     hawser_summary s;
     hawser_sim_summary(sim, &s);
     assert_true(s.relaxation.reached);

@@ -70,13 +70,79 @@ static void units_of_each_kind(void **state)
     good(state, "10 N s/mm", DIM_DASHPOT, 1e4);
 }
 
+/* What planners in the United States write, and decanewtons. */
+static void units_of_other_practices(void **state)
+{
+    good(state, "1800 daN", DIM_FORCE, 18e3);
+    good(state, "4 kip", DIM_FORCE, 4000 * 4.4482216152605);
+    good(state, "10 ksi", DIM_PRESSURE, 10e3 * 6894.757293168361);
+    good(state, "300 lbf/ft", DIM_LINE_FORCE, 300 * 4.4482216152605 / 0.3048);
+    good(state, "3 kN/m", DIM_LINE_FORCE, 3000);
+    good(state, "750 kcmil", DIM_AREA, 750e3 * 5.067074790974977e-10);
+    good(state, "750 MCM", DIM_AREA, 750e3 * 5.067074790974977e-10);
+    good(state, "2000 cmil", DIM_AREA, 2000 * 5.067074790974977e-10);
+    /* a weight per length is a mass under standard gravity: a pound of force a pound, whatever the gravity of the case
+     */
+    good(state, "19 lbf/ft", DIM_LINE_MASS, 19 * 0.45359237 / 0.3048);
+    good(state, "196.133 N/m", DIM_LINE_MASS, 20);
+    good(state, "2 daN/m", DIM_LINE_MASS, 20 / 9.80665);
+}
+
+/* American wire gauges against the areas of the standard's table (ASTM B258), mm2 to its digits. */
+static void wire_gauges(void **state)
+{
+    static const struct {
+        const char *text;
+        double mm2;
+    } row[] = {{"4/0 AWG", 107.2}, {"3/0 AWG", 85.01}, {"2/0 AWG", 67.43},    {"1/0 AWG", 53.49},
+               {"1 AWG", 42.41},   {"2 AWG", 33.62},   {"6AWG", 13.30},       {"10 AWG", 5.261},
+               {"12 AWG", 3.309},  {"0 AWG", 53.49},   {" 36  AWG ", 0.01267}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        char why[UNITS_WHY_MAX] = "";
+        double area = 0;
+        if (!units_read(*state, row[k].text, DIM_AREA, &area, why)) fail_msg("'%s' %s", row[k].text, why);
+        check_share(area * 1e6, row[k].mm2, 5e-4);
+    }
+    bad(state, "5/0 AWG", DIM_AREA, "unknown unit");
+    bad(state, "4/0", DIM_AREA, "unknown unit");
+    bad(state, "41 AWG", DIM_AREA, "unknown unit");
+    bad(state, "1.5 AWG", DIM_AREA, "unknown unit");
+    bad(state, "12 AWG mm2", DIM_AREA, "unknown unit");
+    bad(state, "4/0 AWG", DIM_LENGTH, "unknown unit");
+}
+
+/* A pound is a mass: where a force is meant the message asks for it by name, and says which quantity it is. */
+static void pounds_in_place_of_pounds_of_force(void **state)
+{
+    bad(state, "300 lb/ft", DIM_LINE_FORCE, "not that of a force per length; write 'lbf/ft' for pounds of force");
+    bad(state, "2000 lb", DIM_FORCE, "not that of a force; write 'lbf' for pounds of force");
+    bad(state, "2 lb m", DIM_MOMENT, "write 'lbf m' for");
+    bad(state, "300 lb", DIM_LINE_FORCE, "not that of a force per length");
+    char why[UNITS_WHY_MAX] = "";
+    double value;
+    assert_false(units_read(*state, "300 lb", DIM_LINE_FORCE, &value, why));
+    assert_null(strstr(why, "pounds"));
+    bad(state, "300 kg/m", DIM_LINE_FORCE, "not that of a force per length");
+}
+
+/* A bare angle would be radians to the program and degrees to most who write it. */
+static void bare_angles_are_questioned(void **state)
+{
+    bad(state, "5", DIM_ANGLE, "has no unit: is that degrees? write '5 deg' or '5 rad'");
+    bad(state, "-0.5", DIM_ANGLE, "write '-0.5 deg' or '-0.5 rad'");
+    bad(state, "1", DIM_ANGLE, "has no unit");
+    good(state, "0", DIM_ANGLE, 0);
+    good(state, "0.0", DIM_ANGLE, 0);
+    good(state, "5 rad", DIM_ANGLE, 5);
+}
+
 static void bare_numbers_are_si(void **state)
 {
     good(state, "0.1", DIM_NONE, 0.1);
     good(state, "115e9", DIM_PRESSURE, 115e9);
     good(state, "+3.", DIM_LENGTH, 3);
     good(state, ".5", DIM_LENGTH, 0.5);
-    good(state, "-2.5E-3", DIM_ANGLE, -2.5e-3);
+    good(state, "-2.5E-3", DIM_MOMENT, -2.5e-3);
     good(state, " 7 ", DIM_FORCE, 7);
     good(state, "0", DIM_TIME, 0);
 }
@@ -182,6 +248,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(units_of_each_kind),
+        cmocka_unit_test(units_of_other_practices),
+        cmocka_unit_test(wire_gauges),
+        cmocka_unit_test(pounds_in_place_of_pounds_of_force),
+        cmocka_unit_test(bare_angles_are_questioned),
         cmocka_unit_test(bare_numbers_are_si),
         cmocka_unit_test(what_is_not_a_number),
         cmocka_unit_test(trailing_garbage),

@@ -117,6 +117,21 @@ static void test_settling(void **state)
     rig_free(r);
 }
 
+/* A speed that is still off as the run ends has not settled at its end; a window that was not reached ends nowhere. */
+static void test_stopped(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new();
+    hawser_summary out;
+    for (int k = 0; k <= 20; ++k) record(r, 0.1 * k, 1, 0.15);
+    stats_summary(&r->stats, &out);
+    check_nan(out.settle_time_s);
+    check_close(out.steady_from_s, STEADY_FROM, 0);
+    check_nan(out.steady_to_s);
+    check_nan(out.pull_mean_N);
+    rig_free(r);
+}
+
 /* Errors of the stations against both theories, largest and mean; a station without cable does not count. */
 static void test_errors(void **state)
 {
@@ -157,8 +172,8 @@ static void test_before_the_window(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_means),  cmocka_unit_test(test_stations),          cmocka_unit_test(test_settling),
-        cmocka_unit_test(test_errors), cmocka_unit_test(test_before_the_window),
+        cmocka_unit_test(test_means),   cmocka_unit_test(test_stations), cmocka_unit_test(test_settling),
+        cmocka_unit_test(test_stopped), cmocka_unit_test(test_errors),   cmocka_unit_test(test_before_the_window),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 /* Cables in a duct: factors from the balance of weights, layouts, clearance, jam ratio, refusals. */
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
 #include <string.h>
 
@@ -73,6 +73,23 @@ static void clearances(void **state)
     check_close(load(4, 3, DUCT_AUTO).fill, 3.0 / 16, 1e-15);
 }
 
+/* (BU8): where the middle of the cables lies, from their places one by one; nowhere to go where they just fit. */
+static void rooms(void **state)
+{
+    (void)state;
+    const double d = 0.05, D = 3 * d, r = (D - d) / 2, x = 0.5, b = asin(x);
+    check_close(load(1.5, 1, DUCT_AUTO).room, 0.0125, 1e-16);
+    check_close(load(3, 2, DUCT_AUTO).room, r * cos(b), 1e-15);
+    check_close(load(3, 3, DUCT_CRADLE).room, (r + 2 * r * cos(2 * b)) / 3, 1e-15);
+    check_close(load(3, 4, DUCT_AUTO).room, (r + 2 * r * cos(2 * b) + (2 * r * cos(2 * b) - r)) / 4, 1e-15);
+    const double low = r * cos(b), top = low - d * sqrt(3) / 2;
+    check_close(load(3, 3, DUCT_TRIANGLE).room, (2 * low + top) / 3, 1e-15);
+    check_close(load(2 + 1e-9, 2, DUCT_AUTO).room, 0, 1e-5);
+    check_close(load(1 + 2 / sqrt(3) + 1e-9, 3, DUCT_TRIANGLE).room, 0, 1e-7);
+    check_close(load(1 + 2 / sqrt(3) + 1e-9, 3, DUCT_CRADLE).room, 0, 1e-7);
+    check_close(load(1 + sqrt(2) + 1e-9, 4, DUCT_AUTO).room, 0, 1e-7);
+}
+
 static void jamming(void **state)
 {
     (void)state;
@@ -115,7 +132,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(factors),    cmocka_unit_test(cradle_balances), cmocka_unit_test(layouts_follow_the_ratio),
-        cmocka_unit_test(clearances), cmocka_unit_test(jamming),         cmocka_unit_test(refusals),
+        cmocka_unit_test(clearances), cmocka_unit_test(rooms),           cmocka_unit_test(jamming),
+        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

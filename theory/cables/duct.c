@@ -1,19 +1,34 @@
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
 #include <math.h>
 #include <stddef.h>
 
 #include "core/base/error.h"
 
+/* The least weight factor of cables that are not all alike: what is taken for arrangements that no formula describes
+ * (BU7). */
+static const double UNEQUAL = 1.4;
+
 /* (T19): x = d / (D - d), the sine of half the angle between two touching cables on the duct's wall, seen
  * from its centre for the cradle, and of the whole angle from the vertical for a pair. */
-static double wall_sine(const DuctDef *def) { return def->cable_diameter / (def->duct_diameter - def->cable_diameter); }
+static double wall_sine(double D, double d) { return d / (D - d); }
 
-/* Smallest D/d into which n equal circles fit: 1, 2, 1 + 2/sqrt 3, 1 + sqrt 2. */
-static double fit_ratio(int cables)
+double duct_circle(int cables)
 {
     static const double ratio[] = {1, 2, 2.15470053837925153, 2.41421356237309505};
     return ratio[cables - 1];
+}
+
+int duct_layout_cables(DuctLayout layout)
+{
+    static const int cables[] = {0, 1, 2, 3, 3, 4};
+    return cables[layout];
+}
+
+/* (BU6): the diameter that as many cables as there are thick ones would have, with the cross-section of all. */
+static double effective_diameter(const DuctDef *def)
+{
+    return sqrt(def->cable_diameter * def->cable_diameter + def->thinner_square / def->cables);
 }
 
 static hawser_status check_def(const DuctDef *def, hawser_error *err)
@@ -25,17 +40,24 @@ static hawser_status check_def(const DuctDef *def, hawser_error *err)
     if (def->cables < 1 || def->cables > 4) {
         return error_set(err, HAWSER_ERR_INPUT, "%d cables in a duct: the theory knows 1 to 4", def->cables);
     }
-    if (D <= d * fit_ratio(def->cables)) {
+    const double effective = effective_diameter(def), least = effective * duct_circle(def->cables);
+    if (D > least) return HAWSER_OK;
+    if (def->thinner > 0) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "%d cables of %g m do not fit into a duct of %g m: it must be wider than %g m", def->cables, d,
-                         D, d * fit_ratio(def->cables));
+                         "%d cables of %g m and %d thinner ones do not fit into a duct of %g m: by their cross-section "
+                         "it must be wider than %g m",
+                         def->cables, d, def->thinner, D, least);
     }
-    return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "%d cables of %g m do not fit into a duct of %g m: it must be wider than %g m", def->cables, d, D,
+                     least);
 }
 
+/* Twisted ones are held together: three are a triangle, however wide the duct. */
 static DuctLayout layout_of(const DuctDef *def)
 {
     if (def->layout != DUCT_AUTO) return def->layout;
+    if (def->cables == 3 && def->twisted) return DUCT_TRIANGLE;
     if (def->cables == 3) return def->duct_diameter < 2.5 * def->cable_diameter ? DUCT_TRIANGLE : DUCT_CRADLE;
     return def->cables == 1 ? DUCT_SINGLE : def->cables == 2 ? DUCT_PAIR : DUCT_DIAMOND;
 }
@@ -44,13 +66,15 @@ static DuctLayout layout_of(const DuctDef *def)
  * triangle while tan(asin x) >= 1 / (3 sqrt 3), the diamond while 8 x^2 >= 1. (T22) */
 static hawser_status check_layout(const DuctDef *def, DuctLayout layout, double x, hawser_error *err)
 {
-    static const int cables[] = {0, 1, 2, 3, 3, 4};
-    if (cables[layout] != def->cables) {
+    if (duct_layout_cables(layout) != def->cables) {
         return error_set(err, HAWSER_ERR_INPUT, "a %s is of %d cables, not of %d", duct_layout_name(layout),
-                         cables[layout], def->cables);
+                         duct_layout_cables(layout), def->cables);
     }
-    const int apart = (layout == DUCT_TRIANGLE && x / sqrt(1 - x * x) < 0.19245008972987526) ||
-                      (layout == DUCT_DIAMOND && 8 * x * x < 1);
+    if (def->twisted && layout == DUCT_CRADLE) {
+        return error_set(err, HAWSER_ERR_INPUT, "twisted cables do not lie in a cradle: three are a triangle");
+    }
+    const int apart = !def->twisted && ((layout == DUCT_TRIANGLE && x / sqrt(1 - x * x) < 0.19245008972987526) ||
+                                        (layout == DUCT_DIAMOND && 8 * x * x < 1));
     if (apart) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "a %s does not hold in a duct %.3g times as wide as the cable: it spreads",
@@ -98,31 +122,64 @@ static double layout_clearance(DuctLayout layout, double D, double d, double x)
     return sqrt(fmax(0, r * r - across * across)) - top;
 }
 
+/* (BU8): how far below the duct's centre the middle of the cables lies, and so how far it can move from there. */
+static double layout_room(DuctLayout layout, double D, double d, double x)
+{
+    const double r = (D - d) / 2, cosine = sqrt(fmax(0, 1 - x * x)), double_cosine = 1 - 2 * x * x;
+    switch (layout) {
+    case DUCT_PAIR:
+        return r * cosine;
+    case DUCT_TRIANGLE:
+        return r * cosine - d / (2 * sqrt(3));
+    case DUCT_CRADLE:
+        return r * (1 + 2 * double_cosine) / 3;
+    case DUCT_DIAMOND:
+        return r * double_cosine;
+    case DUCT_AUTO:
+    case DUCT_SINGLE:
+        break;
+    }
+    return r;
+}
+
 /* Southwire's bands of 1.05 D/d, as tabulated by Cableizer; the critical ones are those in which three cables
  * in a row just bridge the duct. */
-static JamRisk jam_risk(int cables, double ratio)
+static JamRisk jam_risk(const DuctDef *def, double ratio)
 {
     static const double edge[] = {2.4, 2.5, 2.6, 2.9, 3.0, 3.2};
     static const JamRisk risk[] = {JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE,  JAM_SIGNIFICANT,
                                    JAM_MODERATE,   JAM_SMALL, JAM_VERY_SMALL};
-    if (cables != 3) return JAM_NONE;
+    const int three = def->cables == 3 || def->cables + def->thinner == 3;
+    if (!three || def->twisted) return JAM_NONE;
     size_t i = 0;
     while (i < sizeof edge / sizeof *edge && ratio >= edge[i]) i++;
     return risk[i];
 }
 
+/* The factors are those of the thickest, which bear most; clearance and room those of as many that fill as much as all
+ * do, and of twisted ones those of the circle round them. */
 hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err)
 {
     hawser_status status = check_def(def, err);
     if (status) return status;
-    const double D = def->duct_diameter, d = def->cable_diameter, x = wall_sine(def);
+    const double D = def->duct_diameter, d = def->cable_diameter, x = wall_sine(D, d);
     const DuctLayout layout = layout_of(def);
     status = check_layout(def, layout, x, err);
     if (status) return status;
-    *out = (DuctLoad){.layout = layout, .jam_ratio = 1.05 * D / d, .fill = def->cables * d * d / (D * D)};
+    const double wide = effective_diameter(def), wide_x = wall_sine(D, wide);
+    const double jam_diameter = def->jam_diameter > 0 ? def->jam_diameter : d;
+    *out =
+        (DuctLoad){.layout = layout, .jam_ratio = 1.05 * D / jam_diameter, .fill = def->cables * wide * wide / (D * D)};
     layout_factors(layout, x, out);
-    out->jam_risk = jam_risk(def->cables, out->jam_ratio);
-    out->clearance = layout_clearance(layout, D, d, x);
+    if (def->thinner > 0) out->weight_factor = fmax(out->weight_factor, UNEQUAL); /* (BU7) */
+    if (def->weight_factor > 0) out->weight_factor = def->weight_factor;
+    out->jam_risk = jam_risk(def, out->jam_ratio);
+    out->clearance = layout_clearance(layout, D, wide, wide_x);
+    out->room = layout_room(layout, D, wide, wide_x);
+    if (def->twisted) {
+        out->clearance = D - wide * duct_circle(def->cables);
+        out->room = out->clearance / 2;
+    }
     return HAWSER_OK;
 }
 

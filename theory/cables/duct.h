@@ -1,5 +1,5 @@
-/* Several equal cables in one duct: how they lie, what that does to friction and sidewall pressure, whether
- * they may jam. docs/model.md, "Pulling theory", (T19)-(T23). */
+/* Several cables in one duct: how they lie, what that does to friction and sidewall pressure, whether they may jam.
+ * docs/model.md, "Several cables in a duct", (T19)-(T23), and "Bundles". */
 #ifndef HAWSER_THEORY_DUCT_H
 #define HAWSER_THEORY_DUCT_H
 
@@ -13,9 +13,15 @@ typedef enum JamRisk { JAM_NONE, JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE, JAM_SI
 
 typedef struct DuctDef {
     double duct_diameter;  /* m, inside: D */
-    double cable_diameter; /* m, outside: d */
-    int cables;            /* 1..4, pulled together */
+    double cable_diameter; /* m, outside: d; of a set of unequal cables the thickest's */
+    int cables;            /* 1..4, as thick as that, pulled together */
     DuctLayout layout;
+    /* of sets that are not equal cables side by side; zeros: nothing of it */
+    int twisted;           /* they are laid up with each other, and neither spread nor jam */
+    int thinner;           /* cables beside them that are thinner */
+    double thinner_square; /* m2, the sum of the squares of their diameters */
+    double jam_diameter;   /* m, mean of the three thickest; 0: d */
+    double weight_factor;  /* in place of the layout's; 0: none */
 } DuctDef;
 
 typedef struct DuctLoad {
@@ -25,15 +31,21 @@ typedef struct DuctLoad {
     double sidewall_factor; /* of the worst loaded cable: its pressure is this times T/R, T the tension of all
                                together */
     double jam_ratio;       /* 1.05 D/d; bends are 5 % oval */
-    JamRisk jam_risk;       /* three cables; JAM_NONE for other numbers */
+    JamRisk jam_risk;       /* three cables in a row; JAM_NONE where there are no three, or they are twisted */
     double clearance;       /* m, from the uppermost cable straight up to the duct */
     double fill;            /* share of the duct's cross-section */
+    double room;            /* m, from the duct's centre to the middle of the cables: how far this can move (BU8) */
 } DuctLoad;
+
+/* Diameter of the circle round n equal cables, 1..4, over one's: 1, 2, 1 + 2/sqrt 3, 1 + sqrt 2. */
+double duct_circle(int cables);
 
 /* Errors: INPUT, with the reason: sizes that are not positive, cables that do not fit, a layout that does not
  * belong to the number of cables or cannot rest in this duct. */
 hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err);
 const char *duct_layout_name(DuctLayout layout);
+/* How many cables a layout is of; 0: of any number. */
+int duct_layout_cables(DuctLayout layout);
 const char *jam_risk_name(JamRisk risk);
 
 #endif

@@ -1,0 +1,41 @@
+/* Figures as people read them: part of hawser/hawser.h, which includes it. The library computes, keeps and writes SI;
+ * these functions alone turn that into what is shown on a terminal. */
+#ifndef HAWSER_SHOWN_H
+#define HAWSER_SHOWN_H
+
+#include <stddef.h>
+
+#include "hawser/tables.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* SI: N and kN, m and mm, N/m, kg, mm2. US: lbf and kip, ft and in, lbf/ft, lb, kcmil and AWG, psi and ksi. */
+typedef enum hawser_units { HAWSER_SI, HAWSER_US } hawser_units;
+
+enum { HAWSER_SHOWN_MAX = 48 };
+
+/* A value of an SI unit ("N", "N/m", "m"; "1": a pure number) in four digits with a unit that suits its size: "12.83
+ * kN". An infinite one is "none", one that is not known "-". Returns `text` (HAWSER_SHOWN_MAX bytes). */
+const char *hawser_show(double value, const char *unit, hawser_units units, char *text);
+/* A machine's figure, whose key ends in its unit: "steady_mean_N" is "steady mean 12.83 kN". `text` has twice
+ * HAWSER_SHOWN_MAX bytes. */
+const char *hawser_show_figure(const hawser_figure *figure, hawser_units units, char *text);
+/* A sentence in which every quantity of an SI unit ("0.5 to 1 kN/m", "800 mm2") is turned into `units`, with as many
+ * digits as it has and three at least; of SI the sentence itself. At most `size` bytes. Returns `text`. */
+const char *hawser_show_text(const char *sentence, hawser_units units, char *text, size_t size);
+
+struct hawser_sim;
+
+/* What a report begins with: a line with the verdict, then what it rests on, each line "  word  sentence": the pull
+ * against what is allowed, the worst place, what to do about each limit that is broken, and whether the figures are to
+ * be trusted. At most `size` bytes (HAWSER_ANSWER_MAX is enough). Returns `text`. */
+enum { HAWSER_ANSWER_MAX = 8192 };
+const char *hawser_sim_answer(struct hawser_sim *s, hawser_units units, char *text, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

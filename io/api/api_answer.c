@@ -1,0 +1,222 @@
+/* What a planner wants to know first, in words: of a run and of the calculation alike. */
+#include "io/api/api_handles.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { REMEDY_MAX = 256, OPEN_MAX = 400, PAGE = 118, INDENT = 17 };
+
+/* Adds so many bytes of a text, as far as there is room. */
+static void add(Answer *a, const char *text, int n)
+{
+    const int written = snprintf(a->text + a->used, a->size - a->used, "%.*s", n, text);
+    a->used += (size_t)written < a->size - a->used ? (size_t)written : a->size - a->used - 1;
+}
+
+/* Adds a sentence that begins at column `at`, in the reader's units, cut at blanks into lines that begin at `indent`.
+ */
+static void add_sentence(Answer *a, const char *sentence, int at, int indent)
+{
+    char shown[HAWSER_VERDICT_MAX], margin[INDENT + 2];
+    const char *rest = hawser_show_text(sentence, a->units, shown, sizeof shown);
+    const int blanks = snprintf(margin, sizeof margin, "\n%*s", indent, "");
+    while ((int)strlen(rest) > PAGE - at) {
+        int n = PAGE - at;
+        while (n > 0 && rest[n] != ' ') --n;
+        if (n == 0) break; /* a word that is too long stands as it is */
+        add(a, rest, n);
+        add(a, margin, blanks);
+        at = indent;
+        rest += n + 1;
+    }
+    add(a, rest, (int)strlen(rest));
+    add(a, "\n", 1);
+}
+
+void answer_line(Answer *a, const char *word, const char *format, ...)
+{
+    char sentence[HAWSER_VERDICT_MAX], first[64];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(sentence, sizeof sentence, format, args);
+    va_end(args);
+    const int at = snprintf(first, sizeof first, "  %-14s ", word);
+    add(a, first, at);
+    add_sentence(a, sentence, at, INDENT);
+}
+
+void answer_verdict(Answer *a, const char *verdict)
+{
+    a->used = 0;
+    add_sentence(a, verdict, 0, 2);
+}
+
+/* ------------------------------------------------------------------------------------------------------ limits */
+
+/* "; allowed 18.9 kN: 75.6 % left". */
+static void say_margin(const hawser_limit *l, hawser_units units, char *text, size_t size)
+{
+    char allowed[HAWSER_SHOWN_MAX];
+    const int over = l->margin < 0;
+    const double share = 100 * (over ? fabs(l->value / l->limit - 1) : l->margin);
+    snprintf(text, size, "allowed %s: %.3g %% %s", hawser_show(l->limit, l->unit, units, allowed), share,
+             !over                 ? "left"
+             : l->value > l->limit ? "over"
+                                   : "short");
+}
+
+static const hawser_limit *limit_called(int n, const hawser_limit *limit, const char *name)
+{
+    for (int i = 0; i < n; ++i) {
+        if (!strcmp(limit[i].name, name)) return &limit[i];
+    }
+    return NULL;
+}
+
+/* What was found at its worst place, and what to do if that is too much. */
+static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l)
+{
+    char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX];
+    say_margin(l, a->units, margin, sizeof margin);
+    answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
+                *l->where ? " at " : "", l->where, margin);
+    if (l->ok) return;
+    limit_remedy(scene, l, a->units, remedy);
+    if (*remedy) answer_line(a, "remedy", "%s", remedy);
+}
+
+/* Names of those that are not judged. */
+static void open_line(Answer *a, int n, const hawser_limit *limit)
+{
+    char names[OPEN_MAX] = "";
+    for (int i = 0; i < n; ++i) {
+        const size_t used = strlen(names);
+        if (!limit[i].judged) snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", limit[i].name);
+    }
+    if (*names) answer_line(a, "not judged", "%s (the table of limits says why)", names);
+}
+
+void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit)
+{
+    const hawser_limit *worst = NULL;
+    for (int i = 0; i < n; ++i) {
+        if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
+    }
+    if (worst) limit_lines(a, scene, "worst", worst);
+    for (int i = 0; i < n; ++i) {
+        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, scene, "broken", &limit[i]);
+    }
+    if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
+    open_line(a, n, limit);
+}
+
+/* ------------------------------------------------------------------------------------------ of the calculation */
+
+/* The winch's force of one way, at speed and from rest. */
+static void way_line(Answer *a, const Calculator *c, int k)
+{
+    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "";
+    const PlanWay *const way = &c->plan.way[k];
+    const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
+    if (l && l->judged) {
+        strcpy(margin, "; ");
+        say_margin(l, a->units, margin + 2, sizeof margin - 2);
+    }
+    answer_line(a, k == PLAN_FORWARD ? "pull" : "pulled back", "%s at the winch, %s from rest%s",
+                hawser_show(way->force, "N", a->units, force), hawser_show(way->restart_force, "N", a->units, restart),
+                margin);
+}
+
+static int way_holds(const Calculator *c, int k)
+{
+    int holds = c->pulled[k].holds;
+    for (int i = 0; i < c->n_limits; ++i) holds &= !c->limit[k][i].judged || c->limit[k][i].ok;
+    return holds;
+}
+
+void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const char verdict[][HAWSER_VERDICT_MAX])
+{
+    const int forward = way_holds(c, PLAN_FORWARD), backward = way_holds(c, PLAN_BACKWARD);
+    answer_verdict(a, verdict[PLAN_FORWARD]);
+    way_line(a, c, PLAN_FORWARD);
+    answer_limits(a, scene, c->n_limits, c->limit[PLAN_FORWARD]);
+    if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
+    way_line(a, c, PLAN_BACKWARD);
+    answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
+}
+
+/* -------------------------------------------------------------------------------------------------- of a run */
+
+/* " +- 0.38 %"; nothing where it is not known. Beyond the figure itself its size says nothing. */
+static const char *say_bar(const hawser_error_bar *bar, double figure, char text[32])
+{
+    *text = 0;
+    if (!(bar->total >= 0) || !(fabs(figure) > 0)) return text;
+    if (bar->total < fabs(figure)) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
+    if (bar->total >= fabs(figure)) snprintf(text, 32, " +- over 100 %%");
+    return text;
+}
+
+/* The winch's force, against what the cable may be pulled with. */
+static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_limit *limit)
+{
+    char mean[HAWSER_SHOWN_MAX], peak[HAWSER_SHOWN_MAX], bar[32], peak_bar[32], margin[128] = "";
+    const hawser_limit *const l = limit_called(n, limit, "pull");
+    if (l && l->judged) {
+        strcpy(margin, "; ");
+        say_margin(l, a->units, margin + 2, sizeof margin - 2);
+    }
+    hawser_show(s->pull_peak_N, "N", a->units, peak);
+    say_bar(&s->pull_peak_error, s->pull_peak_N, peak_bar);
+    if (!(s->pull_peak_N > 0)) {
+        answer_line(a, "pull", "nothing was pulled: there is no winch, or its rope stayed slack");
+    } else if (isnan(s->pull_mean_N) || !(s->steady_to_s > s->steady_from_s)) {
+        answer_line(a, "pull", "peak %s%s; no mean: its window begins at %g s, the run ended at %.4g s%s", peak,
+                    peak_bar, s->steady_from_s, s->sim_time_s, margin);
+    } else {
+        answer_line(a, "pull", "mean %s%s, peak %s%s%s", hawser_show(s->pull_mean_N, "N", a->units, mean),
+                    say_bar(&s->pull_mean_error, s->pull_mean_N, bar), peak, peak_bar, margin);
+    }
+}
+
+/* Why the figures are not to be trusted, one reason a line; or that they are. */
+static void trust_lines(Answer *a, const hawser_summary *s)
+{
+    char found[HAWSER_SHOWN_MAX], allowed[HAWSER_SHOWN_MAX];
+    int failed = 0;
+    for (int i = 0; i < s->n_conditions; ++i) {
+        const hawser_condition *const c = &s->conditions[i];
+        if (c->holds) continue;
+        answer_line(a, c->name, "%s (found %s, allowed %s)", c->remedy, hawser_show(c->value, c->unit, a->units, found),
+                    hawser_show(c->allowed, c->unit, a->units, allowed));
+        ++failed;
+    }
+    if (!failed) answer_line(a, "trust", "the figures are to be trusted: all %d conditions hold", s->n_conditions);
+}
+
+/* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
+const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, size_t size)
+{
+    hawser_summary sum;
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    char verdict[HAWSER_VERDICT_MAX];
+    Answer a = {.text = text, .size = size, .units = units};
+    hawser_sim_summary(s, &sum);
+    const int n = hawser_sim_limits(s, limit), broken = hawser_limits_verdict(n, limit, verdict, sizeof verdict);
+    int failed = 0;
+    for (int i = 0; i < sum.n_conditions; ++i) failed += !sum.conditions[i].holds;
+    if (failed) {
+        snprintf(verdict, sizeof verdict, "NOT TRUSTED, for %d reason%s", failed, failed > 1 ? "s" : "");
+        if (broken > 0) snprintf(verdict + strlen(verdict), 64, "; besides, %d of the limits would be broken", broken);
+    }
+    answer_verdict(&a, verdict);
+    if (failed) trust_lines(&a, &sum);
+    if (!sum.rod) {
+        pull_line(&a, &sum, n, limit);
+        if (n > 0 || !failed) answer_limits(&a, &s->stage.scene, n, limit);
+    }
+    if (!failed) trust_lines(&a, &sum);
+    return text;
+}

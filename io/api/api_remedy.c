@@ -1,0 +1,179 @@
+/* What would make a broken limit hold, from the figures of the limit and of the scene. */
+#include "io/api/api_handles.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { REMEDY_MAX = 256 };
+
+/* A value in three digits as it is shown, rounded up where at least so much is asked for and down where at most. */
+static const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text)
+{
+    const double shown = value * scale_of(unit, value, units).factor, step = pow(10, floor(log10(shown)) - 2);
+    const double steps = least ? ceil(shown / step - 1e-9) : floor(shown / step + 1e-9);
+    return hawser_show(value * (steps * step / shown), unit, units, text);
+}
+
+/* The bend at a place that begins with metres along the route, "17.3 m (out)": the one there, or that ends or begins
+ * within the rounding; -1 if there is none. */
+static int bend_at(const Route *route, const char *where)
+{
+    char *end;
+    const double s = strtod(where, &end);
+    int found = -1;
+    if (end == where || strncmp(end, " m", 2) != 0) return -1;
+    for (int p = 0; p < route->n; ++p) {
+        const RoutePiece *const piece = &route->piece[p];
+        if (piece->kind != ROUTE_BEND || s < piece->s0 - 0.06 || s > piece->s0 + piece->length + 0.06) continue;
+        if (found < 0 || (s > piece->s0 && s < piece->s0 + piece->length)) found = p;
+    }
+    return found;
+}
+
+/* The duct of that name; NULL if there is none. */
+static const SurfaceDef *duct_called(const SceneDef *def, const char *name)
+{
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        const SurfaceDef *const s = &def->surfaces[i];
+        if (s->shape.kind == SURFACE_DUCT && !strcmp(s->name, name)) return s;
+    }
+    return NULL;
+}
+
+/* N/m: how much a bend's tension grows at most with its radius. A longer bend has more weight on it, of which friction
+ * takes mu at its beginning and by exp(mu angle) more at its end; where it climbs, all of it. */
+static double tension_by_radius(const Scene *scene, const RoutePiece *bend)
+{
+    const SceneDef *const def = &scene->def;
+    double mu = def->friction.mu_d;
+    for (int i = 0; i < def->n_surfaces; ++i) mu = fmax(mu, def->surfaces[i].friction.mu_d);
+    const double rise =
+        fabs(route_slope(&scene->route, bend->s0)) + fabs(route_slope(&scene->route, bend->s0 + bend->length));
+    return scene->cable_weight * bend->angle * (mu * exp(mu * bend->angle) + (rise > 1e-6 ? 1 : 0));
+}
+
+/* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
+static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+{
+    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
+    const int p = bend_at(&scene->route, l->where);
+    const RoutePiece *const bend = p >= 0 ? &scene->route.piece[p] : NULL;
+    const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(scene, bend) : INFINITY;
+    if (!(l->limit > k)) {
+        snprintf(text, REMEDY_MAX, "%.3g %% less tension there, or what presses less", share);
+        return;
+    }
+    show_bound(bend->radius * (l->value - k) / (l->limit - k), 1, "m", units, radius);
+    snprintf(text, REMEDY_MAX,
+             "a radius of %s in '%s' would do (route.pieces.%d.radius, now %s), or %.3g %% less tension there", radius,
+             bend->name, p, hawser_show(bend->radius, "m", units, now), share);
+}
+
+/* At the cable's head all that is pulled comes together. */
+static void pull_remedy(const hawser_limit *l, hawser_units units, char *text)
+{
+    char over[HAWSER_SHOWN_MAX];
+    snprintf(
+        text, REMEDY_MAX,
+        "%s less: conveyors or an intermediate pull that take so much, a lubricant (friction), or the other direction",
+        hawser_show(l->value - l->limit, "N", units, over));
+}
+
+static void rope_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+{
+    char strength[HAWSER_SHOWN_MAX];
+    const double factor = scene->def.limits.rope_strength / l->limit; /* of safety */
+    snprintf(text, REMEDY_MAX, "a rope that breaks at %s (limits.rope_strength), or less pull",
+             show_bound(l->value * factor, 1, "N", units, strength));
+}
+
+/* m, inside diameter between `narrow` and `wide`, which is enough, at which the uppermost cable has that clearance. */
+static double diameter_for(const SceneDef *def, const SurfaceDef *now, double clearance, double narrow, double wide)
+{
+    for (int i = 0; i < 30; ++i) {
+        const double middle = (narrow + wide) / 2;
+        SurfaceDef duct = *now;
+        DuctLoad load;
+        duct.bore = middle / 2;
+        const int enough = !bundle_in(def, &duct, &load, NULL) && load.clearance >= clearance;
+        *(enough ? &wide : &narrow) = middle;
+    }
+    return wide;
+}
+
+/* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D, by
+ * more than D where cables lie in a triangle; fill by (d/D)^2. */
+static void duct_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+{
+    char least[HAWSER_SHOWN_MAX], most[HAWSER_SHOWN_MAX] = "", now[HAWSER_SHOWN_MAX];
+    const LimitsDef *const limits = &scene->def.limits;
+    const SurfaceDef *const duct = duct_called(&scene->def, l->where);
+    if (!duct) return;
+    const double D = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
+    double wider = D * sqrt(l->value / l->limit);
+    if (!strcmp(l->name, "clearance")) wider = diameter_for(&scene->def, duct, l->limit, D, D + l->limit - l->value);
+    if (!strcmp(l->name, "jam_ratio")) {
+        wider = D * limits->jam_to / l->value;
+        show_bound(D * limits->jam_from / l->value, 0, "m", units, most);
+    }
+    snprintf(text, REMEDY_MAX, "an inside diameter of at least %s%s%s in '%s' would do (now %s)",
+             show_bound(wider, 1, "m", units, least), *most ? " or at most " : "", most, duct->name,
+             hawser_show(D, "m", units, now));
+}
+
+static void roller_remedy(const hawser_limit *l, char *text)
+{
+    const int steady = !strcmp(l->name, "roller_steady");
+    snprintf(text, REMEDY_MAX, "rollers there at %.2g of their spacing, or rated %.3g times as high%s",
+             l->limit / l->value, l->value / l->limit, steady ? "" : ", or a softer start (drive.winch.to)");
+}
+
+/* Remedies that are the limit itself, or of `missing` what is missing, put into words. */
+static const struct SimpleRemedy {
+    const char *name;
+    int missing;
+    const char *before, *after;
+} simple[] = {
+    {"bend_radius", 0, "a radius of at least ", " there"},
+    {"rope_bend", 0, "sheaves and bends of at least ", " times the rope's diameter"},
+    {"conveyor", 0, "more conveyors, each with at most ", ""},
+    {"squeeze", 0, "longer conveyors or more of them, pressing with at most ", ""},
+    {"run_away", 1, "a brake of ", " where the pull begins (drive.tail.tension)"},
+    {"trip", 0, "a winch that stops at ", " (drive.winch.trip)"},
+    {"speed", 0, "a winch that pulls with at most ", " (drive.winch.speed)"},
+};
+
+static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
+{
+    char value[HAWSER_SHOWN_MAX];
+    for (size_t k = 0; k < sizeof simple / sizeof *simple; ++k) {
+        if (strcmp(l->name, simple[k].name) != 0) continue;
+        hawser_show(simple[k].missing ? l->value : l->limit, l->unit, units, value);
+        snprintf(text, REMEDY_MAX, "%s%s%s", simple[k].before, value, simple[k].after);
+    }
+}
+
+void limit_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+{
+    static const char *const pulls[] = {"pull", "restart", "attachment", "winch"};
+    int pull = 0;
+    for (int k = 0; k < 4; ++k) pull |= !strcmp(l->name, pulls[k]);
+    *text = 0;
+    if (pull) {
+        pull_remedy(l, units, text);
+    } else if (!strcmp(l->name, "sidewall")) {
+        sidewall_remedy(scene, l, units, text);
+    } else if (!strcmp(l->name, "rope")) {
+        rope_remedy(scene, l, units, text);
+    } else if (!strcmp(l->name, "jam_ratio") || !strcmp(l->name, "clearance") || !strcmp(l->name, "fill")) {
+        duct_remedy(scene, l, units, text);
+    } else if (!strncmp(l->name, "roller_", 7)) {
+        roller_remedy(l, text);
+    } else if (!strcmp(l->name, "alpha")) {
+        snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
+    } else {
+        simple_remedy(l, units, text);
+    }
+}

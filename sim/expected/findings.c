@@ -1,0 +1,231 @@
+#include "sim/expected/findings.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "sim/equipment/rooms.h"
+#include "sim/equipment/winch.h"
+
+/* ----------------------------------------------------------------------------------------------- the rope's bends */
+
+/* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
+static const double WRAPPED = 30 * M_PI / 180;
+
+/* m, around what a bend bends the rope: its own diameter, or that of its smallest roller where few share the turn. In a
+ * bend with guides it is these. */
+static double bent_round(const Scene *scene, const Route *route, const RoutePiece *bend)
+{
+    int n[2] = {0, 0}; /* carriers, guides */
+    double smallest[2] = {INFINITY, INFINITY};
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const RollerDef *const roller = &scene->def.rollers[r];
+        if (!(roller->s >= bend->s0 && roller->s <= bend->s0 + bend->length) || roller->hold_down) continue;
+        const int guide = roller_is_guide(route, roller);
+        smallest[guide] = fmin(smallest[guide], 2 * roller->radius);
+        n[guide]++;
+    }
+    const int by = n[1] > 0;
+    return n[by] > 0 && bend->angle / n[by] >= WRAPPED ? smallest[by] : 2 * bend->radius;
+}
+
+/* The rope's diameter, m: as the case says, or of the rope in the chain; NAN: nobody knows. */
+static double rope_diameter(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    if (!isnan(def->limits.rope_diameter)) return def->limits.rope_diameter;
+    return scene->eye < scene->total ? def->cables[def->pieces[def->n_pieces - 1].cable].diameter : NAN;
+}
+
+static Finding rope_bend(const Scene *scene, const Route *route, double head)
+{
+    Finding f = {.value = INFINITY};
+    for (int p = 0; p < route->n; ++p) {
+        const RoutePiece *const piece = &route->piece[p];
+        if (piece->kind != ROUTE_BEND || piece->s0 + piece->length <= head) continue;
+        const double round = bent_round(scene, route, piece);
+        if (round < f.value) f = finding_at(route, round, piece->s0);
+    }
+    if (scene->def.limits.sheave < f.value) {
+        f = (Finding){.value = scene->def.limits.sheave};
+        snprintf(f.where, sizeof f.where, "the smallest sheave");
+    }
+    f.absent = isinf(f.value);
+    f.value /= rope_diameter(scene);
+    snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
+    return f;
+}
+
+/* --------------------------------------------------------------------------------------------- machines, winch */
+
+/* Belts press with all they have between their edges, N/m (WI13). */
+static Finding squeeze(const SceneDef *def)
+{
+    Finding f = {.absent = def->n_conveyors == 0};
+    for (int i = 0; i < def->n_conveyors; ++i) {
+        const ConveyorDef *const c = &def->conveyors[i];
+        const double pressure = c->clamp / (c->to - c->from - c->edge);
+        if (pressure < f.value) continue;
+        f.value = pressure;
+        snprintf(f.where, sizeof f.where, "%s", c->name);
+    }
+    return f;
+}
+
+static int has_row(const SceneDef *def)
+{
+    for (int r = 0; r < def->n_rollers; ++r) {
+        if (!isnan(def->rollers[r].s)) return 1;
+    }
+    return 0;
+}
+
+void findings_of_scene(const Scene *scene, const Route *route, double head, Finding finding[LIMIT_KINDS])
+{
+    const SceneDef *const def = &scene->def;
+    const double speed = winch_largest_speed(scene->winch);
+    finding[LIMIT_ROPE_BEND] = rope_bend(scene, route, head);
+    finding[LIMIT_SQUEEZE] = squeeze(def);
+    finding[LIMIT_PUSH].absent = def->n_conveyors == 0;
+    finding[LIMIT_SPEED] = (Finding){.value = speed, .absent = !def->winch.present || !isfinite(speed)};
+    if (has_row(def)) return;
+    finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = finding[LIMIT_ALPHA].absent = 1;
+}
+
+void findings_trip(const Scene *scene, double force, double steady, double beyond, Finding *finding)
+{
+    const WinchDef *const winch = &scene->def.winch;
+    const double set = winch->trip.force > 0 ? winch->trip.force : winch->trip.factor * force;
+    *finding = (Finding){.value = set > 0 ? set : NAN,
+                         .steady = steady,
+                         .beyond = beyond,
+                         .absent = !winch->present || winch->mode != WINCH_SPEED};
+}
+
+/* -------------------------------------------------------------------------------------------------- the run-away */
+
+/* Whether it is pushed by no more than is allowed; what the pull is then. */
+static int holds_with(const Braked *b, double more, double *most, double *end)
+{
+    Pull pull;
+    if (b->solve(b, more, &pull)) return 1; /* theory has no answer, and whoever asked for the pull has said so */
+    const int holds = -pull.min_tension <= fmax(b->allowed, 1e-9 * fmax(1, pull.max_tension));
+    *most = pull.max_tension;
+    *end = pull.end_tension;
+    pull_clear(&pull);
+    return holds;
+}
+
+/* All N. */
+static void run_away_say(double pushed, double brake, double winch, Finding *out)
+{
+    snprintf(out->why, sizeof out->why,
+             "it runs away, pushed with %.4g kN, and no brake where the pull begins holds it", pushed / 1e3);
+    if (isnan(brake)) return;
+    snprintf(out->why, sizeof out->why,
+             "it runs away, pushed with %.4g kN: a brake of %.4g kN more is needed where the pull begins, then a winch "
+             "of %.4g kN",
+             pushed / 1e3, brake / 1e3, winch / 1e3);
+}
+
+void findings_run_away(const Braked *b, Finding *finding)
+{
+    Pull pull;
+    double most = 0, end = 0, low = 0;
+    *finding = (Finding){0};
+    if (b->solve(b, 0, &pull)) {
+        finding->value = NAN;
+        snprintf(finding->why, sizeof finding->why, "theory has no answer");
+        return;
+    }
+    const double pushed = -pull.min_tension, at = pull.min_at;
+    pull_clear(&pull);
+    if (holds_with(b, 0, &most, &end)) {
+        finding->rating = most;
+        return;
+    }
+    double high = pushed;
+    for (int k = 0; k < 60 && !holds_with(b, high, &most, &end); ++k, high *= 2) low = high;
+    for (int k = 0; k < 60 && high - low > 1e-6 * high; ++k) {
+        const double middle = (low + high) / 2;
+        *(holds_with(b, middle, &most, &end) ? &high : &low) = middle;
+    }
+    holds_with(b, high, &most, &end);
+    *finding = finding_at(b->route, high, at);
+    finding->rating = most;
+    run_away_say(pushed, high, end + b->beyond, finding);
+}
+
+/* --------------------------------------------------------------------------------------------------- of theory */
+
+/* As findings_run_away, by the plan, which knows more of a pull than its stretches. */
+static hawser_status way_run_away(const Scene *scene, const Route *route, const Calculator *c, int way, Finding *out,
+                                  hawser_error *err)
+{
+    const Pull *const pull = &c->plan.way[way].pull;
+    double allowed = fmax(1e-9 * fmax(1, pull->max_tension), c->def.feed);
+    for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[way][i].force);
+    allowed = fmin(allowed, scene->def.theory.bears);
+    *out = (Finding){.rating = pull->max_tension};
+    if (-pull->min_tension <= allowed) return HAWSER_OK;
+    Brake brake;
+    const hawser_status status = plan_brake(&c->def, &c->plan.duct, way, &brake, err);
+    if (status) return status;
+    *out = finding_at(route, brake.brake, brake.where);
+    out->rating = brake.max_tension;
+    run_away_say(-pull->min_tension, brake.brake, brake.force, out);
+    return HAWSER_OK;
+}
+
+/* The largest push of a conveyor. */
+static Finding conveyor_push(const Calculator *c, int way)
+{
+    Finding f = {0};
+    for (int i = 0; i < c->n_pushers; ++i) {
+        const double force = fabs(c->push[way][i].force);
+        if (c->pusher[i].room->kind != &CONVEYOR_ROOM || force < f.value) continue;
+        f.value = force;
+        snprintf(f.where, sizeof f.where, "%s", c->pusher[i].name);
+    }
+    return f;
+}
+
+hawser_status findings_of_way(const Scene *scene, const Route *route, const Calculator *c, int way,
+                              Finding finding[LIMIT_KINDS], hawser_error *err)
+{
+    const PlanWay *const w = &c->plan.way[way];
+    finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope;
+    finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
+    finding[LIMIT_PUSH] = conveyor_push(c, way);
+    const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
+    if (status) return status;
+    findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope, &finding[LIMIT_TRIP]);
+    if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
+    findings_of_scene(scene, route, 0, finding);
+    return HAWSER_OK;
+}
+
+/* ----------------------------------------------------------------------------------------------------- of a run */
+
+typedef struct RunPull {
+    const Scene *scene;
+    const Expected *expected;
+} RunPull;
+
+static hawser_status solve_run(const Braked *b, double more, Pull *out)
+{
+    const RunPull *const run = b->of;
+    Expected e = *run->expected; /* borrowed */
+    e.start_tension += more;
+    return expected_pull(run->scene, &e, PULL_REFERENCE, out, NULL);
+}
+
+void findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS])
+{
+    const RunPull run = {scene, e};
+    Braked b = {.solve = solve_run, .route = &scene->route, .beyond = scene->def.drag.force, .of = &run};
+    for (int i = 0; i < e->n_steps; ++i) b.allowed = fmax(b.allowed, -e->step[i].force);
+    findings_run_away(&b, &finding[LIMIT_RUN_AWAY]);
+    if (!scene->def.winch.present) finding[LIMIT_RUN_AWAY].absent = 1;
+}

@@ -1,0 +1,171 @@
+/* What a report begins with: what would make each broken limit hold, put back into the formula that it comes from, and
+ * the answer of a run and of the calculation. */
+#include "tests/io/case_fixture.h"
+
+#include "io/api/api_handles.h"
+
+static const char three[] =
+    "cables: {c: {d: 25.4 mm, mass: 1.5 kg/m, E: 10 GPa, G: 3 GPa, A: 30 mm2}}\n"
+    "chain: [{cable: c, length: 30 m}]\n"
+    "route: {pieces: [{name: in, straight: 10 m}, {name: turn, bend: 90 deg, radius: 2 m, plane: left},"
+    " {straight: 20 m}]}\n"
+    "surfaces: {ducts: [{name: d, radius: 31.75 mm, friction: {mu: 0.25}}]}\n"
+    "theory: {cables: 3}\n"
+    "limits: {pull: 10 kN, rope_strength: 50 kN}\n"
+    "drive: {tail: {tension: 3 kN}}\n"
+    "run: {duration: 10 s}\n";
+
+static int scene_setup(void **state)
+{
+    static hawser_case c; /* the scene borrows its definition */
+    static Scene scene;
+    hawser_error err;
+    assert_int_equal(read_with(three, NULL, NULL, &c.def, &err), HAWSER_OK);
+    assert_int_equal(scene_build(&c.def, &scene, &err), HAWSER_OK);
+    *state = &scene;
+    return 0;
+}
+
+static int scene_teardown(void **state)
+{
+    scene_clear(*state);
+    return 0;
+}
+
+static const char *remedy(const Scene *scene, const char *name, const char *unit, double value, double limit,
+                          const char *where, hawser_units units)
+{
+    static char text[256];
+    hawser_limit l = {.name = name, .unit = unit, .value = value, .limit = limit, .judged = 1};
+    snprintf(l.where, sizeof l.where, "%s", where);
+    limit_remedy(scene, &l, units, text);
+    return text;
+}
+
+static void words(void **state)
+{
+    const Scene *const scene = *state;
+    static const struct {
+        const char *name, *unit;
+        double value, limit;
+        const char *said;
+    } row[] = {
+        {"pull", "N", 15200, 10000, "5.2 kN less: conveyors or an intermediate pull that take so much"},
+        {"winch", "N", 15200, 10000, "5.2 kN less"},
+        {"rope", "N", 15000, 10000, "a rope that breaks at 75 kN (limits.rope_strength)"},
+        {"bend_radius", "m", 1.5, 2, "a radius of at least 2 m there"},
+        {"run_away", "N", 11730, 0, "a brake of 11.73 kN where the pull begins (drive.tail.tension)"},
+        {"speed", "m/s", 0.3, 0.25, "at most 0.25 m/s"},
+        {"roller_steady", "N", 5000, 2500, "rollers there at 0.5 of their spacing, or rated 2 times as high"},
+        {"alpha", "1", 2, 1.5, "a softer start"},
+        {"a limit to come", "1", 2, 1, ""},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        const char *const said = remedy(scene, row[k].name, row[k].unit, row[k].value, row[k].limit, "x", HAWSER_SI);
+        check_has(said, row[k].said);
+        if (!*row[k].said) assert_string_equal(said, "");
+    }
+    check_has(remedy(scene, "pull", "N", 4448.2216 * 2, 4448.2216, "", HAWSER_US), "1000 lbf less");
+}
+
+/* The duct that is named does what it is named for, and one that is 1 % worse does not. */
+static void ducts(void **state)
+{
+    const Scene *const scene = *state;
+    DuctDef def = {.duct_diameter = 63.5e-3, .cable_diameter = 25.4e-3, .cables = 3};
+    DuctLoad now, then;
+    double least, most;
+    assert_int_equal(duct_load(&def, &now, NULL), HAWSER_OK);
+
+    const char *said = remedy(scene, "clearance", "m", now.clearance, 6.35e-3, "d", HAWSER_SI);
+    assert_int_equal(sscanf(said, "an inside diameter of at least %lf mm in 'd' would do (now 63.5 mm)", &least), 1);
+    def.duct_diameter = 1e-3 * least;
+    assert_int_equal(duct_load(&def, &then, NULL), HAWSER_OK);
+    check_between(then.clearance, 6.35e-3, 6.7e-3);
+
+    said = remedy(scene, "fill", "1", now.fill, 0.4, "d", HAWSER_SI);
+    assert_int_equal(sscanf(said, "an inside diameter of at least %lf mm", &least), 1);
+    def.duct_diameter = 1e-3 * least;
+    assert_int_equal(duct_load(&def, &then, NULL), HAWSER_OK);
+    check_between(then.fill, 0.396, 0.4);
+
+    said = remedy(scene, "jam_ratio", "1", now.jam_ratio, 2.6, "d", HAWSER_SI);
+    assert_int_equal(sscanf(said, "an inside diameter of at least %lf mm or at most %lf mm", &least, &most), 2);
+    check_between(1.05 * least / 25.4, 3.2, 3.21);
+    check_between(1.05 * most / 25.4, 2.58, 2.6);
+    assert_string_equal(remedy(scene, "fill", "1", 0.5, 0.4, "no such duct", HAWSER_SI), "");
+}
+
+/* A bend is found by the metres of its place, also at its very end where the next straight begins; elsewhere there is
+ * only less tension. What the bend's own length adds to the tension is in the radius. */
+static void bends(void **state)
+{
+    const Scene *const scene = *state;
+    const double end = 10 + 2 * 3.14159265358979323846 / 2;
+    char where[40];
+    snprintf(where, sizeof where, "%.1f m (straight)", end);
+    double radius;
+    const char *said = remedy(scene, "sidewall", "N/m", 4000, 3000, where, HAWSER_SI);
+    assert_int_equal(sscanf(said, "a radius of %lf m in 'turn' would do (route.pieces.1.radius, now 2 m)", &radius), 1);
+    check_between(radius, 2 * 4000 / 3000.0, 2.8);
+    check_has(said, "25 % less tension there");
+    said = remedy(scene, "sidewall", "N/m", 4000, 3000, "25.0 m (straight)", HAWSER_SI);
+    assert_ptr_equal(strstr(said, "25 % less tension there"), said);
+    check_has(remedy(scene, "sidewall", "N/m", 4000, 3000, where, HAWSER_US), " ft in 'turn'");
+}
+
+/* The first lines of a page: verdict, pull, worst place, remedy, in the units that are asked for, within a page. */
+static void answers(void **state)
+{
+    (void)state;
+    hawser_case *c = NULL;
+    char *text = NULL;
+    assert_int_equal(hawser_case_parse(three, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
+    check_has(text, "\n\nNOT SAFE: ");
+    check_has(text, "\n  pull           ");
+    check_has(text, "\n  worst          ");
+    check_has(text, "\n  remedy         an inside diameter of at least ");
+    check_has(text, "\n  pulled back    ");
+    const char *const answer = strstr(text, "NOT SAFE"), *const table = strstr(text, "weight of the cable");
+    assert_non_null(answer);
+    assert_true(answer - text < 20);
+    assert_true(table > answer);
+    hawser_text_free(text);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE_US, &text, NULL), HAWSER_OK);
+    check_has(text, " lbf at the winch");
+    check_has(text, " in in 'd' would do");
+    hawser_text_free(text);
+    hawser_case_free(c);
+
+    hawser_sim *sim = NULL;
+    char said[HAWSER_ANSWER_MAX], little[40];
+    assert_int_equal(hawser_case_parse(data_text("limits"), NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "limits.sidewall", "100 N/m", NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, NULL), HAWSER_OK);
+    hawser_sim_answer(sim, HAWSER_SI, said, sizeof said);
+    assert_ptr_equal(strstr(said, "NOT SAFE: 1 of"), said);
+    check_has(said, "\n  pull           mean ");
+    check_has(said, "\n  worst          sidewall ");
+    check_has(said, "allowed 100 N/m");
+    check_has(said, "\n  remedy         a radius of ");
+    check_has(said, "\n  trust          the figures are to be trusted");
+    hawser_sim_answer(sim, HAWSER_US, said, sizeof said);
+    check_has(said, "allowed 6.852 lbf/ft");
+    hawser_sim_answer(sim, HAWSER_SI, little, sizeof little); /* cut, never beyond */
+    assert_int_equal(strlen(little), sizeof little - 1);
+    hawser_sim_free(sim);
+    hawser_case_free(c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(words),
+        cmocka_unit_test(ducts),
+        cmocka_unit_test(bends),
+        cmocka_unit_test(answers),
+    };
+    return cmocka_run_group_tests(tests, scene_setup, scene_teardown);
+}

@@ -1,0 +1,362 @@
+/* The planner's side of `hawser theory`: what it needs to be told and what not, one force in header and tables,
+ * friction and places by their right names, and the answers the other way round: closed forms on a straight, and put
+ * back into the case they just keep its limits. */
+#include "tests/io/case_fixture.h"
+
+#include <jansson.h>
+
+static const double G = 9.81;
+
+/* Settings are pairs of key and value, NULL behind the last. */
+static json_t *theory(const char *text, const char *const set[])
+{
+    hawser_case *c = NULL;
+    hawser_error err;
+    char *out = NULL;
+    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    for (int i = 0; set && set[i]; i += 2) {
+        if (hawser_case_set(c, set[i], set[i + 1], &err)) fail_msg("%s", err.message);
+    }
+    if (hawser_case_theory(c, HAWSER_JSON, &out, &err)) fail_msg("%s", err.message);
+    json_t *o = json_loads(out, 0, NULL);
+    assert_non_null(o);
+    hawser_text_free(out);
+    hawser_case_free(c);
+    return o;
+}
+
+static json_t *row(json_t *o, const char *table, size_t i)
+{
+    json_t *found = json_array_get(json_object_get(o, table), i);
+    if (!found) fail_msg("no row %zu in '%s'", i, table);
+    return found;
+}
+
+static double number(json_t *object, const char *key)
+{
+    json_t *value = json_object_get(object, key);
+    if (!value) fail_msg("no key '%s'", key);
+    return json_is_number(value) ? json_number_value(value) : NAN;
+}
+
+static const char *word(json_t *object, const char *key)
+{
+    const char *const text = json_string_value(json_object_get(object, key));
+    if (!text) fail_msg("no text '%s'", key);
+    return text;
+}
+
+/* The answer to a question that begins so. */
+static json_t *answer(json_t *o, const char *direction, const char *question)
+{
+    json_t *a;
+    size_t i;
+    json_array_foreach(json_object_get(o, "answers"), i, a)
+    {
+        if (!strcmp(word(a, "direction"), direction) && strstr(word(a, "question"), question)) return a;
+    }
+    fail_msg("no answer to '%s'", question);
+    return NULL;
+}
+
+static json_t *limit(json_t *o, const char *direction, const char *name)
+{
+    json_t *l;
+    size_t i;
+    json_array_foreach(json_object_get(o, "limits"), i, l)
+    {
+        if (!strcmp(word(l, "direction"), direction) && !strcmp(word(l, "name"), name)) return l;
+    }
+    fail_msg("no limit '%s'", name);
+    return NULL;
+}
+
+/* No chain, no duration, no drive: the route's length of the only cable. A run of it is asked how long. */
+static void what_is_needed(void **state)
+{
+    (void)state;
+    const char *const text = "cables: {c: {d: 60 mm, mass: 8 kg/m, E: 10 GPa, G: 3 GPa, A: 2000 mm2}}\n"
+                             "route: {pieces: [{straight: 100 m}]}\n"
+                             "friction: {mu: 0.3}\n";
+    json_t *o = theory(text, NULL);
+    check_share(number(o, "reference_total_N"), 0.3 * 8 * G * 100, 1e-9);
+    check_share(number(o, "friction"), 0.3, 1e-12);
+    assert_null(json_object_get(o, "run")); /* nothing says that one is meant */
+    json_decref(o);
+    hawser_case *c = NULL;
+    hawser_sim *sim = NULL;
+    hawser_error err;
+    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "key 'run.duration': missing");
+    /* with a winch: 12 m to go at 0.5 m/s, and a ramp of 4 s that costs half of its time */
+    assert_int_equal(hawser_case_set(c, "route.head_at", "88 m", NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "drive", "{winch: {speed: 0.5 m/s, from: 0 s, to: 4 s}}", NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_OK);
+    check_share(hawser_sim_end_time(sim), 12 / 0.5 + 2, 1e-9);
+    hawser_sim_free(sim);
+    hawser_case_free(c);
+    expect_bad("cables: {c: {d: 60 mm, mass: 8 kg/m, E: 10 GPa, G: 3 GPa, A: 2000 mm2}, "
+               "r: {d: 20 mm, mass: 1 kg/m, E: 10 GPa, G: 3 GPa, A: 200 mm2}}\nroute: {pieces: [{straight: 9 m}]}\n",
+               NULL, NULL, "nothing says which is pulled");
+}
+
+/* The header had the stretch of a run, the tables the whole route; the friction of a case without rollers was that of
+ * nothing in it; a pressure stood as T/R; a bend's end was named after the straight behind it. */
+static void one_force_and_right_names(void **state)
+{
+    (void)state;
+    static const char *const run[] = {"run", "{duration: 10 s}", "drive",
+                                      "{winch: {speed: 0.1 m/s, from: 0 s, to: 2 s}}", NULL};
+    static const char *const tight[] = {"limits.sidewall", "500 N/m", NULL};
+    json_t *o = theory(data_text("planner"), run);
+    json_t *const there = row(o, "directions", 0), *const back = row(o, "directions", 1);
+    check_equal(number(o, "reference_total_N"), number(there, "force_N"));
+    check_equal(number(o, "backward_total_N"), number(back, "force_N"));
+    check_equal(number(o, "start_tension_N"), number(there, "start_N"));
+    check_equal(number(o, "max_sidewall_N_per_m"), number(there, "max_sidewall_N_per_m"));
+    const size_t stations = json_array_size(json_object_get(o, "stations"));
+    check_share(number(row(o, "stations", stations - 1), "reference_N"), number(there, "force_N"), 1e-9);
+    check_share(number(o, "friction"), 0.5, 1e-12);
+    assert_null(json_object_get(o, "friction_least"));
+    assert_int_equal(json_array_size(json_object_get(o, "run")), 1);
+    json_decref(o);
+    o = theory(data_text("planner"), tight);
+    check_has(word(o, "verdict_forward"), "(second)"); /* where it ends, and so does the largest pressure in it */
+    check_has(word(o, "verdict_backward"), "(bend)");
+    json_decref(o);
+    hawser_case *c = NULL;
+    char *text = NULL;
+    assert_int_equal(hawser_case_parse(data_text("planner"), NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
+    assert_null(strstr(text, "T/R"));
+    hawser_text_free(text);
+    hawser_case_free(c);
+}
+
+/* Ducts of two frictions: both ends of the range. */
+static void friction_from_to(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {"theory.stretches", "[{from: 10 m, to: 20 m, mu: 0.1, mu_s: 0.7}]", NULL};
+    json_t *o = theory(data_text("planner"), parts);
+    check_share(number(o, "friction"), 0.5, 1e-12);
+    check_share(number(o, "friction_least"), 0.1, 1e-12);
+    const double w = 8 * G;
+    check_share(number(row(o, "pieces", 0), "forward_end_N"), w * (0.5 * 50 + 0.1 * 10), 1e-9);
+    json_decref(o);
+}
+
+static const char *const STRAIGHT = "cables: {c: {d: 60 mm, mass: 8 kg/m, E: 10 GPa, G: 3 GPa, A: 2000 mm2}}\n"
+                                    "route: {pieces: [{straight: 200 m}]}\n"
+                                    "friction: {mu: 0.3}\n"
+                                    "limits: {pull: 10 kN}\n"
+                                    "theory: {machine_push: 2 kN}\n";
+
+/* Closed forms: T = T0 + mu w L. */
+static void a_straight_the_other_way_round(void **state)
+{
+    (void)state;
+    static const char *const tail[] = {"drive", "{tail: {tension: 500 N}}", NULL};
+    static const char *const heavy[] = {"friction.mu", "0.9", "drive", "{tail: {tension: 500 N}}", NULL};
+    const double w = 8 * G, free = 10e3 - 500;
+    json_t *o = theory(STRAIGHT, tail);
+    for (int k = 0; k < 2; k++) {
+        const char *const way = k ? "backward" : "forward";
+        check_share(number(answer(o, way, "largest friction"), "value"), free / (w * 200), 1e-9);
+        check_share(number(answer(o, way, "longest length"), "value"), free / (0.3 * w), 1e-9);
+        assert_string_equal(word(answer(o, way, "longest length"), "binds"), "pull");
+        check_equal(number(answer(o, way, "least number"), "value"), 0);
+    }
+    json_decref(o);
+    /* three times the friction: 500 + 14126 N for 10 kN, so three machines of 2 kN; each as soon as 2 kN arrive */
+    o = theory(STRAIGHT, heavy);
+    check_share(number(answer(o, "forward", "longest length"), "value"), free / (0.9 * w), 1e-9);
+    check_equal(number(answer(o, "forward", "least number"), "value"), 3);
+    for (size_t i = 0; i < 3; i++) {
+        check_share(number(row(o, "machines", i), "at_m"), (1500 + 2000. * (double)i) / (0.9 * w), 1e-9);
+        check_share(number(row(o, "machines", i), "takes_N"), 2000, 1e-9);
+    }
+    json_decref(o);
+}
+
+/* Put back, each answer leaves the limit that binds no room, and a little more breaks it. */
+static void put_back(void **state)
+{
+    (void)state;
+    static const char *const roomy[] = {"limits.rope_strength", "90 kN", NULL};
+    json_t *o = theory(data_text("planner"), roomy);
+    for (int k = 0; k < 2; k++) {
+        const char *const way = k ? "backward" : "forward";
+        json_t *const mu = answer(o, way, "largest friction"), *const radius = answer(o, way, "smallest bend radius");
+        char value[64], first[64], second[64], pieces[400];
+        const char *set[5] = {"surfaces.ducts.0.friction.mu", value, "limits.rope_strength", "90 kN", NULL};
+        snprintf(value, sizeof value, "%.12g", number(mu, "value"));
+        json_t *again = theory(data_text("planner"), set);
+        check_between(number(limit(again, way, word(mu, "binds")), "margin"), -1e-6, 1e-6);
+        json_decref(again);
+        const double factor = number(radius, "value") / 5;
+        snprintf(first, sizeof first, "%.12g m", 5 * factor);
+        snprintf(second, sizeof second, "%.12g m", 8 * factor);
+        snprintf(pieces, sizeof pieces,
+                 "[{name: in, straight: 60 m}, {name: bend, bend: 60 deg, radius: %s, plane: left}, "
+                 "{name: between, straight: 50 m}, {name: second, bend: 30 deg, radius: %s, plane: right}, "
+                 "{name: out, straight: 30 m}]",
+                 first, second);
+        set[0] = "route.pieces", set[1] = pieces;
+        again = theory(data_text("planner"), set);
+        check_between(number(limit(again, way, word(radius, "binds")), "margin"), -1e-6, 1e-6);
+        json_decref(again);
+    }
+    /* as much longer at its end */
+    json_t *const length = answer(o, "forward", "longest length");
+    char out[64];
+    snprintf(out, sizeof out, "%.12g m", 30 + number(length, "value") - number(o, "length_m"));
+    const char *const longer[] = {"route.pieces.4.straight", out, "limits.rope_strength", "90 kN", NULL};
+    json_t *const again = theory(data_text("planner"), longer);
+    check_between(number(limit(again, "forward", word(length, "binds")), "margin"), -1e-6, 1e-6);
+    json_decref(again);
+    json_decref(o);
+}
+
+/* The places that are answered, put back as machines of the case, keep all limits, and one fewer does not. */
+static void machines_put_back(void **state)
+{
+    (void)state;
+    static const char *const tight[] = {"limits.pull", "7 kN", "theory.machine_push", "1.5 kN", NULL};
+    json_t *o = theory(data_text("planner"), tight);
+    check_has(word(o, "verdict_forward"), "NOT SAFE");
+    const int n = (int)number(answer(o, "forward", "least number"), "value");
+    check_above(n, 0);
+    for (int few = 0; few < 2; few++) {
+        char list[1000] = "[";
+        for (int i = 0; i < n - few; i++) {
+            json_t *const m = row(o, "machines", (size_t)i);
+            assert_string_equal(word(m, "direction"), "forward");
+            snprintf(list + strlen(list), sizeof list - strlen(list), "%s{at: %.12g m, push: 1.5 kN}", i ? ", " : "",
+                     number(m, "at_m"));
+        }
+        strcat(list, "]");
+        const char *const set[] = {"limits.pull", "7 kN", "theory.machines", list, NULL};
+        json_t *again = theory(data_text("planner"), set);
+        if (few) check_has(word(again, "verdict_forward"), "NOT SAFE");
+        if (!few) assert_memory_equal(word(again, "verdict_forward"), "SAFE", 4);
+        json_decref(again);
+    }
+    json_decref(o);
+}
+
+/* A duct that is too tight stays so whatever the friction: the answer is that of the other limits, and says so. */
+static void what_stays_broken(void **state)
+{
+    (void)state;
+    static const char *const narrow[] = {"surfaces.ducts.0.radius", "32 mm", NULL};
+    json_t *wide = theory(data_text("planner"), NULL), *o = theory(data_text("planner"), narrow);
+    check_share(number(answer(o, "forward", "largest friction"), "value"),
+                number(answer(wide, "forward", "largest friction"), "value"), 1e-9);
+    check_has(word(answer(o, "forward", "largest friction"), "result"), "clearance stays");
+    json_decref(wide);
+    json_decref(o);
+}
+
+/* Pits: the table of sections, and what a section's winch needs. */
+static void by_sections(void **state)
+{
+    (void)state;
+    static const char *const pit[] = {"theory.pits", "[{name: manhole, at: 60 m, back: 300 N}]", NULL};
+    json_t *o = theory(data_text("planner"), pit);
+    const double w = 8 * G;
+    assert_int_equal(json_array_size(json_object_get(o, "sections")), 4);
+    assert_string_equal(word(row(o, "sections", 0), "ends_at"), "manhole");
+    check_share(number(row(o, "sections", 0), "force_N"), 0.5 * w * 60, 1e-9);
+    check_share(number(row(o, "sections", 1), "start_N"), 300, 1e-12);
+    check_equal(number(row(o, "sections", 1), "force_N"), number(o, "reference_total_N"));
+    /* backward the last section is the straight, from the pit */
+    check_share(number(row(o, "sections", 3), "force_N"), 300 + 0.5 * w * 60, 1e-9);
+    json_decref(o);
+}
+
+/* The brake is named with its place and the winch that it asks for; by its limits the other way is better. */
+static void down_a_shaft(void **state)
+{
+    (void)state;
+    static const char *const down[] = {"route.slope", "-60 deg", "route.pieces", "[{name: shaft, straight: 60 m}]",
+                                       NULL};
+    json_t *o = theory(data_text("planner"), down);
+    const double w = 8 * G, brake = 60 * w * (sin(M_PI / 3) - 0.5 * cos(M_PI / 3));
+    assert_int_equal(json_array_size(json_object_get(o, "brakes")), 1);
+    check_share(number(row(o, "brakes", 0), "brake_N"), brake, 1e-7);
+    assert_string_equal(word(row(o, "brakes", 0), "piece"), "shaft");
+    check_has(word(o, "verdict_forward"), "it needs a brake of 2.901 kN");
+    assert_string_equal(word(o, "best_direction"), "backward");
+    assert_string_equal(word(o, "better_direction"), "forward"); /* by the force alone */
+    json_decref(o);
+}
+
+/* (PN10): alpha times the largest force, but never more than the cable or the rope may bear. */
+static void trip_setting(void **state)
+{
+    (void)state;
+    static const char *const rope[] = {"limits.rope_strength", "40 kN", "limits.alpha", "3", NULL};
+    json_t *o = theory(data_text("planner"), NULL);
+    check_share(number(row(o, "directions", 0), "trip_N"), 1.5 * number(o, "largest_force_N"), 1e-9);
+    json_decref(o);
+    o = theory(data_text("planner"), rope);
+    check_share(number(row(o, "directions", 0), "trip_N"), 8000, 1e-9);
+    check_has(word(row(o, "directions", 0), "trip_by"), "rope");
+    json_decref(o);
+}
+
+/* Cold is a note, not a number; what a pushed cable bears is asked for. */
+static void notes(void **state)
+{
+    (void)state;
+    static const char *const cold[] = {"theory", "{temperature: -15, feed: 2 kN}", NULL};
+    static const char *const weak[] = {"theory", "{feed: 2 kN, bears: 1 kN}", NULL};
+    json_t *warm = theory(data_text("planner"), NULL), *o = theory(data_text("planner"), cold);
+    assert_null(json_object_get(warm, "notes"));
+    check_has(word(row(o, "notes", 0), "note"), "-15 C");
+    check_has(word(row(o, "notes", 1), "note"), "theory.bears");
+    check_share(number(o, "start_tension_N"), -2000, 1e-12);
+    assert_memory_equal(word(o, "verdict_forward"), "SAFE", 4); /* pushed by what is meant to */
+    json_decref(o);
+    o = theory(data_text("planner"), weak);
+    check_has(word(o, "verdict_forward"), "NOT TRUSTED");
+    json_decref(o);
+    json_decref(warm);
+}
+
+static void wrong_lists(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *key, *value, *part;
+    } cases[] = {
+        {"theory.pits", "[{at: 500 m}]", "below the route's length"},
+        {"theory.stretches", "[{from: 9 m, to: 4 m, mu: 0.2}]", "must not end at 9 m"},
+        {"theory.wear", "[{from: 9 m, factor: 2}, {from: 9 m, factor: 3}]", "above 9 m"},
+        {"theory", "{wear_by: place, wear: [{from: 9 m, factor: 0.5}]}", "must not fall"},
+        {"theory.machines", "[{at: 5 m}]", "'theory.machines.0.push': missing"},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+        expect_bad(data_text("planner"), cases[k].key, cases[k].value, cases[k].part);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_needed),
+        cmocka_unit_test(one_force_and_right_names),
+        cmocka_unit_test(friction_from_to),
+        cmocka_unit_test(a_straight_the_other_way_round),
+        cmocka_unit_test(put_back),
+        cmocka_unit_test(machines_put_back),
+        cmocka_unit_test(what_stays_broken),
+        cmocka_unit_test(by_sections),
+        cmocka_unit_test(down_a_shaft),
+        cmocka_unit_test(trip_setting),
+        cmocka_unit_test(notes),
+        cmocka_unit_test(wrong_lists),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,359 @@
+/* The planner's calculation against closed forms: rope ahead of the cable, pits, machines, wear, a push, the brake; and
+ * what must hold of any of them: the last place of the head is the whole pull, sections are cut routes, a route pulled
+ * back is its mirror pulled forward. */
+#include "theory/plan_head.h"
+
+#include "tests/support/check.h"
+#include "theory/search.h"
+
+static const double PI = 3.14159265358979323846, WEIGHT = 200, MU = 0.25;
+static const DuctLoad SINGLE = {.weight_factor = 1, .sidewall_factor = 1};
+
+static Route route_of(int n, const RoutePieceDef *def, double slope)
+{
+    Route route;
+    assert_int_equal(route_build(&route, n, def, v3(0, 0, 0), 0, slope, NULL), HAWSER_OK);
+    return route;
+}
+
+/* Straight, quarter turn, straight, quarter turn, straight: all level. */
+static Route level_route(void)
+{
+    const RoutePieceDef def[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "a", .length = 40},
+        {.kind = ROUTE_BEND, .name = "first", .radius = 10, .angle = PI / 2},
+        {.kind = ROUTE_STRAIGHT, .name = "b", .length = 30},
+        {.kind = ROUTE_BEND, .name = "second", .radius = 10, .angle = PI / 2},
+        {.kind = ROUTE_STRAIGHT, .name = "c", .length = 20},
+    };
+    return route_of(5, def, 0);
+}
+
+static HeadForce head_at(const PlanDef *def, int way, double s)
+{
+    HeadForce f;
+    assert_int_equal(plan_head(def, &SINGLE, way, s, &f, NULL), HAWSER_OK);
+    return f;
+}
+
+static Plan plan_of(const PlanDef *def)
+{
+    Plan plan;
+    assert_int_equal(plan_build(def, &plan, NULL), HAWSER_OK);
+    return plan;
+}
+
+/* (PN6): a rope without weight goes round the bends ahead as round a capstan; one with weight is dragged as well. */
+static void rope_ahead(void **state)
+{
+    (void)state;
+    Route route = level_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3, .mu_rope = 0.15};
+    PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .reel_length = 15, .rope_length = 5};
+    const double start = 15 * WEIGHT, head = start + MU * WEIGHT * 25;
+    const HeadForce f = head_at(&def, PLAN_FORWARD, 25);
+    check_close(f.tension, head, 1e-9);
+    check_share(f.force, head * exp(0.15 * PI) + 5 * WEIGHT, 1e-11);
+    check_share(f.restart, (start + 0.3 * WEIGHT * 25) * exp(0.15 * PI) + 5 * WEIGHT, 1e-11);
+    /* backward the same bends come from the other side: 85 m to go past both of them from 25 m short of the far end */
+    const double from = route.length - 12;
+    const HeadForce b = head_at(&def, PLAN_BACKWARD, from);
+    check_share(b.force, (start + MU * WEIGHT * 12) * exp(0.15 * PI) + 5 * WEIGHT, 1e-11);
+    /* a rope of 6 N/m on the straight between two bends: closed form of a level bend (T11) */
+    def.rope_weight = 6;
+    const double between = route.piece[2].s0 + 10;
+    const HeadForce r = head_at(&def, PLAN_FORWARD, between);
+    const double t = r.tension + 0.15 * 6 * 20, turn = 0.15 * PI / 2, wR = 60;
+    const double out = t * cosh(turn) + sinh(turn) * hypot(t, wR);
+    check_share(r.force, out + 0.15 * 6 * 20 + 5 * WEIGHT, 1e-11);
+    route_clear(&route);
+}
+
+/* The last place of the head is the whole pull; the series holds the corners; its peak is no smaller than any row. */
+static void the_last_place_is_the_pull(void **state)
+{
+    (void)state;
+    Route route = level_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3, .mu_rope = 0.15};
+    const PullStep machine = {.at = 50, .force = 2500, .kind = STEP_TAKE};
+    const PlanDef def = {.route = &route,
+                         .n_stretches = 1,
+                         .stretch = &cable,
+                         .reel_length = 15,
+                         .rope_weight = 9,
+                         .n_steps = 1,
+                         .step = &machine};
+    Plan plan = plan_of(&def);
+    for (int k = 0; k < PLAN_WAYS; k++) {
+        HeadSeries s;
+        assert_int_equal(plan_heads(&def, &SINGLE, k, 5, &s, NULL), HAWSER_OK);
+        check_share(s.row[s.n - 1].force, plan.way[k].force, 1e-12);
+        check_share(s.row[s.n - 1].restart, plan.way[k].restart_force, 1e-12);
+        check_close(s.row[0].head, k ? route.length : 0, 0);
+        check_close(s.row[s.n - 1].head, k ? 0 : route.length, 0);
+        int ends = 0;
+        for (int i = 0; i < s.n; i++) {
+            check_at_least(s.peak.force, s.row[i].force);
+            check_at_least(s.restart_peak.restart, s.row[i].restart);
+            ends += s.row[i].head == route.piece[3].s0 || s.row[i].head == 50;
+            if (i > 0) check_below(fabs(s.row[i].head - s.row[i - 1].head), 5.001);
+            /* the cable's tension does not know what is ahead */
+            check_share(s.row[i].tension, pull_at(&plan.way[k].pull, s.row[i].head).tension, 1e-9);
+        }
+        assert_int_equal(ends, 2);
+        plan_heads_free(&s);
+    }
+    plan_clear(&plan);
+    route_clear(&route);
+}
+
+/* Over a crest and down a slope on which the cable runs by itself: the winch has most to do before the end. */
+static void the_peak_lies_on_the_crest(void **state)
+{
+    (void)state;
+    const double up = 0.4, R = 30;
+    const RoutePieceDef pieces[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "up", .length = 50},
+        {.kind = ROUTE_BEND, .name = "crest", .radius = R, .angle = 2 * up, .plane = 3 * PI / 2},
+        {.kind = ROUTE_STRAIGHT, .name = "down", .length = 80},
+    };
+    Route route = route_of(3, pieces, up);
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable};
+    HeadSeries s;
+    assert_int_equal(plan_heads(&def, &SINGLE, PLAN_FORWARD, INFINITY, &s, NULL), HAWSER_OK);
+    /* with a rope that drags nothing the winch's force is the head's tension: it rises on the arc, where T/R adds to
+     * the friction, and falls down the slope */
+    Plan plan = plan_of(&def);
+    check_share(s.peak.force, plan.way[PLAN_FORWARD].pull.max_tension, 1e-9);
+    check_close(s.peak.head, plan.way[PLAN_FORWARD].pull.max_at, 1e-3);
+    check_above(s.peak.force, 1.2 * plan.way[PLAN_FORWARD].force);
+    assert_int_equal(plan.way[PLAN_FORWARD].pull.max_piece, 1); /* the crest, where it ends too */
+    plan_clear(&plan);
+    plan_heads_free(&s);
+    route_clear(&route);
+}
+
+/* (PN3): what is pulled from a pit is a route that begins there. */
+static void sections_are_cut_routes(void **state)
+{
+    (void)state;
+    Route route = level_route();
+    const double cut = route.piece[2].s0, back = 700;
+    const RoutePieceDef before[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "a", .length = 40},
+        {.kind = ROUTE_BEND, .name = "first", .radius = 10, .angle = PI / 2},
+    };
+    const RoutePieceDef after[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "b", .length = 30},
+        {.kind = ROUTE_BEND, .name = "second", .radius = 10, .angle = PI / 2},
+        {.kind = ROUTE_STRAIGHT, .name = "c", .length = 20},
+    };
+    Route part[2] = {route_of(2, before, 0), route_of(3, after, 0)};
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3, .mu_rope = 0.2};
+    const PullStep pit = {.at = cut, .force = back, .kind = STEP_ANEW};
+    PlanDef def = {.route = &route,
+                   .n_stretches = 1,
+                   .stretch = &cable,
+                   .back_tension = 1000,
+                   .rope_force = 80,
+                   .n_steps = 1,
+                   .step = &pit};
+    PlanDef first = {.route = &part[0], .n_stretches = 1, .stretch = &cable, .back_tension = 1000, .rope_force = 80};
+    PlanDef second = {.route = &part[1], .n_stretches = 1, .stretch = &cable, .back_tension = back, .rope_force = 80};
+    Plan whole = plan_of(&def), a = plan_of(&first), b = plan_of(&second);
+    assert_int_equal(plan_sections(&def, PLAN_FORWARD), 2);
+    check_share(whole.way[0].force, b.way[0].force, 1e-12);
+    check_share(whole.way[0].restart_force, b.way[0].restart_force, 1e-12);
+    check_share(whole.way[0].pull.max_tension, larger_of(a.way[0].pull.max_tension, b.way[0].pull.max_tension), 1e-12);
+    check_share(head_at(&def, 0, cut).force, a.way[0].force, 1e-12);
+    /* inside a section the rope goes to its pit, or to the end from the pit on */
+    check_share(head_at(&def, 0, 20).force, head_at(&first, 0, 20).force, 1e-12);
+    check_share(head_at(&def, 0, cut + 12).force, head_at(&second, 0, 12).force, 1e-12);
+    /* the other way the pit comes after the other part */
+    first.back_tension = back, second.back_tension = 1000;
+    Plan c = plan_of(&first), d = plan_of(&second);
+    check_share(whole.way[1].force, c.way[1].force, 1e-12);
+    check_share(head_at(&def, 1, cut).force, d.way[1].force, 1e-12);
+    Plan *const plans[] = {&whole, &a, &b, &c, &d};
+    for (int i = 0; i < 5; i++) plan_clear(plans[i]);
+    for (int i = 0; i < 2; i++) route_clear(&part[i]);
+    route_clear(&route);
+}
+
+/* (PN2): what arrives, up to the push; the rope runs through it. */
+static void machines_take_off(void **state)
+{
+    (void)state;
+    Route route = level_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1};
+    const PullStep strong = {.at = 20, .force = 5000, .kind = STEP_TAKE},
+                   weak = {.at = 20, .force = 300, .kind = STEP_TAKE};
+    PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .n_steps = 1, .step = &strong};
+    check_close(head_at(&def, 0, 30).tension, MU * WEIGHT * 10, 1e-9);
+    def.step = &weak;
+    check_close(head_at(&def, 0, 30).tension, MU * WEIGHT * 30 - 300, 1e-9);
+    check_close(head_at(&def, 0, 19).tension, MU * WEIGHT * 19, 1e-9);
+    /* just before the head reaches it the winch has 300 N more to pull than just behind it */
+    check_share(head_at(&def, 0, 20 - 1e-9).force - head_at(&def, 0, 20).force, 300 * exp(0.1 * PI), 1e-6);
+    HeadSeries s;
+    assert_int_equal(plan_heads(&def, &SINGLE, 0, INFINITY, &s, NULL), HAWSER_OK);
+    int before = 0;
+    for (int i = 0; i < s.n; i++) before += s.row[i].head < 20 && s.row[i].head > 20 - 1e-6;
+    assert_int_equal(before, 1);
+    plan_heads_free(&s);
+    route_clear(&route);
+}
+
+/* (PN4): by the cable's way, and by what has passed. On a straight of 40 m, friction twice as much from 15 m on. */
+static void friction_by_length(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 40};
+    Route route = route_of(1, &straight, 0);
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1};
+    const PlanWear wear = {15, 2};
+    PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .n_wear = 1, .wear = &wear};
+    const double w = MU * WEIGHT;
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        const double at = way ? 40 - 30 : 30;
+        def.wear_by = WEAR_CABLE; /* 15 m as it was, 15 m twice */
+        check_close(head_at(&def, way, at).force, w * (15 + 2 * 15), 1e-9);
+        def.wear_by = WEAR_PLACE; /* of the first 15 m so much has passed */
+        check_close(head_at(&def, way, at).force, w * (2 * 15 + 15), 1e-9);
+        check_close(head_at(&def, way, at).tension, w * 45, 1e-9);
+        check_close(head_at(&def, way, way ? 30 : 10).force, w * 10, 1e-9);
+    }
+    Plan plan;
+    const PlanWear falling = {15, 0.5};
+    def.wear = &falling;
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_ERR_INPUT);
+    route_clear(&route);
+}
+
+/* Pushed at the feed end: on the level -F + mu w s, and round a bend a pushed cable presses outward, |T| mu/R. */
+static void pushed_at_the_feed(void **state)
+{
+    (void)state;
+    Route route = level_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .feed = 5000};
+    Plan plan = plan_of(&def);
+    const Pull *const pull = &plan.way[0].pull;
+    check_close(pull_at(pull, 40).tension, -5000 + MU * WEIGHT * 40, 1e-9);
+    check_close(pull->min_tension, -5000, 1e-9);
+    /* (T11) from the other end: a pushed cable is a pulled one seen backward */
+    const double T1 = 5000 - MU * WEIGHT * 40, turn = MU * PI / 2, wR = WEIGHT * 10;
+    const double T2 = T1 * cosh(-turn) + sinh(-turn) * hypot(T1, wR);
+    check_share(-pull_at(pull, 40 + 10 * PI / 2).tension, T2, 1e-9);
+    check_share(plan.way[0].piece[1].sidewall, T1 / 10, 1e-9);
+    plan_clear(&plan);
+    route_clear(&route);
+}
+
+/* (PN8): down a slope the brake is the whole loss of tension, w L (sin - mu cos), and lifts the winch by as much. */
+static void brake_on_a_slope(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "shaft", .length = 60};
+    Route route = route_of(1, &straight, -1.2);
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .rope_force = 40};
+    const double loss = WEIGHT * 60 * (sin(1.2) - MU * cos(1.2));
+    Brake brake;
+    assert_int_equal(plan_brake(&def, &SINGLE, PLAN_FORWARD, &brake, NULL), HAWSER_OK);
+    check_share(brake.brake, loss, 1e-8);
+    check_close(brake.where, 60, 1e-9);
+    check_share(brake.peak, loss + 40, 1e-8);
+    check_close(brake.force, 40, 1e-4);
+    /* up it there is none */
+    assert_int_equal(plan_brake(&def, &SINGLE, PLAN_BACKWARD, &brake, NULL), HAWSER_OK);
+    check_close(brake.brake, 0, 0);
+    check_share(brake.force, WEIGHT * 60 * (sin(1.2) + MU * cos(1.2)) + 40, 1e-9);
+    route_clear(&route);
+}
+
+/* A mirror of the route, forward, is the route backward. */
+static void mirrored(void **state)
+{
+    (void)state;
+    const RoutePieceDef there[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "a", .length = 40},
+        {.kind = ROUTE_BEND, .name = "turn", .radius = 8, .angle = 1.1, .plane = 0},
+        {.kind = ROUTE_STRAIGHT, .name = "b", .length = 17},
+    };
+    const RoutePieceDef back[] = {there[2], there[1], there[0]};
+    Route one = route_of(3, there, 0), other = route_of(3, back, 0);
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3, .mu_rope = 0.12};
+    const PlanDef a = {.route = &one, .n_stretches = 1, .stretch = &cable, .reel_length = 3, .rope_weight = 7};
+    PlanDef b = a;
+    b.route = &other;
+    for (int i = 0; i <= 10; i++) {
+        const double s = one.length * i / 10;
+        check_share(head_at(&a, PLAN_BACKWARD, one.length - s).force, head_at(&b, PLAN_FORWARD, s).force, 1e-9);
+        check_share(head_at(&a, PLAN_FORWARD, s).restart, head_at(&b, PLAN_BACKWARD, one.length - s).restart, 1e-9);
+    }
+    route_clear(&one);
+    route_clear(&other);
+}
+
+static int below(void *what, double x) { return x <= *(double *)what; }
+static int above(void *what, double x) { return x >= *(double *)what; }
+
+/* (PN9). */
+static void the_search(void **state)
+{
+    (void)state;
+    for (double bound = 0.02; bound < 100; bound *= 2.3) {
+        const SearchDef most = {below, &bound, 1, 1e3}, least = {above, &bound, 1, 1e-3};
+        const SearchBound a = search_bound(&most), b = search_bound(&least);
+        assert_int_equal(a.end, SEARCH_FOUND);
+        assert_int_equal(b.end, SEARCH_FOUND);
+        check_share(a.value, bound, 1e-9);
+        check_share(b.value, bound, 1e-9);
+        assert_true(a.value <= bound && a.fails > bound && b.value >= bound && b.fails < bound);
+    }
+    double far = 1e4, never = 1e-9;
+    const SearchDef all = {below, &far, 1, 1e3}, none = {below, &never, 1, 1e3};
+    assert_int_equal(search_bound(&all).end, SEARCH_EVERYWHERE);
+    assert_int_equal(search_bound(&none).end, SEARCH_NOWHERE);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    Route route = level_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PlanDef good = {.route = &route, .n_stretches = 1, .stretch = &cable};
+    const PullStep step = {.at = 3, .force = -5, .kind = STEP_TAKE};
+    PlanDef bad[4] = {good, good, good, good};
+    bad[0].rope_weight = NAN;
+    bad[1].feed = -1;
+    bad[2].beyond = -route.length;
+    bad[3].n_steps = 1, bad[3].step = &step;
+    for (int i = 0; i < 4; i++) {
+        Plan plan;
+        hawser_error err;
+        assert_int_equal(plan_build(&bad[i], &plan, &err), HAWSER_ERR_INPUT);
+        assert_null(plan.way[0].piece);
+    }
+    route_clear(&route);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rope_ahead),
+        cmocka_unit_test(the_last_place_is_the_pull),
+        cmocka_unit_test(the_peak_lies_on_the_crest),
+        cmocka_unit_test(sections_are_cut_routes),
+        cmocka_unit_test(machines_take_off),
+        cmocka_unit_test(friction_by_length),
+        cmocka_unit_test(pushed_at_the_feed),
+        cmocka_unit_test(brake_on_a_slope),
+        cmocka_unit_test(mirrored),
+        cmocka_unit_test(the_search),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

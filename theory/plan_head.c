@@ -1,0 +1,238 @@
+#include "theory/plan_head.h"
+
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "theory/search.h"
+
+static int sign_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
+
+/* The rope's allowance (T25), of every winch. */
+static double allowance(const PlanDef *def, int way)
+{
+    const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, way))->weight;
+    return weight * def->rope_length + def->rope_force;
+}
+
+hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, double head, HeadForce *out,
+                        hawser_error *err)
+{
+    Pull pull;
+    PlanPullDef what = {.way = way, .head = head};
+    *out = (HeadForce){.head = head};
+    hawser_status status = plan_pull(def, load, &what, &pull, err);
+    if (status) return status;
+    out->tension = pull_at(&pull, head).tension;
+    out->force = pull.end_tension + allowance(def, way);
+    pull_clear(&pull);
+    what.restart = 1;
+    status = plan_pull(def, load, &what, &pull, err);
+    if (status) return status;
+    out->restart = pull.end_tension + allowance(def, way);
+    pull_clear(&pull);
+    return HAWSER_OK;
+}
+
+/* --------------------------------------------------------------------------------------------- the series */
+
+/* Places of the head, in the pull's order. */
+typedef struct Places {
+    int n;
+    double *s; /* [n] m */
+} Places;
+
+static int compare_places(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Where the force has corners: ends of pieces, of stretches, machines. Ahead of a machine, as it has not begun to push
+ * yet, the force is as large as anywhere near: that place too, by this much of the route. */
+static const double JUST_AHEAD = 1e-9;
+
+static int corners_collect(const PlanDef *def, int way, double *s)
+{
+    int n = 0;
+    const double before = JUST_AHEAD * def->route->length * sign_of(way);
+    s[n++] = plan_first(def, way);
+    s[n++] = plan_last(def, way);
+    for (int p = 0; p < def->route->n; p++) s[n++] = def->route->piece[p].s0;
+    s[n++] = def->route->length;
+    for (int i = 0; i < def->n_stretches; i++) s[n++] = def->stretch[i].from;
+    for (int i = 0; i < def->n_pushes + def->n_steps; i++) {
+        const double at = i < def->n_pushes ? def->push[i].at : def->step[i - def->n_pushes].at;
+        s[n++] = at;
+        if (i < def->n_pushes || def->step[i - def->n_pushes].kind == STEP_TAKE) s[n++] = at - before;
+    }
+    return n;
+}
+
+/* Keeps what lies on the pull, fills the gaps, and turns it into the pull's order. */
+static hawser_status places_find(const PlanDef *def, int way, double apart, Places *out, hawser_error *err)
+{
+    const double low = fmin(plan_first(def, way), plan_last(def, way));
+    const double high = fmax(plan_first(def, way), plan_last(def, way));
+    const int corners = 3 + def->route->n + def->n_stretches + 2 * (def->n_pushes + def->n_steps);
+    const int even = apart < INFINITY ? (int)ceil((high - low) / apart) : 0;
+    double *const corner = malloc((size_t)corners * sizeof *corner);
+    out->n = 0;
+    out->s = malloc((size_t)(corners + even + 1) * sizeof *out->s);
+    if (!corner || !out->s) {
+        free(corner);
+        return error_memory(err);
+    }
+    const int n = corners_collect(def, way, corner);
+    qsort(corner, (size_t)n, sizeof *corner, compare_places);
+    double last = -INFINITY;
+    for (int i = 0; i < n; i++) {
+        if (!(corner[i] >= low && corner[i] <= high) || !(corner[i] > last)) continue;
+        const int parts = last > -INFINITY && even > 0 ? (int)fmax(1, ceil((corner[i] - last) / apart - 1e-9)) : 1;
+        for (int k = 1; k < parts; k++) out->s[out->n++] = last + (corner[i] - last) * k / parts;
+        out->s[out->n++] = last = corner[i];
+    }
+    free(corner);
+    for (int i = 0; way == PLAN_BACKWARD && i < out->n / 2; i++) {
+        const double swap = out->s[i];
+        out->s[i] = out->s[out->n - 1 - i];
+        out->s[out->n - 1 - i] = swap;
+    }
+    return HAWSER_OK;
+}
+
+static double force_of(const HeadForce *f, int restart) { return restart ? f->restart : f->force; }
+
+/* Whichever is larger; the one found first where they are equal. */
+static void peak_take(const HeadForce *f, int restart, HeadForce *peak)
+{
+    if (force_of(f, restart) > force_of(peak, restart)) *peak = *f;
+}
+
+/* The largest between two places on both sides of a row that is larger than they are: the golden section. */
+static hawser_status peak_refine(const PlanDef *def, const DuctLoad *load, int way, int restart, double a, double b,
+                                 HeadForce *peak, hawser_error *err)
+{
+    const double share = (sqrt(5) - 1) / 2;
+    HeadForce in[2];
+    hawser_status status = plan_head(def, load, way, b - share * (b - a), &in[0], err);
+    if (!status) status = plan_head(def, load, way, a + share * (b - a), &in[1], err);
+    for (int i = 0; i < 24 && !status; i++) {
+        const int right = force_of(&in[1], restart) > force_of(&in[0], restart);
+        if (right) a = in[0].head;
+        if (!right) b = in[1].head;
+        in[!right] = in[right];
+        status = plan_head(def, load, way, right ? a + share * (b - a) : b - share * (b - a), &in[right], err);
+        peak_take(&in[right], restart, peak);
+    }
+    return status;
+}
+
+/* Both peaks: of the rows, and beside those that stand above their neighbours. */
+static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *s, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int restart = 0; restart < 2 && !status; restart++) {
+        HeadForce *const peak = restart ? &s->restart_peak : &s->peak;
+        int top = 0;
+        for (int i = 1; i < s->n; i++) {
+            if (force_of(&s->row[i], restart) > force_of(&s->row[top], restart)) top = i;
+        }
+        *peak = s->row[top];
+        if (top == 0 || top == s->n - 1) continue;
+        status = peak_refine(def, load, way, restart, s->row[top - 1].head, s->row[top + 1].head, peak, err);
+    }
+    return status;
+}
+
+hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, double apart, HeadSeries *out,
+                         hawser_error *err)
+{
+    Places places;
+    *out = (HeadSeries){0};
+    hawser_status status = places_find(def, way, apart, &places, err);
+    if (!status) {
+        out->row = malloc((size_t)places.n * sizeof *out->row);
+        if (!out->row) status = error_memory(err);
+    }
+    for (; !status && out->n < places.n; out->n++) {
+        status = plan_head(def, load, way, places.s[out->n], &out->row[out->n], err);
+    }
+    free(places.s);
+    if (!status) status = peaks_find(def, load, way, out, err);
+    if (status) plan_heads_free(out);
+    return status;
+}
+
+void plan_heads_free(HeadSeries *s)
+{
+    free(s->row);
+    *s = (HeadSeries){0};
+}
+
+/* ---------------------------------------------------------------------------------------------- the brake */
+
+/* A brake that is tried. */
+typedef struct BrakeTrial {
+    PlanDef def;
+    const DuctLoad *load;
+    int way;
+    double before, enough; /* N, back tension without it; compression that is rounding only */
+    hawser_status status;
+    hawser_error *err;
+} BrakeTrial;
+
+static int brake_holds(void *what, double brake)
+{
+    BrakeTrial *const t = what;
+    const PlanPullDef whole = {.way = t->way, .whole = 1};
+    Pull pull;
+    if (t->status) return 0;
+    t->def.back_tension = t->before + brake;
+    t->status = plan_pull(&t->def, t->load, &whole, &pull, t->err);
+    if (t->status) return 0;
+    const int held = pull.min_tension >= -t->enough;
+    pull_clear(&pull);
+    return held;
+}
+
+/* The winch's force with the brake, over all places of the head. */
+static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err)
+{
+    const PlanPullDef whole = {.way = way, .whole = 1};
+    Pull pull;
+    HeadSeries heads;
+    hawser_status status = plan_pull(def, load, &whole, &pull, err);
+    if (status) return status;
+    out->max_tension = pull.max_tension;
+    out->force = pull.end_tension + allowance(def, way);
+    if (fabs(out->force) < 1e-9 * pull.max_tension) out->force = 0; /* rounding */
+    pull_clear(&pull);
+    status = plan_heads(def, load, way, INFINITY, &heads, err);
+    if (status) return status;
+    out->peak = heads.peak.force;
+    plan_heads_free(&heads);
+    return HAWSER_OK;
+}
+
+hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err)
+{
+    const PlanPullDef whole = {.way = way, .whole = 1};
+    Pull pull;
+    *out = (Brake){0};
+    hawser_status status = plan_pull(def, load, &whole, &pull, err);
+    if (status) return status;
+    const double pushed = -pull.min_tension;
+    BrakeTrial t = {*def, load, way, def->back_tension, 1e-9 * fmax(1, pull.max_tension), HAWSER_OK, err};
+    out->where = pull.min_at;
+    out->piece = pull.min_piece;
+    pull_clear(&pull);
+    if (pushed > t.enough) {
+        /* no more than the compression is ever needed, but for a pit behind which the cable runs away by itself */
+        const SearchDef search = {brake_holds, &t, 2 * pushed, 1e-9 * pushed};
+        const SearchBound least = search_bound(&search);
+        if (t.status) return t.status;
+        out->brake = least.end == SEARCH_NOWHERE ? NAN : least.value;
+        t.def.back_tension = t.before + (least.end == SEARCH_NOWHERE ? 0 : least.value);
+    }
+    return brake_force(&t.def, load, way, out, err);
+}

@@ -1,0 +1,44 @@
+/* The winch's force for every place of the cable's head: rope ahead, cable behind, bends passed one after the other.
+ * docs/model.md, "The planner's calculation", (PN5)-(PN7). */
+#ifndef HAWSER_THEORY_PLAN_HEAD_H
+#define HAWSER_THEORY_PLAN_HEAD_H
+
+#include "theory/plan_pull.h"
+
+/* The pull with the head at one place. */
+typedef struct HeadForce {
+    double head;    /* m along the route */
+    double tension; /* N, of the cable there, at speed */
+    double force;   /* N, of the winch at the section's end, the rope's allowance included */
+    double restart; /* N, the same from rest */
+} HeadForce;
+
+typedef struct HeadSeries {
+    int n;
+    HeadForce *row; /* [n] in the pull's order: corners of route and equipment, and evenly between; NULL if n is 0 */
+    HeadForce peak; /* the largest force at speed, wherever the head is then; between rows too */
+    HeadForce restart_peak; /* likewise from rest */
+} HeadSeries;
+
+/* One place. `load` as plan_pull's. Errors: as pull_solve. */
+hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, double head, HeadForce *out,
+                        hawser_error *err);
+/* All of them; between corners no farther apart than `apart` m (INFINITY: corners only). plan_heads_free gives them
+ * back. Errors: as pull_solve, MEMORY; nothing is left allocated then. */
+hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, double apart, HeadSeries *out,
+                         hawser_error *err);
+void plan_heads_free(HeadSeries *s);
+
+/* The smallest brake where the pull begins with which the cable is nowhere pushed, and the pull with it (PN8). */
+typedef struct Brake {
+    double brake;       /* N, on top of what holds back already; 0: none is needed */
+    double where;       /* m along the route: there it would be pushed most without */
+    int piece;          /* of the route, there */
+    double force;       /* N, of the winch with the brake, the head at the end */
+    double peak;        /* N, the largest of all places of the head, if the brake is on from the start */
+    double max_tension; /* N, of the cable then */
+} Brake;
+/* Errors: as pull_solve, MEMORY. */
+hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err);
+
+#endif

@@ -1,0 +1,31 @@
+/* The farthest value at which something holds, by bracketing and bisection: what the inverse answers are found with.
+ * docs/model.md, "The planner's calculation", (PN9). Some forty looks for an answer within ten times of where it
+ * begins, up to a hundred for one that is not there. */
+#ifndef HAWSER_THEORY_SEARCH_H
+#define HAWSER_THEORY_SEARCH_H
+
+/* Whether it holds at x. What cannot be computed there does not hold; errors that end the search the caller keeps in
+ * `what`, and answers 0 from then on. */
+typedef int (*SearchHolds)(void *what, double x);
+
+typedef struct SearchDef {
+    SearchHolds holds;
+    void *what;
+    double now;      /* > 0, where the search begins */
+    double farthest; /* > 0, beyond `now` on the side that is searched: it goes no further */
+} SearchDef;
+
+typedef enum SearchEnd { SEARCH_FOUND, SEARCH_NOWHERE, SEARCH_EVERYWHERE } SearchEnd;
+
+typedef struct SearchBound {
+    SearchEnd end;
+    double value; /* FOUND: it holds here ... */
+    double fails; /* ... and no more here, 1e-10 of the value further on; NOWHERE: `now` */
+} SearchBound;
+
+/* Where it holds at `now`, the end of the values from there toward `farthest` at which it does. Where it does not, the
+ * nearest such end on the other side, looked for down to `now`^2/`farthest` in steps of a tenth: a narrower range of
+ * values is missed. */
+SearchBound search_bound(const SearchDef *def);
+
+#endif
