@@ -22,7 +22,8 @@ typedef enum TableColumn {
     COLUMN_CURVE_LENGTH, /* of a profile */
     COLUMN_TYPE,
     COLUMN_TURN,
-    COLUMN_NAME, /* words */
+    COLUMN_NAME,
+    COLUMN_LAYER, /* words */
     TABLE_COLUMNS
 } TableColumn;
 
