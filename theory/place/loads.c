@@ -44,8 +44,9 @@ static double load_between(const PlaceLine *line, const Support *support, double
 
 static int compare_supports(const void *a, const void *b)
 {
-    const double x = ((const Support *)a)->s, y = ((const Support *)b)->s;
-    return (x > y) - (x < y);
+    const Support *const x = a, *const y = b;
+    if (x->s != y->s) return x->s > y->s ? 1 : -1;
+    return (x->item > y->item) - (x->item < y->item);
 }
 
 /* The next support of the same side in one direction; where there is none, the cable's end takes the half of what lies

@@ -76,6 +76,7 @@ LineLoad line_load(const PlaceLine *line, double s);
 typedef struct Support {
     double s; /* m along the route */
     PlaceSide side;
+    int item;    /* by which the caller knows it */
     int whole;   /* it bears whatever its side is: no guides share the force */
     double load; /* N, the result */
 } Support;
