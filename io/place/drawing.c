@@ -99,14 +99,14 @@ typedef struct Placed {
 /* "plan.dxf:120: mark 'R7' of layer 'ROLLERS' ..."; marks of the case itself are numbered. */
 static hawser_status mark_error(const Drawing *d, const SurveyMark *mark, const char *format, ...)
 {
-    char where[CASE_PLACE_MAX], why[400];
+    char where[CASE_PLACE_MAX], path[CASE_PATH_MAX], why[400];
     va_list list;
     va_start(list, format);
     vsnprintf(why, sizeof why, format, list);
     va_end(list);
+    case_path(case_node_key(case_node_key(d->node, "layers"), mark->layer), NULL, path);
     case_place(d->path ? d->path : d->node->origin, (int)mark->line, where);
-    return error_set(d->r->err, HAWSER_ERR_INPUT, "%s: mark '%.60s' of layer '%.60s' %s", where, mark->name,
-                     mark->layer, why);
+    return error_set(d->r->err, HAWSER_ERR_INPUT, "%s: key '%.80s': mark '%.60s' %s", where, path, mark->name, why);
 }
 
 /* --------------------------------------------------------------------------------------------------- the marks */
@@ -392,13 +392,32 @@ static hawser_status rest_list(const Drawing *d, const CaseNode *layers)
     return HAWSER_OK;
 }
 
+/* What marks are added to must be what it is meant to be, or its own mistake would be lost. */
+static hawser_status targets_check(const Drawing *d)
+{
+    static const struct {
+        const char *key, *below;
+        int list, map;
+    } target[] = {{"rollers", NULL, 0, 1},  {"rollers", "along", 1, 1}, {"conveyors", NULL, 1, 0},
+                  {"theory", NULL, 0, 1},   {"theory", "pits", 1, 0},   {"drive", NULL, 0, 1},
+                  {"drive", "winch", 0, 1}, {"reel", NULL, 0, 1}};
+    for (size_t k = 0; k < sizeof target / sizeof *target; ++k) {
+        const CaseNode *node = case_node_key(d->r->root, target[k].key);
+        if (target[k].below) node = case_node_key(node, target[k].below);
+        if (!node || (node->kind == NODE_LIST && target[k].list) || (node->kind == NODE_MAP && target[k].map)) continue;
+        return case_value_error(d->r->err, node, ": expected %s", target[k].list ? "a list" : "a map");
+    }
+    return HAWSER_OK;
+}
+
 static hawser_status drawing_place(Drawing *d)
 {
     const CaseNode *const marks = case_node_key(d->node, "marks"), *const layers = case_node_key(d->node, "layers");
     hawser_status status = HAWSER_OK;
     if (!*d->record.file && !marks) return case_key_error(d->r->err, d->node, "file", "missing: give it, or 'marks'");
     if (*d->record.file && marks) return case_key_error(d->r->err, marks, NULL, "beside 'file': give either");
-    status = marks ? marks_read(d, marks) : file_read(d);
+    status = targets_check(d);
+    if (!status) status = marks ? marks_read(d, marks) : file_read(d);
     if (!marks) d->path = d->record.file;
     if (!status) status = route_grid_build(&d->r->route, BEYOND, &d->grid, d->r->err);
     for (const CaseNode *layer = layers->first; layer && !status; layer = layer->next) status = layer_place(d, layer);
