@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "io/place/place.h"
-#include "io/place/tree.h"
 #include "survey/read/read.h"
 
 enum { FILE_MAX = 1000, NAME_ROOM = 32 };

@@ -1,4 +1,4 @@
-#include "io/place/tree.h"
+#include "io/place/place.h"
 
 #include <stdarg.h>
 #include <stdio.h>
