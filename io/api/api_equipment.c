@@ -51,6 +51,13 @@ typedef struct Crew {
 /* rad; how far past its ends the route is followed to rollers by coordinates, m. */
 static const double DEGREE = 3.14159265358979323846 / 180, BEYOND = 10;
 
+/* A heading, deg; what rounding leaves of none is none. */
+static double heading_of(double x, double y)
+{
+    const double angle = atan2(y, x) / DEGREE;
+    return fabs(angle) < 1e-9 ? 0 : angle;
+}
+
 /* The row of something that stands on the line itself. */
 static CrewRow *line_row(Crew *c, const char *kind, const char *name, double s)
 {
@@ -59,7 +66,7 @@ static CrewRow *line_row(Crew *c, const char *kind, const char *name, double s)
     *row = (CrewRow){.kind = kind, .station = s, .tilt = NAN, .load = NAN, .rating = NAN, .margin = NAN};
     snprintf(row->name, sizeof row->name, "%.63s", name);
     row->at = v3_add(at.position, c->scene->def.route_origin);
-    row->heading = atan2(at.tangent.y, at.tangent.x) / DEGREE;
+    row->heading = heading_of(at.tangent.x, at.tangent.y);
     return row;
 }
 
@@ -85,7 +92,7 @@ static void roller_row(Crew *c, const RollerDef *roller, const Support *support)
     row->tilt = asin(fmin(1, fabs(roller->axis.z))) / DEGREE;
     if (support->side == PLACE_BELOW || support->side == PLACE_ABOVE) {
         const double sign = roller->axis.y * at.tangent.x - roller->axis.x * at.tangent.y < 0 ? -1 : 1;
-        row->heading = atan2(-sign * roller->axis.x, sign * roller->axis.y) / DEGREE;
+        row->heading = heading_of(sign * roller->axis.y, -sign * roller->axis.x);
     }
     row->load = support->load;
     if (!(roller->rating > 0)) return;

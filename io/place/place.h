@@ -29,8 +29,8 @@ hawser_status case_rule_place(const CaseReader *r, const CaseNode *rule, const R
 /* Writing into a case's tree: what a drawing says stands there afterwards as if somebody had typed it; a node that is
  * put where there was another takes its place. */
 
-/* The map or list `key` of a map, made if it is not there; NULL: no memory. A map where a list is wanted becomes its
- * only item. */
+/* The map or list `key` of a map, made if it is not there; NULL: no memory, or no map. A map where a list is wanted
+ * becomes its only item. */
 CaseNode *tree_child(CaseNode *map, const char *key, NodeKind kind);
 /* A text like the printed one under a map's key, said to be where `like` is. 0: no memory. */
 int tree_put(CaseNode *map, const CaseNode *like, const char *key, const char *format, ...)

@@ -16,8 +16,8 @@ static CaseNode *find(CaseNode *map, const char *key)
 /* Under the key, in place of what is there. The child is freed if there is no memory. */
 static int put(CaseNode *map, const char *key, CaseNode *child)
 {
-    CaseNode *const old = child ? find(map, key) : NULL;
-    if (!child) return 0;
+    CaseNode *const old = child && map ? find(map, key) : NULL;
+    if (!child || !map) return node_free(child), 0;
     if (old) return node_replace(old, child), 1;
     child->key = strdup(key);
     if (!child->key) return node_free(child), 0;
@@ -27,8 +27,8 @@ static int put(CaseNode *map, const char *key, CaseNode *child)
 
 CaseNode *tree_child(CaseNode *map, const char *key, NodeKind kind)
 {
-    CaseNode *const old = find(map, key);
-    if (old && old->kind == kind) return old;
+    CaseNode *const old = map ? find(map, key) : NULL;
+    if (!map || (old && old->kind == kind)) return old;
     CaseNode *const child = node_new(kind, old ? old->origin : map->origin, old ? old->line : map->line);
     CaseNode *const item = old && old->kind == NODE_MAP && kind == NODE_LIST ? node_clone(old, old->entry) : NULL;
     if (child && item) node_append(child, item);
