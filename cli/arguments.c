@@ -7,7 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_LINEAR_SOLVER = 'l', OPTION_STRICT = 'S', OPTION_CERTIFY = 'C', OPTION_TOLERANCE = 'T', KNOWN_MAX = 16 };
+enum {
+    OPTION_LINEAR_SOLVER = 'l',
+    OPTION_STRICT = 'S',
+    OPTION_CERTIFY = 'C',
+    OPTION_TOLERANCE = 'T',
+    OPTION_CREW = 'W',
+    KNOWN_MAX = 16
+};
 
 /* Every option of every command; a command takes those whose letter is in its list, and help and version. */
 static const struct option all_options[] = {{"output", required_argument, NULL, 'o'},
@@ -19,6 +26,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"units", required_argument, NULL, 'u'},
                                             {"format", required_argument, NULL, 'f'},
                                             {"filter", required_argument, NULL, 'F'},
+                                            {"crew", required_argument, NULL, OPTION_CREW},
                                             {"strict", no_argument, NULL, OPTION_STRICT},
                                             {"certify", no_argument, NULL, OPTION_CERTIFY},
                                             {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
@@ -174,6 +182,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_TOLERANCE:
         args->certify = 1;
         return parse_tolerance(optarg, args);
+    case OPTION_CREW:
+        args->crew = optarg;
+        return ARGUMENTS_GO_ON;
     case OPTION_STRICT:
         args->strict = 1;
         return ARGUMENTS_GO_ON;

@@ -37,6 +37,7 @@ typedef struct Arguments {
     hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
+    const char *crew; /* file for the list of equipment; NULL: none */
 } Arguments;
 
 typedef struct Command {

@@ -18,15 +18,18 @@ static const char check_help[] =
     "\n" SETTING FORMAT "\n"
     "Exit status: 0 the case is fine; 2 it is not.\n";
 
-static const char theory_help[] = "Usage: hawser theory CASE [options]\n"
-                                  "\n"
-                                  "Prints the pulling calculation, without a simulation: whether the pull is safe, the "
-                                  "force at the winch pulled either\n"
-                                  "way, the worst place and what would do about it; then the tension along the route "
-                                  "by the paper's formulas and by the\n"
-                                  "reference theory, the route piece by piece, ducts, and every limit.\n"
-                                  "\n" SETTING FORMAT "\n"
-                                  "Exit status: 0 done; 2 the case is wrong.\n";
+static const char theory_help[] =
+    "Usage: hawser theory CASE [options]\n"
+    "\n"
+    "Prints the pulling calculation, without a simulation: whether the pull is safe, the "
+    "force at the winch pulled either\n"
+    "way, the worst place and what would do about it; then the tension along the route "
+    "by the paper's formulas and by the\n"
+    "reference theory, the route piece by piece, ducts, and every limit.\n"
+    "\n"
+    "      --crew FILE         also writes what stands along the route, with loads, to FILE "
+    "(CSV)\n" SETTING FORMAT "\n"
+    "Exit status: 0 done; 2 the case is wrong.\n";
 
 static const char validate_help[] =
     "Usage: hawser validate [options]\n"
@@ -64,9 +67,32 @@ static int print_case(const Arguments *args, Describe describe)
     return finish_stdout(exit_status(status, &err));
 }
 
+/* The list of equipment into a file. */
+static int write_crew(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    hawser_case *c = NULL;
+    char *text = NULL;
+    hawser_status status = load_case(args, &c, &err);
+    if (!status) status = hawser_case_equipment(c, HAWSER_CSV, &text, &err);
+    FILE *const file = status ? NULL : fopen(args->crew, "w");
+    const int written = file && fputs(text, file) >= 0;
+    const int closed = file && fclose(file) == 0;
+    hawser_text_free(text);
+    hawser_case_free(c);
+    if (status) return exit_status(status, &err);
+    if (written && closed) return 0;
+    complain("%s: cannot be written", args->crew);
+    return EXIT_OUTPUT;
+}
+
 /* The two commands differ in what they ask the library for. */
 static int check(const Arguments *args) { return print_case(args, hawser_case_describe); }
-static int theory(const Arguments *args) { return print_case(args, hawser_case_theory); }
+static int theory(const Arguments *args)
+{
+    const int status = args->crew ? write_crew(args) : 0;
+    return status ? status : print_case(args, hawser_case_theory);
+}
 
 static int validate(const Arguments *args)
 {
@@ -98,6 +124,6 @@ const Command command_library = {"library", "lists cables, ropes, rollers, ducts
                                  library_help, library};
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
 const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
-                                "sfu", theory_help, theory};
+                                "sfuW", theory_help, theory};
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};

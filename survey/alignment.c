@@ -48,6 +48,7 @@ SurveyMark *survey_add_mark(Survey *s, const char *name, const char *layer)
     if (!mark) return NULL;
     name_set(mark->name, name);
     name_set(mark->layer, layer);
+    mark->station = mark->heading = NAN;
     return mark;
 }
 

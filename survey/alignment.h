@@ -41,8 +41,10 @@ typedef struct Alignment {
 /* A point with a name on a layer: what a drawing says of equipment. */
 typedef struct SurveyMark {
     char name[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX];
-    Vec3 at;
-    double heading; /* rad, by which its symbol is turned */
+    Vec3 at;        /* m; of a table by stations NAN */
+    double station; /* m along the line, of such a table; else NAN */
+    double heading; /* rad, by which its symbol is turned; NAN: it has none */
+    long line;      /* of the file, where it begins; 0: lines say nothing */
 } SurveyMark;
 
 /* What was left out, by kind. */

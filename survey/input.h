@@ -12,6 +12,7 @@
 /* How a file is to be read, by whoever asks for it. */
 typedef struct SurveyOptions {
     double unit; /* metres in the file's unit of length; NAN: as the file says */
+    int marks;   /* equipment is wanted: a table's rows are marks, not a route */
 } SurveyOptions;
 
 typedef struct SurveyInput {

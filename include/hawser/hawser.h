@@ -57,6 +57,9 @@ typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV, HAWSER_TABLE
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 /* The closed-form pulling calculation of the case, station by station. *text as above. */
 hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err);
+/* Everything that stands along the route by rising station: number, kind, name, station, place, tilt, load by the
+ * pulling theory, rating, margin: a list for those who set it up. *text as above. */
+hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 void hawser_text_free(char *text);
 
 /* ------------------------------------------------------------------------------------------- simulations */

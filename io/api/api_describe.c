@@ -74,6 +74,15 @@ static const Column bundle_column[] = {
 };
 
 /* What the case did not say itself. */
+/* Nothing of a layer that is not in the map, or of what is not read. */
+static const Column drawn_column[] = {
+    {COLUMN("layer", CHARS, DrawnDef, layer), .label = "layer"},
+    {COLUMN("kind", CHARS, DrawnDef, kind), .label = "is"},
+    {COLUMN("marks", COUNT, DrawnDef, marks), .label = "marks"},
+    {COLUMN("placed", COUNT, DrawnDef, placed), .label = "placed"},
+    {COLUMN("farthest_m", NUMBER, DrawnDef, farthest), .label = "farthest from the route, m", .decimals = 3},
+};
+
 static const Column assumption_column[] = {
     {COLUMN("key", CHARS, hawser_assumption, key), .label = "key"},
     {COLUMN("value", CHARS, hawser_assumption, value), .label = "value"},
@@ -237,6 +246,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
          COLUMNS(hawser_bundle_duct, bundle_column), s->bundle ? s->bundle->n_ducts : 0,
          s->bundle ? s->bundle->ducts : NULL},
         {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
+        {"drawing", "Equipment from the drawing", COLUMNS(DrawnDef, drawn_column), def->n_drawn, def->drawn},
         {"assumptions", "Given, from the catalogue, estimated", COLUMNS(hawser_assumption, assumption_column),
          def->n_assumptions, def->assumptions},
     };

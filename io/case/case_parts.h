@@ -64,7 +64,7 @@ hawser_status case_stiffness_read(const CaseReader *r, const CaseNode *node, dou
 hawser_status case_surfaces_read(CaseReader *r, const CaseNode *node);
 
 /* Where the rollers of a row stand. */
-enum { GUIDE_NONE, GUIDE_INSIDE, GUIDE_BOTH };
+enum { GUIDE_NONE, GUIDE_INSIDE, GUIDE_BOTH, GUIDE_LEFT, GUIDE_RIGHT };
 typedef struct RowPlaces {
     double from, to, spacing; /* m; NAN: the route's end, by count */
     int count;                /* 0: by spacing */

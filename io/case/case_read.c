@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
 #include "io/library/library.h"
+#include "io/place/place.h"
 
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
@@ -24,6 +25,7 @@ static const CaseKey top_keys[] = {
     {"bundle", KEY_MAP, .otherwise = "one cable", .section = &case_bundle},
     {"route", KEY_MAP, .otherwise = "none: it is needed without a `rod`", .section = &case_route},
     {"rod", KEY_MAP, .otherwise = "none", .section = &case_rod},
+    {"drawing", KEY_MAP, .otherwise = "none", .section = &case_drawing},
     {"lead_in", KEY_MAP, .otherwise = "none", .section = &case_lead_in},
     {"reel", KEY_MAP, .otherwise = "none", .section = &case_reel},
     {"rollers", KEY_MAP, .otherwise = "none", .section = &case_rollers},
@@ -106,28 +108,53 @@ static const struct {
     const char *key;
     hawser_status (*read)(CaseReader *r, const CaseNode *node);
 } parts[] = {
-    {"gravity", gravity_read},          {"cables", case_cables_read},   {"chain", case_chain_read},
-    {"bundle", case_bundle_read},       {"run", case_run_read},         {"rod", case_rod_read},
-    {"route", case_route_read},         {"rod", case_rod_check},        {"lead_in", case_lead_in_read},
-    {"drive", case_drive_read},         {"run", case_run_complete},     {"contact", case_contact_read},
-    {"friction", case_frictions_read},  {"rollers", case_rollers_read}, {"surfaces", case_surfaces_read},
-    {"obstacles", case_obstacles_read}, {"reel", case_reel_read},       {"conveyors", case_conveyors_read},
-    {"medium", case_medium_read},       {"launch", case_launch_read},   {"jams", case_jams_read},
-    {"bundle", case_bundle_check},      {"chain", case_mesh_read},      {"solver", solver_read},
-    {"output", case_output_read},       {"paper", case_paper_read},     {"theory", case_theory_read},
-    {"limits", case_limits_read},       {"cables", case_cables_limits}, {"cables", case_assumptions_read},
+    {"gravity", gravity_read},
+    {"cables", case_cables_read},
+    {"chain", case_chain_read},
+    {"bundle", case_bundle_read},
+    {"run", case_run_read},
+    {"rod", case_rod_read},
+    {"route", case_route_read},
+    {"drawing", case_drawing_read},
+    {"rod", case_rod_check},
+    {"lead_in", case_lead_in_read},
+    {"drive", case_drive_read},
+    {"run", case_run_complete},
+    {"contact", case_contact_read},
+    {"friction", case_frictions_read},
+    {"reel", case_reel_read},
+    {"conveyors", case_conveyors_read},
+    {"rollers", case_rollers_read},
+    {"surfaces", case_surfaces_read},
+    {"obstacles", case_obstacles_read},
+    {"medium", case_medium_read},
+    {"launch", case_launch_read},
+    {"jams", case_jams_read},
+    {"bundle", case_bundle_check},
+    {"chain", case_mesh_read},
+    {"solver", solver_read},
+    {"output", case_output_read},
+    {"paper", case_paper_read},
+    {"theory", case_theory_read},
+    {"limits", case_limits_read},
+    {"cables", case_cables_limits},
+    {"cables", case_assumptions_read},
 };
 
 /* The reader's own things are given back on every way out; so is the definition, if there is an error. What the
  * catalogue brings is in a copy of the tree, so that a later setting finds the case as it was written. */
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
-    CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .err = err};
+    CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .folder = tree->folder, .err = err};
     CaseNode *typed = NULL;
     Library *library = NULL;
     scene_def_defaults(def);
     hawser_status status = r.units ? library_expand(tree, &typed, &library, err) : error_memory(err);
-    if (typed) r.root = typed;
+    if (!status && !typed && case_node_key(tree->root, "drawing")) {
+        typed = node_clone(tree->root, NULL); /* a drawing adds to it */
+        if (!typed) status = error_memory(err);
+    }
+    if (typed) r.root = r.own = typed;
     if (!status) status = case_section_read(&r, r.root, &case_top, def);
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++) {
         status = parts[k].read(&r, case_node_key(r.root, parts[k].key));

@@ -5,9 +5,10 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
+#include "io/place/place.h"
 
 static const char *const profiles[] = {"flat", "v", "u", NULL};
-static const char *const guides[] = {"none", "inside", "both", NULL};
+static const char *const guides[] = {"none", "inside", "both", "left", "right", NULL};
 
 /* A row of rollers being laid: what all of them have, and where they stand. */
 typedef struct Row {
@@ -15,7 +16,9 @@ typedef struct Row {
     GrooveRecord groove;
     char name[NAME_MAX_LENGTH / 2];
     RowPlaces places;
-    double gap; /* m, of guides and hold-downs */
+    double gap;     /* m, of guides and hold-downs */
+    double heading; /* rad, of the pull across its rollers; NAN: the route's */
+    int alone;      /* its only roller is called as the row is */
     const CaseNode *node;
     int hold;
 } Row;
@@ -27,6 +30,9 @@ static const CaseKey roller_row_keys[] = {
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(-LONG, LONG), AT(Row, places.to)},
     {"count", KEY_INTEGER, .fallback = "0", FROM(0, 100000), AT(Row, places.count)},
     {"spacing", KEY_NUMBER, DIM_LENGTH, .otherwise = "from `count`", ABOVE(0, LONG), AT(Row, places.spacing)},
+    {"at", KEY_LIST, DIM_LENGTH, .otherwise = "none", .form = "places one by one", FROM(-LONG, LONG)},
+    {"rule", KEY_MAP, .otherwise = "none", .section = &case_place_rule},
+    {"heading", KEY_NUMBER, DIM_ANGLE, .otherwise = "the route's", FROM(DEGREES(-360), DEGREES(360)), AT(Row, heading)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .fallback = "100 mm", ABOVE(0, 1e3), AT(Row, roller.radius)},
     {"width", KEY_NUMBER, DIM_LENGTH, .fallback = "400 mm", ABOVE(0, 1e3), AT(Row, roller.width)},
     {"where", KEY_ANY, DIM_LENGTH, .otherwise = "`all`", .form = "`all`, `bends`, `straights` or a list of [from, to]",
@@ -123,29 +129,31 @@ static int held_down(const CaseReader *r, const Row *row, double s, Vec3 up)
     return 0;
 }
 
-/* Which side of the line a roller stands on. */
-typedef enum Side { SIDE_BELOW, SIDE_ABOVE, SIDE_LEFT, SIDE_RIGHT } Side;
-
 /* One roller of a row at s, beside the line; there is room for it. Carriers and hold-downs have level axes, guides
- * stand square to that and to the line. */
-static hawser_status roller_lay(const CaseReader *r, const Row *row, int number, double s, Side side)
+ * stand square to that and to the line. A level axis may be turned (PC2). */
+static hawser_status roller_lay(const CaseReader *r, const Row *row, int number, double s, PlaceSide side)
 {
     static const char *const suffix[] = {"", " above", " left", " right"};
     SceneDef *def = r->def;
     RollerDef *roller = &def->rollers[def->n_rollers];
     const RoutePoint at = route_at(&r->route, s);
-    const Vec3 left = route_left(&r->route, s), up = v3_cross(at.tangent, left);
-    const int guide = side == SIDE_LEFT || side == SIDE_RIGHT;
+    const int turned = !isnan(row->heading);
+    const Vec3 left = turned ? v3(-sin(row->heading), cos(row->heading), 0) : route_left(&r->route, s);
+    const Vec3 up = v3_unit(v3_cross(at.tangent, left));
+    const int guide = side == PLACE_LEFT || side == PLACE_RIGHT;
     *roller = row->roller;
     roller->axis = guide ? up : left;
     roller->s = s;
-    roller->hold_down = side == SIDE_ABOVE;
+    roller->hold_down = side == PLACE_ABOVE;
     const Shape shape = roller_def_shape(roller);
-    const double gap = guide || side == SIDE_ABOVE ? row->gap : 0;
+    const double gap = guide || side == PLACE_ABOVE ? row->gap : 0;
     const double away = shape_seat(&shape, case_largest_diameter(def) / 2) + gap;
-    const int forward = side == SIDE_ABOVE || side == SIDE_LEFT;
+    const int forward = side == PLACE_ABOVE || side == PLACE_LEFT;
     roller->centre = v3_axpy(at.position, forward ? away : -away, guide ? left : up);
-    snprintf(roller->name, sizeof roller->name, "%s%d%s", row->name, number, suffix[side]);
+    if (row->alone)
+        snprintf(roller->name, sizeof roller->name, "%s%s", row->name, guide ? "" : suffix[side]);
+    else
+        snprintf(roller->name, sizeof roller->name, "%s%d%s", row->name, number, suffix[side]);
     def->n_rollers++;
     return case_overlap_check(r, row->node, roller);
 }
@@ -156,16 +164,22 @@ static hawser_status place_fill(const CaseReader *r, const Row *row, int *laid, 
     hawser_status status = HAWSER_OK;
     if (row->places.guide == GUIDE_NONE) {
         const Vec3 left = route_left(&r->route, s), up = v3_cross(route_at(&r->route, s).tangent, left);
-        status = roller_lay(r, row, ++*laid, s, SIDE_BELOW);
-        if (!status && held_down(r, row, s, up)) status = roller_lay(r, row, *laid, s, SIDE_ABOVE);
+        status = roller_lay(r, row, ++*laid, s, PLACE_BELOW);
+        if (!status && held_down(r, row, s, up)) status = roller_lay(r, row, *laid, s, PLACE_ABOVE);
         return status;
     }
     const double sideways = case_sideways(r, s);
-    const int both = row->places.guide == GUIDE_BOTH;
-    const int to_left = both || sideways > 1e-9, to_right = both || sideways < -1e-9;
+    const int guide = row->places.guide, inside = guide == GUIDE_INSIDE;
+    const int to_left = inside ? sideways > 1e-9 : guide != GUIDE_RIGHT;
+    const int to_right = inside ? sideways < -1e-9 : guide != GUIDE_LEFT;
+    const CaseNode *const at = case_node_key(row->node, "at");
+    if (at && !to_left && !to_right) {
+        return case_key_error(r->err, at, NULL,
+                              "at %g m no bend to the side has an inside: give 'guide: left' or 'right'", s);
+    }
     if (to_left || to_right) ++*laid;
-    if (to_left) status = roller_lay(r, row, *laid, s, SIDE_LEFT);
-    if (to_right && !status) status = roller_lay(r, row, *laid, s, SIDE_RIGHT);
+    if (to_left) status = roller_lay(r, row, *laid, s, PLACE_LEFT);
+    if (to_right && !status) status = roller_lay(r, row, *laid, s, PLACE_RIGHT);
     return status;
 }
 
@@ -175,8 +189,10 @@ static hawser_status guide_check(const CaseReader *r, const Row *row)
     if (row->places.guide != GUIDE_NONE && row->hold != HOLD_NONE) {
         return case_key_error(r->err, row->node, "hold_down", "not for guides: give it to a row without 'guide'");
     }
-    if (row->places.guide == GUIDE_NONE && row->hold == HOLD_NONE && row->gap > 0) {
-        return case_key_error(r->err, case_node_key(row->node, "gap"), NULL, "only with 'guide' or 'hold_down'");
+    if (row->places.guide == GUIDE_NONE && row->hold == HOLD_NONE && row->gap > 0 &&
+        !case_node_key(row->node, "rule")) {
+        return case_key_error(r->err, case_node_key(row->node, "gap"), NULL,
+                              "only with 'guide', 'hold_down' or 'rule'");
     }
     return HAWSER_OK;
 }
@@ -196,23 +212,79 @@ static hawser_status roller_friction(const CaseReader *r, Row *row)
     return case_friction_read(r, case_node_key(row->node, "friction"), &r->def->friction, &row->roller.friction);
 }
 
+/* A row says once where its rollers stand; a heading is for level axes. */
+static hawser_status form_check(const CaseReader *r, const CaseNode *node)
+{
+    static const char *const other[][8] = {
+        {"at", "from", "to", "count", "spacing", "where", "rule", NULL},
+        {"rule", "count", "spacing", "where", "guide", "hold_down", "heading", NULL}};
+    for (int k = 0; k < 2; k++) {
+        if (!case_node_key(node, other[k][0])) continue;
+        for (int i = 1; other[k][i]; i++) {
+            const CaseNode *const given = case_node_key(node, other[k][i]);
+            if (given) return case_key_error(r->err, given, NULL, "not beside '%s'", other[k][0]);
+        }
+    }
+    const CaseNode *const heading = case_node_key(node, "heading"), *const guide = case_node_key(node, "guide");
+    if (!heading || !guide) return HAWSER_OK;
+    return case_key_error(r->err, heading, NULL, "not for guides, whose axes are upright");
+}
+
+/* Places one by one. */
+static hawser_status row_at(const CaseReader *r, Row *row, const CaseNode *at, int *laid)
+{
+    row->alone = at->count == 1 && case_node_key(row->node, "name");
+    hawser_status status = rollers_reserve(r, row->node, 2 * at->count);
+    for (const CaseNode *item = at->first; !status && item; item = item->next) {
+        double s = 0;
+        status = case_number_read(r, item, case_key_of(&case_roller_row, "at"), &s);
+        if (!status) status = place_fill(r, row, laid, s);
+    }
+    return status;
+}
+
+/* Where the rule wants them, numbered from its first side on. */
+static hawser_status row_by_rule(const CaseReader *r, Row *row, const CaseNode *rule, int *laid)
+{
+    PlacedRoller *placed = NULL;
+    const RuleRow part = {row->places.from, row->places.to, row->roller.rating, CASE_ROLLERS_MAX};
+    int n = 0;
+    if (row->places.to < row->places.from)
+        return case_key_error(r->err, row->node, "to", "out of range: must be at least 'from', %g m", row->places.from);
+    hawser_status status = case_rule_place(r, rule, &part, &placed, &n);
+    if (!status) status = rollers_reserve(r, row->node, n);
+    for (int i = 0; !status && i < n; i++) status = roller_lay(r, row, ++*laid, placed[i].s, placed[i].side);
+    free(placed);
+    return status;
+}
+
+/* In a row, or in stretches of the route of one sort. */
+static hawser_status row_spaced(const CaseReader *r, const Row *row, int *laid)
+{
+    double *place = NULL;
+    int n = 0;
+    hawser_status status = case_places_find(r, row->node, &row->places, &place, &n);
+    if (!status) status = rollers_reserve(r, row->node, 2 * n);
+    for (int i = 0; !status && i < n; i++) status = place_fill(r, row, laid, place[i]);
+    free(place);
+    return status;
+}
+
 /* Lays one row. `laid` counts the places over all rows, for the rollers' names. */
 static hawser_status row_read(const CaseReader *r, const CaseNode *node, int *laid)
 {
     Row row = {.node = node};
-    double *place = NULL;
-    int n = 0;
+    const CaseNode *const at = case_node_key(node, "at"), *const rule = case_node_key(node, "rule");
     hawser_status status = case_section_read(r, node, &case_roller_row, &row);
     if (isnan(row.places.to)) row.places.to = r->route.length;
+    if (!status) status = form_check(r, node);
     if (!status) status = roller_friction(r, &row);
     if (!status) status = hold_read(r, &row);
     if (!status) status = guide_check(r, &row);
     if (!status) status = roller_complete(r, &row);
-    if (!status) status = case_places_find(r, node, &row.places, &place, &n);
-    if (!status) status = rollers_reserve(r, node, 2 * n);
-    for (int i = 0; !status && i < n; i++) status = place_fill(r, &row, laid, place[i]);
-    free(place);
-    return status;
+    if (status) return status;
+    if (at) return row_at(r, &row, at, laid);
+    return rule ? row_by_rule(r, &row, rule, laid) : row_spaced(r, &row, laid);
 }
 
 /* One row or several, numbered through. */

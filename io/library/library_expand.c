@@ -44,6 +44,7 @@ static unsigned kinds_of(const CaseNode *map)
     if (map->kind != NODE_MAP || !p) return 0;
     if (map->key && (strcmp(map->key, "friction") == 0 || strcmp(map->key, "cable_friction") == 0)) return FRICTION;
     if (is_under(p, NULL, "cables")) return LINES;
+    if (map->key && strcmp(map->key, "rollers") == 0 && is_under(p->parent, "drawing", "layers")) return ROLLERS;
     if (is_under(map, "rollers", "along") || is_under(p, "rollers", "along") || is_under(p, "rollers", "list"))
         return ROLLERS;
     return is_under(p, "surfaces", "ducts") ? DUCTS : 0;

@@ -79,6 +79,8 @@ typedef struct CaseReader {
     SceneDef *def;
     Route route; /* built once its section is read, for what lies along it */
     const CaseNode *root;
+    CaseNode *own;      /* the same where it may be added to: a copy; NULL: nobody adds to it */
+    const char *folder; /* where files are looked for that it names; NULL: nowhere */
     hawser_error *err;
 } CaseReader;
 

@@ -3,6 +3,7 @@
 #ifndef HAWSER_SIM_DEF_OUTPUT_DEF_H
 #define HAWSER_SIM_DEF_OUTPUT_DEF_H
 
+#include "sim/def/cable_def.h"
 #include "theory/limits.h"
 #include "theory/paper.h"
 #include "theory/plan.h"
@@ -28,6 +29,13 @@ typedef struct ProbeDef {
     char name[PROBE_NAME_MAX];
     double at;
 } ProbeDef;
+
+/* What became of the marks of a drawing's layer, or of what else is in the file. */
+typedef struct DrawnDef {
+    char layer[NAME_MAX_LENGTH], kind[PROBE_NAME_MAX]; /* kind: of equipment, or why there is none */
+    int marks, placed;                                 /* how many there are, and how many became something */
+    double farthest;                                   /* m, of those placed from the route; NAN: none */
+} DrawnDef;
 
 typedef struct OutputDef {
     double interval;       /* s between rows of series.csv and samples of statistics */

@@ -30,6 +30,7 @@ static const OwnedArray owned[] = {
     OWNED(output.speed_segments, output.n_speed_segments),
     OWNED(output.load_rollers, output.n_load_rollers),
     OWNED(output.probes, output.n_probes),
+    OWNED(drawn, n_drawn),
     OWNED(assumptions, n_assumptions),
     OWNED(theory.wear, theory.n_wear),
     OWNED(theory.friction, theory.n_friction),

@@ -204,6 +204,8 @@ typedef struct SceneDef {
     double duration;   /* s */
     int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
 
+    int n_drawn;
+    DrawnDef *drawn;
     int n_assumptions;
     hawser_assumption *assumptions; /* what the case did not say itself */
 } SceneDef;

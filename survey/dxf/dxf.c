@@ -101,6 +101,7 @@ static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
     SurveyMark *const mark = survey_add_mark(s->in->out, insert ? e->name : "POINT", e->layer);
     if (!mark) return error_memory(s->in->err);
     mark->at = insert ? dxf_world(&system, at) : v3_scale(s->in->unit, at);
+    mark->line = e->line;
     mark->heading = system.axis.z < 0 ? 3.14159265358979323846 - turned : turned;
     hawser_status status = HAWSER_OK;
     for (int named = 0; insert && !status && dxf_number(e, 66, 0) == 1 && dxf_next(s, &tag) > 0;) {

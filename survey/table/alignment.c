@@ -297,7 +297,7 @@ hawser_status table_read(SurveyInput *in)
 {
     Table table = {0};
     hawser_status status = table_rows(in, &table);
-    if (!status) status = table_alignment(in, &table);
+    if (!status && !in->options.marks) status = table_alignment(in, &table);
     free(table.row);
     return status;
 }

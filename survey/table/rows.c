@@ -33,6 +33,7 @@ static const struct {
     {COLUMN_TYPE, " predefinedtype type kind "},
     {COLUMN_TURN, " turn plane side toward "},
     {COLUMN_NAME, " name id entity label "},
+    {COLUMN_LAYER, " layer equipment "},
 };
 
 /* What a unit behind a header's name multiplies by. */
@@ -196,6 +197,38 @@ static hawser_status cell_read(SurveyInput *in, const Columns *columns, int i, c
     return HAWSER_OK;
 }
 
+/* The text of a column's cell without blanks around it; "" if the row has none. */
+static const char *cell_text_of(const Columns *columns, TableColumn c, int n, char *cell[CELLS_MOST])
+{
+    for (int i = 0; i < n && i < columns->n; ++i) {
+        if (columns->meaning[i] != c) continue;
+        char *const text = cell[i] + strspn(cell[i], " ");
+        for (size_t end = strlen(text); end > 0 && strchr(" \r", text[end - 1]); --end) text[end - 1] = 0;
+        return text;
+    }
+    return "";
+}
+
+/* A row as a mark on the layer that it names, by x and y or by its station. */
+static hawser_status mark_add(SurveyInput *in, const Columns *columns, const Table *table, int n,
+                              char *cell[CELLS_MOST], const TableRow *row)
+{
+    const double *const value = row->value;
+    const int placed = !isnan(value[COLUMN_X]) && !isnan(value[COLUMN_Y]);
+    const char *const layer = cell_text_of(columns, table->has[COLUMN_LAYER] ? COLUMN_LAYER : COLUMN_TYPE, n, cell);
+    if (!*layer)
+        return input_error(
+            in, "a row without a layer: expected a column 'layer' or 'kind' that says which equipment it is");
+    if (!placed && isnan(value[COLUMN_STATION])) return input_error(in, "a row without x and y, or a station");
+    SurveyMark *const mark = survey_add_mark(in->out, cell_text_of(columns, COLUMN_NAME, n, cell), layer);
+    if (!mark) return error_memory(in->err);
+    const double z = table->has[COLUMN_Z] && !isnan(value[COLUMN_Z]) ? value[COLUMN_Z] : 0;
+    mark->at = placed ? v3(value[COLUMN_X], value[COLUMN_Y], z) : v3(NAN, NAN, NAN);
+    if (!placed) mark->station = value[COLUMN_STATION];
+    mark->line = in->line;
+    return HAWSER_OK;
+}
+
 static hawser_status row_read(SurveyInput *in, const Columns *columns, char *text, Table *table)
 {
     char *cell[CELLS_MOST];
@@ -214,6 +247,7 @@ static hawser_status row_read(SurveyInput *in, const Columns *columns, char *tex
     for (int i = 0; i < n && i < columns->n && !status; ++i) {
         if (columns->meaning[i] != TABLE_COLUMNS) status = cell_read(in, columns, i, cell[i], row);
     }
+    if (!status && in->options.marks) status = mark_add(in, columns, table, n, cell, row);
     return status;
 }
 

@@ -23,7 +23,8 @@ typedef enum TableColumn {
     COLUMN_VERTICAL_RADIUS, /* of a profile; the last of an element that has both */
     COLUMN_TYPE,
     COLUMN_TURN,
-    COLUMN_NAME, /* words */
+    COLUMN_NAME,
+    COLUMN_LAYER, /* words */
     TABLE_COLUMNS
 } TableColumn;
 

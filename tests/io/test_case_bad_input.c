@@ -246,13 +246,16 @@ static const CaseSection *section_of(const CaseNode *map)
                                             {"spin.bearing", "rollers.along.spin.bearing"},
                                             {"spin.motor", "rollers.along.spin.motor"},
                                             {"spin", "rollers.along.spin"},
-                                            {"mount", "rollers.along.mount"}};
+                                            {"mount", "rollers.along.mount"},
+                                            {"rule", "rollers.along.rule"}};
     const char *known = general;
     for (size_t k = 0; k < sizeof shared / sizeof *shared && known == general; k++) {
         if (strstr(general, shared[k][0])) known = shared[k][1];
     }
     if (strcmp(general, "rollers.along.N") == 0) known = "rollers.along";
     if (strcmp(general, "output.stations.N") == 0) known = "output.stations.list.N";
+    /* what a layer repeats of other sections is read, and its mistakes are named, where the marks put it */
+    if (strncmp(path, "drawing.layers.", 15) == 0) known = strchr(path + 15, '.') ? "elsewhere" : "drawing.layers.NAME";
     const CaseSection *all[CASE_SECTIONS_MAX];
     const int sections = case_sections(&case_top, all, 0);
     for (int k = 0; k < sections; k++) {
@@ -291,9 +294,10 @@ static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
     static const char *const names[] = {
-        "full-ramps",      "full-tables",      "full-tension",      "full-tension-table", "full-reel",
-        "full-reel-table", "full-reel-weight", "full-rod",          "full-rod-polyline",  "full-bundle",
-        "full-library",    "full-route",       "full-route-points", "full-route-plan"};
+        "full-ramps",        "full-tables",     "full-tension",     "full-tension-table",
+        "full-reel",         "full-reel-table", "full-reel-weight", "full-rod",
+        "full-rod-polyline", "full-bundle",     "full-library",     "full-route",
+        "full-route-points", "full-route-plan", "full-drawing",     "full-drawing-file"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);

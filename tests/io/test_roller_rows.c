@@ -139,7 +139,7 @@ static void bad_rows(void **state)
         {"{where: bends}", "key 'rollers.along.spacing': missing: rows of guides"},
         {"{where: bends, spacing: 1 m, count: 3}", "key 'rollers.along.count': given"},
         {"{spacing: 1 m, guide: both, hold_down: sag}", "key 'rollers.along.hold_down': not for guides"},
-        {"{spacing: 1 m, gap: 5 mm}", "key 'rollers.along.gap': only with 'guide' or 'hold_down'"},
+        {"{spacing: 1 m, gap: 5 mm}", "key 'rollers.along.gap': only with 'guide', 'hold_down' or 'rule'"},
         {"{spacing: 1 m, where: [[3 m, 2 m]]}", "expected [from, to] with to >= from"},
         {"{spacing: 1e-6, where: straights}", "too many rollers"},
         {"{spacing: 1 m, from: 5 m, to: 2 m, where: straights}", "out of range: must be at least 'from'"},

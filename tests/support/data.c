@@ -23,6 +23,19 @@ static const char *keep(const char *name, char *text)
     return text;
 }
 
+/* A file that names another one stands with it in the data's folder, for which it writes @DATA@, once. */
+static char *with_folder(char *text)
+{
+    char *const at = strstr(text, "@DATA@");
+    if (!at) return text;
+    const size_t size = strlen(text) + strlen(HAWSER_SOURCE_DIR) + 16;
+    char *const made = malloc(size);
+    assert_non_null(made);
+    snprintf(made, size, "%.*s%s/tests/data%s", (int)(at - text), text, HAWSER_SOURCE_DIR, at + 6);
+    free(text);
+    return made;
+}
+
 const char *data_text(const char *name)
 {
     for (const Text *t = texts; t; t = t->next) {
@@ -39,7 +52,7 @@ const char *data_text(const char *name)
     assert_non_null(text);
     assert_int_equal(fread(text, 1, (size_t)size, f), size);
     fclose(f);
-    return keep(name, text);
+    return keep(name, with_folder(text));
 }
 
 const char *data_with(const char *name, const char *from, const char *to)

@@ -1,0 +1,218 @@
+/* The list of equipment of a case for the people who set it up: what `hawser theory --crew` writes. Loads are those of
+ * the pulling theory with the cable at the route's end, docs/model.md, "Placing". */
+#include "core/base/error.h"
+#include "io/api/api_handles.h"
+#include "sim/expected/calculator.h"
+#include "theory/place/place.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One piece of equipment; NAN: not known, or it has none. */
+typedef struct CrewRow {
+    int number; /* from 1, by station */
+    const char *kind;
+    char name[NAME_MAX_LENGTH];
+    double station; /* m along the route */
+    Vec3 at;        /* m, in the case's own coordinates: a roller's centre, else the line's place */
+    double tilt;    /* deg, of a roller's axis above the level */
+    double heading; /* deg from x toward y, of the pull across it */
+    double load;    /* N */
+    double rating;  /* N */
+    double margin;  /* of the rating, %: below 0 too much */
+} CrewRow;
+
+static const Column crew_column[] = {
+    {COLUMN("number", COUNT, CrewRow, number), .label = "no."},
+    {COLUMN("kind", TEXT, CrewRow, kind), .label = "kind"},
+    {COLUMN("name", CHARS, CrewRow, name), .label = "name"},
+    {COLUMN("station_m", NUMBER, CrewRow, station), .label = "station, m", .decimals = 3},
+    {COLUMN("x_m", NUMBER, CrewRow, at.x), .label = "x, m", .decimals = 3, .digits = 12},
+    {COLUMN("y_m", NUMBER, CrewRow, at.y), .label = "y, m", .decimals = 3, .digits = 12},
+    {COLUMN("z_m", NUMBER, CrewRow, at.z), .label = "z, m", .decimals = 3, .digits = 12},
+    {COLUMN("tilt_deg", NUMBER, CrewRow, tilt), .label = "tilt, deg", .decimals = 1},
+    {COLUMN("heading_deg", NUMBER, CrewRow, heading), .label = "heading, deg", .decimals = 1},
+    {COLUMN("load_N", NUMBER, CrewRow, load), .label = "load, N", .decimals = 0},
+    {COLUMN("rating_N", NUMBER, CrewRow, rating), .label = "rating, N", .decimals = 0},
+    {COLUMN("margin_pct", NUMBER, CrewRow, margin), .label = "margin, %", .decimals = 1},
+};
+
+/* The list while it is made. */
+typedef struct Crew {
+    const Scene *scene;
+    const Calculator *calculator;
+    int n;
+    CrewRow *row;     /* [n] */
+    Support *support; /* [rollers] in the order of their stations, as rows will be */
+} Crew;
+
+/* rad; how far past its ends the route is followed to rollers by coordinates, m. */
+static const double DEGREE = 3.14159265358979323846 / 180, BEYOND = 10;
+
+/* A heading, deg; what rounding leaves of none is none. */
+static double heading_of(double x, double y)
+{
+    const double angle = atan2(y, x) / DEGREE;
+    return fabs(angle) < 1e-9 ? 0 : angle;
+}
+
+/* The row of something that stands on the line itself. */
+static CrewRow *line_row(Crew *c, const char *kind, const char *name, double s)
+{
+    const RoutePoint at = route_at(&c->scene->route, s);
+    CrewRow *const row = &c->row[c->n++];
+    *row = (CrewRow){.kind = kind, .station = s, .tilt = NAN, .load = NAN, .rating = NAN, .margin = NAN};
+    snprintf(row->name, sizeof row->name, "%.63s", name);
+    row->at = v3_add(at.position, c->scene->def.route_origin);
+    row->heading = heading_of(at.tangent.x, at.tangent.y);
+    return row;
+}
+
+/* On which side of the line a roller stands: of the frame's four directions that which is nearest to the way from its
+ * centre to the line at s. */
+static PlaceSide side_of(const Route *route, const RollerDef *roller, double s)
+{
+    const RoutePoint at = route_at(route, s);
+    const Vec3 left = route_left(route, s), up = v3_cross(at.tangent, left);
+    const Vec3 away = v3_sub(at.position, roller->centre);
+    const double rise = v3_dot(away, up), aside = v3_dot(away, left);
+    if (fabs(rise) >= fabs(aside)) return rise >= 0 ? PLACE_BELOW : PLACE_ABOVE;
+    return aside < 0 ? PLACE_LEFT : PLACE_RIGHT;
+}
+
+/* One of the rollers with what it bears. The pull crosses level axes square, guides along the route. */
+static void roller_row(Crew *c, const RollerDef *roller, const Support *support)
+{
+    static const char *const kinds[] = {"roller", "hold-down", "guide", "guide"};
+    CrewRow *const row = line_row(c, kinds[support->side], roller->name, support->s);
+    const RoutePoint at = route_at(&c->scene->route, support->s);
+    row->at = v3_add(roller->centre, c->scene->def.route_origin);
+    row->tilt = asin(fmin(1, fabs(roller->axis.z))) / DEGREE;
+    if (support->side == PLACE_BELOW || support->side == PLACE_ABOVE) {
+        const double sign = roller->axis.y * at.tangent.x - roller->axis.x * at.tangent.y < 0 ? -1 : 1;
+        row->heading = heading_of(sign * roller->axis.y, -sign * roller->axis.x);
+    }
+    row->load = support->load;
+    if (!(roller->rating > 0)) return;
+    row->rating = roller->rating;
+    row->margin = 100 * (1 - row->load / roller->rating);
+}
+
+/* Where each roller stands; those by coordinates at the nearest place. Returns how many there are. */
+static int rollers_find(const Crew *c, const RouteGrid *grid)
+{
+    const SceneDef *const def = &c->scene->def;
+    const Stretches *const stretches = &c->calculator->stretches;
+    int n = 0;
+    for (int i = 0; i < def->n_rollers; ++i) {
+        const RollerDef *const roller = &def->rollers[i];
+        if (roller->profile >= SHAPE_BOX) continue;
+        const double s = isnan(roller->s) ? route_nearest(grid, roller->centre, 1).s : roller->s;
+        const PlaceSide side = side_of(&c->scene->route, roller, s);
+        const int shared = stretch_at(stretches->n, stretches->stretch, s)->separate;
+        c->support[n++] = (Support){.s = s, .side = side, .item = i, .whole = side == PLACE_BELOW && !shared};
+    }
+    return n;
+}
+
+static hawser_status rollers_list(Crew *c, hawser_error *err)
+{
+    const SceneDef *const def = &c->scene->def;
+    const PlaceLine line = {.route = &c->scene->route,
+                            .pull = &c->calculator->plan.way[PLAN_FORWARD].pull,
+                            .weight = c->scene->cable_weight,
+                            .to = c->scene->route.length};
+    RouteGrid grid = {0};
+    const hawser_status status = route_grid_build(line.route, BEYOND, &grid, err);
+    const int n = status ? 0 : rollers_find(c, &grid);
+    support_loads(&line, n, c->support);
+    for (int i = 0; i < n; ++i) roller_row(c, &def->rollers[c->support[i].item], &c->support[i]);
+    route_grid_clear(&grid);
+    return status;
+}
+
+/* What is no roller: at the middle of machines, at the ends winch and reel. */
+static void others_list(Crew *c)
+{
+    const SceneDef *const def = &c->scene->def;
+    const PlanWay *const way = &c->calculator->plan.way[PLAN_FORWARD];
+    const double end = isnan(def->winch.at) ? c->scene->route.length : def->winch.at;
+    if (def->reel.model != REEL_NONE) line_row(c, "reel", "reel", -def->reel.distance)->load = way->start;
+    if (def->drum.present) line_row(c, "reel", "drum", -def->drum.distance)->load = way->start;
+    for (int i = 0; i < def->n_conveyors; ++i) {
+        const ConveyorDef *const m = &def->conveyors[i];
+        CrewRow *const row = line_row(c, "conveyor", m->name, (m->from + m->to) / 2);
+        row->load = 2 * m->mu * m->clamp;
+        if (m->limit > 0) row->load = fmin(row->load, row->rating = m->limit);
+    }
+    for (int i = 0; i < def->theory.n_machines; ++i) {
+        const TheoryPlaceDef *const m = &def->theory.machines[i];
+        line_row(c, "machine", m->name, m->at)->load = m->force;
+    }
+    for (int i = 0; i < def->theory.n_pits; ++i) line_row(c, "pit", def->theory.pits[i].name, def->theory.pits[i].at);
+    if (!def->winch.present) return;
+    CrewRow *const row = line_row(c, "winch", "winch", end);
+    row->load = way->force;
+    if (!(def->limits.winch_capacity > 0)) return;
+    row->rating = def->limits.winch_capacity;
+    row->margin = 100 * (1 - row->load / row->rating);
+}
+
+static int compare_rows(const void *a, const void *b)
+{
+    const CrewRow *const x = a, *const y = b;
+    if (x->station != y->station) return x->station > y->station ? 1 : -1;
+    return strcmp(x->name, y->name);
+}
+
+static hawser_status crew_write(const Crew *c, const char *title, hawser_format format, char **text, hawser_error *err)
+{
+    qsort(c->row, (size_t)c->n, sizeof *c->row, compare_rows);
+    for (int i = 0; i < c->n; ++i) c->row[i].number = i + 1;
+    const Table table = {"equipment", "Equipment along the route, loads by the pulling theory, pulled forward",
+                         COLUMNS(CrewRow, crew_column), c->n, c->row};
+    const Document doc = {.title = title, .n_tables = 1, .table = &table, .csv = &table};
+    return document_write(&doc, format, text, err);
+}
+
+/* Everything from a scene that was built. */
+static hawser_status crew_make(const Scene *scene, const char *title, hawser_format format, char **text,
+                               hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    const size_t most = (size_t)(def->n_rollers + def->n_conveyors + def->theory.n_machines + def->theory.n_pits) + 3;
+    Expected expected = {0};
+    Calculator calculator = {0};
+    Crew c = {.scene = scene, .calculator = &calculator};
+    c.row = calloc(most, sizeof *c.row);
+    c.support = calloc((size_t)def->n_rollers + 1, sizeof *c.support);
+    hawser_status status = c.row && c.support ? HAWSER_OK : error_memory(err);
+    if (!status) status = expected_fill(scene, 0, NULL, &expected, err);
+    if (!status) status = calculator_build(scene, expected.start_tension, &calculator, err);
+    if (!status) status = rollers_list(&c, err);
+    if (!status) others_list(&c);
+    if (!status) status = crew_write(&c, title, format, text, err);
+    calculator_free(&calculator);
+    expected_free(&expected);
+    free(c.row);
+    free(c.support);
+    return status;
+}
+
+hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char **text, hawser_error *err)
+{
+    *text = NULL;
+    hawser_status status = case_ensure_read(c, err);
+    if (status) return status;
+    if (c->def.rod.present)
+        return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': equipment stands along a route", c->name);
+    Scene scene;
+    status = scene_build(&c->def, &scene, err);
+    if (!status) {
+        status = crew_make(&scene, c->def.title[0] ? c->def.title : c->name, format, text, err);
+        scene_clear(&scene);
+    }
+    return case_name_error(c, status, err);
+}

@@ -1,0 +1,41 @@
+/* Equipment from a drawing, and rollers by rule: what stands between the text of a case and its lists of equipment.
+ * docs/model/18-placing.md. */
+#ifndef HAWSER_IO_PLACE_PLACE_H
+#define HAWSER_IO_PLACE_PLACE_H
+
+#include "io/schema/case_schema.h"
+#include "theory/place/place.h"
+
+extern const CaseSection case_drawing, case_drawn_layer, case_drawn_mark, case_place_rule;
+/* Lists whose items a layer's marks become; io/case reads them. */
+extern const CaseSection case_roller_row, case_conveyor, case_theory_pit;
+
+/* Reads the section `drawing` once the route is there, and writes what its marks stand for into the tree, as if it
+ * were in the file: rows of rollers, conveyors, pits, and the places of winch, reel and head. What became of them is in
+ * r->def->drawn. Errors: INPUT (with the file's line, or the case's), MEMORY. */
+hawser_status case_drawing_read(CaseReader *r, const CaseNode *node);
+
+/* A row's part of the route, and what one of its rollers bears. */
+typedef struct RuleRow {
+    double from, to; /* m along the route */
+    double rating;   /* N; 0: none */
+    int most;        /* rollers */
+} RuleRow;
+/* Rollers by a row's map `rule`, with the tension of the pulling theory along the whole route: weight and friction are
+ * the case's. After conveyors and reel. placed: malloc'ed, the caller's. Errors: INPUT, MEMORY. */
+hawser_status case_rule_place(const CaseReader *r, const CaseNode *rule, const RuleRow *row, PlacedRoller **placed,
+                              int *n);
+
+/* Writing into a case's tree: what a drawing says stands there afterwards as if somebody had typed it; a node that is
+ * put where there was another takes its place. */
+
+/* The map or list `key` of a map, made if it is not there; NULL: no memory, or no map. A map where a list is wanted
+ * becomes its only item. */
+CaseNode *tree_child(CaseNode *map, const char *key, NodeKind kind);
+/* A text like the printed one under a map's key, said to be where `like` is. 0: no memory. */
+int tree_put(CaseNode *map, const CaseNode *like, const char *key, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+/* A length, m, such that reading it gives the same number. 0: no memory. */
+int tree_put_length(CaseNode *map, const CaseNode *like, const char *key, double metres);
+
+#endif

@@ -1,0 +1,190 @@
+/* Placing: projection against places known beforehand, rollers by rule and their loads against T d/R and the weight. */
+#include <stdlib.h>
+
+#include "tests/support/check.h"
+#include "theory/place/place.h"
+
+static const double W = 200; /* N/m */
+
+/* A straight, a level bend to the left on a slope of 0.1, a straight, a crest, a straight, a sag, a straight. */
+static Route route_make(void)
+{
+    const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 12},
+                                    {.kind = ROUTE_BEND, .radius = 8, .angle = 1, .plane = 0},
+                                    {.kind = ROUTE_STRAIGHT, .length = 5},
+                                    {.kind = ROUTE_BEND, .radius = 15, .angle = 0.15, .plane = 3 * M_PI / 2},
+                                    {.kind = ROUTE_STRAIGHT, .length = 5},
+                                    {.kind = ROUTE_BEND, .radius = 15, .angle = 0.3, .plane = M_PI / 2},
+                                    {.kind = ROUTE_STRAIGHT, .length = 6}};
+    Route route;
+    hawser_error err;
+    assert_int_equal(route_build(&route, 7, pieces, v3(3, 4, 5), 0.3, 0, &err), HAWSER_OK);
+    return route;
+}
+
+static Pull pull_make(const Route *route, double start)
+{
+    const PullStretch stretch = {.from = -1e9, .weight = W, .mu = 0.2, .separate = 1};
+    const PullDef def = {
+        .route = route, .to = route->length, .start_tension = start, .n_stretches = 1, .stretch = &stretch};
+    Pull pull;
+    hawser_error err;
+    assert_int_equal(pull_solve(&def, &pull, &err), HAWSER_OK);
+    return pull;
+}
+
+/* Points beside the line, below and above it, before its start and past its end find the place that they came from
+ * (PC1), in space; points in its height in plan too. */
+static void points_find_their_place(void **state)
+{
+    (void)state;
+    Route route = route_make();
+    RouteGrid grid;
+    hawser_error err;
+    assert_int_equal(route_grid_build(&route, 20, &grid, &err), HAWSER_OK);
+    double place = 0, aside = 0, far = 0;
+    for (double s = -4; s < route.length + 4; s += 0.37) {
+        const Vec3 left = route_left(&route, s), up = v3_cross(route_at(&route, s).tangent, left);
+        const Vec3 on = route_at(&route, s).position;
+        for (int k = 0; k < 9; ++k) {
+            const double l = 0.4 * (k / 3 - 1), u = 0.3 * (k % 3 - 1);
+            const Nearest near = route_nearest(&grid, v3_axpy(v3_axpy(on, l, left), u, up), 1);
+            place = larger_of(place, fabs(near.s - s));
+            aside = larger_of(aside, fabs(near.aside - l));
+            far = larger_of(far, fabs(near.distance - hypot(l, u)));
+        }
+        const Nearest flat = route_nearest(&grid, v3_add(v3_axpy(on, 0.4, left), v3(0, 0, 7)), 0);
+        place = larger_of(place, fabs(flat.s - s));
+    }
+    check_at_most(place, 1e-7);
+    check_at_most(aside, 1e-7);
+    check_at_most(far, 1e-9);
+    route_grid_clear(&grid);
+    route_clear(&route);
+}
+
+/* A figure of eight in plan: the point over the crossing has two places, told apart by its height. */
+static void crossings_have_two_places(void **state)
+{
+    (void)state;
+    const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 20},
+                                    {.kind = ROUTE_BEND, .radius = 5, .angle = 1.5 * M_PI, .plane = 0.05},
+                                    {.kind = ROUTE_STRAIGHT, .length = 20}};
+    Route route;
+    RouteGrid grid;
+    hawser_error err;
+    assert_int_equal(route_build(&route, 3, pieces, V3_ZERO, 0, 0, &err), HAWSER_OK);
+    assert_int_equal(route_grid_build(&route, 1, &grid, &err), HAWSER_OK);
+    /* the last straight comes down across the first 5 m before the bend */
+    const Nearest flat = route_nearest(&grid, v3(15, 0, 0), 0), low = route_nearest(&grid, v3(15, 0, 0), 1);
+    check_at_most(flat.distance, 0.3);
+    check_at_most(flat.other, 0.3);
+    check_above(fabs(flat.s - flat.other_s), 20);
+    check_share(low.s, 15, 1e-2);
+    route_grid_clear(&grid);
+    route_clear(&route);
+}
+
+/* How many rollers of a side there are on a piece, and the largest gap between them or to the piece's ends. */
+static int count_on(const Route *route, int n, const PlacedRoller *r, PlaceSide side, int piece, double *gap)
+{
+    const double from = route->piece[piece].s0, to = from + route->piece[piece].length;
+    double last = from;
+    int found = 0;
+    *gap = 0;
+    for (int i = 0; i < n; ++i) {
+        if (r[i].side != side || r[i].s < from || r[i].s > to) continue;
+        *gap = larger_of(*gap, found ? r[i].s - last : 2 * (r[i].s - from));
+        last = r[i].s;
+        ++found;
+    }
+    *gap = larger_of(*gap, 2 * (to - last));
+    return found;
+}
+
+/* Spacings of the rule and of what one may bear, a roller in every bend, guides on the inside, hold-downs in the sag
+ * alone. */
+static void rule_places(void **state)
+{
+    (void)state;
+    Route route = route_make();
+    Pull pull = pull_make(&route, 6000);
+    const PlaceLine line = {.route = &route, .pull = &pull, .weight = W, .to = route.length};
+    const PlaceRule rule = {.straights = 2, .bends = 3, .allowed = 450, .reserve = 1.25, .guides = 1, .hold_downs = 1};
+    PlacedRoller *r = NULL;
+    hawser_error err;
+    int n = 0;
+    double gap;
+    assert_int_equal(place_by_rule(&line, &rule, 1000, &r, &n, &err), HAWSER_OK);
+    assert_int_equal(count_on(&route, n, r, PLACE_BELOW, 0, &gap), 6);
+    check_share(gap, 2, 1e-9);
+    /* 450 N at T/R: T rises from 6480 N by friction */
+    const int guides = count_on(&route, n, r, PLACE_LEFT, 1, &gap);
+    const double t0 = pull_at(&pull, 12).tension, t1 = pull_at(&pull, 20).tension;
+    check_between(guides, 8 / (450 * 8 / t0), 8 / (450 * 8 / t1) + 1);
+    check_between(gap, 450 * 8 / t1 * (guides - 1.) / guides, 450 * 8 / t0 + 1e-6);
+    assert_int_equal(count_on(&route, n, r, PLACE_RIGHT, 1, &gap), 0);
+    for (int piece = 0; piece < route.n; ++piece) {
+        check_above(count_on(&route, n, r, PLACE_BELOW, piece, &gap), 0.5);
+        const int held = count_on(&route, n, r, PLACE_ABOVE, piece, &gap);
+        assert_int_equal(held > 0, piece == 5); /* T/R = 500 N/m against 200 */
+    }
+    free(r);
+    r = NULL;
+    /* with half of the tension nothing lifts: 1.25 T/R < w below 2400 N */
+    pull_clear(&pull);
+    pull = pull_make(&route, 300);
+    assert_int_equal(place_by_rule(&line, &rule, 1000, &r, &n, &err), HAWSER_OK);
+    assert_int_equal(count_on(&route, n, r, PLACE_ABOVE, 5, &gap), 0);
+    free(r);
+    r = NULL;
+    assert_int_equal(place_by_rule(&line, &rule, 10, &r, &n, &err), HAWSER_ERR_INPUT);
+    free(r);
+    pull_clear(&pull);
+    route_clear(&route);
+}
+
+/* (PC9): all carriers and hold-downs together bear what (PC3) gives; a guide in mid bend bears T d/R, carriers on
+ * straights w d. */
+static void loads_are_shared(void **state)
+{
+    (void)state;
+    Route route = route_make();
+    Pull pull = pull_make(&route, 6000);
+    const PlaceLine line = {.route = &route, .pull = &pull, .weight = W, .to = route.length};
+    Support support[200];
+    int n = 0;
+    for (double s = 0.5; s < route.length; s += 1) support[n++] = (Support){.s = s, .side = PLACE_BELOW, .item = n};
+    for (double s = 12.4; s < 20; s += 0.8) support[n++] = (Support){.s = s, .side = PLACE_LEFT, .item = n};
+    const double sag = route.piece[5].s0;
+    for (int k = 0; k < 5; ++k) support[n++] = (Support){.s = sag + 0.45 + 0.9 * k, .side = PLACE_ABOVE, .item = n};
+    support_loads(&line, n, support);
+    double down = 0, held = 0, off = 0;
+    for (int i = 0; i < n; ++i) {
+        const Support *const a = &support[i];
+        if (a->side == PLACE_BELOW && a->s > 1 && a->s < 11) off = larger_of(off, fabs(a->load / W - 1));
+        if (a->side == PLACE_LEFT && a->s > 13 && a->s < 19)
+            off = larger_of(off, fabs(a->load / (pull_at(&pull, a->s).tension * 0.8 / 8) - 1));
+        if (a->side == PLACE_ABOVE) held += a->load;
+        if (a->side == PLACE_BELOW && a->s > 28 && a->s < sag - 1) down += a->load;
+    }
+    check_at_most(off, 1e-3);
+    /* the sag: T theta less the weight, on hold-downs alone */
+    const double t = pull_at(&pull, sag + 2.25).tension;
+    check_share(held, t * 0.3 - W * 4.5 * cos(0.15), 5e-3);
+    check_above(down, 0);
+    for (int i = 1; i < n; ++i) assert_true(support[i].s >= support[i - 1].s);
+    pull_clear(&pull);
+    route_clear(&route);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_find_their_place),
+        cmocka_unit_test(crossings_have_two_places),
+        cmocka_unit_test(rule_places),
+        cmocka_unit_test(loads_are_shared),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
