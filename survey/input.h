@@ -60,6 +60,10 @@ hawser_status ifc_read(SurveyInput *in);
 /* DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each an alignment
  * of its own, on its layer; INSERT and POINT as marks. */
 hawser_status dxf_read(SurveyInput *in);
+/* GPX tracks, routes and waypoints; GeoJSON lines and points: longitude, latitude and height, projected about the first
+ * place of the file. */
+hawser_status gpx_read(SurveyInput *in);
+hawser_status geojson_read(SurveyInput *in);
 /* CSV and TSV with names over the columns: survey/table/table.h. */
 hawser_status table_read(SurveyInput *in);
 

@@ -21,6 +21,8 @@ static hawser_status dwg_read(SurveyInput *in)
 {
     return input_error(in, "a DWG drawing, which cannot be read: save it as DXF (SAVEAS, any version from R12 on)");
 }
+static int is_gpx(const char *head) { return *head == '<' && strstr(head, "<gpx") != NULL; }
+static int is_json(const char *head) { return *head == '{'; }
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }
 
@@ -28,8 +30,8 @@ static int is_table(const char *head) { return *head != 0; }
 static const struct {
     int (*is)(const char *head);
     Reader read;
-} readers[] = {
-    {is_dxf, dxf_read}, {is_dwg, dwg_read}, {is_step, ifc_read}, {is_xml, landxml_read}, {is_table, table_read}};
+} readers[] = {{is_dxf, dxf_read},      {is_dwg, dwg_read},     {is_step, ifc_read},   {is_gpx, gpx_read},
+               {is_json, geojson_read}, {is_xml, landxml_read}, {is_table, table_read}};
 
 /* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. */
 static void head_of(SurveyInput *in, char head[HEAD_SIZE])

@@ -82,6 +82,24 @@ static Convention convention_find(SurveyInput *in, const Table *t)
     return best;
 }
 
+/* The profile over row i, which begins `station` m from the first one: z with the gradients at both ends. */
+static hawser_status rise_add(SurveyInput *in, const TableRow *row, double station, Alignment *a)
+{
+    const double *const v = row->value, from = v[COLUMN_GRADE], radius = v[COLUMN_VERTICAL_RADIUS];
+    const double to = isnan(v[COLUMN_GRADE_END]) ? from : v[COLUMN_GRADE_END];
+    const int arc = isfinite(radius) && radius != 0;
+    if (isnan(v[COLUMN_Z]) || isnan(from)) return input_error(in, "an element with a height needs its gradient too");
+    ProfileElement *const e = alignment_add_profile(a);
+    if (!e) return error_memory(in->err);
+    *e = (ProfileElement){.kind = arc ? PROFILE_ARC : PROFILE_PARABOLA,
+                          .station = station,
+                          .length = v[COLUMN_LENGTH],
+                          .z = v[COLUMN_Z],
+                          .grade = from,
+                          .bend = arc ? 1 / radius : (to - from) / v[COLUMN_LENGTH]};
+    return HAWSER_OK;
+}
+
 static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     for (int i = 0; i < t->n; ++i) {
@@ -97,7 +115,14 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
         if (!e) return error_memory(in->err);
         *e = element_by(t, i, c, i ? &a->plan[i - 1] : NULL);
     }
-    return HAWSER_OK;
+    double station = 0;
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < t->n && !status && t->has[COLUMN_Z] && t->has[COLUMN_GRADE]; ++i) {
+        in->line = t->row[i].line;
+        status = rise_add(in, &t->row[i], station, a);
+        station += t->row[i].value[COLUMN_LENGTH];
+    }
+    return status;
 }
 
 /* ---------------------------------------------------------------------------------------------------- profiles */
@@ -255,10 +280,10 @@ hawser_status table_alignment(SurveyInput *in, const Table *t)
     const int *const has = t->has, plan = has[COLUMN_X] && has[COLUMN_Y];
     Alignment *const a = survey_add(in->out, "");
     if (!a) return error_memory(in->err);
-    if (plan && has[COLUMN_LENGTH]) return plan_make(in, t, a);
-    if (plan) return points_make(in, t, a);
     const double station = has[COLUMN_STATION] ? t->row[0].value[COLUMN_STATION] : NAN;
     a->station = isnan(station) ? 0 : station;
+    if (plan && has[COLUMN_LENGTH]) return plan_make(in, t, a);
+    if (plan) return points_make(in, t, a);
     if (has[COLUMN_STATION] && has[COLUMN_Z] && has[COLUMN_GRADE]) return profile_make(in, t, a);
     if (has[COLUMN_STATION] && has[COLUMN_Z]) return corners_make(in, t, a);
     if (has[COLUMN_LENGTH] || has[COLUMN_ANGLE]) return pieces_make(in, t, a);

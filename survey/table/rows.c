@@ -29,6 +29,7 @@ static const struct {
     {COLUMN_GRADE, " startgradient grade gradient startgrade "},
     {COLUMN_GRADE_END, " endgradient endgrade "},
     {COLUMN_CURVE_LENGTH, " curvelength verticalcurve vclength "},
+    {COLUMN_VERTICAL_RADIUS, " verticalradius profileradius "},
     {COLUMN_TYPE, " predefinedtype type kind "},
     {COLUMN_TURN, " turn plane side toward "},
     {COLUMN_NAME, " name id entity label "},
@@ -114,7 +115,7 @@ static TableColumn column_of(const char *letters)
 static int is_length(TableColumn c)
 {
     return c <= COLUMN_LENGTH || c == COLUMN_RADIUS || c == COLUMN_RADIUS_START || c == COLUMN_RADIUS_END ||
-           c == COLUMN_STATION || c == COLUMN_CURVE_LENGTH;
+           c == COLUMN_STATION || c == COLUMN_CURVE_LENGTH || c == COLUMN_VERTICAL_RADIUS;
 }
 
 /* The factor where the header names no unit: the file's lengths, angles in degrees; headings are judged later. */

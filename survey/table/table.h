@@ -19,7 +19,8 @@ typedef enum TableColumn {
     COLUMN_STATION,
     COLUMN_GRADE,
     COLUMN_GRADE_END,
-    COLUMN_CURVE_LENGTH, /* of a profile */
+    COLUMN_CURVE_LENGTH,
+    COLUMN_VERTICAL_RADIUS, /* of a profile; the last of an element that has both */
     COLUMN_TYPE,
     COLUMN_TURN,
     COLUMN_NAME, /* words */

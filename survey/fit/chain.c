@@ -1,0 +1,354 @@
+/* Gauss-Newton on a chain whose joints are constraints: (FT1)-(FT4) of docs/model/16-alignments.md. */
+#include "survey/fit/chain.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "survey/fit/band.h"
+
+/* Unknowns of a piece: x, y, heading, length, k0, k1; its multipliers: two of its kind, four of the joint behind it. */
+enum { UNKNOWNS = 6, KIND = 6, JOINT = 8, TIE = 11, BLOCK = 12, HALF = 11 };
+
+/* Gauss-Legendre, four points on [-1, 1]. */
+static const double node4[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+static const double weight4[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+
+/* ------------------------------------------------------------------------------------------------ along a piece */
+
+/* A place on a piece: where, and the integrals of s n and s2 n up to it, n the normal to the left. */
+typedef struct Along {
+    double s, x, y, heading, curvature;
+    double first[2], second[2];
+} Along;
+
+static Along piece_start(const PlanElement *e)
+{
+    return (Along){.x = e->x, .y = e->y, .heading = e->heading, .curvature = e->k0};
+}
+
+static double heading_at(const PlanElement *e, double s)
+{
+    return e->heading + s * (e->k0 + 0.5 * s * (e->k1 - e->k0) / e->length);
+}
+
+/* ds on, or back. Parts turn by less than half a radian: error below 1e-11 ds. */
+static void go(const PlanElement *e, double ds, Along *a)
+{
+    const double rate = (e->k1 - e->k0) / e->length;
+    const double turn = fabs(ds) * fmax(fabs(a->curvature), fabs(a->curvature + ds * rate));
+    const int parts = (int)fmin(1 + 2 * turn, 1000);
+    const double h = ds / parts;
+    for (int i = 0; i < parts; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            const double s = a->s + (i + 0.5 * (1 + node4[k])) * h, w = 0.5 * weight4[k] * h;
+            const double angle = heading_at(e, s), c = cos(angle), n = sin(angle);
+            a->x += w * c;
+            a->y += w * n;
+            a->first[0] -= w * s * n;
+            a->first[1] += w * s * c;
+            a->second[0] -= w * s * s * n;
+            a->second[1] += w * s * s * c;
+        }
+    }
+    a->s += ds;
+    a->heading = heading_at(e, a->s);
+    a->curvature = e->k0 + a->s * rate;
+}
+
+/* By how much the place moves along direction d with the piece's unknowns, at the same s: (FT2). */
+static void place_row(const PlanElement *e, const Along *a, const double d[2], double row[UNKNOWNS])
+{
+    const double first = d[0] * a->first[0] + d[1] * a->first[1], L = e->length;
+    const double second = d[0] * a->second[0] + d[1] * a->second[1];
+    row[0] = d[0];
+    row[1] = d[1];
+    row[2] = -d[0] * (a->y - e->y) + d[1] * (a->x - e->x);
+    row[3] = -(e->k1 - e->k0) / (2 * L * L) * second;
+    row[4] = first - second / (2 * L);
+    row[5] = second / (2 * L);
+}
+
+/* -------------------------------------------------------------------------------------------------------- normal
+ * equations */
+
+typedef struct Normal {
+    double h[UNKNOWNS][UNKNOWNS], g[UNKNOWNS];
+} Normal;
+
+static void row_add(Normal *q, const double row[UNKNOWNS], double weight, double residual)
+{
+    for (int i = 0; i < UNKNOWNS; ++i) {
+        q->g[i] += weight * row[i] * residual;
+        for (int k = 0; k < UNKNOWNS; ++k) q->h[i][k] += weight * row[i] * row[k];
+    }
+}
+
+/* Goes from where it is to the foot of a point on the endless piece. */
+static void go_to_foot(const PlanElement *e, const Node *p, Along *a)
+{
+    for (int i = 0; i < 8; ++i) {
+        const double c = cos(a->heading), n = sin(a->heading);
+        const double along = c * (p->x - a->x) + n * (p->y - a->y), left = -n * (p->x - a->x) + c * (p->y - a->y);
+        const double ds = along / fmax(1 - a->curvature * left, 0.3);
+        go(e, fmin(fmax(ds, -a->s - e->length), 2 * e->length - a->s), a);
+        if (fabs(ds) < 1e-9) return;
+    }
+}
+
+/* The chain's end pulls at the last node, its start at the first, lengthwise too: (FT3). */
+static void end_add(const PlanElement *e, const Node *p, int last, Normal *q)
+{
+    Along a = piece_start(e);
+    if (last) go(e, e->length, &a);
+    const double t[2] = {cos(a.heading), sin(a.heading)};
+    double row[UNKNOWNS];
+    place_row(e, &a, t, row);
+    if (last) row[3] += 1;
+    row_add(q, row, p->weight, t[0] * (p->x - a.x) + t[1] * (p->y - a.y));
+}
+
+/* The feet of all nodes, in their order, and what they pull by (normal: [n] or NULL). */
+static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *foot, Normal *normal)
+{
+    int q = 0;
+    Along at = piece_start(&piece[0].e);
+    for (int i = 0; i < m; ++i) {
+        go_to_foot(&piece[q].e, &node[i], &at);
+        while (q + 1 < n && at.s > piece[q].e.length) {
+            at = piece_start(&piece[++q].e);
+            go_to_foot(&piece[q].e, &node[i], &at);
+            if (at.s < 0) at = piece_start(&piece[q].e);
+        }
+        Along here = at;
+        if ((q > 0 && at.s < 0) || (i == 0 && q == 0)) here = piece_start(&piece[q].e);
+        if (i == m - 1 && q == n - 1) go(&piece[q].e, piece[q].e.length - here.s, &here);
+        const double left[2] = {-sin(here.heading), cos(here.heading)};
+        const double away = left[0] * (node[i].x - here.x) + left[1] * (node[i].y - here.y);
+        foot[i] = (Foot){q, here.s, away};
+        if (!normal) continue;
+        double row[UNKNOWNS];
+        place_row(&piece[q].e, &here, left, row);
+        row_add(&normal[q], row, node[i].weight, away);
+    }
+    if (!normal) return;
+    end_add(&piece[0].e, &node[0], 0, &normal[0]);
+    end_add(&piece[n - 1].e, &node[m - 1], 1, &normal[n - 1]);
+}
+
+/* ------------------------------------------------------------------------------------------------------ constraints */
+
+/* A row of constraint `row`, and the same as a column. */
+static void constrain(double *a, int row, int column, double value)
+{
+    *band_at(a, HALF, row, column) += value;
+    *band_at(a, HALF, column, row) += value;
+}
+
+int chain_tied(const Piece *p)
+{
+    return !p[1].loose && !(p[0].kept && p[1].kept) && (p[0].kind == PIECE_CLOTHOID || p[1].kind == PIECE_CLOTHOID);
+}
+
+static int is_fixed(const Piece *p) { return p->kind == PIECE_STRAIGHT || p->kept; }
+
+/* By how much a piece misses what its kind says of its curvatures, and the next piece's start: (FT4). In the places of
+ * their multipliers, from KIND on. */
+static void misses_find(const Piece *p, int last, double miss[BLOCK])
+{
+    memset(miss, 0, BLOCK * sizeof *miss);
+    if (p->kind == PIECE_STRAIGHT) {
+        miss[KIND] = p->e.k0;
+        miss[KIND + 1] = p->e.k1;
+    } else if (!is_fixed(p) && p->kind == PIECE_ARC) {
+        miss[KIND] = p->e.k0 - p->e.k1;
+    }
+    if (last) return;
+    Along end = piece_start(&p->e);
+    go(&p->e, p->e.length, &end);
+    miss[JOINT] = end.x - p[1].e.x;
+    miss[JOINT + 1] = end.y - p[1].e.y;
+    miss[JOINT + 2] = remainder(end.heading - p[1].e.heading, 2 * acos(-1));
+    if (chain_tied(p)) miss[TIE] = p->e.k1 - p[1].e.k0;
+}
+
+static void kind_constrain(const Piece *p, int at, double *a)
+{
+    for (int i = 0; i < 2 && is_fixed(p); ++i) constrain(a, at + KIND + i, at + 4 + i, 1);
+    if (!is_fixed(p) && p->kind == PIECE_ARC) {
+        constrain(a, at + KIND, at + 4, 1);
+        constrain(a, at + KIND, at + 5, -1);
+    }
+}
+
+/* The next piece begins where this one ends. */
+static void joint_constrain(const Piece *p, int at, double *a)
+{
+    Along end = piece_start(&p->e);
+    go(&p->e, p->e.length, &end);
+    const double x[2] = {1, 0}, y[2] = {0, 1}, t[2] = {cos(end.heading), sin(end.heading)};
+    double row[3][UNKNOWNS] = {{0}, {0}, {0, 0, 1, 0.5 * (p->e.k0 + p->e.k1), 0.5 * p->e.length, 0.5 * p->e.length}};
+    place_row(&p->e, &end, x, row[0]);
+    place_row(&p->e, &end, y, row[1]);
+    for (int k = 0; k < 2; ++k) row[k][3] += t[k];
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < UNKNOWNS; ++i) constrain(a, at + JOINT + k, at + i, row[k][i]);
+        constrain(a, at + JOINT + k, at + BLOCK + k, -1);
+    }
+    if (!chain_tied(p)) return;
+    constrain(a, at + TIE, at + 5, 1);
+    constrain(a, at + TIE, at + BLOCK + 4, -1);
+}
+
+/* Steps that the points say nothing about are not taken: a doubled length, or a curvature that moves the middle by 1 m,
+ * costs as much as a node 3 mm and 10 mm away. */
+static void damp(const PlanElement *e, double strength, double *a, int at)
+{
+    const double L2 = e->length * e->length, sag = L2 / 8;
+    const double least[UNKNOWNS] = {1e-8, 1e-8, 1e-8 * L2, 1e-5 / L2, 1e-4 * sag * sag, 1e-4 * sag * sag};
+    for (int i = 0; i < UNKNOWNS; ++i) *band_at(a, HALF, at + i, at + i) += strength * least[i];
+}
+
+/* A multiplier without a constraint is 0. */
+static void idle_fill(double *a, int at)
+{
+    for (int i = KIND; i < BLOCK; ++i) {
+        int used = 0;
+        for (int j = at + i > HALF ? at + i - HALF : 0; j < at + i; ++j) used |= *band_at(a, HALF, at + i, j) != 0;
+        if (!used) *band_at(a, HALF, at + i, at + i) = 1;
+    }
+}
+
+/* What a refinement works with, all [n blocks]. */
+typedef struct Work {
+    Normal *normal;
+    double *a, *b, *price; /* price: what a metre of a miss costs, above its multiplier */
+    Piece *before;
+} Work;
+
+static int work_alloc(int n, Work *w)
+{
+    const size_t rows = (size_t)n * BLOCK;
+    *w = (Work){malloc((size_t)n * sizeof *w->normal), malloc(rows * (3 * HALF + 1) * sizeof *w->a),
+                malloc(rows * sizeof *w->b), calloc(rows, sizeof *w->price), malloc((size_t)n * sizeof *w->before)};
+    return w->normal && w->a && w->b && w->price && w->before;
+}
+
+static void work_free(Work *w)
+{
+    free(w->normal);
+    free(w->a);
+    free(w->b);
+    free(w->price);
+    free(w->before);
+}
+
+/* The step that Newton's equations give, in w->b; 0: there is none. */
+static int step_find(int n, const Piece *piece, double strength, Work *w)
+{
+    memset(w->a, 0, (size_t)n * BLOCK * (3 * HALF + 1) * sizeof *w->a);
+    for (int q = 0; q < n; ++q) {
+        const int at = q * BLOCK;
+        misses_find(&piece[q], q + 1 == n, &w->b[at]);
+        for (int i = 0; i < BLOCK; ++i) w->b[at + i] = i < UNKNOWNS ? w->normal[q].g[i] : -w->b[at + i];
+        for (int i = 0; i < UNKNOWNS; ++i) {
+            for (int k = 0; k < UNKNOWNS; ++k) *band_at(w->a, HALF, at + i, at + k) += w->normal[q].h[i][k];
+        }
+        damp(&piece[q].e, strength, w->a, at);
+        kind_constrain(&piece[q], at, w->a);
+        if (q + 1 < n) joint_constrain(&piece[q], at, w->a);
+        idle_fill(w->a, at);
+    }
+    return band_solve(n * BLOCK, HALF, w->a, w->b);
+}
+
+/* Takes the step, or as much of it as shortens no piece by more than 0.6 and turns none by more than 0.4 rad. The
+ * largest move of a joint and change of a length, m; NAN: it is none. */
+static double step_take(int n, Piece *piece, const double *b)
+{
+    double part = 1, change = 0;
+    for (int q = 0; q < n; ++q) {
+        const double *const u = &b[q * BLOCK], L = piece[q].e.length;
+        const double bend = L * fmax(fabs(u[4]), fabs(u[5]));
+        const double worst = fmax(-u[3] / (0.6 * L), fmax(fabs(u[2]), bend) / 0.4);
+        if (!isfinite(u[3] + worst + u[0] + u[1])) return NAN;
+        if (worst > 1) part = fmin(part, 1 / worst);
+        change = fmax(change, fmax(hypot(u[0], u[1]), fabs(u[3])));
+    }
+    for (int q = 0; q < n; ++q) {
+        const double *const u = &b[q * BLOCK];
+        PlanElement *const e = &piece[q].e;
+        e->x += part * u[0];
+        e->y += part * u[1];
+        e->heading += part * u[2];
+        e->length = fmin(e->length + part * u[3], 1e7);
+        e->k0 += part * u[4];
+        e->k1 += part * u[5];
+    }
+    return change;
+}
+
+/* What is missed, at its price: with half the squares it is what a good step lowers. */
+static double misses_price(int n, const Piece *piece, const double *price)
+{
+    double sum = 0, miss[BLOCK];
+    for (int q = 0; q < n; ++q) {
+        misses_find(&piece[q], q + 1 == n, miss);
+        for (int i = KIND; i < BLOCK; ++i) sum += price[q * BLOCK + i] * fabs(miss[i]);
+    }
+    return sum;
+}
+
+hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, Foot *foot, hawser_error *err)
+{
+    Work w;
+    const int memory = work_alloc(n, &w);
+    double strength = 1, change = INFINITY;
+    for (int i = 0; memory && i <= steps; ++i) {
+        memset(w.normal, 0, (size_t)n * sizeof *w.normal);
+        feet_find(n, piece, m, node, foot, w.normal);
+        if (i == steps || change < 1e-6) break;
+        memcpy(w.before, piece, (size_t)n * sizeof *piece);
+        const double squares = 0.5 * chain_squares(m, node, foot);
+        double was = INFINITY, is = INFINITY;
+        for (int tries = 0; tries < 6; ++tries, strength *= 30) { /* stiffer until it is better */
+            memcpy(piece, w.before, (size_t)n * sizeof *piece);
+            if (!step_find(n, piece, strength, &w)) continue;
+            for (int k = 0; k < n * BLOCK; ++k) w.price[k] = fmax(w.price[k], 2 * fabs(w.b[k]));
+            was = squares + misses_price(n, piece, w.price);
+            change = step_take(n, piece, w.b);
+            if (isnan(change)) continue;
+            feet_find(n, piece, m, node, foot, NULL);
+            is = 0.5 * chain_squares(m, node, foot) + misses_price(n, piece, w.price);
+            if (is <= was * (1 + 1e-9)) break;
+        }
+        if (!(is <= was * (1 + 1e-9))) {
+            memcpy(piece, w.before, (size_t)n * sizeof *piece);
+            steps = i + 1;
+        }
+        strength = fmax(1, strength / 30);
+    }
+    work_free(&w);
+    return memory ? HAWSER_OK : error_memory(err);
+}
+
+double chain_squares(int m, const Node *node, const Foot *foot)
+{
+    double sum = 0;
+    for (int i = 0; i < m; ++i) sum += node[i].weight * foot[i].away * foot[i].away;
+    return sum;
+}
+
+void chain_close(int n, Piece *piece)
+{
+    for (int q = 0; q < n; ++q) {
+        PlanElement *const e = &piece[q].e;
+        if (piece[q].kind == PIECE_STRAIGHT) e->k0 = e->k1 = 0;
+        if (piece[q].kind == PIECE_ARC && !piece[q].kept) e->k0 = e->k1 = 0.5 * (e->k0 + e->k1);
+        if (q == 0) continue;
+        const PlanElement end = plan_at(&piece[q - 1].e, piece[q - 1].e.length);
+        e->x = end.x;
+        e->y = end.y;
+        e->heading = end.heading;
+    }
+}

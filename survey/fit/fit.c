@@ -1,0 +1,452 @@
+#include "survey/fit/fit.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "survey/fit/chain.h"
+
+enum { NODES_MOST = 20000, CORNER_PARTS = 12, CURVE_PARTS = 16, CLOSE_STEPS = 60 };
+
+static const double PI = 3.14159265358979323846;
+
+FitOptions fit_options(void) { return (FitOptions){.deviation = 0.05, .least_radius = NAN, .clothoids = 1}; }
+
+/* A line of places in a plane, in their order: x and y, or station and height. */
+typedef struct Line {
+    int n;
+    Node *node; /* [n] weights 1 */
+} Line;
+
+/* ------------------------------------------------------------------------------------------------------- scatter */
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* How far point 2 of 5 lies beside the cubic through the others, over what that is of one point's scatter. */
+static double beside(const Node *p)
+{
+    double u[5] = {0}, x = -p[2].x, y = -p[2].y, squares = 1;
+    for (int i = 1; i < 5; ++i) u[i] = u[i - 1] + hypot(p[i].x - p[i - 1].x, p[i].y - p[i - 1].y);
+    for (int i = 0; i < 5; ++i) {
+        double w = 1; /* Lagrange's weight */
+        if (i == 2) continue;
+        for (int k = 0; k < 5; ++k) {
+            if (k != i && k != 2) w *= (u[2] - u[k]) / (u[i] - u[k]);
+        }
+        x += w * p[i].x;
+        y += w * p[i].y;
+        squares += w * w;
+    }
+    const double cx = p[3].x - p[1].x, cy = p[3].y - p[1].y;
+    return fabs(cx * y - cy * x) / fmax(hypot(cx, cy), 1e-300) / sqrt(squares);
+}
+
+/* The standard deviation of points about a smooth line, by the median: (FT7). 0 of fewer than 9. NAN: no memory. */
+static double scatter_of(const Line *l)
+{
+    const int n = l->n - 4;
+    if (n < 5) return 0;
+    double *const off = malloc((size_t)n * sizeof *off);
+    if (!off) return NAN;
+    for (int i = 0; i < n; ++i) off[i] = beside(&l->node[i]);
+    qsort(off, (size_t)n, sizeof *off, by_size);
+    const double sigma = off[n / 2] / 0.6745;
+    free(off);
+    return isfinite(sigma) ? sigma : 0;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- nodes */
+
+/* Points that are closer than `least` become one; at most NODES_MOST. 0: no memory. */
+static int nodes_thin(const Line *l, double least, Line *out)
+{
+    double length = 0;
+    for (int i = 1; i < l->n; ++i) length += hypot(l->node[i].x - l->node[i - 1].x, l->node[i].y - l->node[i - 1].y);
+    const double step = fmax(least, l->n > NODES_MOST ? 2 * length / NODES_MOST : 1e-6);
+    *out = (Line){0, malloc((size_t)l->n * sizeof *out->node)};
+    if (!out->node) return 0;
+    Node begun = l->node[0];
+    for (int i = 0; i < l->n; ++i) {
+        const Node *const p = &l->node[i];
+        Node *const sum = out->n ? &out->node[out->n - 1] : NULL;
+        if (sum && i + 1 < l->n && hypot(p->x - begun.x, p->y - begun.y) < step) {
+            const double w = sum->weight + p->weight;
+            sum->x += p->weight / w * (p->x - sum->x);
+            sum->y += p->weight / w * (p->y - sum->y);
+            sum->weight = w;
+            continue;
+        }
+        begun = *p;
+        out->node[out->n++] = *p;
+    }
+    const Node *const end = &out->node[out->n - 1];
+    if (out->n > 2 && hypot(end->x - end[-1].x, end->y - end[-1].y) < 0.2 * step) {
+        out->node[out->n - 2] = *end;
+        out->n--;
+    }
+    return 1;
+}
+
+static double turn_at(const Line *l, int i)
+{
+    if (i < 1 || i + 1 >= l->n) return 0;
+    const Node *const p = &l->node[i];
+    return remainder(atan2(p[1].y - p->y, p[1].x - p->x) - atan2(p->y - p[-1].y, p->x - p[-1].x), 2 * PI);
+}
+
+/* A corner of a drawn line, not a point on a bend: it turns much, or alone. */
+static int is_corner(const Line *l, int i, double scatter, double deviation)
+{
+    if (i < 1 || i + 1 >= l->n) return 0;
+    const Node *const p = &l->node[i];
+    const double h = fmin(hypot(p[1].x - p->x, p[1].y - p->y), hypot(p->x - p[-1].x, p->y - p[-1].y));
+    const double turn = fabs(turn_at(l, i)) - 12 * scatter / h;
+    const double beside = fmax(fabs(turn_at(l, i - 1)), fabs(turn_at(l, i + 1)));
+    return turn > 0.5 || (turn > 4 * beside && turn * h / 8 > deviation);
+}
+
+/* The straights beside corners get points of their own: they are straight, and not the chords of a bend. 0: no
+ * memory. */
+static int corners_fill(const Line *l, double scatter, double deviation, Line *out)
+{
+    *out = (Line){0, malloc((size_t)l->n * CORNER_PARTS * sizeof *out->node)};
+    if (!out->node) return 0;
+    for (int i = 0; i < l->n; ++i) {
+        out->node[out->n++] = l->node[i];
+        if (i + 1 == l->n || !(is_corner(l, i, scatter, deviation) || is_corner(l, i + 1, scatter, deviation)))
+            continue;
+        for (int k = 1; k < CORNER_PARTS; ++k) {
+            const double part = (double)k / CORNER_PARTS;
+            const Node *const a = &l->node[i], *const b = a + 1;
+            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1};
+        }
+    }
+    return 1;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- a chain */
+
+typedef struct Fitted {
+    int n;
+    Piece *piece; /* [n] */
+    Foot *foot;   /* [n of the line] of every point */
+    double scatter;
+} Fitted;
+
+static void fitted_clear(Fitted *f)
+{
+    free(f->piece);
+    free(f->foot);
+    *f = (Fitted){0};
+}
+
+/* The chain through the line, from given pieces on if there are some (in f->piece). */
+static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
+{
+    Line thin = {0, NULL}, full = {0, NULL};
+    Foot *foot = NULL;
+    f->scatter = scatter_of(l);
+    const double sigma = fmin(fmax(f->scatter, o->deviation / 5), o->deviation / 2);
+    const double step = fmin(10 * f->scatter, 5 * o->deviation);
+    int memory = !isnan(f->scatter) && nodes_thin(l, step, &thin);
+    if (memory) memory = corners_fill(&thin, f->scatter, o->deviation, &full);
+    if (memory) memory = (foot = malloc((size_t)full.n * sizeof *foot)) != NULL;
+    if (memory) memory = (f->foot = malloc((size_t)l->n * sizeof *f->foot)) != NULL;
+    hawser_status status = memory ? HAWSER_OK : error_memory(err);
+    if (!status && !f->piece) status = cuts_find(full.n, full.node, sigma, clothoids, &f->piece, &f->n, err);
+    if (!status) status = corners_round(&f->piece, &f->n, o->deviation, err);
+    if (!status) {
+        status = chain_improve(&f->piece, &f->n, full.n, full.node, sigma, clothoids, foot, err);
+    }
+    if (!status) status = chain_refine(f->n, f->piece, full.n, full.node, CLOSE_STEPS, foot, err);
+    if (!status) {
+        chain_close(f->n, f->piece);
+        status = chain_refine(f->n, f->piece, l->n, l->node, 0, f->foot, err);
+    }
+    free(thin.node);
+    free(full.node);
+    free(foot);
+    return status;
+}
+
+static void deviations(const Fitted *f, int n, double *largest, double *rms)
+{
+    double sum = 0;
+    *largest = 0;
+    for (int i = 0; i < n; ++i) {
+        *largest = fmax(*largest, fabs(f->foot[i].away));
+        sum += f->foot[i].away * f->foot[i].away;
+    }
+    *rms = sqrt(sum / n);
+}
+
+/* ------------------------------------------------------------------------------------------------------- the plan */
+
+static int is_smooth_profile(const Alignment *a)
+{
+    for (int i = 1; i < a->n_profile; ++i) {
+        const ProfileElement end = profile_at(&a->profile[i - 1], a->profile[i].station - a->profile[i - 1].station);
+        if (fabs(end.z - a->profile[i].z) > 1e-3 || fabs(end.grade - a->profile[i].grade) > 1e-3) return 0;
+    }
+    return 1;
+}
+
+static int is_smooth_plan(const Alignment *a)
+{
+    const AlignmentMeasure m = alignment_measure(a);
+    return a->n_plan > 0 && m.gap < 1e-3 && m.turn < 1e-3;
+}
+
+static int node_add(Line *l, double x, double y)
+{
+    if (l->n && hypot(l->node[l->n - 1].x - x, l->node[l->n - 1].y - y) < 1e-6) return 1;
+    if ((l->n & (l->n - 1)) == 0) {
+        Node *const wider = realloc(l->node, (l->n ? 2 * (size_t)l->n : 1) * sizeof *wider);
+        if (!wider) return 0;
+        l->node = wider;
+    }
+    l->node[l->n++] = (Node){x, y, 1};
+    return 1;
+}
+
+/* The line's points, or its elements' ends with points along curves, all from `origin` on. 0: no memory. */
+static int plan_line(const Alignment *a, Vec3 origin, Line *l)
+{
+    int fine = 1;
+    for (int i = 0; i < a->n_points && fine; ++i) {
+        fine = node_add(l, a->point[i].x - origin.x, a->point[i].y - origin.y);
+    }
+    for (int i = 0; i < a->n_plan && fine; ++i) {
+        const int parts = a->plan[i].k0 != 0 || a->plan[i].k1 != 0 ? CURVE_PARTS : 1;
+        for (int k = 0; k <= parts && fine; ++k) {
+            const PlanElement at = plan_at(&a->plan[i], a->plan[i].length * k / parts);
+            fine = node_add(l, at.x - origin.x, at.y - origin.y);
+        }
+    }
+    return fine;
+}
+
+/* Pieces of a line that has curves already: these are kept, and straights between them. 0: no memory. */
+static int pieces_kept(const Alignment *a, Vec3 origin, Fitted *f)
+{
+    int curves = 0;
+    for (int i = 0; i < a->n_plan; ++i) curves += a->plan[i].k0 != 0 || a->plan[i].k1 != 0;
+    if (curves == 0 || 3 * curves < a->n_plan) return 1; /* what is between them are chords */
+    f->piece = malloc((size_t)a->n_plan * sizeof *f->piece);
+    for (int i = 0; f->piece && i < a->n_plan; ++i) {
+        const PlanElement *const e = &a->plan[i];
+        const int straight = e->k0 == 0 && e->k1 == 0;
+        f->piece[f->n] = (Piece){straight         ? PIECE_STRAIGHT
+                                 : e->k0 == e->k1 ? PIECE_ARC
+                                                  : PIECE_CLOTHOID,
+                                 !straight, 1, *e};
+        f->piece[f->n].e.x -= origin.x;
+        f->piece[f->n++].e.y -= origin.y;
+    }
+    return f->piece != NULL;
+}
+
+static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment *out, FitReport *report,
+                              hawser_error *err)
+{
+    const Vec3 origin = alignment_at(a, 0).at;
+    Line l = {0, NULL};
+    Fitted f = {0};
+    hawser_status status = plan_line(a, origin, &l) && pieces_kept(a, origin, &f) ? HAWSER_OK : error_memory(err);
+    if (!status && l.n < 2) status = error_set(err, HAWSER_ERR_INPUT, "'%.60s' has fewer than two points", a->name);
+    if (!status) status = line_fit(&l, o, o->clothoids, &f, err);
+    for (int i = 0; i < f.n && !status; ++i) {
+        PlanElement *const e = alignment_add_plan(out);
+        if (!e)
+            status = error_memory(err);
+        else {
+            *e = f.piece[i].e;
+            e->x += origin.x;
+            e->y += origin.y;
+        }
+    }
+    if (!status) {
+        report->fitted = 1;
+        report->points = l.n;
+        report->scatter = f.scatter;
+        deviations(&f, l.n, &report->largest, &report->rms);
+    }
+    fitted_clear(&f);
+    free(l.node);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------------- heights */
+
+/* Stations and heights of points beside the plan, in their order. */
+static hawser_status heights_of_points(const Alignment *plan, const Alignment *from, Line *l, hawser_error *err)
+{
+    const Vec3 origin = alignment_at(plan, 0).at;
+    const int n = from->n_points;
+    Piece *const piece = malloc((size_t)plan->n_plan * sizeof *piece);
+    Node *const node = malloc((size_t)n * sizeof *node);
+    Foot *const foot = malloc((size_t)n * sizeof *foot);
+    double *const start = malloc((size_t)plan->n_plan * sizeof *start);
+    hawser_status status = piece && node && foot && start ? HAWSER_OK : error_memory(err);
+    for (int q = 0; q < plan->n_plan && !status; ++q) {
+        piece[q] = (Piece){.e = plan->plan[q]};
+        piece[q].e.x -= origin.x;
+        piece[q].e.y -= origin.y;
+        start[q] = q ? start[q - 1] + plan->plan[q - 1].length : 0;
+    }
+    for (int i = 0; i < n && !status; ++i) {
+        node[i] = (Node){from->point[i].x - origin.x, from->point[i].y - origin.y, 1};
+    }
+    if (!status) status = chain_refine(plan->n_plan, piece, n, node, 0, foot, err);
+    for (int i = 0; i < n && !status; ++i) {
+        const double s = start[foot[i].piece] + foot[i].s;
+        if (l->n && s < l->node[l->n - 1].x + 1e-6) continue; /* back or straight up */
+        if (!node_add(l, s, from->point[i].z)) status = error_memory(err);
+    }
+    free(piece);
+    free(node);
+    free(foot);
+    free(start);
+    return status;
+}
+
+/* The corners of a profile's elements, with points along its curves. */
+static int heights_of_profile(const Alignment *from, Line *l)
+{
+    int fine = 1;
+    for (int i = 0; i < from->n_profile && fine; ++i) {
+        const ProfileElement *const e = &from->profile[i];
+        const int parts = e->bend != 0 ? CURVE_PARTS : 1;
+        for (int k = 0; k <= parts && fine; ++k) {
+            const ProfileElement at = profile_at(e, e->length * k / parts);
+            if (!l->n || at.station > l->node[l->n - 1].x + 1e-9) fine = node_add(l, at.station, at.z);
+        }
+    }
+    return fine;
+}
+
+/* A drawn profile: its points or elements' ends, x the station. */
+static int heights_drawn(const Alignment *from, Line *l)
+{
+    if (!plan_line(from, V3_ZERO, l)) return 0;
+    for (int i = 0, j = l->n - 1; i < j && l->node[0].x > l->node[l->n - 1].x; ++i, --j) {
+        const Node kept = l->node[i];
+        l->node[i] = l->node[j];
+        l->node[j] = kept;
+    }
+    return 1;
+}
+
+static hawser_status profile_take(const Piece *p, Alignment *out, hawser_error *err)
+{
+    const PlanElement end = plan_at(&p->e, p->e.length);
+    if (fmax(fabs(p->e.heading), fabs(end.heading)) > 80 * PI / 180) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.60s' is steeper than 80 deg %.1f m from its start: no profile can say that", out->name,
+                         p->e.x);
+    }
+    ProfileElement *const e = alignment_add_profile(out);
+    if (!e) return error_memory(err);
+    *e = (ProfileElement){.kind = p->kind == PIECE_ARC ? PROFILE_ARC : PROFILE_PARABOLA,
+                          .station = p->e.x,
+                          .length = end.x - p->e.x,
+                          .z = p->e.y,
+                          .grade = tan(p->e.heading),
+                          .bend = p->kind == PIECE_ARC ? p->e.k0 : 0};
+    return HAWSER_OK;
+}
+
+static hawser_status heights_fit(Line *l, const FitOptions *o, Alignment *out, FitReport *report, hawser_error *err)
+{
+    Fitted f = {0};
+    if (l->n < 2)
+        return error_set(err, HAWSER_ERR_INPUT, "the profile of '%.60s' has fewer than two points", out->name);
+    const double z0 = l->node[0].y;
+    for (int i = 0; i < l->n; ++i) l->node[i].y -= z0;
+    hawser_status status = line_fit(l, o, 0, &f, err);
+    for (int i = 0; i < f.n && !status; ++i) {
+        f.piece[i].e.y += z0;
+        status = profile_take(&f.piece[i], out, err);
+    }
+    if (!status) deviations(&f, l->n, &report->largest_height, &report->rms_height);
+    fitted_clear(&f);
+    return status;
+}
+
+static hawser_status profile_copy(const Alignment *from, Alignment *out, hawser_error *err)
+{
+    for (int i = 0; i < from->n_profile; ++i) {
+        ProfileElement *const e = alignment_add_profile(out);
+        if (!e) return error_memory(err);
+        *e = from->profile[i];
+    }
+    return HAWSER_OK;
+}
+
+static hawser_status profile_fit(const Alignment *from, const FitOptions *o, Alignment *out, FitReport *report,
+                                 hawser_error *err)
+{
+    Line l = {0, NULL};
+    hawser_status status = HAWSER_OK;
+    if (o->profile_drawn && from->n_profile == 0)
+        status = heights_drawn(from, &l) ? HAWSER_OK : error_memory(err);
+    else if (from->n_profile == 0 && (from->flat || from->n_points == 0))
+        return HAWSER_OK; /* level at 0 */
+    else if (from->n_profile && is_smooth_profile(from))
+        return profile_copy(from, out, err);
+    else if (from->n_profile)
+        status = heights_of_profile(from, &l) ? HAWSER_OK : error_memory(err);
+    else
+        status = heights_of_points(out, from, &l, err);
+    if (!status) status = heights_fit(&l, o, out, report, err);
+    free(l.node);
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- the whole
+ */
+
+static void radii_report(const Alignment *a, double limit, FitReport *r)
+{
+    double s = 0;
+    r->least_radius = r->least_profile = INFINITY;
+    for (int i = 0; i < a->n_plan; s += a->plan[i].length, ++i) {
+        const double radius = 1 / fmax(fabs(a->plan[i].k0), fabs(a->plan[i].k1));
+        r->n_tight += radius < limit;
+        if (radius < r->least_radius) r->least_radius = radius, r->least_at = s;
+    }
+    for (int i = 0; i < a->n_profile; ++i) {
+        const ProfileElement *const e = &a->profile[i];
+        const double least =
+            fmin(fabs(e->grade), fabs(profile_at(e, e->length).grade)); /* a parabola bends most there */
+        const double radius = (e->kind == PROFILE_ARC ? 1 : pow(1 + least * least, 1.5)) / fabs(e->bend);
+        r->n_tight_profile += radius < limit;
+        if (radius < r->least_profile) r->least_profile = radius, r->least_profile_at = e->station;
+    }
+}
+
+hawser_status fit_alignment(const Alignment *line, const Alignment *profile, const FitOptions *options, Alignment *out,
+                            FitReport *report, hawser_error *err)
+{
+    *report = (FitReport){0};
+    *out = (Alignment){.stated_length = line->stated_length, .station = line->station};
+    memcpy(out->name, line->name, sizeof out->name);
+    memcpy(out->layer, line->layer, sizeof out->layer);
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < line->n_plan && !status && is_smooth_plan(line); i = line->n_plan) {
+        Alignment plan = *line;
+        plan.n_profile = plan.n_points = 0;
+        plan.profile = NULL;
+        plan.point = NULL;
+        if (!alignment_copy(&plan, out)) status = error_memory(err);
+    }
+    if (!status && out->n_plan == 0) status = plan_fit(line, options, out, report, err);
+    if (!status) status = profile_fit(profile ? profile : line, options, out, report, err);
+    if (status) alignment_clear(out);
+    radii_report(out, options->least_radius, report);
+    return status;
+}

@@ -1,0 +1,432 @@
+#include "survey/fit/join.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "core/base/error.h"
+
+enum { SAMPLES = 16, LOOKED_AT = 64 };
+
+/* A gap is looked for within this many tolerances of an end. */
+static const double gap_reach = 100;
+
+JoinOptions join_options(void) { return (JoinOptions){.tolerance = 0.01, .layer = NULL, .name = NULL}; }
+
+/* ------------------------------------------------------------------------------------------------- a grid of points */
+
+/* Points by the cell of the plan that they lie in. */
+typedef struct Grid {
+    double cell;
+    unsigned mask; /* slots - 1, a power of two less one */
+    int *first;    /* [slots] a point of this hash, -1: none */
+    int *next;     /* [n] */
+    const Vec3 *at;
+} Grid;
+
+static unsigned cell_hash(int64_t x, int64_t y)
+{
+    uint64_t h = (uint64_t)x * 0x9E3779B97F4A7C15u ^ ((uint64_t)y + 0x7F4A7C15u) * 0xC2B2AE3D27D4EB4Fu;
+    h ^= h >> 29;
+    h *= 0xBF58476D1CE4E5B9u;
+    return (unsigned)(h >> 32);
+}
+
+static int64_t cell_of(const Grid *g, double x) { return (int64_t)fmin(fmax(floor(x / g->cell), -9e17), 9e17); }
+
+static void grid_put(Grid *g, int i)
+{
+    int *const first = &g->first[cell_hash(cell_of(g, g->at[i].x), cell_of(g, g->at[i].y)) & g->mask];
+    g->next[i] = *first;
+    *first = i;
+}
+
+static int grid_alloc(int n, const Vec3 *at, double cell, Grid *g)
+{
+    unsigned slots = 64;
+    while (slots < (unsigned)n && slots < 1u << 30) slots *= 2;
+    *g = (Grid){cell, slots - 1, malloc(slots * sizeof *g->first), malloc((size_t)n * sizeof *g->next), at};
+    for (unsigned i = 0; g->first && i < slots; ++i) g->first[i] = -1;
+    return g->first && g->next;
+}
+
+static void grid_free(Grid *g)
+{
+    free(g->first);
+    free(g->next);
+}
+
+/* Calls for every point in the cells at and about a point, at most LOOKED_AT of a cell, until it says 1. */
+static void grid_near(const Grid *g, Vec3 p, int (*each)(void *data, int i), void *data)
+{
+    for (int k = 0; k < 9; ++k) {
+        const int64_t x = cell_of(g, p.x) + k % 3 - 1, y = cell_of(g, p.y) + k / 3 - 1;
+        int looked = 0;
+        for (int i = g->first[cell_hash(x, y) & g->mask]; i >= 0 && looked < LOOKED_AT; i = g->next[i]) {
+            if (cell_of(g, g->at[i].x) != x || cell_of(g, g->at[i].y) != y) continue;
+            ++looked;
+            if (each(data, i)) return;
+        }
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------------- ends */
+
+/* Pieces that are to be joined, with their two ends. */
+typedef struct Net {
+    int n;
+    const Alignment **piece; /* [n] */
+    double *length;          /* [n] m in plan; -1: left out */
+    Vec3 *end;               /* [2 n] end 2 i is piece i's start, 2 i + 1 its end */
+    int *knot;               /* [2 n] the first end that lies there; -1: not looked at yet */
+    int *first;              /* [2 n] of a knot: its first end, then `other` */
+    int *other;              /* [2 n] the next end at the same knot, -1: no more */
+    int *ends;               /* [2 n] of a knot: how many */
+    char *used;              /* [n] */
+    int *order;              /* [n] */
+} Net;
+
+static int is_chosen(const Alignment *a, const JoinOptions *o)
+{
+    if (o->layer && strcasecmp(o->layer, a->layer)) return 0;
+    if (o->name && strcasecmp(o->name, a->name)) return 0;
+    return a->n_plan > 0 || a->n_points > 1;
+}
+
+static int net_alloc(const Survey *s, Net *net)
+{
+    const size_t n = (size_t)s->n + 1;
+    *net = (Net){0,
+                 malloc(n * sizeof *net->piece),
+                 malloc(n * sizeof *net->length),
+                 malloc(2 * n * sizeof *net->end),
+                 malloc(2 * n * sizeof *net->knot),
+                 malloc(2 * n * sizeof *net->first),
+                 malloc(2 * n * sizeof *net->other),
+                 calloc(2 * n, sizeof *net->ends),
+                 calloc(n, 1),
+                 malloc(n * sizeof *net->order)};
+    return net->piece && net->length && net->end && net->knot && net->first && net->other && net->ends && net->used &&
+           net->order;
+}
+
+static void net_free(Net *net)
+{
+    free(net->piece);
+    free(net->length);
+    free(net->end);
+    free(net->knot);
+    free(net->first);
+    free(net->other);
+    free(net->ends);
+    free(net->used);
+    free(net->order);
+}
+
+static void net_fill(const Survey *s, const JoinOptions *o, Net *net)
+{
+    for (int i = 0; i < s->n; ++i) {
+        if (!is_chosen(&s->alignment[i], o)) continue;
+        const AlignmentMeasure m = alignment_measure(&s->alignment[i]);
+        net->piece[net->n] = &s->alignment[i];
+        net->length[net->n] = m.plan_length;
+        net->end[2 * net->n] = m.start;
+        net->end[2 * net->n + 1] = m.end;
+        ++net->n;
+    }
+}
+
+static int is_flat(const Alignment *a) { return a->n_profile == 0 && (a->flat || a->n_points == 0); }
+
+typedef struct Search {
+    const Net *net;
+    int from, found;
+    double within, least;
+} Search;
+
+/* An end that may be the same place: near in plan, and in height if both have heights. */
+static int end_near(void *data, int i)
+{
+    Search *const s = data;
+    const Vec3 a = s->net->end[s->from], b = s->net->end[i];
+    const double away = hypot(a.x - b.x, a.y - b.y);
+    const int level = is_flat(s->net->piece[s->from / 2]) || is_flat(s->net->piece[i / 2]);
+    if (i == s->from || away > s->within || away >= s->least) return 0;
+    if (!level && fabs(a.z - b.z) > s->within) return 0;
+    s->least = away;
+    s->found = i;
+    return 0;
+}
+
+/* Ends that lie within the tolerance of an earlier one lie at its knot. */
+static int knots_find(const JoinOptions *o, Net *net)
+{
+    Grid g;
+    const int fine = grid_alloc(2 * net->n, net->end, o->tolerance, &g);
+    for (int i = 0; fine && i < 2 * net->n; ++i) {
+        Search s = {net, i, -1, o->tolerance, INFINITY};
+        net->first[i] = net->other[i] = -1;
+        grid_near(&g, net->end[i], end_near, &s);
+        net->knot[i] = s.found < 0 ? i : net->knot[s.found];
+        if (s.found < 0) grid_put(&g, i); /* the first there stands for all */
+    }
+    grid_free(&g);
+    return fine;
+}
+
+/* Whether two pieces between the same knots are one drawn twice: the same length, and the same middle. */
+static int is_double(const Net *net, int i, int k, double tolerance)
+{
+    const int same = net->knot[2 * i] == net->knot[2 * k] && net->knot[2 * i + 1] == net->knot[2 * k + 1];
+    const int turned = net->knot[2 * i] == net->knot[2 * k + 1] && net->knot[2 * i + 1] == net->knot[2 * k];
+    if (!(same || turned) || fabs(net->length[i] - net->length[k]) > 2 * tolerance) return 0;
+    const Vec3 a = alignment_at(net->piece[i], 0.4 * net->length[i]).at;
+    const Vec3 b = alignment_at(net->piece[k], (same ? 0.4 : 0.6) * net->length[k]).at;
+    return hypot(a.x - b.x, a.y - b.y) <= 2 * tolerance;
+}
+
+/* Hangs the ends to their knots; pieces drawn twice, and those that are shorter than the tolerance, are left out. */
+static void ends_hang(const JoinOptions *o, Net *net, Joined *joined)
+{
+    for (int i = 0; i < net->n; ++i) {
+        const int a = net->knot[2 * i], b = net->knot[2 * i + 1];
+        int twice = a == b && net->length[i] <= 2 * o->tolerance, looked = 0;
+        for (int e = net->first[a]; e >= 0 && !twice && looked < LOOKED_AT; e = net->other[e], ++looked) {
+            twice = is_double(net, e / 2, i, o->tolerance);
+        }
+        joined->doubles += twice;
+        net->used[i] = (char)twice;
+        for (int k = 0; k < 2 && !twice; ++k) {
+            const int e = 2 * i + k, knot = net->knot[e];
+            net->other[e] = net->first[knot];
+            net->first[knot] = e;
+            net->ends[knot]++;
+        }
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------------- doubts
+ */
+
+static void doubt_add(Joined *j, JoinDoubt d)
+{
+    enum { MOST = sizeof j->doubt / sizeof *j->doubt };
+    *(d.kind == JOIN_FORK ? &j->n_forks : &j->n_gaps) += 1;
+    if (j->n_doubts < MOST) j->doubt[j->n_doubts++] = d;
+}
+
+static int doubts_find(const JoinOptions *o, const Net *net, Joined *joined)
+{
+    Grid g;
+    const int fine = grid_alloc(2 * net->n, net->end, gap_reach * o->tolerance, &g);
+    for (int i = 0; fine && i < 2 * net->n; ++i) {
+        if (net->knot[i] == i && net->ends[i] > 2)
+            doubt_add(joined, (JoinDoubt){JOIN_FORK, net->end[i], net->ends[i], 0});
+        if (net->knot[i] != i || net->ends[i] == 0) continue;
+        Search s = {net, i, -1, gap_reach * o->tolerance, INFINITY};
+        if (net->ends[i] == 1) grid_near(&g, net->end[i], end_near, &s);
+        if (s.found >= 0) doubt_add(joined, (JoinDoubt){JOIN_GAP, net->end[i], 1, s.least});
+        if (net->ends[i] == 1) grid_put(&g, i); /* each pair once */
+    }
+    grid_free(&g);
+    return fine;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- lines */
+
+/* A walk from an end of a piece over knots of two, as far as they go: its pieces in order, those that are turned around
+ * as -1 - i. */
+static int walk(Net *net, int from)
+{
+    int n = 0;
+    for (int e = from; e >= 0;) {
+        const int i = e / 2, far = e ^ 1, knot = net->knot[far];
+        net->used[i] = 1;
+        net->order[n++] = e % 2 ? -1 - i : i;
+        e = -1;
+        for (int k = net->first[knot]; net->ends[knot] == 2 && k >= 0; k = net->other[k]) {
+            if (k != far && !net->used[k / 2]) e = k;
+        }
+    }
+    return n;
+}
+
+static int point_add(Alignment *a, Vec3 p)
+{
+    if (a->n_points && v3_norm(v3_sub(a->point[a->n_points - 1], p)) < 1e-9) return 1;
+    Vec3 *const to = alignment_add_point(a);
+    if (to) *to = p;
+    return to != NULL;
+}
+
+/* A piece as points: its own, or places along its elements. */
+static int points_take(const Alignment *from, Alignment *to)
+{
+    int fine = 1;
+    double s = 0;
+    for (int i = 0; i < from->n_points && fine; ++i) {
+        if (i > 0) s += hypot(from->point[i].x - from->point[i - 1].x, from->point[i].y - from->point[i - 1].y);
+        fine = point_add(to, from->n_profile ? alignment_at(from, s).at : from->point[i]);
+    }
+    for (int i = 0; i < from->n_plan && fine; s += from->plan[i++].length) {
+        const int parts = from->plan[i].k0 == 0 && from->plan[i].k1 == 0 && from->n_profile < 2 ? 1 : SAMPLES;
+        for (int k = 0; k <= parts && fine; ++k)
+            fine = point_add(to, alignment_at(from, s + from->plan[i].length * k / parts).at);
+    }
+    return fine;
+}
+
+/* A piece as elements in plan. */
+static int elements_take(const Alignment *from, Alignment *to)
+{
+    for (int i = 0; i < from->n_plan; ++i) {
+        PlanElement *const e = alignment_add_plan(to);
+        if (!e) return 0;
+        *e = from->plan[i];
+    }
+    for (int i = 0; i + 1 < from->n_points; ++i) {
+        const Vec3 *const p = &from->point[i];
+        const double length = hypot(p[1].x - p->x, p[1].y - p->y);
+        if (!(length > 1e-9)) continue;
+        PlanElement *const e = alignment_add_plan(to);
+        if (!e) return 0;
+        *e = (PlanElement){p->x, p->y, atan2(p[1].y - p->y, p[1].x - p->x), length, 0, 0};
+    }
+    return 1;
+}
+
+/* n pieces of net->order as one line: of points if there are heights, else of elements, else of points again if there
+ * is nothing but points. */
+static int line_make(const Net *net, int n, Survey *to)
+{
+    int heights = 0, elements = 0;
+    for (int k = 0; k < n; ++k) {
+        const Alignment *const a = net->piece[net->order[k] < 0 ? -1 - net->order[k] : net->order[k]];
+        heights |= !is_flat(a) && n > 1;
+        elements |= a->n_plan > 0;
+    }
+    Alignment *const line = survey_add(to, "");
+    int fine = line != NULL;
+    for (int k = 0; k < n && fine; ++k) {
+        const int turned = net->order[k] < 0;
+        Alignment piece;
+        fine = alignment_copy(net->piece[turned ? -1 - net->order[k] : net->order[k]], &piece);
+        if (!fine) break;
+        if (turned) alignment_reverse(&piece);
+        if (k == 0) {
+            memcpy(line->name, piece.name, sizeof line->name);
+            memcpy(line->layer, piece.layer, sizeof line->layer);
+            line->flat = !heights;
+        }
+        if (n == 1) { /* as it is */
+            *line = piece;
+            return 1;
+        }
+        fine = heights || !elements ? points_take(&piece, line) : elements_take(&piece, line);
+        alignment_clear(&piece);
+    }
+    return fine;
+}
+
+/* A line with its length in plan. */
+typedef struct Long {
+    double length;
+    Alignment line;
+} Long;
+
+static int by_length(const void *a, const void *b)
+{
+    const double x = ((const Long *)a)->length, y = ((const Long *)b)->length;
+    return (x < y) - (x > y);
+}
+
+/* The lines from `from` on, the longest first. 0: no memory. */
+static int lines_sort(Survey *s, int from)
+{
+    const int n = s->n - from;
+    Long *const list = malloc((size_t)(n + 1) * sizeof *list);
+    if (!list) return 0;
+    for (int i = 0; i < n; ++i) {
+        list[i] = (Long){alignment_measure(&s->alignment[from + i]).plan_length, s->alignment[from + i]};
+    }
+    qsort(list, (size_t)n, sizeof *list, by_length);
+    for (int i = 0; i < n; ++i) s->alignment[from + i] = list[i].line;
+    free(list);
+    return 1;
+}
+
+hawser_status join_lines(const Survey *from, const JoinOptions *options, Survey *to, Joined *joined, hawser_error *err)
+{
+    Net net = {0};
+    const int before = to->n;
+    *joined = (Joined){0};
+    if (!(options->tolerance > 0)) return error_set(err, HAWSER_ERR_INPUT, "the tolerance of joining must be above 0");
+    int fine = net_alloc(from, &net);
+    if (fine) net_fill(from, options, &net);
+    joined->pieces = net.n;
+    if (fine && net.n > 0) fine = knots_find(options, &net);
+    if (fine && net.n > 0) ends_hang(options, &net, joined);
+    if (fine && net.n > 0) fine = doubts_find(options, &net, joined);
+    for (int pass = 0; pass < 2 && fine; ++pass) { /* from ends and forks first; what is left goes round */
+        for (int e = 0; e < 2 * net.n && fine; ++e) {
+            if (net.used[e / 2] || (pass == 0 && net.ends[net.knot[e]] == 2)) continue;
+            fine = line_make(&net, walk(&net, e), to);
+        }
+    }
+    if (fine) fine = lines_sort(to, before);
+    const int n = net.n;
+    net_free(&net);
+    if (!fine) return error_memory(err);
+    if (n > 0) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "no line%s%.60s%s%.60s", options->layer ? " on layer " : "",
+                     options->layer ? options->layer : "", options->name ? " of the name " : "",
+                     options->name ? options->name : "");
+}
+
+/* ---------------------------------------------------------------------------------------------------------- choosing
+ */
+
+/* Of a point from a straight between two others. */
+static double straight_away(Vec3 a, Vec3 b, double x, double y)
+{
+    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    const double part = square > 0 ? fmin(fmax(((x - a.x) * dx + (y - a.y) * dy) / square, 0), 1) : 0;
+    return hypot(x - a.x - part * dx, y - a.y - part * dy);
+}
+
+double line_away(const Alignment *a, double x, double y)
+{
+    double least = INFINITY;
+    for (int i = 0; i + 1 < a->n_points; ++i) least = fmin(least, straight_away(a->point[i], a->point[i + 1], x, y));
+    for (int i = 0; i < a->n_plan; ++i) {
+        const PlanElement *const e = &a->plan[i];
+        const int parts = e->k0 == 0 && e->k1 == 0 ? 1 : SAMPLES;
+        Vec3 from = v3(e->x, e->y, 0);
+        for (int k = 1; k <= parts; ++k) {
+            const PlanElement at = plan_at(e, e->length * k / parts);
+            least = fmin(least, straight_away(from, v3(at.x, at.y, 0), x, y));
+            from = v3(at.x, at.y, 0);
+        }
+    }
+    return least;
+}
+
+int choose_line(const Survey *s, const ChooseOptions *options)
+{
+    int best = -1;
+    double most = -INFINITY;
+    for (int i = 0; i < s->n; ++i) {
+        const Alignment *const a = &s->alignment[i];
+        if (options->name && strcasecmp(options->name, a->name)) continue;
+        if (options->layer && strcasecmp(options->layer, a->layer)) continue;
+        const double worth =
+            options->near_given ? -line_away(a, options->near_x, options->near_y) : alignment_measure(a).plan_length;
+        if (worth > most) {
+            most = worth;
+            best = i;
+        }
+    }
+    return best;
+}

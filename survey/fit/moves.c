@@ -1,0 +1,393 @@
+/* From a first chain to the best one: pieces are left out, added, split and changed in kind, each time in a window of a
+ * few pieces that is fitted again; what lowers (FT6) stays. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "survey/fit/chain.h"
+
+enum { ASIDE = 2, WINDOW = 2 * ASIDE + 1, WINDOW_MOST = WINDOW + 3, EDGE_NODES = 60, STEPS = 10, SWEEPS = 8 };
+
+static const double PI = 3.14159265358979323846;
+
+/* Some pieces with their nodes, to try something on. */
+typedef struct Window {
+    int n;
+    Piece piece[WINDOW_MOST];
+} Window;
+
+/* What a chain's pieces cost beside their squares: each for itself, and each curvature that is an unknown. Those of
+ * joints at which a clothoid goes over are one, and one with those of the arc there; a straight's is none. */
+static double pieces_cost(int n, const Piece *p)
+{
+    const double curvature = 8, clothoid = 8;
+    double sum = 0;
+    int unknown = 0; /* the curvature with which the piece before ended */
+    for (int i = 0; i < n; ++i) {
+        const int changes = p[i].kind == PIECE_CLOTHOID && !p[i].kept, known = p[i].kind == PIECE_STRAIGHT || p[i].kept;
+        const int same = i > 0 && chain_tied(&p[i - 1]);
+        sum += piece_worth + (p[i].kind == PIECE_CLOTHOID ? clothoid : 0);
+        if (!same) { /* a new one */
+            sum += unknown ? curvature : 0;
+            unknown = 1;
+        }
+        if (known) unknown = 0;
+        if (!changes) continue;
+        sum += unknown ? curvature : 0;
+        unknown = 1;
+    }
+    return sum + (unknown ? curvature : 0);
+}
+
+/* ----------------------------------------------------------------------------------------------------- the moves */
+
+static void window_insert(Window *w, int at, Piece p)
+{
+    memmove(&w->piece[at + 1], &w->piece[at], (size_t)(w->n - at) * sizeof p);
+    w->piece[at] = p;
+    ++w->n;
+}
+
+static void window_remove(Window *w, int at)
+{
+    memmove(&w->piece[at], &w->piece[at + 1], (size_t)(w->n - at - 1) * sizeof *w->piece);
+    --w->n;
+}
+
+/* Two straights end to end are one. */
+static void straights_merge(Window *w)
+{
+    for (int i = 0; i + 1 < w->n; ++i) {
+        Piece *const p = &w->piece[i];
+        if (p[0].kind != PIECE_STRAIGHT || p[1].kind != PIECE_STRAIGHT) continue;
+        const PlanElement end = plan_at(&p[1].e, p[1].e.length);
+        p->e.length = hypot(end.x - p->e.x, end.y - p->e.y);
+        p->e.heading += remainder(atan2(end.y - p->e.y, end.x - p->e.x) - p->e.heading, 2 * PI);
+        window_remove(w, i + 1);
+        --i;
+    }
+}
+
+/* Cuts `before` m off a piece's start and `behind` off its end. */
+static void piece_shorten(Piece *p, double before, double behind)
+{
+    const PlanElement from = plan_at(&p->e, before), to = plan_at(&p->e, p->e.length - behind);
+    p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0};
+}
+
+/* Without piece q; its neighbours share its length. */
+static int leave_out(Window *w, int q)
+{
+    if (w->n < 2 || w->piece[q].kept) return 0;
+    const double length = w->piece[q].e.length, turn = 0.5 * length * (w->piece[q].e.k0 + w->piece[q].e.k1);
+    const int first = q == 0, last = q + 1 == w->n;
+    Piece *const before = &w->piece[q - !first], *const behind = &w->piece[q + !last];
+    if (!last) { /* it begins earlier, by going back on it */
+        const double more = first ? length : 0.5 * length;
+        const double bend = behind->kind == PIECE_STRAIGHT ? 0 : more * behind->e.k0;
+        behind->e.x -= more * cos(behind->e.heading - 0.5 * bend);
+        behind->e.y -= more * sin(behind->e.heading - 0.5 * bend);
+        behind->e.heading -= bend;
+        behind->e.length += more;
+    }
+    if (!first) before->e.length += last ? length : 0.5 * length;
+    if (!first && before->kind == PIECE_ARC && !before->kept)
+        before->e.k0 = before->e.k1 += 0.5 * turn / before->e.length;
+    if (!last && behind->kind == PIECE_ARC && !behind->kept)
+        behind->e.k0 = behind->e.k1 += 0.5 * turn / behind->e.length;
+    window_remove(w, q);
+    straights_merge(w);
+    return 1;
+}
+
+static int leave_two_out(Window *w, int q)
+{
+    return q + 1 < w->n && w->n > 2 && leave_out(w, q + 1) && q < w->n && leave_out(w, q);
+}
+
+static int change_kind(Window *w, int q, PieceKind kind)
+{
+    Piece *const p = &w->piece[q];
+    if (p->kind == kind || p->kept) return 0;
+    if (kind != PIECE_CLOTHOID) p->e.k0 = p->e.k1 = kind == PIECE_ARC ? 0.5 * (p->e.k0 + p->e.k1) : 0;
+    p->kind = kind;
+    p->loose = 0;
+    straights_merge(w);
+    return 1;
+}
+static int make_straight(Window *w, int q) { return change_kind(w, q, PIECE_STRAIGHT); }
+static int make_arc(Window *w, int q) { return change_kind(w, q, PIECE_ARC); }
+static int make_clothoid(Window *w, int q) { return change_kind(w, q, PIECE_CLOTHOID); }
+
+/* A piece between q and the next, which give up part of their lengths. */
+static int put_between(Window *w, int q, PieceKind kind, double part)
+{
+    if (q + 1 >= w->n || w->piece[q].kind == kind || w->piece[q + 1].kind == kind || w->n >= WINDOW_MOST) return 0;
+    Piece *const before = &w->piece[q], *const behind = &w->piece[q + 1];
+    const double half = part * fmin(before->e.length, behind->e.length);
+    piece_shorten(before, 0, half);
+    piece_shorten(behind, half, 0);
+    const PlanElement end = plan_at(&before->e, before->e.length);
+    Piece p = {.kind = kind, .e = {end.x, end.y, end.heading, 2 * half, end.k0, behind->e.k0}};
+    if (kind == PIECE_STRAIGHT) p.e.k0 = p.e.k1 = 0;
+    if (kind == PIECE_ARC) p.e.k0 = p.e.k1 = 0.5 * (p.e.k0 + p.e.k1);
+    window_insert(w, q + 1, p);
+    return 1;
+}
+static int put_clothoid(Window *w, int q) { return put_between(w, q, PIECE_CLOTHOID, 0.3); }
+static int put_short_clothoid(Window *w, int q) { return put_between(w, q, PIECE_CLOTHOID, 0.1); }
+static int put_straight(Window *w, int q) { return put_between(w, q, PIECE_STRAIGHT, 0.3); }
+static int put_arc(Window *w, int q) { return put_between(w, q, PIECE_ARC, 0.3); }
+/* A clothoid on either side of piece q. */
+static int put_two_clothoids(Window *w, int q) { return q > 0 && put_clothoid(w, q) && put_clothoid(w, q - 1); }
+
+/* Two of its kind; a straight gets a bend in its middle. */
+static int split(Window *w, int q)
+{
+    Piece *const p = &w->piece[q];
+    if (w->n + 2 > WINDOW_MOST || p->kept) return 0;
+    Piece second = *p;
+    const int straight = p->kind == PIECE_STRAIGHT;
+    const double half = (straight ? 0.4 : 0.5) * p->e.length, middle = p->e.length - 2 * half;
+    piece_shorten(&second, half + middle, 0);
+    second.loose = 0;
+    Piece between = *p;
+    piece_shorten(p, 0, half + middle);
+    window_insert(w, q + 1, second);
+    if (!straight) return 1;
+    piece_shorten(&between, half, half);
+    between.kind = PIECE_ARC;
+    window_insert(w, q + 1, between);
+    return 1;
+}
+
+static int loosen(Window *w, int q)
+{
+    if (q == 0 || (w->piece[q].kind != PIECE_CLOTHOID && w->piece[q - 1].kind != PIECE_CLOTHOID)) return 0;
+    w->piece[q].loose = !w->piece[q].loose;
+    return 1;
+}
+
+/* Each changes a window about its piece q; 0: that cannot be done. */
+static int (*const moves[])(Window *w, int q) = {
+    leave_out,         leave_two_out, make_straight, make_arc,      put_clothoid, put_short_clothoid,
+    put_two_clothoids, put_straight,  put_arc,       make_clothoid, split,        loosen};
+
+/* ------------------------------------------------------------------------------------------------------- windows */
+
+typedef struct Search {
+    Piece **piece;
+    int *n;
+    const Node *node;
+    Foot *foot, *trial; /* [m] of the chain; of a window */
+    int m;
+    double sigma2;
+    int clothoids;
+    hawser_error *err;
+} Search;
+
+/* The first node on piece q or behind it. */
+static int node_of(const Search *s, int q)
+{
+    int low = 0, high = s->m;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (s->foot[middle].piece < q)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Pieces a..b with their nodes from..to - 1; of the outermost ones only what is near. */
+static Window window_of(const Search *s, int a, int b, int *from, int *to)
+{
+    Window w = {.n = b - a + 1};
+    memcpy(w.piece, &(*s->piece)[a], (size_t)w.n * sizeof *w.piece);
+    *from = node_of(s, a);
+    *to = node_of(s, b + 1);
+    const int inner = node_of(s, a + 1), outer = node_of(s, b);
+    if (w.n > 1 && inner - *from > EDGE_NODES) {
+        *from = inner - EDGE_NODES;
+        piece_shorten(&w.piece[0], s->foot[*from].s, 0);
+    }
+    if (w.n > 1 && *to - outer > EDGE_NODES) {
+        *to = outer + EDGE_NODES;
+        piece_shorten(&w.piece[w.n - 1], 0, fmax(0, w.piece[w.n - 1].e.length - s->foot[*to - 1].s));
+    }
+    return w;
+}
+
+/* What the window costs when it is fitted; pieces that vanish or turn by more than a full circle are none. */
+static hawser_status window_cost(const Search *s, Window *w, int from, int to, double *cost)
+{
+    const hawser_status status = chain_refine(w->n, w->piece, to - from, s->node + from, STEPS, s->trial, s->err);
+    *cost = chain_squares(to - from, s->node + from, s->trial) / s->sigma2 + pieces_cost(w->n, w->piece);
+    for (int i = 0; i < w->n; ++i) {
+        const PlanElement *const e = &w->piece[i].e;
+        if (e->length < 1e-2 || fmax(fabs(e->k0), fabs(e->k1)) * e->length > 2 * PI) *cost = INFINITY;
+        if (i + 1 < w->n) { /* a chain that did not come together */
+            const PlanElement end = plan_at(e, e->length);
+            if (!(hypot(end.x - e[0].x, end.y - e[0].y) < 1e12)) *cost = INFINITY;
+            if (hypot(end.x - w->piece[i + 1].e.x, end.y - w->piece[i + 1].e.y) > 1e-2) *cost = INFINITY;
+        }
+    }
+    if (!isfinite(*cost)) *cost = INFINITY;
+    return status;
+}
+
+/* Pieces a..b give way to the window's. */
+static hawser_status window_put(Search *s, int a, int b, const Window *w, int whole_first, int whole_last)
+{
+    const int n = *s->n, more = w->n - (b - a + 1);
+    Piece *const wider = more > 0 ? realloc(*s->piece, (size_t)(n + more) * sizeof *wider) : *s->piece;
+    if (!wider) return error_memory(s->err);
+    *s->piece = wider;
+    const Piece first = wider[a], last = wider[b];
+    memmove(&wider[b + 1 + more], &wider[b + 1], (size_t)(n - b - 1) * sizeof *wider);
+    memcpy(&wider[a], w->piece, (size_t)w->n * sizeof *wider);
+    *s->n = n + more;
+    if (!whole_first) { /* what the window did not see of it */
+        const double seen = wider[a].e.length;
+        const PlanElement *const was = &first.e;
+        wider[a].e.length = hypot(wider[a].e.x - was->x, wider[a].e.y - was->y) + seen;
+        wider[a].e.x = was->x;
+        wider[a].e.y = was->y;
+        wider[a].e.heading = was->heading;
+    }
+    if (!whole_last) {
+        const PlanElement end = plan_at(&last.e, last.e.length), *const now = &wider[a + w->n - 1].e;
+        const PlanElement seen = plan_at(now, now->length);
+        wider[a + w->n - 1].e.length += hypot(end.x - seen.x, end.y - seen.y);
+    }
+    return HAWSER_OK;
+}
+
+/* The best move about piece q, if one is better than none. */
+static hawser_status piece_try(Search *s, int q, int *found)
+{
+    const int a = q > ASIDE ? q - ASIDE : 0, b = q + ASIDE < *s->n ? q + ASIDE : *s->n - 1;
+    int from, to;
+    const Window now = window_of(s, a, b, &from, &to);
+    Window best = now;
+    double least, cost;
+    *found = 0;
+    if (to - from < 3) return HAWSER_OK;
+    hawser_status status = window_cost(s, &best, from, to, &least);
+    for (size_t k = 0; k < sizeof moves / sizeof *moves && !status; ++k) {
+        Window w = now;
+        if (!moves[k](&w, q - a)) continue;
+        int allowed = 1;
+        for (int i = 0; i < w.n && !s->clothoids; ++i) allowed &= w.piece[i].kind != PIECE_CLOTHOID;
+        if (!allowed || w.n == 0) continue;
+        status = window_cost(s, &w, from, to, &cost);
+        if (!(cost < least - 1)) continue;
+        best = w;
+        least = cost;
+        *found = 1;
+    }
+    if (!status && *found) status = window_put(s, a, b, &best, from == node_of(s, a), to == node_of(s, b + 1));
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------------- the search */
+
+static hawser_status refine(Search *s, int steps)
+{
+    return chain_refine(*s->n, *s->piece, s->m, s->node, steps, s->foot, s->err);
+}
+
+static double whole_cost(const Search *s)
+{
+    return chain_squares(s->m, s->node, s->foot) / s->sigma2 + pieces_cost(*s->n, *s->piece);
+}
+
+/* A chain to come back to. */
+typedef struct Kept {
+    int n;
+    Piece *piece;
+    double cost;
+} Kept;
+
+static hawser_status keep(const Search *s, double cost, Kept *k)
+{
+    Piece *const room = realloc(k->piece, (size_t)*s->n * sizeof *room);
+    if (!room) return error_memory(s->err);
+    memcpy(room, *s->piece, (size_t)*s->n * sizeof *room);
+    *k = (Kept){*s->n, room, cost};
+    return HAWSER_OK;
+}
+
+/* What a window says is better must be so for the chain as a whole; else all is as before. */
+static hawser_status settle(Search *s, Kept *best, int *better)
+{
+    hawser_status status = refine(s, STEPS);
+    const double cost = whole_cost(s);
+    if (status) return status;
+    if (cost < best->cost - 0.5) {
+        *better = 1;
+        return keep(s, cost, best);
+    }
+    Piece *const room = realloc(*s->piece, (size_t)best->n * sizeof *room);
+    if (!room) return error_memory(s->err);
+    *s->piece = room;
+    *s->n = best->n;
+    memcpy(room, best->piece, (size_t)best->n * sizeof *room);
+    return refine(s, 0);
+}
+
+/* Every piece once; *better: something was. */
+static hawser_status sweep(Search *s, Kept *best, int *better)
+{
+    hawser_status status = HAWSER_OK;
+    *better = 0;
+    for (int q = 0; q < *s->n && !status; ++q) {
+        int found;
+        status = piece_try(s, q, &found);
+        if (!status && found) status = settle(s, best, better);
+    }
+    return status;
+}
+
+hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, double sigma, int clothoids, Foot *foot,
+                            hawser_error *err)
+{
+    Search s = {piece, n, node, foot, malloc((size_t)m * sizeof *foot), m, sigma * sigma, clothoids, err};
+    Kept best = {0, NULL, INFINITY};
+    int better = 1;
+    hawser_status status = s.trial ? refine(&s, 3 * STEPS) : error_memory(err);
+    if (!status) status = keep(&s, whole_cost(&s), &best);
+    for (int i = 0; i < SWEEPS && better && !status; ++i) status = sweep(&s, &best, &better);
+    free(s.trial);
+    free(best.piece);
+    return status;
+}
+
+/* The sharpest arc that stays within half the deviation of a corner, as far as its neighbours have room. */
+hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_error *err)
+{
+    for (int i = 0; i + 1 < *n; ++i) {
+        Piece *p = &(*piece)[i];
+        const double end = p->e.heading + 0.5 * p->e.length * (p->e.k0 + p->e.k1);
+        const double turn = remainder(p[1].e.heading - end, 2 * PI), half = 0.5 * fabs(turn);
+        const int straights = p[0].kind == PIECE_STRAIGHT && p[1].kind == PIECE_STRAIGHT;
+        if (fabs(turn) < (straights ? 1e-9 : 0.15)) continue; /* a small turn between others they settle themselves */
+        Piece *const wider = realloc(*piece, (size_t)(*n + 1) * sizeof *wider);
+        if (!wider) return error_memory(err);
+        *piece = wider;
+        p = &wider[i];
+        const double room = 0.3 * fmin(p[0].e.length, p[1].e.length), outside = 1 / fmax(cos(half), 0.05) - 1;
+        const double tangent = fmin(room, 0.5 * deviation / outside * tan(fmin(half, 1.5)));
+        const double radius = tangent / tan(fmin(half, 1.5));
+        piece_shorten(&p[0], 0, tangent);
+        piece_shorten(&p[1], tangent, 0);
+        const PlanElement from = plan_at(&p->e, p->e.length);
+        const double k = (turn > 0 ? 1 : -1) / radius;
+        memmove(&p[2], &p[1], (size_t)(*n - i - 1) * sizeof *p);
+        p[1] = (Piece){.kind = PIECE_ARC, .e = {from.x, from.y, from.heading, radius * 2 * half, k, k}};
+        ++*n;
+        ++i;
+    }
+    return HAWSER_OK;
+}

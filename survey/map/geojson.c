@@ -1,0 +1,152 @@
+/* GeoJSON: LineString and MultiLineString as lines, Point and MultiPoint as marks, in features, collections or alone.
+ */
+#include <jansson.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "core/base/error.h"
+#include "survey/map/map.h"
+
+enum { DEPTH_MOST = 32 };
+static const long SIZE_MOST = 200L << 20; /* the whole file is held, some twelve times its size */
+
+/* What is said of the geometry that is being read. */
+typedef struct Label {
+    const char *name, *layer;
+} Label;
+
+static hawser_status position_read(MapPlaces *p, const json_t *at, Vec3 *out, int *has_height)
+{
+    const json_t *const x = json_array_get(at, 0), *const y = json_array_get(at, 1), *const z = json_array_get(at, 2);
+    if (!json_is_number(x) || !json_is_number(y))
+        return input_error(p->in, "a position is no list of two or three numbers");
+    *has_height = json_is_number(z);
+    return map_place(p, json_number_value(x), json_number_value(y), *has_height ? json_number_value(z) : NAN, out);
+}
+
+static hawser_status line_read(MapPlaces *p, const json_t *positions, const Label *label)
+{
+    Survey *const s = p->in->out;
+    const size_t n = json_array_size(positions);
+    if (n < 2) return input_error(p->in, "a LineString of fewer than two positions");
+    Alignment *const a = survey_add(s, label->name);
+    if (!a) return error_memory(p->in->err);
+    snprintf(a->layer, sizeof a->layer, "%s", label->layer);
+    size_t heights = 0;
+    for (size_t i = 0; i < n; ++i) {
+        Vec3 *const point = alignment_add_point(a);
+        int has_height = 0;
+        if (!point) return error_memory(p->in->err);
+        const hawser_status status = position_read(p, json_array_get(positions, i), point, &has_height);
+        if (status) return status;
+        heights += (size_t)has_height;
+    }
+    a->flat = heights < n;
+    if (a->flat && heights) survey_ignore(s, "heights of a line in which some points have none");
+    for (int i = 0; i < a->n_points && a->flat; ++i) a->point[i].z = 0;
+    return HAWSER_OK;
+}
+
+static hawser_status mark_read(MapPlaces *p, const json_t *position, const Label *label)
+{
+    SurveyMark *const mark = survey_add_mark(p->in->out, *label->name ? label->name : "Point", label->layer);
+    int has_height;
+    return mark ? position_read(p, position, &mark->at, &has_height) : error_memory(p->in->err);
+}
+
+static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *label, int depth);
+
+/* Each of a list by the same function. */
+static hawser_status list_read(MapPlaces *p, const json_t *list, const Label *label, int depth,
+                               hawser_status (*read)(MapPlaces *p, const json_t *item, const Label *label, int depth))
+{
+    hawser_status status = HAWSER_OK;
+    for (size_t i = 0; i < json_array_size(list) && !status; ++i)
+        status = read(p, json_array_get(list, i), label, depth);
+    return status;
+}
+static hawser_status line_of(MapPlaces *p, const json_t *item, const Label *label, int depth)
+{
+    (void)depth;
+    return line_read(p, item, label);
+}
+static hawser_status mark_of(MapPlaces *p, const json_t *item, const Label *label, int depth)
+{
+    (void)depth;
+    return mark_read(p, item, label);
+}
+
+/* Texts of a feature's properties, or its number. */
+static Label label_of(const json_t *feature)
+{
+    const json_t *const properties = json_object_get(feature, "properties");
+    const char *name = json_string_value(json_object_get(properties, "name"));
+    const char *const layer = json_string_value(json_object_get(properties, "layer"));
+    if (!name) name = json_string_value(json_object_get(feature, "id"));
+    return (Label){name ? name : "", layer ? layer : ""};
+}
+
+static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *label, int depth)
+{
+    const char *const type = json_string_value(json_object_get(g, "type"));
+    const json_t *const coordinates = json_object_get(g, "coordinates");
+    if (depth > DEPTH_MOST) return input_error(p->in, "collections more than %d deep", DEPTH_MOST);
+    if (!type) return json_is_null(g) ? HAWSER_OK : input_error(p->in, "an object without a type");
+    if (!strcmp(type, "FeatureCollection"))
+        return list_read(p, json_object_get(g, "features"), label, depth + 1, geometry_read);
+    if (!strcmp(type, "GeometryCollection"))
+        return list_read(p, json_object_get(g, "geometries"), label, depth + 1, geometry_read);
+    if (!strcmp(type, "Feature")) {
+        const Label own = label_of(g);
+        const json_t *const geometry = json_object_get(g, "geometry");
+        return geometry ? geometry_read(p, geometry, &own, depth + 1) : HAWSER_OK;
+    }
+    if (!strcmp(type, "LineString")) return line_read(p, coordinates, label);
+    if (!strcmp(type, "MultiLineString")) return list_read(p, coordinates, label, depth, line_of);
+    if (!strcmp(type, "Point")) return mark_read(p, coordinates, label);
+    if (!strcmp(type, "MultiPoint")) return list_read(p, coordinates, label, depth, mark_of);
+    survey_ignore(p->in->out, type);
+    return HAWSER_OK;
+}
+
+/* A file may say which place its projection is about ("origin"). Degrees, but for files that say that they hold metres:
+ * by "coordinates_in", or by the "crs" of old files. */
+static hawser_status system_find(MapPlaces *p, const json_t *root)
+{
+    const char *const in = json_string_value(json_object_get(root, "coordinates_in"));
+    const char *const crs =
+        json_string_value(json_object_get(json_object_get(json_object_get(root, "crs"), "properties"), "name"));
+    const int degrees = !crs || strstr(crs, "CRS84") || strstr(crs, "4326") || strstr(crs, "4979");
+    p->plain = (in && !strcmp(in, "m")) || !degrees;
+    input_unit(p->in, 1, p->plain ? "" : "projected");
+    const json_t *const origin = json_object_get(root, "origin");
+    if (!p->plain && json_is_number(json_array_get(origin, 0)) && json_is_number(json_array_get(origin, 1))) {
+        Vec3 none;
+        return map_place(p, json_number_value(json_array_get(origin, 0)), json_number_value(json_array_get(origin, 1)),
+                         NAN, &none);
+    }
+    if (p->plain) snprintf(p->in->out->system, SURVEY_NAME_MAX, "%s", crs ? crs : "");
+    return HAWSER_OK;
+}
+
+hawser_status geojson_read(SurveyInput *in)
+{
+    MapPlaces places = {.in = in};
+    json_error_t where;
+    struct stat state;
+    if (fstat(fileno(in->file), &state) || state.st_size > SIZE_MOST) {
+        return input_error(in, "larger than %ld MB, the most of a GeoJSON file", SIZE_MOST >> 20);
+    }
+    json_t *const root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
+    if (!root) {
+        in->line = where.line > 0 ? where.line : 0;
+        if (json_error_code(&where) == json_error_out_of_memory) return error_memory(in->err);
+        return input_error(in, "no JSON: %s", where.text);
+    }
+    const Label none = {"", ""};
+    hawser_status status = system_find(&places, root);
+    if (!status) status = geometry_read(&places, root, &none, 0);
+    if (!status && in->out->n == 0 && in->out->n_marks == 0) status = input_error(in, "no line and no point in it");
+    json_decref(root);
+    return status;
+}

@@ -1,0 +1,213 @@
+/* GPX: tracks, routes and waypoints, streaming. */
+#include <expat.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "survey/map/map.h"
+
+enum { TEXT_MOST = SURVEY_NAME_MAX, CHUNK = 1 << 16, DEPTH_MOST = 64 };
+
+/* Which point is open. */
+typedef enum PointKind { POINT_NONE, POINT_OF_LINE, POINT_MARK } PointKind;
+
+typedef struct Reader {
+    MapPlaces places;
+    XML_Parser parser;
+    hawser_status status;
+    int depth, line; /* line: alignment that is open, -1: none */
+    char name[SURVEY_NAME_MAX];
+    PointKind point;
+    double longitude, latitude, height;
+    char text[TEXT_MOST]; /* of the innermost element, its beginning */
+    size_t length;
+    int heights, points; /* of the line: points with a height, all */
+} Reader;
+
+static void fail(Reader *r, hawser_status status)
+{
+    if (!r->status) r->status = status;
+    XML_StopParser(r->parser, XML_FALSE);
+}
+
+static void line_set(Reader *r) { r->places.in->line = (long)XML_GetCurrentLineNumber(r->parser); }
+
+static double number(Reader *r, const char *text)
+{
+    double value = 0;
+    line_set(r);
+    if (text && input_number_whole(r->places.in, text, &value)) return value;
+    fail(r, input_error(r->places.in, "'%.40s' is no number", text ? text : ""));
+    return 0;
+}
+
+static void point_begin(Reader *r, PointKind kind, const char **attributes)
+{
+    const char *longitude = NULL, *latitude = NULL;
+    for (int i = 0; attributes[i]; i += 2) {
+        if (!strcmp(attributes[i], "lon")) longitude = attributes[i + 1];
+        if (!strcmp(attributes[i], "lat")) latitude = attributes[i + 1];
+    }
+    r->point = kind;
+    r->height = NAN;
+    r->longitude = number(r, longitude);
+    r->latitude = number(r, latitude);
+    if (kind == POINT_MARK) *r->name = 0;
+}
+
+static void point_end(Reader *r)
+{
+    SurveyInput *const in = r->places.in;
+    Vec3 at;
+    line_set(r);
+    const hawser_status status = map_place(&r->places, r->longitude, r->latitude, r->height, &at);
+    if (status) {
+        fail(r, status);
+    } else if (r->point == POINT_MARK) {
+        SurveyMark *const mark = survey_add_mark(in->out, *r->name ? r->name : "wpt", "wpt");
+        if (mark)
+            mark->at = at;
+        else
+            fail(r, error_memory(in->err));
+    } else if (r->line >= 0) {
+        Vec3 *const point = alignment_add_point(&in->out->alignment[r->line]);
+        if (point)
+            *point = at;
+        else
+            fail(r, error_memory(in->err));
+        r->heights += !isnan(r->height);
+        r->points++;
+    }
+    r->point = POINT_NONE;
+}
+
+static void line_begin(Reader *r, const char *layer)
+{
+    Survey *const s = r->places.in->out;
+    Alignment *const a = survey_add(s, r->name);
+    if (!a) {
+        fail(r, error_memory(r->places.in->err));
+        return;
+    }
+    memcpy(a->layer, layer, strlen(layer) + 1);
+    r->line = s->n - 1;
+    r->heights = r->points = 0;
+}
+
+/* One without points is none. A line of which some points have no height has none. */
+static void line_end(Reader *r)
+{
+    Survey *const s = r->places.in->out;
+    if (r->line < 0) return;
+    Alignment *const a = &s->alignment[r->line];
+    a->flat = r->heights < r->points;
+    if (a->flat && r->heights) survey_ignore(s, "heights of a line in which some points have none");
+    for (int i = 0; i < a->n_points && a->flat; ++i) a->point[i].z = 0;
+    if (a->n_points < 2) {
+        survey_ignore(s, "a line of fewer than two points");
+        alignment_clear(a);
+        s->n--;
+    }
+    r->line = -1;
+}
+
+/* Names may have a prefix of their own. */
+static const char *local(const char *name)
+{
+    const char *const colon = strrchr(name, ':');
+    return colon ? colon + 1 : name;
+}
+
+static void begin(void *data, const char *full, const char **attributes)
+{
+    Reader *const r = data;
+    const char *const name = local(full);
+    r->length = 0;
+    *r->text = 0;
+    if (r->status) return;
+    if (++r->depth > DEPTH_MOST || (r->depth == 1 && strcmp(name, "gpx"))) {
+        line_set(r);
+        fail(r, input_error(r->places.in,
+                            r->depth == 1 ? "the outermost element is <%.40s>: expected <gpx>"
+                                          : "<%.40s>: elements more than 64 deep",
+                            name));
+    } else if (!strcmp(name, "trk") || !strcmp(name, "rte")) {
+        *r->name = 0;
+        if (!strcmp(name, "rte")) line_begin(r, "rte");
+    } else if (!strcmp(name, "trkseg")) {
+        line_end(r);
+        line_begin(r, "trk");
+    } else if (!strcmp(name, "trkpt") || !strcmp(name, "rtept")) {
+        point_begin(r, POINT_OF_LINE, attributes);
+    } else if (!strcmp(name, "wpt")) {
+        point_begin(r, POINT_MARK, attributes);
+    }
+}
+
+static void end(void *data, const char *full)
+{
+    Reader *const r = data;
+    const char *const name = local(full);
+    if (r->status) return;
+    r->depth--;
+    if (!strcmp(name, "name") && r->point != POINT_OF_LINE) {
+        memcpy(r->name, r->text, sizeof r->name);
+        if (r->line >= 0 && r->point == POINT_NONE)
+            memcpy(r->places.in->out->alignment[r->line].name, r->name, sizeof r->name);
+    } else if (!strcmp(name, "ele") && r->point != POINT_NONE) {
+        r->height = number(r, r->text);
+    } else if (!strcmp(name, "trkpt") || !strcmp(name, "rtept") || !strcmp(name, "wpt")) {
+        if (r->point != POINT_NONE) point_end(r);
+    } else if (!strcmp(name, "trkseg") || !strcmp(name, "rte")) {
+        line_end(r);
+    }
+    r->length = 0;
+    *r->text = 0;
+}
+
+static void text(void *data, const char *piece, int n)
+{
+    Reader *const r = data;
+    for (int i = 0; i < n && r->length + 1 < TEXT_MOST; ++i) r->text[r->length++] = piece[i];
+    r->text[r->length] = 0;
+}
+
+/* A GPX file has no need of entities of its own; a hostile one has. */
+static void entity(void *data, const char *name, int parameter, const char *value, int length, const char *base,
+                   const char *system, const char *public, const char *notation)
+{
+    Reader *const r = data;
+    (void)parameter, (void)value, (void)length, (void)base, (void)system, (void)public, (void)notation;
+    line_set(r);
+    fail(r, input_error(r->places.in, "the file declares an entity, '%.40s': not read", name));
+}
+
+static void parse(Reader *r)
+{
+    for (int last = 0; !last && !r->status;) {
+        void *const buffer = XML_GetBuffer(r->parser, CHUNK);
+        if (!buffer) {
+            fail(r, error_memory(r->places.in->err));
+            return;
+        }
+        const size_t n = fread(buffer, 1, CHUNK, r->places.in->file);
+        last = n == 0;
+        if (XML_ParseBuffer(r->parser, (int)n, last) == XML_STATUS_OK || r->status) continue;
+        line_set(r);
+        fail(r, input_error(r->places.in, "no XML: %s", XML_ErrorString(XML_GetErrorCode(r->parser))));
+    }
+}
+
+hawser_status gpx_read(SurveyInput *in)
+{
+    Reader r = {.places = {.in = in}, .line = -1, .parser = XML_ParserCreate(NULL)};
+    if (!r.parser) return error_memory(in->err);
+    XML_SetUserData(r.parser, &r);
+    XML_SetElementHandler(r.parser, begin, end);
+    XML_SetCharacterDataHandler(r.parser, text);
+    XML_SetEntityDeclHandler(r.parser, entity);
+    input_unit(in, 1, "projected");
+    parse(&r);
+    XML_ParserFree(r.parser);
+    return r.status;
+}

@@ -1,0 +1,28 @@
+/* Alignments as files: CSV tables, DXF drawings, GeoJSON and a case's route. What is read back is the same line within
+ * 0.1 mm. */
+#ifndef HAWSER_SURVEY_WRITE_WRITE_H
+#define HAWSER_SURVEY_WRITE_WRITE_H
+
+#include <stdio.h>
+
+#include "survey/alignment.h"
+
+typedef enum WriteFormat {
+    WRITE_ELEMENTS, /* .csv: a row each, with its start: plan and profile cut at the same stations; points as x, y, z */
+    WRITE_PIECES,   /* the planner's table: length, angle, radius, turn, slope; straights and bends alone */
+    WRITE_DXF,      /* R12: a polyline with bulges where it is level, else one in space with chords 0.05 mm off */
+    WRITE_GEOJSON,  /* longitude and latitude if the system is survey/map's, else metres, and says so */
+    WRITE_CASE      /* .yaml: section `route` of a case, as plan and profile */
+} WriteFormat;
+
+/* By a file's ending (.csv, .dxf, .geojson or .json, .yaml or .yml); -1: none of them. */
+int write_format(const char *path);
+
+/* Writes one alignment. system: what the Survey says of its coordinates. Errors: INPUT where the format has no way to
+ * say it (points as pieces or as a case, clothoids as pieces), OUTPUT, MEMORY. */
+hawser_status alignment_print(const Alignment *a, const char *system, WriteFormat format, FILE *to, hawser_error *err);
+/* The same to a file, which is not left behind when that fails. */
+hawser_status alignment_write(const Alignment *a, const char *system, WriteFormat format, const char *path,
+                              hawser_error *err);
+
+#endif
