@@ -3,6 +3,7 @@
 #define HAWSER_CLI_ARGUMENTS_H
 
 #include "hawser/hawser.h"
+#include "hawser/route.h"
 
 /* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 5, 130. */
 enum {
@@ -22,7 +23,7 @@ typedef struct Setting {
 } Setting;
 
 typedef struct Arguments {
-    const char *case_path;
+    const char *case_path;   /* or the file of routes */
     const char *dir;   /* NULL: by the case's name */
     Setting *settings; /* [n_settings], in the order given */
     int n_settings;
@@ -37,13 +38,14 @@ typedef struct Arguments {
     hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
+    hawser_route_options route; /* of the command route; its texts are parts of the command line */
 } Arguments;
 
 typedef struct Command {
     const char *name;
     const char *summary; /* a line for the list of commands */
     const char *options; /* the letters of the options it takes, see arguments.c; '-': it takes no case; '+': a kind and
-                            a pattern */
+                            a pattern; '/': a file of routes */
     const char *help;    /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;

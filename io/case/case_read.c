@@ -142,7 +142,7 @@ static const struct {
  * catalogue brings is in a copy of the tree, so that a later setting finds the case as it was written. */
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
-    CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .err = err};
+    CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .folder = tree->folder, .err = err};
     CaseNode *typed = NULL;
     Library *library = NULL;
     scene_def_defaults(def);

@@ -79,6 +79,7 @@ typedef struct CaseReader {
     SceneDef *def;
     Route route; /* built once its section is read, for what lies along it */
     const CaseNode *root;
+    const char *folder; /* where files that the case names are looked for; NULL: it is a text, and names none */
     hawser_error *err;
 } CaseReader;
 
