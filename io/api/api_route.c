@@ -89,7 +89,6 @@ static void row_use(const hawser_routes *r, int i)
     hawser_route_figures *const f = &row->figures;
     f->length_m = row->used.file_length;
     f->horizontal_length_m = row->used.file_plan;
-    f->station_m = row->used.line.station;
     f->pieces = m.pieces;
     f->fitted = row->used.fitted;
     f->least_radius_m = m.least_radius;
@@ -109,7 +108,7 @@ static void row_begin(const hawser_routes *r, int i)
                                 .layer = a->layer,
                                 .length_m = m.length,
                                 .horizontal_length_m = m.plan_length,
-                                .station_m = a->station,
+                                .station_m = fabs(a->station) < 1e-9 ? 0 : a->station,
                                 .pieces = m.pieces,
                                 .least_radius_m = m.least_radius};
     v3_put(f->start_m, m.start);
@@ -249,7 +248,10 @@ static const Column line_column[] = {
     {.key = "end_x_m", .number = end_x, .label = "end x, m", .decimals = 3, .group = 1, .digits = DIGITS},
     {.key = "end_y_m", .number = end_y, .label = "end y, m", .decimals = 3, .group = 1, .digits = DIGITS},
     {.key = "end_z_m", .number = end_z, .label = "end z, m", .decimals = 3, .group = 1, .digits = DIGITS},
-    {COLUMN("problem", TEXT, RouteRow, figures.problem), .label = "no route because", .group = 2},
+};
+static const Column problem_column[] = {
+    {COLUMN("name", TEXT, RouteRow, figures.name), .label = "name"},
+    {COLUMN("problem", TEXT, RouteRow, figures.problem), .label = "why"},
 };
 static const Column ignored_column[] = {
     {COLUMN("what", CHARS, SurveyIgnored, what), .label = "what"},
@@ -261,23 +263,31 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
     const Survey *const s = &r->survey;
     *text = NULL;
     if (format == HAWSER_JSON) return json_write(r, text, err);
-    const Table tables[] = {
-        {"alignments", "Lines", COLUMNS(RouteRow, line_column), s->n, r->row},
-        {"ignored", "Not read", COLUMNS(SurveyIgnored, ignored_column), s->n_ignored, s->ignored},
-    };
+    RouteRow *const bad = calloc((size_t)s->n + 1, sizeof *bad);
+    int n_bad = 0, n = 1;
+    if (!bad) return error_memory(err);
+    for (int i = 0; i < s->n; ++i) {
+        if (r->row[i].figures.problem) bad[n_bad++] = r->row[i];
+    }
+    Table tables[3] = {{"alignments", "Lines", COLUMNS(RouteRow, line_column), s->n, r->row}};
+    if (n_bad) tables[n++] = (Table){"problems", "No routes", COLUMNS(RouteRow, problem_column), n_bad, bad};
+    if (s->n_ignored)
+        tables[n++] = (Table){"ignored", "Not read", COLUMNS(SurveyIgnored, ignored_column), s->n_ignored, s->ignored};
     const Fact facts[] = {
         {"source", "file", "", cell_text(r->path)},
-        {"unit", "unit of length", "", cell_text(s->unit)},
+        {"unit", "unit of length", "", cell_text(*s->unit ? s->unit : "m")},
         {"system", "coordinates", "", cell_text(*s->system ? s->system : "not said")},
         {"marks", "points with names", "", cell_number(s->n_marks)},
     };
     const Document doc = {.title = "Routes of a file",
                           .n_facts = (int)(sizeof facts / sizeof *facts),
-                          .n_tables = s->n_ignored ? 2 : 1,
+                          .n_tables = n,
                           .fact = facts,
                           .table = tables,
                           .csv = tables};
-    return document_write(&doc, format, text, err);
+    const hawser_status status = document_write(&doc, format, text, err);
+    free(bad);
+    return status;
 }
 
 /* -------------------------------------------------------------------------------------------------- one of them */
