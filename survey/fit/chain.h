@@ -10,7 +10,7 @@ typedef enum PieceKind { PIECE_STRAIGHT, PIECE_ARC, PIECE_CLOTHOID } PieceKind;
 
 typedef struct Piece {
     PieceKind kind;
-    int kept;      /* its curvature is the file's and stays */
+    int kept;      /* its curvature is the file's, or that of a corner's bend, and stays */
     int loose;     /* it begins with a curvature of its own even where it or the piece before is a clothoid */
     PlanElement e; /* while it is fitted not quite where the one before ends */
 } Piece;
@@ -19,6 +19,7 @@ typedef struct Piece {
 typedef struct Node {
     double x, y;
     double weight; /* how many points it stands for */
+    int corner;    /* the line has a corner there: no piece goes over it */
 } Node;
 
 /* Where a node is beside the chain. */

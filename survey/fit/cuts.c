@@ -185,26 +185,47 @@ static Piece piece_make(const Course *c, int i, int j, PieceKind kind)
                    .e = {c[i].x + u[0], c[i].y + u[1], c[i].heading + u[2], S, u[3], u[3] + 2 * u[4] * S}};
 }
 
-hawser_status cuts_find(int m, const Node *node, double sigma, int clothoids, Piece **piece, int *n, hawser_error *err)
+/* One stretch between corners; its pieces behind the *n that are there. */
+static int stretch_cut(int m, const Node *node, double sigma, int clothoids, Piece **piece, int *n)
 {
     Course *const c = course_make(m, node, sigma);
     Best *const best = malloc((size_t)m * sizeof *best);
-    *n = 0;
-    *piece = NULL;
+    int more = 0;
     for (int i = 0; best && i < m; ++i) best[i] = (Best){i ? INFINITY : 0, 0, PIECE_STRAIGHT};
     for (int i = 0; c && best && i + 1 < m; ++i) pieces_try(m, c, i, sigma * sigma, clothoids, best);
-    for (int j = m - 1; c && best && j > 0; j = best[j].from) ++*n;
-    if (c && best) *piece = malloc((size_t)*n * sizeof **piece);
-    int k = *n;
-    for (int j = m - 1; *piece && j > 0; j = best[j].from) {
-        (*piece)[--k] = piece_make(c, best[j].from, j, best[j].kind);
-    }
-    for (k = 1; *piece && k < *n; ++k) { /* curvatures that are meant to be the same */
-        const PlanElement *const e = &(*piece)[k].e;
-        const double L = fmin(e->length, e[0].length), away = fabs(e->k0 - (*piece)[k - 1].e.k1) * L * L / 8;
-        (*piece)[k].loose = away > 10 * sigma;
+    for (int j = m - 1; c && best && j > 0; j = best[j].from) ++more;
+    Piece *const wider = c && best ? realloc(*piece, (size_t)(*n + more) * sizeof *wider) : NULL;
+    if (wider) {
+        *piece = wider;
+        *n += more;
+        int k = *n;
+        for (int j = m - 1; j > 0; j = best[j].from) wider[--k] = piece_make(c, best[j].from, j, best[j].kind);
     }
     free(c);
     free(best);
-    return *piece ? HAWSER_OK : error_memory(err);
+    return wider != NULL;
+}
+
+hawser_status cuts_find(int m, const Node *node, double sigma, int clothoids, Piece **piece, int *n, hawser_error *err)
+{
+    int from = 0, fine = 1;
+    *n = 0;
+    *piece = NULL;
+    for (int i = 1; i < m && fine; ++i) {
+        if (i + 1 < m && !node[i].corner) continue;
+        fine = stretch_cut(i - from + 1, node + from, sigma, clothoids, piece, n);
+        from = i;
+    }
+    if (!fine) {
+        free(*piece);
+        *piece = NULL;
+        return error_memory(err);
+    }
+    for (int k = 1; k < *n; ++k) { /* curvatures that are meant to be the same */
+        const PlanElement *const e = &(*piece)[k].e;
+        const double L = fmin(e->length, (*piece)[k - 1].e.length),
+                     away = fabs(e->k0 - (*piece)[k - 1].e.k1) * L * L / 8;
+        (*piece)[k].loose = away > 10 * sigma;
+    }
+    return HAWSER_OK;
 }

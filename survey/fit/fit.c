@@ -116,13 +116,14 @@ static int corners_fill(const Line *l, double scatter, double deviation, Line *o
     *out = (Line){0, malloc((size_t)l->n * CORNER_PARTS * sizeof *out->node)};
     if (!out->node) return 0;
     for (int i = 0; i < l->n; ++i) {
-        out->node[out->n++] = l->node[i];
+        out->node[out->n] = l->node[i];
+        out->node[out->n++].corner = is_corner(l, i, scatter, deviation);
         if (i + 1 == l->n || !(is_corner(l, i, scatter, deviation) || is_corner(l, i + 1, scatter, deviation)))
             continue;
         for (int k = 1; k < CORNER_PARTS; ++k) {
             const double part = (double)k / CORNER_PARTS;
             const Node *const a = &l->node[i], *const b = a + 1;
-            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1};
+            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1, 0};
         }
     }
     return 1;
@@ -144,6 +145,56 @@ static void fitted_clear(Fitted *f)
     *f = (Fitted){0};
 }
 
+static double farthest(int m, const Foot *foot)
+{
+    double most = 0;
+    for (int i = 0; i < m; ++i) most = fmax(most, fabs(foot[i].away));
+    return most;
+}
+
+/* An arc between straights that cuts its corner off by less than can be seen, or that is sharper than the least radius,
+ * becomes as wide as the deviation allows: (FT8). foot: [m]. */
+static hawser_status arcs_widen(Fitted *f, int m, const Node *node, const FitOptions *o, Foot *foot, hawser_error *err)
+{
+    const double before = farthest(m, foot), unseen = 0.1, most = 0.9;
+    Piece *const kept = malloc((size_t)f->n * sizeof *kept);
+    int changed = 0;
+    if (!kept) return error_memory(err);
+    memcpy(kept, f->piece, (size_t)f->n * sizeof *kept);
+    for (int i = 1; i + 1 < f->n; ++i) {
+        Piece *const p = &f->piece[i];
+        const double turn = fabs(p->e.k0 * p->e.length), outside = 1 / fmax(cos(turn / 2), 0.05) - 1;
+        if (p->kind != PIECE_ARC || p[-1].kind != PIECE_STRAIGHT || p[1].kind != PIECE_STRAIGHT || !(turn > 1e-9))
+            continue;
+        const double radius = 1 / fabs(p->e.k0),
+                     room = 0.4 * fmin(p[-1].e.length, p[1].e.length) / tan(fmin(turn / 2, 1.5));
+        double wider = radius;
+        if (radius * outside < unseen * o->deviation) wider = 0.5 * o->deviation / outside;
+        if (radius < o->least_radius)
+            wider = fmin(o->least_radius, radius + most * fmax(0, o->deviation - radius * outside) / outside);
+        wider = fmin(wider, radius + room);
+        if (!(wider > radius * 1.001)) continue;
+        const double longer = (wider - radius) * tan(fmin(turn / 2, 1.5));
+        p[-1].e.length -= longer;
+        p->e.length = wider * turn;
+        p[1].e.length -= longer;
+        p->e.k0 = p->e.k1 = copysign(1 / wider, p->e.k0);
+        p->kept = 1;
+        changed = 1;
+    }
+    hawser_status status = HAWSER_OK;
+    if (changed) {
+        chain_close(f->n, f->piece);
+        status = chain_refine(f->n, f->piece, m, node, CLOSE_STEPS, foot, err);
+    }
+    if (!status && changed && farthest(m, foot) > fmax(before, o->deviation) * 1.02) {
+        memcpy(f->piece, kept, (size_t)f->n * sizeof *kept);
+        status = chain_refine(f->n, f->piece, m, node, 0, foot, err);
+    }
+    free(kept);
+    return status;
+}
+
 /* The chain through the line, from given pieces on if there are some (in f->piece). */
 static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
 {
@@ -163,6 +214,7 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
         status = chain_improve(&f->piece, &f->n, full.n, full.node, sigma, clothoids, foot, err);
     }
     if (!status) status = chain_refine(f->n, f->piece, full.n, full.node, CLOSE_STEPS, foot, err);
+    if (!status) status = arcs_widen(f, full.n, full.node, o, foot, err);
     if (!status) {
         chain_close(f->n, f->piece);
         status = chain_refine(f->n, f->piece, l->n, l->node, 0, f->foot, err);
@@ -209,7 +261,7 @@ static int node_add(Line *l, double x, double y)
         if (!wider) return 0;
         l->node = wider;
     }
-    l->node[l->n++] = (Node){x, y, 1};
+    l->node[l->n++] = (Node){x, y, 1, 0};
     return 1;
 }
 
@@ -230,12 +282,19 @@ static int plan_line(const Alignment *a, Vec3 origin, Line *l)
     return fine;
 }
 
-/* Pieces of a line that has curves already: these are kept, and straights between them. 0: no memory. */
+/* Pieces of a line that has curves already: these are kept, and straights between them. Many straights in a row are
+ * chords, and their line one of points. 0: no memory. */
 static int pieces_kept(const Alignment *a, Vec3 origin, Fitted *f)
 {
-    int curves = 0;
-    for (int i = 0; i < a->n_plan; ++i) curves += a->plan[i].k0 != 0 || a->plan[i].k1 != 0;
-    if (curves == 0 || 3 * curves < a->n_plan) return 1; /* what is between them are chords */
+    enum { STRAIGHTS_MOST = 5 };
+    int curves = 0, straights = 0, most = 0;
+    for (int i = 0; i < a->n_plan; ++i) {
+        const int curve = a->plan[i].k0 != 0 || a->plan[i].k1 != 0;
+        curves += curve;
+        straights = curve ? 0 : straights + 1;
+        most = straights > most ? straights : most;
+    }
+    if (curves == 0 || most > STRAIGHTS_MOST) return 1;
     f->piece = malloc((size_t)a->n_plan * sizeof *f->piece);
     for (int i = 0; f->piece && i < a->n_plan; ++i) {
         const PlanElement *const e = &a->plan[i];
@@ -299,7 +358,7 @@ static hawser_status heights_of_points(const Alignment *plan, const Alignment *f
         start[q] = q ? start[q - 1] + plan->plan[q - 1].length : 0;
     }
     for (int i = 0; i < n && !status; ++i) {
-        node[i] = (Node){from->point[i].x - origin.x, from->point[i].y - origin.y, 1};
+        node[i] = (Node){from->point[i].x - origin.x, from->point[i].y - origin.y, 1, 0};
     }
     if (!status) status = chain_refine(plan->n_plan, piece, n, node, 0, foot, err);
     for (int i = 0; i < n && !status; ++i) {

@@ -20,7 +20,7 @@ typedef struct Window {
  * joints at which a clothoid goes over are one, and one with those of the arc there; a straight's is none. */
 static double pieces_cost(int n, const Piece *p)
 {
-    const double curvature = 8, clothoid = 8;
+    const double curvature = 8, clothoid = 5;
     double sum = 0;
     int unknown = 0; /* the curvature with which the piece before ended */
     for (int i = 0; i < n; ++i) {
@@ -119,6 +119,12 @@ static int make_straight(Window *w, int q) { return change_kind(w, q, PIECE_STRA
 static int make_arc(Window *w, int q) { return change_kind(w, q, PIECE_ARC); }
 static int make_clothoid(Window *w, int q) { return change_kind(w, q, PIECE_CLOTHOID); }
 
+/* On either side of piece q. */
+static int make_two_clothoids(Window *w, int q)
+{
+    return q > 0 && q + 1 < w->n && make_clothoid(w, q + 1) && make_clothoid(w, q - 1);
+}
+
 /* A piece between q and the next, which give up part of their lengths. */
 static int put_between(Window *w, int q, PieceKind kind, double part)
 {
@@ -169,9 +175,10 @@ static int loosen(Window *w, int q)
 }
 
 /* Each changes a window about its piece q; 0: that cannot be done. */
-static int (*const moves[])(Window *w, int q) = {
-    leave_out,         leave_two_out, make_straight, make_arc,      put_clothoid, put_short_clothoid,
-    put_two_clothoids, put_straight,  put_arc,       make_clothoid, split,        loosen};
+static int (*const moves[])(Window *w, int q) = {leave_out,    leave_two_out,      make_straight,      make_arc,
+                                                 put_clothoid, put_short_clothoid, put_two_clothoids,  put_straight,
+                                                 put_arc,      make_clothoid,      make_two_clothoids, split,
+                                                 loosen};
 
 /* ------------------------------------------------------------------------------------------------------- windows */
 
@@ -385,7 +392,9 @@ hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_erro
         const PlanElement from = plan_at(&p->e, p->e.length);
         const double k = (turn > 0 ? 1 : -1) / radius;
         memmove(&p[2], &p[1], (size_t)(*n - i - 1) * sizeof *p);
-        p[1] = (Piece){.kind = PIECE_ARC, .e = {from.x, from.y, from.heading, radius * 2 * half, k, k}};
+        p[1] = (Piece){.kind = PIECE_ARC,
+                       .kept = straights && fabs(turn) > 0.15,
+                       .e = {from.x, from.y, from.heading, radius * 2 * half, k, k}};
         ++*n;
         ++i;
     }

@@ -62,7 +62,7 @@ hawser_status print_dxf(const Alignment *a, FILE *to, hawser_error *err)
     Vec3 *vertex = NULL;
     int n = 0;
     layer_set(a, layer);
-    fputs("  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n  9\n$INSUNITS\n 70\n     6\n  0\nENDSEC\n  "
+    fputs("  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n  0\nENDSEC\n  "
           "0\nSECTION\n  2\n"
           "ENTITIES\n",
           to);

@@ -1,4 +1,5 @@
-/* Files of routes: any bytes as a file, read by whichever reader takes them. */
+/* Files of routes: any bytes as a file, read by whichever reader takes them; its lines are joined, and a small one is
+ * fitted and written. */
 #define _GNU_SOURCE /* memfd_create */
 #include <math.h>
 #include <stdio.h>
@@ -6,7 +7,10 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "survey/fit/fit.h"
+#include "survey/fit/join.h"
 #include "survey/read/read.h"
+#include "survey/write/write.h"
 #include "tests/fuzz/fuzz.h"
 
 /* What was read can be measured and asked for places; numbers may be huge, but not none. */
@@ -17,6 +21,44 @@ static void look_at(const Alignment *a)
     for (int i = 0; i < a->n_profile; ++i) FUZZ_MUST(a->profile[i].length > 0);
     FUZZ_MUST(!isnan(m.plan_length) && m.pieces >= 0);
     alignment_at(a, 0.3 * m.plan_length);
+}
+
+/* A fit is smooth, whatever the points were; or it is refused. */
+static void fit_and_write(const Alignment *a)
+{
+    enum { SMALL = 60 };
+    const FitOptions options = fit_options();
+    hawser_error err;
+    FitReport report;
+    Alignment out;
+    if (a->n_points + 8 * a->n_plan + a->n_profile > SMALL) return;
+    const hawser_status status = fit_alignment(a, NULL, &options, &out, &report, &err);
+    if (status) {
+        FUZZ_MUST(fuzz_error_is_good(status, err.message));
+        return;
+    }
+    FUZZ_MUST(out.n_plan > 0 && report.largest >= 0);
+    FILE *const to = fopen("/dev/null", "w");
+    for (int format = WRITE_ELEMENTS; to && format <= WRITE_CASE; ++format) {
+        if (alignment_measure(&out).plan_length > 1e5) continue; /* millions of corners */
+        const hawser_status written = alignment_print(&out, "", (WriteFormat)format, to, &err);
+        if (written) FUZZ_MUST(fuzz_error_is_good(written, err.message));
+    }
+    if (to) fclose(to);
+    alignment_clear(&out);
+}
+
+static void join_and_fit(const Survey *survey)
+{
+    const JoinOptions options = join_options();
+    hawser_error err;
+    Joined joined;
+    Survey lines = {0};
+    const hawser_status status = join_lines(survey, &options, &lines, &joined, &err);
+    if (status) FUZZ_MUST(fuzz_error_is_good(status, err.message));
+    for (int i = 0; i < lines.n; ++i) look_at(&lines.alignment[i]);
+    if (lines.n) fit_and_write(&lines.alignment[0]);
+    survey_clear(&lines);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -31,6 +73,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const hawser_status status = survey_read(path, &options, &survey, &err);
     if (status) FUZZ_MUST(fuzz_error_is_good(status, err.message));
     for (int i = 0; !status && i < survey.n; ++i) look_at(&survey.alignment[i]);
+    if (!status) join_and_fit(&survey);
     if (!status) survey_clear(&survey);
     close(fd);
     return 0;

@@ -30,7 +30,7 @@ static Survey __attribute__((unused)) shared_file(const char *name)
 }
 
 /* A text as a file; the message where it is not read, else empty. Give it a Survey to be cleared. */
-static const char *__attribute__((unused)) read_text(const char *text, Survey *s)
+static __attribute__((unused)) const char *read_text(const char *text, Survey *s)
 {
     static hawser_error err;
     char path[] = "/tmp/hawser-survey-XXXXXX";

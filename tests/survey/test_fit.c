@@ -1,0 +1,280 @@
+/* Fitting: routes that are known come back from noisy points; corners, kept arcs, radii below a limit, profiles. */
+#include <math.h>
+
+#include "survey/fit/fit.h"
+#include "tests/survey/survey_fixture.h"
+
+/* --------------------------------------------------------------------------------------------------------- known
+ * routes */
+
+/* Numbers that look random, evenly between 0 and 1. */
+static double chance(unsigned long long *state)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 7;
+    *state ^= *state << 17;
+    return (double)(*state >> 11) / 9007199254740992.0;
+}
+
+static double normal(unsigned long long *state)
+{
+    const double u = chance(state), v = chance(state);
+    return sqrt(-2 * log(u + 1e-300)) * cos(2 * acos(-1) * v);
+}
+
+static void add(Alignment *a, double length, double k0, double k1)
+{
+    PlanElement *const e = alignment_add_plan(a);
+    assert_non_null(e);
+    *e = (PlanElement){.length = length, .k0 = k0, .k1 = k1};
+}
+
+/* Points every `step` m along a line, each coordinate off by `sigma`. */
+static Alignment sampled(const Alignment *a, double step, double sigma)
+{
+    unsigned long long state = 88172645463325252ULL;
+    Alignment p = {.stated_length = NAN};
+    const double length = alignment_measure(a).plan_length;
+    const int n = (int)ceil(length / step);
+    for (int i = 0; i <= n; ++i) {
+        const Vec3 at = alignment_at(a, fmin(i * step, length)).at;
+        Vec3 *const to = alignment_add_point(&p);
+        assert_non_null(to);
+        *to = v3_add(at, v3_scale(sigma, v3(normal(&state), normal(&state), normal(&state))));
+    }
+    return p;
+}
+
+/* Ten straights with ten bends between them, or with transitions; a profile of seven grades with arcs between. */
+static Alignment known_route(int transitions)
+{
+    static const double radius[] = {46, -17, 21, 8, -25, 48, 33, -47, -24, 32};
+    static const double angle[] = {0.7, 1.4, 1.1, 1.3, 1.0, 0.9, 1.2, 1.4, 1.2, 0.6};
+    Alignment a = {.stated_length = NAN};
+    for (int i = 0; i < (transitions ? 5 : 10); ++i) {
+        const double R = transitions ? 2 * radius[i] + copysign(20, radius[i]) : radius[i], L = 0.4 * fabs(R);
+        add(&a, 22 + 4 * i, 0, 0);
+        if (transitions) add(&a, L, 0, 1 / R);
+        add(&a, angle[i] * fabs(R), 1 / R, 1 / R);
+        if (transitions) add(&a, L, 1 / R, 0);
+    }
+    a.plan[0].x = 671234.5;
+    a.plan[0].y = 6712345.6;
+    a.plan[0].heading = 2.3;
+    alignment_chain(&a);
+    const double length = alignment_measure(&a).plan_length;
+    ProfileCorner corner[8];
+    static const double height[] = {5, 13, 14, 5, 5.5, 4, -4, -6};
+    static const double round[] = {0, 250, 150, 280, 300, 160, 270, 0};
+    for (int i = 0; i < 8; ++i) {
+        corner[i] = (ProfileCorner){.station = i * length / 7, .z = height[i], .kind = PROFILE_ARC, .radius = round[i]};
+    }
+    hawser_error err;
+    assert_int_equal(profile_from_corners(&a, 8, corner, &err), HAWSER_OK);
+    return a;
+}
+
+static FitReport fitted(const Alignment *points, Alignment *out)
+{
+    const FitOptions options = fit_options();
+    hawser_error err = {.message = ""};
+    FitReport report;
+    if (fit_alignment(points, NULL, &options, out, &report, &err)) fail_msg("%s", err.message);
+    return report;
+}
+
+static double largest_jump(const Alignment *a)
+{
+    const AlignmentMeasure m = alignment_measure(a);
+    return fmax(m.gap, m.turn);
+}
+
+/* The same pieces in the same order, radii within `part`, lengths within `slide` m: where a bend begins is seldom
+ * seen well. */
+static void same_pieces(const Alignment *a, const Alignment *b, double part, double slide)
+{
+    assert_int_equal(a->n_plan, b->n_plan);
+    for (int i = 0; i < a->n_plan; ++i) {
+        const double k = fmax(fabs(a->plan[i].k0), fabs(a->plan[i].k1));
+        const double is = fmax(fabs(b->plan[i].k0), fabs(b->plan[i].k1));
+        check_close(is, k, part * k);
+        check_close(b->plan[i].length, a->plan[i].length, slide);
+    }
+}
+
+/* ----------------------------------------------------------------------------------------------------------------
+ * tests */
+
+static void noisy_route_comes_back(void **state)
+{
+    (void)state;
+    for (int transitions = 0; transitions < 2; ++transitions) {
+        Alignment route = known_route(transitions), points = sampled(&route, 1, 0.01), out;
+        const FitReport r = fitted(&points, &out);
+        assert_int_equal(route.n_plan, 20);
+        same_pieces(&route, &out, 0.02, transitions ? 4 : 1.5);
+        assert_int_equal(out.n_profile, route.n_profile);
+        for (int i = 0; i < route.n_profile; ++i) {
+            if (route.profile[i].bend != 0 && route.profile[i].length > 15)
+                check_close(1 / out.profile[i].bend, 1 / route.profile[i].bend, 0.1 / fabs(route.profile[i].bend));
+            check_close(out.profile[i].grade, route.profile[i].grade, 1e-3);
+        }
+        check_below(largest_jump(&out), 1e-8);
+        check_below(r.largest, 0.05);
+        check_close(r.rms, 0.01, 0.001);
+        check_close(r.scatter, 0.01, 0.0015);
+        check_close(r.rms_height, 0.01, 0.001);
+        double off = 0;
+        const double length = alignment_measure(&route).plan_length;
+        for (double s = 0; s < length; s += 2) { /* the line itself, not its points */
+            const Vec3 at = alignment_at(&route, s).at;
+            off = fmax(
+                off, fabs(v3_dot(v3_sub(alignment_at(&out, s).at, at),
+                                 v3(-sin(alignment_at(&route, s).heading), cos(alignment_at(&route, s).heading), 0))));
+        }
+        check_below(off, 0.03);
+        alignment_clear(&route);
+        alignment_clear(&points);
+        alignment_clear(&out);
+    }
+}
+
+/* Whatever the spacing and the noise. */
+static void spacing_and_noise(void **state)
+{
+    (void)state;
+    static const struct {
+        double step, sigma, part;
+    } runs[] = {{0.25, 0.01, 0.02}, {2, 0.01, 0.03}, {1, 0, 0.002}};
+    for (size_t i = 0; i < sizeof runs / sizeof *runs; ++i) {
+        Alignment route = known_route(0), points = sampled(&route, runs[i].step, runs[i].sigma), out;
+        fitted(&points, &out);
+        same_pieces(&route, &out, runs[i].part, 1.5);
+        alignment_clear(&route);
+        alignment_clear(&points);
+        alignment_clear(&out);
+    }
+}
+
+static Alignment polyline(int n, const Vec3 *point)
+{
+    Alignment a = {.stated_length = NAN};
+    for (int i = 0; i < n; ++i) *alignment_add_point(&a) = point[i];
+    return a;
+}
+
+/* A drawn line with sharp corners gets bends there, within the deviation, and says that they are sharp. */
+static void corners_get_bends(void **state)
+{
+    (void)state;
+    const Vec3 point[] = {{0, 0, 2}, {50, 0, 2}, {50, 40, 4}, {100, 90, 4}};
+    Alignment line = polyline(4, point), out;
+    FitOptions options = fit_options();
+    options.least_radius = 3;
+    hawser_error err;
+    FitReport r;
+    assert_int_equal(fit_alignment(&line, NULL, &options, &out, &r, &err), HAWSER_OK);
+    assert_int_equal(out.n_plan, 5);
+    check_below(largest_jump(&out), 1e-8);
+    check_below(r.largest, 0.051);
+    assert_int_equal(r.n_tight, 2);
+    check_below(r.least_radius, 1);
+    check_close(r.least_at, 50, 1);
+    check_close(alignment_measure(&out).end.z, 4, 0.05);
+    check_vec(alignment_measure(&out).end, point[3], 0.06);
+    alignment_clear(&line);
+    alignment_clear(&out);
+}
+
+/* What is smooth stays as it is, to the last bit. */
+static void smooth_lines_stay(void **state)
+{
+    (void)state;
+    Alignment route = known_route(1), out;
+    const FitReport r = fitted(&route, &out);
+    assert_int_equal(r.fitted, 0);
+    assert_int_equal(out.n_plan, route.n_plan);
+    assert_memory_equal(out.plan, route.plan, (size_t)out.n_plan * sizeof *out.plan);
+    assert_memory_equal(out.profile, route.profile, (size_t)out.n_profile * sizeof *out.profile);
+    alignment_clear(&route);
+    alignment_clear(&out);
+}
+
+/* A polyline with an arc by its bulge and a corner: the arc keeps its radius, the corner is rounded. */
+static void arcs_are_kept(void **state)
+{
+    (void)state;
+    Alignment a = {.stated_length = NAN}, out;
+    add(&a, 40, 0, 0);
+    add(&a, 12.5 * acos(0), 1 / 12.5, 1 / 12.5);
+    add(&a, 40, 0, 0);
+    add(&a, 40, 0, 0);
+    alignment_chain(&a);
+    a.plan[3].heading -= 0.8;
+    const FitReport r = fitted(&a, &out);
+    assert_int_equal(r.fitted, 1);
+    assert_int_equal(out.n_plan, 5);
+    check_close(out.plan[1].k0, 1 / 12.5, 1e-15);
+    check_close(out.plan[1].length, 12.5 * acos(0), 0.2);
+    assert_true(out.plan[3].k0 < -0.1);
+    check_below(largest_jump(&out), 1e-8);
+    check_below(r.largest, 0.051);
+    alignment_clear(&a);
+    alignment_clear(&out);
+}
+
+/* Heights from points beside the plan, from a drawn profile, and from one with corners. */
+static void heights_from_elsewhere(void **state)
+{
+    (void)state;
+    Alignment route = known_route(0), flat, out, drawn = {.stated_length = NAN};
+    Alignment points = sampled(&route, 1, 0.003);
+    assert_true(alignment_copy(&points, &flat));
+    for (int i = 0; i < flat.n_points; ++i) flat.point[i].z = 0;
+    flat.flat = 1;
+    const double length = alignment_measure(&route).plan_length;
+    for (double s = 0; s < length; s += 1) *alignment_add_point(&drawn) = v3(s, alignment_at(&route, s).at.z, 0);
+    *alignment_add_point(&drawn) = v3(length, alignment_at(&route, length).at.z, 0);
+    for (int k = 0; k < 3; ++k) {
+        const Alignment *const from[] = {&points, &drawn, &route};
+        FitOptions options = fit_options();
+        options.profile_drawn = k == 1;
+        FitReport r;
+        hawser_error err = {.message = ""};
+        assert_int_equal(fit_alignment(&flat, from[k], &options, &out, &r, &err), HAWSER_OK);
+        for (double s = 0; s < length; s += 5)
+            check_close(alignment_at(&out, s).at.z, alignment_at(&route, s).at.z, 0.03);
+        alignment_clear(&out);
+    }
+    alignment_clear(&route);
+    alignment_clear(&points);
+    alignment_clear(&flat);
+    alignment_clear(&drawn);
+}
+
+static void what_is_wrong(void **state)
+{
+    (void)state;
+    const Vec3 one[] = {{1, 1, 1}, {1, 1, 1}}, wall[] = {{0, 0, 0}, {10, 0, 0}, {10.5, 0, 40}, {20, 0, 40}};
+    FitOptions options = fit_options();
+    FitReport r;
+    hawser_error err = {.message = ""};
+    Alignment out, a = polyline(2, one);
+    assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "fewer than two points");
+    alignment_clear(&a);
+    a = polyline(4, wall);
+    assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "steeper than 80 deg");
+    alignment_clear(&a);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(spacing_and_noise),
+        cmocka_unit_test(corners_get_bends),      cmocka_unit_test(smooth_lines_stay),
+        cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
+        cmocka_unit_test(what_is_wrong)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

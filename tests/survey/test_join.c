@@ -1,0 +1,157 @@
+/* Joining: pieces in any order and direction, forks, gaps, doubles, heights; choosing one of many lines. */
+#include <math.h>
+
+#include "survey/fit/join.h"
+#include "tests/survey/survey_fixture.h"
+
+static Alignment *straight(Survey *s, const char *layer, Vec3 from, Vec3 to)
+{
+    Alignment *const a = survey_add(s, layer);
+    snprintf(a->layer, sizeof a->layer, "%s", layer);
+    *alignment_add_point(a) = from;
+    *alignment_add_point(a) = to;
+    a->flat = from.z == 0 && to.z == 0;
+    return a;
+}
+
+static Alignment *arc(Survey *s, const char *layer, PlanElement e)
+{
+    Alignment *const a = survey_add(s, layer);
+    snprintf(a->layer, sizeof a->layer, "%s", layer);
+    *alignment_add_plan(a) = e;
+    a->flat = 1;
+    return a;
+}
+
+static Survey joined(const Survey *from, const char *layer, Joined *j)
+{
+    JoinOptions options = join_options();
+    hawser_error err = {.message = ""};
+    Survey to = {0};
+    options.layer = layer;
+    if (join_lines(from, &options, &to, j, &err)) fail_msg("%s", err.message);
+    return to;
+}
+
+/* Three pieces, the middle one an arc drawn from its far end, ends 4 mm apart. */
+static void order_and_direction(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    Joined j;
+    straight(&s, "C", v3(20, 10, 0), v3(20, 50, 0));
+    arc(&s, "c", (PlanElement){20.004, 10, -acos(0), 10 * acos(0), -0.1, -0.1});
+    straight(&s, "C", v3(10, 0, 0), v3(0, 0, 0));
+    straight(&s, "other", v3(20, 50, 0), v3(20, 90, 0));
+    Survey to = joined(&s, "C", &j);
+    assert_int_equal(to.n, 1);
+    assert_int_equal(j.pieces, 3);
+    assert_int_equal(j.n_forks + j.n_gaps, 0);
+    Alignment *const a = &to.alignment[0];
+    assert_int_equal(a->n_plan, 3);
+    if (a->plan[0].y > 1) alignment_reverse(a);
+    check_close(a->plan[1].k0, 0.1, 1e-15);
+    check_vec(alignment_measure(a).start, v3(0, 0, 0), 1e-9);
+    check_vec(alignment_measure(a).end, v3(20, 50, 0), 1e-9);
+    check_below(alignment_measure(a).gap, 0.005);
+    survey_clear(&to);
+    survey_clear(&s);
+}
+
+/* A branch: three lines that end there, not one that guesses. A gap of 0.3 m: two lines, and said. */
+static void forks_and_gaps(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    Joined j;
+    straight(&s, "C", v3(0, 0, 0), v3(50, 0, 0));
+    straight(&s, "C", v3(50, 0, 0), v3(80, 0, 0));
+    straight(&s, "C", v3(50, 0, 0), v3(50, 20, 0));
+    straight(&s, "C", v3(80.3, 0, 0), v3(95, 0, 0));
+    straight(&s, "C", v3(80, 0, 0), v3(50, 0, 0)); /* drawn twice */
+    Survey to = joined(&s, NULL, &j);
+    assert_int_equal(j.doubles, 1);
+    assert_int_equal(j.n_forks, 1);
+    assert_int_equal(j.n_gaps, 1);
+    assert_int_equal(to.n, 4);
+    check_close(alignment_measure(&to.alignment[0]).length, 50, 1e-12); /* the longest first */
+    for (int i = 0; i < j.n_doubts; ++i) {
+        if (j.doubt[i].kind == JOIN_FORK) {
+            assert_int_equal(j.doubt[i].ends, 3);
+            check_vec(j.doubt[i].at, v3(50, 0, 0), 1e-12);
+        } else {
+            check_close(j.doubt[i].away, 0.3, 1e-9);
+        }
+    }
+    survey_clear(&to);
+    survey_clear(&s);
+}
+
+/* Crossings at different heights do not meet; what has heights becomes points, arcs among them. */
+static void heights(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    Joined j;
+    straight(&s, "C", v3(0, 0, 1), v3(10, 0, 2));
+    straight(&s, "C", v3(10, 0, 2), v3(20, 0, 2));
+    straight(&s, "C", v3(10, 0, 5), v3(10, 9, 5));
+    Alignment *const a = arc(&s, "C", (PlanElement){20, 0, 0, 10, 0.1, 0.1});
+    *alignment_add_profile(a) = (ProfileElement){.length = 10, .z = 2};
+    Survey to = joined(&s, NULL, &j);
+    assert_int_equal(to.n, 2);
+    assert_int_equal(to.alignment[0].n_plan, 0);
+    check_close(alignment_measure(&to.alignment[0]).length, sqrt(101) + 20, 2e-3);
+    check_close(alignment_measure(&to.alignment[1]).length, 9, 1e-12);
+    survey_clear(&to);
+    survey_clear(&s);
+}
+
+/* Ten thousand pieces of a circle in any order: one closed line. */
+static void many(void **state)
+{
+    (void)state;
+    enum { N = 10007 };
+    Survey s = {0};
+    Joined j;
+    for (int i = 0; i < N; ++i) {
+        const int k = (int)((long)i * 7919 % N);
+        const double a = 2 * acos(-1) * k / N, b = 2 * acos(-1) * ((k + 1) % N) / N;
+        const Vec3 p = v3(1000 * cos(a), 1000 * sin(a), 0), q = v3(1000 * cos(b), 1000 * sin(b), 0);
+        straight(&s, "C", i % 3 ? p : q, i % 3 ? q : p);
+    }
+    Survey to = joined(&s, "C", &j);
+    assert_int_equal(to.n, 1);
+    assert_int_equal(to.alignment[0].n_points, N + 1);
+    check_close(alignment_measure(&to.alignment[0]).length, 2000 * acos(-1), 1e-3);
+    survey_clear(&to);
+    survey_clear(&s);
+}
+
+static void choosing(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    straight(&s, "A", v3(0, 0, 0), v3(10, 0, 0));
+    straight(&s, "B", v3(0, 5, 0), v3(30, 5, 0));
+    arc(&s, "A", (PlanElement){0, 50, 0, 20, 0.05, 0.05});
+    assert_int_equal(choose_line(&s, &(ChooseOptions){0}), 1);
+    assert_int_equal(choose_line(&s, &(ChooseOptions){.layer = "a"}), 2);
+    assert_int_equal(choose_line(&s, &(ChooseOptions){.near_given = 1, .near_x = 4, .near_y = 1}), 0);
+    assert_int_equal(choose_line(&s, &(ChooseOptions){.name = "none"}), -1);
+    check_close(line_away(&s.alignment[2], 0, 70), 20, 0.02);
+    Survey to = {0};
+    Joined j;
+    hawser_error err;
+    const JoinOptions options = {.tolerance = 0.01, .layer = "X"};
+    assert_int_equal(join_lines(&s, &options, &to, &j, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "no line on layer X");
+    survey_clear(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(order_and_direction), cmocka_unit_test(forks_and_gaps),
+                                       cmocka_unit_test(heights), cmocka_unit_test(many), cmocka_unit_test(choosing)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,142 @@
+/* GPX and GeoJSON, and the projection: true on its meridian, conformal, and back. */
+#include <math.h>
+
+#include "survey/map/map.h"
+#include "tests/survey/survey_fixture.h"
+
+static const double AXIS = 6378137, FLAT = 1 / 298.257223563;
+
+/* Length of the meridian between two latitudes, degrees, by Simpson's rule on its radius of curvature. */
+static double meridian(double from, double to)
+{
+    enum { N = 2000 };
+    const double square = FLAT * (2 - FLAT), h = (to - from) * acos(-1) / 180 / N;
+    double sum = 0;
+    for (int i = 0; i <= N; ++i) {
+        const double s = sin(from * acos(-1) / 180 + i * h);
+        sum += (i == 0 || i == N ? 1 : i % 2 ? 4 : 2) * AXIS * (1 - square) / pow(1 - square * s * s, 1.5);
+    }
+    return sum * h / 3;
+}
+
+static void projection(void **state)
+{
+    (void)state;
+    const MapOrigin origin = {7.25, 51.5};
+    double x, y, longitude, latitude;
+    map_to_ground(origin, 7.25, 53, &x, &y);
+    check_close(x, 0, 1e-9);
+    check_close(y, meridian(51.5, 53), 1e-6);
+    for (int i = 0; i < 5; ++i) {
+        const double at[2] = {7.25 + 0.4 * i, 51.5 - 0.7 * i}, h = 1e-4, square = FLAT * (2 - FLAT);
+        double p[4][2];
+        for (int k = 0; k < 4; ++k) {
+            map_to_ground(origin,
+                          at[0] + (k == 0   ? h
+                                   : k == 1 ? -h
+                                            : 0),
+                          at[1] + (k == 2   ? h
+                                   : k == 3 ? -h
+                                            : 0),
+                          &p[k][0], &p[k][1]);
+        }
+        const double s = sin(at[1] * acos(-1) / 180), w = 1 - square * s * s, degree = acos(-1) / 180;
+        const double east = AXIS / sqrt(w) * cos(at[1] * degree) * 2 * h * degree;
+        const double north = AXIS * (1 - square) / pow(w, 1.5) * 2 * h * degree;
+        const double e[2] = {(p[0][0] - p[1][0]) / east, (p[0][1] - p[1][1]) / east};
+        const double n[2] = {(p[2][0] - p[3][0]) / north, (p[2][1] - p[3][1]) / north};
+        check_close(e[0], n[1], 1e-8);
+        check_close(e[1], -n[0], 1e-8);
+        map_to_ground(origin, at[0], at[1], &x, &y);
+        check_close(hypot(e[0], e[1]), 1 + x * x / (2 * 6.381e6 * 6.381e6), 1e-6); /* the scale that is stated */
+        map_from_ground(origin, x, y, &longitude, &latitude);
+        check_close(longitude, at[0], 1e-12);
+        check_close(latitude, at[1], 3e-12); /* 0.3 um */
+    }
+}
+
+static void gpx(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(
+            "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\" xmlns=\"http://www.topografix.com/GPX/1/1\">"
+            "<wpt lat=\"60\" lon=\"10\"><ele>3</ele><name>pit 1</name></wpt>"
+            "<trk><name>drum to pit</name><trkseg><trkpt lat=\"60\" lon=\"10\"><ele>1</ele></trkpt>"
+            "<trkpt lat=\"60.001\" lon=\"10\"><ele>2.5</ele><time>x</time></trkpt></trkseg><trkseg></trkseg></trk>"
+            "<rte><name>other</name><rtept lat=\"60\" lon=\"10.001\"><name>A</name></rtept><rtept lat=\"60\" "
+            "lon=\"10.002\"/>"
+            "</rte></gpx>",
+            &s),
+        "");
+    assert_int_equal(s.n, 2);
+    assert_int_equal(s.n_marks, 1);
+    assert_string_equal(s.mark[0].name, "pit 1");
+    check_vec(s.mark[0].at, v3(0, 0, 3), 1e-9);
+    const Alignment *const a = named(&s, "drum to pit"), *const b = named(&s, "other");
+    check_vec(alignment_measure(a).end, v3(0, meridian(60, 60.001), 2.5), 1e-6);
+    assert_true(b->flat && !a->flat);
+    const double square = FLAT * (2 - FLAT), w = 1 - square * 0.75;
+    check_close(alignment_measure(b).length, AXIS / sqrt(w) * 0.5 * 1e-3 * acos(-1) / 180, 1e-6);
+    check_has(s.system, "longitude 10.0");
+    survey_clear(&s);
+}
+
+static void geojson(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text("{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{\"name\":\"a\","
+                  "\"layer\":"
+                  "\"L\"},\"geometry\":{\"type\":\"LineString\",\"coordinates\":[[10,60,1],[10,60.001,2]]}},"
+                  "{\"type\":\"Feature\",\"properties\":null,\"geometry\":{\"type\":\"MultiLineString\","
+                  "\"coordinates\":[[[10,60],"
+                  "[10,60.002]],[[10,60],[10,60.003]]]}},{\"type\":\"Feature\",\"properties\":{\"name\":\"winch\"},"
+                  "\"geometry\":{"
+                  "\"type\":\"Point\",\"coordinates\":[10,60.001,7]}},{\"type\":\"Polygon\",\"coordinates\":[]}]}",
+                  &s),
+        "");
+    assert_int_equal(s.n, 3);
+    assert_string_equal(s.alignment[0].layer, "L");
+    check_vec(alignment_measure(&s.alignment[0]).end, v3(0, meridian(60, 60.001), 2), 1e-6);
+    check_close(alignment_measure(&s.alignment[2]).length, meridian(60, 60.003), 1e-6);
+    assert_int_equal(s.n_marks, 1);
+    check_close(s.mark[0].at.z, 7, 1e-12);
+    assert_int_equal(s.n_ignored, 1);
+    survey_clear(&s);
+    assert_string_equal(
+        read_text("{\"type\":\"LineString\",\"coordinates_in\":\"m\",\"coordinates\":[[0,0],[3000,4000]]}", &s), "");
+    check_close(alignment_measure(&s.alignment[0]).length, 5000, 1e-9);
+    survey_clear(&s);
+}
+
+static void bad(const char *text, const char *reason)
+{
+    Survey s;
+    check_has(read_text(text, &s), reason);
+}
+
+static void what_is_wrong(void **state)
+{
+    (void)state;
+    bad("{\"type\":\"LineString\",\n\"coordinates\":[[1,2],[3,", "2: no JSON");
+    bad("{\"type\":\"LineString\",\"coordinates\":[[1,2]]}", "fewer than two positions");
+    bad("{\"type\":\"LineString\",\"coordinates\":[[1],[2,3]]}", "no list of two or three numbers");
+    bad("{\"type\":\"LineString\",\"coordinates\":[[10,60],[20,60]]}", "farther than 300 km");
+    bad("{\"type\":\"LineString\",\"coordinates\":[[500000,6700000],[1,1]]}", "expected degrees");
+    bad("{\"type\":\"Polygon\",\"coordinates\":[]}", "no line and no point");
+    bad("{}", "without a type");
+    bad("<gpx><trk><trkseg><trkpt lat=\"x\" lon=\"1\"/></trkseg></trk></gpx>", "'x' is no number");
+    bad("<gpx><wpt lat=\"1\"/></gpx>", "'' is no number");
+    bad("<gpx>\n<trk></gpx>", "2: no XML");
+    bad("<!DOCTYPE g [<!ENTITY a \"b\">]><gpx/>", "declares an entity");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(projection), cmocka_unit_test(gpx), cmocka_unit_test(geojson),
+                                       cmocka_unit_test(what_is_wrong)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
