@@ -1,5 +1,6 @@
 /* From elements in plan and of the profile, or from corners, to pieces of a route. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/base/error.h"
@@ -113,11 +114,14 @@ static hawser_status slopes_make(const Alignment *a, double plan, double roundin
 
 /* ------------------------------------------------------------------------------------------------------- the line */
 
-static RoutePlanElement plan_element(const PlanElement *e)
+/* The i-th element, from 0 on, which is called by its kind and number. */
+static RoutePlanElement plan_element(const PlanElement *e, int i)
 {
     RoutePlanElement p = {.length = e->length, .curvature = {e->k0, e->k1}};
-    const int circle = fabs(e->k1 - e->k0) * e->length < 1e-12;
-    if (circle) p.curvature[1] = p.curvature[0];
+    const double most = fmax(fabs(e->k0), fabs(e->k1)), change = fabs(e->k1 - e->k0) * e->length;
+    const char *const kind = most < STRAIGHT ? "straight" : change < 1e-12 ? "arc" : "clothoid";
+    snprintf(p.name, sizeof p.name, "%s %d", kind, i + 1);
+    if (change < 1e-12) p.curvature[1] = p.curvature[0];
     if (fabs(p.curvature[0]) < STRAIGHT) p.curvature[0] = 0;
     if (fabs(p.curvature[1]) < STRAIGHT) p.curvature[1] = 0;
     return p;
@@ -132,7 +136,7 @@ static hawser_status elements_route(const Alignment *a, const LineOptions *optio
     Slopes slopes = {.e = NULL};
     RoutePlanElement *const plan = calloc((size_t)a->n_plan, sizeof *plan);
     hawser_status status = plan ? HAWSER_OK : error_memory(err);
-    for (int i = 0; i < a->n_plan && !status; ++i) plan[i] = plan_element(&a->plan[i]);
+    for (int i = 0; i < a->n_plan && !status; ++i) plan[i] = plan_element(&a->plan[i], i);
     if (!status && a->n_profile) status = slopes_make(a, m.plan_length, options->rounding, &slopes, err);
     if (!status) {
         const RouteProfile profile = {.height = slopes.z - origin.z, .n = slopes.n, .element = slopes.e};

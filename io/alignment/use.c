@@ -47,15 +47,22 @@ static hawser_status chain(const LineOptions *options, UsedLine *used, hawser_er
                      used->line.name, used->deviation, options->tolerance);
 }
 
-/* Joined elements are taken as they are; what the fit changes it reports. */
+/* Joined elements are taken as they are; what the fit changes it reports. It holds the deviation where it cuts a line,
+ * and may pass it a little where pieces are then joined: a smaller one is asked for until the whole line is within. */
 static hawser_status fit(const Alignment *from, const Alignment *profile, const LineOptions *options, UsedLine *used,
                          hawser_error *err)
 {
+    enum { TRIES = 4 };
     FitOptions how = fit_options();
     FitReport report;
-    how.deviation = options->tolerance;
+    hawser_status status = HAWSER_OK;
     how.profile_drawn = profile && profile->n_points > 0 && profile->flat;
-    const hawser_status status = fit_alignment(from, profile, &how, &used->line, &report, err);
+    for (int k = 0; k < TRIES && !status; ++k) {
+        how.deviation = options->tolerance / (1 << k);
+        alignment_clear(&used->line);
+        status = fit_alignment(from, profile, &how, &used->line, &report, err);
+        if (!report.fitted || larger_of(report.largest, report.largest_height) <= options->tolerance) break;
+    }
     used->fitted = report.fitted;
     used->deviation = larger_of(report.largest, report.largest_height);
     used->rms = larger_of(report.rms, report.rms_height);

@@ -17,6 +17,7 @@ static void radius_print(FILE *to, const char *key, double curvature)
 static void element_print(const PlanElement *e, FILE *to)
 {
     const char *const turn = e->k0 + e->k1 > 0 ? "left" : "right";
+    if (e->length < 5e-10) return; /* would be written as 0 */
     if (fmax(fabs(e->k0), fabs(e->k1)) * straight_radius <= 1) {
         fprintf(to, "    - {line: %.9f m}\n", e->length);
     } else if (e->k0 == e->k1) {
