@@ -288,8 +288,10 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         return ARGUMENTS_GO_ON;
     }
     if (strchr(command->options, '/')) {
-        if (optind + 1 < argc) complain("%s takes one file; what is '%s'?", command->name, argv[optind + 1]);
-        else complain("%s needs a file, as in: hawser %s tunnel.dxf", command->name, command->name);
+        if (optind + 1 < argc)
+            complain("%s takes one file; what is '%s'?", command->name, argv[optind + 1]);
+        else
+            complain("%s needs a file, as in: hawser %s tunnel.dxf", command->name, command->name);
     } else if (optind + 1 < argc) {
         complain("%s takes one case file; what is '%s'?", command->name, argv[optind + 1]);
     } else {

@@ -23,9 +23,9 @@ typedef struct Setting {
 } Setting;
 
 typedef struct Arguments {
-    const char *case_path;   /* or the file of routes */
-    const char *dir;   /* NULL: by the case's name */
-    Setting *settings; /* [n_settings], in the order given */
+    const char *case_path; /* or the file of routes */
+    const char *dir;       /* NULL: by the case's name */
+    Setting *settings;     /* [n_settings], in the order given */
     int n_settings;
     int threads; /* 0: the case's choice */
     int quiet;

@@ -42,5 +42,5 @@ static int route(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRj/", help,
-                               route};
+const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRj/",
+                               help, route};

@@ -51,8 +51,10 @@ static hawser_status points_cut(Alignment *a, double from, double to, hawser_err
         const Vec3 way = v3_sub(a->point[i + 1], a->point[i]);
         const double length = hypot(way.x, way.y), begin = fmax(from - s, 0), end = fmin(to - s, length);
         const int inside = s > from + LEAST && s < to - LEAST;
-        if (n == 0 && end - begin >= LEAST) point[n++] = v3_axpy(a->point[i], begin / length, way);
-        else if (inside) point[n++] = a->point[i];
+        if (n == 0 && end - begin >= LEAST)
+            point[n++] = v3_axpy(a->point[i], begin / length, way);
+        else if (inside)
+            point[n++] = a->point[i];
         if (n > 0 && length > 0 && s < to - LEAST && s + length >= to - LEAST)
             point[n++] = v3_axpy(a->point[i], fmin((to - s) / length, 1), way);
         s += length;

@@ -29,16 +29,16 @@ hawser_route_options hawser_route_defaults(void);
 typedef struct hawser_routes hawser_routes;
 
 typedef struct hawser_route_figures {
-    const char *name, *layer;       /* "" if it has none; the handle's */
-    double length_m;                /* of the file's own line */
-    double horizontal_length_m;     /* the same as seen from above */
-    double station_m;               /* the file's number for where the line begins */
-    double start_m[3], end_m[3];    /* its ends */
-    int pieces;                     /* straights, arcs and clothoids in plan; of points straights */
-    int fitted;                     /* they are fitted to the file's line */
-    double least_radius_m;          /* in plan; infinite: straight */
-    double deviation_max_m, rms_m;  /* of the pieces from the file's line */
-    const char *problem;            /* why it cannot be a route; NULL: it can */
+    const char *name, *layer;      /* "" if it has none; the handle's */
+    double length_m;               /* of the file's own line */
+    double horizontal_length_m;    /* the same as seen from above */
+    double station_m;              /* the file's number for where the line begins */
+    double start_m[3], end_m[3];   /* its ends */
+    int pieces;                    /* straights, arcs and clothoids in plan; of points straights */
+    int fitted;                    /* they are fitted to the file's line */
+    double least_radius_m;         /* in plan; infinite: straight */
+    double deviation_max_m, rms_m; /* of the pieces from the file's line */
+    const char *problem;           /* why it cannot be a route; NULL: it can */
 } hawser_route_figures;
 
 /* A place of a route. */

@@ -54,8 +54,10 @@ static int curve_settle(Slopes *p, int i)
     const int bent = a->kind != PROFILE_GRADE || b->kind != PROFILE_GRADE;
     if (!bent) return 1;
     if (fabs(b->slope[0] - a->slope[1]) > BENT) return 0;
-    if (b->kind != PROFILE_GRADE) b->slope[0] = a->slope[1];
-    else a->slope[1] = b->slope[0];
+    if (b->kind != PROFILE_GRADE)
+        b->slope[0] = a->slope[1];
+    else
+        a->slope[1] = b->slope[0];
     return 1;
 }
 
@@ -106,8 +108,8 @@ static hawser_status slopes_make(const Alignment *a, double plan, double roundin
     slopes_fill(a, plan, p);
     for (int i = 0; i + 1 < p->n; ++i) {
         if (curve_settle(p, i)) continue;
-        return error_set(err, HAWSER_ERR_INPUT, "'%.60s': the profile has a corner of %.3g deg beside a curve",
-                         a->name, fabs(p->e[i + 1].slope[0] - p->e[i].slope[1]) * 180 / acos(-1));
+        return error_set(err, HAWSER_ERR_INPUT, "'%.60s': the profile has a corner of %.3g deg beside a curve", a->name,
+                         fabs(p->e[i + 1].slope[0] - p->e[i].slope[1]) * 180 / acos(-1));
     }
     return corners_round(a, rounding, p, err);
 }

@@ -99,11 +99,11 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
     status = pieces_join(pick, &pieces, out, err);
     if (!status && out->n == 0) {
         names_say(&pieces, sizeof names, names);
-        status = error_set(err, HAWSER_ERR_INPUT, "%.200s: no line%s%.60s%s%.60s%s; there %s%s", pick->path,
-                           pick->name ? " of the name '" : "", pick->name ? pick->name : "",
-                           pick->layer ? (pick->name ? "' on layer '" : " on layer '") : "",
-                           pick->layer ? pick->layer : "", pick->name || pick->layer ? "'" : "",
-                           pieces.n ? "are " : "is none", names);
+        status =
+            error_set(err, HAWSER_ERR_INPUT, "%.200s: no line%s%.60s%s%.60s%s; there %s%s", pick->path,
+                      pick->name ? " of the name '" : "", pick->name ? pick->name : "",
+                      pick->layer ? (pick->name ? "' on layer '" : " on layer '") : "", pick->layer ? pick->layer : "",
+                      pick->name || pick->layer ? "'" : "", pieces.n ? "are " : "is none", names);
     }
     out->mark = pieces.mark; /* handed over */
     out->n_marks = pieces.n_marks;

@@ -6,7 +6,6 @@
 #include "io/alignment/line.h"
 #include "survey/fit/fit.h"
 
-
 /* The line from which heights come; *s is to be cleared. NULL in *profile: the line's own. */
 static hawser_status profile_find(const LineOptions *options, Survey *s, const Alignment **profile, hawser_error *err)
 {

@@ -134,8 +134,10 @@ hawser_status hawser_routes_read(const char *path, const hawser_route_options *o
     const int asked = o->profile.path || !isnan(o->from) || !isnan(o->to);
     if (!status && r->survey.n == 1 && asked && r->row[0].figures.problem)
         status = error_set(err, r->row[0].problem.status, "%.300s: %.700s", path, r->row[0].problem.message);
-    if (status) hawser_routes_free(r);
-    else *out = r;
+    if (status)
+        hawser_routes_free(r);
+    else
+        *out = r;
     return status;
 }
 
@@ -214,8 +216,10 @@ static hawser_status json_write(const hawser_routes *r, char **text, hawser_erro
     char *const body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
     json_decref(o);
     *text = body ? realloc(body, strlen(body) + 2) : NULL;
-    if (*text) strcat(*text, "\n");
-    else free(body);
+    if (*text)
+        strcat(*text, "\n");
+    else
+        free(body);
     return *text ? HAWSER_OK : error_memory(err);
 }
 
@@ -236,8 +240,7 @@ static const Column line_column[] = {
     {COLUMN("layer", TEXT, RouteRow, figures.layer), .label = "layer"},
     {COLUMN("station_m", NUMBER, RouteRow, figures.station_m), .label = "from station, m", .decimals = 3},
     {COLUMN("length_m", NUMBER, RouteRow, figures.length_m), .label = "length, m", .decimals = 3},
-    {COLUMN("horizontal_length_m", NUMBER, RouteRow, figures.horizontal_length_m),
-     .label = "in plan, m",
+    {COLUMN("horizontal_length_m", NUMBER, RouteRow, figures.horizontal_length_m), .label = "in plan, m",
      .decimals = 3},
     {COLUMN("pieces", COUNT, RouteRow, figures.pieces), .label = "pieces"},
     {COLUMN("least_radius_m", NUMBER, RouteRow, figures.least_radius_m), .label = "least radius, m", .decimals = 2},
@@ -295,8 +298,7 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
 /* The row of line i, used. */
 static hawser_status row_find(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
 {
-    if (i < 0 || i >= r->survey.n)
-        return error_set(err, HAWSER_ERR_INPUT, "no line %d: there are %d", i, r->survey.n);
+    if (i < 0 || i >= r->survey.n) return error_set(err, HAWSER_ERR_INPUT, "no line %d: there are %d", i, r->survey.n);
     row_use(r, i);
     *row = &r->row[i];
     return HAWSER_OK;
@@ -359,8 +361,8 @@ hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *pat
     const Alignment *meant = NULL;
     RouteRow *row = NULL;
     if (format < 0) {
-        return error_set(err, HAWSER_ERR_INPUT, "%.300s: the ending says what is written: .csv, .dxf, .geojson or .yaml",
-                         path);
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "%.300s: the ending says what is written: .csv, .dxf, .geojson or .yaml", path);
     }
     hawser_status status = i < 0 ? line_choose(&r->options.line, &r->survey, &meant, err) : HAWSER_OK;
     if (!status) status = row_good(r, i < 0 ? (int)(meant - r->survey.alignment) : i, &row, err);

@@ -39,8 +39,8 @@ static const CaseKey route_keys[] = {
     {"transition_radius", KEY_NUMBER, DIM_LENGTH,
      .otherwise = "`limits.bend_radius`, else 20 times the largest diameter", ABOVE(0, LONG),
      AT(RouteRecord, transition)},
-    {"pieces", KEY_LIST, .otherwise = "none: or `points`, `plan`, `file`", .form = "straights, bends and curves, end to end",
-     .section = &case_route_piece},
+    {"pieces", KEY_LIST, .otherwise = "none: or `points`, `plan`, `file`",
+     .form = "straights, bends and curves, end to end", .section = &case_route_piece},
     {"points", KEY_LIST, DIM_LENGTH, .otherwise = "none",
      .form = "points [x, y, z] or [x, y, z, radius], from the start on", FROM(-FAR, FAR)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: corners of `points` need it", ABOVE(0, LONG),
@@ -48,8 +48,8 @@ static const CaseKey route_keys[] = {
     {"spline", KEY_FLAG, .fallback = "false", AT(RouteRecord, spline)},
     {"plan", KEY_LIST, .otherwise = "none", .form = "lines, arcs and clothoids, end to end",
      .section = &case_route_plan},
-    {"profile", KEY_ANY, .otherwise = "none: level, or the file's", .form = "section `route.profile`, or its `corners` alone",
-     .section = &case_route_heights},
+    {"profile", KEY_ANY, .otherwise = "none: level, or the file's",
+     .form = "section `route.profile`, or its `corners` alone", .section = &case_route_heights},
     {"station", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RouteRecord, station)},
     LINE_KEYS(RouteRecord, line, NULL, "none"),
     {"reverse", KEY_FLAG, .fallback = "false", AT(RouteRecord, reverse)},
@@ -118,7 +118,7 @@ static const CaseKey profile_keys[] = {
      AT(RouteProfileCorner, radius)},
     {"parabola", KEY_NUMBER, DIM_LENGTH, .otherwise = "an arc", ABOVE(0, LONG), AT(RouteProfileCorner, parabola)},
 };
-SECTION(case_route_profile, "route.profile.N", profile_keys);
+SECTION(case_route_profile, "route.profile.corners.N", profile_keys);
 
 static const CaseKey heights_keys[] = {
     {"corners", KEY_LIST, .otherwise = "none", .form = "corners of a `plan`'s profile, by rising station",
@@ -429,9 +429,25 @@ static hawser_status plan_line(const CaseReader *r, const CaseNode *plan, const 
     return status;
 }
 
-/* -------------------------------------------------------------------------------------------------- of a file */
+/* What coordinates of results and of the definition count from: a point of the surveyor's. */
+static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3 first)
+{
+    const CaseKey *const key = case_key_of(&case_route, "origin"), *const keys[3] = {key, key, key};
+    Vec3 *const origin = &r->def->route_origin;
+    *origin = V3_ZERO;
+    if (node && !(node->kind == NODE_TEXT && strcmp(node->text, "auto") == 0)) {
+        double value[3] = {0, 0, 0};
+        if (node->kind != NODE_LIST) return case_value_error(r->err, node, ": expected %s", key->form);
+        const hawser_status status = case_numbers_read(r, node, 3, keys, value);
+        *origin = v3(value[0], value[1], value[2]);
+        return status;
+    }
+    if (fmax(fabs(first.x), fabs(first.y)) > NEAR)
+        *origin = v3(ORIGIN_GRID * round(first.x / ORIGIN_GRID), ORIGIN_GRID * round(first.y / ORIGIN_GRID), 0);
+    return HAWSER_OK;
+}
 
-static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3 first);
+/* -------------------------------------------------------------------------------------------------- of a file */
 
 /* The line of a file, with its own heights or another file's. */
 static hawser_status file_line(const CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
@@ -450,7 +466,8 @@ static hawser_status file_line(const CaseReader *r, const CaseNode *node, const 
     options.height = in->height;
     hawser_status status = HAWSER_OK;
     if (profile && profile->kind != NODE_MAP)
-        return case_value_error(r->err, profile, ": with 'file' a map that names another file, as in {file: profile.csv}");
+        return case_value_error(r->err, profile,
+                                ": with 'file' a map that names another file, as in {file: profile.csv}");
     if (profile) status = case_section_read(r, profile, &case_route_heights, &heights);
     if (!status && case_node_key(profile, "corners"))
         return case_key_error(r->err, profile, "corners", "not with the 'file' of a route: they belong to a 'plan'");
@@ -474,7 +491,8 @@ static hawser_status corners_find(const CaseReader *r, const CaseNode *profile, 
     const hawser_status status = case_section_read(r, profile, &case_route_heights, &heights);
     *corners = case_node_key(profile, "corners");
     if (status || (*corners && !*heights.line.file)) return status;
-    return case_key_error(r->err, profile, *corners ? "file" : "corners", *corners ? "not with 'corners'" : "missing: the profile of a 'plan' is its corners");
+    return case_key_error(r->err, profile, *corners ? "file" : "corners",
+                          *corners ? "not with 'corners'" : "missing: the profile of a 'plan' is its corners");
 }
 
 /* ----------------------------------------------------------------------------------------------- the section */
@@ -487,10 +505,21 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
     static const struct {
         const char *key;
         int with;
-    } only[] = {{"slope", PIECES},         {"heading", PIECES | PLAN}, {"radius", POINTS | FILE_}, {"spline", POINTS},
-                {"start", PIECES | PLAN},  {"profile", PLAN | FILE_},  {"station", PLAN},          {"name", FILE_},
-                {"layer", FILE_},          {"units", FILE_},           {"reverse", FILE_},         {"from", FILE_},
-                {"to", FILE_},             {"tolerance", FILE_},       {"height", FILE_}};
+    } only[] = {{"slope", PIECES},
+                {"heading", PIECES | PLAN},
+                {"radius", POINTS | FILE_},
+                {"spline", POINTS},
+                {"start", PIECES | PLAN},
+                {"profile", PLAN | FILE_},
+                {"station", PLAN},
+                {"name", FILE_},
+                {"layer", FILE_},
+                {"units", FILE_},
+                {"reverse", FILE_},
+                {"from", FILE_},
+                {"to", FILE_},
+                {"tolerance", FILE_},
+                {"height", FILE_}};
     const int kind = kind_of(r, node, lists, "pieces, points, plan and file");
     if (kind < 0) return HAWSER_ERR_INPUT;
     const CaseNode *const list = case_node_key(node, lists[kind]);
@@ -503,24 +532,6 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
     if (list->count == 0) return case_value_error(r->err, list, " without a piece: the route is empty");
     if (kind == 1 && list->count < 2)
         return case_value_error(r->err, list, " of %d: expected two points at least", list->count);
-    return HAWSER_OK;
-}
-
-/* What coordinates of results and of the definition count from: a point of the surveyor's. */
-static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3 first)
-{
-    const CaseKey *const key = case_key_of(&case_route, "origin"), *const keys[3] = {key, key, key};
-    Vec3 *const origin = &r->def->route_origin;
-    *origin = V3_ZERO;
-    if (node && !(node->kind == NODE_TEXT && strcmp(node->text, "auto") == 0)) {
-        double value[3] = {0, 0, 0};
-        if (node->kind != NODE_LIST) return case_value_error(r->err, node, ": expected %s", key->form);
-        const hawser_status status = case_numbers_read(r, node, 3, keys, value);
-        *origin = v3(value[0], value[1], value[2]);
-        return status;
-    }
-    if (fmax(fabs(first.x), fabs(first.y)) > NEAR)
-        *origin = v3(ORIGIN_GRID * round(first.x / ORIGIN_GRID), ORIGIN_GRID * round(first.y / ORIGIN_GRID), 0);
     return HAWSER_OK;
 }
 
