@@ -12,6 +12,7 @@ static hawser_status path_find(const CaseReader *r, const CaseNode *section, con
     const CaseNode *const node = case_node_key(section, "file");
     const int absolute = *file == '/';
     *path = NULL;
+    if (!node) return case_key_error(r->err, section, "file", "missing: it says where the line is");
     if (!*file) return case_value_error(r->err, node, ": expected the name of a file");
     if (!r->folder)
         return case_value_error(r->err, node, ": a case that is a text has no folder to look in: load it from a file");

@@ -127,15 +127,6 @@ static const CaseKey heights_keys[] = {
 };
 SECTION(case_route_heights, "route.profile", heights_keys);
 
-static const char *const weights[] = {"full", "carried", NULL};
-
-/* The section's being there is what makes a lead-in. */
-static const CaseKey lead_in_keys[] = {
-    {"weight", KEY_CHOICE, .fallback = "carried", .choices = weights, AT(LeadInDef, carries_weight)},
-    {"blend", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(LeadInDef, blend)},
-};
-SECTION(case_lead_in, "lead_in", lead_in_keys);
-
 hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double *plane)
 {
     static const char *const words[4] = {"left", "up", "right", "down"};
@@ -604,11 +595,4 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
                          r->err);
     if (!status && !case_node_key(r->root, "chain")) def->pieces[0].length = r->route.length;
     return status ? status : head_check(r, node);
-}
-
-/* Its defaults are read even where there is none, so that the definition is complete. */
-hawser_status case_lead_in_read(CaseReader *r, const CaseNode *node)
-{
-    r->def->lead_in.present = node != NULL;
-    return case_section_read(r, node, &case_lead_in, &r->def->lead_in);
 }
