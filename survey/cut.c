@@ -5,8 +5,8 @@
 #include "core/base/error.h"
 #include "survey/alignment.h"
 
-/* What is left of an element or straight is dropped below this, m. */
-static const double LEAST = 1e-9;
+/* What is left of an element or straight is dropped below this, m: a rounded station is where the element ends. */
+static const double LEAST = 1e-4;
 
 static void plan_cut(Alignment *a, double from, double to)
 {
@@ -68,7 +68,7 @@ static hawser_status points_cut(Alignment *a, double from, double to, hawser_err
 hawser_status alignment_cut(Alignment *a, double from, double to, hawser_error *err)
 {
     const double length = alignment_measure(a).plan_length;
-    if (!(from >= -1e-6 && to <= length + 1e-6 && to - from > 1e-6)) {
+    if (!(from >= -1e-6 && to <= length + 1e-6 && to - from > 1e-2)) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.60s' reaches from station %.10g m to %.10g m: a part of it from %.10g m to %.10g m cannot "
                          "be cut out",

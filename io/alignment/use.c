@@ -55,7 +55,7 @@ static hawser_status fit(const Alignment *from, const Alignment *profile, const 
     FitOptions how = fit_options();
     FitReport report;
     hawser_status status = HAWSER_OK;
-    how.profile_drawn = profile && profile->n_points > 0 && profile->flat;
+    how.profile_drawn = profile && profile->n_profile == 0 && (profile->n_plan > 0 || profile->flat);
     for (int k = 0; k < TRIES && !status; ++k) {
         how.deviation = options->tolerance / (1 << k);
         alignment_clear(&used->line);

@@ -89,6 +89,7 @@ static void row_use(const hawser_routes *r, int i)
     hawser_route_figures *const f = &row->figures;
     f->length_m = row->used.file_length;
     f->horizontal_length_m = row->used.file_plan;
+    f->station_m = fabs(row->used.line.station) < 1e-9 ? 0 : row->used.line.station;
     f->pieces = m.pieces;
     f->fitted = row->used.fitted;
     f->least_radius_m = m.least_radius;

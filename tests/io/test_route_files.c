@@ -217,7 +217,7 @@ static void wrong_cases(void **state)
     hawser_error err;
     assert_int_equal(hawser_case_parse(text, NAME, &c, &err), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
-    check_has(err.message, NAME ":13: key 'route.file': value 'route.dxf': a case that is a text has no folder");
+    check_has(err.message, NAME ":14: key 'route.file': value 'route.dxf': a case that is a text has no folder");
     hawser_case_free(c);
 }
 
