@@ -345,7 +345,12 @@ void chain_close(int n, Piece *piece)
         PlanElement *const e = &piece[q].e;
         if (piece[q].kind == PIECE_STRAIGHT) e->k0 = e->k1 = 0;
         if (piece[q].kind == PIECE_ARC && !piece[q].kept) e->k0 = e->k1 = 0.5 * (e->k0 + e->k1);
+        if (q + 1 < n && chain_tied(&piece[q]) && is_fixed(&piece[q + 1])) {
+            e->k1 = piece[q + 1].kind == PIECE_STRAIGHT ? 0 : piece[q + 1].e.k0; /* to the last bit */
+        }
         if (q == 0) continue;
+        if (chain_tied(&piece[q - 1]) && !is_fixed(&piece[q])) e->k0 = piece[q - 1].e.k1;
+        if (piece[q].kind == PIECE_ARC) e->k1 = e->k0;
         const PlanElement end = plan_at(&piece[q - 1].e, piece[q - 1].e.length);
         e->x = end.x;
         e->y = end.y;

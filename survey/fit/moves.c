@@ -117,7 +117,21 @@ static int change_kind(Window *w, int q, PieceKind kind)
 }
 static int make_straight(Window *w, int q) { return change_kind(w, q, PIECE_STRAIGHT); }
 static int make_arc(Window *w, int q) { return change_kind(w, q, PIECE_ARC); }
-static int make_clothoid(Window *w, int q) { return change_kind(w, q, PIECE_CLOTHOID); }
+
+/* Between longer neighbours it reaches into both: an arc that stands for a transition is about half as long as that. */
+static int make_clothoid(Window *w, int q)
+{
+    const double half = 0.4 * w->piece[q].e.length;
+    if (!change_kind(w, q, PIECE_CLOTHOID)) return 0;
+    if (q == 0 || q + 1 == w->n) return 1;
+    Piece *const p = &w->piece[q];
+    if (fmin(p[-1].e.length, p[1].e.length) < 3 * half) return 1;
+    piece_shorten(&p[-1], 0, half);
+    piece_shorten(&p[1], half, 0);
+    const PlanElement end = plan_at(&p[-1].e, p[-1].e.length);
+    p->e = (PlanElement){end.x, end.y, end.heading, p->e.length + 2 * half, end.k0, p[1].e.k0};
+    return 1;
+}
 
 /* On either side of piece q. */
 static int make_two_clothoids(Window *w, int q)

@@ -11,14 +11,17 @@ static const double straight_radius = 1e6;
 
 static void radius_print(FILE *to, const char *key, double curvature)
 {
-    if (fabs(curvature) * straight_radius > 1) fprintf(to, ", %s: %.12g m", key, 1 / fabs(curvature));
+    if (curvature != 0) fprintf(to, ", %s: %.12g m", key, 1 / fabs(curvature));
 }
 
-static void element_print(const PlanElement *e, FILE *to)
+static void element_print(const PlanElement *from, FILE *to)
 {
+    PlanElement straightened = *from;
+    const PlanElement *const e = &straightened;
+    if (fabs(e->k0) * straight_radius <= 1) straightened.k0 = 0;
+    if (fabs(e->k1) * straight_radius <= 1) straightened.k1 = 0;
     const char *const turn = e->k0 + e->k1 > 0 ? "left" : "right";
-    if (e->length < 5e-10) return; /* would be written as 0 */
-    if (fmax(fabs(e->k0), fabs(e->k1)) * straight_radius <= 1) {
+    if (e->k0 == 0 && e->k1 == 0) {
         fprintf(to, "    - {line: %.9f m}\n", e->length);
     } else if (e->k0 == e->k1) {
         fprintf(to, "    - {arc: %.9f m, radius: %.12g m, turn: %s}\n", e->length, 1 / fabs(e->k0), turn);

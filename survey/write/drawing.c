@@ -39,7 +39,7 @@ static void polyline_begin(FILE *to, const char *layer, int space, double z)
 static void bulges_print(FILE *to, const char *layer, const PlanElement *e, double z)
 {
     const double rate = fabs(e->k1 - e->k0) / e->length, turn = e->length * fmax(fabs(e->k0), fabs(e->k1));
-    const double step = rate > 0 ? cbrt(2e-5 / (0.0081 * rate)) : INFINITY;
+    const double step = rate > 0 ? cbrt(2e-5 / (0.0080 * rate)) : INFINITY;
     const int n = (int)fmin(1 + fmax(e->length / step, turn / 3), 1e6);
     for (int i = 0; i < n; ++i) {
         const PlanElement from = plan_at(e, e->length * i / n), end = plan_at(e, e->length * (i + 1) / n);

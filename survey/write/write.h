@@ -15,6 +15,9 @@ typedef enum WriteFormat {
     WRITE_CASE      /* .yaml: section `route` of a case, as plan and profile */
 } WriteFormat;
 
+/* Figures are given to 1 um and 1e-14 rad; what is lost is what the format cannot say: names in CSV, arcs and clothoids
+ * in GeoJSON and in a DXF line that rises, which become chords. */
+
 /* By a file's ending (.csv, .dxf, .geojson or .json, .yaml or .yml); -1: none of them. */
 int write_format(const char *path);
 
