@@ -3,7 +3,6 @@
 #define HAWSER_CLI_ARGUMENTS_H
 
 #include "hawser/hawser.h"
-#include "hawser/route.h"
 
 /* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 5, 130. */
 enum {

@@ -1,10 +1,8 @@
-/* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV) and maps (GeoJSON, GPX). Beside
- * hawser/hawser.h, which it includes. docs/routes.md says what is read of each. Lengths in m; x east, y north, z up, in
+/* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV) and maps (GeoJSON, GPX). Part of
+ * hawser/hawser.h, which includes it. docs/routes.md says what is read of each. Lengths in m; x east, y north, z up, in
  * the file's own system of coordinates. */
 #ifndef HAWSER_ROUTE_H
 #define HAWSER_ROUTE_H
-
-#include "hawser/hawser.h"
 
 #ifdef __cplusplus
 extern "C" {

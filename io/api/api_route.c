@@ -1,5 +1,5 @@
 /* Routes out of files: what `hawser route` prints, places along them, and files of them. */
-#include "hawser/route.h"
+#include "hawser/hawser.h"
 
 #include <jansson.h>
 #include <math.h>

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "core/base/worst.h"
-#include "hawser/route.h"
 #include "tests/io/case_fixture.h"
 #include "tests/io/example_fixture.h"
 
