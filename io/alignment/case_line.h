@@ -1,14 +1,21 @@
-/* A route out of a file that a case names. */
+/* A route out of a file that a case names: the keys that choose a line of a file, which stand in the sections `route`
+ * and `route.profile` alike, and the line that they choose. Files are looked for in the case's folder; a case that is a
+ * text has none, and names no files. */
 #ifndef HAWSER_IO_ALIGNMENT_CASE_LINE_H
 #define HAWSER_IO_ALIGNMENT_CASE_LINE_H
 
 #include "io/alignment/line.h"
 #include "io/schema/case_schema.h"
 
-/* Keys that choose a line of a file; empty: not given. */
+/* The values of the keys; empty: not given. */
 typedef struct LineRecord {
-    char file[1024], name[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX], units[32];
+    char file[1024];             /* relative to the case's folder, or absolute */
+    char name[SURVEY_NAME_MAX];  /* of the line */
+    char layer[SURVEY_NAME_MAX]; /* of a drawing */
+    char units[32];              /* of length: "mm" */
 } LineRecord;
+
+/* Their rows, for a LineRecord that is a member of a section's record. */
 #define LINE_KEYS(type, member, file_, otherwise_)                                                                     \
     {"file", KEY_TEXT, .fallback = (file_), .otherwise = (otherwise_), AT(type, member.file)},                         \
         {"name", KEY_TEXT, .otherwise = "the only one", AT(type, member.name)},                                        \
