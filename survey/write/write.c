@@ -1,11 +1,15 @@
 #include "survey/write/write.h"
 
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 #include <strings.h>
 
 #include "core/base/error.h"
 #include "survey/write/parts.h"
+
+/* rad: what turns more is no route, and would be written as millions of arcs. */
+static const double turn_most = 200;
 
 int write_format(const char *path)
 {
@@ -26,6 +30,12 @@ hawser_status alignment_print(const Alignment *a, const char *system, WriteForma
 {
     if (a->n_plan == 0 && a->n_points < 2) {
         return error_set(err, HAWSER_ERR_INPUT, "'%.60s' is a profile without a plan: nothing to write", a->name);
+    }
+    for (int i = 0; i < a->n_plan; ++i) {
+        const PlanElement *const e = &a->plan[i];
+        if (fmax(fabs(e->k0), fabs(e->k1)) * e->length <= turn_most) continue;
+        return error_set(err, HAWSER_ERR_INPUT, "'%.60s' has an element that turns around %.0f times: no route",
+                         a->name, fmax(fabs(e->k0), fabs(e->k1)) * e->length / (2 * acos(-1)));
     }
     switch (format) {
     case WRITE_ELEMENTS:
