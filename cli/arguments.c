@@ -3,6 +3,7 @@
 #include "cli/arguments.h"
 
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +14,17 @@ enum {
     OPTION_CERTIFY = 'C',
     OPTION_TOLERANCE = 'T',
     OPTION_CREW = 'W',
-    KNOWN_MAX = 16
+    OPTION_NAME = 'n',
+    OPTION_LAYER = 'L',
+    OPTION_FILE_UNITS = 'U',
+    OPTION_REVERSE = 'r',
+    OPTION_FROM = 'a',
+    OPTION_TO = 'b',
+    OPTION_PROFILE = 'p',
+    OPTION_DEVIATION = 'd',
+    OPTION_RADIUS = 'R',
+    OPTION_JSON = 'j',
+    KNOWN_MAX = 20
 };
 
 /* Every option of every command; a command takes those whose letter is in its list, and help and version. */
@@ -31,6 +42,16 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"certify", no_argument, NULL, OPTION_CERTIFY},
                                             {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
                                             {"fast", no_argument, NULL, 'x'},
+                                            {"name", required_argument, NULL, OPTION_NAME},
+                                            {"layer", required_argument, NULL, OPTION_LAYER},
+                                            {"units", required_argument, NULL, OPTION_FILE_UNITS},
+                                            {"reverse", no_argument, NULL, OPTION_REVERSE},
+                                            {"from", required_argument, NULL, OPTION_FROM},
+                                            {"to", required_argument, NULL, OPTION_TO},
+                                            {"profile", required_argument, NULL, OPTION_PROFILE},
+                                            {"tolerance", required_argument, NULL, OPTION_DEVIATION},
+                                            {"radius", required_argument, NULL, OPTION_RADIUS},
+                                            {"json", no_argument, NULL, OPTION_JSON},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -130,6 +151,49 @@ static int parse_tolerance(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
+/* A length in metres, "10" or "10 m"; mm for what is small. */
+static int parse_length(const char *option, const char *text, double *metres)
+{
+    char *end;
+    *metres = strtod(text, &end);
+    const int number = end != text && isfinite(*metres);
+    while (*end == ' ') ++end;
+    if (number && !strcmp(end, "mm")) *metres /= 1000;
+    if (number && (!*end || !strcmp(end, "m") || !strcmp(end, "mm"))) return ARGUMENTS_GO_ON;
+    complain("--%s %s: must be a length in m or mm, as in --%s 50mm", option, text, option);
+    return EXIT_USAGE;
+}
+
+/* The options of `route`: what is wanted of the file. */
+static int take_route_option(int letter, hawser_route_options *route)
+{
+    switch (letter) {
+    case OPTION_NAME:
+        route->name = optarg;
+        return ARGUMENTS_GO_ON;
+    case OPTION_LAYER:
+        route->layer = optarg;
+        return ARGUMENTS_GO_ON;
+    case OPTION_FILE_UNITS:
+        route->units = optarg;
+        return ARGUMENTS_GO_ON;
+    case OPTION_PROFILE:
+        route->profile = optarg;
+        return ARGUMENTS_GO_ON;
+    case OPTION_FROM:
+        return parse_length("from", optarg, &route->from_m);
+    case OPTION_TO:
+        return parse_length("to", optarg, &route->to_m);
+    case OPTION_DEVIATION:
+        return parse_length("tolerance", optarg, &route->tolerance_m);
+    case OPTION_RADIUS:
+        return parse_length("radius", optarg, &route->radius_m);
+    default:
+        route->reverse = 1;
+        return ARGUMENTS_GO_ON;
+    }
+}
+
 /* There are never more settings than words on the command line, for which room was made. */
 static int add_setting(const char *key, const char *value, Arguments *args)
 {
@@ -153,7 +217,15 @@ static int parse_setting(char *text, Arguments *args)
  * the exit status of having printed. */
 static int take_option(const Command *command, int letter, Arguments *args)
 {
+    const int of_route[] = {OPTION_NAME, OPTION_LAYER,   OPTION_FILE_UNITS, OPTION_REVERSE, OPTION_FROM,
+                            OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS};
+    for (size_t i = 0; i < sizeof of_route / sizeof *of_route; i++) {
+        if (letter == of_route[i]) return take_route_option(letter, &args->route);
+    }
     switch (letter) {
+    case OPTION_JSON:
+        args->format = HAWSER_JSON;
+        return ARGUMENTS_GO_ON;
     case 'o':
         args->dir = optarg;
         return ARGUMENTS_GO_ON;
@@ -220,7 +292,12 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         args->case_path = argv[optind];
         return ARGUMENTS_GO_ON;
     }
-    if (optind + 1 < argc) {
+    if (strchr(command->options, '/')) {
+        if (optind + 1 < argc)
+            complain("%s takes one file; what is '%s'?", command->name, argv[optind + 1]);
+        else
+            complain("%s needs a file, as in: hawser %s tunnel.dxf", command->name, command->name);
+    } else if (optind + 1 < argc) {
         complain("%s takes one case file; what is '%s'?", command->name, argv[optind + 1]);
     } else {
         complain("%s needs a case file, as in: hawser %s cases/huangjiahu.yaml", command->name, command->name);
@@ -235,6 +312,7 @@ int arguments_parse(const Command *command, int argc, char **argv, Arguments *ar
     struct option list[KNOWN_MAX];
     char letters[2 * KNOWN_MAX];
     memset(args, 0, sizeof *args);
+    args->route = hawser_route_defaults();
     args->settings = calloc((size_t)argc + 1, sizeof *args->settings);
     if (!args->settings) return EXIT_INTERNAL;
     select_options(command, list, letters);

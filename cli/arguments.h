@@ -22,9 +22,9 @@ typedef struct Setting {
 } Setting;
 
 typedef struct Arguments {
-    const char *case_path;
-    const char *dir;   /* NULL: by the case's name */
-    Setting *settings; /* [n_settings], in the order given */
+    const char *case_path; /* or the file of routes */
+    const char *dir;       /* NULL: by the case's name */
+    Setting *settings;     /* [n_settings], in the order given */
     int n_settings;
     int threads; /* 0: the case's choice */
     int quiet;
@@ -38,13 +38,14 @@ typedef struct Arguments {
     const char *filter; /* NULL: none */
     int fast;
     const char *crew; /* file for the list of equipment; NULL: none */
+    hawser_route_options route; /* of the command route; its texts are parts of the command line */
 } Arguments;
 
 typedef struct Command {
     const char *name;
     const char *summary; /* a line for the list of commands */
     const char *options; /* the letters of the options it takes, see arguments.c; '-': it takes no case; '+': a kind and
-                            a pattern */
+                            a pattern; '/': a file of routes */
     const char *help;    /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;

@@ -17,10 +17,10 @@ enum {
 
 extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, case_bundle, case_run, case_rod,
     case_rod_tail, case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_route_plan,
-    case_route_profile, case_lead_in, case_contact, case_friction, case_groove, case_spin, case_mount, case_roller_row,
-    case_rollers, case_surfaces, case_drive, case_tail, case_back_tension, case_reel, case_conveyor, case_jam,
-    case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory, case_theory_friction,
-    case_theory_wear, case_theory_pit, case_theory_machine, case_limits, case_medium, case_launch;
+    case_route_heights, case_route_profile, case_lead_in, case_contact, case_friction, case_groove, case_spin,
+    case_mount, case_roller_row, case_rollers, case_surfaces, case_drive, case_tail, case_back_tension, case_reel,
+    case_conveyor, case_jam, case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory,
+    case_theory_friction, case_theory_wear, case_theory_pit, case_theory_machine, case_limits, case_medium, case_launch;
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */

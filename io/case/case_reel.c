@@ -13,6 +13,15 @@ typedef struct ReelRecord {
     Profile back;
 } ReelRecord;
 
+static const char *const weights[] = {"full", "carried", NULL};
+
+/* The section's being there is what makes a lead-in. */
+static const CaseKey lead_in_keys[] = {
+    {"weight", KEY_CHOICE, .fallback = "carried", .choices = weights, AT(LeadInDef, carries_weight)},
+    {"blend", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(LeadInDef, blend)},
+};
+SECTION(case_lead_in, "lead_in", lead_in_keys);
+
 enum { MODEL_PAYOUT, MODEL_WEIGHT, MODEL_CONTACT };
 static const char *const models[] = {"payout", "weight", "contact", NULL};
 static const char *const ends[] = {"free", "fixed", NULL};
@@ -251,4 +260,11 @@ hawser_status case_reel_read(CaseReader *r, const CaseNode *node)
     if (status) return status;
     if (record.model == MODEL_CONTACT) return contact_read(r, node, &record);
     return record.model == MODEL_WEIGHT ? weight_read(r, node, &record) : payout_read(r, node, &record);
+}
+
+/* Its defaults are read even where there is none, so that the definition is complete. */
+hawser_status case_lead_in_read(CaseReader *r, const CaseNode *node)
+{
+    r->def->lead_in.present = node != NULL;
+    return case_section_read(r, node, &case_lead_in, &r->def->lead_in);
 }

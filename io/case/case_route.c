@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/route_make.h"
+#include "io/alignment/case_line.h"
 #include "io/case/case_parts.h"
 
 /* m: surveyors' coordinates may be as far from their zero, and lines that begin farther than NEAR count from an origin
@@ -17,7 +18,15 @@ typedef struct RouteRecord {
     Vec3 start;
     double heading, slope, head_at, transition, radius, station;
     int spline;
+    LineRecord line; /* of a file */
+    int reverse;
+    double from, to, tolerance, height;
 } RouteRecord;
+
+/* The profile as a map. */
+typedef struct HeightRecord {
+    LineRecord line;
+} HeightRecord;
 
 /* Where the route begins and what it is made of; the keys of which kind form_check says. */
 static const CaseKey route_keys[] = {
@@ -30,8 +39,8 @@ static const CaseKey route_keys[] = {
     {"transition_radius", KEY_NUMBER, DIM_LENGTH,
      .otherwise = "`limits.bend_radius`, else 20 times the largest diameter", ABOVE(0, LONG),
      AT(RouteRecord, transition)},
-    {"pieces", KEY_LIST, .otherwise = "none: or `points`, or `plan`", .form = "straights, bends and curves, end to end",
-     .section = &case_route_piece},
+    {"pieces", KEY_LIST, .otherwise = "none: or `points`, `plan`, `file`",
+     .form = "straights, bends and curves, end to end", .section = &case_route_piece},
     {"points", KEY_LIST, DIM_LENGTH, .otherwise = "none",
      .form = "points [x, y, z] or [x, y, z, radius], from the start on", FROM(-FAR, FAR)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: corners of `points` need it", ABOVE(0, LONG),
@@ -39,9 +48,15 @@ static const CaseKey route_keys[] = {
     {"spline", KEY_FLAG, .fallback = "false", AT(RouteRecord, spline)},
     {"plan", KEY_LIST, .otherwise = "none", .form = "lines, arcs and clothoids, end to end",
      .section = &case_route_plan},
-    {"profile", KEY_LIST, .otherwise = "none: level", .form = "its corners, by rising station",
-     .section = &case_route_profile},
+    {"profile", KEY_ANY, .otherwise = "none: level, or the file's",
+     .form = "section `route.profile`, or its `corners` alone", .section = &case_route_heights},
     {"station", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RouteRecord, station)},
+    LINE_KEYS(RouteRecord, line, NULL, "none"),
+    {"reverse", KEY_FLAG, .fallback = "false", AT(RouteRecord, reverse)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .otherwise = "where it begins", FROM(-FAR, FAR), AT(RouteRecord, from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "where it ends", FROM(-FAR, FAR), AT(RouteRecord, to)},
+    {"tolerance", KEY_NUMBER, DIM_LENGTH, .fallback = "50 mm", ABOVE(0, 1000), AT(RouteRecord, tolerance)},
+    {"height", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RouteRecord, height)},
 };
 SECTION(case_route, "route", route_keys);
 
@@ -103,16 +118,14 @@ static const CaseKey profile_keys[] = {
      AT(RouteProfileCorner, radius)},
     {"parabola", KEY_NUMBER, DIM_LENGTH, .otherwise = "an arc", ABOVE(0, LONG), AT(RouteProfileCorner, parabola)},
 };
-SECTION(case_route_profile, "route.profile.N", profile_keys);
+SECTION(case_route_profile, "route.profile.corners.N", profile_keys);
 
-static const char *const weights[] = {"full", "carried", NULL};
-
-/* The section's being there is what makes a lead-in. */
-static const CaseKey lead_in_keys[] = {
-    {"weight", KEY_CHOICE, .fallback = "carried", .choices = weights, AT(LeadInDef, carries_weight)},
-    {"blend", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(LeadInDef, blend)},
+static const CaseKey heights_keys[] = {
+    {"corners", KEY_LIST, .otherwise = "none", .form = "corners of a `plan`'s profile, by rising station",
+     .section = &case_route_profile},
+    LINE_KEYS(HeightRecord, line, NULL, "none: `corners`"),
 };
-SECTION(case_lead_in, "lead_in", lead_in_keys);
+SECTION(case_route_heights, "route.profile", heights_keys);
 
 hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double *plane)
 {
@@ -407,31 +420,6 @@ static hawser_status plan_line(const CaseReader *r, const CaseNode *plan, const 
     return status;
 }
 
-/* ----------------------------------------------------------------------------------------------- the section */
-
-/* Which keys go with which list. */
-static hawser_status form_check(const CaseReader *r, const CaseNode *node)
-{
-    static const char *const lists[] = {"pieces", "points", "plan", NULL};
-    static const struct {
-        const char *key, *with;
-    } only[] = {{"slope", "pieces"}, {"heading", "pieces"}, {"radius", "points"}, {"spline", "points"},
-                {"start", "pieces"}, {"profile", "plan"},   {"station", "plan"}};
-    const int kind = kind_of(r, node, lists, "pieces, points and plan");
-    if (kind < 0) return HAWSER_ERR_INPUT;
-    const CaseNode *const list = case_node_key(node, lists[kind]);
-    for (size_t k = 0; k < sizeof only / sizeof *only; ++k) {
-        const CaseNode *const given = case_node_key(node, only[k].key);
-        const int planned = kind == 2 && (strcmp(only[k].key, "heading") == 0 || strcmp(only[k].key, "start") == 0);
-        if (!given || planned || strcmp(only[k].with, lists[kind]) == 0) continue;
-        return case_key_error(r->err, given, NULL, "not with '%s'", lists[kind]);
-    }
-    if (list->count == 0) return case_value_error(r->err, list, " without a piece: the route is empty");
-    if (kind == 1 && list->count < 2)
-        return case_value_error(r->err, list, " of %d: expected two points at least", list->count);
-    return HAWSER_OK;
-}
-
 /* What coordinates of results and of the definition count from: a point of the surveyor's. */
 static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3 first)
 {
@@ -450,6 +438,94 @@ static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3
     return HAWSER_OK;
 }
 
+/* -------------------------------------------------------------------------------------------------- of a file */
+
+/* The line of a file, with its own heights or another file's. */
+static hawser_status file_line(const CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
+{
+    const CaseNode *const profile = case_node_key(node, "profile");
+    HeightRecord heights = {.line = {.file = ""}};
+    UsedLine used = {.fitted = 0};
+    hawser_error why = {.message = ""};
+    LineOptions options = line_options();
+    options.reverse = in->reverse;
+    options.from = in->from;
+    options.to = in->to;
+    options.tolerance = in->tolerance;
+    options.corner = in->radius;
+    options.rounding = in->transition;
+    options.height = in->height;
+    hawser_status status = HAWSER_OK;
+    if (profile && profile->kind != NODE_MAP)
+        return case_value_error(r->err, profile,
+                                ": with 'file' a map that names another file, as in {file: profile.csv}");
+    if (profile) status = case_section_read(r, profile, &case_route_heights, &heights);
+    if (!status && case_node_key(profile, "corners"))
+        return case_key_error(r->err, profile, "corners", "not with the 'file' of a route: they belong to a 'plan'");
+    if (!status) status = case_line_use(r, node, &in->line, profile, &heights.line, &options, &used);
+    if (status) return status;
+    status = origin_read(r, case_node_key(node, "origin"), alignment_measure(&used.line).start);
+    if (!status) {
+        status = line_route(&used, &options, r->def->route_origin, out, &why);
+        if (status) status = case_key_error(r->err, node, "file", "%s: %s", in->line.file, why.message);
+    }
+    alignment_clear(&used.line);
+    return status;
+}
+
+/* The corners of a plan's profile: the list alone, or the map's. */
+static hawser_status corners_find(const CaseReader *r, const CaseNode *profile, const CaseNode **corners)
+{
+    HeightRecord heights;
+    *corners = profile;
+    if (!profile || profile->kind != NODE_MAP) return HAWSER_OK;
+    const hawser_status status = case_section_read(r, profile, &case_route_heights, &heights);
+    *corners = case_node_key(profile, "corners");
+    if (status || (*corners && !*heights.line.file)) return status;
+    return case_key_error(r->err, profile, *corners ? "file" : "corners",
+                          *corners ? "not with 'corners'" : "missing: the profile of a 'plan' is its corners");
+}
+
+/* ----------------------------------------------------------------------------------------------- the section */
+
+/* Which keys go with which list. */
+static hawser_status form_check(const CaseReader *r, const CaseNode *node)
+{
+    enum { PIECES = 1, POINTS = 2, PLAN = 4, FILE_ = 8 };
+    static const char *const lists[] = {"pieces", "points", "plan", "file", NULL};
+    static const struct {
+        const char *key;
+        int with;
+    } only[] = {{"slope", PIECES},
+                {"heading", PIECES | PLAN},
+                {"radius", POINTS | FILE_},
+                {"spline", POINTS},
+                {"start", PIECES | PLAN},
+                {"profile", PLAN | FILE_},
+                {"station", PLAN},
+                {"name", FILE_},
+                {"layer", FILE_},
+                {"units", FILE_},
+                {"reverse", FILE_},
+                {"from", FILE_},
+                {"to", FILE_},
+                {"tolerance", FILE_},
+                {"height", FILE_}};
+    const int kind = kind_of(r, node, lists, "pieces, points, plan and file");
+    if (kind < 0) return HAWSER_ERR_INPUT;
+    const CaseNode *const list = case_node_key(node, lists[kind]);
+    for (size_t k = 0; k < sizeof only / sizeof *only; ++k) {
+        const CaseNode *const given = case_node_key(node, only[k].key);
+        if (!given || only[k].with >> kind & 1) continue;
+        return case_key_error(r->err, given, NULL, "not with '%s'", lists[kind]);
+    }
+    if (kind == 3) return HAWSER_OK;
+    if (list->count == 0) return case_value_error(r->err, list, " without a piece: the route is empty");
+    if (kind == 1 && list->count < 2)
+        return case_value_error(r->err, list, " of %d: expected two points at least", list->count);
+    return HAWSER_OK;
+}
+
 /* What a change of slope is rounded by if nothing is said: the cable's limit. */
 static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
 {
@@ -464,15 +540,19 @@ static hawser_status line_read(const CaseReader *r, const CaseNode *node, const 
 {
     const CaseNode *const points = case_node_key(node, "points"), *const plan = case_node_key(node, "plan");
     const CaseNode *const origin = case_node_key(node, "origin");
+    const CaseNode *profile;
     RouteCorner *corner = NULL;
     int n = 0;
-    hawser_status status = points ? case_list_read(r, points, sizeof *corner, point_read, &corner, &n) : HAWSER_OK;
+    if (case_node_key(node, "file")) return file_line(r, node, in, out);
+    hawser_status status = corners_find(r, case_node_key(node, "profile"), &profile);
+    if (status) return status;
+    status = points ? case_list_read(r, points, sizeof *corner, point_read, &corner, &n) : HAWSER_OK;
     if (!status) status = origin_read(r, origin, points ? corner[0].point : in->start);
     const Vec3 start = v3_sub(in->start, r->def->route_origin);
     if (!status && points) status = points_line(r, points, in, r->def->route_origin, n, corner, out);
     if (!status && plan) {
-        status = plan_line(r, plan, case_node_key(node, "profile"), in, start, out);
-        if (case_node_key(node, "profile")) out->start.z -= r->def->route_origin.z;
+        status = plan_line(r, plan, profile, in, start, out);
+        if (profile) out->start.z -= r->def->route_origin.z;
     }
     if (!status && !points && !plan) {
         status = pieces_line(r, case_node_key(node, "pieces"), in, out);
@@ -515,11 +595,4 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
                          r->err);
     if (!status && !case_node_key(r->root, "chain")) def->pieces[0].length = r->route.length;
     return status ? status : head_check(r, node);
-}
-
-/* Its defaults are read even where there is none, so that the definition is complete. */
-hawser_status case_lead_in_read(CaseReader *r, const CaseNode *node)
-{
-    r->def->lead_in.present = node != NULL;
-    return case_section_read(r, node, &case_lead_in, &r->def->lead_in);
 }

@@ -13,13 +13,14 @@
 
 #define NAME "pull.yaml"
 
-/* Reads a text as a case called NAME, with one setting (key NULL: none). */
+/* Reads a text as a case called NAME in tests/data, with one setting (key NULL: none). */
 static inline hawser_status read_with(const char *text, const char *key, const char *value, SceneDef *def,
                                       hawser_error *err)
 {
     CaseTree *tree;
     memset(err, 0, sizeof *err);
     hawser_status status = case_tree_parse(text, NAME, &tree, err);
+    if (!status) tree->folder = strdup(HAWSER_SOURCE_DIR "/tests/data");
     if (!status && key) status = case_tree_set(tree, key, value, err);
     if (!status) status = case_read(tree, def, err);
     case_tree_free(tree);

@@ -173,6 +173,7 @@ static void wrong_any(const Site *site, Coverage *coverage)
         {"k", {"5 kg", "nan", "inf", "-1", "0", "1e8 N/m^9", "1e8 N/m", "[1]", "1e8x", ""}},
         {"include", {"7", "{a: 1}", "''", "", "[7]", "[{a: 1}]", "nan", "[[a]]", "[~]", "/dev/null"}},
         {"type", {"bogus", "5 kg", "nan", "[a]", "{a: 1}", "''", "", "7", "[7]", "Straight"}},
+        {"profile", {"7", "[7]", "[]", "''", "nan", "{a: 1}", "{}", "{file: []}", "[{station: 1}]", "[~]"}},
         {"stations",
          {"7", "[7]", "{a: 1}", "{spacing: nan}", "{spacing: 0}", "[{name: A}]", "[{at: 1}]", "''", "nan",
           "{list: 7}"}},
@@ -297,7 +298,8 @@ static void every_key_wrong_in_every_way(void **state)
         "full-ramps",        "full-tables",     "full-tension",     "full-tension-table",
         "full-reel",         "full-reel-table", "full-reel-weight", "full-rod",
         "full-rod-polyline", "full-bundle",     "full-library",     "full-route",
-        "full-route-points", "full-route-plan", "full-drawing",     "full-drawing-file"};
+        "full-route-points", "full-route-plan", "full-drawing",     "full-drawing-file",
+        "full-route-file"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);

@@ -1,0 +1,46 @@
+/* hawser route: which lines a drawing, a model, a table or a map holds, and one of them as a file. */
+#include "cli/commands.h"
+
+#include <stdio.h>
+
+static const char help[] =
+    "Usage: hawser route FILE [options]\n"
+    "\n"
+    "Says which routes FILE holds: a drawing (DXF), a model (LandXML, IFC), a table (CSV, TSV) or a map (GeoJSON,\n"
+    "GPX); how long they are, where they begin and end, how well straights, arcs and clothoids fit them, and what\n"
+    "was not read. docs/case-format.md says how a case takes one.\n"
+    "\n"
+    "      --name NAME         only lines of this name\n"
+    "      --layer LAYER       only lines on this layer of a drawing\n"
+    "      --units UNIT        the file's unit of length, such as mm, m or ft, in place of what the file says\n"
+    "      --profile FILE      the heights come from another file\n"
+    "      --reverse           from end to start\n"
+    "      --from STATION      begins at this station of the file, in m\n"
+    "      --to STATION        ends at this station\n"
+    "      --tolerance LENGTH  how far the route may be off the file's line (50mm)\n"
+    "      --radius LENGTH     corners of lines of points get this radius; without it such lines are fitted\n"
+    "  -o, --output FILE       writes the line as it would be built: .yaml (of a case), .csv, .dxf, .geojson\n"
+    "      --json              JSON, with lengths in m whatever the file's unit is\n"
+    "      --format FORMAT     table (default), json or csv\n"
+    "  -h, --help              this text\n"
+    "  -V, --version           the version\n"
+    "\n"
+    "--units is about the file here; what is printed is in m.\n"
+    "Exit status: 0 done; 2 the file cannot be read or holds no such line; 4 the output could not be written.\n";
+
+static int route(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    hawser_routes *r = NULL;
+    char *text = NULL;
+    hawser_status status = hawser_routes_read(args->case_path, &args->route, &r, &err);
+    if (!status && args->dir) status = hawser_routes_write(r, -1, args->dir, &err);
+    if (!status) status = hawser_routes_describe(r, args->format, &text, &err);
+    if (!status) fputs(text, stdout);
+    hawser_text_free(text);
+    hawser_routes_free(r);
+    return finish_stdout(exit_status(status, &err));
+}
+
+const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRj/",
+                               help, route};

@@ -1,0 +1,72 @@
+/* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV) and maps (GeoJSON, GPX). Part of
+ * hawser/hawser.h, which includes it. docs/routes.md says what is read of each. Lengths in m; x east, y north, z up, in
+ * the file's own system of coordinates. */
+#ifndef HAWSER_ROUTE_H
+#define HAWSER_ROUTE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What is wanted of a file; texts NULL: any, or none. They are copied. */
+typedef struct hawser_route_options {
+    const char *name, *layer; /* only lines of this name, on this layer of a drawing; case ignored */
+    const char *units;        /* the file's unit of length, "mm" or "ft", in place of what the file says */
+    const char *profile;      /* another file, or a table of stations, that the heights come from */
+    int reverse;              /* from end to start */
+    double from_m, to_m;      /* stations of the file between which the line is used; NAN: its ends */
+    double tolerance_m;       /* by which the route may be off the file's line: elements that do not join, and lines
+                               * of points, are fitted within it */
+    double radius_m;          /* of the corners of lines of points; NAN: they are fitted instead */
+} hawser_route_options;
+
+/* Nothing chosen, 50 mm. */
+hawser_route_options hawser_route_defaults(void);
+
+/* The lines of a file. */
+typedef struct hawser_routes hawser_routes;
+
+typedef struct hawser_route_figures {
+    const char *name, *layer;      /* "" if it has none; the handle's */
+    double length_m;               /* of the file's own line */
+    double horizontal_length_m;    /* the same as seen from above */
+    double station_m;              /* the file's number for where the line begins */
+    double start_m[3], end_m[3];   /* its ends */
+    int pieces;                    /* straights, arcs and clothoids in plan; of points straights */
+    int fitted;                    /* they are fitted to the file's line */
+    double least_radius_m;         /* in plan; infinite: straight */
+    double deviation_max_m, rms_m; /* of the pieces from the file's line */
+    const char *problem;           /* why it cannot be a route; NULL: it can */
+} hawser_route_figures;
+
+/* A place of a route. */
+typedef struct hawser_route_place {
+    double position_m[3], tangent[3]; /* tangent: unit */
+    double curvature_per_m[3];        /* toward the centre */
+} hawser_route_place;
+
+/* Reads the lines that the options choose (NULL: the defaults); pieces of a drawing's layer are joined. A line that
+ * cannot be a route is among them, with its problem; but if only one is chosen, and cut or given heights, that is an
+ * error. Errors: INPUT with file, line and reason; MEMORY. *out is NULL then. */
+hawser_status hawser_routes_read(const char *path, const hawser_route_options *options, hawser_routes **out,
+                                 hawser_error *err);
+void hawser_routes_free(hawser_routes *r);
+int hawser_routes_count(const hawser_routes *r);
+/* What `hawser route` prints. *text is malloc'ed: free it with hawser_text_free. */
+hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format format, char **text, hawser_error *err);
+/* One of them, 0 <= i < count. Errors: INPUT (no such line). */
+hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_figures *out, hawser_error *err);
+/* Length in space of the route built from a line, and the place s metres along it from its start; beyond its ends it
+ * goes on straight. Errors: INPUT (no such line, or it cannot be a route: its problem), MEMORY. */
+hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, hawser_error *err);
+hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route_place *out, hawser_error *err);
+/* Writes the line as it would be built: a table (.csv), a drawing (.dxf), a map (.geojson) or the section `route` of a
+ * case (.yaml). i < 0: the one that is meant, as in a case. Errors: INPUT (several could be meant, an ending that is
+ * none of these), OUTPUT, MEMORY. */
+hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *path, hawser_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,74 @@
+#include "io/alignment/case_line.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+
+/* The path of a file that a section names: relative to the case's folder; malloc'ed. */
+static hawser_status path_find(const CaseReader *r, const CaseNode *section, const char *file, char **path)
+{
+    const CaseNode *const node = case_node_key(section, "file");
+    const int absolute = *file == '/';
+    *path = NULL;
+    if (!node) return case_key_error(r->err, section, "file", "missing: it says where the line is");
+    if (!*file) return case_value_error(r->err, node, ": expected the name of a file");
+    if (!r->folder)
+        return case_value_error(r->err, node, ": a case that is a text has no folder to look in: load it from a file");
+    const size_t size = strlen(r->folder) + strlen(file) + 2;
+    *path = malloc(size);
+    if (!*path) return error_memory(r->err);
+    snprintf(*path, size, "%s%s%s", absolute ? "" : r->folder, absolute ? "" : "/", file);
+    return HAWSER_OK;
+}
+
+/* Which line of which file; the texts stay the record's. */
+static hawser_status pick_read(const CaseReader *r, const CaseNode *section, const LineRecord *in, LinePick *out,
+                               char **path)
+{
+    hawser_error why = {.message = ""};
+    out->name = *in->name ? in->name : NULL;
+    out->layer = *in->layer ? in->layer : NULL;
+    hawser_status status = path_find(r, section, in->file, path);
+    out->path = *path;
+    if (status || !*in->units) return status;
+    status = line_unit(in->units, &out->unit, &why);
+    return status ? case_key_error(r->err, section, "units", "%s", why.message) : HAWSER_OK;
+}
+
+/* Reads, chooses and uses the line. */
+static hawser_status line_find(const LineOptions *options, UsedLine *used, hawser_error *err)
+{
+    Survey s;
+    const Alignment *line;
+    hawser_status status = lines_read(&options->line, &s, err);
+    if (status) return status;
+    status = line_choose(&options->line, &s, &line, err);
+    if (!status) status = line_use(line, options, used, err);
+    survey_clear(&s);
+    return status;
+}
+
+hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const LineRecord *line, const CaseNode *heights,
+                            const LineRecord *profile, LineOptions *options, UsedLine *used)
+{
+    hawser_error why = {.message = ""};
+    char *path = NULL, *profile_path = NULL;
+    *used = (UsedLine){.fitted = 0};
+    hawser_status status = pick_read(r, node, line, &options->line, &path);
+    if (!status && heights) status = pick_read(r, heights, profile, &options->profile, &profile_path);
+    if (!status) {
+        status = line_find(options, used, &why);
+        if (status == HAWSER_ERR_INPUT) {
+            const int named = strncmp(why.message, path, strlen(path)) == 0 ||
+                              (profile_path && strncmp(why.message, profile_path, strlen(profile_path)) == 0);
+            status = case_key_error(r->err, node, "file", "%s%s%s", named ? "" : path, named ? "" : ": ", why.message);
+        } else if (status) {
+            status = error_memory(r->err);
+        }
+    }
+    free(path);
+    free(profile_path);
+    return status;
+}

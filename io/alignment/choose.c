@@ -1,0 +1,138 @@
+/* Lines of a file: joined, and the one that is meant. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "core/base/error.h"
+#include "io/alignment/line.h"
+#include "io/yaml/units.h"
+#include "survey/fit/join.h"
+#include "survey/read/read.h"
+
+LineOptions line_options(void)
+{
+    return (LineOptions){.line = {.unit = NAN},
+                         .profile = {.unit = NAN},
+                         .from = NAN,
+                         .to = NAN,
+                         .tolerance = 0.05,
+                         .corner = NAN,
+                         .rounding = 2,
+                         .height = NAN};
+}
+
+hawser_status line_unit(const char *name, double *metres, hawser_error *err)
+{
+    char text[64], why[UNITS_WHY_MAX];
+    Units *const units = units_new();
+    if (!units) return error_memory(err);
+    snprintf(text, sizeof text, "1 %.50s", name);
+    const int read = units_read(units, text, DIM_LENGTH, metres, why);
+    units_free(units);
+    if (read) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "'%.50s' is no unit of length: expected one such as mm, m or ft", name);
+}
+
+static int is_picked(const LinePick *pick, const Alignment *a)
+{
+    return (!pick->name || !strcasecmp(pick->name, a->name)) && (!pick->layer || !strcasecmp(pick->layer, a->layer));
+}
+
+/* Whether an earlier line has the same layer. */
+static int layer_is_met(const Survey *s, int i)
+{
+    for (int k = 0; k < i; ++k) {
+        if (!strcasecmp(s->alignment[k].layer, s->alignment[i].layer)) return 1;
+    }
+    return 0;
+}
+
+/* Only drawings have layers: their lines come in pieces, and pieces of one layer belong together. */
+static hawser_status pieces_join(const LinePick *pick, const Survey *pieces, Survey *out, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < pieces->n && !status; ++i) {
+        const Alignment *const a = &pieces->alignment[i];
+        if (!is_picked(pick, a)) continue;
+        if (!*a->layer) {
+            Alignment *const copy = survey_add(out, a->name);
+            if (!copy || !alignment_copy(a, copy)) status = error_memory(err);
+        } else if (!layer_is_met(pieces, i)) {
+            JoinOptions options = join_options();
+            Joined joined;
+            options.layer = a->layer;
+            options.name = pick->name;
+            status = join_lines(pieces, &options, out, &joined, err);
+        }
+    }
+    return status;
+}
+
+/* What there is, for a message: the first names and layers. */
+static void names_say(const Survey *s, size_t room, char *text)
+{
+    enum { SHOWN = 8 };
+    size_t used = 0;
+    *text = 0;
+    for (int i = 0, shown = 0; i < s->n && shown < SHOWN && used < room; ++i) {
+        const Alignment *const a = &s->alignment[i];
+        int met = 0;
+        for (int k = 0; k < i; ++k)
+            met |= !strcmp(s->alignment[k].name, a->name) && !strcmp(s->alignment[k].layer, a->layer);
+        if (met) continue;
+        const int layer = *a->layer && strcmp(a->layer, a->name) != 0;
+        used += (size_t)snprintf(text + used, room - used, "%s'%.40s'%s%.40s%s", shown ? ", " : "", a->name,
+                                 layer ? " (layer '" : "", layer ? a->layer : "", layer ? "')" : "");
+        ++shown;
+    }
+}
+
+hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
+{
+    const SurveyOptions options = {.unit = pick->unit};
+    Survey pieces;
+    char names[500];
+    hawser_status status = survey_read(pick->path, &options, &pieces, err);
+    *out = (Survey){0};
+    if (status) return status;
+    status = pieces_join(pick, &pieces, out, err);
+    if (!status && out->n == 0) {
+        names_say(&pieces, sizeof names, names);
+        status =
+            error_set(err, HAWSER_ERR_INPUT, "%.200s: no line%s%.60s%s%.60s%s; there %s%s", pick->path,
+                      pick->name ? " of the name '" : "", pick->name ? pick->name : "",
+                      pick->layer ? (pick->name ? "' on layer '" : " on layer '") : "", pick->layer ? pick->layer : "",
+                      pick->name || pick->layer ? "'" : "", pieces.n ? "are " : "is none", names);
+    }
+    out->mark = pieces.mark; /* handed over */
+    out->n_marks = pieces.n_marks;
+    out->ignored = pieces.ignored;
+    out->n_ignored = pieces.n_ignored;
+    pieces.mark = NULL;
+    pieces.ignored = NULL;
+    memcpy(out->system, pieces.system, sizeof out->system);
+    memcpy(out->unit, pieces.unit, sizeof out->unit);
+    survey_clear(&pieces);
+    if (status) survey_clear(out);
+    return status;
+}
+
+hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment **out, hawser_error *err)
+{
+    const double least = 0.1; /* of the longest one's length: what is shorter is taken for a mark */
+    const ChooseOptions any = {.name = NULL};
+    char names[500];
+    const int best = choose_line(s, &any);
+    *out = best < 0 ? NULL : &s->alignment[best];
+    if (best < 0) return error_set(err, HAWSER_ERR_INPUT, "%.200s: no line", pick->path);
+    const double longest = alignment_measure(*out).plan_length;
+    int rivals = 0;
+    for (int i = 0; i < s->n; ++i)
+        rivals += i != best && alignment_measure(&s->alignment[i]).plan_length > least * longest;
+    if (rivals == 0) return HAWSER_OK;
+    names_say(s, sizeof names, names);
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "%.200s: %d lines could be meant, such as %s: choose one by 'name' or 'layer'", pick->path,
+                     rivals + 1, names);
+}

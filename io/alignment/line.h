@@ -1,0 +1,53 @@
+/* From a surveyor's file to the line of pieces that a cable is pulled along: read, joined, chosen, fitted, cut, turned
+ * around and chained. docs/model/16-alignments.md, "As a route". */
+#ifndef HAWSER_IO_ALIGNMENT_LINE_H
+#define HAWSER_IO_ALIGNMENT_LINE_H
+
+#include "core/route_make.h"
+#include "survey/alignment.h"
+
+/* Which line of which file. */
+typedef struct LinePick {
+    const char *path, *name, *layer; /* name, layer NULL: any; case ignored */
+    double unit;                     /* m in the file's unit of length; NAN: as it says */
+} LinePick;
+
+typedef struct LineOptions {
+    LinePick line, profile; /* profile.path NULL: the line's own heights */
+    int reverse;
+    double from, to;  /* m, stations of the file between which it is used; NAN: its ends */
+    double tolerance; /* m, by which the route may be off the file's line */
+    double corner;    /* m, radius of the corners of a line of points; NAN: it is fitted */
+    double rounding;  /* m, radius of corners of the profile */
+    double height;    /* m, of a line without heights; NAN: 0 */
+} LineOptions;
+/* Nothing chosen, 50 mm, 2 m. */
+LineOptions line_options(void);
+
+/* Metres in a unit of length by its name, "mm" or "US_survey_foot". Errors: INPUT, MEMORY. */
+hawser_status line_unit(const char *name, double *metres, hawser_error *err);
+/* All lines of a file that the pick chooses: those of drawings joined, layer by layer, the longest of each first.
+ * Errors: INPUT (also: nothing is chosen), MEMORY; then nothing is left allocated. */
+hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err);
+/* The one that is meant: the only one, or the longest if no other has a tenth of its length. Errors: INPUT that names
+ * the longest of them. */
+hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment **out, hawser_error *err);
+
+/* A line as it will be built. */
+typedef struct UsedLine {
+    Alignment line;                /* elements; points where their corners get a radius */
+    int fitted;                    /* it is not the file's own elements */
+    double deviation;              /* m, the largest from the file's line, chaining included, in plan or height */
+    double rms;                    /* m, of the fit */
+    double file_length, file_plan; /* m, of the file's own line, in space and in plan */
+    Vec3 file_start, file_end;     /* m, its ends */
+} UsedLine;
+/* Errors: INPUT (farther off than the tolerance, stations that are not on the line, no heights along it), MEMORY. Then
+ * nothing is left allocated; else clear used->line. */
+hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLine *used, hawser_error *err);
+/* What route_build needs; coordinates count from `origin`. Errors: INPUT (corners without room for their radius, a
+ * profile that cannot be rounded), MEMORY. */
+hawser_status line_route(const UsedLine *used, const LineOptions *options, Vec3 origin, RouteLine *out,
+                         hawser_error *err);
+
+#endif

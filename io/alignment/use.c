@@ -1,0 +1,121 @@
+/* A line of a file as it will be built: with its heights, fitted, cut, turned around, chained. */
+#include <math.h>
+
+#include "core/base/error.h"
+#include "core/base/worst.h"
+#include "io/alignment/line.h"
+#include "survey/fit/fit.h"
+
+/* The line from which heights come; *s is to be cleared. NULL in *profile: the line's own. */
+static hawser_status profile_find(const LineOptions *options, Survey *s, const Alignment **profile, hawser_error *err)
+{
+    *profile = NULL;
+    *s = (Survey){0};
+    if (!options->profile.path) return HAWSER_OK;
+    hawser_status status = lines_read(&options->profile, s, err);
+    if (!status) status = line_choose(&options->profile, s, profile, err);
+    return status;
+}
+
+/* By how much the chain of elements misses the places where the file has them, (AL8). */
+static double chain_off(const Alignment *own, const Alignment *chained)
+{
+    double worst = 0;
+    for (int i = 0; i < own->n_plan; ++i) {
+        for (int k = 0; k < 2; ++k) {
+            const PlanElement a = plan_at(&own->plan[i], k * own->plan[i].length);
+            const PlanElement b = plan_at(&chained->plan[i], k * chained->plan[i].length);
+            worst = larger_of(worst, hypot(a.x - b.x, a.y - b.y));
+        }
+    }
+    return worst;
+}
+
+/* Lets the elements begin where those before them end, and says what that moves. */
+static hawser_status chain(const LineOptions *options, UsedLine *used, hawser_error *err)
+{
+    Alignment own;
+    if (!alignment_copy(&used->line, &own)) return error_memory(err);
+    alignment_chain(&used->line);
+    used->deviation += chain_off(&own, &used->line);
+    alignment_clear(&own);
+    if (used->deviation <= options->tolerance) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "'%.60s': a smooth route is up to %.3g m off the file's line, and %.3g m are allowed: a larger "
+                     "tolerance, or a better file",
+                     used->line.name, used->deviation, options->tolerance);
+}
+
+/* Joined elements are taken as they are; what the fit changes it reports. It holds the deviation where it cuts a line,
+ * and may pass it a little where pieces are then joined: a smaller one is asked for until the whole line is within. */
+static hawser_status fit(const Alignment *from, const Alignment *profile, const LineOptions *options, UsedLine *used,
+                         hawser_error *err)
+{
+    enum { TRIES = 4 };
+    FitOptions how = fit_options();
+    FitReport report;
+    hawser_status status = HAWSER_OK;
+    how.profile_drawn = profile && profile->n_profile == 0 && (profile->n_plan > 0 || profile->flat);
+    for (int k = 0; k < TRIES && !status; ++k) {
+        how.deviation = options->tolerance / (1 << k);
+        alignment_clear(&used->line);
+        status = fit_alignment(from, profile, &how, &used->line, &report, err);
+        if (!report.fitted || larger_of(report.largest, report.largest_height) <= options->tolerance) break;
+    }
+    used->fitted = report.fitted;
+    used->deviation = larger_of(report.largest, report.largest_height);
+    used->rms = larger_of(report.rms, report.rms_height);
+    return status;
+}
+
+/* Corners that get a radius need no fit. */
+static hawser_status keep(const Alignment *from, UsedLine *used, hawser_error *err)
+{
+    return alignment_copy(from, &used->line) ? HAWSER_OK : error_memory(err);
+}
+
+static hawser_status part_take(const LineOptions *options, Alignment *a, hawser_error *err)
+{
+    const double length = alignment_measure(a).plan_length;
+    const double from = isnan(options->from) ? 0 : options->from - a->station;
+    const double to = isnan(options->to) ? length : options->to - a->station;
+    const int whole = isnan(options->from) && isnan(options->to);
+    const hawser_status status = whole ? HAWSER_OK : alignment_cut(a, fmax(from, -1e-6), fmin(to, length + 1e-6), err);
+    if (!status && options->reverse) alignment_reverse(a);
+    return status;
+}
+
+/* What the file itself says of the part that is used. Heights of another file are those of the line that is built. */
+static hawser_status measure(const Alignment *from, int own_heights, const LineOptions *options, UsedLine *used,
+                             hawser_error *err)
+{
+    Alignment file;
+    const AlignmentMeasure built = alignment_measure(&used->line);
+    if (!alignment_copy(from, &file)) return error_memory(err);
+    const hawser_status status = part_take(options, &file, err);
+    const AlignmentMeasure m = status ? built : alignment_measure(&file);
+    used->file_plan = m.plan_length;
+    used->file_length = own_heights ? m.length : built.length;
+    used->file_start = v3(m.start.x, m.start.y, own_heights ? m.start.z : built.start.z);
+    used->file_end = v3(m.end.x, m.end.y, own_heights ? m.end.z : built.end.z);
+    alignment_clear(&file);
+    return status;
+}
+
+hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLine *used, hawser_error *err)
+{
+    Survey s;
+    const Alignment *profile;
+    *used = (UsedLine){.fitted = 0};
+    if (from->n_plan == 0 && from->n_points < 2)
+        return error_set(err, HAWSER_ERR_INPUT, "'%.60s' is a profile without a plan: no route", from->name);
+    hawser_status status = profile_find(options, &s, &profile, err);
+    const int corners = !isnan(options->corner) && from->n_plan == 0 && !profile;
+    if (!status) status = corners ? keep(from, used, err) : fit(from, profile, options, used, err);
+    if (!status) status = part_take(options, &used->line, err);
+    if (!status) status = measure(from, !profile, options, used, err);
+    if (!status) status = chain(options, used, err);
+    survey_clear(&s);
+    if (status) alignment_clear(&used->line);
+    return status;
+}

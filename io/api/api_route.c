@@ -1,0 +1,372 @@
+/* Routes out of files: what `hawser route` prints, places along them, and files of them. */
+#include "hawser/hawser.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "io/alignment/line.h"
+#include "io/api/api_handles.h"
+#include "io/yaml/units.h"
+#include "survey/write/write.h"
+
+/* More lines than these are a whole drawing, of which nobody wants each as a route: they are used once asked for. */
+enum { USED_AT_ONCE = 32, DIGITS = 13 };
+
+/* A line of the file and what became of it. */
+typedef struct RouteRow {
+    hawser_route_figures figures;
+    UsedLine used;
+    int tried, built; /* used is filled, route is */
+    Route route;
+    hawser_error problem;
+    double start[3], end[3], station_end;
+} RouteRow;
+
+struct hawser_routes {
+    char *path, *name, *layer, *profile;
+    LineOptions options;
+    Survey survey;
+    RouteRow *row; /* [survey.n] */
+};
+
+hawser_route_options hawser_route_defaults(void)
+{
+    const LineOptions usual = line_options();
+    return (hawser_route_options){.from_m = NAN, .to_m = NAN, .tolerance_m = usual.tolerance, .radius_m = NAN};
+}
+
+/* ------------------------------------------------------------------------------------------------------- reading */
+
+/* A copy of a text; *fine turns 0 without memory. */
+static char *keep(const char *text, int *fine)
+{
+    char *const copy = text ? strdup(text) : NULL;
+    if (text && !copy) *fine = 0;
+    return copy;
+}
+
+static hawser_status options_take(const char *path, const hawser_route_options *from, hawser_routes *r,
+                                  hawser_error *err)
+{
+    int fine = 1;
+    LineOptions *const o = &r->options;
+    *o = line_options();
+    r->path = keep(path, &fine);
+    r->name = keep(from->name, &fine);
+    r->layer = keep(from->layer, &fine);
+    r->profile = keep(from->profile, &fine);
+    if (!fine) return error_memory(err);
+    o->line = (LinePick){r->path, r->name, r->layer, NAN};
+    o->profile.path = r->profile;
+    o->reverse = from->reverse;
+    o->from = from->from_m;
+    o->to = from->to_m;
+    o->tolerance = from->tolerance_m;
+    o->corner = from->radius_m;
+    if (!(o->tolerance > 0 && o->tolerance <= 1000))
+        return error_set(err, HAWSER_ERR_INPUT, "a tolerance of %g m: must be above 0 m, at most 1000 m", o->tolerance);
+    if (o->corner <= 0) return error_set(err, HAWSER_ERR_INPUT, "a radius of %g m: must be above 0 m", o->corner);
+    hawser_status status = from->units ? line_unit(from->units, &o->line.unit, err) : HAWSER_OK;
+    return status;
+}
+
+/* Makes the line what will be built; what is wrong with it stays in its row. */
+static void row_use(const hawser_routes *r, int i)
+{
+    RouteRow *const row = &r->row[i];
+    const Alignment *const a = &r->survey.alignment[i];
+    if (row->tried) return;
+    row->tried = 1;
+    const hawser_status status = line_use(a, &r->options, &row->used, &row->problem);
+    if (status) {
+        row->figures.problem = row->problem.message;
+        return;
+    }
+    const AlignmentMeasure m = alignment_measure(&row->used.line);
+    hawser_route_figures *const f = &row->figures;
+    f->length_m = row->used.file_length;
+    f->horizontal_length_m = row->used.file_plan;
+    f->station_m = fabs(row->used.line.station) < 1e-9 ? 0 : row->used.line.station;
+    f->pieces = m.pieces;
+    f->fitted = row->used.fitted;
+    f->least_radius_m = m.least_radius;
+    f->deviation_max_m = row->used.deviation;
+    f->rms_m = row->used.rms;
+    v3_put(f->start_m, row->used.file_start);
+    v3_put(f->end_m, row->used.file_end);
+}
+
+/* What the file's line is before anything is made of it. */
+static void row_begin(const hawser_routes *r, int i)
+{
+    const Alignment *const a = &r->survey.alignment[i];
+    const AlignmentMeasure m = alignment_measure(a);
+    hawser_route_figures *const f = &r->row[i].figures;
+    *f = (hawser_route_figures){.name = a->name,
+                                .layer = a->layer,
+                                .length_m = m.length,
+                                .horizontal_length_m = m.plan_length,
+                                .station_m = fabs(a->station) < 1e-9 ? 0 : a->station,
+                                .pieces = m.pieces,
+                                .least_radius_m = m.least_radius};
+    v3_put(f->start_m, m.start);
+    v3_put(f->end_m, m.end);
+}
+
+hawser_status hawser_routes_read(const char *path, const hawser_route_options *options, hawser_routes **out,
+                                 hawser_error *err)
+{
+    const hawser_route_options usual = hawser_route_defaults();
+    hawser_routes *r = calloc(1, sizeof *r);
+    *out = NULL;
+    if (!r) return error_memory(err);
+    hawser_status status = options_take(path, options ? options : &usual, r, err);
+    if (!status) status = lines_read(&r->options.line, &r->survey, err);
+    if (!status) {
+        r->row = calloc((size_t)r->survey.n + 1, sizeof *r->row);
+        if (!r->row) status = error_memory(err);
+    }
+    for (int i = 0; i < r->survey.n && !status; ++i) row_begin(r, i);
+    for (int i = 0; i < r->survey.n && r->survey.n <= USED_AT_ONCE && !status; ++i) row_use(r, i);
+    const LineOptions *const o = &r->options;
+    const int asked = o->profile.path || !isnan(o->from) || !isnan(o->to);
+    if (!status && r->survey.n == 1 && asked && r->row[0].figures.problem)
+        status = error_set(err, r->row[0].problem.status, "%.300s: %.700s", path, r->row[0].problem.message);
+    if (status)
+        hawser_routes_free(r);
+    else
+        *out = r;
+    return status;
+}
+
+void hawser_routes_free(hawser_routes *r)
+{
+    if (!r) return;
+    for (int i = 0; r->row && i < r->survey.n; ++i) {
+        alignment_clear(&r->row[i].used.line);
+        if (r->row[i].built) route_clear(&r->row[i].route);
+    }
+    free(r->row);
+    survey_clear(&r->survey);
+    free(r->path);
+    free(r->name);
+    free(r->layer);
+    free(r->profile);
+    free(r);
+}
+
+int hawser_routes_count(const hawser_routes *r) { return r->survey.n; }
+
+/* --------------------------------------------------------------------------------------------------------- texts */
+
+static json_t *json_number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
+
+static json_t *json_place(const double at[3]) { return json_pack("[fff]", at[0], at[1], at[2]); }
+
+/* "cant, 12 times": of the whole file. */
+static json_t *json_ignored(const Survey *s)
+{
+    json_t *const list = json_array();
+    char text[SURVEY_NAME_MAX + 40];
+    for (int i = 0; i < s->n_ignored; ++i) {
+        snprintf(text, sizeof text, "%s, %ld times", s->ignored[i].what, s->ignored[i].times);
+        json_t *const item = json_string(s->ignored[i].times > 1 ? text : s->ignored[i].what);
+        json_array_append_new(list, item ? item : json_null());
+    }
+    return list;
+}
+
+static json_t *json_text(const char *text)
+{
+    json_t *const value = text ? json_string(text) : NULL;
+    return value ? value : json_null();
+}
+
+static json_t *json_line(const hawser_routes *r, int i)
+{
+    const hawser_route_figures *const f = &r->row[i].figures;
+    json_t *const o = json_object();
+    json_object_set_new(o, "name", json_text(f->name));
+    json_object_set_new(o, "layer", json_text(f->layer));
+    json_object_set_new(o, "length_m", json_number(f->length_m));
+    json_object_set_new(o, "horizontal_length_m", json_number(f->horizontal_length_m));
+    json_object_set_new(o, "station_m", json_number(f->station_m));
+    json_object_set_new(o, "start", json_place(f->start_m));
+    json_object_set_new(o, "end", json_place(f->end_m));
+    json_object_set_new(o, "pieces", json_integer(f->pieces));
+    json_object_set_new(o, "fitted", json_boolean(f->fitted));
+    json_object_set_new(o, "least_radius_m", json_number(f->least_radius_m));
+    json_object_set_new(o, "deviation_max_m", json_number(f->deviation_max_m));
+    json_object_set_new(o, "deviation_rms_m", json_number(f->rms_m));
+    if (f->problem) json_object_set_new(o, "problem", json_text(f->problem));
+    json_object_set_new(o, "ignored", json_ignored(&r->survey));
+    return o;
+}
+
+static hawser_status json_write(const hawser_routes *r, char **text, hawser_error *err)
+{
+    json_t *const o = json_object(), *const list = json_array();
+    for (int i = 0; i < r->survey.n; ++i) json_array_append_new(list, json_line(r, i));
+    json_object_set_new(o, "source", json_text(r->path));
+    json_object_set_new(o, "system", json_text(*r->survey.system ? r->survey.system : NULL));
+    json_object_set_new(o, "unit", json_text(r->survey.unit));
+    json_object_set_new(o, "alignments", list);
+    char *const body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
+    json_decref(o);
+    *text = body ? realloc(body, strlen(body) + 2) : NULL;
+    if (*text)
+        strcat(*text, "\n");
+    else
+        free(body);
+    return *text ? HAWSER_OK : error_memory(err);
+}
+
+static double figure_at(const void *row, int end, int axis)
+{
+    const hawser_route_figures *const f = &((const RouteRow *)row)->figures;
+    return end ? f->end_m[axis] : f->start_m[axis];
+}
+static double start_x(const void *row) { return figure_at(row, 0, 0); }
+static double start_y(const void *row) { return figure_at(row, 0, 1); }
+static double start_z(const void *row) { return figure_at(row, 0, 2); }
+static double end_x(const void *row) { return figure_at(row, 1, 0); }
+static double end_y(const void *row) { return figure_at(row, 1, 1); }
+static double end_z(const void *row) { return figure_at(row, 1, 2); }
+
+static const Column line_column[] = {
+    {COLUMN("name", TEXT, RouteRow, figures.name), .label = "name"},
+    {COLUMN("layer", TEXT, RouteRow, figures.layer), .label = "layer"},
+    {COLUMN("station_m", NUMBER, RouteRow, figures.station_m), .label = "from station, m", .decimals = 3},
+    {COLUMN("length_m", NUMBER, RouteRow, figures.length_m), .label = "length, m", .decimals = 3},
+    {COLUMN("horizontal_length_m", NUMBER, RouteRow, figures.horizontal_length_m), .label = "in plan, m",
+     .decimals = 3},
+    {COLUMN("pieces", COUNT, RouteRow, figures.pieces), .label = "pieces"},
+    {COLUMN("least_radius_m", NUMBER, RouteRow, figures.least_radius_m), .label = "least radius, m", .decimals = 2},
+    {COLUMN("deviation_max_m", NUMBER, RouteRow, figures.deviation_max_m), .label = "deviation, m", .decimals = 4},
+    {.key = "start_x_m", .number = start_x, .label = "start x, m", .decimals = 3, .group = 1, .digits = DIGITS},
+    {.key = "start_y_m", .number = start_y, .label = "start y, m", .decimals = 3, .group = 1, .digits = DIGITS},
+    {.key = "start_z_m", .number = start_z, .label = "start z, m", .decimals = 3, .group = 1, .digits = DIGITS},
+    {.key = "end_x_m", .number = end_x, .label = "end x, m", .decimals = 3, .group = 1, .digits = DIGITS},
+    {.key = "end_y_m", .number = end_y, .label = "end y, m", .decimals = 3, .group = 1, .digits = DIGITS},
+    {.key = "end_z_m", .number = end_z, .label = "end z, m", .decimals = 3, .group = 1, .digits = DIGITS},
+};
+static const Column problem_column[] = {
+    {COLUMN("name", TEXT, RouteRow, figures.name), .label = "name"},
+    {COLUMN("problem", TEXT, RouteRow, figures.problem), .label = "why"},
+};
+static const Column ignored_column[] = {
+    {COLUMN("what", CHARS, SurveyIgnored, what), .label = "what"},
+    {COLUMN("times", LONG, SurveyIgnored, times), .label = "times"},
+};
+
+hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format format, char **text, hawser_error *err)
+{
+    const Survey *const s = &r->survey;
+    *text = NULL;
+    if (format == HAWSER_JSON) return json_write(r, text, err);
+    RouteRow *const bad = calloc((size_t)s->n + 1, sizeof *bad);
+    int n_bad = 0, n = 1;
+    if (!bad) return error_memory(err);
+    for (int i = 0; i < s->n; ++i) {
+        if (r->row[i].figures.problem) bad[n_bad++] = r->row[i];
+    }
+    Table tables[3] = {{"alignments", "Lines", COLUMNS(RouteRow, line_column), s->n, r->row}};
+    if (n_bad) tables[n++] = (Table){"problems", "No routes", COLUMNS(RouteRow, problem_column), n_bad, bad};
+    if (s->n_ignored)
+        tables[n++] = (Table){"ignored", "Not read", COLUMNS(SurveyIgnored, ignored_column), s->n_ignored, s->ignored};
+    const Fact facts[] = {
+        {"source", "file", "", cell_text(r->path)},
+        {"unit", "unit of length", "", cell_text(*s->unit ? s->unit : "m")},
+        {"system", "coordinates", "", cell_text(*s->system ? s->system : "not said")},
+        {"marks", "points with names", "", cell_number(s->n_marks)},
+    };
+    const Document doc = {.title = "Routes of a file",
+                          .n_facts = (int)(sizeof facts / sizeof *facts),
+                          .n_tables = n,
+                          .fact = facts,
+                          .table = tables,
+                          .csv = tables};
+    const hawser_status status = document_write(&doc, format, text, err);
+    free(bad);
+    return status;
+}
+
+/* -------------------------------------------------------------------------------------------------- one of them */
+
+/* The row of line i, used. */
+static hawser_status row_find(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
+{
+    if (i < 0 || i >= r->survey.n) return error_set(err, HAWSER_ERR_INPUT, "no line %d: there are %d", i, r->survey.n);
+    row_use(r, i);
+    *row = &r->row[i];
+    return HAWSER_OK;
+}
+
+/* The same of one that can be a route. */
+static hawser_status row_good(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
+{
+    const hawser_status status = row_find(r, i, row, err);
+    if (status || !(*row)->figures.problem) return status;
+    return error_set(err, (*row)->problem.status, "%.300s: %.700s", r->path, (*row)->problem.message);
+}
+
+hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_figures *out, hawser_error *err)
+{
+    RouteRow *row = NULL;
+    const hawser_status status = row_find(r, i, &row, err);
+    if (!status) *out = row->figures;
+    return status;
+}
+
+/* Built where the line is, whatever its coordinates: a grain of 1e-9 m. */
+static hawser_status row_build(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
+{
+    RouteLine line;
+    hawser_status status = row_good(r, i, row, err);
+    if (status || (*row)->built) return status;
+    status = line_route(&(*row)->used, &r->options, V3_ZERO, &line, err);
+    if (!status) {
+        status = route_build(&(*row)->route, line.n, line.piece, line.start, line.heading, line.slope, err);
+        (*row)->built = !status;
+    }
+    free(line.piece);
+    return status;
+}
+
+hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, hawser_error *err)
+{
+    RouteRow *row = NULL;
+    const hawser_status status = row_build(r, i, &row, err);
+    if (!status) *length_m = row->route.length;
+    return status;
+}
+
+hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route_place *out, hawser_error *err)
+{
+    RouteRow *row = NULL;
+    const hawser_status status = row_build(r, i, &row, err);
+    if (status) return status;
+    const RoutePoint p = route_at(&row->route, s_m);
+    v3_put(out->position_m, p.position);
+    v3_put(out->tangent, p.tangent);
+    v3_put(out->curvature_per_m, p.curvature);
+    return HAWSER_OK;
+}
+
+hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *path, hawser_error *err)
+{
+    const int format = write_format(path);
+    const Alignment *meant = NULL;
+    RouteRow *row = NULL;
+    if (format < 0) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "%.300s: the ending says what is written: .csv, .dxf, .geojson or .yaml", path);
+    }
+    hawser_status status = i < 0 ? line_choose(&r->options.line, &r->survey, &meant, err) : HAWSER_OK;
+    if (!status) status = row_good(r, i < 0 ? (int)(meant - r->survey.alignment) : i, &row, err);
+    if (!status) status = alignment_write(&row->used.line, r->survey.system, (WriteFormat)format, path, err);
+    return status;
+}

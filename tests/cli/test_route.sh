@@ -1,0 +1,68 @@
+# The command route: what a file holds, in each form; its choices; files that it writes are read again; what cannot be read.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+cp "$source"/cases/routes/tunnel* "$work"
+
+run_hawser 0 route tunnel.xml
+says out "Routes of a file" "tunnel.xml" "1 m, meter" "132.028" "453120.250" "deviation"
+silent err
+run_hawser 0 route tunnel.ifc --json
+says out '"source": "tunnel.ifc"' '"alignments": [' '"name": "tunnel"' '"length_m": 132.02' '"horizontal_length_m": 132.0' '"start": [' '"end": [' \
+    '"pieces": 7' '"least_radius_m": 15.0' '"deviation_max_m"' '"ignored": []'
+run_hawser 0 route tunnel.dxf --format csv
+says out "name,layer,station_m,length_m" "CENTRE,CENTRE,0,131.9999" "WALLS,WALLS,0,30"
+run_hawser 0 route tunnel.dxf --layer centre --profile tunnel-profile.csv --from 10 --to 60m --reverse --json
+says out '"pieces": 3' '"fitted": true' '"horizontal_length_m": 49.9999' '"station_m": 59.9999'
+
+# what is written is the same line again, within 0.1 mm
+for ending in csv dxf geojson yaml; do
+    run_hawser 0 route tunnel.xml -o again.$ending
+    exists again.$ending
+done
+run_hawser 0 route again.csv --json
+says out '"horizontal_length_m": 131.99999' '"pieces": 11'
+run_hawser 0 route again.dxf --tolerance 5mm --json
+says out '"length_m": 132.0276' '"pieces": 7'
+{ sed '/^route:/,/^  file/d' "$work/tunnel-csv.yaml"; cat "$work/again.yaml"; } >"$work/again-case.yaml"
+run_hawser 0 check again-case.yaml
+says out "132.0"
+
+# millimetres, whatever the file says; a unit that is none
+run_hawser 0 route tunnel.dxf --layer WALLS --units mm --json
+says out '"horizontal_length_m": 0.0300' "where the file says m"
+run_hawser 2 route tunnel.dxf --units kg
+says err "'kg' is no unit of length"
+run_hawser 0 route --help
+says out "--units is about the file here"
+
+run_hawser 2 route tunnel.dxf -o all.csv
+says err "choose one by 'name' or 'layer'" "WALLS"
+missing all.csv
+run_hawser 2 route tunnel.xml -o tunnel.pdf
+says err "the ending says what is written"
+run_hawser 2 route tunnel.xml --name shaft
+says err "no line of the name 'shaft'; there are 'tunnel'"
+run_hawser 2 route tunnel.xml --from ten
+says err "--from ten: must be a length in m or mm"
+run_hawser 2 route tunnel.xml --from 200
+says err "reaches from station 0 m to 131.99"
+run_hawser 2 route none.dxf
+says err "none.dxf"
+run_hawser 2 route
+says err "route needs a file"
+run_hawser 2 route tunnel.xml tunnel.ifc
+says err "what is 'tunnel.ifc'?"
+printf 'AC1032\0\0\0\0' >"$work/tunnel.dwg"
+run_hawser 2 route tunnel.dwg
+says err "DWG" "save it as DXF"
+[ "$(wc -l <"$work/err")" = 1 ] || fail "more than a line about a DWG file"
+run_hawser 4 route tunnel.xml -o /nowhere/route.csv
+
+# the drawing changes, the run changes
+run_hawser 0 theory tunnel-dxf.yaml --format json
+cp "$work/out" "$work/before"
+sed -i 's/^132,11.03/132,9.03/' "$work/tunnel-profile.csv"
+run_hawser 0 theory tunnel-dxf.yaml --format json
+cmp -s "$work/out" "$work/before" && fail "another profile, the same pull"
+run_hawser 0 check tunnel-dxf.yaml --set route.file=tunnel.xml --set route.layer="''"
+finish

@@ -1,0 +1,331 @@
+/* Routes out of files: one line in five formats, pulls along it, the real files' own figures, what is wrong with a
+ * case that names a file. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/base/worst.h"
+#include "tests/io/case_fixture.h"
+#include "tests/io/example_fixture.h"
+
+#define ROUTES HAWSER_SOURCE_DIR "/cases/routes/"
+
+static hawser_routes *routes_of(const char *path, const hawser_route_options *options)
+{
+    hawser_routes *r = NULL;
+    hawser_error err = {0};
+    if (hawser_routes_read(path, options, &r, &err)) fail_msg("%s", err.message);
+    return r;
+}
+
+static hawser_route_place place(hawser_routes *r, int i, double s)
+{
+    hawser_route_place p;
+    hawser_error err;
+    if (hawser_routes_at(r, i, s, &p, &err)) fail_msg("%s", err.message);
+    return p;
+}
+
+static double apart(const double a[3], const double b[3]) { return v3_norm(v3_sub(v3_get(a), v3_get(b))); }
+
+/* LandXML, IFC, a table, and a drawing in plan with a table of heights: within 5 mm along the whole length. */
+static void formats_agree(void **state)
+{
+    (void)state;
+    static const char *const files[] = {ROUTES "tunnel.ifc", ROUTES "tunnel.csv", ROUTES "tunnel.dxf"};
+    hawser_routes *const one = routes_of(ROUTES "tunnel.xml", NULL);
+    double length, other;
+    assert_int_equal(hawser_routes_length(one, 0, &length, NULL), HAWSER_OK);
+    check_close(length, 132.028, 1e-3);
+    for (int f = 0; f < 3; ++f) {
+        hawser_route_options options = hawser_route_defaults();
+        hawser_route_figures figures;
+        double worst = 0;
+        if (f == 2) {
+            options.layer = "CENTRE";
+            options.profile = ROUTES "tunnel-profile.csv";
+        }
+        hawser_routes *const r = routes_of(files[f], &options);
+        assert_int_equal(hawser_routes_count(r), 1);
+        assert_int_equal(hawser_routes_length(r, 0, &other, NULL), HAWSER_OK);
+        check_close(other, length, 1e-3);
+        for (double s = 0; s < length; s += 0.25)
+            worst = larger_of(worst, apart(place(one, 0, s).position_m, place(r, 0, s).position_m));
+        check_below(worst, f == 2 ? 1e-3 : 1e-4);
+        assert_int_equal(hawser_routes_figures(r, 0, &figures, NULL), HAWSER_OK);
+        check_close(figures.least_radius_m, 15, 1e-3);
+        check_close(figures.length_m, length, 1e-3);
+        assert_int_equal(figures.fitted, f == 2);
+        hawser_routes_free(r);
+    }
+    hawser_routes_free(one);
+}
+
+/* Tangent and curvature are the position's derivatives, and the curvature that of the elements. */
+static void places_hang_together(void **state)
+{
+    (void)state;
+    const double h = 1e-3;
+    hawser_routes *const r = routes_of(ROUTES "tunnel.xml", NULL);
+    for (double s = 1; s < 131; s += 1.7) {
+        const hawser_route_place a = place(r, 0, s - h), p = place(r, 0, s), b = place(r, 0, s + h);
+        for (int c = 0; c < 3; ++c) {
+            check_close((b.position_m[c] - a.position_m[c]) / (2 * h), p.tangent[c], 2e-6);
+            check_close((b.tangent[c] - a.tangent[c]) / (2 * h), p.curvature_per_m[c], 1e-4);
+        }
+    }
+    check_close(v3_norm(v3_get(place(r, 0, 50).curvature_per_m)), 0.05, 1e-4);
+    hawser_routes_free(r);
+}
+
+/* Station 20 m to 60 m, from end to start. */
+static void parts_are_cut_and_turned(void **state)
+{
+    (void)state;
+    hawser_route_options options = hawser_route_defaults();
+    hawser_route_figures f;
+    hawser_routes *const whole = routes_of(ROUTES "tunnel.xml", NULL);
+    options.from_m = 20;
+    options.to_m = 60;
+    options.reverse = 1;
+    hawser_routes *const r = routes_of(ROUTES "tunnel.xml", &options);
+    assert_int_equal(hawser_routes_figures(r, 0, &f, NULL), HAWSER_OK);
+    check_close(f.horizontal_length_m, 40, 1e-9);
+    assert_int_equal(f.pieces, 3);
+    double length;
+    assert_int_equal(hawser_routes_length(r, 0, &length, NULL), HAWSER_OK);
+    check_close(length, f.length_m, 1e-6);
+    /* the plan's 20 m lie 20 m sqrt(1 + 0.03^2) along the whole */
+    const double begin = 20 * sqrt(1 + 9e-4);
+    for (double s = 0; s <= length; s += 1)
+        check_below(apart(place(r, 0, s).position_m, place(whole, 0, begin + length - s).position_m), 1e-5);
+    hawser_error err;
+    hawser_routes *none;
+    options.to_m = 150;
+    assert_int_equal(hawser_routes_read(ROUTES "tunnel.xml", &options, &none, &err), HAWSER_OK);
+    hawser_routes_free(none);
+    options.from_m = 140;
+    assert_int_equal(hawser_routes_read(ROUTES "tunnel.xml", &options, &none, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "reaches from station 0 m to");
+    hawser_routes_free(whole);
+    hawser_routes_free(r);
+}
+
+/* The example cases: a verdict, and a short run that ends near theory. */
+static void examples_are_pulled(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"landxml", "ifc", "dxf", "csv", "geojson"};
+    double first = 0;
+    for (int i = 0; i < 5; ++i) {
+        char name[40];
+        snprintf(name, sizeof name, "routes/tunnel-%s", names[i]);
+        Outcome o = example_run(name, NULL);
+        check_close(o.summary.pull_mean_N / o.summary.reference_total_N, 1, 0.02);
+        if (i == 0) first = o.summary.pull_mean_N;
+        check_share(o.summary.pull_mean_N, first, i == 4 ? 0.01 : 1e-3);
+        hawser_sim_free(o.sim);
+    }
+}
+
+/* Twenty rows and fewer than fifteen lines of YAML give a verdict. */
+static void a_table_is_enough(void **state)
+{
+    (void)state;
+    const char *const path = HAWSER_SOURCE_DIR "/cases/theory/route-table.yaml";
+    int lines = 0, rows = -1;
+    char line[400], *text = NULL;
+    FILE *f = fopen(path, "r");
+    while (fgets(line, sizeof line, f)) lines += *line != '#';
+    fclose(f);
+    f = fopen(HAWSER_SOURCE_DIR "/cases/theory/route-table.csv", "r");
+    while (fgets(line, sizeof line, f)) rows++;
+    fclose(f);
+    assert_int_equal(rows, 20);
+    check_below(lines, 15);
+    hawser_case *c;
+    hawser_error err;
+    if (hawser_case_load(path, &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_theory(c, HAWSER_TABLE, &text, &err)) fail_msg("%s", err.message);
+    check_has(text, "SAFE: ");
+    check_has(text, "length of the route            644.9 m");
+    hawser_text_free(text);
+    hawser_case_free(c);
+}
+
+/* Millimetres although the drawing says metres, heights drawn on another layer, cut and turned around; the route
+ * begins at the drawing's 19 m. */
+static void a_drawing_in_a_case(void **state)
+{
+    (void)state;
+    SceneDef def;
+    expect_good(data_text("full-route-file"), NULL, NULL, &def);
+    Route r = route_of(&def);
+    check_vec(route_at(&r, 0).position, v3(19, 0, 5.95), 1e-6);
+    check_vec(route_at(&r, r.length).position, v3(1, 0, 5.05), 1e-6);
+    check_close(r.length, 18 * sqrt(1 + 0.05 * 0.05), 1e-6);
+    route_clear(&r);
+    scene_def_clear(&def);
+    /* without the profile it is level where the case says */
+    expect_good(data_with("full-route-file",
+                          "  profile:\n    file: route.dxf\n    name: HEIGHTS\n    layer: HEIGHTS\n    units: mm\n",
+                          ""),
+                NULL, NULL, &def);
+    Route level = route_of(&def);
+    check_vec(route_at(&level, 0).position, v3(19, 0, 2), 1e-6);
+    route_clear(&level);
+    scene_def_clear(&def);
+}
+
+/* A northing of 6.7e6 m comes down to an origin, which coordinates of the case count from too. */
+static void large_coordinates(void **state)
+{
+    (void)state;
+    CaseTree *tree;
+    hawser_error err;
+    SceneDef def;
+    assert_int_equal(case_tree_load(ROUTES "tunnel-landxml.yaml", &tree, &err), HAWSER_OK);
+    if (case_read(tree, &def, &err)) fail_msg("%s", err.message);
+    check_vec(def.route_origin, v3(453000, 6712000, 0), 0);
+    check_vec(def.route_start, v3(120.25, 310.5, 12), 1e-6);
+    scene_def_clear(&def);
+    case_tree_free(tree);
+}
+
+static void wrong_cases(void **state)
+{
+    (void)state;
+    const char *const text = data_text("full-route-file");
+    static const char *const wrong[][3] = {
+        {"route.file", "none.dxf", "none.dxf"},
+        {"route.file", "full-route.yaml", "full-route.yaml:"},
+        {"route.layer", "WALLS", "no line of the name 'centre' on layer 'WALLS'; there are 'CENTRE'"},
+        {"route.units", "kg", "'kg' is no unit of length"},
+        {"route.pieces", "[{straight: 5 m}]", "two kinds at once"},
+        {"route.slope", "1 deg", "not with 'file'"},
+        {"route.from", "25 m", "reaches from station 0 m to 20 m"},
+        {"route.profile", "[{station: 0, height: 0}, {station: 9, height: 0}]", "a map that names another file"},
+        {"route.profile.layer", "CENTRE", "no line of the name 'HEIGHTS' on layer 'CENTRE'"},
+        {"route.profile.corners", "[{station: 0, height: 0}]", "they belong to a 'plan'"},
+    };
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) expect_bad(text, wrong[k][0], wrong[k][1], wrong[k][2]);
+    expect_bad(text, "route.profile.layer", "CENTRE", "'route.file'");
+    hawser_case *c = NULL;
+    hawser_error err;
+    assert_int_equal(hawser_case_parse(text, NAME, &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, NAME ":14: key 'route.file': value 'route.dxf': a case that is a text has no folder");
+    hawser_case_free(c);
+}
+
+/* Of a table's row the file's line is named, beside the case's. */
+static void both_lines_are_named(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/hawser-route-XXXXXX", path[80], name[80];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/route.csv", folder);
+    snprintf(name, sizeof name, "%s/case.yaml", folder);
+    FILE *f = fopen(path, "w");
+    fputs("length (m),angle (deg),radius (m),turn\n10,,,\n,30,,left\n", f);
+    fclose(f);
+    f = fopen(name, "w");
+    fputs("cables: {c: {d: 50 mm, mass: 4 kg/m}}\nroute: {file: route.csv}\n", f);
+    fclose(f);
+    hawser_case *c = NULL;
+    hawser_error err;
+    assert_int_equal(hawser_case_load(name, &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "case.yaml:2: key 'route.file': ");
+    check_has(err.message, "route.csv:3: a bend needs a radius");
+    hawser_case_free(c);
+    unlink(path);
+    unlink(name);
+    rmdir(folder);
+}
+
+/* ------------------------------------------------------------------------------------------- the real files */
+
+static hawser_routes *shared(const char *name, const char *profile)
+{
+    char path[1024], heights[1024];
+    const char *const given = getenv("HAWSER_ROUTES"), *const folder =
+                                                           given ? given : HAWSER_SOURCE_DIR "/../shared/routes";
+    hawser_route_options options = hawser_route_defaults();
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    snprintf(heights, sizeof heights, "%s/%s", folder, profile ? profile : "");
+    if (profile) options.profile = heights;
+    if (access(path, R_OK)) {
+        print_message("no %s: skipped\n", path);
+        skip();
+    }
+    return routes_of(path, &options);
+}
+
+/* Lengths and ends within 1 mm of the files' own figures. */
+static void shared_figures(void **state)
+{
+    (void)state;
+    static const double tramway[] = {108.360853736, 14.566530746, 47.349749727, 14.578784415,
+                                     58.981749834,  39.724959032, 9.190333403};
+    hawser_routes *r = shared("cabling-civil3d.landxml.xml", NULL);
+    hawser_route_figures f;
+    assert_int_equal(hawser_routes_count(r), 7);
+    for (int i = 0; i < 7; ++i) {
+        assert_int_equal(hawser_routes_figures(r, i, &f, NULL), HAWSER_OK);
+        check_close(f.horizontal_length_m, tramway[i], 1e-3);
+        assert_null(f.problem);
+        check_below(f.deviation_max_m, 0.05);
+    }
+    assert_int_equal(hawser_routes_figures(r, 0, &f, NULL), HAWSER_OK);
+    check_below(hypot(f.start_m[0] - 1892028.4500, f.start_m[1] - 3126573.3474), 1e-3);
+    check_below(hypot(f.end_m[0] - 1891982.8940, f.end_m[1] - 3126671.4206), 1e-3);
+    hawser_routes_free(r);
+    r = shared("stn01.landxml.xml", NULL);
+    assert_int_equal(hawser_routes_figures(r, 0, &f, NULL), HAWSER_OK);
+    check_close(f.horizontal_length_m, 1029.3720712725, 1e-3);
+    check_below(hypot(f.start_m[0] - 452270.18825, f.start_m[1] - 4539403.94736), 1e-3);
+    check_below(hypot(f.end_m[0] - 453202.52411, f.end_m[1] - 4539831.92869), 1e-3);
+    hawser_routes_free(r);
+    r = shared("tunnel-alignment.ifc", NULL);
+    assert_int_equal(hawser_routes_figures(r, 0, &f, NULL), HAWSER_OK);
+    check_close(f.horizontal_length_m, 705.7206, 1e-3);
+    assert_int_equal(f.pieces, 12);
+    check_below(f.deviation_max_m, 1e-3);
+    hawser_routes_free(r);
+}
+
+/* The railway's tables of plan and profile are its LandXML within 5 mm along the whole length. */
+static void shared_tables_agree(void **state)
+{
+    (void)state;
+    hawser_routes *const a = shared("stn01.landxml.xml", NULL), *const b = shared("stn01-horizontal.csv",
+                                                                                  "stn01-vertical.csv");
+    double length, worst = 0;
+    assert_int_equal(hawser_routes_length(a, 0, &length, NULL), HAWSER_OK);
+    for (double s = 0; s <= length; s += 2)
+        worst = larger_of(worst, apart(place(a, 0, s).position_m, place(b, 0, s).position_m));
+    check_below(worst, 5e-3);
+    hawser_routes_free(a);
+    hawser_routes_free(b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(formats_agree),
+        cmocka_unit_test(places_hang_together),
+        cmocka_unit_test(parts_are_cut_and_turned),
+        cmocka_unit_test(examples_are_pulled),
+        cmocka_unit_test(a_table_is_enough),
+        cmocka_unit_test(a_drawing_in_a_case),
+        cmocka_unit_test(large_coordinates),
+        cmocka_unit_test(wrong_cases),
+        cmocka_unit_test(both_lines_are_named),
+        cmocka_unit_test(shared_figures),
+        cmocka_unit_test(shared_tables_agree),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
