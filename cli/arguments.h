@@ -37,7 +37,7 @@ typedef struct Arguments {
     hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
-    const char *crew; /* file for the list of equipment; NULL: none */
+    const char *crew;           /* file for the list of equipment; NULL: none */
     hawser_route_options route; /* of the command route; its texts are parts of the command line */
 } Arguments;
 

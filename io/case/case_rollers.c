@@ -139,7 +139,7 @@ static hawser_status roller_lay(const CaseReader *r, const Row *row, int number,
     const RoutePoint at = route_at(&r->route, s);
     const int turned = !isnan(row->heading);
     const Vec3 left = turned ? v3(-sin(row->heading), cos(row->heading), 0) : route_left(&r->route, s);
-    const Vec3 up = v3_unit(v3_cross(at.tangent, left));
+    const Vec3 across = v3_cross(at.tangent, left), up = turned ? v3_unit(across) : across;
     const int guide = side == PLACE_LEFT || side == PLACE_RIGHT;
     *roller = row->roller;
     roller->axis = guide ? up : left;

@@ -173,7 +173,7 @@ static void wrong_drawings(void **state)
         {"{marks: [{layer: L, station: 4 m}], layers: {L: {rollers: {guide: inside}}}}", "no bend to the side"},
         {"{marks: [{layer: L}], layers: {L: {rollers: {}}}}", "give 'point' or 'station'"},
         {"{layers: {L: {rollers: {}}}}", "give it, or 'marks'"},
-        {"{file: a.dxf, layers: {L: {rollers: {}}}}", "has no folder to look in"},
+        {"{file: a.dxf, layers: {L: {rollers: {}}}}", "cannot be read: No such file"},
         {"{file: /nowhere/a.dxf, layers: {L: {rollers: {}}}}", "/nowhere/a.dxf"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k)
