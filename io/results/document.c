@@ -39,18 +39,26 @@ static Cell cell_at(const Table *t, int row, int column)
     return column_cell(&t->columns.column[column], (const char *)t->rows + (size_t)row * t->columns.size);
 }
 
-/* RFC 4180: texts in quotes where they need them. Readers of CSV disagree about "nan"; an empty cell is understood by
- * all. */
+/* Text of a case must command no spreadsheet and no terminal: what a spreadsheet would take for a formula begins with an
+ * apostrophe, which it does not show, and control characters are question marks. RFC 4180: quotes where they are
+ * needed. */
+static void csv_text(FILE *f, const char *text)
+{
+    const int formula = text[0] && strchr("=+-@", text[0]), quoted = strpbrk(text, ",\"") != NULL;
+    if (quoted) fputc('"', f);
+    if (formula) fputc('\'', f);
+    for (const unsigned char *p = (const unsigned char *)text; *p; p++) {
+        if (*p == '"') fputc('"', f);
+        fputc(*p < ' ' || *p == 0x7F ? '?' : *p, f);
+    }
+    if (quoted) fputc('"', f);
+}
+
+/* Readers of CSV disagree about "nan"; an empty cell is understood by all. */
 void csv_cell(FILE *f, Cell cell, int digits)
 {
-    if (!cell.text) {
-        if (isfinite(cell.value)) fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
-        return;
-    }
-    const int quoted = strpbrk(cell.text, ",\"\r\n") != NULL;
-    if (quoted) fputc('"', f);
-    for (const char *p = cell.text; *p; p++) fprintf(f, *p == '"' ? "\"%c" : "%c", *p);
-    if (quoted) fputc('"', f);
+    if (cell.text) csv_text(f, cell.text);
+    else if (isfinite(cell.value)) fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
 }
 
 /* Keys in the first row, then the rows. */
