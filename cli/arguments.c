@@ -225,7 +225,10 @@ int arguments_parse(const Command *command, int argc, char **argv, Arguments *ar
     char letters[2 * KNOWN_MAX];
     memset(args, 0, sizeof *args);
     args->settings = calloc((size_t)argc + 1, sizeof *args->settings);
-    if (!args->settings) return EXIT_INTERNAL;
+    if (!args->settings) {
+        complain("out of memory");
+        return EXIT_INTERNAL;
+    }
     select_options(command, list, letters);
     opterr = 0;
     int letter, result = ARGUMENTS_GO_ON;

@@ -118,6 +118,7 @@ static int run(const Arguments *args)
     char *made = args->dir ? NULL : default_dir(args->case_path);
     const char *dir = args->dir ? args->dir : made;
     int result = EXIT_INTERNAL;
+    if (!dir) complain("out of memory");
     if (dir) {
         if (!args->quiet) report_scene(sim, args);
         fflush(stdout);

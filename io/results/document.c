@@ -86,52 +86,65 @@ static void print_csv_facts(FILE *f, const Document *doc)
     }
 }
 
-/* Text that is not UTF-8 becomes null, like a number that is not finite. */
+/* Text that is not UTF-8 becomes null, like a number that is not finite; NULL without memory. Where there was none for
+ * a text there is none a moment later. */
 static json_t *json_cell(Cell cell)
 {
-    json_t *value = cell.text ? json_string(cell.text) : isfinite(cell.value) ? json_real(cell.value) : NULL;
-    return value ? value : json_null();
+    if (!cell.text) return isfinite(cell.value) ? json_real(cell.value) : json_null();
+    json_t *text = json_string(cell.text);
+    if (!text) text = json_string(cell.text);
+    return text ? text : json_null();
 }
 
-/* A table is a list of objects, one a row. */
+/* A table is a list of objects, one a row; NULL without memory. */
 static json_t *json_table(const Table *t)
 {
-    json_t *rows = json_array();
-    for (int r = 0; r < t->n; r++) {
-        json_t *row = json_object();
-        for (int c = 0; c < t->columns.n; c++) {
-            json_object_set_new(row, t->columns.column[c].key, json_cell(cell_at(t, r, c)));
+    json_t *const rows = json_array();
+    int bad = !rows;
+    for (int r = 0; r < t->n && !bad; r++) {
+        json_t *const row = json_object();
+        bad = !row;
+        for (int c = 0; c < t->columns.n && !bad; c++) {
+            bad = json_object_set_new(row, t->columns.column[c].key, json_cell(cell_at(t, r, c)));
         }
-        json_array_append_new(rows, row);
+        bad |= json_array_append_new(rows, row);
     }
-    return rows;
+    if (!bad) return rows;
+    json_decref(rows);
+    return NULL;
 }
 
 /* The whole document as text, NULL without memory. */
 static char *json_document(const Document *doc)
 {
-    json_t *o = json_object();
-    json_object_set_new(o, "title", json_cell(cell_text(doc->title)));
-    for (int i = 0; i < doc->n_facts; i++) json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
-    for (int i = 0; i < doc->n_tables; i++) json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
-    char *body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
+    json_t *const o = json_object();
+    int bad = !o || json_object_set_new(o, "title", json_cell(cell_text(doc->title)));
+    for (int i = 0; i < doc->n_facts && !bad; i++) {
+        bad = json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
+    }
+    for (int i = 0; i < doc->n_tables && !bad; i++) {
+        bad = json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
+    }
+    char *const body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(o);
     return body;
 }
 
-/* The same content in each form; CSV can hold one table only. */
-static void print_document(FILE *f, const Document *doc, hawser_format format)
+/* The same content in each form; CSV can hold one table only. 0 without memory. */
+static int print_document(FILE *f, const Document *doc, hawser_format format)
 {
     if (format == HAWSER_CSV) {
         if (doc->csv) print_csv_table(f, doc->csv);
         if (!doc->csv) print_csv_facts(f, doc);
     } else if (format == HAWSER_JSON) {
-        char *body = json_document(doc);
-        if (body) fprintf(f, "%s\n", body);
+        char *const body = json_document(doc);
+        if (!body) return 0;
+        fprintf(f, "%s\n", body);
         free(body);
     } else {
         document_print(f, doc, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI);
     }
+    return !ferror(f);
 }
 
 /* Written under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
@@ -141,14 +154,15 @@ hawser_status document_write(const Document *doc, hawser_format format, char **t
     *text = NULL;
     const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     FILE *f = c ? open_memstream(text, &size) : NULL;
+    int whole = 0;
     if (f) {
         const locale_t before = uselocale(c);
-        print_document(f, doc, format);
+        whole = print_document(f, doc, format);
         uselocale(before);
-        fclose(f);
+        whole = !fclose(f) && whole;
     }
     if (c) freelocale(c);
-    if (*text && size > 0) return HAWSER_OK;
+    if (whole && *text && size > 0) return HAWSER_OK;
     free(*text);
     *text = NULL;
     return error_memory(err);

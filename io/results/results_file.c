@@ -1,5 +1,6 @@
 /* Text output with nothing left to chance: paths that are too long, folders that are files, disks that fill up, locales
  * with decimal commas. The system's reason is always passed on. */
+#define _GNU_SOURCE /* fopencookie */
 #include "io/results/results_file.h"
 
 #include "core/base/error.h"
@@ -73,6 +74,41 @@ hawser_status out_join(char *path, const char *dir, const char *name, hawser_err
     return n < OUT_PATH_MAX ? HAWSER_OK : out_error(dir, ENAMETOOLONG, err);
 }
 
+static int fd_of(void *cookie) { return (int)(size_t)cookie - 1; }
+
+/* All of it, unlike stdio's own, whose error at an interruption cannot be told from a loss. */
+static ssize_t stream_write(void *cookie, const char *from, size_t size)
+{
+    size_t done = 0;
+    while (done < size) {
+        const ssize_t n = write(fd_of(cookie), from + done, size - done);
+        if (n < 0 && errno != EINTR) return (ssize_t)done;
+        if (n > 0) done += (size_t)n;
+    }
+    return (ssize_t)done;
+}
+
+static int stream_seek(void *cookie, off64_t *offset, int whence)
+{
+    const off_t to = lseek(fd_of(cookie), *offset, whence);
+    if (to >= 0) *offset = to;
+    return to >= 0 ? 0 : -1;
+}
+
+static int stream_close(void *cookie) { return close(fd_of(cookie)); }
+
+/* A stream for writing, with a buffer; NULL with errno. */
+static FILE *stream_open(const char *path, char *buffer)
+{
+    const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) return NULL;
+    FILE *const f = fopencookie((void *)((size_t)fd + 1), "w",
+                                (cookie_io_functions_t){.write = stream_write, .seek = stream_seek, .close = stream_close});
+    if (f) setvbuf(f, buffer, _IOFBF, BUFFER);
+    if (!f) close(fd);
+    return f;
+}
+
 /* Gives up what out_open made; returns errno's value of a close that failed. */
 static int out_release(OutFile *out)
 {
@@ -96,11 +132,8 @@ hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_e
     out->buffer = malloc(BUFFER);
     const int room = out->c && out->buffer;
     errno = 0;
-    out->f = room ? fopen(out->path, "w") : NULL;
-    if (out->f) {
-        setvbuf(out->f, out->buffer, _IOFBF, BUFFER);
-        return HAWSER_OK;
-    }
+    out->f = room ? stream_open(out->path, out->buffer) : NULL;
+    if (out->f) return HAWSER_OK;
     const int number = errno;
     out_release(out);
     return !room || number == ENOMEM ? error_memory(err) : out_error(out->path, number, err);

@@ -142,7 +142,8 @@ static int indented_with_tab(const char *text, int line)
 /* What libyaml has against the text. */
 static hawser_status parser_complain(const Reading *r, const yaml_parser_t *parser, const char *text)
 {
-    if (parser->error == YAML_MEMORY_ERROR) return error_memory(r->err);
+    /* libyaml does not always say that it has no memory: then there is no error at all */
+    if (parser->error == YAML_MEMORY_ERROR || parser->error == YAML_NO_ERROR) return error_memory(r->err);
     int line = (int)parser->problem_mark.line + 1;
     if (parser->error == YAML_READER_ERROR) line = line_at(text, parser->problem_offset);
     if (indented_with_tab(text, line))
