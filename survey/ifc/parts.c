@@ -18,7 +18,7 @@ const IfcNest *ifc_parts(const IfcFile *file, long whole, int *n)
     }
     *n = 0;
     while (low + *n < file->n_nests && file->nest[low + *n].whole == whole) ++*n;
-    return file->nest + low;
+    return *n > 0 ? file->nest + low : NULL;
 }
 
 hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out)
