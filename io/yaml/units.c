@@ -127,7 +127,7 @@ static int unit_find(const char *name, size_t length, Unit *out)
     return 0;
 }
 
-/* The power behind a name, 1 if there is none: "2", "-1", "^2", "**-1", or a small one. Returns what follows it; NULL if
+/* The power behind a name, 1 if there is none: "2", "-1", "^2", "^-1", or a small one. Returns what follows it; NULL if
  * it is none. */
 static const char *power_read(const char *text, int *power)
 {
@@ -136,7 +136,7 @@ static const char *power_read(const char *text, int *power)
         *power = text[1] == '\xb2' ? 2 : 3;
         return text + 2;
     }
-    const size_t raised = *text == '^' ? 1 : !strncmp(text, "**", 2) ? 2 : 0;
+    const int raised = *text == '^';
     const char *const sign = text + raised, *const digits = sign + (*sign == '-');
     const size_t n = strspn(digits, "0123456789");
     if (n == 0) return raised ? NULL : text;
@@ -148,8 +148,10 @@ static const char *power_read(const char *text, int *power)
 static const char *sign_read(const char *text, int *sign)
 {
     text += strspn(text, " ");
-    *sign = *text == '/' ? -1 : 1;
-    if (*text && strchr("/*.-", *text)) text++;
+    const int per = !strncmp(text, "per ", 4);
+    *sign = *text == '/' || per ? -1 : 1;
+    if (per) text += 4;
+    else if (*text && strchr("/*.-", *text)) text++;
     else if (!strncmp(text, "\xc2\xb7", 2)) text += 2;
     return text + strspn(text, " ");
 }
@@ -159,7 +161,6 @@ static const char *sign_read(const char *text, int *sign)
 static int unit_parse(const char *text, Unit *out)
 {
     *out = (Unit){.scale = 1};
-    if (!strcmp(text, "1")) return 1;
     for (int sign = 1;;) {
         Unit unit;
         int power;
@@ -174,7 +175,7 @@ static int unit_parse(const char *text, Unit *out)
             out->power[i] += sign * power * unit.power[i];
             if (abs(out->power[i]) > POWER_MAX) return 0;
         }
-        if (!text[strspn(text, " ")]) return 1;
+        if (!*text) return 1;
         text = sign_read(text, &sign);
     }
 }
@@ -184,7 +185,8 @@ Units *units_new(void)
     Units *units = calloc(1, sizeof *units);
     if (!units) return NULL;
     for (int d = 0; d < DIM_COUNT; d++) {
-        const int ok = d == DIM_STIFFNESS || unit_parse(dimensions[d].unit, &units->si[d]);
+        units->si[d].scale = 1;
+        const int ok = d == DIM_NONE || d == DIM_STIFFNESS || unit_parse(dimensions[d].unit, &units->si[d]);
         assert(ok);
         (void)ok;
     }

@@ -14,7 +14,7 @@ LIBRARIES = [
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
     (r"expat\.h$", r"survey/landxml/|survey/map/"),
-    (r"yaml\.h$|udunits2\.h$|jansson\.h$|hdf5\w*\.h$", r"io/"),
+    (r"yaml\.h$|jansson\.h$|hdf5\w*\.h$", r"io/"),
 ]
 
 
