@@ -96,6 +96,21 @@ static json_t *json_cell(Cell cell)
     return text ? text : json_null();
 }
 
+static int text_append(const char *text, size_t size, void *f) { return fwrite(text, 1, size, f) == size ? 0 : -1; }
+
+/* jansson's own json_dumps drops a key for which there is no memory. */
+char *json_text(const struct json_t *o)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *const f = open_memstream(&text, &size);
+    if (!f) return NULL;
+    const int bad = json_dump_callback(o, text_append, f, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) || ferror(f);
+    if (!fclose(f) && !bad) return text;
+    free(text);
+    return NULL;
+}
+
 /* A table is a list of objects, one a row; NULL without memory. */
 static json_t *json_table(const Table *t)
 {
@@ -125,7 +140,7 @@ static char *json_document(const Document *doc)
     for (int i = 0; i < doc->n_tables && !bad; i++) {
         bad = json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
     }
-    char *const body = bad ? NULL : json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
+    char *const body = bad ? NULL : json_text(o);
     json_decref(o);
     return body;
 }

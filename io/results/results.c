@@ -45,8 +45,12 @@ static hawser_status write_whole(const char *dir, const char *name, const char *
     char part[64], path[OUT_PATH_MAX];
     snprintf(part, sizeof part, "%s.part", name);
     hawser_status status = out_join(path, dir, name, err);
-    if (!status) status = out_open(&out, dir, part, err);
     if (status) return status;
+    status = out_open(&out, dir, part, err);
+    if (status) {
+        unlink(out.path);
+        return status;
+    }
     status = out_print(&out, err, "%s", text);
     const hawser_status closed = out_close(&out, status ? NULL : err);
     if (!status) status = closed;

@@ -93,6 +93,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     args = parser.parse_args()
     data = os.path.join(args.source, "tests", "data")
+    kinds = sorted(STATUS)
     scenes = [Scene(args.hawser, args.shim, words, writes) for words, writes in (
         (["run", os.path.join(data, "cli-pull.yaml"), *SHORT], True),
         (["check", os.path.join(data, "limits.yaml")], False),
@@ -101,8 +102,9 @@ def main():
     bad = total = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         for scene in scenes:
-            for kind in [args.only] if args.only else sorted(STATUS):
-                if kind == "disk" and not scene.writes:
+            for kind in [args.only] if args.only else kinds:
+                # HDF5 and CVODE do not survive an allocation that fails within them: docs/reliability.md
+                if (kind == "disk" and not scene.writes) or (kind == "memory" and scene.writes and not args.only):
                     continue
                 reference = scene.run(kind, 0)
                 if reference[0] != 0:
