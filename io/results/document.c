@@ -1,5 +1,6 @@
 /* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns
  * (page.c), lists of objects or CSV. */
+#define _GNU_SOURCE /* fopencookie */
 #include "io/results/column.h"
 
 #include "core/base/error.h"
@@ -39,8 +40,8 @@ static Cell cell_at(const Table *t, int row, int column)
     return column_cell(&t->columns.column[column], (const char *)t->rows + (size_t)row * t->columns.size);
 }
 
-/* Text of a case must command no spreadsheet and no terminal: what a spreadsheet would take for a formula begins with an
- * apostrophe, which it does not show, and control characters are question marks. RFC 4180: quotes where they are
+/* Text of a case must command no spreadsheet and no terminal: what a spreadsheet would take for a formula begins with
+ * an apostrophe, which it does not show, and control characters are question marks. RFC 4180: quotes where they are
  * needed. */
 static void csv_text(FILE *f, const char *text)
 {
@@ -57,8 +58,10 @@ static void csv_text(FILE *f, const char *text)
 /* Readers of CSV disagree about "nan"; an empty cell is understood by all. */
 void csv_cell(FILE *f, Cell cell, int digits)
 {
-    if (cell.text) csv_text(f, cell.text);
-    else if (isfinite(cell.value)) fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
+    if (cell.text)
+        csv_text(f, cell.text);
+    else if (isfinite(cell.value))
+        fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
 }
 
 /* Keys in the first row, then the rows. */
@@ -96,19 +99,47 @@ static json_t *json_cell(Cell cell)
     return text ? text : json_null();
 }
 
-static int text_append(const char *text, size_t size, void *f) { return fwrite(text, 1, size, f) == size ? 0 : -1; }
+/* A text that grows. What there was no memory for is remembered: open_memstream and json_dumps leave it out without a
+ * word. */
+typedef struct Growing {
+    char *text; /* malloc'ed, with a NUL behind it; NULL: nothing yet */
+    size_t size;
+    int bad;
+} Growing;
 
-/* jansson's own json_dumps drops a key for which there is no memory. */
+static ssize_t grow(void *growing, const char *more, size_t n)
+{
+    Growing *const g = growing;
+    char *const text = g->bad ? NULL : realloc(g->text, g->size + n + 1);
+    if (!text) {
+        g->bad = 1;
+        return 0;
+    }
+    memcpy(text + g->size, more, n);
+    g->text = text;
+    g->size += n;
+    text[g->size] = 0;
+    return (ssize_t)n;
+}
+
+static int grow_json(const char *more, size_t n, void *growing)
+{
+    return grow(growing, more, n) == (ssize_t)n ? 0 : -1;
+}
+
+/* The text, if it is whole. */
+static char *grown(Growing *g)
+{
+    if (!g->bad && g->text) return g->text;
+    free(g->text);
+    return NULL;
+}
+
 char *json_text(const struct json_t *o)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *const f = open_memstream(&text, &size);
-    if (!f) return NULL;
-    const int bad = json_dump_callback(o, text_append, f, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) || ferror(f);
-    if (!fclose(f) && !bad) return text;
-    free(text);
-    return NULL;
+    Growing g = {0};
+    g.bad |= json_dump_callback(o, grow_json, &g, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) != 0;
+    return grown(&g);
 }
 
 /* A table is a list of objects, one a row; NULL without memory. */
@@ -165,20 +196,17 @@ static int print_document(FILE *f, const Document *doc, hawser_format format)
 /* Written under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
 hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err)
 {
-    size_t size = 0;
-    *text = NULL;
+    Growing g = {0};
     const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    FILE *f = c ? open_memstream(text, &size) : NULL;
-    int whole = 0;
+    FILE *const f = c ? fopencookie(&g, "w", (cookie_io_functions_t){.write = grow}) : NULL;
+    g.bad = !f;
     if (f) {
         const locale_t before = uselocale(c);
-        whole = print_document(f, doc, format);
+        const int whole = print_document(f, doc, format);
         uselocale(before);
-        whole = !fclose(f) && whole;
+        g.bad |= fclose(f) || !whole;
     }
     if (c) freelocale(c);
-    if (whole && *text && size > 0) return HAWSER_OK;
-    free(*text);
-    *text = NULL;
-    return error_memory(err);
+    *text = grown(&g);
+    return *text ? HAWSER_OK : error_memory(err);
 }

@@ -4,8 +4,8 @@
  *
  * HDF5 writes its metadata when its caches have no room, in any order, and uses the place of what has moved again: a
  * program that is killed between two flushes would leave a file that points nowhere. So everything below `kept`, the
- * size at the last flush, is changed in memory only, page by page. Above it nothing is pointed to yet, and is written at
- * once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
+ * size at the last flush, is changed in memory only, page by page. Above it nothing is pointed to yet, and is written
+ * at once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
  * superblock, which is at 0, comes at the very end. What is left is a kill within these few writes, of a page each. */
 #include "io/results/results_disk.h"
 
@@ -128,7 +128,8 @@ static int read_all(const DiskFile *f, haddr_t at, size_t size, char *p)
     return 1;
 }
 
-/* Bytes to the disk. After an error nothing is written any more: metadata must not point to data that did not get out. */
+/* Bytes to the disk. After an error nothing is written any more: metadata must not point to data that did not get out.
+ */
 static void write_all(DiskFile *f, haddr_t at, size_t size, const char *p)
 {
     while (size > 0 && !*f->error) {
@@ -149,8 +150,10 @@ static size_t page_find(const DiskFile *f, haddr_t number)
     size_t low = 0, high = f->pages;
     while (low < high) {
         const size_t middle = (low + high) / 2;
-        if (f->page[middle].number < number) low = middle + 1;
-        else high = middle;
+        if (f->page[middle].number < number)
+            low = middle + 1;
+        else
+            high = middle;
     }
     return low;
 }
@@ -204,8 +207,10 @@ static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t 
         const size_t n = size < room ? size : room;
         errno = 0;
         char *const bytes = page_take(f, at / PAGE);
-        if (bytes) memcpy(bytes + offset, from, n);
-        else keep_error(f);
+        if (bytes)
+            memcpy(bytes + offset, from, n);
+        else
+            keep_error(f);
         from += n, at += n, size -= n;
     }
     write_all(f, at, size, from);

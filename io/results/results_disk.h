@@ -10,8 +10,8 @@
 #include <hdf5.h>
 
 /* Makes `access` (a file access property list) use the driver. *error, 0 or errno of the first failed write,
- * must outlive the file. Returns a driver to be given to H5FDunregister when the file is closed (or could not be opened),
- * not before: HDF5 calls the driver's close after it has let go of the driver. < 0 on failure. */
+ * must outlive the file. Returns a driver to be given to H5FDunregister when the file is closed (or could not be
+ * opened), not before: HDF5 calls the driver's close after it has let go of the driver. < 0 on failure. */
 hid_t disk_driver_use(hid_t access, int *error);
 
 #endif

@@ -102,8 +102,9 @@ static FILE *stream_open(const char *path, char *buffer)
 {
     const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (fd < 0) return NULL;
-    FILE *const f = fopencookie((void *)((size_t)fd + 1), "w",
-                                (cookie_io_functions_t){.write = stream_write, .seek = stream_seek, .close = stream_close});
+    FILE *const f =
+        fopencookie((void *)((size_t)fd + 1), "w",
+                    (cookie_io_functions_t){.write = stream_write, .seek = stream_seek, .close = stream_close});
     if (f) setvbuf(f, buffer, _IOFBF, BUFFER);
     if (!f) close(fd);
     return f;

@@ -18,7 +18,7 @@ static const double deflate_above = 32e6;
 
 struct H5File {
     hid_t file, frames, driver; /* <= 0: not there */
-    hid_t *set; /* [sample_columns]; 0: not there (a scene without rollers) */
+    hid_t *set;                 /* [sample_columns]; 0: not there (a scene without rollers) */
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;

@@ -95,7 +95,8 @@ enum { POWER_MAX = 99 };
 
 static int unit_parse(const char *text, Unit *out);
 
-/* The unit with exactly that name, or 0. Each derived one is made of those before it in the table, so that this ends. */
+/* The unit with exactly that name, or 0. Each derived one is made of those before it in the table, so that this ends.
+ */
 static int unit_named(const char *name, size_t length, Unit *out)
 {
     for (int i = 0; i < N_BASE; i++) {
@@ -150,9 +151,12 @@ static const char *sign_read(const char *text, int *sign)
     text += strspn(text, " ");
     const int per = !strncmp(text, "per ", 4);
     *sign = *text == '/' || per ? -1 : 1;
-    if (per) text += 4;
-    else if (*text && strchr("/*.-", *text)) text++;
-    else if (!strncmp(text, "\xc2\xb7", 2)) text += 2;
+    if (per)
+        text += 4;
+    else if (*text && strchr("/*.-", *text))
+        text++;
+    else if (!strncmp(text, "\xc2\xb7", 2))
+        text += 2;
     return text + strspn(text, " ");
 }
 

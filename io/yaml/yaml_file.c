@@ -13,8 +13,8 @@
 /* Bytes; ms that a pipe may keep silent. */
 enum { FILE_MAX = 32 << 20, SILENCE_MAX = 5000 };
 
-/* Opened so that a FIFO nobody writes into does not hold us up. A file, or a pipe as in a shell's <(...); a device has no
- * end. Returns 0, or what is wrong with it. */
+/* Opened so that a FIFO nobody writes into does not hold us up. A file, or a pipe as in a shell's <(...); a device has
+ * no end. Returns 0, or what is wrong with it. */
 static const char *text_open(const char *path, int *fd)
 {
     struct stat state;
@@ -37,7 +37,8 @@ static ssize_t text_read(int fd, char *to, size_t room)
     }
 }
 
-/* All that is to be read, malloc'ed, with a NUL behind it; NULL with errno, EFBIG if it is larger than a case can be. */
+/* All that is to be read, malloc'ed, with a NUL behind it; NULL with errno, EFBIG if it is larger than a case can be.
+ */
 static char *text_take(int fd, size_t *size)
 {
     size_t room = 1 << 16;
