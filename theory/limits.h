@@ -3,7 +3,7 @@
 #define HAWSER_THEORY_LIMITS_H
 
 #include "hawser/hawser.h"
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
 /* Whose rules count for what is pulled at: the paper's table 4; CIGRE TB 889; American practice (ICEA, AEIC and IEEE
  * 1185 are two names of one set); cables to IEC and VDE as European makers quote them; TES-P-104.05. */

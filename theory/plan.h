@@ -4,7 +4,7 @@
 #ifndef HAWSER_THEORY_PLAN_H
 #define HAWSER_THEORY_PLAN_H
 
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 #include "theory/pulling.h"
 
 enum { PLAN_FORWARD, PLAN_BACKWARD, PLAN_WAYS, PLAN_REASON_MAX = 200 };

@@ -139,8 +139,8 @@ typedef struct AnswerRow {
 static const Column answer_column[] = {
     {COLUMN("direction", TEXT, AnswerRow, direction), .label = "direction"},
     {COLUMN("question", CHARS, AnswerRow, question), .label = "question"},
-    {COLUMN("now", NUMBER, AnswerRow, now), .label = "now", .decimals = -1},
-    {COLUMN("value", NUMBER, AnswerRow, value), .label = "answer", .decimals = -1},
+    {COLUMN("now", NUMBER, AnswerRow, now), .label = "now", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("value", NUMBER, AnswerRow, value), .label = "answer", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, AnswerRow, unit), .label = "unit"},
     {COLUMN("result", CHARS, AnswerRow, result), .label = "which is"},
     {COLUMN("binds", TEXT, AnswerRow, binds), .label = "then binds"},

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
 const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 

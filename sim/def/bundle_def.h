@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_DEF_BUNDLE_DEF_H
 #define HAWSER_SIM_DEF_BUNDLE_DEF_H
 
-#include "theory/bundle.h"
+#include "theory/cables/bundle.h"
 
 struct SceneDef;
 struct SurfaceDef;

@@ -2,7 +2,7 @@
 #ifndef HAWSER_SIM_DEF_CABLE_DEF_H
 #define HAWSER_SIM_DEF_CABLE_DEF_H
 
-#include "theory/stiffness.h"
+#include "theory/cables/stiffness.h"
 
 enum { NAME_MAX_LENGTH = 64 };
 

@@ -65,6 +65,12 @@ static hawser_status brakes_set(Calculator *c, hawser_error *err)
         if (held->holds) continue;
         const hawser_status status = plan_brake(&c->def, &c->plan.duct, k, brake, err);
         if (status) return status;
+        if (isnan(brake->brake)) {
+            snprintf(held->remedy, sizeof held->remedy,
+                     "the cable would run away or slacken: pushed with %.4g kN, and no brake at the start holds it",
+                     held->value / 1e3);
+            continue;
+        }
         const Finding at = finding_on(c->route, held->value, brake->where, brake->piece);
         snprintf(held->remedy, sizeof held->remedy,
                  "the cable would run away or slacken: pushed with %.4g kN at %.36s; it needs a brake of %.4g kN "

@@ -121,6 +121,9 @@ static int holds_with(const Braked *b, double more, double *most, double *end)
 static void run_away_say(double pushed, double brake, double winch, Finding *out)
 {
     snprintf(out->why, sizeof out->why,
+             "it runs away, pushed with %.4g kN, and no brake where the pull begins holds it", pushed / 1e3);
+    if (isnan(brake)) return;
+    snprintf(out->why, sizeof out->why,
              "it runs away, pushed with %.4g kN: a brake of %.4g kN more is needed where the pull begins, then a winch "
              "of %.4g kN",
              pushed / 1e3, brake / 1e3, winch / 1e3);

@@ -23,9 +23,9 @@ says out "name,from_m,length_m,radius_m,supports,forward_end_N" "row,0,20,,resul
 run_hawser 0 theory pull.yaml --format json
 says out '"reference_total_N": 784.8' '"reference_total_N": 392.4' '"stations": [' '"pieces": [' '"directions": ['
 run_hawser 0 theory pull.yaml --set friction.mu=0.4
-says out "1569.6 N"
+says out "1.5696 kN"
 run_hawser 0 theory --set friction.mu=0.4 --set friction.mu=0.3 -- pull.yaml
-says out "1177.2 N"
+says out "1.1772 kN"
 
 run_hawser 2 check nowhere.yaml
 says err "nowhere.yaml" "No such file"

@@ -5,17 +5,21 @@ files="series.csv stations.csv rollers.csv results.h5 results.xdmf summary.json"
 
 run_hawser 0 run pull.yaml
 for file in $files; do exists results/pull/$file; done
+# half a metre from roller to roller is too coarse for two seconds of it: the answer says so, and by how much
+sed -n 3p "$work/out" | grep -q "^NOT TRUSTED, for 2 reasons" || fail "$what: the verdict is not at the top"
+says out "the mean pull may be off by" "use a shorter chain.segment"
+says out "A short pull" "Steady pull from 1.5 s to 2 s" "reference theory" "Results: results/pull"
+says err "t = 2.00 s of 2 s, 100 %"
+run_hawser 0 run pull.yaml --set chain.0.segment=250mm -o fine
 # the answer comes first: the verdict, the pull with its bar, what to do; no solver's work unless it is asked for
 sed -n 3p "$work/out" | grep -q "^NOT JUDGED" || fail "$what: the verdict is not at the top"
 sed -n 4p "$work/out" | grep -q "^  pull  *mean .* +- " || fail "$what: the pull is not below the verdict"
 says out "the figures are to be trusted: all" "say what is allowed in the case's section 'limits'"
-says out "A short pull" "Steady pull from 1.5 s to 2 s" "reference theory" "Results: results/pull"
-for text in "20 segments" "Where the time went" "Work:" "Balances:" "right-hand sides"; do
+for text in "40 segments" "Where the time went" "Work:" "Balances:" "right-hand sides"; do
     grep -qF "$text" "$work/out" && fail "$what: '$text' is said unasked"
 done
 tail -n 1 "$work/out" | grep -q "^Results: " || fail "$what: the report goes on behind the results"
 [ "$(wc -l <"$work/out")" -le 20 ] || fail "$what: the report of a short pull has more than 20 lines"
-says err "t = 2.00 s of 2 s, 100 %"
 grep -q '"outcome": "finished"' "$work/results/pull/summary.json" || fail "$what: not finished in summary.json"
 # t = 0 and forty steps of the interval under a line of names; a row a station
 [ "$(wc -l <"$work/results/pull/series.csv")" = 42 ] || fail "$what: series.csv has not 41 rows"

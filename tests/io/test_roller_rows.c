@@ -8,7 +8,7 @@ static const double RADIUS = 0.04365; /* of the cable in data_text("smallest"), 
 
 static const char BENDS[] = "{pieces: [{straight: 5 m}, {bend: 30 deg, radius: 6 m, plane: left}, "
                             "{bend: 20 deg, radius: 6 m, plane: up}, {straight: 4 m}, "
-                            "{bend: 40 deg, radius: 5 m, plane: right}, {straight: 3 m}]}";
+                            "{bend: 40 deg, radius: 5 m, plane: right, grade: plane}, {straight: 3 m}]}";
 
 /* A case on that route with one row. */
 static void row_read(const char *row, SceneDef *def)

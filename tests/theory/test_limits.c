@@ -373,7 +373,11 @@ static void ducts(void **state)
 {
     (void)state;
     const LimitsDef def = given();
-    const DuctLoad wide = {.jam_risk = JAM_SMALL, .jam_ratio = 3.7, .clearance = 0.02, .fill = 0.3, .weight_factor = 1.5},
+    const DuctLoad wide = {.jam_risk = JAM_SMALL,
+                           .jam_ratio = 3.7,
+                           .clearance = 0.02,
+                           .fill = 0.3,
+                           .weight_factor = 1.5},
                    high = {.jam_risk = JAM_SMALL, .jam_ratio = 3.1, .clearance = 0.03, .fill = 0.2},
                    tight = {.jam_risk = JAM_SMALL, .jam_ratio = 2.3, .clearance = 0.005, .fill = 0.45};
     Finding f[LIMIT_KINDS] = {{0}};

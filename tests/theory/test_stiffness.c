@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "tests/support/check.h"
+#include "theory/cables/stiffness.h"
 #include "theory/limits.h"
-#include "theory/stiffness.h"
 
 /* From an evaluation of (CS1) to (CS7) by another program, to its digits. */
 static void numbers(void **state)

@@ -1,4 +1,4 @@
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
 #include <math.h>
 #include <stddef.h>

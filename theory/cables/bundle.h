@@ -3,7 +3,7 @@
 #ifndef HAWSER_THEORY_BUNDLE_H
 #define HAWSER_THEORY_BUNDLE_H
 
-#include "theory/duct.h"
+#include "theory/cables/duct.h"
 
 /* Where a duct's weight factor multiplies the friction: sources differ for bends. */
 typedef enum WeightCorrection { CORRECT_EVERYWHERE, CORRECT_STRAIGHTS, CORRECT_NONE } WeightCorrection;

@@ -1,4 +1,4 @@
-#include "theory/stiffness.h"
+#include "theory/cables/stiffness.h"
 
 #include <math.h>
 

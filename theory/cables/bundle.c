@@ -1,4 +1,4 @@
-#include "theory/bundle.h"
+#include "theory/cables/bundle.h"
 
 #include <math.h>
 
