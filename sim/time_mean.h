@@ -13,13 +13,16 @@ typedef struct TimeBlock {
 
 typedef struct TimeMean {
     double last, sum, square, time, peak; /* value; value s; value^2 s; s; largest value */
-    int started;
+    int started;                          /* samples, two at most */
     /* the last sample was the peak; the one before it; second difference of the value at the peak */
     int at_peak;
     double before, sharpness;
-    TimeBlock block;        /* since mean_block */
-    double wavered, blocks; /* value^2 s; s: about their means, summed over the blocks that have ended */
+    double rough, rough_at_peak; /* value^2: mean square of second differences up to now, and up to the peak (EB11) */
+    TimeBlock block;             /* since mean_block */
+    double wavered, blocks;      /* value^2 s; s: about their means, summed over the blocks that have ended */
 } TimeMean;
+
+static const double ROUGH_FORGETS = 1.0 / 8; /* a sample: what is farther back than that many counts little */
 
 /* A sample of `value`, dt (s) after the last one; it counts for the mean if `steady`. */
 static inline void mean_add(TimeMean *m, double value, double dt, int steady)
@@ -34,12 +37,17 @@ static inline void mean_add(TimeMean *m, double value, double dt, int steady)
         m->block.moment += off * (m->block.time + dt / 2) * dt;
         m->block.time += dt;
     }
-    if (m->at_peak) m->sharpness = fabs(m->before - 2 * m->last + value);
+    const double second = m->before - 2 * m->last + value;
+    if (m->started > 1) m->rough += ROUGH_FORGETS * (second * second - m->rough);
+    if (m->at_peak) {
+        m->sharpness = fabs(second);
+        m->rough_at_peak = m->rough;
+    }
     m->at_peak = !m->started || value > m->peak;
     if (m->at_peak) m->peak = value;
     m->before = m->started ? m->last : value;
     m->last = value;
-    m->started = 1;
+    m->started = m->started ? 2 : 1; /* two: there is a sample before the last one */
 }
 
 /* A block ends here, and the next one begins. */

@@ -9,10 +9,10 @@
 extern "C" {
 #endif
 
-/* What is refined, each on its own: the integrator's accuracy and the time between samples (of statics the load steps);
- * the segments; the speed below which friction fades. */
-typedef enum hawser_source { HAWSER_TIME, HAWSER_LENGTH, HAWSER_FRICTION } hawser_source;
-enum { HAWSER_SOURCES = 3 };
+/* What is refined, each on its own: all that goes with time, which is the integrator's accuracy, the time between
+ * samples and the speed below which friction fades (of statics the load steps); the segments. */
+typedef enum hawser_source { HAWSER_TIME, HAWSER_LENGTH } hawser_source;
+enum { HAWSER_SOURCES = 2 };
 
 /* A figure of a run, and what refinement says of it. */
 typedef struct hawser_certified {
@@ -21,7 +21,7 @@ typedef struct hawser_certified {
     double value;     /* of the run itself */
     double best;      /* of the finest settings whose error was estimated; the run's if those are its own */
     double refined[HAWSER_SOURCES]; /* with one source refined once more; NAN: it was not, or that run failed */
-    double error[HAWSER_SOURCES];   /* of `best`, estimated by source; NAN: not known; 0: there is no such source */
+    double error[HAWSER_SOURCES];   /* of `best`, estimated by source; NAN: not known */
     double order[HAWSER_SOURCES];   /* observed; NAN: fewer than three values, or no order to be seen */
     int diverges[HAWSER_SOURCES];   /* refining did not bring three values nearer to each other */
     double bar;                     /* of `best`: sum of the errors */
@@ -34,7 +34,7 @@ typedef struct hawser_certified {
 
 /* One run of the case. */
 typedef struct hawser_certify_run {
-    int level[HAWSER_SOURCES];   /* how often each source is refined; 0, 0, 0: the case as it is */
+    int level[HAWSER_SOURCES];   /* how often each source is refined; 0, 0: the case as it is */
     double accuracy, interval_s; /* solver.accuracy, output.interval */
     int segments;                /* of the whole chain */
     double friction;             /* v_s over the case's */

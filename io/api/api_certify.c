@@ -16,14 +16,13 @@ enum { RUNS_MAX = 32, ROUND_MAX = HAWSER_SOURCES + 2, SAID_MAX = 3 };
 static const double TOLERANCE = 0.01, EFFORT = 60;
 static const int ROUNDS = 4;
 static const double RUN_SHARE = 0.25; /* of the effort, that a single run may take */
-/* Orders that are taken for granted before there are three values (CE3): of the error in accuracy, segments, v_s. */
-static const double ASSUMED[HAWSER_SOURCES] = {[HAWSER_TIME] = 0.5, [HAWSER_LENGTH] = 1, [HAWSER_FRICTION] = 1};
-static const char *const source_name[HAWSER_SOURCES] = {"time", "length", "friction"};
+/* Orders that are taken for granted before there are three values (CE3): of the error in accuracy and in segments. */
+static const double ASSUMED[HAWSER_SOURCES] = {[HAWSER_TIME] = 0.5, [HAWSER_LENGTH] = 1};
+static const char *const source_name[HAWSER_SOURCES] = {"time", "length"};
 
 typedef struct Certifier {
     hawser_certify_options options; /* filled in */
     const SceneDef *def;
-    int has[HAWSER_SOURCES];
     int n_runs;
     Companion run[RUNS_MAX]; /* the case's own comes first */
     hawser_certificate *out;
@@ -70,13 +69,13 @@ static double plan_round(Certifier *z, const int base[HAWSER_SOURCES], int *n, C
 {
     static const struct {
         int source, by;
-    } steps[ROUND_MAX] = {{-1, 0}, {HAWSER_TIME, 1}, {HAWSER_LENGTH, 1}, {HAWSER_FRICTION, 1}, {HAWSER_LENGTH, -1}};
+    } steps[ROUND_MAX] = {{-1, 0}, {HAWSER_TIME, 1}, {HAWSER_LENGTH, 1}, {HAWSER_LENGTH, -1}};
     double cost = 0;
     *n = 0;
     if (z->n_runs + ROUND_MAX > RUNS_MAX) return INFINITY;
     for (int k = 0; k < ROUND_MAX; ++k) {
         const int s = steps[k].source, by = steps[k].by;
-        if ((s >= 0 && !z->has[s]) || run_at(z, base, s, by)) continue;
+        if (run_at(z, base, s, by)) continue;
         Companion *const c = &z->run[z->n_runs++];
         *c = (Companion){0};
         memcpy(c->about.level, base, sizeof c->about.level);
@@ -98,8 +97,6 @@ static void judge_figure(Certifier *z, const int base[HAWSER_SOURCES], int i)
     snprintf(f->name, sizeof f->name, "%s", figure->name);
     f->best = figure_at(z, base, -1, 0, i);
     for (int s = 0; s < HAWSER_SOURCES; ++s) {
-        f->refined[s] = f->order[s] = NAN;
-        if (!z->has[s]) continue;
         f->refined[s] = figure_at(z, base, s, 1, i);
         const Refinement r = refinement_of(figure_at(z, base, s, -1, i), f->best, f->refined[s],
                                            refinement_ratio((hawser_source)s), ASSUMED[s]);
@@ -126,7 +123,7 @@ static int judge(Certifier *z, const int base[HAWSER_SOURCES])
 }
 
 /* The settings of the next round: finer by a level in each source of which the error of some figure that does not hold
- * is more than a share of what is allowed. Returns 0 if an error is not known, so that there is no way on. */
+ * is more than its part of what is allowed. Returns 0 if an error is not known, so that there is no way on. */
 static int go_on(const Certifier *z, const int base[HAWSER_SOURCES], int next[HAWSER_SOURCES])
 {
     memcpy(next, base, HAWSER_SOURCES * sizeof *next);
@@ -187,13 +184,13 @@ static double percent(const hawser_certified *f, double error) { return 100 * er
 /* Settings at some levels, as keys to set; a run has been made at that level of time. */
 static void say_settings(Words *w, const Certifier *z, const int level[HAWSER_SOURCES])
 {
-    const int t = level[HAWSER_TIME], l = level[HAWSER_LENGTH], v = level[HAWSER_FRICTION];
+    const int t = level[HAWSER_TIME], l = level[HAWSER_LENGTH];
     int r = 0;
     while (z->run[r].about.level[HAWSER_TIME] != t) ++r;
     const hawser_certify_run *const about = &z->run[r].about;
     if (t > 0) say(w, "solver.accuracy %.3g and output.interval %.3g s", about->accuracy, about->interval_s);
+    if (about->friction < 1) say(w, ", v_s 1/%g as high", 1 / about->friction);
     if (l > 0) say(w, "%ssegments 1/%g as long", t > 0 ? ", " : "", pow(refinement_ratio(HAWSER_LENGTH), l));
-    if (v > 0) say(w, "%sv_s 1/%g as high", t > 0 || l > 0 ? ", " : "", pow(refinement_ratio(HAWSER_FRICTION), v));
 }
 
 /* The deepest that each source was refined. */
@@ -396,7 +393,6 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
         z->def = &c->def;
         z->out = certificate;
         certificate->tolerance = z->options.tolerance;
-        for (int s = 0; s < HAWSER_SOURCES; ++s) z->has[s] = scene_def_has_source(z->def, (hawser_source)s);
         status = begin(z, run, err);
     }
     if (!status) status = rounds(z, err);

@@ -34,7 +34,7 @@ void companion_describe(const hawser_sim *s, Companion *out)
     about->accuracy = def->solver.accuracy;
     about->interval_s = def->output.interval;
     about->segments = sum.segments;
-    about->friction = pow(refinement_ratio(HAWSER_FRICTION), -about->level[HAWSER_FRICTION]);
+    about->friction = refinement_slower(def, about->level[HAWSER_TIME]);
     about->steps = sum.steps;
     /* statics have no rates: a Newton step a load step and a segment */
     out->evaluations = (sum.rhs_evals > 0 ? (double)sum.rhs_evals : def->analysis.load_steps) * sum.segments;
@@ -127,8 +127,8 @@ static void state_fill(const Pool *pool, int threads, hawser_certify_state *stat
         const size_t used = strlen(what);
         share += c->share;
         if (i < pool->next && c->share < 1) {
-            snprintf(what + used, size - used, "%stime %d, length %d, friction %d", used ? "; " : "",
-                     level[HAWSER_TIME], level[HAWSER_LENGTH], level[HAWSER_FRICTION]);
+            snprintf(what + used, size - used, "%stime %d, length %d", used ? "; " : "", level[HAWSER_TIME],
+                     level[HAWSER_LENGTH]);
         }
         if (c->share < SHARE_KNOWN) continue;
         whole += c->seconds / c->share;

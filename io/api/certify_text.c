@@ -12,9 +12,8 @@ enum { SHOWN_MAX = 24 };
 
 #define BY_SOURCE(key_, member)                                                                                        \
     {COLUMN(key_ ".time", NUMBER, hawser_certified, member[HAWSER_TIME])},                                             \
-        {COLUMN(key_ ".length", NUMBER, hawser_certified, member[HAWSER_LENGTH])},                                     \
     {                                                                                                                  \
-        COLUMN(key_ ".friction", NUMBER, hawser_certified, member[HAWSER_FRICTION])                                    \
+        COLUMN(key_ ".length", NUMBER, hawser_certified, member[HAWSER_LENGTH])                                        \
     }
 
 static const Column figure_column[] = {
@@ -37,7 +36,6 @@ static const Columns figure_columns = COLUMNS(hawser_certified, figure_column);
 static const Column run_column[] = {
     {COLUMN("level.time", COUNT, hawser_certify_run, level[HAWSER_TIME])},
     {COLUMN("level.length", COUNT, hawser_certify_run, level[HAWSER_LENGTH])},
-    {COLUMN("level.friction", COUNT, hawser_certify_run, level[HAWSER_FRICTION])},
     {COLUMN("accuracy", NUMBER, hawser_certify_run, accuracy)},
     {COLUMN("interval_s", NUMBER, hawser_certify_run, interval_s)},
     {COLUMN("segments", COUNT, hawser_certify_run, segments)},
@@ -64,7 +62,6 @@ static const Column shown_column[] = {
     {COLUMN("unit", TEXT, Shown, unit), .label = ""},
     {COLUMN("time", NUMBER, Shown, by[HAWSER_TIME]), .label = "time %", .decimals = 3},
     {COLUMN("length", NUMBER, Shown, by[HAWSER_LENGTH]), .label = "length %", .decimals = 3},
-    {COLUMN("friction", NUMBER, Shown, by[HAWSER_FRICTION]), .label = "friction %", .decimals = 3},
     {COLUMN("bar", NUMBER, Shown, bar), .label = "+- %", .decimals = 3},
     {COLUMN("holds", TEXT, Shown, word), .label = ""},
 };

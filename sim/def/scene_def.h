@@ -227,7 +227,7 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
 void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES]);
 /* How many times finer one level is: of time in accuracy. */
 double refinement_ratio(hawser_source source);
-/* Whether the source says anything of this scene: friction only where some surface's fades at low speed. */
-int scene_def_has_source(const SceneDef *def, hawser_source source);
+/* v_s at that level of time over the case's; 1 where no friction fades at low speed. */
+double refinement_slower(const SceneDef *def, int level);
 
 #endif

@@ -4,9 +4,10 @@
 
 #include "sim/def/scene_def.h"
 
-/* One level: accuracy by five, and the longest step by one and a half; segments and v_s by two. */
-static const double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 5, [HAWSER_LENGTH] = 2, [HAWSER_FRICTION] = 2};
-static const double STEPS = 1.5;
+/* One level of time halves its error (CE1): accuracy by four, the longest step by the root of two, v_s by two. So does
+ * one of length, the segments by two. */
+static const double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 4, [HAWSER_LENGTH] = 2};
+static const double STEPS = 1.4142135623730951, SLOWER = 2;
 static const double SAMPLES = 8; /* between which a peak may be missed: they cost little, and files are not written */
 /* Equilibria of statics are found to rounding already: a tolerance is not asked below this. */
 static const double STATIC_TOLERANCE = 1e-10;
@@ -49,7 +50,7 @@ static void refine_law(FrictionLaw *law, double gain)
 
 static void refine_friction(SceneDef *def, int level)
 {
-    const double gain = pow(RATIO[HAWSER_FRICTION], level);
+    const double gain = pow(SLOWER, level);
     refine_law(&def->friction, gain);
     refine_law(&def->cable_friction, gain);
     for (int r = 0; r < def->n_rollers; ++r) refine_law(&def->rollers[r].friction, gain);
@@ -62,8 +63,8 @@ static void refine_friction(SceneDef *def, int level)
 void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES])
 {
     refine_time(def, level[HAWSER_TIME]);
+    refine_friction(def, level[HAWSER_TIME]);
     refine_length(def, level[HAWSER_LENGTH]);
-    refine_friction(def, level[HAWSER_FRICTION]);
     def->solver.max_steps = 0; /* a bound for the case as it is */
 }
 
@@ -77,7 +78,4 @@ static int friction_fades(const SceneDef *def)
     return fades;
 }
 
-int scene_def_has_source(const SceneDef *def, hawser_source source)
-{
-    return source != HAWSER_FRICTION || friction_fades(def);
-}
+double refinement_slower(const SceneDef *def, int level) { return friction_fades(def) ? pow(SLOWER, -level) : 1; }

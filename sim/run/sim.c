@@ -374,7 +374,7 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
     ErrorShares shares =
         error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
-    stats_errors(&s->stats, &shares, out);
+    stats_errors(&s->stats, scene, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),

@@ -27,8 +27,9 @@ static const double GRIP_LEFT = 0.01;
 
 /* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
  * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
- * poor one. */
-static const double GAMMA_CHANGE = 0.05;
+ * poor one. Steps that grow by a few per cent are rare (up to the longest that is allowed): a matrix for each costs
+ * nothing. */
+static const double GAMMA_CHANGE = 0.005;
 /* Iterations before a step is taken back for a new matrix (CVODE's default: 3, made for a convergence a hundred times
  * looser). */
 enum { ITERATIONS_MOST = 4 };

@@ -7,10 +7,14 @@
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                              /* of what the books of a mean leave open (EB2) */
 static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
-static const double STANDS = 0.1;        /* of a segment: if less passes, nothing of it is seen (EB9) */
-static const double EVERYWHERE = 0.25;   /* of that, where only surfaces carry the cable (EB1) */
-static const double MESH = 5e-4;         /* of any figure, which no support shows */
-static const double ENDS = 0.2;          /* of a segment, whose weight a clamp carries and no surface */
+static const double STANDS = 0.1;      /* of a segment: if less passes, nothing of it is seen (EB9) */
+static const double ROUGH = 0.27;      /* of second differences, before a peak of a cable that began anywhere (EB12) */
+static const double EVERYWHERE = 0.25; /* of that, where only surfaces carry the cable (EB1) */
+static const double PARTLY = 0.5;      /* where rollers and surfaces do */
+static const double MESH = 5e-4;       /* of any figure, which no support shows */
+static const double SIDEWAYS = 0.1;    /* of what rollers that spin would hold (EB13) */
+static const double LEVEL = 1e-3;      /* of a bend: what is less to the side is none */
+static const double ENDS = 0.2;        /* of a segment, whose weight a clamp carries and no surface */
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
 
@@ -32,6 +36,20 @@ static double friction_share(const Scene *scene)
     for (int k = 0; k < scene->def.n_surfaces; ++k)
         worst = fmax(worst, friction_missing(&scene->def.surfaces[k].friction, scene->largest_speed));
     return worst;
+}
+
+double held_sideways(const Scene *scene, int r)
+{
+    const RollerDef *const roller = &scene->def.rollers[r];
+    const FrictionLaw *const law = &roller->friction;
+    if (!(roller->spin.inertia > 0) || friction_kind(law) != FRICTION_SPEED || !(roller->s >= 0)) return 0;
+    const Vec3 bends = route_at(&scene->route, roller->s).curvature, g = scene->def.gravity;
+    const double across = v3_norm(v3_cross(bends, g)); /* of a bend in a slope, the part to the side */
+    if (!(across > LEVEL * v3_norm(bends) * v3_norm(g))) return 0;
+    double rubs = 0; /* what holds it sideways when the roller does not */
+    for (int k = 0; k < scene->def.n_rollers; ++k)
+        if (!(scene->def.rollers[k].spin.inertia > 0)) rubs = fmax(rubs, scene->def.rollers[k].friction.mu_d);
+    return SIDEWAYS * law->mu_d * rubs;
 }
 
 /* By how much friction at rest stands above that of sliding, of what slides; and the speed where it has fallen. */
@@ -69,12 +87,20 @@ static double mesh_share(const Scene *scene, const Mesh *mesh, double pull)
     return MESH + clamp + mesh_given(mesh, &scene->def, pull, &worst);
 }
 
+/* What of a figure's wavering is the mesh's: rollers make it so, surfaces do not (EB1). */
+static double waver_share(const Scene *scene)
+{
+    if (scene->contact.n_rollers == 0) return EVERYWHERE;
+    return scene->def.n_surfaces > 0 ? PARTLY : 1;
+}
+
 ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull)
 {
     const double open = books ? fabs(books->numerical) + fabs(books->residual) : 0;
     ErrorShares out = {.time = books && fabs(books->winch) > 0 ? BOOKS * open / fabs(books->winch) : 0,
                        .step = TOLERANCES * scene->def.solver.accuracy,
-                       .waver = scene->contact.n_rollers > 0 ? 1 : EVERYWHERE,
+                       .waver = waver_share(scene),
+                       .rough = scene->def.solver.relax ? 0 : ROUGH,
                        .mesh = mesh_share(scene, mesh, pull),
                        .friction = friction_share(scene)};
     for (int r = 0; r < scene->contact.n_rollers; ++r) friction_falls(&scene->contact.roller[r].friction, &out);
@@ -87,12 +113,13 @@ static hawser_error_bar bar(double time, double mesh, double friction)
     return (hawser_error_bar){time, mesh, friction, time + mesh + friction};
 }
 
-/* What a figure wavers by while a segment passes. If less has passed than that: what was seen of it, in a straight line
- * over a segment, or what rollers may do, if that is more (EB9). */
+/* What a figure wavers by while a segment passes; a cable that stands still shows nothing of it. If less has passed
+ * than that: what was seen of it, in a straight line over a segment, or what rollers may do, if that is more (EB9). */
 static double waver(const TimeMean *figure, const ErrorShares *shares)
 {
-    if (figure->blocks > 0 || !(shares->passed > 0)) return shares->waver * mean_waver(figure);
-    const double seen = shares->waver * mean_waver_ahead(figure, fmin(shares->passed, 1));
+    if (figure->blocks > 0) return shares->waver * mean_waver(figure);
+    const double goes_on = shares->passed > 0 ? mean_waver_ahead(figure, fmin(shares->passed, 1)) : mean_waver(figure);
+    const double seen = shares->waver * goes_on;
     return shares->passed < STANDS ? fmax(seen, shares->still) : seen;
 }
 
@@ -109,6 +136,8 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double size = fabs(figure->peak), mean = figure->time > 0 ? fabs(mean_of(figure)) : 0;
     const double loose = fmin(shares->breaks_loose * mean, fmax(0, size - mean));
     if (!figure->started) return bar(NAN, NAN, NAN);
-    return bar(SHARPNESS * figure->sharpness + shares->step * size,
-               WAVER_OF_PEAK * waver(figure, shares) + shares->mesh * size, shares->friction * size + loose);
+    const double passes = fmax(WAVER_OF_PEAK * waver(figure, shares), shares->placed);
+    const double rough = shares->rough * sqrt(figure->rough_at_peak);
+    return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size,
+               shares->friction * size + loose);
 }

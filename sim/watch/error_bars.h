@@ -16,6 +16,8 @@ typedef struct ErrorShares {
     double waver;    /* what of a figure's wavering is the mesh's (EB1) */
     double passed;   /* of a segment, while nothing has been wavering for a whole one */
     double still;    /* N: what a tension may waver by besides, then (EB9) */
+    double placed;   /* N: what the places of joints over rollers made of the peak (EB11) */
+    double rough;    /* what of second differences is the error of a peak (EB12) */
     double mesh;     /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction; /* not yet there at the speed of the pull (EB5) */
     /* by which friction falls once the cable slides, of what is left; m/s, the speed where it has; the share again, if
@@ -26,6 +28,9 @@ typedef struct ErrorShares {
 /* books: NULL where nothing has moved; pull: mean of the steady window, N. */
 ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull);
 
+/* What a load of 1 N on the r-th roller takes from those beside the cable once it does not creep across it any more, N
+ * of the pull (EB13). */
+double held_sideways(const Scene *scene, int r);
 /* Of the mean over the steady window; of the largest value of the run. */
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares);
 hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares);

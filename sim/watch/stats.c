@@ -1,5 +1,6 @@
 #include "sim/watch/stats.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -114,7 +115,8 @@ double along_eye(const Scene *scene, const Kinematics *kin, double travel)
 }
 
 /* The simulated joint before route coordinate s, and the tension there, N; -1 if no cable is there. */
-static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s, double *there)
+static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s, double *there,
+                        double *share)
 {
     const int n = scene->chain.n;
     const double *const joint_s = scene->joint_s + scene->first, *const tension = sample->tension + scene->first;
@@ -141,14 +143,15 @@ static int joint_before(const Scene *scene, const Kinematics *kin, const hawser_
     }
     if (s < a || s > b) return -1;
     const double u = (s - a) / (b - a);
+    *share = u;
     *there = (1 - u) * tension[low] + u * tension[high];
     return low;
 }
 
 double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double s)
 {
-    double tension;
-    return joint_before(scene, kin, sample, s, &tension) >= 0 ? tension : NAN;
+    double tension, share;
+    return joint_before(scene, kin, sample, s, &tension, &share) >= 0 ? tension : NAN;
 }
 
 static void stations_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
@@ -197,20 +200,33 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
-/* Largest force along the cable by which a joint may be pushed on or held back at the rollers as they are loaded now,
- * all of them in step, N (EB9). */
-static double standing_force(const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+/* m, of the cable that a roller holds up: half of the way between its neighbours, once the way to an only one;
+ * INFINITY: there is no other. */
+static double held_by(const SceneDef *def, int r)
+{
+    const double before = r > 0 ? def->rollers[r].s - def->rollers[r - 1].s : INFINITY;
+    const double after = r + 1 < def->n_rollers ? def->rollers[r + 1].s - def->rollers[r].s : INFINITY;
+    if (!(before > 0 && after > 0)) return fmax(fmax(before, after), 0);
+    return isfinite(before + after) ? (before + after) / 2 : fmin(before, after);
+}
+
+/* Force along the cable by which the places of joints may push it on or hold it back at the rollers as they are loaded
+ * now, N: with the joints all in step (EB9), and *here: as they lie (EB11). */
+static double standing_force(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double *here)
 {
     const Chain *const chain = &scene->chain;
-    double sum = 0, tension;
+    double sum = 0, tension, passed;
+    *here = 0;
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const double load = sample->roller_load[r];
-        const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension) : -1;
+        const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension, &passed) : -1;
         if (j < 0 || !(tension > 0)) continue;
-        const double bends =
-            fmax(chain->stiffness[4][j], chain->stiffness[5][j]) / chain->half[j < chain->n ? j : j - 1];
-        const double turn = load / sqrt(tension * (tension + 2 * bends));
-        sum += load / 2 * fmin(turn, 1);
+        const double h = 2 * chain->half[j < chain->n ? j : j - 1], span = held_by(&scene->def, r);
+        const double bends = fmin(chain->stiffness[4][j], chain->stiffness[5][j]); /* the softer way: the wider bar */
+        const double stiff = tension + (span > 0 ? M_PI * M_PI * bends * h / (span * span) : 0);
+        const double force = load / 2 * fmin(load / sqrt(stiff * (stiff + 4 * bends / h)), 1);
+        sum += force;
+        *here += force * (1 - 2 * passed);
     }
     return sum;
 }
@@ -223,6 +239,15 @@ static double slowest(const Scene *scene, const hawser_sample *sample)
     return least;
 }
 
+/* What is asked of a peak besides its size. */
+static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    double here;
+    standing_force(scene, kin, sample, &here);
+    stats->placed = fabs(here);
+    stats->peak_speed = slowest(scene, sample);
+}
+
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
  * estimated what would come. */
 enum { BLOCK_LEAST = 4 }; /* samples, for a deviation to be one */
@@ -231,7 +256,8 @@ static void blocks_end(Stats *stats, const Scene *scene, const Kinematics *kin, 
     const double way = fabs(sample->winch_travel - stats->passed_at), length = 2 * scene->chain.half[0];
     if (stats->pull.blocks <= 0) {
         stats->passed = way / length;
-        stats->still = standing_force(scene, kin, sample);
+        double here;
+        stats->still = standing_force(scene, kin, sample, &here);
     }
     if (++stats->passing < BLOCK_LEAST || way < length) return;
     stats->passing = 0;
@@ -250,7 +276,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stats->dt = dt;
     stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
-    if (stats->pull.at_peak) stats->peak_speed = slowest(scene, sample);
+    if (stats->pull.at_peak) peak_record(stats, scene, kin, sample);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
@@ -303,13 +329,24 @@ static const double LOADS = 2;
  */
 static const double LINE_LOADS = 1;
 
-void stats_errors(const Stats *stats, ErrorShares *shares, hawser_summary *out)
+/* N of the pull that rollers which spin take off those beside the cable if friction comes in at once (EB13). */
+static double sideways(const Stats *stats, const Scene *scene)
+{
+    double sum = 0;
+    for (int r = 0; r < stats->n_rollers; ++r) sum += held_sideways(scene, r) * fabs(mean_of(&stats->roller[r].load));
+    return sum;
+}
+
+void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, hawser_summary *out)
 {
     shares->passed = stats->passed;
     shares->still = stats->still;
     shares->breaks_loose = stats->peak_speed < shares->falls_until ? shares->falls : 0;
+    shares->placed = stats->placed;
+    if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
+    shares->placed = 0;                           /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);

@@ -23,12 +23,13 @@ typedef struct Stats {
     /* of the last sample: whether it was a new one; s since the one before; whether that counts for the means */
     int fresh, steady;
     double dt;
-    TimeMean pull;     /* N, on the rope's end */
-    TimeMean speed;    /* m/s, axial speed of the cable's first segment that is simulated */
-    double passed_at;  /* m, travel of the winch at which a block of the means began (EB1) */
-    int passing;       /* samples since */
-    double passed;     /* of a segment, since; while no block has ended */
-    double still;      /* N, of the pull: what segments may make that stand still over rollers (EB9) */
+    TimeMean pull;    /* N, on the rope's end */
+    TimeMean speed;   /* m/s, axial speed of the cable's first segment that is simulated */
+    double passed_at; /* m, travel of the winch at which a block of the means began (EB1) */
+    int passing;      /* samples since */
+    double passed;    /* of a segment, since; while no block has ended */
+    double still;     /* N, of the pull: what segments may make that stand still over rollers (EB9) */
+    double placed;    /* N, of the pull when it was largest: what the places of joints over rollers made of it (EB11) */
     double peak_speed; /* m/s, of the slowest segment when the pull was largest */
     double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
@@ -56,6 +57,6 @@ double stats_tension_at(const Scene *scene, const Kinematics *kin, const hawser_
 /* Fills what the statistics know into the summary; paper_N and reference_N must be in station_out. */
 void stats_summary(const Stats *stats, hawser_summary *out);
 /* Brings the error bars of summary and tables up to date. */
-void stats_errors(const Stats *stats, ErrorShares *shares, hawser_summary *out);
+void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, hawser_summary *out);
 
 #endif

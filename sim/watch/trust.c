@@ -17,6 +17,7 @@ static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pu
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
 static const double DRIFT = 0.05;  /* of the mean pull, from the window's first half to its second */
+static const double PUSHED = 0.01; /* of the largest pull, that the cable may push the winch with in the mean */
 static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */
 static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
 static const double SPIKE = 0.2;   /* of the largest pull, above the rows beside it */
@@ -250,6 +251,15 @@ static void add_errors(List *list, const hawser_summary *s)
     add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
 }
 
+/* A winch pulls: where the cable pushes it the start has jammed or thrown it, or it runs away. */
+static void add_pushed(List *list, const hawser_summary *s)
+{
+    add(list, "pushed", "N", fmax(0, -s->pull_mean_N), PUSHED * fmax(0, s->pull_peak_N),
+        "the cable pushes the winch with %.3g N: it runs away, or its start holds it back: give it a back tension or a "
+        "brake, or begin where every joint lies clear of the rollers",
+        -s->pull_mean_N);
+}
+
 /* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A
  * chain that begins at rest and is set in motion gently has no jolt. */
 static void add_steadiness(List *list, const TrustFacts *f)
@@ -352,6 +362,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add_friction_speed(&list, scene);
     if (!dynamic) return list.n;
     if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    if (scene->def.winch.present && f->figures->steady_to_s > f->figures->steady_from_s) add_pushed(&list, f->figures);
     if (scene->def.winch.present) add_shared(&list, f);
     if (scene->def.winch.present) add_steadiness(&list, f);
     return list.n;

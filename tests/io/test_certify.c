@@ -65,7 +65,7 @@ static void a_good_run(void **state)
     consistent(z.cert);
     assert_int_equal(z.cert->certified, 1);
     assert_int_equal(z.cert->n_runs, 2 + HAWSER_SOURCES);
-    check_at_most(z.cert->work, 6.2);
+    check_at_most(z.cert->work, 6);
     const hawser_certified *const pull = figure(z.cert, "pull, mean");
     hawser_summary sum;
     hawser_sim_summary(z.sim, &sum);
@@ -108,7 +108,7 @@ static void too_much_is_asked(void **state)
     assert_int_equal(z.cert->certified, 0);
     assert_int_equal(z.cert->n_runs, 2 + HAWSER_SOURCES);
     check_has(z.cert->verdict, "NOT CERTIFIED: to 0.0001 % do not hold: ");
-    check_has(z.cert->verdict, "tried in 5 runs down to solver.accuracy 2e-05");
+    check_has(z.cert->verdict, "tried in 4 runs down to solver.accuracy 2.5e-05");
     certified_free(&z);
 }
 
@@ -164,8 +164,6 @@ static void a_rod(void **state)
     Certified z = certify(data_text("certify-rod"), NULL, &options);
     consistent(z.cert);
     const hawser_certified *const tip = figure(z.cert, "displacement of tip, z");
-    check_equal(tip->error[HAWSER_FRICTION], 0);
-    check_nan(tip->refined[HAWSER_FRICTION]);
     assert_int_equal(z.cert->n_runs > 4, 1);
     check_close(tip->order[HAWSER_LENGTH], 2, 0.1);
     /* the bar holds the truth, P L^3/3EI with shear P L/GA, and is not much wider */
@@ -230,7 +228,7 @@ static void levels(void **state)
 {
     (void)state;
     SceneDef def;
-    const int none[HAWSER_SOURCES] = {0}, some[HAWSER_SOURCES] = {1, 2, 1};
+    const int none[HAWSER_SOURCES] = {0}, some[HAWSER_SOURCES] = {1, 2};
     expect_good(data_text("certify"), NULL, NULL, &def);
     const int segments = def.pieces[0].segments;
     const double accuracy = def.solver.accuracy, v_s = def.surfaces[0].friction.v_s, v_d = def.surfaces[0].friction.v_d;
@@ -240,10 +238,10 @@ static void levels(void **state)
     check_equal(def.surfaces[0].friction.v_s, v_s);
     scene_def_refine(&def, some);
     assert_int_equal(def.pieces[0].segments, 4 * segments);
-    check_share(def.solver.accuracy, accuracy / 5, 1e-12);
+    check_share(def.solver.accuracy, accuracy / 4, 1e-12);
     check_share(def.surfaces[0].friction.v_s, v_s / 2, 1e-12);
     check_equal(def.surfaces[0].friction.v_d, v_d);
-    assert_true(scene_def_has_source(&def, HAWSER_FRICTION));
+    check_equal(refinement_slower(&def, 3), 1.0 / 8);
     scene_def_clear(&def);
 }
 

@@ -66,6 +66,67 @@ static void a_slow_winch(void **state)
     check_above(slow.pull_mean_error.total, 0.02 * slow.pull_mean_N); /* not trusted */
 }
 
+/* The clamp carries a segment of cable, not the winch's drum that moves with it: 5 t of drum were 100 % of the pull
+ * (EB3). */
+static void a_drum_weighs_nothing(void **state)
+{
+    (void)state;
+    hawser_summary sum;
+    hawser_sim *const s = run_of(
+        data_with("trust-duct", "winch: {speed: 0.1 m/s, to: 1 s}",
+                  "winch: {tension: {force: 4 kN, to: 1 s, speed_limit: 0.1 m/s, drum_mass: 5000 kg, band: 0.1}}"),
+        NULL);
+    hawser_sim_summary(s, &sum);
+    hawser_sim_free(s);
+    check_above(sum.pull_mean_N, 500);
+    check_at_most(sum.pull_mean_error.mesh, 0.1 * sum.pull_mean_N);
+}
+
+/* Loads have twice the parts of a tension (EB7): half of v_s, where friction lacks 1/0.6875 - 1. */
+static void loads_have_twice_the_bar(void **state)
+{
+    (void)state;
+    const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
+    const double lacks = 1 / 0.6875 - 1;
+    const hawser_roller *row;
+    hawser_sim *const s = run_of(data_text("trust"), slow);
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum); /* bars are as of the last one */
+    const int n = hawser_sim_rollers(s, &row);
+    check_at_least(n, 5);
+    for (int r = 0; r < n; r++) {
+        if (!(row[r].steady_N > 1)) continue;
+        check_at_least(row[r].steady_error_N, 2 * (lacks - 1e-3) * row[r].steady_N);
+        check_at_least(row[r].peak_error_N, 2 * (lacks - 1e-3) * row[r].peak_N);
+    }
+    hawser_sim_free(s);
+}
+
+/* Sidewall pressure is one of the mesh: as much again, and the peak pull's share (EB8). */
+static void pressure_is_the_meshs(void **state)
+{
+    (void)state;
+    hawser_summary sum;
+    hawser_sim *const s = run_of(data_text("trust-duct"), NULL);
+    const hawser_surface *duct;
+    hawser_sim_summary(s, &sum);
+    assert_int_equal(hawser_sim_surfaces(s, &duct), 1);
+    check_above(duct->line_load_N_per_m, 0);
+    check_share(duct->line_load_error, duct->line_load_N_per_m * (1 + sum.pull_peak_error.total / sum.pull_peak_N),
+                1e-9);
+    hawser_sim_free(s);
+}
+
+/* Values that jump up and down by 1: second differences of 4 before the peak, whatever comes behind it (EB12). */
+static void how_rough_a_peak_is(void **state)
+{
+    (void)state;
+    TimeMean m = {0};
+    for (int k = 0; k < 400; k++) mean_add(&m, k < 200 ? k % 2 * 2.0 - 1 + (k == 199) : 0, k ? 1 : 0, 0);
+    check_between(sqrt(m.rough_at_peak), 4, 4.3);
+    check_below(m.rough, 1e-9);
+}
+
 /* A mean of 10 with a ripple of amplitude 2 and period 1 s on a slow rise: blocks of 2 s see the ripple and not the
  * rise; the peak's second difference is that of the ripple's crest. */
 static void what_a_signal_shows(void **state)
@@ -85,8 +146,14 @@ static void what_a_signal_shows(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(friction_not_there), cmocka_unit_test(coarse_segments),
-                                       cmocka_unit_test(loose_steps), cmocka_unit_test(what_a_signal_shows),
-                                       cmocka_unit_test(a_slow_winch)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(friction_not_there),
+                                       cmocka_unit_test(coarse_segments),
+                                       cmocka_unit_test(loose_steps),
+                                       cmocka_unit_test(what_a_signal_shows),
+                                       cmocka_unit_test(a_slow_winch),
+                                       cmocka_unit_test(a_drum_weighs_nothing),
+                                       cmocka_unit_test(loads_have_twice_the_bar),
+                                       cmocka_unit_test(pressure_is_the_meshs),
+                                       cmocka_unit_test(how_rough_a_peak_is)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

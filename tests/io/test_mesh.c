@@ -118,6 +118,81 @@ static void smooth_places_are_of_second_order(void **state)
     check_share(mesh_error(&rod, 0.2) / mesh_error(&rod, 0.1), 4, 1e-12);
 }
 
+/* A bend shorter than its rollers' spacing is a turn between two of them (ME11). */
+static void a_short_bend_is_a_turn(void **state)
+{
+    (void)state;
+    MeshPlace p = {.radius = 2.3, .length = 0.4, .pitch = 0.4, .room = NAN, .bending_length = 3};
+    const double row = mesh_error(&p, 0.2);
+    p.pitch = 1.6;
+    check_share(mesh_error(&p, 0.2), row / 16, 1e-12);
+}
+
+/* What pairs without room press a stiff chain with, and what room is worth (ME12). */
+static void pairs_bend_stiff_cables(void **state)
+{
+    (void)state;
+    const double lambda = 1.5, a = 0.5, length = 6.6, radius = 13, mu = 0.3;
+    MeshPlace p = {.radius = radius,
+                   .length = length,
+                   .pitch = a,
+                   .room = NAN,
+                   .bending_length = lambda,
+                   .mu = mu,
+                   .tension = 250,
+                   .impact = {.k = 0, .e = 1.5}};
+    for (double h = 0.1; h < 1; h *= 2) {
+        const double x = fmin(h, a), corners = 0.17 * mu * (length / a - 1) * pow(lambda * x, 2) / (radius * pow(a, 3));
+        p.room = NAN;
+        const double one_side = mesh_error(&p, h);
+        p.room = 0;
+        check_share(mesh_error(&p, h) - one_side, corners, 1e-9);
+        p.room = x * x / (8 * radius); /* as high as the corners stand */
+        check_share(mesh_error(&p, h) - one_side, corners / 2, 1e-9);
+    }
+}
+
+/* The spacing round a bend that has no row of its own: rollers every 2 m, none or one in it, or a wheel. */
+static void neighbours_say_the_spacing(void **state)
+{
+    (void)state;
+    const char *const route = "route: {head_at: 20 m, pieces: [{straight: 24 m}]}";
+    static const struct {
+        const char *bend, *radius;
+        double pitch;
+    } kind[] = {{"10.5 m", "60 mm", 2}, {"9.8 m", "60 mm", 2}, {"9.8 m", "1.3 m", 0}};
+    for (int k = 0; k < 3; ++k) {
+        char text[200];
+        SceneDef def;
+        snprintf(text, sizeof text,
+                 "route: {head_at: 20 m, pieces: [{straight: %s}, {bend: 10 deg, radius: 2.3 m, plane: up}, {straight: "
+                 "13 m}]}",
+                 kind[k].bend);
+        Mesh mesh = mesh_of(data_with("trust", route, text), "rollers.along.radius", kind[k].radius, &def);
+        assert_int_equal(mesh.n, 1);
+        check_close(mesh.place[0].pitch, kind[k].pitch, 1e-9);
+        assert_int_equal(mesh.place[0].wrapped > 0, kind[k].pitch <= 0);
+        mesh_free(&mesh);
+        scene_def_clear(&def);
+    }
+}
+
+/* Shares of a place's tension are shares of the pull in the ratio of the two, at most themselves (EB6). */
+static void shares_of_a_larger_pull_are_less(void **state)
+{
+    (void)state;
+    SceneDef def;
+    int worst;
+    Mesh mesh = mesh_of(data_text("trust-duct"), NULL, NULL, &def);
+    const double there = mesh.place[0].tension, full = mesh_given(&mesh, &def, 0, &worst);
+    assert_int_equal(mesh.n, 1);
+    check_above(full, 0);
+    check_share(mesh_given(&mesh, &def, there / 2, &worst), full, 1e-12);
+    check_share(mesh_given(&mesh, &def, 4 * there, &worst), full / 4, 1e-12);
+    mesh_free(&mesh);
+    scene_def_clear(&def);
+}
+
 /* A long cable through one tight bend has no more segments than it may, and is not trusted for it. */
 static void there_is_an_end_to_it(void **state)
 {
@@ -173,9 +248,11 @@ static void strain_within_a_segment(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(long_segments_jam),       cmocka_unit_test(errors_rise_with_length),
-        cmocka_unit_test(check_says_who_asks),     cmocka_unit_test(smooth_places_are_of_second_order),
-        cmocka_unit_test(strain_within_a_segment), cmocka_unit_test(there_is_an_end_to_it),
+        cmocka_unit_test(long_segments_jam),          cmocka_unit_test(errors_rise_with_length),
+        cmocka_unit_test(check_says_who_asks),        cmocka_unit_test(smooth_places_are_of_second_order),
+        cmocka_unit_test(strain_within_a_segment),    cmocka_unit_test(there_is_an_end_to_it),
+        cmocka_unit_test(a_short_bend_is_a_turn),     cmocka_unit_test(pairs_bend_stiff_cables),
+        cmocka_unit_test(neighbours_say_the_spacing), cmocka_unit_test(shares_of_a_larger_pull_are_less),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
