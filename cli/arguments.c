@@ -314,7 +314,10 @@ int arguments_parse(const Command *command, int argc, char **argv, Arguments *ar
     memset(args, 0, sizeof *args);
     args->route = hawser_route_defaults();
     args->settings = calloc((size_t)argc + 1, sizeof *args->settings);
-    if (!args->settings) return EXIT_INTERNAL;
+    if (!args->settings) {
+        complain("out of memory");
+        return EXIT_INTERNAL;
+    }
     select_options(command, list, letters);
     opterr = 0;
     int letter, result = ARGUMENTS_GO_ON;

@@ -4,14 +4,15 @@
 
 #include "hawser/hawser.h"
 
-/* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 5, 130. */
+/* Exit statuses beside those of hawser_status that mean the same: 0, 2, 3, 4, 5. */
 enum {
     EXIT_NOT_HELD = 1,
     EXIT_USAGE = 2,
     EXIT_OUTPUT = 4,
     EXIT_INTERNAL = 5,
     EXIT_NOT_TRUSTED = 6,
-    EXIT_NOT_CERTIFIED = 7
+    EXIT_NOT_CERTIFIED = 7,
+    EXIT_INTERRUPTED = 130
 };
 /* What arguments_parse returns when the command is to go on. */
 enum { ARGUMENTS_GO_ON = -1 };

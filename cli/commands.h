@@ -28,6 +28,12 @@ void progress_certify(Progress *p, const hawser_certify_state *state);
 /* Clears the live line. */
 void progress_end(Progress *p);
 
+/* From now on SIGINT, SIGTERM and SIGHUP ask for an orderly end, and standard output or error that nobody reads any
+ * more is a write that fails. If interrupt_wanted is not called within half a second of the signal, the program ends.
+ */
+void interrupt_watch(void);
+int interrupt_wanted(void);
+
 /* What is about to be run: the case, with --verbose its counts. */
 void report_scene(const hawser_sim *s, const Arguments *args);
 /* The answer, then pull, machines, events, rollers, limits; with --verbose work and where the time went. `dir`: where

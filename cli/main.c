@@ -76,7 +76,9 @@ static int take_descriptors(void)
  * script that forgot its arguments did something wrong. */
 int main(int argc, char **argv)
 {
+    static char room[BUFSIZ]; /* without a buffer of its own standard output drops what it is given */
     if (!take_descriptors()) return EXIT_INTERNAL;
+    setvbuf(stdout, room, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, sizeof room);
     if (argc < 2) {
         print_usage(stderr);
         return EXIT_USAGE;

@@ -2,7 +2,6 @@
  * end on Ctrl-C, a report, an exit status. */
 #include "cli/commands.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,32 +34,13 @@ static const char help[] =
     "Exit status: 0 finished; 1 finished but not safe, 6 not to be trusted, 7 not certified (--strict alone); 2 the "
     "case\n"
     "or the command line is wrong; 3 the integration failed; 4 results could not be written; 5 no memory; 130\n"
-    "interrupted. With 3 and 130, what was computed until then is in DIR.\n";
-
-/* Set by a signal: the only thing that a handler may touch. */
-static volatile sig_atomic_t interrupted;
-
-/* The first signal ends the run at its next step, a second one at once. */
-static void on_signal(int number)
-{
-    interrupted = 1;
-    signal(number, SIG_DFL);
-}
-
-/* Both ask for the same: to end with what there is. Installed only when the run is about to start. */
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
+    "interrupted (SIGINT, SIGTERM, SIGHUP). With 3 and 130, what was computed until then is in DIR.\n";
 
 /* Called by the library a few times a second: the place where a signal is noticed. */
 static int show_progress(void *user, const hawser_sample *sample, double wall_s, double end_s)
 {
     progress_show(user, sample, wall_s, end_s);
-    return interrupted;
+    return interrupt_wanted();
 }
 
 /* "results/NAME" of "some/where/NAME.yaml"; the caller frees it. */
@@ -94,8 +74,6 @@ static hawser_status build_sim(const Arguments *args, hawser_case **c, hawser_si
     return status;
 }
 
-static int was_interrupted(void) { return interrupted; }
-
 /* --strict: the exit status of the limits, and a word on standard error, where a script with --quiet finds it. */
 static int strict_verdict(hawser_sim *sim)
 {
@@ -119,7 +97,7 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
     if (!args->quiet && kept) report_run(sim, args, dir);
     fflush(stdout);
     int certified = 1;
-    if (args->certify && !status) certified = certify_run(args, c, sim, dir, was_interrupted, err, &status);
+    if (args->certify && !status) certified = certify_run(args, c, sim, dir, interrupt_wanted, err, &status);
     int result = args->strict && !status ? strict_verdict(sim) : 0;
     if (!result && args->strict && !certified) result = EXIT_NOT_CERTIFIED;
     return finish_stdout(status ? exit_status(status, err) : result);
@@ -140,10 +118,11 @@ static int run(const Arguments *args)
     char *made = args->dir ? NULL : default_dir(args->case_path);
     const char *dir = args->dir ? args->dir : made;
     int result = EXIT_INTERNAL;
+    if (!dir) complain("out of memory");
     if (dir) {
         if (!args->quiet) report_scene(sim, args);
         fflush(stdout);
-        catch_signals();
+        interrupt_watch();
         progress_start(&progress, args->quiet);
         status = hawser_sim_run(sim, dir, show_progress, &progress, &err);
         progress_end(&progress);

@@ -27,9 +27,8 @@ build=build/fuzz
 mkdir -p $build/found
 $build/tests/fuzz/fuzz_dictionary >$build/case.dict
 ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1
-LSAN_OPTIONS=suppressions=tests/fuzz/leaks.txt:print_suppressions=0 # libraries' own
 UBSAN_OPTIONS=print_stacktrace=1
-export ASAN_OPTIONS LSAN_OPTIONS UBSAN_OPTIONS
+export ASAN_OPTIONS UBSAN_OPTIONS
 status=0
 for target in "$@"; do
     mkdir -p $build/corpus/"$target"

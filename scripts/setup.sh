@@ -8,7 +8,7 @@
 set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
-    libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libudunits2-dev libjansson-dev libhdf5-dev
+    libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev
     libcmocka-dev liblapacke-dev python3 python3-matplotlib valgrind"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"

@@ -1,5 +1,7 @@
 #include "survey/alignment.h"
 
+#include "core/base/error.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,6 +29,7 @@ static void *one_more(void *array, int *n, size_t size)
 static void name_set(char name[SURVEY_NAME_MAX], const char *text)
 {
     snprintf(name, SURVEY_NAME_MAX, "%s", text ? text : "");
+    text_make_printable(name);
 }
 
 Alignment *survey_add(Survey *s, const char *name)

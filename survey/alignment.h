@@ -102,7 +102,8 @@ AlignmentMeasure alignment_measure(const Alignment *a);
 
 /* Turns the alignment around, so that it begins where it ended. */
 void alignment_reverse(Alignment *a);
-/* Leaves the part between two places, m in plan from its start. Errors: INPUT (not on it, or nothing between), MEMORY. */
+/* Leaves the part between two places, m in plan from its start. Errors: INPUT (not on it, or nothing between), MEMORY.
+ */
 hawser_status alignment_cut(Alignment *a, double from, double to, hawser_error *err);
 /* Lets every element begin where the one before ended, with its heading, from the first one's start. */
 void alignment_chain(Alignment *a);

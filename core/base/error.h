@@ -9,6 +9,10 @@
 hawser_status error_set(hawser_error *err, hawser_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* What a file brings into a message must not command a terminal: control characters, of UTF-8 too (C2 80 to C2 9F),
+ * become question marks. Returns how many did. */
+int text_make_printable(char *text);
+
 /* Out of memory, said the same way everywhere. */
 static inline hawser_status error_memory(hawser_error *err)
 {

@@ -154,20 +154,25 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     return status;
 }
 
-/* The tables and the summary, whatever the outcome. */
-static hawser_status finish_results(Run *run, hawser_error *err)
+/* The tables, whatever the outcome. */
+static hawser_status finish_tables(Run *run, hawser_error *err)
 {
     hawser_sim *s = run->s;
     ResultsTables tables = {0};
-    char *summary;
-    hawser_status status = hawser_sim_summary_json(s, &summary, err);
-    if (status) return status;
     tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
     tables.segments = run->look->segments;
-    tables.summary = summary;
-    status = results_finish(run->results, &tables, err);
+    return results_finish(run->results, &tables, err);
+}
+
+/* After the tables: it says how they went, too. */
+static hawser_status finish_summary(Run *run, hawser_error *err)
+{
+    char *summary;
+    hawser_status status = hawser_sim_summary_json(run->s, &summary, err);
+    if (status) return status;
+    status = results_summary(run->results, summary, err);
     hawser_text_free(summary);
     return status;
 }
@@ -194,8 +199,16 @@ static hawser_status settle(hawser_sim *s, hawser_status status, hawser_error *e
     return status;
 }
 
-/* Folder, steps, tables: the tables are written whatever ended the steps. The first error counts, except that a result
- * that could not be written is worse than a stop, which was the caller's wish. */
+/* What could not be written weighs more than a stop, which was the caller's wish, and less than what ended the run. */
+static hawser_status weigh(hawser_sim *s, hawser_status status, hawser_status written, const hawser_error *late,
+                           hawser_error *err)
+{
+    if (!written || (status && status != HAWSER_STOPPED)) return status;
+    *err = *late;
+    return settle(s, written, err);
+}
+
+/* Folder, steps, tables: the tables are written whatever ended the steps. The first error counts. */
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
     hawser_error local = {HAWSER_OK, ""}, late = {HAWSER_OK, ""};
@@ -214,15 +227,15 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
     if (status) return settle(s, status, e);
     status = run_steps(&run, e);
     hawser_status written = write_last(&run, &late);
-    settle(s, status ? status : written, status ? e : &late);
+    settle(s, status, e);
     if (run.results) {
-        const hawser_status finished = finish_results(&run, written ? NULL : &late);
+        const hawser_status finished = finish_tables(&run, written ? NULL : &late);
         if (!written) written = finished;
-        results_free(run.results);
     }
-    if (written && (!status || status == HAWSER_STOPPED)) {
-        *e = late;
-        return settle(s, written, e);
+    status = weigh(s, status, written, &late, e);
+    if (run.results) {
+        status = weigh(s, status, finish_summary(&run, &late), &late, e);
+        results_free(run.results);
     }
     return status;
 }

@@ -70,7 +70,10 @@ hawser_status library_ship(Library *library, hawser_error *err)
     if (!folder) return error_set(err, HAWSER_ERR_INPUT, "the catalogue was not found: %s", looked);
     const int n = scandir(folder, &file, is_yaml, alphasort);
     hawser_status status = HAWSER_OK;
-    if (n <= 0) status = error_set(err, HAWSER_ERR_INPUT, "%s: no files of a catalogue (*.yaml)", folder);
+    if (n < 0 && errno == ENOMEM)
+        status = error_memory(err);
+    else if (n <= 0)
+        status = error_set(err, HAWSER_ERR_INPUT, "%s: no files of a catalogue (*.yaml)", folder);
     for (int i = 0; i < n; i++) {
         snprintf(path, sizeof path, "%s/%s", folder, file[i]->d_name);
         if (!status) status = library_read(library, path, 1, NULL, err);

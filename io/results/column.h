@@ -119,6 +119,9 @@ typedef struct Document {
     const char *answer; /* for people, below the title and above all figures: whole lines; NULL: none */
 } Document;
 
+/* JSON as text, malloc'ed; NULL without memory. */
+struct json_t;
+char *json_text(const struct json_t *o);
 /* A document as text for people. */
 void document_print(FILE *f, const Document *doc, hawser_units units);
 /* The text in a format; malloc'ed. Errors: MEMORY. */

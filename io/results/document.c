@@ -1,5 +1,6 @@
 /* One content, three forms. Facts become lines, a JSON object or rows of key, value, unit; tables become columns
  * (page.c), lists of objects or CSV. */
+#define _GNU_SOURCE /* fopencookie */
 #include "io/results/column.h"
 
 #include "core/base/error.h"
@@ -39,18 +40,28 @@ static Cell cell_at(const Table *t, int row, int column)
     return column_cell(&t->columns.column[column], (const char *)t->rows + (size_t)row * t->columns.size);
 }
 
-/* RFC 4180: texts in quotes where they need them. Readers of CSV disagree about "nan"; an empty cell is understood by
- * all. */
+/* Text of a case must command no spreadsheet and no terminal: what a spreadsheet would take for a formula begins with
+ * an apostrophe, which it does not show, and control characters are question marks. RFC 4180: quotes where they are
+ * needed. */
+static void csv_text(FILE *f, const char *text)
+{
+    const int formula = text[0] && strchr("=+-@", text[0]), quoted = strpbrk(text, ",\"") != NULL;
+    if (quoted) fputc('"', f);
+    if (formula) fputc('\'', f);
+    for (const unsigned char *p = (const unsigned char *)text; *p; p++) {
+        if (*p == '"') fputc('"', f);
+        fputc(*p < ' ' || *p == 0x7F ? '?' : *p, f);
+    }
+    if (quoted) fputc('"', f);
+}
+
+/* Readers of CSV disagree about "nan"; an empty cell is understood by all. */
 void csv_cell(FILE *f, Cell cell, int digits)
 {
-    if (!cell.text) {
-        if (isfinite(cell.value)) fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
-        return;
-    }
-    const int quoted = strpbrk(cell.text, ",\"\r\n") != NULL;
-    if (quoted) fputc('"', f);
-    for (const char *p = cell.text; *p; p++) fprintf(f, *p == '"' ? "\"%c" : "%c", *p);
-    if (quoted) fputc('"', f);
+    if (cell.text)
+        csv_text(f, cell.text);
+    else if (isfinite(cell.value))
+        fprintf(f, "%.*g", digits > 0 ? digits : 9, cell.value);
 }
 
 /* Keys in the first row, then the rows. */
@@ -78,70 +89,124 @@ static void print_csv_facts(FILE *f, const Document *doc)
     }
 }
 
-/* Text that is not UTF-8 becomes null, like a number that is not finite. */
+/* Text that is not UTF-8 becomes null, like a number that is not finite; NULL without memory. Where there was none for
+ * a text there is none a moment later. */
 static json_t *json_cell(Cell cell)
 {
-    json_t *value = cell.text ? json_string(cell.text) : isfinite(cell.value) ? json_real(cell.value) : NULL;
-    return value ? value : json_null();
+    if (!cell.text) return isfinite(cell.value) ? json_real(cell.value) : json_null();
+    json_t *text = json_string(cell.text);
+    if (!text) text = json_string(cell.text);
+    return text ? text : json_null();
 }
 
-/* A table is a list of objects, one a row. */
+/* A text that grows. What there was no memory for is remembered: open_memstream and json_dumps leave it out without a
+ * word. */
+typedef struct Growing {
+    char *text; /* malloc'ed, with a NUL behind it; NULL: nothing yet */
+    size_t size;
+    int bad;
+} Growing;
+
+static ssize_t grow(void *growing, const char *more, size_t n)
+{
+    Growing *const g = growing;
+    char *const text = g->bad ? NULL : realloc(g->text, g->size + n + 1);
+    if (!text) {
+        g->bad = 1;
+        return 0;
+    }
+    memcpy(text + g->size, more, n);
+    g->text = text;
+    g->size += n;
+    text[g->size] = 0;
+    return (ssize_t)n;
+}
+
+static int grow_json(const char *more, size_t n, void *growing)
+{
+    return grow(growing, more, n) == (ssize_t)n ? 0 : -1;
+}
+
+/* The text, if it is whole. */
+static char *grown(Growing *g)
+{
+    if (!g->bad && g->text) return g->text;
+    free(g->text);
+    return NULL;
+}
+
+char *json_text(const struct json_t *o)
+{
+    Growing g = {0};
+    g.bad |= json_dump_callback(o, grow_json, &g, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) != 0;
+    return grown(&g);
+}
+
+/* A table is a list of objects, one a row; NULL without memory. */
 static json_t *json_table(const Table *t)
 {
-    json_t *rows = json_array();
-    for (int r = 0; r < t->n; r++) {
-        json_t *row = json_object();
-        for (int c = 0; c < t->columns.n; c++) {
-            json_object_set_new(row, t->columns.column[c].key, json_cell(cell_at(t, r, c)));
+    json_t *const rows = json_array();
+    int bad = !rows;
+    for (int r = 0; r < t->n && !bad; r++) {
+        json_t *const row = json_object();
+        bad = !row;
+        for (int c = 0; c < t->columns.n && !bad; c++) {
+            bad = json_object_set_new(row, t->columns.column[c].key, json_cell(cell_at(t, r, c)));
         }
-        json_array_append_new(rows, row);
+        bad |= json_array_append_new(rows, row);
     }
-    return rows;
+    if (!bad) return rows;
+    json_decref(rows);
+    return NULL;
 }
 
 /* The whole document as text, NULL without memory. */
 static char *json_document(const Document *doc)
 {
-    json_t *o = json_object();
-    json_object_set_new(o, "title", json_cell(cell_text(doc->title)));
-    for (int i = 0; i < doc->n_facts; i++) json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
-    for (int i = 0; i < doc->n_tables; i++) json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
-    char *body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
+    json_t *const o = json_object();
+    int bad = !o || json_object_set_new(o, "title", json_cell(cell_text(doc->title)));
+    for (int i = 0; i < doc->n_facts && !bad; i++) {
+        bad = json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
+    }
+    for (int i = 0; i < doc->n_tables && !bad; i++) {
+        bad = json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
+    }
+    char *const body = bad ? NULL : json_text(o);
     json_decref(o);
     return body;
 }
 
-/* The same content in each form; CSV can hold one table only. */
-static void print_document(FILE *f, const Document *doc, hawser_format format)
+/* The same content in each form; CSV can hold one table only. 0 without memory. */
+static int print_document(FILE *f, const Document *doc, hawser_format format)
 {
     if (format == HAWSER_CSV) {
         if (doc->csv) print_csv_table(f, doc->csv);
         if (!doc->csv) print_csv_facts(f, doc);
     } else if (format == HAWSER_JSON) {
-        char *body = json_document(doc);
-        if (body) fprintf(f, "%s\n", body);
+        char *const body = json_document(doc);
+        if (!body) return 0;
+        fprintf(f, "%s\n", body);
         free(body);
     } else {
         document_print(f, doc, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI);
     }
+    return !ferror(f);
 }
 
 /* Written under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
 hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err)
 {
-    size_t size = 0;
-    *text = NULL;
+    Growing g = {0};
     const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    FILE *f = c ? open_memstream(text, &size) : NULL;
+    FILE *const f = c ? fopencookie(&g, "w", (cookie_io_functions_t){.write = grow}) : NULL;
+    g.bad = !f;
     if (f) {
         const locale_t before = uselocale(c);
-        print_document(f, doc, format);
+        const int whole = print_document(f, doc, format);
         uselocale(before);
-        fclose(f);
+        g.bad |= fclose(f) || !whole;
     }
     if (c) freelocale(c);
-    if (*text && size > 0) return HAWSER_OK;
-    free(*text);
-    *text = NULL;
-    return error_memory(err);
+    *text = grown(&g);
+    return *text ? HAWSER_OK : error_memory(err);
 }

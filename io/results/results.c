@@ -38,15 +38,25 @@ struct Results {
     double last_flush;
 };
 
-/* A file of one text, written and closed. */
+/* A file of one text: beside its name first, so that what stands under the name is whole at any time. */
 static hawser_status write_whole(const char *dir, const char *name, const char *text, hawser_error *err)
 {
     OutFile out;
-    hawser_status status = out_open(&out, dir, name, err);
+    char part[64], path[OUT_PATH_MAX];
+    snprintf(part, sizeof part, "%s.part", name);
+    hawser_status status = out_join(path, dir, name, err);
     if (status) return status;
+    status = out_open(&out, dir, part, err);
+    if (status) {
+        unlink(out.path);
+        return status;
+    }
     status = out_print(&out, err, "%s", text);
     const hawser_status closed = out_close(&out, status ? NULL : err);
-    return status ? status : closed;
+    if (!status) status = closed;
+    if (!status && rename(out.path, path)) status = out_error(path, errno, err);
+    if (status) unlink(out.path);
+    return status;
 }
 
 /* Both files or none: one is of no use without the other. */
@@ -179,8 +189,12 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
         keep_first(&s, out_close(&r->tables[k], s ? NULL : err));
     }
     keep_first(&s, write_modes(r, t, s ? NULL : err));
-    keep_first(&s, write_whole(r->dir, "summary.json", t->summary, s ? NULL : err));
     return s;
+}
+
+hawser_status results_summary(Results *r, const char *summary, hawser_error *err)
+{
+    return write_whole(r->dir, "summary.json", summary, err);
 }
 
 /* After results_finish only memory is left to free; without it, everything is closed as it stands. */

@@ -16,7 +16,6 @@ typedef struct ResultsTables {
     const hawser_roller *roller; /* [n_rollers] */
     int n_modes, segments;
     const hawser_mode *mode; /* [n_modes], of `segments` segments; none: no modes.csv */
-    const char *summary;     /* the text of summary.json */
 } ResultsTables;
 
 /* Makes the folder and opens all its files, so that what cannot be written shows before anything is computed.
@@ -31,8 +30,10 @@ hawser_status results_state(Results *r, const hawser_sample *sample, hawser_erro
  * OUTPUT. */
 hawser_status results_tick(Results *r, hawser_error *err);
 /* Writes the tables and closes everything; what can still be written is, and the first error is returned.
- * Only results_free may follow. Errors: OUTPUT. */
+ * Only the summary may follow. Errors: OUTPUT. */
 hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_error *err);
+/* summary.json for good: whole, or what stood there before. Errors: OUTPUT, MEMORY. */
+hawser_status results_summary(Results *r, const char *summary, hawser_error *err);
 Results *results_free(Results *r);
 
 #endif

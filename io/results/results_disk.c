@@ -1,5 +1,12 @@
-/* The driver does what HDF5's own POSIX driver does, with pread and pwrite, but for two things: it takes no lock, and a
- * write that fails is remembered instead of returned. */
+/* The driver does what HDF5's own POSIX driver does, with pread and pwrite, but for three things: it takes no lock, a
+ * write that fails is remembered instead of returned, and what the last flush left on disk stays as it is until the
+ * next one.
+ *
+ * HDF5 writes its metadata when its caches have no room, in any order, and uses the place of what has moved again: a
+ * program that is killed between two flushes would leave a file that points nowhere. So everything below `kept`, the
+ * size at the last flush, is changed in memory only, page by page. Above it nothing is pointed to yet, and is written
+ * at once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
+ * superblock, which is at 0, comes at the very end. What is left is a kill within these few writes, of a page each. */
 #include "io/results/results_disk.h"
 
 #include <errno.h>
@@ -14,11 +21,22 @@ typedef struct DiskInfo {
     int *error;
 } DiskInfo;
 
+enum { PAGE = 4096 };
+
+/* What is to be bytes number*PAGE and on of the file. */
+typedef struct DiskPage {
+    haddr_t number;
+    char *bytes; /* [PAGE], owned */
+} DiskPage;
+
 typedef struct DiskFile {
     H5FD_t base; /* HDF5's part, first */
     int fd;
     int *error;
     haddr_t allocated, size; /* bytes that HDF5 uses, bytes there */
+    haddr_t kept;            /* bytes that are as the last flush left them */
+    DiskPage *page;          /* [pages] of them that have changed since, in the file's order; room for page_room */
+    size_t pages, page_room;
     dev_t device;
     ino_t inode;
 } DiskFile;
@@ -53,15 +71,6 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     f->device = state.st_dev;
     f->inode = state.st_ino;
     return &f->base;
-}
-
-/* HDF5 gives the file up whatever is returned, so a failed close is kept as an error, too. */
-static herr_t disk_close(H5FD_t *file)
-{
-    DiskFile *f = (DiskFile *)file;
-    if (close(f->fd)) keep_error(f);
-    free(f);
-    return 0;
 }
 
 /* Orders files by identity, so that HDF5 notices one that is opened twice. */
@@ -103,54 +112,154 @@ static haddr_t disk_get_size(const H5FD_t *file, H5FD_mem_t type)
     return ((const DiskFile *)file)->size;
 }
 
-/* Bytes beyond the file's end read as zeros. */
-static herr_t disk_read(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, void *buffer)
+/* Bytes from the disk; beyond the file's end they are zeros. 0: none of it. */
+static int read_all(const DiskFile *f, haddr_t at, size_t size, char *p)
 {
-    const DiskFile *f = (const DiskFile *)file;
-    char *p = buffer;
-    (void)type, (void)transfer;
     while (size > 0) {
         const ssize_t n = pread(f->fd, p, size, (off_t)at);
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return -1;
+        if (n < 0) return 0;
         if (n == 0) {
             memset(p, 0, size);
-            return 0;
+            return 1;
         }
         p += n, at += (haddr_t)n, size -= (size_t)n;
     }
-    return 0;
+    return 1;
 }
 
-/* After an error nothing is written any more: metadata must not point to data that did not get out. */
-static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, const void *buffer)
+/* Bytes to the disk. After an error nothing is written any more: metadata must not point to data that did not get out.
+ */
+static void write_all(DiskFile *f, haddr_t at, size_t size, const char *p)
 {
-    DiskFile *f = (DiskFile *)file;
-    const char *p = buffer;
-    (void)type, (void)transfer;
     while (size > 0 && !*f->error) {
         errno = 0;
         const ssize_t n = pwrite(f->fd, p, size, (off_t)at);
         if (n < 0 && errno == EINTR) continue;
         if (n <= 0) {
             keep_error(f);
-            break;
+            return;
         }
         p += n, at += (haddr_t)n, size -= (size_t)n;
     }
-    if (at > f->size) f->size = at;
+}
+
+/* The first changed page with that number or a higher one; f->pages if there is none. */
+static size_t page_find(const DiskFile *f, haddr_t number)
+{
+    size_t low = 0, high = f->pages;
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (f->page[middle].number < number)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* A page that is about to change, with what it holds until then; NULL without memory or if it cannot be read. */
+static char *page_take(DiskFile *f, haddr_t number)
+{
+    const size_t k = page_find(f, number);
+    if (k < f->pages && f->page[k].number == number) return f->page[k].bytes;
+    if (f->pages == f->page_room) {
+        const size_t room = 2 * f->page_room + 16;
+        DiskPage *more = realloc(f->page, room * sizeof *more);
+        if (!more) return NULL;
+        f->page = more, f->page_room = room;
+    }
+    char *bytes = malloc(PAGE);
+    if (!bytes || !read_all(f, number * PAGE, PAGE, bytes)) {
+        free(bytes);
+        return NULL;
+    }
+    memmove(f->page + k + 1, f->page + k, (f->pages - k) * sizeof *f->page);
+    f->page[k] = (DiskPage){number, bytes};
+    f->pages++;
+    return bytes;
+}
+
+/* What the disk has, and over it what has changed since. */
+static herr_t disk_read(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, void *buffer)
+{
+    const DiskFile *f = (const DiskFile *)file;
+    char *to = buffer;
+    (void)type, (void)transfer;
+    if (!read_all(f, at, size, to)) return -1;
+    for (size_t k = page_find(f, at / PAGE); k < f->pages && f->page[k].number * PAGE < at + size; k++) {
+        const haddr_t page = f->page[k].number * PAGE, first = page > at ? page : at;
+        const haddr_t page_end = page + PAGE < f->kept ? page + PAGE : f->kept;
+        const haddr_t last = page_end < at + size ? page_end : at + size;
+        if (first < last) memcpy(to + (first - at), f->page[k].bytes + (first - page), last - first);
+    }
     return 0;
 }
 
-/* Makes the file as long as what HDF5 uses of it. */
+/* Below `kept` into pages, above it to the disk. */
+static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t at, size_t size, const void *buffer)
+{
+    DiskFile *f = (DiskFile *)file;
+    const char *from = buffer;
+    (void)type, (void)transfer;
+    while (size > 0 && at < f->kept && !*f->error) {
+        const haddr_t offset = at % PAGE, room = PAGE - offset < f->kept - at ? PAGE - offset : f->kept - at;
+        const size_t n = size < room ? size : room;
+        errno = 0;
+        char *const bytes = page_take(f, at / PAGE);
+        if (bytes)
+            memcpy(bytes + offset, from, n);
+        else
+            keep_error(f);
+        from += n, at += n, size -= n;
+    }
+    write_all(f, at, size, from);
+    if (at + size > f->size) f->size = at + size;
+    return 0;
+}
+
+/* Makes the file as long as what HDF5 uses of it. What is cut off is not part of what the last flush left: only a file
+ * that shrinks below that waits for the flush. */
+static void fit_size(DiskFile *f)
+{
+    if (*f->error || f->allocated == f->size) return;
+    errno = 0;
+    if (ftruncate(f->fd, (off_t)f->allocated)) keep_error(f);
+    f->size = f->allocated;
+}
+
 static herr_t disk_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
 {
     DiskFile *f = (DiskFile *)file;
     (void)transfer, (void)closing;
-    if (*f->error || f->allocated == f->size) return 0;
-    errno = 0;
-    if (ftruncate(f->fd, (off_t)f->allocated)) keep_error(f);
-    f->size = f->allocated;
+    if (f->allocated >= f->kept) fit_size(f);
+    return 0;
+}
+
+/* The moment at which the file becomes the next one: see above. */
+static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
+{
+    DiskFile *f = (DiskFile *)file;
+    (void)transfer, (void)closing;
+    for (size_t k = f->pages; k-- > 0;) {
+        const haddr_t at = f->page[k].number * PAGE;
+        write_all(f, at, at + PAGE < f->kept ? PAGE : (size_t)(f->kept - at), f->page[k].bytes);
+        free(f->page[k].bytes);
+    }
+    f->pages = 0;
+    fit_size(f);
+    f->kept = f->size;
+    return 0;
+}
+
+/* HDF5 gives the file up whatever is returned, so a failed close is kept as an error, too. */
+static herr_t disk_close(H5FD_t *file)
+{
+    DiskFile *f = (DiskFile *)file;
+    disk_flush(file, H5P_DEFAULT, 1);
+    if (close(f->fd)) keep_error(f);
+    free(f->page);
+    free(f);
     return 0;
 }
 
@@ -170,6 +279,7 @@ hid_t disk_driver_use(hid_t access, int *error)
                                  .get_eof = disk_get_size,
                                  .read = disk_read,
                                  .write = disk_write,
+                                 .flush = disk_flush,
                                  .truncate = disk_truncate,
                                  .fl_map = H5FD_FLMAP_DICHOTOMY};
     const DiskInfo info = {error};

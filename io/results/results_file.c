@@ -1,5 +1,6 @@
 /* Text output with nothing left to chance: paths that are too long, folders that are files, disks that fill up, locales
  * with decimal commas. The system's reason is always passed on. */
+#define _GNU_SOURCE /* fopencookie */
 #include "io/results/results_file.h"
 
 #include "core/base/error.h"
@@ -8,10 +9,15 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
+#include <stdio_ext.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+/* Of a file, bytes: more than any row, and than the states that results.xdmf takes at once. */
+enum { BUFFER = 1 << 17 };
 
 /* One form for every file, so that a user always learns the same three things: what, where, why. */
 hawser_status out_error(const char *path, int number, hawser_error *err)
@@ -68,6 +74,55 @@ hawser_status out_join(char *path, const char *dir, const char *name, hawser_err
     return n < OUT_PATH_MAX ? HAWSER_OK : out_error(dir, ENAMETOOLONG, err);
 }
 
+static int fd_of(void *cookie) { return (int)(size_t)cookie - 1; }
+
+/* All of it, unlike stdio's own, whose error at an interruption cannot be told from a loss. */
+static ssize_t stream_write(void *cookie, const char *from, size_t size)
+{
+    size_t done = 0;
+    while (done < size) {
+        const ssize_t n = write(fd_of(cookie), from + done, size - done);
+        if (n < 0 && errno != EINTR) return (ssize_t)done;
+        if (n > 0) done += (size_t)n;
+    }
+    return (ssize_t)done;
+}
+
+static int stream_seek(void *cookie, off64_t *offset, int whence)
+{
+    const off_t to = lseek(fd_of(cookie), *offset, whence);
+    if (to >= 0) *offset = to;
+    return to >= 0 ? 0 : -1;
+}
+
+static int stream_close(void *cookie) { return close(fd_of(cookie)); }
+
+/* A stream for writing, with a buffer; NULL with errno. */
+static FILE *stream_open(const char *path, char *buffer)
+{
+    const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) return NULL;
+    FILE *const f =
+        fopencookie((void *)((size_t)fd + 1), "w",
+                    (cookie_io_functions_t){.write = stream_write, .seek = stream_seek, .close = stream_close});
+    if (f) setvbuf(f, buffer, _IOFBF, BUFFER);
+    if (!f) close(fd);
+    return f;
+}
+
+/* Gives up what out_open made; returns errno's value of a close that failed. */
+static int out_release(OutFile *out)
+{
+    errno = 0;
+    const int number = out->f && fclose(out->f) ? errno ? errno : EIO : 0;
+    if (out->c) freelocale(out->c);
+    free(out->buffer);
+    out->f = NULL;
+    out->buffer = NULL;
+    out->c = (locale_t)0;
+    return number;
+}
+
 /* The locale is made for each file: there is no place for a shared one. */
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
 {
@@ -75,13 +130,14 @@ hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_e
     const hawser_status status = out_join(out->path, dir, name, err);
     if (status) return status;
     out->c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (!out->c) return error_memory(err);
-    out->f = fopen(out->path, "w");
+    out->buffer = malloc(BUFFER);
+    const int room = out->c && out->buffer;
+    errno = 0;
+    out->f = room ? stream_open(out->path, out->buffer) : NULL;
     if (out->f) return HAWSER_OK;
     const int number = errno;
-    freelocale(out->c);
-    out->c = (locale_t)0;
-    return out_error(out->path, number, err);
+    out_release(out);
+    return !room || number == ENOMEM ? error_memory(err) : out_error(out->path, number, err);
 }
 
 /* The locale is the thread's, and only for the duration of the call. */
@@ -108,6 +164,12 @@ hawser_status out_cell(OutFile *out, const char *separator, Cell cell, int digit
     return ferror(out->f) ? out_error(out->path, errno, err) : HAWSER_OK;
 }
 
+hawser_status out_end_row(OutFile *out, hawser_error *err)
+{
+    const hawser_status status = out_print(out, err, "\n");
+    return !status && __fpending(out->f) > BUFFER / 2 ? out_flush(out, err) : status;
+}
+
 /* As far as the system's cache: it survives the program, not the machine. */
 hawser_status out_flush(OutFile *out, hawser_error *err)
 {
@@ -121,12 +183,6 @@ hawser_status out_flush(OutFile *out, hawser_error *err)
 hawser_status out_close(OutFile *out, hawser_error *err)
 {
     if (!out->f) return HAWSER_OK;
-    errno = 0;
-    const int bad = ferror(out->f);
-    const int closed = fclose(out->f);
-    const int number = errno;
-    freelocale(out->c);
-    out->f = NULL;
-    out->c = (locale_t)0;
-    return bad || closed ? out_error(out->path, number, err) : HAWSER_OK;
+    const int bad = ferror(out->f), number = out_release(out);
+    return bad || number ? out_error(out->path, number, err) : HAWSER_OK;
 }

@@ -17,7 +17,8 @@ enum { OUT_PATH_MAX = 4096 };
  * calling program. */
 typedef struct OutFile {
     FILE *f;
-    locale_t c; /* the "C" locale */
+    char *buffer; /* owned: what waits for a flush */
+    locale_t c;   /* the "C" locale */
     char path[OUT_PATH_MAX];
 } OutFile;
 
@@ -38,6 +39,8 @@ hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_e
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* A separator and a cell of CSV. */
 hawser_status out_cell(OutFile *out, const char *separator, Cell cell, int digits, hawser_error *err);
+/* Ends a row. Where much waits it is handed to the system, so that a file whose program is killed ends with a row. */
+hawser_status out_end_row(OutFile *out, hawser_error *err);
 /* Hands everything to the system. Errors: OUTPUT. */
 hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */

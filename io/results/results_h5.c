@@ -17,8 +17,8 @@ enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 static const double deflate_above = 32e6;
 
 struct H5File {
-    hid_t file, frames;
-    hid_t *set; /* [sample_columns]; 0: not there (a scene without rollers) */
+    hid_t file, frames, driver; /* <= 0: not there */
+    hid_t *set;                 /* [sample_columns]; 0: not there (a scene without rollers) */
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
@@ -152,11 +152,11 @@ static int write_rollers(H5File *h, const ResultsDef *def)
 /* A file on the driver that never fails in HDF5's eyes; < 0 if there is none. */
 static hid_t create_file(H5File *h)
 {
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, &h->disk_error);
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    h->driver = disk_driver_use(access, &h->disk_error);
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-    const hid_t file = driver < 0 ? -1 : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    const hid_t file = h->driver < 0 ? -1 : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     H5Pclose(access);
-    if (driver >= 0) H5FDunregister(driver);
     return file;
 }
 
@@ -290,6 +290,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
         /* a file that HDF5 would not close may still ask for disk_error: better lost than read after free */
         if (code < 0) return status;
     }
+    if (h->driver > 0) H5FDunregister(h->driver);
     free(h->set);
     free(h->frame);
     free(h);

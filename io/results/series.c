@@ -147,5 +147,5 @@ hawser_status series_row(OutFile *out, const Series *series, const hawser_sample
         const double value = c->of->count ? *(const int *)at : *(const double *)at;
         status = out_cell(out, k ? "," : "", cell_number(value), c->of->digits, err);
     }
-    return status ? status : out_print(out, err, "\n");
+    return status ? status : out_end_row(out, err);
 }

@@ -437,7 +437,7 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
         json_decref(o);
         o = NULL;
     }
-    *text = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
+    *text = o ? json_text(o) : NULL;
     json_decref(o);
     return *text ? HAWSER_OK : error_memory(err);
 }

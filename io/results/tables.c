@@ -117,7 +117,7 @@ hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *
             const Column *const c = &columns->column[k];
             status = out_cell(out, k ? "," : "", column_cell(c, row), c->digits, err);
         }
-        if (!status) status = out_print(out, err, "\n");
+        if (!status) status = out_end_row(out, err);
     }
     return status;
 }

@@ -5,11 +5,9 @@
 #include <ctype.h>
 #include <locale.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <udunits2.h>
 
 typedef struct DimensionRow {
     const char *name, *unit, *example;
@@ -82,85 +80,127 @@ enum { N_BASE = sizeof base_units / sizeof *base_units, N_DERIVED = sizeof deriv
 static const char *const prefix_names[] = {"n", "u", "\xc2\xb5", "m", "c", "da", "k", "M", "G", NULL};
 static const double prefix_values[] = {1e-9, 1e-6, 1e-6, 1e-3, 1e-2, 10, 1e3, 1e6, 1e9};
 
+/* A unit: `scale` times m^power[0] kg^power[1] s^power[2] rad^power[3]. */
+typedef struct Unit {
+    double scale;
+    int power[N_BASE];
+} Unit;
+
 struct Units {
-    ut_system *system;
-    ut_unit *si[DIM_COUNT];
+    Unit si[DIM_COUNT];
     locale_t numbers; /* a point is a point */
 };
 
-/* udunits keeps its parser's state and its message handler in globals: one thread at a time may be inside,
- * and the handler is put back as it was. */
-static pthread_mutex_t udunits_lock = PTHREAD_MUTEX_INITIALIZER;
+enum { POWER_MAX = 99 };
 
-/* Returns the handler that was there, to be put back. */
-static ut_error_message_handler udunits_enter(void)
-{
-    pthread_mutex_lock(&udunits_lock);
-    return ut_set_error_message_handler(ut_ignore);
-}
+static int unit_parse(const char *text, Unit *out);
 
-/* The lock goes last: the handler is what it protects. */
-static void udunits_leave(ut_error_message_handler before)
+/* The unit with exactly that name, or 0. Each derived one is made of those before it in the table, so that this ends.
+ */
+static int unit_named(const char *name, size_t length, Unit *out)
 {
-    ut_set_error_message_handler(before);
-    pthread_mutex_unlock(&udunits_lock);
-}
-
-/* Gives a unit its name in the system and frees it; 0 without memory. */
-static int unit_name(ut_unit *unit, const char *name)
-{
-    const int ok = unit && ut_map_symbol_to_unit(name, UT_ASCII, unit) == UT_SUCCESS;
-    ut_free(unit);
-    return ok;
-}
-
-/* Each derived unit is made of those before it in the table. */
-static int system_fill(ut_system *system)
-{
-    int ok = 1;
-    for (int i = 0; i < N_BASE; i++) ok = ok && unit_name(ut_new_base_unit(system), base_units[i]);
-    for (int i = 0; ok && prefix_names[i]; i++) {
-        ok = ut_add_symbol_prefix(system, prefix_names[i], prefix_values[i]) == UT_SUCCESS;
+    for (int i = 0; i < N_BASE; i++) {
+        if (strlen(base_units[i]) != length || strncmp(base_units[i], name, length) != 0) continue;
+        *out = (Unit){.scale = 1};
+        out->power[i] = 1;
+        return 1;
     }
-    for (int i = 0; ok && i < N_DERIVED; i++) {
-        ut_unit *of = ut_parse(system, derived_units[i].of, UT_ASCII);
-        ok = of && unit_name(ut_scale(derived_units[i].scale, of), derived_units[i].name);
-        ut_free(of);
+    for (int i = 0; i < N_DERIVED; i++) {
+        if (strlen(derived_units[i].name) != length || strncmp(derived_units[i].name, name, length) != 0) continue;
+        const int ok = unit_parse(derived_units[i].of, out);
+        out->scale *= derived_units[i].scale;
+        return ok;
     }
-    return ok;
+    return 0;
 }
 
-/* 0 without memory; units_free takes back what was made. */
-static int units_fill(Units *units)
+/* The same with a prefix where the whole is no name: "min" is a minute. */
+static int unit_find(const char *name, size_t length, Unit *out)
 {
-    units->system = ut_new_system();
-    if (!units->system || !system_fill(units->system)) return 0;
-    for (int d = 0; d < DIM_COUNT; d++) {
-        if (d == DIM_STIFFNESS) continue;
-        units->si[d] = ut_parse(units->system, dimensions[d].unit, UT_ASCII);
-        if (!units->si[d]) return 0;
+    if (unit_named(name, length, out)) return 1;
+    for (int i = 0; prefix_names[i]; i++) {
+        const size_t n = strlen(prefix_names[i]);
+        if (n >= length || strncmp(name, prefix_names[i], n) != 0) continue;
+        if (!unit_named(name + n, length - n, out)) continue;
+        out->scale *= prefix_values[i];
+        return 1;
     }
-    units->numbers = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    return units->numbers != (locale_t)0;
+    return 0;
+}
+
+/* The power behind a name, 1 if there is none: "2", "-1", "^2", "^-1", or a small one. Returns what follows it; NULL if
+ * it is none. */
+static const char *power_read(const char *text, int *power)
+{
+    *power = 1;
+    if (!strncmp(text, "\xc2\xb2", 2) || !strncmp(text, "\xc2\xb3", 2)) {
+        *power = text[1] == '\xb2' ? 2 : 3;
+        return text + 2;
+    }
+    const int raised = *text == '^';
+    const char *const sign = text + raised, *const digits = sign + (*sign == '-');
+    const size_t n = strspn(digits, "0123456789");
+    if (n == 0) return raised ? NULL : text;
+    *power = n < 3 ? (int)strtol(sign, NULL, 10) : POWER_MAX + 1;
+    return abs(*power) <= POWER_MAX ? digits + n : NULL;
+}
+
+/* What stands between two units: 1 a product, -1 a quotient. Returns where the next one begins. */
+static const char *sign_read(const char *text, int *sign)
+{
+    text += strspn(text, " ");
+    const int per = !strncmp(text, "per ", 4);
+    *sign = *text == '/' || per ? -1 : 1;
+    if (per)
+        text += 4;
+    else if (*text && strchr("/*.-", *text))
+        text++;
+    else if (!strncmp(text, "\xc2\xb7", 2))
+        text += 2;
+    return text + strspn(text, " ");
+}
+
+/* Names with powers, their products and quotients from left to right: "N s/m", "kg.m-1", "kN*m^2". 0 if it is something
+ * else. Nothing is allocated. */
+static int unit_parse(const char *text, Unit *out)
+{
+    *out = (Unit){.scale = 1};
+    for (int sign = 1;;) {
+        Unit unit;
+        int power;
+        size_t length = 0; /* of the name, which may begin with a micro sign */
+        if (!strncmp(text, "\xc2\xb5", 2)) length = 2;
+        while (isalpha((unsigned char)text[length])) length++;
+        if (!length || !unit_find(text, length, &unit)) return 0;
+        text = power_read(text + length, &power);
+        if (!text) return 0;
+        out->scale *= pow(unit.scale, sign * power);
+        for (int i = 0; i < N_BASE; i++) {
+            out->power[i] += sign * power * unit.power[i];
+            if (abs(out->power[i]) > POWER_MAX) return 0;
+        }
+        if (!*text) return 1;
+        text = sign_read(text, &sign);
+    }
 }
 
 Units *units_new(void)
 {
     Units *units = calloc(1, sizeof *units);
     if (!units) return NULL;
-    const ut_error_message_handler before = udunits_enter();
-    const int ok = units_fill(units);
-    udunits_leave(before);
-    return ok ? units : units_free(units);
+    for (int d = 0; d < DIM_COUNT; d++) {
+        units->si[d].scale = 1;
+        const int ok = d == DIM_NONE || d == DIM_STIFFNESS || unit_parse(dimensions[d].unit, &units->si[d]);
+        assert(ok);
+        (void)ok;
+    }
+    units->numbers = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    return units->numbers ? units : units_free(units);
 }
 
 Units *units_free(Units *units)
 {
     if (!units) return NULL;
-    const ut_error_message_handler before = udunits_enter();
-    for (int d = 0; d < DIM_COUNT; d++) ut_free(units->si[d]);
-    ut_free_system(units->system);
-    udunits_leave(before);
     if (units->numbers) freelocale(units->numbers);
     free(units);
     return NULL;
@@ -201,34 +241,10 @@ static int number_read(const Units *units, const char *text, double *value, cons
     return 1;
 }
 
-/* Whether text looks like an expression of units: names, powers, products and quotients. Digits count only as powers,
- * so that a second number is not taken for a factor. Beyond ASCII there are only a micro sign, the dot and small
- * powers. */
-static int unit_plausible(const char *text)
+/* The factor from `unit` to `si`; 0 if they are not of the same kind. */
+static double unit_factor(const Unit *unit, const Unit *si)
 {
-    char before = ' ';
-    for (const char *p = text; *p; before = *p++) {
-        const unsigned char c = (unsigned char)*p;
-        if (isdigit(c) && !isalnum((unsigned char)before) && before != '^' && before != '-') return 0;
-        if (c == 0xc2 && p[1] && strchr("\xb2\xb3\xb5\xb7", p[1])) {
-            p++;
-        } else if (c >= 0x80 || (!isalpha(c) && !isdigit(c) && !strchr(" /*.^-", c))) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-/* The factor from `unit` to `si`; 0 if they are not of the same kind. udunits also turns a unit into its
- * reciprocal (a frequency into a period), which is not wanted here. */
-static double unit_factor(ut_unit *unit, ut_unit *si)
-{
-    if (!ut_are_convertible(unit, si)) return 0;
-    cv_converter *converter = ut_get_converter(unit, si);
-    if (!converter) return 0;
-    const double one = cv_convert_double(converter, 1), four = cv_convert_double(converter, 4);
-    cv_free(converter);
-    return fabs(four - 4 * one) < 1e-9 * fabs(one) ? one : 0;
+    return memcmp(unit->power, si->power, sizeof unit->power) ? 0 : unit->scale / si->scale;
 }
 
 /* Where text says a pound of mass and a force is asked for, the text with "lbf" in its place; 0 if it does not. */
@@ -245,31 +261,24 @@ static void unit_explain(const Units *units, const char *text, Dimension dimensi
 {
     char asked[64];
     const int pound = strlen(text) < 40 && pound_as_force(text, asked, sizeof asked);
-    ut_unit *const force = pound ? ut_parse(units->system, asked, UT_UTF8) : NULL;
-    const int meant = force && unit_factor(force, units->si[dimension]) != 0;
+    Unit force;
+    const int meant = pound && unit_parse(asked, &force) && unit_factor(&force, &units->si[dimension]) != 0;
     snprintf(why, UNITS_WHY_MAX, "has the unit '%.40s', which is not that of %s%s%s%s", text,
              dimensions[dimension].name, meant ? "; write '" : "", meant ? asked : "",
              meant ? "' for pounds of force" : "");
-    ut_free(force);
 }
 
 /* The factor from the unit called text to SI; 0 with `why`. A mass per length may be given by its weight, which is
  * that mass under standard gravity. */
 static double unit_read(const Units *units, const char *text, Dimension dimension, char *why)
 {
-    const ut_error_message_handler before = udunits_enter();
-    ut_unit *unit = unit_plausible(text) ? ut_parse(units->system, text, UT_UTF8) : NULL;
-    double factor = unit ? unit_factor(unit, units->si[dimension]) : 0;
-    if (unit && factor == 0 && dimension == DIM_LINE_MASS) {
-        factor = unit_factor(unit, units->si[DIM_LINE_FORCE]) / UNIT_GRAVITY;
+    Unit unit;
+    if (!unit_parse(text, &unit)) return snprintf(why, UNITS_WHY_MAX, "has an unknown unit '%.40s'", text), 0;
+    double factor = unit_factor(&unit, &units->si[dimension]);
+    if (factor == 0 && dimension == DIM_LINE_MASS) {
+        factor = unit_factor(&unit, &units->si[DIM_LINE_FORCE]) / UNIT_GRAVITY;
     }
-    if (!unit) {
-        snprintf(why, UNITS_WHY_MAX, "has an unknown unit '%.40s'", text);
-    } else if (factor == 0) {
-        unit_explain(units, text, dimension, why);
-    }
-    ut_free(unit);
-    udunits_leave(before);
+    if (factor == 0) unit_explain(units, text, dimension, why);
     return factor;
 }
 
@@ -331,7 +340,7 @@ static int stiffness_cut(const Units *units, char *copy, char **length, double *
     return 1;
 }
 
-/* udunits knows whole powers only, so that force and length are converted apart: N/mm^e is N (1000/m)^e. */
+/* Units have whole powers only, so that force and length are converted apart: N/mm^e is N (1000/m)^e. */
 int units_read_stiffness(const Units *units, const char *text, double e, double *value, char *why)
 {
     const char *unit;

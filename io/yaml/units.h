@@ -1,6 +1,7 @@
 /* Numbers with units, as users write them: "500 mm", "115 GPa", "6 m/min", "4/0 AWG". A bare number is SI; an angle
  * other than 0 is never bare, for it would be taken for degrees by whoever writes it and for radians by the program.
- * docs/case-format.md lists the units; the algebra of units is the udunits library's. */
+ * docs/case-format.md lists the units. Their algebra is a page long and allocates nothing; libudunits2 ends the program
+ * or crashes where there is no memory, and keeps its state in globals. */
 #ifndef HAWSER_IO_YAML_UNITS_H
 #define HAWSER_IO_YAML_UNITS_H
 

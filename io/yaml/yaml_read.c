@@ -26,6 +26,16 @@ static int line_of(const Reading *r, yaml_mark_t mark) { return r->lines ? (int)
 
 static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out);
 
+/* Characters that would command a terminal when a name or title is printed; the ends of lines and tabs do not. */
+static int has_control(const char *text)
+{
+    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
+        if ((*c < ' ' && *c != '\n' && *c != '\t') || *c == 0x7F) return 1;
+        if (*c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0) return 1;
+    }
+    return 0;
+}
+
 /* The text of a map's key, malloc'ed into *key. */
 static hawser_status key_convert(Reading *r, int id, const CaseNode *map, char **key, int *line)
 {
@@ -35,6 +45,7 @@ static hawser_status key_convert(Reading *r, int id, const CaseNode *map, char *
         return case_text_error(r->err, r->origin, *line, "a key must be a plain word", NULL);
     const char *text = (const char *)node->data.scalar.value;
     if (!*text) return case_text_error(r->err, r->origin, *line, "a key is empty", NULL);
+    if (has_control(text)) return case_text_error(r->err, r->origin, *line, "a control character in a key", NULL);
     if (case_node_key(map, text))
         return case_text_error(r->err, r->origin, *line, "this key stands here twice: ", text);
     if (map->count >= KEYS_MAX) return case_text_error(r->err, r->origin, *line, "too many keys in one map", NULL);
@@ -82,6 +93,8 @@ static hawser_status text_convert(Reading *r, const yaml_node_t *from, CaseNode 
     const char *value = (const char *)from->data.scalar.value;
     if (strlen(value) != from->data.scalar.length)
         return case_text_error(r->err, r->origin, text->line, "a NUL character in a text", NULL);
+    if (has_control(value))
+        return case_text_error(r->err, r->origin, text->line, "a control character in a text", NULL);
     text->text = strdup(value);
     return text->text ? HAWSER_OK : error_memory(r->err);
 }
@@ -129,7 +142,8 @@ static int indented_with_tab(const char *text, int line)
 /* What libyaml has against the text. */
 static hawser_status parser_complain(const Reading *r, const yaml_parser_t *parser, const char *text)
 {
-    if (parser->error == YAML_MEMORY_ERROR) return error_memory(r->err);
+    /* libyaml does not always say that it has no memory: then there is no error at all */
+    if (parser->error == YAML_MEMORY_ERROR || parser->error == YAML_NO_ERROR) return error_memory(r->err);
     int line = (int)parser->problem_mark.line + 1;
     if (parser->error == YAML_READER_ERROR) line = line_at(text, parser->problem_offset);
     if (indented_with_tab(text, line))

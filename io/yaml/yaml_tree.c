@@ -1,7 +1,6 @@
 #include "io/yaml/yaml_tree.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +8,7 @@
 
 #include "core/base/error.h"
 
-enum { FILE_MAX = 32 << 20, KEY_MAX = 200, STEPS_MAX = 16 };
+enum { KEY_MAX = 200, STEPS_MAX = 16 };
 
 /* A place that text came from: kept for as long as the tree, since nodes point at the name. */
 typedef struct CaseOrigin {
@@ -83,45 +82,14 @@ hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out
     return tree_new(text, strlen(text), name, out, err);
 }
 
-/* All of a stream, malloc'ed, with a NUL behind it; NULL with errno, EFBIG if it is larger than a case can
- * be. */
-static char *stream_read(FILE *f, size_t *size)
-{
-    size_t room = 1 << 16;
-    char *text = malloc(room + 1);
-    *size = 0;
-    while (text) {
-        *size += fread(text + *size, 1, room - *size, f);
-        if (*size < room) break;
-        room *= 2;
-        char *more = room <= FILE_MAX ? realloc(text, room + 1) : NULL;
-        if (!more) {
-            errno = room <= FILE_MAX ? ENOMEM : EFBIG;
-            free(text);
-        }
-        text = more;
-    }
-    if (text && ferror(f)) {
-        free(text);
-        return NULL;
-    }
-    if (text) text[*size] = 0;
-    return text;
-}
-
-/* All of the file is in memory before anything is looked at; a pipe is as good as a file. */
 hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err)
 {
     *out = NULL;
-    FILE *f = fopen(path, "rb");
-    if (!f) return error_set(err, HAWSER_ERR_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
+    char *text;
     size_t size;
-    char *text = stream_read(f, &size);
-    const int reason = errno;
-    fclose(f);
-    if (!text && reason == ENOMEM) return error_memory(err);
-    if (!text) return error_set(err, HAWSER_ERR_INPUT, "%s: cannot be read: %s", path, strerror(reason));
-    hawser_status status = tree_new(text, size, path, out, err);
+    hawser_status status = case_file_read(path, &text, &size, err);
+    if (status) return status;
+    status = tree_new(text, size, path, out, err);
     free(text);
     if (!status) (*out)->folder = folder_of(path);
     if (!status && !(*out)->folder) {

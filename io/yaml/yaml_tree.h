@@ -47,6 +47,9 @@ typedef struct CaseTree {
     char *folder;               /* where the files that it includes are looked for; NULL: it came as a text, none are */
 } CaseTree;
 
+/* All of a file or pipe, malloc'ed, with a NUL behind it. Errors: INPUT (not there, a device, larger than 32 MiB, a
+ * pipe into which nobody writes), MEMORY. */
+hawser_status case_file_read(const char *path, char **text, size_t *size, hawser_error *err);
 /* Reads a file. Errors: INPUT with file and line (not readable, not YAML, empty, not a map, several
  * documents, a key twice, too large, too deep); MEMORY. *out is NULL then. */
 hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err);

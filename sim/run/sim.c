@@ -310,13 +310,14 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->error_test_fails = i.error_fails;
     out->newton_fails = i.newton_fails;
     const double other = i.rhs + i.jacobian + i.factor + i.solve, balance = s->stage.balance_s;
-    const double contacts = dynamics_contact_seconds(&s->stage.ws);
+    /* those of a relaxation are counted there */
+    const double contacts = fmin(dynamics_contact_seconds(&s->stage.ws), i.rhs);
     out->phases = (hawser_phases){.rhs = i.rhs - contacts,
                                   .contacts = contacts,
                                   .jacobian = i.jacobian,
                                   .factor = i.factor,
                                   .solve = i.solve,
-                                  .vector = i.total + balance - other};
+                                  .vector = fmax(0, i.total + balance - other)};
     out->wall_time_s = i.total + balance;
     out->steps_per_second = i.total > 0 ? (double)i.steps / (i.total + balance) : 0;
     out->balance = balance_close(s->stage.balance, s->stage.motion, s->stage.t, s->stage.y);

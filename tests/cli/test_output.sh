@@ -20,6 +20,7 @@ fi
 for name in series.csv stations.csv rollers.csv summary.json results.h5 results.xdmf; do
     mkdir "$work/full-$name"
     ln -s /dev/full "$work/full-$name/$name"
+    [ $name = summary.json ] && mv "$work/full-$name/$name" "$work/full-$name/$name.part" # which gets the name when whole
     run_hawser 4 run pull.yaml -o "full-$name"
     says err "full-$name/$name" "No space left"
 done

@@ -15,7 +15,7 @@ LIBRARIES = [
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
     (r"expat\.h$", r"survey/landxml/|survey/map/"),
     (r"jansson\.h$", r"io/|survey/map/"),
-    (r"yaml\.h$|udunits2\.h$|hdf5\w*\.h$", r"io/"),
+    (r"yaml\.h$|hdf5\w*\.h$", r"io/"),
 ]
 
 

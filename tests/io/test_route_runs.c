@@ -65,7 +65,8 @@ static void coordinates_come_down(void **state)
     scene_def_clear(&def);
     expect_bad(data_text("full-route"), "route.pieces.1.straight", "4 m", "too short for the changes of slope");
     expect_bad(data_text("full-route"), "route.pieces.0.radius", "4 m", "not allowed in a 'straight' piece");
-    expect_bad(data_text("full-route-plan"), "route.profile.corners.2.parabola", "60 m", "is too short for the roundings");
+    expect_bad(data_text("full-route-plan"), "route.profile.corners.2.parabola", "60 m",
+               "is too short for the roundings");
     expect_bad(data_text("full-route-points"), "route.radius", "40 m", "too near for a radius");
 }
 

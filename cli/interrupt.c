@@ -1,0 +1,58 @@
+/* How a run ends before its time. A signal asks; the library is told at its next step or iteration and ends with what
+ * there is. Where it does not listen soon enough, as within the factorisation of a large dense matrix, the program ends
+ * all the same: every file is then as at its last flush, which is what readers of a run that goes on see, too. */
+#include "cli/commands.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+/* How long the library has to notice, us of wall time. */
+enum { PATIENCE = 450000 };
+
+/* Set by a signal: the only thing that a handler may touch. */
+static volatile sig_atomic_t interrupted;
+
+static void set_timer(long microseconds)
+{
+    const struct itimerval timer = {.it_value = {.tv_usec = microseconds}};
+    setitimer(ITIMER_REAL, &timer, NULL);
+}
+
+/* The first signal ends the run at its next step, a second one at once. */
+static void on_signal(int number)
+{
+    interrupted = 1;
+    signal(number, SIG_DFL);
+    set_timer(PATIENCE);
+}
+
+/* Nobody has looked at `interrupted`. */
+static void on_alarm(int number)
+{
+    static const char says[] = "hawser: stopped within a step that takes long; results are those of the last flush\n";
+    (void)number;
+    if (write(STDERR_FILENO, says, sizeof says - 1) < 0) _exit(EXIT_OUTPUT);
+    _exit(EXIT_INTERRUPTED);
+}
+
+void interrupt_watch(void)
+{
+    static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART}, old;
+    sigemptyset(&action.sa_mask);
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        /* what is ignored from the start, as under nohup, stays so */
+        if (!sigaction(ends[k], NULL, &old) && old.sa_handler != SIG_IGN) sigaction(ends[k], &action, NULL);
+    }
+    signal(SIGALRM, on_alarm);
+    signal(SIGPIPE, SIG_IGN);
+}
+
+int interrupt_wanted(void)
+{
+    if (interrupted) set_timer(0);
+    return interrupted;
+}

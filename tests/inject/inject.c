@@ -1,0 +1,161 @@
+/* Preloaded into the program under test: the k-th call of a kind fails. Calls are counted from 1 over all threads. What
+ * fails, and when, comes through the environment:
+ *
+ *   INJECT_KIND  memory: malloc, calloc, realloc, strdup and their like return NULL
+ *                disk:   open for writing, write, pwrite, ftruncate, fsync, rename, mkdir, unlink: EIO or ENOSPC
+ *                eintr:  read, write, pread, pwrite fail with EINTR once
+ *                short:  read, write, pread, pwrite do the half of what was asked
+ *   INJECT_AT    k; 0: nothing fails
+ *   INJECT_COUNT path of a file into which the number of calls is written at the end
+ *   INJECT_ALL   the k-th and all after it
+ */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <malloc.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef enum Kind { NOTHING, MEMORY, DISK, EINTR_ONCE, SHORT } Kind;
+static Kind kind;
+static long at, counted;
+static int all;
+static char count_path[512];
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *old, size_t size);
+void *__libc_memalign(size_t alignment, size_t size);
+
+/* Whether this call of a kind is the one. */
+static int fails(Kind k)
+{
+    if (kind != k) return 0;
+    const long n = __atomic_add_fetch(&counted, 1, __ATOMIC_RELAXED);
+    return at > 0 && (all ? n >= at : n == at);
+}
+
+static void *refuse(void)
+{
+    errno = ENOMEM;
+    return NULL;
+}
+
+void *malloc(size_t size) { return fails(MEMORY) ? refuse() : __libc_malloc(size); }
+void *calloc(size_t count, size_t size) { return fails(MEMORY) ? refuse() : __libc_calloc(count, size); }
+void *realloc(void *old, size_t size) { return fails(MEMORY) ? refuse() : __libc_realloc(old, size); }
+void *memalign(size_t alignment, size_t size) { return fails(MEMORY) ? refuse() : __libc_memalign(alignment, size); }
+void *aligned_alloc(size_t alignment, size_t size) { return memalign(alignment, size); }
+
+int posix_memalign(void **out, size_t alignment, size_t size)
+{
+    void *const block = memalign(alignment, size);
+    if (block) *out = block;
+    return block ? 0 : ENOMEM;
+}
+
+/* ------------------------------------------------------------------------------------------------------- files */
+
+#define REAL(name, type) ((type)real(#name))
+static void *real(const char *name)
+{
+    void *const found = dlsym(RTLD_NEXT, name);
+    if (!found) _exit(99);
+    return found;
+}
+
+/* ENOSPC and EIO in turns. */
+static int broken(void)
+{
+    errno = at % 2 ? ENOSPC : EIO;
+    return -1;
+}
+
+/* How much of a transfer takes place; -1: none, with errno. The program's standard output and error are left alone. */
+static ssize_t allowed(int fd, size_t size, int writes)
+{
+    if (fd <= 2 && writes) return (ssize_t)size;
+    if (writes && fails(DISK)) return broken();
+    if (fails(EINTR_ONCE)) {
+        errno = EINTR;
+        return -1;
+    }
+    return size > 1 && fails(SHORT) ? (ssize_t)(size / 2) : (ssize_t)size;
+}
+
+ssize_t write(int fd, const void *from, size_t size)
+{
+    const ssize_t n = allowed(fd, size, 1);
+    return n < 0 ? n : REAL(write, ssize_t(*)(int, const void *, size_t))(fd, from, (size_t)n);
+}
+
+ssize_t pwrite(int fd, const void *from, size_t size, off_t offset)
+{
+    const ssize_t n = allowed(fd, size, 1);
+    return n < 0 ? n : REAL(pwrite, ssize_t(*)(int, const void *, size_t, off_t))(fd, from, (size_t)n, offset);
+}
+
+ssize_t read(int fd, void *to, size_t size)
+{
+    const ssize_t n = allowed(fd, size, 0);
+    return n < 0 ? n : REAL(read, ssize_t(*)(int, void *, size_t))(fd, to, (size_t)n);
+}
+
+ssize_t pread(int fd, void *to, size_t size, off_t offset)
+{
+    const ssize_t n = allowed(fd, size, 0);
+    return n < 0 ? n : REAL(pread, ssize_t(*)(int, void *, size_t, off_t))(fd, to, (size_t)n, offset);
+}
+
+int ftruncate(int fd, off_t size) { return fails(DISK) ? broken() : REAL(ftruncate, int (*)(int, off_t))(fd, size); }
+int fsync(int fd) { return fails(DISK) ? broken() : REAL(fsync, int (*)(int))(fd); }
+int mkdir(const char *path, mode_t mode)
+{
+    return fails(DISK) ? broken() : REAL(mkdir, int (*)(const char *, mode_t))(path, mode);
+}
+int unlink(const char *path) { return fails(DISK) ? broken() : REAL(unlink, int (*)(const char *))(path); }
+int rename(const char *from, const char *to)
+{
+    return fails(DISK) ? broken() : REAL(rename, int (*)(const char *, const char *))(from, to);
+}
+
+int open(const char *path, int flags, ...)
+{
+    va_list args;
+    va_start(args, flags);
+    const mode_t mode = flags & O_CREAT ? va_arg(args, mode_t) : 0;
+    va_end(args);
+    if (flags & (O_WRONLY | O_RDWR) && fails(DISK)) return broken();
+    return REAL(open, int (*)(const char *, int, ...))(path, flags, mode);
+}
+
+/* ----------------------------------------------------------------------------------------------- start and end */
+
+__attribute__((constructor)) static void begin(void)
+{
+    static const char *const names[] = {"", "memory", "disk", "eintr", "short"};
+    const char *const wanted = getenv("INJECT_KIND"), *const when = getenv("INJECT_AT");
+    const char *const path = getenv("INJECT_COUNT");
+    at = when ? atol(when) : 0;
+    all = getenv("INJECT_ALL") != NULL;
+    if (path) snprintf(count_path, sizeof count_path, "%s", path);
+    for (Kind k = MEMORY; wanted && k <= SHORT; k++) {
+        if (!strcmp(wanted, names[k])) kind = k;
+    }
+}
+
+__attribute__((destructor)) static void end(void)
+{
+    char text[32];
+    kind = NOTHING;
+    if (!count_path[0]) return;
+    const int fd = open(count_path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const int n = snprintf(text, sizeof text, "%ld\n", counted);
+    if (fd >= 0 && write(fd, text, (size_t)n) != n) _exit(98);
+    if (fd >= 0) close(fd);
+}
