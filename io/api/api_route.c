@@ -179,7 +179,7 @@ static json_t *json_ignored(const Survey *s)
     return list;
 }
 
-static json_t *json_text(const char *text)
+static json_t *json_or_null(const char *text)
 {
     json_t *const value = text ? json_string(text) : NULL;
     return value ? value : json_null();
@@ -189,8 +189,8 @@ static json_t *json_line(const hawser_routes *r, int i)
 {
     const hawser_route_figures *const f = &r->row[i].figures;
     json_t *const o = json_object();
-    json_object_set_new(o, "name", json_text(f->name));
-    json_object_set_new(o, "layer", json_text(f->layer));
+    json_object_set_new(o, "name", json_or_null(f->name));
+    json_object_set_new(o, "layer", json_or_null(f->layer));
     json_object_set_new(o, "length_m", json_number(f->length_m));
     json_object_set_new(o, "horizontal_length_m", json_number(f->horizontal_length_m));
     json_object_set_new(o, "station_m", json_number(f->station_m));
@@ -201,7 +201,7 @@ static json_t *json_line(const hawser_routes *r, int i)
     json_object_set_new(o, "least_radius_m", json_number(f->least_radius_m));
     json_object_set_new(o, "deviation_max_m", json_number(f->deviation_max_m));
     json_object_set_new(o, "deviation_rms_m", json_number(f->rms_m));
-    if (f->problem) json_object_set_new(o, "problem", json_text(f->problem));
+    if (f->problem) json_object_set_new(o, "problem", json_or_null(f->problem));
     json_object_set_new(o, "ignored", json_ignored(&r->survey));
     return o;
 }
@@ -210,9 +210,9 @@ static hawser_status json_write(const hawser_routes *r, char **text, hawser_erro
 {
     json_t *const o = json_object(), *const list = json_array();
     for (int i = 0; i < r->survey.n; ++i) json_array_append_new(list, json_line(r, i));
-    json_object_set_new(o, "source", json_text(r->path));
-    json_object_set_new(o, "system", json_text(*r->survey.system ? r->survey.system : NULL));
-    json_object_set_new(o, "unit", json_text(r->survey.unit));
+    json_object_set_new(o, "source", json_or_null(r->path));
+    json_object_set_new(o, "system", json_or_null(*r->survey.system ? r->survey.system : NULL));
+    json_object_set_new(o, "unit", json_or_null(r->survey.unit));
     json_object_set_new(o, "alignments", list);
     char *const body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
     json_decref(o);
