@@ -44,8 +44,9 @@ void interrupt_watch(void)
     struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART}, old;
     sigemptyset(&action.sa_mask);
     for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
-        /* what is ignored from the start, as under nohup, stays so */
-        if (!sigaction(ends[k], NULL, &old) && old.sa_handler != SIG_IGN) sigaction(ends[k], &action, NULL);
+        /* under nohup a hang-up stays ignored; a script's background job is to end when it is told so */
+        const int kept = ends[k] == SIGHUP && !sigaction(ends[k], NULL, &old) && old.sa_handler == SIG_IGN;
+        if (!kept) sigaction(ends[k], &action, NULL);
     }
     signal(SIGALRM, on_alarm);
     signal(SIGPIPE, SIG_IGN);

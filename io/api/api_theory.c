@@ -151,6 +151,21 @@ static void fill_places(Theory *t)
     }
 }
 
+/* For people: of a long row of places that only say their metres every so many-th, all that have names. */
+static void few_places(Theory *t)
+{
+    enum { MANY = 40 };
+    const int every = 1 + t->n / MANY;
+    int kept = 0;
+    for (int i = 0, plain = 0; i < t->n; i++) {
+        char metres[32];
+        snprintf(metres, sizeof metres, "%g m", t->place[i].s);
+        const int named = strcmp(metres, t->place[i].name) != 0;
+        if (named || plain++ % every == 0) t->place[kept++] = t->place[i];
+    }
+    t->n = kept;
+}
+
 /* The terms of eq. 10 one by one, as the case names them. */
 static void fill_terms(Theory *t)
 {
@@ -210,13 +225,14 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
         const hawser_condition held[] = {c->supported, c->pulled[k]};
         hawser_verdict(2, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
-    Table table[3 + THEORY_TABLES_MAX] = {{"stations", "Tension along the route, full of cable, pulled forward",
-                                           COLUMNS(Place, place_column), t->n, t->place}};
-    int n = 1;
+    if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) few_places(t);
+    Table table[3 + THEORY_TABLES_MAX];
+    int n = 0;
+    for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
+    table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",
+                         COLUMNS(Place, place_column), t->n, t->place};
     if (def->n_paper > 0)
         table[n++] = (Table){"terms", "Terms of the paper's sum", COLUMNS(Term, term_column), def->n_paper, t->term};
-    const int own = n;
-    for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     if (!def->duration_open)
         table[n++] = (Table){"run", "What a run of this case is compared with", COLUMNS(RunRow, run_column), 1, &run};
     Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
@@ -226,7 +242,7 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
                           .n_tables = n,
                           .fact = fact,
                           .table = table,
-                          .csv = &table[own + THEORY_PIECES],
+                          .csv = &table[THEORY_PIECES],
                           .answer = t->answer};
     return document_write(&doc, format, text, err);
 }

@@ -53,7 +53,7 @@ grep -q '"outcome": "finished"' "$work/head/summary.json" || fail "$what: result
 
 # the folder vanishes while it runs
 what="hawser run, its folder removed"
-(cd "$work" && exec "$hawser" run pull.yaml -o gone --set output.interval=1ms --quiet --set run.duration=30s 2>err) &
+(cd "$work" && exec "$hawser" run pull.yaml -o gone --set output.interval=1ms --quiet --set run.duration=300s 2>err) &
 pid=$!
 sleep 0.5
 rm -rf "$work/gone"
