@@ -69,8 +69,9 @@ static hawser_status value_add(Gathering *g, const CaseNode *node, int once)
     if (node->kind != NODE_TEXT) return status;
     const LibraryEntry *const entry = node->entry;
     if (entry) {
-        snprintf(source, sizeof source, "%.63s (%s%s): %.140s", entry->name, entry->mark,
-                 range_text(entry, node->key, sizeof range, range), entry->source);
+        const int named = snprintf(source, sizeof source, "%.63s (%.20s%.99s): ", entry->name, entry->mark,
+                                   range_text(entry, node->key, sizeof range, range));
+        snprintf(source + named, sizeof source - (size_t)named, "%s", entry->source);
         if (once && is_repeated(g, node->key, source)) return HAWSER_OK;
     }
     hawser_assumption *const a = assumption_add(g, case_path(node, NULL, path), node->text, entry ? CATALOGUE : GIVEN);

@@ -261,8 +261,8 @@ static void includes_are_refused(void **state)
     file_write("b.yaml", "cables: {}\ninclude: [a.yaml]\n");
     include_refused("a.yaml", "b.yaml:2: key 'include.0': value 'a.yaml'", "a circle");
     for (int k = 0; k < 10; k++) {
-        snprintf(name, sizeof name, "deep%d.yaml", k);
-        snprintf(text, sizeof text, "include: deep%d.yaml\n", k + 1);
+        snprintf(name, sizeof name, "deep%d.yaml", k % 10);
+        snprintf(text, sizeof text, "include: deep%d.yaml\n", (k + 1) % 100);
         file_write(name, text);
     }
     include_refused("deep0.yaml", "deep7.yaml:1: key 'include'", "too deep");
