@@ -238,7 +238,7 @@ static hawser_status field_default(const CaseReader *r, const CaseKey *key, char
     CaseNode written = {.kind = NODE_TEXT, .origin = "default", .text = (char *)(size_t)key->fallback};
     if (key->kind == KEY_SECTION) return case_section_read(r, NULL, key->section, at);
     if (key->fallback && key->kind != KEY_POINT) return field_read(r, &written, key, at);
-    assert(key->kind != KEY_FLAG && key->kind != KEY_CHOICE);
+    assert(key->otherwise || (key->kind != KEY_FLAG && key->kind != KEY_CHOICE)); /* its reader looks for the key */
     memset(at, 0, key->size);
     if (key->kind == KEY_NUMBER) *(double *)(void *)at = NAN;
     return HAWSER_OK;
