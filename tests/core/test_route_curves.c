@@ -270,9 +270,10 @@ static void plan_and_profile(void **state)
         check_vec(route_at(&utm, s).curvature, route_at(&r, s).curvature, 1e-15);
     }
     RouteProfile wrong = profile;
+    RouteLine none;
     hawser_error err;
     wrong.n = 2;
-    assert_int_equal(route_from_plan_and_profile(5, plan, &wrong, 100, V3_ZERO, 0, &far, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(route_from_plan_and_profile(5, plan, &wrong, 100, V3_ZERO, 0, &none, &err), HAWSER_ERR_INPUT);
     assert_non_null(strstr(err.message, "the profile reaches from station 90 m"));
     free(profile.element);
     free(line.piece);
