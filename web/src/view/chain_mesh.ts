@@ -85,7 +85,7 @@ function stretchCorners({ first, last }: Stretch, corners: number[], rims: numbe
     for (let k = 0; k < SIDES; k++) {
       const a = start + ring * SIDES + k;
       const b = start + ring * SIDES + ((k + 1) % SIDES);
-      faces.push(a, a + SIDES, b, b, a + SIDES, b + SIDES);
+      faces.push(a, b, a + SIDES, b, b + SIDES, a + SIDES);
     }
   for (const end of [-1, 1]) {
     const ring = end < 0 ? first : last;
@@ -95,7 +95,7 @@ function stretchCorners({ first, last }: Stretch, corners: number[], rims: numbe
     for (let k = 0; k < SIDES; k++) {
       const a = centre + 1 + k;
       const b = centre + 1 + ((k + 1) % SIDES);
-      faces.push(centre, ...(end < 0 ? [a, b] : [b, a]));
+      faces.push(centre, ...(end < 0 ? [b, a] : [a, b]));
     }
   }
 }

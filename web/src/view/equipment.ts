@@ -52,17 +52,18 @@ export class Equipment {
   /** The route as a line, and its shadow on the ground. */
   private route(groundHeight: number): void {
     const points = this.model.path?.points ?? [];
-    const line = (at: readonly Vec3[], part: Part): void => {
+    const line = (at: readonly Vec3[], part: Part, opacity: number): void => {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new Float32BufferAttribute(at.flat(), 3));
-      const material = new LineBasicMaterial({ transparent: true, opacity: 0.7 });
+      const material = new LineBasicMaterial({ transparent: true, opacity });
       this.painted.push({ material, part });
       this.group.add(new Line(geometry, material));
     };
-    line(points, 'route');
+    line(points, 'route', 0.7);
     line(
       points.map(([x, y]): Vec3 => [x, y, groundHeight]),
       'grid',
+      0.4,
     );
   }
 
