@@ -28,8 +28,7 @@ export function scaleOf(
   let largest = -Infinity;
   const each = (visit: (value: number) => void): void => {
     for (let frame = 0; frame < frames.count; frame++)
-      for (let item = 0; item < frames.items; item++)
-        if (!skipped(item, frame)) visit(q[frame * frames.items + item]!);
+      for (let item = 0; item < frames.items; item++) if (!skipped(item, frame)) visit(q[frame * frames.items + item]!);
   };
   each((value) => {
     if (value < least) least = value;
@@ -44,7 +43,7 @@ export function scaleOf(
     count++;
   });
   let bin = 0;
-  for (let sum = bins[0]!; sum < REACHED * count && bin < BINS - 1; ) sum += bins[++bin]!;
+  for (let sum = bins[0]!; sum < REACHED * count && bin < BINS - 1;) sum += bins[++bin]!;
   const usual = least + (bin + 1) * width;
   const clipped = largest > 0 && largest - least > 2 * (usual - least);
   const low = Math.min(0, least) * meta.step;
