@@ -22,6 +22,7 @@ export type Part = keyof Palette;
 
 export class Equipment {
   readonly group = new Group();
+  private cast: Line | null = null;
   private readonly painted: { material: ShaderMaterial | LineBasicMaterial; part: Part }[] = [];
 
   constructor(
@@ -52,15 +53,17 @@ export class Equipment {
   /** The route as a line, and its shadow on the ground. */
   private route(groundHeight: number): void {
     const points = this.model.path?.points ?? [];
-    const line = (at: readonly Vec3[], part: Part, opacity: number): void => {
+    const line = (at: readonly Vec3[], part: Part, opacity: number): Line => {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new Float32BufferAttribute(at.flat(), 3));
       const material = new LineBasicMaterial({ transparent: true, opacity });
       this.painted.push({ material, part });
-      this.group.add(new Line(geometry, material));
+      const drawn = new Line(geometry, material);
+      this.group.add(drawn);
+      return drawn;
     };
     line(points, 'route', 0.7);
-    line(
+    this.cast = line(
       points.map(([x, y]): Vec3 => [x, y, groundHeight]),
       'grid',
       0.4,
@@ -121,6 +124,11 @@ export class Equipment {
       const profile = box(across, BELT.width, -0.5 * BELT.height, 0.5 * BELT.height);
       this.group.add(new Mesh(this.swept(line, profile, true), this.paint('belt', {})));
     }
+  }
+
+  /** Shows the route's shadow on the ground, or not. */
+  shadow(on: boolean): void {
+    if (this.cast) this.cast.visible = on;
   }
 
   recolour(palette: Palette): void {
