@@ -146,11 +146,16 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     def.rollers = hawser_sim_rollers(s, &def.roller);
     def.figures = run->look->figures;
     def.machine = run->look->machine;
-    char *summary;
-    hawser_status status = hawser_sim_summary_json(s, &summary, err);
-    if (status) return status;
-    status = results_open(&run->results, dir, &def, summary, err);
+    def.n_inputs = s->stage.scene.def.n_inputs;
+    def.inputs = s->stage.scene.def.inputs;
+    AlongRow *route;
+    char *summary = NULL;
+    hawser_status status = along_rows(s, &route, &def.n_route, err);
+    if (!status) status = hawser_sim_summary_json(s, &summary, err);
+    def.route = route;
+    if (!status) status = results_open(&run->results, dir, &def, summary, err);
     hawser_text_free(summary);
+    free(route);
     return status;
 }
 
