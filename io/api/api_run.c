@@ -5,6 +5,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "sim/picture/geometry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -146,10 +147,13 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     def.rollers = hawser_sim_rollers(s, &def.roller);
     def.figures = run->look->figures;
     def.machine = run->look->machine;
-    char *summary;
+    Geometry geometry = {0};
+    char *summary = NULL;
     hawser_status status = hawser_sim_summary_json(s, &summary, err);
-    if (status) return status;
-    status = results_open(&run->results, dir, &def, summary, err);
+    if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
+    if (def.states > 0) def.geometry = &geometry;
+    if (!status) status = results_open(&run->results, dir, &def, summary, err);
+    geometry_free(&geometry);
     hawser_text_free(summary);
     return status;
 }
