@@ -5,6 +5,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "sim/picture/geometry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -148,12 +149,16 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     def.machine = run->look->machine;
     def.n_inputs = s->stage.scene.def.n_inputs;
     def.inputs = s->stage.scene.def.inputs;
+    Geometry geometry = {0};
     AlongRow *route;
     char *summary = NULL;
     hawser_status status = along_rows(s, &route, &def.n_route, err);
     if (!status) status = hawser_sim_summary_json(s, &summary, err);
+    if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
+    if (def.states > 0) def.geometry = &geometry;
     def.route = route;
     if (!status) status = results_open(&run->results, dir, &def, summary, err);
+    geometry_free(&geometry);
     hawser_text_free(summary);
     free(route);
     return status;

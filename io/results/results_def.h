@@ -3,6 +3,7 @@
 #define HAWSER_IO_RESULTS_RESULTS_DEF_H
 
 #include "hawser/hawser.h"
+#include "sim/picture/geometry.h"
 #include "sim/watch/peaks.h"
 
 /* A place of the route: where it is and what theory says there. What is not known or not there is NAN. */
@@ -27,6 +28,7 @@ typedef struct ResultsDef {
     const int *watched; /* [n_watched]: segments whose speed and tension are columns of series.csv */
     int probes;
     const hawser_probe *probe; /* [probes]: names */
+    const Geometry *geometry;  /* what stands around the cable; NULL: not written */
     double states;             /* expected number of states; 0: no results.h5 and no results.xdmf */
     int reel;                  /* the reel pays out: series.csv has its columns */
     int front;                 /* the cable's front moves along the route: likewise */

@@ -113,6 +113,20 @@ hawser_status series_row(OutFile *out, const Series *series, const hawser_sample
 
 /* ------------------------------------------------------------------------------------------------- results.h5 */
 
+/* A set that does not grow, of a struct: what there is to be drawn, or an envelope. */
+typedef enum FixedKind { FIXED_NUMBER, FIXED_SINGLE, FIXED_COUNT, FIXED_NAME } FixedKind;
+typedef struct FixedSet {
+    const char *set;      /* its path */
+    FixedKind kind;       /* doubles; doubles written in single precision; ints; char[NAME_MAX_LENGTH] */
+    size_t values, count; /* in the struct: where the array's pointer and the number of its items are */
+    int width;            /* values an item; 0: one, without a dimension of its own */
+    const char *unit, *about;
+} FixedSet;
+
+/* Of a Geometry, and of one of its surfaces below "geometry/surfaces/K/". */
+extern const FixedSet geometry_set[], surface_set[];
+extern const int geometry_sets, surface_sets;
+
 /* The sampled states, one row a state, readable while the run goes on. docs/results.md lists what is in it. HDF5 stays
  * silent: what goes wrong comes back as a status. */
 typedef struct H5File H5File;

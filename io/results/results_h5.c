@@ -3,6 +3,7 @@
  * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
  * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
 #include "core/base/error.h"
+#include "io/results/h5_sets.h"
 #include "io/results/results_disk.h"
 #include "io/results/results_file.h"
 #include "sim/def/scene_def.h"
@@ -49,19 +50,6 @@ static int set_dims(const H5File *h, const SampleColumn *info, hsize_t rows, hsi
     return info->per == PER_RUN ? 1 : info->width ? 3 : 2;
 }
 
-/* A text attribute of an object. */
-static int write_text(hid_t object, const char *name, const char *text)
-{
-    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
-    H5Tset_size(type, strlen(text) + 1);
-    const hid_t a = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = a >= 0 && H5Awrite(a, type, text) >= 0;
-    if (a >= 0) H5Aclose(a);
-    H5Sclose(space);
-    H5Tclose(type);
-    return ok;
-}
-
 /* Chunks of one row (many, for single numbers); if wanted, shuffled and lightly deflated. */
 static hid_t make_chunks(const H5File *h, int rank, const hsize_t *dims)
 {
@@ -97,19 +85,7 @@ static int make_set(H5File *h, int k)
     H5Sclose(space);
     if (set < 0) return 0;
     h->set[k] = set;
-    return write_text(set, "unit", info->unit) && write_text(set, "description", info->about);
-}
-
-/* A whole set that does not grow, written from what the machine has as `type`. */
-static int write_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
-                     const void *values)
-{
-    const hid_t space = H5Screate_simple(rank, dims, NULL);
-    const hid_t set = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
-    return ok;
+    return h5_text(set, "unit", info->unit) && h5_text(set, "description", info->about);
 }
 
 /* Which points every line element of the polyline joins: [segments-1][2]. */
@@ -122,7 +98,7 @@ static int write_connectivity(H5File *h)
         pairs[2 * i] = i;
         pairs[2 * i + 1] = i + 1;
     }
-    const int ok = write_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
+    const int ok = h5_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
     free(pairs);
     return ok;
 }
@@ -141,8 +117,8 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     }
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, NAME_MAX_LENGTH);
-    ok = ok && write_set(h->file, "roller_name", type, type, 1, &n, name) &&
-         write_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
+    ok = ok && h5_set(h->file, "roller_name", type, type, 1, &n, name) &&
+         h5_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
     H5Tclose(type);
     free(name);
     free(s);
@@ -166,17 +142,18 @@ static int make_file(H5File *h, const ResultsDef *def)
     const hid_t file = create_file(h);
     if (file < 0) return 0;
     h->file = file;
-    int ok = write_text(file, "title", def->title) && write_text(file, "hawser_version", hawser_version());
+    int ok = h5_text(file, "title", def->title) && h5_text(file, "hawser_version", hawser_version());
     if (fabs(def->origin[0]) + fabs(def->origin[1]) + fabs(def->origin[2]) > 0) {
         char text[96];
         snprintf(text, sizeof text, "%.10g %.10g %.10g", def->origin[0], def->origin[1], def->origin[2]);
-        ok = ok && write_text(file, "origin_m", text);
+        ok = ok && h5_text(file, "origin_m", text);
     }
     for (int k = 0; k < sample_columns && ok; k++) ok = make_set(h, k);
     const hid_t frames = ok ? H5Gcreate2(file, "frames", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1;
     if (frames < 0) return 0;
     h->frames = frames;
-    ok = write_text(frames, "description", "single precision copies for results.xdmf, one group a state");
+    ok = h5_text(frames, "description", "single precision copies for results.xdmf, one group a state");
+    ok = ok && (!def->geometry || geometry_write(file, def->geometry));
     return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) &&
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
@@ -229,7 +206,7 @@ static int write_frame_set(H5File *h, hid_t group, const char *name, int n, int 
 {
     const hsize_t dims[2] = {(hsize_t)n, (hsize_t)width};
     for (int i = 0; i < n * width; i++) h->frame[i] = (float)values[i];
-    return write_set(group, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
+    return h5_set(group, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
 }
 
 /* The copy that results.xdmf points to; the tensions are those of the joints between two segments. */
