@@ -1,11 +1,13 @@
-/* Pages of results: folders are read, and one file is written. */
+/* Pages and figures of results: folders are read, and files are written. */
 #include "core/base/error.h"
 #include "hawser/hawser.h"
 #include "io/report/data.h"
+#include "io/report/figures.h"
 #include "io/report/page.h"
 #include "io/results/results_file.h"
 
 #include <locale.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,5 +63,67 @@ hawser_status hawser_report_write(const char *const *folders, size_t n, const ch
     if (!plain) return error_memory(err);
     const hawser_status status = report_make(folders, n, path, err);
     locale_back(plain, before);
+    return status;
+}
+
+/* The number of a figure among all; FIGURES if there is none of that name. */
+static int figure_named(const char *name)
+{
+    int k = 0;
+    while (k < FIGURES && strcmp(name, figures[k].name) != 0) k++;
+    return k;
+}
+
+/* One figure. *drawn counts it; results that hold nothing for it are an error if it was asked for. */
+static hawser_status figure_write(const Folder *folder, const char *dir, const Figure *figure, hawser_units units, int wanted,
+                                  int *drawn, hawser_error *err)
+{
+    char name[64];
+    Text text = {0};
+    const int some = figure->draw(folder, units, &text);
+    hawser_status status = some < 0 || text.failed ? error_memory(err) : HAWSER_OK;
+    if (!status && !some && wanted)
+        status = error_set(err, HAWSER_ERR_INPUT, "'%.600s' has nothing for the figure '%s': it needs %s", folder->dir,
+                           figure->name, figure->needs);
+    if (!status && some) {
+        snprintf(name, sizeof name, "%s.svg", figure->name);
+        status = out_make_dir(dir, err);
+        if (!status) status = out_whole(dir, name, text.at, err);
+        *drawn += !status;
+    }
+    text_clear(&text);
+    return status;
+}
+
+static hawser_status plot_make(const char *results, const char *dir, size_t n, const char *const *names, hawser_units units,
+                               int *drawn, hawser_error *err)
+{
+    Folder folder;
+    hawser_status status = folder_read(results, &folder, err);
+    for (int k = 0; k < FIGURES && !status; k++) {
+        int wanted = 0;
+        for (size_t i = 0; i < n; i++) wanted |= figure_named(names[i]) == k;
+        if (n == 0 || wanted) status = figure_write(&folder, dir, &figures[k], units, wanted, drawn, err);
+    }
+    if (!status && *drawn == 0)
+        status = error_set(err, HAWSER_ERR_INPUT, "'%.700s' holds nothing to draw: no stations, series, rollers or route", results);
+    folder_clear(&folder);
+    return status;
+}
+
+hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, const char *const *names, hawser_units units,
+                                int *drawn, hawser_error *err)
+{
+    int count = 0;
+    locale_t before;
+    for (size_t i = 0; i < n; i++) {
+        if (figure_named(names[i]) == FIGURES)
+            return error_set(err, HAWSER_ERR_INPUT, "'%.100s' is no figure: there are tension, series, rollers and plan", names[i]);
+    }
+    const locale_t plain = locale_plain(&before);
+    if (!plain) return error_memory(err);
+    const hawser_status status = plot_make(folder, dir, n, names, units, &count, err);
+    locale_back(plain, before);
+    if (drawn) *drawn = count;
     return status;
 }
