@@ -161,11 +161,11 @@ static int draw_tension(const Folder *folder, hawser_units units, Text *out)
 }
 
 /* The steady window and the events, which every figure over time has. */
-static void times_mark(Svg *svg, const Folder *folder, const Axis *x, const Axis *y, int shade)
+static void times_mark(Svg *svg, const Folder *folder, const Axis *x, const Axis *y, int shade, const char *words)
 {
     const json_t *const events = json_object_get(folder->summary, "events");
     const double from = folder_figure(folder, "steady_window.from_s"), to = folder_figure(folder, "steady_window.to_s");
-    if (shade && isfinite(from)) svg_shade(svg, x, y, from, isfinite(to) ? to : x->to, "steady window");
+    if (shade && isfinite(from)) svg_shade(svg, x, y, from, isfinite(to) ? to : x->to, words);
     for (size_t i = 0; i < json_array_size(events) && i < 60 && !shade; ++i) {
         const json_t *const event = json_array_get(events, i);
         const char *const what = json_string_value(json_object_get(event, "what"));
@@ -191,9 +191,9 @@ static int series_frame(Svg *svg, const Folder *folder, int n, const Drawn *draw
     axis_fit(&y, fmin(from, 0), to);
     const int some = isfinite(x.from) && x.to > x.from;
     if (some) {
-        times_mark(svg, folder, &x, &y, 1);
+        times_mark(svg, folder, &x, &y, 1, n > 1 ? "steady window" : "");
         svg_frame(svg, &x, &y);
-        times_mark(svg, folder, &x, &y, 0);
+        times_mark(svg, folder, &x, &y, 0, "");
         svg_legend_at(svg, LEFT, top - 12);
         curves_draw(svg, &x, &y, n, drawn, c);
     }

@@ -192,7 +192,7 @@ void svg_shade(Svg *svg, const Axis *x, const Axis *y, double from, double to, c
     if (!(right > left)) return;
     text_print(&svg->out, "<rect class=\"shade\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>\n", left, y->at + y->length,
                right - left, -y->length);
-    text_print(&svg->out, "<text class=\"small\" x=\"%.1f\" y=\"%.1f\">", left + 6, y->at + y->length + 15);
+    text_print(&svg->out, "<text class=\"small\" x=\"%.1f\" y=\"%.1f\">", left + 6, y->at - 8);
     text_html(&svg->out, words, 40);
     text_add(&svg->out, "</text>\n");
 }
