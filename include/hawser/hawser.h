@@ -136,6 +136,11 @@ typedef struct hawser_sample {
     const hawser_figure *figure; /* [figures] what all of these show now, one after the other */
     int probes;
     const hawser_probe *probe; /* [probes] */
+    /* for pictures: not brought up to date for rows of series.csv alone */
+    const double *curvature;         /* [joints], 1/m, between neighbouring segments; 0 at the chain's ends */
+    const double *sidewall;          /* [joints], N/m, tension over the radius of the route's bend; 0 on the rope */
+    const double *contact_line_load; /* [segments], N/m, size of all contact forces on it over its length */
+    const double *roller_force;      /* [3*rollers], N, contact force on the roller, of size roller_load */
 } hawser_sample;
 
 /* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond

@@ -157,6 +157,8 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
     if (def.states > 0) def.geometry = &geometry;
     def.route = route;
+    envelope_free(&s->envelope); /* of a run before */
+    if (!status && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
     if (!status) status = results_open(&run->results, dir, &def, summary, err);
     geometry_free(&geometry);
     hawser_text_free(summary);
@@ -173,6 +175,7 @@ static hawser_status finish_tables(Run *run, hawser_error *err)
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
     tables.segments = run->look->segments;
+    if (s->envelope.present) tables.envelope = &s->envelope;
     return results_finish(run->results, &tables, err);
 }
 

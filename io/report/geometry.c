@@ -322,6 +322,30 @@ static void chain_add(Text *out, hid_t file)
     text_add(out, "}");
 }
 
+#define ENVELOPE(line)                                                                                                 \
+    {"s_m", "envelope/" line "/s", 0}, {"time_s", "envelope/" line "/time", 0},                                        \
+        {"tension_min_N", "envelope/" line "/tension_min", 0}, {"tension_mean_N", "envelope/" line "/tension_mean", 0},  \
+        {"tension_max_N", "envelope/" line "/tension_max", 0},                                                         \
+        {"sidewall_mean_N_per_m", "envelope/" line "/sidewall_mean", 0},                                               \
+        {"sidewall_max_N_per_m", "envelope/" line "/sidewall_max", 0},                                                 \
+        {"curvature_mean_per_m", "envelope/" line "/curvature_mean", 0},                                               \
+    {                                                                                                                  \
+        "curvature_max_per_m", "envelope/" line "/curvature_max", 0                                                    \
+    }
+static const Item place_item[] = {ENVELOPE("place")}, arc_item[] = {ENVELOPE("arc")};
+
+/* Least, mean and largest over time, by place and by arc length; null where there is no such line. */
+static void envelope_add(Text *out, hid_t file)
+{
+    text_add(out, ",\n\"envelope\":{\"place\":");
+    if (H5Lexists(file, "envelope/place", H5P_DEFAULT) > 0) arrays_add(out, file, LENGTH(place_item), place_item);
+    else text_add(out, "null");
+    text_add(out, ",\n\"arc\":");
+    if (H5Lexists(file, "envelope/arc", H5P_DEFAULT) > 0) arrays_add(out, file, LENGTH(arc_item), arc_item);
+    else text_add(out, "null");
+    text_add(out, "}");
+}
+
 /* Whether the file has a group. */
 static int has(hid_t file, const char *group)
 {
@@ -337,6 +361,7 @@ void geometry_add(Text *out, hid_t file, Folder *folder)
     {
         if (has(file, "geometry")) around_add(out, file, folder);
         if (has(file, "chain")) chain_add(out, file);
+        if (has(file, "envelope")) envelope_add(out, file);
     }
     H5E_END_TRY
     if (!has(file, "geometry"))

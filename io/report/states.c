@@ -110,12 +110,13 @@ static float *rows_read(hid_t file, const States *s, const char *name, int items
     return NULL;
 }
 
-/* Of the joints of each state those ahead of the segments, as series.csv has them. */
-static void joints_drop(States *s)
+/* A set of joints, [n+1]: of each state those ahead of the segments, as series.csv has them. */
+static float *joints_read(hid_t file, const States *s, const char *name)
 {
-    float *const t = s->field[FIELD_TENSION].value;
+    float *const t = rows_read(file, s, name, s->segments + 1, 0);
     const size_t n = (size_t)s->segments;
     for (size_t f = 0; t && f < (size_t)s->frames; f++) memmove(t + f * n, t + f * (n + 1) + 1, n * sizeof *t);
+    return t;
 }
 
 /* Speed along the segment's own axis, which is the first column of its rotation (w x y z): the velocity's share. */
@@ -170,12 +171,12 @@ hawser_status states_read(hid_t file, int most, States *s, hawser_error *err)
     const int n = s->segments;
     Field *const f = s->field;
     f[FIELD_POSITION] = (Field){"position", "m", n, 3, 1e-3, rows_read(file, s, "position", n, 3)};
-    f[FIELD_TENSION] = (Field){"tension", "N", n, 1, 1, rows_read(file, s, "tension", n + 1, 0)};
-    f[FIELD_CURVATURE] = (Field){"curvature", "1/m", n, 1, 1e-4, rows_read(file, s, "curvature", n, 0)};
-    f[FIELD_SIDEWALL] = (Field){"sidewall", "N/m", n, 1, 10, rows_read(file, s, "sidewall", n, 0)};
+    f[FIELD_TENSION] = (Field){"tension", "N", n, 1, 1, joints_read(file, s, "tension")};
+    f[FIELD_CURVATURE] = (Field){"curvature", "1/m", n, 1, 1e-4, joints_read(file, s, "curvature")};
+    f[FIELD_SIDEWALL] = (Field){"sidewall", "N/m", n, 1, 10, joints_read(file, s, "sidewall")};
+    f[FIELD_CONTACT] = (Field){"contact", "N/m", n, 1, 10, rows_read(file, s, "contact_line_load", n, 0)};
     f[FIELD_SPEED] = (Field){"speed", "m/s", n, 1, 1e-3, speeds_make(file, s)};
     rollers_read(file, s);
-    joints_drop(s);
     return f[FIELD_POSITION].value ? HAWSER_OK : error_set(err, HAWSER_ERR_INPUT, "results.h5: the positions cannot be read");
 }
 

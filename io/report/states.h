@@ -15,7 +15,7 @@ typedef struct Field {
     float *value; /* [frames][items][components], owned; NULL: the file has no such thing */
 } Field;
 
-enum { FIELD_POSITION, FIELD_TENSION, FIELD_CURVATURE, FIELD_SIDEWALL, FIELD_SPEED, FIELD_ROLLERS, FIELDS };
+enum { FIELD_POSITION, FIELD_TENSION, FIELD_CURVATURE, FIELD_SIDEWALL, FIELD_CONTACT, FIELD_SPEED, FIELD_ROLLERS, FIELDS };
 
 typedef struct States {
     int frames, segments; /* frames: that were read; of */

@@ -179,6 +179,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     const int n[TABLES] = {t->n_stations, t->n_rollers};
     const void *const rows[TABLES] = {t->station, t->roller};
     hawser_status s = flush_all(r, err);
+    if (r->h5 && t->envelope) keep_first(&s, h5_envelope(r->h5, t->envelope, s ? NULL : err));
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
     keep_first(&s, out_close(&r->series, s ? NULL : err));

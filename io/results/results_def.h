@@ -3,6 +3,7 @@
 #define HAWSER_IO_RESULTS_RESULTS_DEF_H
 
 #include "hawser/hawser.h"
+#include "sim/picture/envelope.h"
 #include "sim/picture/geometry.h"
 #include "sim/watch/peaks.h"
 

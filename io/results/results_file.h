@@ -83,7 +83,9 @@ typedef struct SampleColumn {
     int digits;                     /* 0: nine */
     const char *set, *unit, *about; /* in results.h5; NULL: not there */
     SamplePer per;
-    int width; /* values an item; 0: one, without a dimension of its own */
+    int width;         /* values an item; 0: one, without a dimension of its own */
+    int single;        /* in single precision: a field that others show */
+    const char *frame; /* in the frames that results.xdmf shows, of points or of cells: NULL: not there */
 } SampleColumn;
 
 extern const SampleColumn sample_column[];
@@ -126,6 +128,9 @@ typedef struct FixedSet {
 /* Of a Geometry, and of one of its surfaces below "geometry/surfaces/K/". */
 extern const FixedSet geometry_set[], surface_set[];
 extern const int geometry_sets, surface_sets;
+/* Of an Envelope. */
+extern const FixedSet envelope_set[];
+extern const int envelope_sets;
 
 /* The sampled states, one row a state, readable while the run goes on. docs/results.md lists what is in it. HDF5 stays
  * silent: what goes wrong comes back as a status. */
@@ -135,6 +140,8 @@ typedef struct H5File H5File;
 hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err);
 /* Adds one state. Errors: OUTPUT; the states before it stay readable. */
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err);
+/* The group "envelope", once. Errors: OUTPUT. */
+hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err);
 /* After this, readers see every state. Errors: OUTPUT. */
 hawser_status h5_flush(H5File *h, hawser_error *err);
 /* Closes *file and sets it to NULL (NULL is fine). Errors: OUTPUT. */

@@ -57,6 +57,50 @@ const FixedSet surface_set[] = {
 };
 const int surface_sets = sizeof surface_set / sizeof *surface_set;
 
+#define OVER_TIME(line, quantity, unit, what)                                                                          \
+    {"envelope/" #line "/" #quantity "_min",                                                                           \
+     FIXED_NUMBER,                                                                                                     \
+     .values = offsetof(Envelope, line.quantity.least),                                                                \
+     .count = offsetof(Envelope, line.n),                                                                              \
+     0,                                                                                                                \
+     unit,                                                                                                             \
+     "least over time of " what},                                                                                      \
+        {"envelope/" #line "/" #quantity "_mean",                                                                      \
+         FIXED_NUMBER,                                                                                                 \
+         .values = offsetof(Envelope, line.quantity.mean),                                                             \
+         .count = offsetof(Envelope, line.n),                                                                          \
+         0,                                                                                                            \
+         unit,                                                                                                         \
+         "mean over time of " what},                                                                                   \
+    {                                                                                                                  \
+        "envelope/" #line "/" #quantity "_max", FIXED_NUMBER, .values = offsetof(Envelope, line.quantity.largest),     \
+                                                              .count = offsetof(Envelope, line.n), 0, unit,            \
+                                                              "largest over time of " what                             \
+    }
+#define ALONG(line, what)                                                                                              \
+    {"envelope/" #line "/s",                                                                                           \
+     FIXED_NUMBER,                                                                                                     \
+     .values = offsetof(Envelope, line.s),                                                                             \
+     .count = offsetof(Envelope, line.n),                                                                              \
+     0,                                                                                                                \
+     "m",                                                                                                              \
+     what},                                                                                                            \
+        {"envelope/" #line "/time",                                                                                    \
+         FIXED_NUMBER,                                                                                                 \
+         .values = offsetof(Envelope, line.time),                                                                      \
+         .count = offsetof(Envelope, line.n),                                                                          \
+         0,                                                                                                            \
+         "s",                                                                                                          \
+         "over which the means are"},                                                                                  \
+        OVER_TIME(line, tension, "N", "the tension"), OVER_TIME(line, curvature, "1/m", "the curvature"),              \
+        OVER_TIME(line, sidewall, "N/m", "the sidewall pressure")
+
+const FixedSet envelope_set[] = {
+    ALONG(arc, "of every joint from the tail, unstretched"),
+    ALONG(place, "along the route; values are of the cable that was there, NaN: none was"),
+};
+const int envelope_sets = sizeof envelope_set / sizeof *envelope_set;
+
 /* The pairs that a polyline's elements join, for readers of XDMF. */
 static int line_write(hid_t file, const Geometry *g)
 {

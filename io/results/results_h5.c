@@ -80,7 +80,8 @@ static int make_set(H5File *h, int k)
     const int rank = set_dims(h, info, 0, dims);
     set_dims(h, info, H5S_UNLIMITED, max);
     const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(h, rank, dims);
-    const hid_t set = H5Dcreate2(h->file, info->set, H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+    const hid_t set = H5Dcreate2(h->file, info->set, info->single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                                 plist, H5P_DEFAULT);
     H5Pclose(plist);
     H5Sclose(space);
     if (set < 0) return 0;
@@ -201,15 +202,18 @@ static int append_row(H5File *h, int k, const hawser_sample *sample)
     return ok;
 }
 
-/* One array of a frame in single precision: n x width (width 1: n). */
-static int write_frame_set(H5File *h, hid_t group, const char *name, int n, int width, const double *values)
+/* One array of a frame in single precision. Of joints only those between two segments. */
+static int write_frame_set(H5File *h, hid_t group, const SampleColumn *column, const hawser_sample *sample)
 {
+    const int joints = column->per == PER_JOINT, n = joints ? h->segments - 1 : h->segments;
+    const int width = column->width ? column->width : 1;
     const hsize_t dims[2] = {(hsize_t)n, (hsize_t)width};
+    const double *const values = (const double *)sample_at(column, sample) + joints;
     for (int i = 0; i < n * width; i++) h->frame[i] = (float)values[i];
-    return h5_set(group, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
+    return h5_set(group, column->frame, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
 }
 
-/* The copy that results.xdmf points to; the tensions are those of the joints between two segments. */
+/* The copy that results.xdmf points to. */
 static int write_frame(H5File *h, const hawser_sample *s)
 {
     char name[FRAMES_NAME];
@@ -217,9 +221,9 @@ static int write_frame(H5File *h, const hawser_sample *s)
     snprintf(name, sizeof name, "%06ld", (long)h->rows);
     const hid_t group = H5Gcreate2(h->frames, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     if (group < 0) return 0;
-    const int ok = write_frame_set(h, group, "position", h->segments, 3, s->position) &&
-                   write_frame_set(h, group, "axial_speed", h->segments, 1, s->axial_speed) &&
-                   write_frame_set(h, group, "tension", h->segments - 1, 1, s->tension + 1);
+    int ok = 1;
+    for (int k = 0; k < sample_columns && ok; k++)
+        if (sample_column[k].frame) ok = write_frame_set(h, group, &sample_column[k], s);
     H5Gclose(group);
     return ok;
 }
@@ -239,6 +243,14 @@ hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *er
     H5E_BEGIN_TRY { ok = append_state(h, sample); }
     H5E_END_TRY
     h->rows++;
+    return h5_result(h, ok, err);
+}
+
+hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err)
+{
+    int ok = 0;
+    H5E_BEGIN_TRY { ok = h5_fixed(h->file, "", envelope_sets, envelope_set, envelope); }
+    H5E_END_TRY
     return h5_result(h, ok, err);
 }
 
