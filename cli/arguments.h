@@ -33,7 +33,7 @@ typedef struct Arguments {
     int quiet;
     int strict; /* a broken limit is an error */
     int certify;
-    int report, pdf; /* a page about the results; the same printed */
+    int report, pdf;  /* a page about the results; the same printed */
     double tolerance; /* share; 0: the library's choice */
     int verbose;      /* what it cost to compute is shown too */
     hawser_format format;

@@ -47,10 +47,19 @@ static void browser_become(const char *url, const char *pdf, const char *profile
     snprintf(print, sizeof print, "--print-to-pdf=%s", pdf);
     snprintf(home, sizeof home, "--user-data-dir=%s", profile);
     snprintf(budget, sizeof budget, "--virtual-time-budget=%d", DRAWING);
-    char *const args[] = {"browser",  "--headless", "--disable-gpu", "--no-first-run", "--disable-extensions",
-                          "--enable-unsafe-swiftshader", "--no-pdf-header-footer", budget, home, print,
+    char *const args[] = {"browser",
+                          "--headless",
+                          "--disable-gpu",
+                          "--no-first-run",
+                          "--disable-extensions",
+                          "--enable-unsafe-swiftshader",
+                          "--no-pdf-header-footer",
+                          budget,
+                          home,
+                          print,
                           geteuid() == 0 ? "--no-sandbox" : "--disable-sync", /* its sandbox does not work for root */
-                          (char *)(size_t)url, NULL};
+                          (char *)(size_t)url,
+                          NULL};
     setpgid(0, 0);
     const int nothing = open("/dev/null", O_RDWR);
     for (int fd = 0; fd <= 2 && nothing >= 0; fd++) dup2(nothing, fd);
@@ -105,8 +114,10 @@ hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err)
     profile_remove(profile);
     free(url);
     if (result == 127)
-        return fail(err, "--pdf needs a Chromium on the path (chromium, chromium-browser or google-chrome); on Debian: "
-                         "apt-get install chromium", "");
+        return fail(err,
+                    "--pdf needs a Chromium on the path (chromium, chromium-browser or google-chrome); on Debian: "
+                    "apt-get install chromium",
+                    "");
     if (result == -1) return fail(err, "the browser has not printed the page in time: ", pdf);
     if (result || stat(pdf, &info) || info.st_size == 0) return fail(err, "the browser could not print to ", pdf);
     return HAWSER_OK;

@@ -90,8 +90,8 @@ static int strict_verdict(hawser_sim *sim)
     return found == -2 ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
 }
 
-/* The page about what there is of the run. What ended the run weighs more than a page that could not be written, of which
- * standard error says why then. */
+/* The page about what there is of the run. What ended the run weighs more than a page that could not be written, of
+ * which standard error says why then. */
 static void report_page(const Arguments *args, const char *dir, hawser_status *status, hawser_error *err)
 {
     hawser_error why = {HAWSER_OK, ""};

@@ -1,9 +1,7 @@
 /* Pages and figures of results: folders are read, and files are written. */
 #include "core/base/error.h"
 #include "hawser/hawser.h"
-#include "io/report/data.h"
-#include "io/report/figures.h"
-#include "io/report/page.h"
+#include "io/report/report.h"
 #include "io/results/results_file.h"
 
 #include <locale.h>
@@ -11,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers are read and written with a decimal point, whatever the locale of the calling program: this thread's is changed
- * until locale_back. 0: no memory. */
+/* Numbers are read and written with a decimal point, whatever the locale of the calling program: this thread's is
+ * changed until locale_back. 0: no memory. */
 static locale_t locale_plain(locale_t *before)
 {
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
@@ -75,8 +73,8 @@ static int figure_named(const char *name)
 }
 
 /* One figure. *drawn counts it; results that hold nothing for it are an error if it was asked for. */
-static hawser_status figure_write(const Folder *folder, const char *dir, const Figure *figure, hawser_units units, int wanted,
-                                  int *drawn, hawser_error *err)
+static hawser_status figure_write(const Folder *folder, const char *dir, const Figure *figure, hawser_units units,
+                                  int wanted, int *drawn, hawser_error *err)
 {
     char name[64];
     Text text = {0};
@@ -95,8 +93,8 @@ static hawser_status figure_write(const Folder *folder, const char *dir, const F
     return status;
 }
 
-static hawser_status plot_make(const char *results, const char *dir, size_t n, const char *const *names, hawser_units units,
-                               int *drawn, hawser_error *err)
+static hawser_status plot_make(const char *results, const char *dir, size_t n, const char *const *names,
+                               hawser_units units, int *drawn, hawser_error *err)
 {
     Folder folder;
     hawser_status status = folder_read(results, &folder, err);
@@ -106,19 +104,21 @@ static hawser_status plot_make(const char *results, const char *dir, size_t n, c
         if (n == 0 || wanted) status = figure_write(&folder, dir, &figures[k], units, wanted, drawn, err);
     }
     if (!status && *drawn == 0)
-        status = error_set(err, HAWSER_ERR_INPUT, "'%.700s' holds nothing to draw: no stations, series, rollers or route", results);
+        status = error_set(err, HAWSER_ERR_INPUT,
+                           "'%.700s' holds nothing to draw: no stations, series, rollers or route", results);
     folder_clear(&folder);
     return status;
 }
 
-hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, const char *const *names, hawser_units units,
-                                int *drawn, hawser_error *err)
+hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, const char *const *names,
+                                hawser_units units, int *drawn, hawser_error *err)
 {
     int count = 0;
     locale_t before;
     for (size_t i = 0; i < n; i++) {
         if (figure_named(names[i]) == FIGURES)
-            return error_set(err, HAWSER_ERR_INPUT, "'%.100s' is no figure: there are tension, series, rollers and plan", names[i]);
+            return error_set(err, HAWSER_ERR_INPUT,
+                             "'%.100s' is no figure: there are tension, series, rollers and plan", names[i]);
     }
     const locale_t plain = locale_plain(&before);
     if (!plain) return error_memory(err);

@@ -1,6 +1,7 @@
 /* Files of web/dist as read-only data: the assembler takes them in, so that neither gcc nor clang has to compile half a
- * million numbers. io/CMakeLists.txt says where they are and what the script's sum is, and builds again when they change. */
-#include "io/report/bundle.h"
+ * million numbers. io/CMakeLists.txt says where they are and what the script's sum is, and builds again when they
+ * change. */
+#include "io/report/report.h"
 
 #define EMBED(name, file)                                                                                              \
     __asm__(".pushsection .rodata\n"                                                                                   \

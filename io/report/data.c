@@ -1,8 +1,6 @@
-#include "io/report/data.h"
+#include "io/report/report.h"
 
 #include "core/base/error.h"
-#include "io/report/geometry.h"
-#include "io/report/pack.h"
 #include "io/report/states.h"
 
 #include <math.h>
@@ -116,8 +114,8 @@ static void states_head(Text *out, const States *s, const Sheet *series)
     for (int k = 0, some = 0; k < FIELD_ROLLERS; k++) {
         const Field *const f = &s->field[k];
         if (!f->value) continue;
-        text_print(out, "%s\"%s\":{\"components\":%d,\"unit\":\"%s\",\"step\":%g}", some++ ? "," : "", f->name, f->components,
-                   f->unit, f->step);
+        text_print(out, "%s\"%s\":{\"components\":%d,\"unit\":\"%s\",\"step\":%g}", some++ ? "," : "", f->name,
+                   f->components, f->unit, f->step);
     }
     text_add(out, "}");
 }
@@ -131,8 +129,8 @@ static hawser_status fields_pack(const States *s, Text *segments, Text *rollers,
         Text *const out = k == FIELD_ROLLERS ? rollers : segments;
         if (!f->value) continue;
         if (k == FIELD_ROLLERS)
-            text_print(out, "{\"frames\":%d,\"items\":%d,\"components\":%d,\"unit\":\"%s\",\"step\":%g,\"packed\":\"", s->frames,
-                       f->items, f->components, f->unit, f->step);
+            text_print(out, "{\"frames\":%d,\"items\":%d,\"components\":%d,\"unit\":\"%s\",\"step\":%g,\"packed\":\"",
+                       s->frames, f->items, f->components, f->unit, f->step);
         else
             text_print(out, "%s\"%s\":\"", out->size ? "," : "", f->name);
         status = pack_field(s->frames, f->items, f->components, f->step, f->value, out, err);
@@ -148,7 +146,7 @@ static hawser_status states_add(Text *out, hid_t file, Folder *folder, double go
     Text segments = {0}, rollers = {0};
     hawser_status status = HAWSER_OK;
     int most = FRAMES_MOST;
-    for (int again = 1; again; ) {
+    for (int again = 1; again;) {
         States s;
         status = states_read(file, most, &s, &why);
         if (!status) status = fields_pack(&s, &segments, &rollers, &why);
@@ -190,7 +188,8 @@ static hawser_status file_add(Text *out, Folder *folder, double share, hawser_er
     if (n == 0) folder_say(folder, "results.h5 holds no states: the page has no 3-D view");
     if (n > 0) {
         const double segments = fmax(0, folder_figure(folder, "segments"));
-        status = states_add(out, file, folder, fmin(share * states_most, states_least + states_per_segment * segments), err);
+        status =
+            states_add(out, file, folder, fmin(share * states_most, states_least + states_per_segment * segments), err);
     }
     H5Fclose(file);
     return status;

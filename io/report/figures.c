@@ -1,4 +1,4 @@
-#include "io/report/figures.h"
+#include "io/report/report.h"
 
 #include "io/report/svg.h"
 #include "io/results/column.h"
@@ -126,7 +126,8 @@ static int draw_tension(const Folder *folder, hawser_units units, Text *out)
     const Drawn drawn[N] = {
         {&folder->stations, "s_m", "peak_N", "simulated, peak", SVG_PALE, 0},
         {fine ? &folder->route : &folder->stations, "s_m", "paper_N", "paper's formulas", SVG_THIRD, 0},
-        {fine ? &folder->route : &folder->stations, "s_m", fine ? "run_N" : "reference_N", "reference theory", SVG_SECOND, 0},
+        {fine ? &folder->route : &folder->stations, "s_m", fine ? "run_N" : "reference_N", "reference theory",
+         SVG_SECOND, 0},
         {&folder->stations, "s_m", "mean_N", "simulated, mean", SVG_FIRST, 1}};
     const double size = fmax(column_size(&folder->stations, "peak_N"), column_size(&folder->stations, "mean_N"));
     const Scale force = scale_of("N", size, units), length = length_scale(units);
@@ -140,7 +141,8 @@ static int draw_tension(const Folder *folder, hawser_units units, Text *out)
         double from, to;
         title_of(folder, "Tension along the route", title, sizeof title);
         Label along = label("along the route", length), tension = label("tension", force);
-        Axis x = {.at = LEFT, .length = WIDTH - LEFT - RIGHT, .label = along.text}, y = {.at = TOP + FRAME, .length = -FRAME, .label = tension.text};
+        Axis x = {.at = LEFT, .length = WIDTH - LEFT - RIGHT, .label = along.text},
+             y = {.at = TOP + FRAME, .length = -FRAME, .label = tension.text};
         range_of(N, c, 1, &x.from, &x.to);
         range_of(N, c, 0, &from, &to);
         const json_t *const limit = limit_named(folder, "pull");
@@ -175,8 +177,8 @@ static void times_mark(Svg *svg, const Folder *folder, const Axis *x, const Axis
 }
 
 /* One frame of the figure over time, from `top` on. */
-static int series_frame(Svg *svg, const Folder *folder, int n, const Drawn *drawn, Scale scale, const char *what, double top,
-                        double height)
+static int series_frame(Svg *svg, const Folder *folder, int n, const Drawn *drawn, Scale scale, const char *what,
+                        double top, double height)
 {
     enum { MOST = 3 };
     const Scale plain = {1, "s"};
@@ -185,7 +187,8 @@ static int series_frame(Svg *svg, const Folder *folder, int n, const Drawn *draw
     int room = 1;
     for (int k = 0; k < n && room; ++k) room = curve_make(drawn[k].sheet, drawn[k].x, drawn[k].y, plain, scale, &c[k]);
     Label side = label(what, scale);
-    Axis x = {.at = LEFT, .length = WIDTH - LEFT - RIGHT, .label = "time, s"}, y = {.at = top + height, .length = -height, .label = side.text};
+    Axis x = {.at = LEFT, .length = WIDTH - LEFT - RIGHT, .label = "time, s"},
+         y = {.at = top + height, .length = -height, .label = side.text};
     range_of(n, c, 1, &x.from, &x.to);
     range_of(n, c, 0, &from, &to);
     axis_fit(&y, fmin(from, 0), to);
@@ -215,9 +218,10 @@ static int draw_series(const Folder *folder, hawser_units units, Text *out)
     if (s->rows < 2) return 0;
     title_of(folder, "The pull over time", title, sizeof title);
     svg_begin(&svg, WIDTH, TOP + HIGH + BETWEEN + LOW + BELOW, title);
-    int some = series_frame(&svg, folder, 3, forces, scale_of("N", column_size(s, "winch_force_N"), units), "force", TOP, HIGH);
-    if (some > 0 && series_frame(&svg, folder, 1, &speed, scale_of("m/s", column_size(s, "winch_speed_m_per_s"), units), "speed",
-                                 TOP + HIGH + BETWEEN, LOW) < 0)
+    int some = series_frame(&svg, folder, 3, forces, scale_of("N", column_size(s, "winch_force_N"), units), "force",
+                            TOP, HIGH);
+    if (some > 0 && series_frame(&svg, folder, 1, &speed, scale_of("m/s", column_size(s, "winch_speed_m_per_s"), units),
+                                 "speed", TOP + HIGH + BETWEEN, LOW) < 0)
         some = -1;
     svg_end(&svg);
     if (some <= 0) text_clear(&svg.out);
@@ -236,7 +240,8 @@ static int draw_rollers(const Folder *folder, hawser_units units, Text *out)
     double from = 0, to = 1;
     int room = 1;
     if (!(size > 0)) return 0;
-    room = curve_make(s, "s_m", "peak_N", length, force, &peak) && curve_make(s, "s_m", "steady_N", length, force, &steady);
+    room = curve_make(s, "s_m", "peak_N", length, force, &peak) &&
+           curve_make(s, "s_m", "steady_N", length, force, &steady);
     range_of(1, &peak, 1, &from, &to);
     const int some = room && peak.n > 0 && isfinite(from);
     if (some) {
@@ -244,7 +249,8 @@ static int draw_rollers(const Folder *folder, hawser_units units, Text *out)
         title_of(folder, "Loads of the rollers", title, sizeof title);
         Label along = label("along the route", length), side = label("load", force);
         const double beside = to > from ? 0.5 * (to - from) / peak.n : 1;
-        Axis x = {from - beside, to + beside, LEFT, WIDTH - LEFT - RIGHT, along.text}, y = {.at = TOP + FRAME, .length = -FRAME, .label = side.text};
+        Axis x = {from - beside, to + beside, LEFT, WIDTH - LEFT - RIGHT, along.text},
+             y = {.at = TOP + FRAME, .length = -FRAME, .label = side.text};
         const double rated = rating * force.factor, top = size * force.factor;
         axis_fit(&y, 0, rated > 0 && rated < 3 * top ? fmax(rated, top) : top);
         const double width = fmax(1, fmin(22, 0.7 * x.length / peak.n));
@@ -283,10 +289,13 @@ static void places_mark(Svg *svg, const Folder *folder, const Axis *x, const Axi
     for (int i = 0; name >= 0 && at >= 0 && i < s->rows; ++i) {
         const char *const words = sheet_cell(s, i, name);
         const double u = sheet_number(s, i, at) * length.factor, px = axis_pixel(x, u);
-        if (strspn(words, "0123456789. m") == strlen(words) || !isfinite(u) || u < x->from || u > x->to || px < last + 24) continue;
+        if (strspn(words, "0123456789. m") == strlen(words) || !isfinite(u) || u < x->from || u > x->to ||
+            px < last + 24)
+            continue;
         const double v = along_at(height, u);
         svg_marks(svg, x, y, 1, &u, &v, SVG_SECOND);
-        text_print(&svg->out, "<text class=\"small\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", px, axis_pixel(y, v) - 9);
+        text_print(&svg->out, "<text class=\"small\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", px,
+                   axis_pixel(y, v) - 9);
         text_html(&svg->out, words, 24);
         text_add(&svg->out, "</text>\n");
         last = px;
@@ -301,7 +310,8 @@ static void plan_axes(const Curve *plan, Axis *x, Axis *y)
     range_of(1, plan, 1, &x0, &x1);
     range_of(1, plan, 0, &y0, &y1);
     const double wide = WIDTH - LEFT - RIGHT;
-    const double metre = fmin(wide / fmax(1.08 * (x1 - x0), 1e-9), MOST / fmax(1.16 * (y1 - y0), 1e-9)); /* pixels of one */
+    const double metre =
+        fmin(wide / fmax(1.08 * (x1 - x0), 1e-9), MOST / fmax(1.16 * (y1 - y0), 1e-9)); /* pixels of one */
     const double height = fmax(LEAST, fmin(MOST, metre * 1.16 * (y1 - y0)));
     const double half_x = wide / metre / 2, half_y = height / metre / 2;
     *x = (Axis){(x0 + x1) / 2 - half_x, (x0 + x1) / 2 + half_x, LEFT, wide, x->label};

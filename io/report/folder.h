@@ -9,16 +9,16 @@ struct json_t;
 enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
 
 typedef struct Folder {
-    const char *dir;         /* borrowed */
-    struct json_t *summary;  /* an object */
-    char *summary_text;      /* summary.json as it stands there */
+    const char *dir;                                /* borrowed */
+    struct json_t *summary;                         /* an object */
+    char *summary_text;                             /* summary.json as it stands there */
     Sheet stations, rollers, series, inputs, route; /* without columns: not there */
     int n_notes;
     char note[FOLDER_NOTES_MAX][FOLDER_NOTE_MAX]; /* sentences: what is not there or cannot be read */
 } Folder;
 
-/* Errors: INPUT (no such folder, no summary.json or one that is none), MEMORY. A file beside it that is not there or that
- * cannot be read is a note. Give it back with folder_clear, also after an error. */
+/* Errors: INPUT (no such folder, no summary.json or one that is none), MEMORY. A file beside it that is not there or
+ * that cannot be read is a note. Give it back with folder_clear, also after an error. */
 hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err);
 void folder_clear(Folder *folder);
 void folder_say(Folder *folder, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -1,6 +1,6 @@
-/* The sets are those of docs/results.md, "results.h5"; the keys those of docs/report.md. A list of things is a struct of
- * arrays in the file and an array of objects on the page. */
-#include "io/report/geometry.h"
+/* The sets are those of docs/results.md, "results.h5"; the keys those of docs/report.md. A list of things is a struct
+ * of arrays in the file and an array of objects on the page. */
+#include "io/report/report.h"
 #include "io/report/states.h"
 
 #include <jansson.h>
@@ -154,7 +154,8 @@ static void objects_add(Text *out, hid_t parent, int n, const Item *item)
             if (!names[k] && !values[k]) continue;
             text_print(out, "%s\"%s\":", some++ ? "," : "", item[k].key);
             if (names[k]) text_json(out, names[k] + i * size[k]);
-            if (values[k]) numbers_add(out, values[k] + i * (hsize_t)(item[k].width ? item[k].width : 1), item[k].width);
+            if (values[k])
+                numbers_add(out, values[k] + i * (hsize_t)(item[k].width ? item[k].width : 1), item[k].width);
         }
         text_add(out, "}");
     }
@@ -324,7 +325,8 @@ static void chain_add(Text *out, hid_t file)
 
 #define ENVELOPE(line)                                                                                                 \
     {"s_m", "envelope/" line "/s", 0}, {"time_s", "envelope/" line "/time", 0},                                        \
-        {"tension_min_N", "envelope/" line "/tension_min", 0}, {"tension_mean_N", "envelope/" line "/tension_mean", 0},  \
+        {"tension_min_N", "envelope/" line "/tension_min", 0},                                                         \
+        {"tension_mean_N", "envelope/" line "/tension_mean", 0},                                                       \
         {"tension_max_N", "envelope/" line "/tension_max", 0},                                                         \
         {"sidewall_mean_N_per_m", "envelope/" line "/sidewall_mean", 0},                                               \
         {"sidewall_max_N_per_m", "envelope/" line "/sidewall_max", 0},                                                 \
@@ -338,11 +340,15 @@ static const Item place_item[] = {ENVELOPE("place")}, arc_item[] = {ENVELOPE("ar
 static void envelope_add(Text *out, hid_t file)
 {
     text_add(out, ",\n\"envelope\":{\"place\":");
-    if (H5Lexists(file, "envelope/place", H5P_DEFAULT) > 0) arrays_add(out, file, LENGTH(place_item), place_item);
-    else text_add(out, "null");
+    if (H5Lexists(file, "envelope/place", H5P_DEFAULT) > 0)
+        arrays_add(out, file, LENGTH(place_item), place_item);
+    else
+        text_add(out, "null");
     text_add(out, ",\n\"arc\":");
-    if (H5Lexists(file, "envelope/arc", H5P_DEFAULT) > 0) arrays_add(out, file, LENGTH(arc_item), arc_item);
-    else text_add(out, "null");
+    if (H5Lexists(file, "envelope/arc", H5P_DEFAULT) > 0)
+        arrays_add(out, file, LENGTH(arc_item), arc_item);
+    else
+        text_add(out, "null");
     text_add(out, "}");
 }
 
@@ -365,6 +371,8 @@ void geometry_add(Text *out, hid_t file, Folder *folder)
     }
     H5E_END_TRY
     if (!has(file, "geometry"))
-        folder_say(folder, "results.h5 is of an older hawser: without the places of rollers, ducts and machines, the view shows "
-                           "the cable alone");
+        folder_say(
+            folder,
+            "results.h5 is of an older hawser: without the places of rollers, ducts and machines, the view shows "
+            "the cable alone");
 }

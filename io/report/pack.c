@@ -1,4 +1,4 @@
-#include "io/report/pack.h"
+#include "io/report/report.h"
 
 #include "core/base/error.h"
 

@@ -1,9 +1,9 @@
-/* The page's program builds all that is seen from the data; this is the frame around both. Where no program may run, a table
- * says the verdict and the main figures. The policy forbids every request, and every program but the one that is built in. */
-#include "io/report/page.h"
+/* The page's program builds all that is seen from the data; this is the frame around both. Where no program may run, a
+ * table says the verdict and the main figures. The policy forbids every request, and every program but the one that is
+ * built in. */
+#include "io/report/report.h"
 
 #include "core/base/error.h"
-#include "io/report/bundle.h"
 
 #include <math.h>
 

@@ -18,8 +18,8 @@ void sheet_clear(Sheet *sheet)
     *sheet = (Sheet){0};
 }
 
-/* One cell, cut out of the text in place: *p moves behind it and behind what ends it, which is returned: ',' '\n' or 0. -1:
- * a quote is not closed. The apostrophe that keeps spreadsheets from computing is taken off. */
+/* One cell, cut out of the text in place: *p moves behind it and behind what ends it, which is returned: ',' '\n' or 0.
+ * -1: a quote is not closed. The apostrophe that keeps spreadsheets from computing is taken off. */
 static int cell_cut(char **p, const char **cell)
 {
     char *from = *p, *to = from;
@@ -104,8 +104,9 @@ int sheet_column(const Sheet *sheet, const char *name)
     return -1;
 }
 
-int is_json_number(const char *t)
+int is_json_number(const char *text)
 {
+    const char *t = text;
     t += *t == '-';
     if (*t == '0' && isdigit((unsigned char)t[1])) return 0;
     if (!isdigit((unsigned char)*t)) return 0;
@@ -120,7 +121,7 @@ int is_json_number(const char *t)
         if (!isdigit((unsigned char)*t)) return 0;
         t += strspn(t, "0123456789");
     }
-    return !*t;
+    return !*t && isfinite(strtod(text, NULL)); /* 1e999 is none */
 }
 
 double sheet_number(const Sheet *sheet, int row, int column)

@@ -33,7 +33,8 @@ static hid_t set_open(hid_t parent, const char *name, int rank, hsize_t *dims)
     if (set < 0) return -1;
     const hid_t space = H5Dget_space(set), type = H5Dget_type(set);
     const H5T_class_t class = H5Tget_class(type);
-    const int fits = H5Sget_simple_extent_ndims(space) == rank && H5Sget_simple_extent_dims(space, dims, NULL) == rank &&
+    const int fits = H5Sget_simple_extent_ndims(space) == rank &&
+                     H5Sget_simple_extent_dims(space, dims, NULL) == rank &&
                      (class == H5T_FLOAT || class == H5T_INTEGER);
     double numbers = 1;
     for (int k = 0; fits && k < rank; k++) numbers *= (double)dims[k];
@@ -79,8 +80,8 @@ static hsize_t row_of(const States *s, int i)
     return s->frames < 2 ? 0 : (hsize_t)((double)i * (s->there - 1) / (s->frames - 1) + 0.5);
 }
 
-/* The chosen rows of a set of `items` x `width` (0: one number an item, without a dimension of its own); NULL if there is no
- * such set, or without memory. */
+/* The chosen rows of a set of `items` x `width` (0: one number an item, without a dimension of its own); NULL if there
+ * is no such set, or without memory. */
 static float *rows_read(hid_t file, const States *s, const char *name, int items, int width)
 {
     hsize_t dims[3] = {0, 0, 0};
@@ -122,7 +123,8 @@ static float *joints_read(hid_t file, const States *s, const char *name)
 /* Speed along the segment's own axis, which is the first column of its rotation (w x y z): the velocity's share. */
 static float *speeds_make(hid_t file, const States *s)
 {
-    float *const v = rows_read(file, s, "velocity", s->segments, 3), *const q = rows_read(file, s, "quaternion", s->segments, 4);
+    float *const v = rows_read(file, s, "velocity", s->segments, 3), *const q = rows_read(file, s, "quaternion",
+                                                                                          s->segments, 4);
     const size_t n = (size_t)s->segments * (size_t)s->frames;
     for (size_t i = 0; v && q && i < n; i++) {
         const float *const r = q + 4 * i, *const u = v + 3 * i;
@@ -177,7 +179,8 @@ hawser_status states_read(hid_t file, int most, States *s, hawser_error *err)
     f[FIELD_CONTACT] = (Field){"contact", "N/m", n, 1, 10, rows_read(file, s, "contact_line_load", n, 0)};
     f[FIELD_SPEED] = (Field){"speed", "m/s", n, 1, 1e-3, speeds_make(file, s)};
     rollers_read(file, s);
-    return f[FIELD_POSITION].value ? HAWSER_OK : error_set(err, HAWSER_ERR_INPUT, "results.h5: the positions cannot be read");
+    return f[FIELD_POSITION].value ? HAWSER_OK
+                                   : error_set(err, HAWSER_ERR_INPUT, "results.h5: the positions cannot be read");
 }
 
 void states_clear(States *s)

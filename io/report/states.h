@@ -15,7 +15,16 @@ typedef struct Field {
     float *value; /* [frames][items][components], owned; NULL: the file has no such thing */
 } Field;
 
-enum { FIELD_POSITION, FIELD_TENSION, FIELD_CURVATURE, FIELD_SIDEWALL, FIELD_CONTACT, FIELD_SPEED, FIELD_ROLLERS, FIELDS };
+enum {
+    FIELD_POSITION,
+    FIELD_TENSION,
+    FIELD_CURVATURE,
+    FIELD_SIDEWALL,
+    FIELD_CONTACT,
+    FIELD_SPEED,
+    FIELD_ROLLERS,
+    FIELDS
+};
 
 typedef struct States {
     int frames, segments; /* frames: that were read; of */
@@ -28,8 +37,8 @@ typedef struct States {
 hid_t states_open(const char *path);
 /* How many states there are; 0: none that could be shown. */
 int states_count(hid_t file);
-/* At most so many states, evenly chosen, the first and the last among them. Errors: INPUT (sets that do not fit each other),
- * MEMORY. */
+/* At most so many states, evenly chosen, the first and the last among them. Errors: INPUT (sets that do not fit each
+ * other), MEMORY. */
 hawser_status states_read(hid_t file, int most, States *states, hawser_error *err);
 void states_clear(States *states);
 

@@ -132,8 +132,8 @@ void text_base64(Text *t, const unsigned char *bytes, size_t size)
     char *to = t->at + t->size;
     for (size_t i = 0; i < size; i += 3) {
         const size_t there = size - i;
-        const uint32_t v = (uint32_t)bytes[i] << 16 | (there > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) |
-                           (there > 2 ? bytes[i + 2] : 0);
+        const uint32_t v =
+            (uint32_t)bytes[i] << 16 | (there > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) | (there > 2 ? bytes[i + 2] : 0);
         *to++ = digit[v >> 18];
         *to++ = digit[v >> 12 & 63];
         *to++ = there > 1 ? digit[v >> 6 & 63] : '=';

@@ -9,10 +9,11 @@
 
 /* A place of the route: where it is and what theory says there. What is not known or not there is NAN. */
 typedef struct AlongRow {
-    double s, place[3], curvature;   /* m, m, 1/m */
-    double forward, backward, paper; /* N, tension with the whole route full of cable, pulled either way; by the paper */
-    double run;                      /* N, by the reference theory, of the cable that the run is compared with */
-    double sidewall, sidewall_back;  /* N/m, T/R, full of cable, pulled forward and back */
+    double s, place[3], curvature; /* m, m, 1/m */
+    double forward, backward,
+        paper;                      /* N, tension with the whole route full of cable, pulled either way; by the paper */
+    double run;                     /* N, by the reference theory, of the cable that the run is compared with */
+    double sidewall, sidewall_back; /* N/m, T/R, full of cable, pulled forward and back */
 } AlongRow;
 
 /* Sizes, names and what is wanted. Strings and arrays are borrowed until the folder is

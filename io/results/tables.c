@@ -1,5 +1,5 @@
-/* stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv, which
- * are known at the start. */
+/* stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv,
+ * which are known at the start. */
 #include "core/base/error.h"
 #include "io/results/results_file.h"
 #include "sim/def/scene_def.h"
@@ -106,9 +106,9 @@ typedef struct InputRow {
 } InputRow;
 
 static const Column input_column[] = {
-    {COLUMN("key", TEXT, InputRow, text[INPUT_KEY])},       {COLUMN("value", TEXT, InputRow, text[INPUT_VALUE])},
-    {COLUMN("unit", TEXT, InputRow, text[INPUT_UNIT])},     {COLUMN("origin", TEXT, InputRow, text[INPUT_ORIGIN])},
-    {COLUMN("where", TEXT, InputRow, text[INPUT_WHERE])},   {COLUMN("source", TEXT, InputRow, text[INPUT_SOURCE])},
+    {COLUMN("key", TEXT, InputRow, text[INPUT_KEY])},     {COLUMN("value", TEXT, InputRow, text[INPUT_VALUE])},
+    {COLUMN("unit", TEXT, InputRow, text[INPUT_UNIT])},   {COLUMN("origin", TEXT, InputRow, text[INPUT_ORIGIN])},
+    {COLUMN("where", TEXT, InputRow, text[INPUT_WHERE])}, {COLUMN("source", TEXT, InputRow, text[INPUT_SOURCE])},
 };
 static const Columns input_columns = COLUMNS(InputRow, input_column);
 

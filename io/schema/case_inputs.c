@@ -63,13 +63,14 @@ static size_t number_length(const char *text)
     return sign + strspn(text + sign, "0123456789") > sign ? sign + strspn(text + sign, "0123456789") : n;
 }
 
-/* A number with a unit behind it, "152.5 m", is cut in two; any other text is all value. Returns the unit, which lies in
- * the text's room or is empty. */
+/* A number with a unit behind it, "152.5 m", is cut in two; any other text is all value. Returns the unit, which lies
+ * in the text's room or is empty. */
 static const char *unit_cut(char *text)
 {
     const size_t n = number_length(text);
     char *const unit = text + n + strspn(text + n, " ");
-    if (n == 0 || !*unit || isdigit((unsigned char)*unit) || (unit == text + n && !isalpha((unsigned char)*unit))) return "";
+    if (n == 0 || !*unit || isdigit((unsigned char)*unit) || (unit == text + n && !isalpha((unsigned char)*unit)))
+        return "";
     text[n] = 0;
     return unit;
 }
@@ -83,8 +84,8 @@ static hawser_status value_add(Gathering *g, const char *key, const char *text, 
     return input_add(g, (const char *const[INPUT_TEXTS]){key, value, unit, origin, where, source});
 }
 
-/* A list as it would be written, "[0, 0, [5, 6]]", of which the end is left out where it is long. Returns 0 if it holds a
- * map. */
+/* A list as it would be written, "[0, 0, [5, 6]]", of which the end is left out where it is long. Returns 0 if it holds
+ * a map. */
 static int list_text(const CaseNode *list, size_t room, char *text)
 {
     size_t n = (size_t)snprintf(text, room, "[");
