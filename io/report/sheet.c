@@ -40,16 +40,17 @@ static int cell_cut(char **p, const char **cell)
     return end;
 }
 
-/* Of the head and of the rows; counted generously: quotes may hide line ends. */
+/* Columns of the head, and lines: more than rows where quotes hide the ends of some. */
 static void count(const char *text, int *columns, int *lines)
 {
-    int first = 1;
+    int head = 1, quoted = 0;
     *columns = 1;
     *lines = 0;
     for (const char *c = text; *c; ++c) {
-        if (first && *c == ',') ++*columns;
+        if (*c == '"') quoted = !quoted;
+        if (head && !quoted && *c == ',') ++*columns;
         if (*c != '\n') continue;
-        first = 0;
+        if (!quoted) head = 0;
         ++*lines;
     }
     if (*text && text[strlen(text) - 1] != '\n') ++*lines;

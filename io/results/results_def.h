@@ -42,6 +42,8 @@ typedef struct ResultsDef {
     const AlongRow *route; /* [n_route] of route.csv; 0: a scene without a route, no such file */
 } ResultsDef;
 
+enum { REMEDY_MAX = 256 };
+
 /* What the summary says beside the figures. */
 typedef struct SummaryLabels {
     const char *title, *case_name;
@@ -55,6 +57,8 @@ typedef struct SummaryLabels {
     const hawser_assumption *assumption; /* [n_assumptions] */
     int n_limits;
     const hawser_limit *limit; /* [n_limits] */
+    int n_remedies;
+    const char (*remedy)[REMEDY_MAX]; /* [n_remedies] what would make broken limits hold */
     int n_overloads;
     const Overload *overload; /* [n_overloads], by roller */
     double trip_N;            /* that follows from the largest overload factor allowed; NAN without limits */
