@@ -42,7 +42,7 @@ struct Results {
 static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
 {
     const hawser_status status = h5_open(&r->h5, r->dir, def, err);
-    return status ? status : xdmf_open(&r->xdmf, r->dir, def->segments, err);
+    return status ? status : xdmf_open(&r->xdmf, r->dir, def, err);
 }
 
 /* What an earlier run left and this one may not write: a folder holds the results of one run. */

@@ -150,15 +150,17 @@ hawser_status h5_close(H5File **file, hawser_error *err);
 /* ----------------------------------------------------------------------------------------------- results.xdmf */
 
 /* Tells ParaView, meshio and other readers of XDMF 3 where in results.h5 the states lie: a temporal collection of
- * polylines through the segment centres. The file is a complete XML document after every call. */
+ * polylines through the segment centres; and before it, the geometry: the route's line and triangles. The file is a
+ * complete XML document after every call. */
 typedef struct XdmfFile {
     OutFile out;
     int segments;
-    long end; /* where the next state goes: over the closing tags */
+    int sizes; /* the segments' diameters and parts are in results.h5 */
+    long end;  /* where the next state goes: over the closing tags */
 } XdmfFile;
 
 /* Creates dir/results.xdmf without states. Errors: OUTPUT, MEMORY. */
-hawser_status xdmf_open(XdmfFile *x, const char *dir, int segments, hawser_error *err);
+hawser_status xdmf_open(XdmfFile *x, const char *dir, const ResultsDef *def, hawser_error *err);
 /* Adds states first .. first+n-1, whose frames are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err);
 hawser_status xdmf_close(XdmfFile *x, hawser_error *err);

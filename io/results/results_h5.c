@@ -50,13 +50,15 @@ static int set_dims(const H5File *h, const SampleColumn *info, hsize_t rows, hsi
     return info->per == PER_RUN ? 1 : info->width ? 3 : 2;
 }
 
+static int deflate_there(void) { return H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0; }
+
 /* Chunks of one row (many, for single numbers); if wanted, shuffled and lightly deflated. */
-static hid_t make_chunks(const H5File *h, int rank, const hsize_t *dims)
+static hid_t make_chunks(int deflate, int rank, const hsize_t *dims)
 {
     hsize_t chunk[3] = {rank == 1 ? TIME_CHUNK : 1, dims[1], dims[2]};
     const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_chunk(plist, rank, chunk);
-    if (h->deflate) {
+    if (deflate) {
         H5Pset_shuffle(plist);
         H5Pset_deflate(plist, 1);
     }
@@ -68,7 +70,7 @@ static hid_t make_chunks(const H5File *h, int rank, const hsize_t *dims)
 static int wants_deflate(const ResultsDef *def)
 {
     const double bytes = def->states * 14 * 8 * def->segments;
-    return bytes > deflate_above && H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0;
+    return bytes > deflate_above && deflate_there();
 }
 
 /* An empty set that grows row by row. */
@@ -77,9 +79,10 @@ static int make_set(H5File *h, int k)
     const SampleColumn *const info = &sample_column[k];
     hsize_t dims[3], max[3];
     if (!info->set || item_count(h, info->per) == 0) return 1;
-    const int rank = set_dims(h, info, 0, dims);
+    /* fields are mostly zeros: small at no cost */
+    const int rank = set_dims(h, info, 0, dims), deflate = h->deflate || (info->single && deflate_there());
     set_dims(h, info, H5S_UNLIMITED, max);
-    const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(h, rank, dims);
+    const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(deflate, rank, dims);
     const hid_t set = H5Dcreate2(h->file, info->set, info->single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, space, H5P_DEFAULT,
                                  plist, H5P_DEFAULT);
     H5Pclose(plist);

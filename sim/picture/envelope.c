@@ -44,7 +44,10 @@ hawser_status envelope_new(Envelope *e, const Scene *scene, hawser_error *err)
     line_cut(&e->arc, joints, &memory);
     line_cut(&e->place, places, &memory);
     e->at = memory;
-    for (int j = 0; j < joints; ++j) e->arc.s[j] = scene->joint_s[j] - scene->joint_s[0];
+    for (int j = 1; j < joints; ++j) {
+        const ChainPieceDef *const piece = &scene->def.pieces[scene->piece[j - 1]];
+        e->arc.s[j] = e->arc.s[j - 1] + piece->length / piece->segments;
+    }
     for (int k = 0; k < places; ++k) e->place.s[k] = e->step * k;
     return HAWSER_OK;
 }
@@ -106,7 +109,10 @@ static void stretch_record(Envelope *e, double from, const Values *a, double to,
 {
     EnvelopeLine *const line = &e->place;
     const int nearest = (int)floor(from / e->step + 0.5);
-    if (nearest >= 0 && nearest < line->n) line_widen(line, nearest, a);
+    if (nearest >= 0 && nearest < line->n) {
+        line_widen(line, nearest, a);
+        line_average(line, nearest, a, 0);
+    }
     if (!(to > from)) return;
     int k = (int)fmax(ceil(from / e->step), 0);
     for (; k < line->n && line->s[k] < to; ++k) {

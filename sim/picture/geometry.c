@@ -295,9 +295,10 @@ static int chain_fill(Geometry *g, const Scene *scene)
     g->piece_name = texts_new(g, def->n_pieces);
     if (!g->length || !g->diameter || !g->part || !g->piece || !g->piece_name) return 0;
     for (int i = 0; i < n; ++i) {
-        g->length[i] = scene->joint_s[i + 1] - scene->joint_s[i];
+        const ChainPieceDef *const piece = &def->pieces[scene->piece[i]];
+        g->length[i] = piece->length / piece->segments;
         g->piece[i] = scene->piece[i];
-        g->diameter[i] = def->cables[def->pieces[scene->piece[i]].cable].diameter;
+        g->diameter[i] = def->cables[piece->cable].diameter;
         g->part[i] = i >= scene->eye;
     }
     for (int p = 0; p < def->n_pieces; ++p) say(g->piece_name[p], def->cables[def->pieces[p].cable].name);
