@@ -111,7 +111,23 @@ export interface Surface {
   points_m: Point[];
   diameter_m?: Value;
   width_m?: Value;
+  height_m?: Value;
+  /** duct, flat, v or u. */
+  section?: string;
   normal?: Point;
+  /** Upward in its section, a point. */
+  up?: Point[] | null;
+}
+
+/** A box or a bell-mouth among the rollers. */
+export interface Obstacle {
+  roller: number;
+  side: Point;
+  /** Along the roller's axis, its side, and across both. */
+  size_m: Point;
+  edge_m: Value;
+  /** Radius of a bell-mouth; null: a box. */
+  ring_m: Value;
 }
 
 export interface Conveyor {
@@ -128,9 +144,9 @@ export interface Geometry {
   rollers: Roller[];
   surfaces: Surface[];
   conveyors: Conveyor[];
-  reel: { center_m: Point; axis: Point; radius_m: number; width_m: number } | null;
+  reel: { center_m: Point; axis: Point; radius_m: number; barrel_radius_m?: Value; width_m: number } | null;
   winch: { position_m: Point; direction: Point } | null;
-  obstacles?: unknown[];
+  obstacles?: Obstacle[] | null;
 }
 
 export interface FieldMeta {
@@ -159,7 +175,7 @@ export interface RunData {
   geometry?: Geometry | null;
   chain?: { segments: number; length_m: number[]; diameter_m: number[]; part: number[]; part_names: string[] } | null;
   envelope?: { place?: Envelope; arc?: Envelope } | null;
-  roller_force?: unknown;
+  roller_force?: (FieldMeta & { packed: string }) | null;
   states?: States | null;
 }
 

@@ -19,6 +19,7 @@ function choice<K extends 'units' | 'theme'>(
       checked: store.get(key) === value,
       onchange: () => store.set(key, value),
     });
+    store.subscribe(key, (now) => (input.checked = now === value));
     return el('label', {}, input, el('span', {}, text));
   });
   return el('fieldset', { class: 'choice' }, el('legend', {}, label), ...inputs);

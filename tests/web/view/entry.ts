@@ -19,4 +19,6 @@ const view = mountView(root, readData(document).runs[0]!, store);
 const mounted = performance.now() - start;
 let unpacked = 0;
 void view.ready.then(() => (unpacked = performance.now() - start));
-Object.assign(window, { hawser: { view, store, opened: () => ({ mounted, unpacked }) } });
+Object.assign(window, {
+  hawser: { view, store, opened: () => ({ mounted, unpacked }) },
+});

@@ -33,5 +33,12 @@ export function packStates(time, segments, headAt, values) {
     packed[name] = pack(field, time.length, segments, components, step);
   }
   const fields = Object.fromEntries(Object.keys(values).map((name) => [name, FIELDS[name]]));
-  return { frames: time.length, segments, time_s: [...time], head_at_m: headAt, fields, packed };
+  return {
+    frames: time.length,
+    segments,
+    time_s: [...time],
+    head_at_m: headAt,
+    fields,
+    packed,
+  };
 }

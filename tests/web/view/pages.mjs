@@ -28,9 +28,15 @@ export async function pages(flags = FLAGS) {
   });
   const script = readFileSync(join(folder, 'entry.js'), 'utf8').replaceAll('</script', '<\\/script');
   const style = readFileSync(join(folder, 'entry.css'), 'utf8');
-  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: flags });
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: flags,
+  });
   const write = (name, data) => {
-    const json = JSON.stringify(data).replace(/[<>&\u2028\u2029]/g, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`);
+    const json = JSON.stringify(data).replace(
+      /[<>&\u2028\u2029]/g,
+      (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`,
+    );
     const file = join(folder, `${name}.html`);
     writeFileSync(
       file,
@@ -42,7 +48,10 @@ export async function pages(flags = FLAGS) {
   };
   /** Opens an address; the page's errors and requests gather in `page.complaints`. */
   const open = async (address, { width = 1200, height = 900, ...options } = {}) => {
-    const page = await browser.newPage({ viewport: { width, height }, ...options });
+    const page = await browser.newPage({
+      viewport: { width, height },
+      ...options,
+    });
     page.complaints = [];
     page.on('pageerror', (error) => page.complaints.push(String(error)));
     page.on('console', (message) => message.type() === 'error' && page.complaints.push(message.text()));
@@ -61,4 +70,6 @@ export async function pages(flags = FLAGS) {
 
 /** Waits until two pictures more have been drawn. */
 export const settled = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))));
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))),
+  );

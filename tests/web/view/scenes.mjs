@@ -43,14 +43,27 @@ function at(s, list, x) {
   }
   const part = (x - s[low]) / (s[low + 1] - s[low]);
   const [a, b] = [list[low], list[low + 1]];
-  return Array.isArray(a) ? a.map((value, i) => value + part * (b[i] - value)) : a + Math.min(1, Math.max(0, part)) * (b - a);
+  return Array.isArray(a)
+    ? a.map((value, i) => value + part * (b[i] - value))
+    : a + Math.min(1, Math.max(0, part)) * (b - a);
 }
 
 /**
  * A run: route of pieces, cable of `segments` x `segment` m and half as much rope ahead, `rollers` under it, pulled from its start to its end in
  * `frames` frames.
  */
-export function pull({ pieces, segments, segment, rollers, frames, duration, ducts = [], conveyors = [], reel = false, start }) {
+export function pull({
+  pieces,
+  segments,
+  segment,
+  rollers,
+  frames,
+  duration,
+  ducts = [],
+  conveyors = [],
+  reel = false,
+  start,
+}) {
   const route = routeOf(pieces, 0.5, start);
   const length = route.s[route.s.length - 1];
   const ropes = Math.floor(segments / 3);
@@ -86,7 +99,11 @@ export function pull({ pieces, segments, segment, rollers, frames, duration, duc
   const geometry = {
     origin_m: [0, 0, 0],
     up: [0, 0, 1],
-    route: { s_m: route.s, position_m: route.position, curvature_per_m: route.curvature },
+    route: {
+      s_m: route.s,
+      position_m: route.position,
+      curvature_per_m: route.curvature,
+    },
     rollers: names.map((name, i) => {
       const a = at(route.s, route.position, places[i] - 0.05);
       const b = at(route.s, route.position, places[i] + 0.05);
@@ -104,14 +121,38 @@ export function pull({ pieces, segments, segment, rollers, frames, duration, duc
       };
     }),
     surfaces: [
-      ...ducts.map(([from, to]) => ({ name: `duct ${from}`, kind: 'duct', points_m: along(from, to), diameter_m: 0.16 })),
-      { name: 'floor', kind: 'floor', points_m: along(0, length).map(([x, y, z]) => [x, y, z - 0.4]), width_m: 1.2, normal: [0, 0, 1] },
+      ...ducts.map(([from, to]) => ({
+        name: `duct ${from}`,
+        kind: 'duct',
+        points_m: along(from, to),
+        diameter_m: 0.16,
+      })),
+      {
+        name: 'floor',
+        kind: 'floor',
+        points_m: along(0, length).map(([x, y, z]) => [x, y, z - 0.4]),
+        width_m: 1.2,
+        normal: [0, 0, 1],
+      },
     ],
-    conveyors: conveyors.map(([from, to]) => ({ name: `conveyor ${from}`, from_m: from, to_m: to, points_m: along(from, to) })),
+    conveyors: conveyors.map(([from, to]) => ({
+      name: `conveyor ${from}`,
+      from_m: from,
+      to_m: to,
+      points_m: along(from, to),
+    })),
     reel: reel
-      ? { center_m: at(route.s, route.position, -4).map((x, i) => x - (i === 2 ? 1.5 : 0)), axis: [0, 1, 0], radius_m: 1.5, width_m: 1.6 }
+      ? {
+          center_m: at(route.s, route.position, -4).map((x, i) => x - (i === 2 ? 1.5 : 0)),
+          axis: [0, 1, 0],
+          radius_m: 1.5,
+          width_m: 1.6,
+        }
       : null,
-    winch: { position_m: at(route.s, route.position, length + 3), direction: [1, 0, 0] },
+    winch: {
+      position_m: at(route.s, route.position, length + 3),
+      direction: [1, 0, 0],
+    },
     obstacles: [],
   };
   return {
@@ -124,10 +165,19 @@ export function pull({ pieces, segments, segment, rollers, frames, duration, duc
           title: 'A made-up pull',
           events: [
             { time_s: 0.3 * duration, what: 'the winch trips', pull_N: 9000 },
-            { time_s: 0.6 * duration, what: 'the winch starts again', pull_N: 8000 },
+            {
+              time_s: 0.6 * duration,
+              what: 'the winch starts again',
+              pull_N: 8000,
+            },
           ],
         },
-        rollers: { name: names, s_m: places, steady_N: places.map(() => 300), peak_N: places.map(() => 420) },
+        rollers: {
+          name: names,
+          s_m: places,
+          steady_N: places.map(() => 300),
+          peak_N: places.map(() => 420),
+        },
         geometry,
         chain: {
           segments,
@@ -136,7 +186,13 @@ export function pull({ pieces, segments, segment, rollers, frames, duration, duc
           part: lengths.map((_, i) => (i < cables ? 0 : 1)),
           part_names: ['power', 'rope'],
         },
-        states: packStates(time, segments, heads, { position, tension, curvature, sidewall, speed }),
+        states: packStates(time, segments, heads, {
+          position,
+          tension,
+          curvature,
+          sidewall,
+          speed,
+        }),
       },
     ],
   };
@@ -182,6 +238,9 @@ export const large = (frames = 600) =>
     frames,
     duration: 8796,
     ducts: [[300, 420]],
-    conveyors: [[100, 104], [400, 404]],
+    conveyors: [
+      [100, 104],
+      [400, 404],
+    ],
     reel: true,
   });

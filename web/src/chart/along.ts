@@ -144,7 +144,7 @@ export function profileFigure(run: RunData): FigureSpec | null {
   if (!geometry || geometry.route.s_m.length < 2) return null;
   const { s_m: s, position_m: position } = geometry.route;
   const height = position.map((point) => point[2]);
-  const curves: Curve[] = [{ label: 'route', role: 'theory', x: s, y: height }];
+  const curves: Curve[] = [{ label: 'route', role: 'route', x: s, y: height }];
   const rollers = geometry.rollers.filter((roller) => roller.s_m !== null);
   if (rollers.length > 0) {
     curves.push({
@@ -173,6 +173,7 @@ export function profileFigure(run: RunData): FigureSpec | null {
     yLabel: 'height',
     yUnit: 'm',
     fromZero: false,
+    span: 2,
     curves,
     height: 200,
   };

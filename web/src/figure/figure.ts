@@ -1,6 +1,6 @@
 // One figure of the page: heading, plot, legend, caption, and the table behind it.
 import { el } from '../dom';
-import type { Store } from '../state';
+import type { Store, Theme } from '../state';
 import { extent } from './align';
 import { makeLegend, type Legend } from './legend';
 import { onKey, pointAt, pointedAt, showCursor } from './link';
@@ -88,9 +88,10 @@ export class Figure {
     this.plot = null;
   }
 
-  /** Draws for print; the width of paper is not that of the screen. */
+  /** Draws for print, in the colours for paper; the width of paper is not that of the screen. */
   print(on: boolean): void {
     const { spec, store, memory } = this;
+    this.drawLegend(on ? 'light' : store.get('theme'));
     this.paper.replaceChildren(...(on ? [drawStatic(spec, store.get('units'), memory.zoom, memory.hidden)] : []));
   }
 
@@ -120,11 +121,17 @@ export class Figure {
       onCursor: (x) => this.point(x),
       onZoom: (range) => this.remember(range),
     });
-    this.legend = makeLegend(spec, this.plot.aligned, this.plot.yScale, {
-      theme: store.get('theme'),
+    this.drawLegend(store.get('theme'));
+  }
+
+  private drawLegend(theme: Theme): void {
+    const { plot, spec, store, memory } = this;
+    if (!plot) return;
+    this.legend = makeLegend(spec, plot.aligned, plot.yScale, {
+      theme,
       units: store.get('units'),
       hidden: memory.hidden,
-      onToggle: (index) => this.toggle(index, height),
+      onToggle: (index) => this.toggle(index, plot.chart.height),
     });
     this.legendRoot.replaceChildren(this.legend.element);
   }

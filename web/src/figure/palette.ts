@@ -36,6 +36,7 @@ const LIGHT: Palette = {
     fifth: '#3f8fc0',
     sixth: '#57606a',
     ground: '#57606a',
+    route: '#1b1f24',
   },
 };
 
@@ -61,6 +62,7 @@ const DARK: Palette = {
     fifth: '#8fc7ea',
     sixth: '#9aa5b1',
     ground: '#9aa5b1',
+    route: '#e6eaee',
   },
 };
 
@@ -80,6 +82,7 @@ export const DASH: Record<Role, number[]> = {
   fifth: [12, 4],
   sixth: [4, 2, 1, 2],
   ground: [],
+  route: [],
 };
 
 export const WIDTH: Record<Role, number> = {
@@ -95,6 +98,7 @@ export const WIDTH: Record<Role, number> = {
   fifth: 1.5,
   sixth: 1.5,
   ground: 1.5,
+  route: 1.5,
 };
 
 /** Roles for curves that are told apart only by their order. */

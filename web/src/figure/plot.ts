@@ -5,7 +5,7 @@ import { scaleOf, type Scale } from '../units';
 import { align, extent, type Aligned } from './align';
 import { overlay } from './overlay';
 import { DASH, palette, WIDTH } from './palette';
-import { levelsShown, rangeOfY, tickLabels, ticks } from './ranges';
+import { levelsShown, roomy, tickLabels, ticks } from './ranges';
 import { X_UNIT, type Curve, type FigureSpec } from './spec';
 
 export interface Plot {
@@ -98,9 +98,8 @@ export function makePlot(root: HTMLElement, spec: FigureSpec, options: PlotOptio
   const start = options.zoom ?? reach;
   const colours = palette(options.theme);
   const series: uPlot.Series[] = [{}, ...spec.curves.map((curve, i) => seriesOf(curve, i, options))];
-  const yRange = (chart: uPlot): uPlot.Range.MinMax => {
-    const { min, max } = chart.scales['x'] as uPlot.Scale;
-    const [low, high] = rangeOfY(spec, aligned, (min ?? 0) / fx, (max ?? 1) / fx, options.hidden);
+  const yRange = (_chart: uPlot, least: number | null, largest: number | null): uPlot.Range.MinMax => {
+    const [low, high] = roomy(spec, (least ?? 0) / fy, (largest ?? fy) / fy);
     return [low * fy, high * fy];
   };
   const chart = new uPlot(

@@ -13,34 +13,20 @@ export function levelsShown(spec: FigureSpec): Level[] {
   return (spec.levels ?? []).filter(({ value }) => value <= LEVEL_REACH * largest || largest === 0);
 }
 
-/** Range of the second axis over the given part of the first, with room above and below; SI. */
-export function rangeOfY(
-  spec: FigureSpec,
-  aligned: Aligned,
-  from: number,
-  to: number,
-  hidden: Set<number>,
-): [number, number] {
-  let least = Infinity;
-  let largest = -Infinity;
-  aligned.y.forEach((values, curve) => {
-    if (hidden.has(curve)) return;
-    const found = extent(values.filter((_, i) => (aligned.x[i] as number) >= from && (aligned.x[i] as number) <= to));
-    if (!found) return;
-    least = Math.min(least, found[0]);
-    largest = Math.max(largest, found[1]);
-  });
-  for (const { value } of levelsShown(spec)) {
-    largest = Math.max(largest, value);
-    least = Math.min(least, value);
-  }
-  if (least > largest) return [0, 1];
-  if (spec.fromZero !== false) {
-    least = Math.min(0, least);
-    largest = Math.max(0, largest);
-  }
-  const room = (largest - least || Math.abs(largest) || 1) * 0.06;
-  return [least === 0 ? 0 : least - room, largest === 0 ? 0 : largest + room];
+/** Range of the second axis for values from least to largest: with what is allowed, from 0 where that is asked for, and some room; SI. */
+export function roomy(spec: FigureSpec, least: number, largest: number): [number, number] {
+  const all = [least, largest, ...levelsShown(spec).map(({ value }) => value), ...(spec.fromZero === false ? [] : [0])];
+  const short = Math.max(0, (spec.span ?? 0) - (Math.max(...all) - Math.min(...all))) / 2;
+  const [low, high] = [Math.min(...all) - short, Math.max(...all) + short];
+  const room = (high - low || Math.abs(high) || 1) * 0.06;
+  return [low === 0 ? 0 : low - room, high === 0 && low < 0 ? 0 : high + room];
+}
+
+/** Least and largest shown value over the part of the first axis from..to; [0, 1] if there is none. */
+export function shownExtent(aligned: Aligned, from: number, to: number, hidden: Set<number>): [number, number] {
+  const inside = (_: unknown, i: number): boolean => (aligned.x[i] as number) >= from && (aligned.x[i] as number) <= to;
+  const found = aligned.y.flatMap((values, curve) => (hidden.has(curve) ? [] : (extent(values.filter(inside)) ?? [])));
+  return extent(found) ?? [0, 1];
 }
 
 /** Round numbers between two values, about as many as wanted. */

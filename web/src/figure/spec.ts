@@ -18,7 +18,8 @@ export type Role =
   | 'fourth'
   | 'fifth'
   | 'sixth'
-  | 'ground';
+  | 'ground'
+  | 'route';
 
 export interface Curve {
   label: string;
@@ -58,6 +59,8 @@ export interface FigureSpec {
   window?: { from: number; to: number; label: string };
   /** Whether the second axis begins at 0 (forces do; heights do not). */
   fromZero?: boolean;
+  /** The second axis shows at least so much, SI. */
+  span?: number;
   /** For figures over the head's place: when it was where. */
   clock?: { time: Value[]; head: Value[] };
   height?: number;

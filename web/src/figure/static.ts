@@ -4,7 +4,7 @@ import type { UnitSystem } from '../state';
 import { align, extent, type Aligned } from './align';
 import { DASH, palette, WIDTH } from './palette';
 import { axisLabel, scalesOf } from './plot';
-import { levelsShown, rangeOfY, tickLabels, ticks } from './ranges';
+import { levelsShown, roomy, shownExtent, tickLabels, ticks } from './ranges';
 import type { FigureSpec } from './spec';
 
 const WIDE = 680;
@@ -90,7 +90,7 @@ export function drawStatic(
 ): SVGSVGElement {
   const aligned = align(spec.curves);
   const x = zoom ?? extent(aligned.x) ?? [0, 1];
-  const y = rangeOfY(spec, aligned, x[0], x[1], hidden);
+  const y = roomy(spec, ...shownExtent(aligned, x[0], x[1], hidden));
   const px: Map1 = (value) => LEFT + ((value - x[0]) / (x[1] - x[0] || 1)) * (WIDE - LEFT - RIGHT);
   const py: Map1 = (value) => HIGH - BOTTOM - ((value - y[0]) / (y[1] - y[0] || 1)) * (HIGH - TOP - BOTTOM);
   const clip = `clip-${spec.id}`;

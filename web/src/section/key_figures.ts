@@ -5,12 +5,12 @@ import type { Value } from '../data';
 import { extent } from '../figure/align';
 import { inWords, limitNamed, numbers, texts } from '../run';
 import { digits, placeText, show } from '../units';
-import { fact, section, withError } from './parts';
+import { fact, note, section, withError } from './parts';
 
 function difference(value: Value | undefined, reference: Value | undefined): string {
   if (value === null || value === undefined || !reference) return '';
   const percent = (100 * (value - reference)) / reference;
-  return `the simulation is ${digits(Math.abs(percent), 2)}\u202f% ${percent < 0 ? 'below' : 'above'} it`;
+  return `simulated ${digits(Math.abs(percent), 2)}\u202f% ${percent < 0 ? 'below' : 'above'}`;
 }
 
 /** The roller with the largest load of the run. */
@@ -67,5 +67,11 @@ export function keyFiguresSection(context: Context): HTMLElement {
       settled === null || settled === undefined ? '' : `settled after ${show(settled, 's', units)}`,
     ),
   ];
-  return section('key-figures', 'Key figures', el('dl', { class: 'facts' }, ...facts));
+  const errors = pull?.steady_mean_error || pull?.peak_error;
+  const caption = errors
+    ? note(
+        '± is what a figure may be off by through the numbers alone: steps in time, length of segments, friction at rest.',
+      )
+    : null;
+  return section('key-figures', 'Key figures', el('dl', { class: 'facts' }, ...facts), caption);
 }

@@ -101,5 +101,5 @@ export function fact(term: string, text: string | Node, detail: string | Node = 
 export function withError(value: Value | undefined, error: Value | undefined, unit: Unit, units: UnitSystem): string {
   if (value === null || value === undefined || error === null || error === undefined || value === 0) return '';
   const share = show((100 * error) / Math.abs(value), '%', units, 2);
-  return `± ${show(error, unit, units, 2)} (${share}), by the numbers alone`;
+  return `± ${show(error, unit, units, 2)} (${share})`;
 }

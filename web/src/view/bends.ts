@@ -16,27 +16,27 @@ export interface Bend {
 const STRAIGHT = 1e-3;
 const SMALLEST_TURN = (1.5 * Math.PI) / 180;
 
-/** Stretches with curvature by trapezoids between the route's points, in the route's order. */
+/**
+ * Stretches of the route that turn, in its order. The curvature of a point holds from there on: at the end of a bend, where
+ * a straight begins, it is 0. Between two points of one bend (a spiral) it goes linearly.
+ */
 export function bendsOf(s: readonly number[], curvature: readonly Value[]): Bend[] {
   const bends: Bend[] = [];
   let open: Bend | null = null;
-  const close = (): void => {
-    if (open && open.angle >= SMALLEST_TURN) bends.push({ ...open, number: bends.length + 1 });
-    open = null;
-  };
-  for (let i = 0; i + 1 < s.length; i++) {
-    const a = Math.abs(curvature[i] ?? 0);
-    const b = Math.abs(curvature[i + 1] ?? 0);
-    const span = s[i + 1]! - s[i]!;
-    if (Math.max(a, b) < STRAIGHT) close();
-    else if (span > 0) {
-      open ??= { number: 0, from: s[i]!, to: s[i]!, radius: Infinity, angle: 0 };
-      open.to = s[i + 1]!;
-      open.angle += 0.5 * (a + b) * span;
-      open.radius = Math.min(open.radius, 1 / Math.max(a, b));
-      if (b < STRAIGHT) close();
+  for (let i = 0; i < s.length; i++) {
+    const here = Math.abs(curvature[i] ?? 0);
+    const curved = here >= STRAIGHT && i + 1 < s.length;
+    if (!curved) {
+      if (open && open.angle >= SMALLEST_TURN) bends.push({ ...open, number: bends.length + 1 });
+      open = null;
+      continue;
     }
+    const next = Math.abs(curvature[i + 1] ?? 0);
+    const mean = next >= STRAIGHT ? 0.5 * (here + next) : here;
+    open ??= { number: 0, from: s[i]!, to: s[i]!, radius: Infinity, angle: 0 };
+    open.to = s[i + 1]!;
+    open.angle += mean * (open.to - s[i]!);
+    open.radius = Math.min(open.radius, 1 / here);
   }
-  close();
   return bends;
 }

@@ -34,9 +34,13 @@ export class ChainRings {
     const n = chain.segments;
     const steps = Math.min(4, Math.max(1, Math.round(RINGS / Math.max(1, n))));
     const coordinate: number[] = [];
-    for (let from = 0; from < n; ) {
+    for (let from = 0; from < n;) {
       let to = from;
-      while (to + 1 < n && chain.diameter_m[to + 1] === chain.diameter_m[from] && chain.part[to + 1] === chain.part[from])
+      while (
+        to + 1 < n &&
+        chain.diameter_m[to + 1] === chain.diameter_m[from] &&
+        chain.part[to + 1] === chain.part[from]
+      )
         to++;
       const first = coordinate.length;
       const pieces = (to - from + 1) * steps;

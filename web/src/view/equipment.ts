@@ -1,6 +1,6 @@
 // What stands still: route, ducts and floors, conveyors, obstacles.
 import { BufferGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, Mesh, ShaderMaterial } from 'three';
-import type { Surface } from '../data';
+import type { Conveyor, Surface } from '../data';
 import { faceMaterial, type Look, screenColour } from './material';
 import type { Model } from './model';
 import type { Palette } from './palette';
@@ -33,12 +33,12 @@ export class Equipment {
     if (!geometry) return;
     this.route(groundHeight);
     for (const surface of geometry.surfaces) this.surface(surface);
-    for (const conveyor of geometry.conveyors) this.conveyor(conveyor.points_m.map(model.at));
+    for (const conveyor of geometry.conveyors) this.conveyor(conveyor);
     const paint = (part: Part, look: Omit<Look, 'colour'> = {}): ShaderMaterial => this.paint(part, look);
     const machines = [
       ...(geometry.reel ? reelMesh(geometry.reel, model, paint) : []),
       ...(geometry.winch ? winchMesh(geometry.winch, model, paint) : []),
-      ...obstacleMeshes(geometry.obstacles ?? [], model, paint),
+      ...obstacleMeshes(geometry, model, paint),
     ];
     for (const mesh of machines) this.group.add(mesh);
   }
@@ -67,44 +67,59 @@ export class Equipment {
     );
   }
 
-  private swept(line: readonly Vec3[], profile: Corner[], closed: boolean, surface: Partial<Surface>, widen = 0): BufferGeometry {
-    const fine = refined(line, PIECE_M);
+  private swept(
+    way: readonly Vec3[],
+    profile: Corner[],
+    closed: boolean,
+    up?: readonly Vec3[] | null,
+    widen = 0,
+  ): BufferGeometry {
+    const { line, ups } = refined(way, up?.length === way.length ? up : way.map((): Vec3 => [0, 0, 1]), PIECE_M);
     const path = this.model.path;
-    const base = fine.map((point) => {
+    const base = line.map((point) => {
       const found = path?.nearest(point);
       return path && found && found.distance < 3 ? path.at(found.s) : point;
     });
-    return sweepGeometry({ line: fine, base, profile, closed, normal: surface.normal, widen });
+    return sweepGeometry({ line, base, profile, closed, ups, widen });
   }
 
   private surface(surface: Surface): void {
     const line = surface.points_m.map(this.model.at);
     if (line.length < 2) return;
-    if (surface.diameter_m) {
-      const geometry = this.swept(line, circle(0.5 * surface.diameter_m, ROUND), true, {});
-      const mesh = new Mesh(geometry, this.paint('duct', { opacity: 0.13, smooth: true }));
-      mesh.renderOrder = 2;
-      this.group.add(mesh);
-      return;
-    }
-    const half = 0.5 * (surface.width_m ?? FLOOR_M);
-    const widen = (FLOOR_TO_CABLE * this.model.diameter) / (2 * half);
-    const profile = [
-      { across: 0, above: 0, wide: half },
-      { across: 0, above: 0, wide: -half },
-    ];
-    const mesh = new Mesh(this.swept(line, profile, false, surface, widen), this.paint('floor', { opacity: 0.55 }));
-    mesh.renderOrder = 1;
+    const round = surface.kind === 'duct' && surface.diameter_m;
+    const geometry = round
+      ? this.swept(line, circle(0.5 * round, ROUND), true, surface.up)
+      : this.swept(
+          line,
+          trough(surface),
+          false,
+          surface.up ?? line.map(() => surface.normal ?? [0, 0, 1]),
+          this.widening(surface),
+        );
+    const look = round ? this.paint('duct', { opacity: 0.13, smooth: true }) : this.paint('floor', { opacity: 0.55 });
+    const mesh = new Mesh(geometry, look);
+    mesh.renderOrder = round ? 2 : 1;
     this.group.add(mesh);
   }
 
-  /** Two belts, one on either side of the cable. */
-  private conveyor(line: readonly Vec3[]): void {
+  /** A flat floor stays wider than the cable when that is exaggerated; what has sides is exaggerated as it is. */
+  private widening(surface: Surface): number {
+    return (FLOOR_TO_CABLE * this.model.diameter) / (surface.width_m ?? FLOOR_M);
+  }
+
+  /** Two belts, one on either side of the cable, along the route where there is one. */
+  private conveyor(conveyor: Conveyor): void {
+    const { path, at } = this.model;
+    const { from_m: from, to_m: to } = conveyor;
+    const n = Math.max(2, Math.ceil((to - from) / PIECE_M) + 1);
+    const line = path
+      ? Array.from({ length: n }, (_, k) => path.at(from + ((to - from) * k) / (n - 1)))
+      : conveyor.points_m.map(at);
     if (line.length < 2) return;
     const inner = 0.5 * this.model.diameter;
     for (const across of [inner, -inner - BELT.width]) {
       const profile = box(across, BELT.width, -0.5 * BELT.height, 0.5 * BELT.height);
-      this.group.add(new Mesh(this.swept(line, profile, true, {}), this.paint('belt', {})));
+      this.group.add(new Mesh(this.swept(line, profile, true), this.paint('belt', {})));
     }
   }
 
@@ -120,6 +135,21 @@ export class Equipment {
     });
     for (const { material } of this.painted) material.dispose();
   }
+}
+
+/** The section of a tray or a floor: flat, with sides, or a V. */
+function trough({ width_m: width, height_m: height, section }: Surface): Corner[] {
+  const half = 0.5 * (width ?? FLOOR_M);
+  const side = height ?? 0;
+  if (section === 'v') return [-half, 0, half].map((across) => ({ across, above: (side * Math.abs(across)) / half }));
+  if (side > 0)
+    return [
+      { across: -half, above: side },
+      { across: -half, above: 0 },
+      { across: half, above: 0 },
+      { across: half, above: side },
+    ];
+  return [half, -half].map((wide) => ({ across: 0, above: 0, wide }));
 }
 
 /** The height of the ground below a scene of these points, m. */

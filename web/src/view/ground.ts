@@ -37,7 +37,11 @@ export class Ground {
   /** At height z; lines in a square of that half width. */
   constructor(z: number, half: number) {
     const material = new ShaderMaterial({
-      uniforms: { colour: { value: screenColour('#888') }, spacing: { value: 1 }, focus: { value: new Vector3(0, 0, half) } },
+      uniforms: {
+        colour: { value: screenColour('#888') },
+        spacing: { value: 1 },
+        focus: { value: new Vector3(0, 0, half) },
+      },
       vertexShader: vertex,
       fragmentShader: fragment,
       transparent: true,

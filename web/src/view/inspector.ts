@@ -26,7 +26,10 @@ export class Inspector {
   private plot: uPlot | null = null;
   private time = NaN;
 
-  constructor(private readonly seek: (time: number) => void, private readonly close: () => void) {}
+  constructor(
+    private readonly seek: (time: number) => void,
+    private readonly close: () => void,
+  ) {}
 
   show(picked: Picked | null, theme: Theme): void {
     this.plot?.destroy();
@@ -51,7 +54,12 @@ export class Inspector {
 
   private draw(figure: HTMLElement, picked: Picked, theme: Theme): uPlot {
     const ink = INK[theme];
-    const axis = { stroke: ink.text, grid: { stroke: ink.grid, width: 1 }, ticks: { stroke: ink.grid, width: 1 }, font: '11px system-ui' };
+    const axis = {
+      stroke: ink.text,
+      grid: { stroke: ink.grid, width: 1 },
+      ticks: { stroke: ink.grid, width: 1 },
+      font: '11px system-ui',
+    };
     const values = Array.from(picked.values, (value) => (Number.isFinite(value) ? value : null));
     const data: uPlot.AlignedData = [Array.from(picked.time), values];
     const series: uPlot.Series[] = [{}, { label: picked.label, stroke: ink.line, width: 1.5, points: { show: false } }];
@@ -66,7 +74,10 @@ export class Inspector {
         legend: { show: false },
         cursor: { drag: { x: false, y: false }, y: false },
         scales: { x: { time: false } },
-        axes: [{ ...axis, size: 34, label: 'time, s', labelSize: 16, labelFont: '11px system-ui' }, { ...axis, size: 56, label: picked.label, labelSize: 16, labelFont: '11px system-ui' }],
+        axes: [
+          { ...axis, size: 34, label: 'time, s', labelSize: 16, labelFont: '11px system-ui' },
+          { ...axis, size: 56, label: picked.label, labelSize: 16, labelFont: '11px system-ui' },
+        ],
         series,
         hooks: { draw: [(u): void => this.line(u, ink.limit)] },
       },

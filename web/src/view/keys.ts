@@ -74,7 +74,9 @@ function keptBy(target: EventTarget | null, key: string): boolean {
   if (target instanceof HTMLSelectElement) return key !== 'Escape';
   if (target instanceof HTMLButtonElement) return key === ' ' || key === 'Enter';
   if (target instanceof HTMLInputElement)
-    return target.type === 'checkbox' ? key === ' ' : !target.classList.contains('view-time') && /^(Arrow|Home|End)/.test(key);
+    return target.type === 'checkbox'
+      ? key === ' '
+      : !target.classList.contains('view-time') && /^(Arrow|Home|End)/.test(key);
   return false;
 }
 

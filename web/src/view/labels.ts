@@ -92,7 +92,12 @@ export class Labels {
     all.forEach(({ element }, i) => {
       const visible = seen[i]! && shown[i]!;
       element.hidden = !visible;
-      if (visible) element.style.transform = `translate(${x[i]!.toFixed(1)}px, ${y[i]!.toFixed(1)}px)`;
+      if (!visible) return;
+      // Words at the picture's edge move inwards; their point does not.
+      const half = 0.5 * (LETTER * all[i]!.label.text.length + 14);
+      const inside = Math.min(Math.max(x[i]!, half), width - half);
+      element.style.setProperty('--aside', `${(inside - x[i]!).toFixed(0)}px`);
+      element.style.transform = `translate(${x[i]!.toFixed(1)}px, ${y[i]!.toFixed(1)}px)`;
     });
   }
 }

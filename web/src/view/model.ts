@@ -98,7 +98,7 @@ export function onReel(model: Model): (x: number, y: number, z: number) => boole
   return (x, y, z) => {
     const along = (x - cx) * ax + (y - cy) * ay + (z - cz) * az;
     const square = (x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2 - along * along;
-    return Math.abs(along) < 0.6 * reel.width_m + 0.2 && square < (1.25 * reel.radius_m) ** 2;
+    return Math.abs(along) < 0.6 * reel.width_m + 0.2 && square < (1.02 * reel.radius_m) ** 2;
   };
 }
 

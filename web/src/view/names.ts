@@ -20,7 +20,9 @@ export function nameEverything(labels: Labels, model: Model, system: UnitSystem)
   if (path) {
     for (const s of ticksOf(path.from, path.to, DISTANCES))
       label(`s${s}`, lengthText(s, system).replace('.0', ''), path.at(s), 10, 'distance');
-    bends.forEach((bend, i) => label(`bend${i}`, bendText(bend, system), path.at(0.5 * (bend.from + bend.to)), 20 + bend.angle));
+    bends.forEach((bend, i) =>
+      label(`bend${i}`, bendText(bend, system), path.at(0.5 * (bend.from + bend.to)), 20 + bend.angle),
+    );
     for (const conveyor of geometry?.conveyors ?? [])
       label(`conveyor ${conveyor.name}`, short(conveyor.name), path.at(0.5 * (conveyor.from_m + conveyor.to_m)), 40);
   }

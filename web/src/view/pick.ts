@@ -55,12 +55,7 @@ export function pointAt(screen: Screen, x: number, y: number, reach: (depth: num
 }
 
 /** Where on a polyline the pointer is: index plus share of the piece behind it, and pixels away; null if farther than `reach`. */
-export function lineAt(
-  screen: Screen,
-  x: number,
-  y: number,
-  reach: number,
-): { index: number; pixels: number } | null {
+export function lineAt(screen: Screen, x: number, y: number, reach: number): { index: number; pixels: number } | null {
   let best: { index: number; pixels: number } | null = null;
   for (let i = 0; i + 1 < screen.x.length; i++) {
     if (screen.depth[i]! <= 0 || screen.depth[i + 1]! <= 0) continue;

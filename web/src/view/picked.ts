@@ -1,5 +1,5 @@
 // What the inspector shows of a roller or a place.
-import type { FieldMeta, RunData } from '../data';
+import type { RunData } from '../data';
 import type { UnitSystem } from '../state';
 import { scaleOf, show } from '../units';
 import { Frames } from './frames';
@@ -9,29 +9,17 @@ import type { Now } from './now';
 import { unpackField } from './packed';
 import { lengthText, type Quantity } from './quantity';
 
-/** Rollers' forces, packed as the states are: an item a roller. */
-interface RollerForce {
-  time_s?: number[];
-  fields: Record<string, FieldMeta>;
-  packed: Record<string, string>;
-}
-
-function isRollerForce(value: unknown): value is RollerForce {
-  return typeof value === 'object' && value !== null && 'fields' in value && 'packed' in value;
-}
+const FORCE = 'force';
 
 /** Forces on all rollers over time; null where the data have none. */
-export async function rollerForces(run: RunData): Promise<{ frames: Frames; field: string } | null> {
-  const data = run.roller_force;
+export async function rollerForces(run: RunData): Promise<Frames | null> {
+  const meta = run.roller_force;
   const rollers = run.geometry?.rollers.length ?? 0;
-  if (!isRollerForce(data) || rollers === 0) return null;
-  const time = data.time_s ?? run.states?.time_s ?? [];
-  const field = Object.keys(data.packed)[0];
-  const meta = field ? data.fields[field] : undefined;
-  if (!field || !meta) return null;
+  const time = run.states?.time_s ?? [];
+  if (!meta || rollers === 0) return null;
   const frames = new Frames(time, rollers);
-  frames.fields.set(field, { meta, q: await unpackField(data.packed[field]!, time.length, rollers, meta.components) });
-  return { frames, field };
+  frames.fields.set(FORCE, { meta, q: await unpackField(meta.packed, time.length, rollers, meta.components) });
+  return frames;
 }
 
 /** A column of series.csv with the roller's load, where the case asked for it. */
@@ -42,19 +30,15 @@ function loadInSeries(run: RunData, name: string): { time: number[]; values: num
   return { time: time.map(Number), values: column.map((value) => (typeof value === 'number' ? value : NaN)) };
 }
 
-const scaled = (values: ArrayLike<number>, factor: number): Float64Array => Float64Array.from(values, (value) => value * factor);
+const scaled = (values: ArrayLike<number>, factor: number): Float64Array =>
+  Float64Array.from(values, (value) => value * factor);
 
-export function pickedRoller(
-  model: Model,
-  index: number,
-  forces: { frames: Frames; field: string } | null,
-  system: UnitSystem,
-): Picked | null {
+export function pickedRoller(model: Model, index: number, forces: Frames | null, system: UnitSystem): Picked | null {
   const roller = model.run.geometry?.rollers[index];
   if (!roller) return null;
   const series = loadInSeries(model.run, roller.name);
-  const values = series?.values ?? forces?.frames.history(forces.field, () => index) ?? [];
-  const time = series?.time ?? forces?.frames.time ?? [];
+  const values = series?.values ?? forces?.history(FORCE, () => index) ?? [];
+  const time = series?.time ?? forces?.time ?? [];
   const table = model.run.rollers;
   const row = table?.['name']?.indexOf(roller.name) ?? -1;
   const figure = (key: string): number | null => {
@@ -63,14 +47,20 @@ export function pickedRoller(
   };
   const peak = figure('peak_N');
   const facts = [roller.s_m === null ? roller.kind : `${roller.kind} at ${lengthText(roller.s_m, system)}`];
-  for (const [words, key] of [['steady', 'steady_N'], ['peak', 'peak_N']] as const) {
+  for (const [words, key] of [
+    ['steady', 'steady_N'],
+    ['peak', 'peak_N'],
+  ] as const) {
     const value = figure(key);
     if (value !== null) facts.push(`${words} ${show(value, 'N', system, 3)}`);
   }
   if (roller.rating_N !== null) facts.push(`may carry ${show(roller.rating_N, 'N', system, 3)}`);
   const largest = Array.from(values).reduce((a, b) => (b > a ? b : a), peak ?? 0);
   const { symbol, factor } = scaleOf('N', system, largest);
-  const limit = roller.rating_N !== null && roller.rating_N < 4 * largest ? { label: 'rating', value: roller.rating_N * factor } : undefined;
+  const limit =
+    roller.rating_N !== null && roller.rating_N < 4 * largest
+      ? { label: 'rating', value: roller.rating_N * factor }
+      : undefined;
   return { title: roller.name, facts, label: `load, ${symbol}`, time, values: scaled(values, factor), limit };
 }
 

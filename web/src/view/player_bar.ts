@@ -21,11 +21,19 @@ const SIGNS = {
 };
 
 const sign = (path: string): SVGSVGElement =>
-  svg('svg', { width: 14, height: 14, viewBox: '0 0 16 16', 'aria-hidden': 'true' }, svg('path', { d: path, fill: 'currentColor' }));
+  svg(
+    'svg',
+    { width: 14, height: 14, viewBox: '0 0 16 16', 'aria-hidden': 'true' },
+    svg('path', { d: path, fill: 'currentColor' }),
+  );
 
 /** A button with a sign; the name is for those who do not see it, the keys do the same. */
 const signed = (path: string, name: string, keys: string, onclick: () => void): HTMLButtonElement =>
-  el('button', { type: 'button', 'aria-label': name, title: `${name} (${keys})`, 'aria-keyshortcuts': keys, onclick }, sign(path));
+  el(
+    'button',
+    { type: 'button', 'aria-label': name, title: `${name} (${keys})`, 'aria-keyshortcuts': keys, onclick },
+    sign(path),
+  );
 
 /** Divisions of the slider. */
 const FINE = 4000;
@@ -43,18 +51,24 @@ export class PlayerBar {
     events: readonly PullEvent[],
     actions: PlayerActions,
   ) {
-    this.play = signed(SIGNS.play, 'Play', 'Space', actions.toggle);
+    this.play = signed(SIGNS.play, 'Play', 'Space', () => actions.toggle());
     this.slider.setAttribute('aria-label', 'Simulated time');
     this.slider.addEventListener('input', () => actions.seek(this.timeOf(this.slider.valueAsNumber)));
     this.followBox.addEventListener('change', () => actions.follow(this.followBox.checked));
-    const rates = (this.rates = el('select', { title: 'Simulated seconds a second' }, ...RATES.map((rate) => el('option', { value: rate }, `${rate}\u00d7`))));
+    const rates = (this.rates = el(
+      'select',
+      { title: 'Simulated seconds a second' },
+      ...RATES.map((rate) => el('option', { value: rate }, `${rate}\u00d7`)),
+    ));
     rates.value = String(playback.rate);
     rates.addEventListener('change', () => (playback.rate = Number(rates.value)));
     const jump = el(
       'select',
       { class: 'view-jump', 'aria-label': 'Jump to an event' },
       el('option', { value: '' }, 'Jump to\u2026'),
-      ...events.map((event, i) => el('option', { value: i }, `${timeText(event.time_s, playback.to)}  ${event.what.slice(0, 80)}`)),
+      ...events.map((event, i) =>
+        el('option', { value: i }, `${timeText(event.time_s, playback.to)}  ${event.what.slice(0, 80)}`),
+      ),
     );
     jump.addEventListener('change', () => {
       const event = events[Number(jump.value)];

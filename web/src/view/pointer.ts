@@ -46,6 +46,7 @@ export function listenToPointer(canvas: HTMLElement, act: PointerActions): () =>
   for (const [name, listener] of Object.entries(listeners)) canvas.addEventListener(name, listener as EventListener);
   return () => {
     cancelAnimationFrame(frame);
-    for (const [name, listener] of Object.entries(listeners)) canvas.removeEventListener(name, listener as EventListener);
+    for (const [name, listener] of Object.entries(listeners))
+      canvas.removeEventListener(name, listener as EventListener);
   };
 }

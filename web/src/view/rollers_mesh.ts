@@ -1,11 +1,5 @@
 // All rollers in one draw call: cylinders that stay on the cable's surface when cross-sections are exaggerated.
-import {
-  CylinderGeometry,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  Mesh,
-  ShaderMaterial,
-} from 'three';
+import { CylinderGeometry, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
 import type { Roller } from '../data';
 import { screenColour } from './material';
 import type { Model } from './model';
@@ -62,6 +56,9 @@ void main() {
 }
 `;
 
+/** Boxes and bell-mouths are in the list of rollers, but drawn as what they are (machines.ts). */
+const isRound = ({ kind }: Roller): boolean => kind !== 'box' && kind !== 'bell-mouth';
+
 /** Where a roller stands to the route: its foot on it, the direction from there, and the gap to the roller's surface, m. */
 export function standing(path: Path | null, centre: Vec3, radius: number): { base: Vec3; away: Vec3; gap: number } {
   const found = path?.nearest(centre);
@@ -80,8 +77,8 @@ export class RollersMesh {
   constructor(rollers: readonly Roller[], { at, path, diameter }: Model, shared: Shared) {
     const spacing = rollerSpacing(rollers);
     this.stand = rollers.map((roller) => {
-      const radius = roller.radius_m ?? RADIUS;
-      return { ...standing(path, at(roller.position_m), radius), radius, largest: CROWDED * spacing };
+      const radius = isRound(roller) ? (roller.radius_m ?? RADIUS) : 0;
+      return { ...standing(path, at(roller.position_m), radius), radius, largest: radius > 0 ? CROWDED * spacing : 0 };
     });
     this.centres = new Float32Array(3 * rollers.length);
     const unit = new CylinderGeometry(1, 1, 1, 20);
@@ -97,7 +94,12 @@ export class RollersMesh {
     instanced('base', 3, (_, i) => this.stand[i]!.base);
     instanced('away', 4, (_, i) => [...this.stand[i]!.away, this.stand[i]!.gap]);
     instanced('axis', 3, (roller) => direction(roller.axis, [0, 1, 0]));
-    instanced('measure', 4, (roller, i) => [this.stand[i]!.radius, roller.width_m ?? WIDTH, this.stand[i]!.largest, i]);
+    instanced('measure', 4, (roller, i) => [
+      this.stand[i]!.radius,
+      isRound(roller) ? (roller.width_m ?? WIDTH) : 0,
+      this.stand[i]!.largest,
+      i,
+    ]);
     geometry.instanceCount = rollers.length;
     const material = new ShaderMaterial({
       uniforms: {

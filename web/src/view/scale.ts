@@ -28,8 +28,7 @@ export function scaleOf(
   let largest = -Infinity;
   const each = (visit: (value: number) => void): void => {
     for (let frame = 0; frame < frames.count; frame++)
-      for (let item = 0; item < frames.items; item++)
-        if (!skipped(item, frame)) visit(q[frame * frames.items + item]!);
+      for (let item = 0; item < frames.items; item++) if (!skipped(item, frame)) visit(q[frame * frames.items + item]!);
   };
   each((value) => {
     if (value < least) least = value;
@@ -44,7 +43,7 @@ export function scaleOf(
     count++;
   });
   let bin = 0;
-  for (let sum = bins[0]!; sum < REACHED * count && bin < BINS - 1; ) sum += bins[++bin]!;
+  for (let sum = bins[0]!; sum < REACHED * count && bin < BINS - 1;) sum += bins[++bin]!;
   const usual = least + (bin + 1) * width;
   const clipped = largest > 0 && largest - least > 2 * (usual - least);
   const low = Math.min(0, least) * meta.step;
@@ -59,6 +58,6 @@ export function ticksOf(low: number, high: number, count: number): number[] {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
   const ticks: number[] = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high * (1 + 1e-12) + 1e-9 * step; i++) ticks.push(i * step);
+  for (let i = Math.ceil(low / step - 1e-9) + 0; i * step <= high * (1 + 1e-12) + 1e-9 * step; i++) ticks.push(i * step);
   return ticks;
 }

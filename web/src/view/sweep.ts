@@ -16,31 +16,31 @@ export interface Sweep {
   base: readonly Vec3[];
   profile: readonly Corner[];
   closed: boolean;
-  /** Direction of "above"; the world's up where there is none. */
-  normal?: Vec3 | undefined;
+  /** Direction of "above" at every point of the line. */
+  ups: readonly Vec3[];
   /** Exaggeration up to which `wide` corners do not grow, turned round: they grow with exaggeration x widen where that is over 1. */
   widen?: number;
 }
 
 /** Unit vectors to the left of the line and above it at each of its points. */
-export function axesAlong(line: readonly Vec3[], normal: Vec3 = [0, 0, 1]): { left: Vec3; above: Vec3 }[] {
-  let left: Vec3 = direction(cross(normal, [1, 0, 0]), [0, 1, 0]);
+export function axesAlong(line: readonly Vec3[], ups: readonly Vec3[]): { left: Vec3; above: Vec3 }[] {
+  let left: Vec3 = [0, 1, 0];
   return line.map((_, i) => {
     const tangent = direction(sub(line[Math.min(line.length - 1, i + 1)]!, line[Math.max(0, i - 1)]!));
-    const raw = cross(normal, tangent);
+    const raw = cross(ups[i]!, tangent);
     // On a riser "above" has no direction: go on as before.
     left = size(raw) > 0.05 ? direction(raw) : direction(add(left, tangent, -dot(left, tangent)), left);
     return { left, above: cross(tangent, left) };
   });
 }
 
-export function sweepGeometry({ line, base, profile, closed, normal, widen = 0 }: Sweep): BufferGeometry {
+export function sweepGeometry({ line, base, profile, closed, ups, widen = 0 }: Sweep): BufferGeometry {
   const positions: number[] = [];
   const offsets: number[] = [];
   const sides: number[] = [];
   const normals: number[] = [];
   const faces: number[] = [];
-  const axes = axesAlong(line, normal);
+  const axes = axesAlong(line, ups);
   const m = profile.length;
   line.forEach((point, i) => {
     const { left, above } = axes[i]!;
@@ -84,12 +84,16 @@ export const box = (across: number, width: number, low: number, high: number): C
   { across, above: high },
 ];
 
-/** A line with at most `longest` between its points: exaggerated offsets follow the route then. */
-export function refined(line: readonly Vec3[], longest: number): Vec3[] {
-  return line.flatMap((point, i) => {
-    const before = line[i - 1];
-    if (!before) return [point];
-    const pieces = Math.min(400, Math.max(1, Math.ceil(size(sub(point, before)) / longest)));
-    return Array.from({ length: pieces }, (_, k) => add(before, sub(point, before), (k + 1) / pieces));
-  });
+/** A line with at most `longest` between its points, and what is known at its points between them: exaggerated offsets follow the route then. */
+export function refined(line: readonly Vec3[], ups: readonly Vec3[], longest: number): { line: Vec3[]; ups: Vec3[] } {
+  const out = { line: line.slice(0, 1), ups: ups.slice(0, 1) };
+  for (let i = 1; i < line.length; i++) {
+    const [a, b] = [line[i - 1]!, line[i]!];
+    const pieces = Math.min(400, Math.max(1, Math.ceil(size(sub(b, a)) / longest)));
+    for (let k = 1; k <= pieces; k++) {
+      out.line.push(add(a, sub(b, a), k / pieces));
+      out.ups.push(add(ups[i - 1]!, sub(ups[i]!, ups[i - 1]!), k / pieces));
+    }
+  }
+  return out;
 }

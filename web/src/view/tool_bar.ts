@@ -69,7 +69,13 @@ export class ToolBar {
       { class: 'view-tools' },
       el('div', { class: 'view-presets', role: 'group', 'aria-label': 'Camera' }, ...presets, this.bendList),
       el('label', { class: 'view-field' }, 'Colour', this.colours),
-      el('label', { class: 'view-field', title: 'Left end: as suits the view' }, 'Diameter: auto', this.slider, `\u00d7${LARGEST}`),
+      el(
+        'label',
+        { class: 'view-field', title: 'Left end: as suits the view' },
+        'Diameter: auto',
+        this.slider,
+        `\u00d7${LARGEST}`,
+      ),
     );
     this.units('si');
   }

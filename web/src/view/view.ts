@@ -3,6 +3,7 @@ import './view.css';
 import type { RunData } from '../data';
 import { el } from '../dom';
 import type { Store } from '../state';
+import { CameraDesk } from './camera_desk';
 import { unpackFrames } from './frames';
 import { HELP, listenToKeys } from './keys';
 import { rollerForces } from './picked';
@@ -58,7 +59,15 @@ function usePointer(world: World, viewer: Viewer, store: Store): () => void {
     world.rollers?.mark(picked, roller);
     const name = viewer.model.run.geometry?.rollers[roller]?.name.slice(0, 60);
     const point = world.rollers?.centres.subarray(3 * roller, 3 * roller + 3);
-    const label = name && point ? { text: name, point: [point[0]!, point[1]!, point[2]!] as [number, number, number], weight: 150, kind: 'picked' } : null;
+    const label =
+      name && point
+        ? {
+            text: name,
+            point: [point[0]!, point[1]!, point[2]!] as [number, number, number],
+            weight: 150,
+            kind: 'picked',
+          }
+        : null;
     world.labels.set('hovered', label);
     world.stage.invalidate();
   };
@@ -81,8 +90,7 @@ function usePointer(world: World, viewer: Viewer, store: Store): () => void {
       viewer.inspect(roller >= 0 ? { roller } : place !== null ? { place } : null);
     },
     double: (x, y) => {
-      const place = world.placeAt(x, y);
-      if (place !== null && viewer.model.path) viewer.lookAt(viewer.model.path.at(place));
+      viewer.toPlace(world.placeAt(x, y));
     },
   });
 }
@@ -103,8 +111,8 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
   root.replaceChildren(shell);
   const ends: (() => void)[] = [];
   const world = worldIn(stage, viewer);
-  viewer.world = world;
   if (world) {
+    viewer.draws(world, new CameraDesk(world, () => viewer.now));
     stage.append(viewer.legend.root, viewer.inspector.root);
     const canvas = world.stage.renderer.domElement;
     canvas.tabIndex = 0;
@@ -114,7 +122,6 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
     world.stage.controls.enableZoom = false;
     canvas.addEventListener('focus', () => (world.stage.controls.enableZoom = true));
     canvas.addEventListener('blur', () => (world.stage.controls.enableZoom = false));
-    world.stage.onFrame = (elapsed) => viewer.tick(elapsed);
     ends.push(usePointer(world, viewer, store));
   }
   const dress = (): void => {
@@ -125,7 +132,7 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
     listenToKeys(shell, viewer),
     store.subscribe('units', dress),
     store.subscribe('theme', dress),
-    store.subscribe('place', (place) => viewer.mark(place)),
+    store.subscribe('place', () => viewer.mark()),
     store.subscribe('time', (time, source) => {
       if (source !== viewer && time !== null) viewer.seek(time);
     }),

@@ -1,29 +1,25 @@
 // The view at work: what the reader does, what the store says, and what is drawn, kept together.
-import type { RunData } from '../data';
+import type { PullEvent, RunData } from '../data';
 import type { Store } from '../state';
 import { show } from '../units';
-import { along, bendPose, overview, plan, poseAt, profile, type Pose } from './cameras';
+import type { CameraDesk } from './camera_desk';
+import { Colouring } from './colouring';
 import type { Frames } from './frames';
 import { Inspector } from './inspector';
 import type { KeyActions } from './keys';
 import { Legend } from './legend';
-import { modelOf, onReel, type Model } from './model';
+import { extentOfStates, type Model, modelOf } from './model';
 import { nameEverything } from './names';
 import { Now } from './now';
-import { Playback, RATES } from './playback';
-import { sub, type Vec3 } from './path';
 import { pickedPlace, pickedRoller } from './picked';
+import { Playback, RATES } from './playback';
 import { PlayerBar } from './player_bar';
-import { lengthText, QUANTITIES, type Quantity } from './quantity';
-import { scaleOf, type Scale } from './scale';
-import { Narrator, sentence } from './sentence';
+import { lengthText } from './quantity';
+import { type Narrator, sentence } from './sentence';
 import { ToolBar } from './tool_bar';
 import type { World } from './world';
 
 type Choice = { roller: number } | { place: number } | null;
-
-/** Distance of the camera along the cable and at a place, m; farther for thicker cables. */
-const nearby = (model: Model): number => Math.max(2.5, 40 * model.diameter);
 
 export class Viewer implements KeyActions {
   readonly model: Model;
@@ -34,15 +30,13 @@ export class Viewer implements KeyActions {
   readonly tools: ToolBar;
   now: Now | null = null;
   world: World | null = null;
-  forces: { frames: Frames; field: string } | null = null;
-  private quantity: Quantity = QUANTITIES[0]!;
-  private readonly scales = new Map<string, Scale | null>();
+  cameras: CameraDesk | null = null;
+  forces: Frames | null = null;
+  private readonly colouring: Colouring;
+  private readonly events: PullEvent[];
   private stale = true;
-  private followed: Vec3 | null = null;
   private choice: Choice = null;
-  private atBend = -1;
   private request = 0;
-  private readonly events: { time_s: number; what: string; pull_N: number | null }[];
 
   constructor(
     run: RunData,
@@ -50,6 +44,7 @@ export class Viewer implements KeyActions {
     private readonly narrator: Narrator,
   ) {
     this.model = modelOf(run);
+    this.colouring = new Colouring(this.model);
     const time = run.states?.time_s ?? [];
     this.playback = new Playback(time[0] ?? 0, time[time.length - 1] ?? 0);
     this.events = (run.summary.events ?? []).filter((event) => Number.isFinite(event.time_s));
@@ -57,26 +52,29 @@ export class Viewer implements KeyActions {
       (at) => this.seek(at),
       () => this.leave(),
     );
-    this.player = new PlayerBar(this.playback, this.events, {
-      toggle: () => this.toggle(),
-      seek: (at) => this.seek(at),
-      event: (step) => this.event(step),
-      follow: (on) => this.setFollow(on),
-    });
-    const quantities = QUANTITIES.filter(({ field }) => !run.states || field in run.states.packed);
-    this.quantity = quantities[0] ?? this.quantity;
-    this.tools = new ToolBar(this.model.bends, quantities, {
-      preset: (index) => this.preset(index),
-      bend: (index) => this.bend(index),
-      colour: (field) => this.colour(field),
-      factor: (times) => this.world?.exaggerate(times),
-    });
+    this.player = new PlayerBar(this.playback, this.events, this);
+    this.tools = new ToolBar(this.model.bends, this.colouring.choices, this);
+  }
+
+  /** Takes the scene in, and the desk that moves its camera. */
+  draws(world: World, cameras: CameraDesk): void {
+    this.world = world;
+    this.cameras = cameras;
+    cameras.onChange = (bend, following) => {
+      this.tools.atBend(bend);
+      this.player.following(following);
+    };
+    world.stage.onFrame = (elapsed) => this.tick(elapsed);
   }
 
   /** Frames have come, or another field of them. */
   arrived(frames: Frames, name: string): void {
-    if (!this.now && name === 'position') this.now = new Now(frames, this.model);
-    if (name === this.quantity.field) this.colour(name);
+    if (name === 'position') {
+      this.now = new Now(frames, this.model);
+      extentOfStates(frames, this.model);
+      if (!this.model.path) this.preset(0, true);
+    }
+    if (name === this.colouring.quantity.field) this.colour(name);
     this.refresh();
   }
 
@@ -84,10 +82,13 @@ export class Viewer implements KeyActions {
   refresh(): void {
     this.stale = true;
     if (this.world) this.world.stage.invalidate();
-    else this.request ||= requestAnimationFrame(() => {
-      this.request = 0;
-      if (this.tick(1 / 60)) this.refresh();
-    });
+    else this.request ||= requestAnimationFrame(() => this.unseen());
+  }
+
+  /** Without a picture the clock and the words go on. */
+  private unseen(): void {
+    this.request = 0;
+    if (this.tick(1 / 60)) this.refresh();
   }
 
   /** Goes on by the real time since the last picture; true if another picture has to follow. */
@@ -97,9 +98,9 @@ export class Viewer implements KeyActions {
       this.stale = true;
       this.store.set('time', playback.time, this);
     }
-    if (now && this.stale && now.show(playback.time, this.quantity.field)) this.goWithHead();
+    if (now && this.stale && now.show(playback.time, this.colouring.quantity.field)) this.cameras?.goWithHead(now);
     world?.update(this.stale ? now : null);
-    if (now && this.stale) this.tell();
+    if (now && this.stale) this.tell(now);
     this.stale = false;
     this.player.update();
     if (world) {
@@ -110,28 +111,17 @@ export class Viewer implements KeyActions {
   }
 
   /** Labels of what moves, and the sentence. */
-  private tell(): void {
-    const now = this.now!;
+  private tell(now: Now): void {
     const system = this.store.get('units');
     const labels = this.world?.labels;
     const largest = now.largestTension;
     labels?.set('head', { text: 'Head', point: now.centre(this.model.head), weight: 90, kind: 'head' });
-    if (largest && labels)
-      labels.set('largest', {
-        text: `Largest ${show(largest.value, 'N', system, 3)}`,
-        point: now.centre(largest.segment),
-        weight: 95,
-        kind: 'largest',
-      });
+    if (largest && labels) {
+      const text = `Largest ${show(largest.value, 'N', system, 3)}`;
+      labels.set('largest', { text, point: now.centre(largest.segment), weight: 95, kind: 'largest' });
+    }
     this.narrator.tell(() => sentence(now, this.model, system), this.playback.playing);
     this.inspector.at(now.time);
-  }
-
-  private goWithHead(): void {
-    if (!this.followed || !this.now || !this.world) return;
-    const head = this.now.centre(this.model.head);
-    this.world.stage.shift(sub(head, this.followed));
-    this.followed = head;
   }
 
   seek(time: number): void {
@@ -179,85 +169,48 @@ export class Viewer implements KeyActions {
     this.world?.stage.orbit(round, up);
   }
 
-  follow(): void {
-    this.setFollow(!this.followed);
-  }
-
-  setFollow(on: boolean): void {
-    const { now, world } = this;
-    this.followed = on && now ? now.centre(this.model.head) : null;
-    this.player.following(this.followed !== null);
-    if (this.followed && world) world.stage.go(poseAt(world.stage.pose, this.followed, Math.min(world.stage.distance, 60)));
+  factor(times: number | null): void {
+    this.world?.exaggerate(times);
   }
 
   preset(index: number, atOnce = false): void {
-    const { world, model } = this;
-    if (!world) return;
-    const { aspect } = world.stage;
-    const poses: (() => Pose)[] = [
-      () => overview(model.extent, aspect),
-      () => this.behindHead(),
-      () => plan(model.extent, aspect),
-      () => profile(model.extent, aspect),
-    ];
-    if (index !== 1) this.setFollow(false);
-    this.atBend = -1;
-    this.tools.atBend(null);
-    world.stage.go(poses[index]!(), atOnce);
-  }
-
-  private behindHead(): Pose {
-    const { model, now } = this;
-    const place = this.store.get('place');
-    if (!model.path) return poseAt(this.world!.stage.pose, now?.centre(model.head) ?? [0, 0, 0], nearby(model));
-    const s = place ?? now?.headPlace() ?? model.path.from;
-    return along(model.path, s, nearby(model));
+    this.cameras?.preset(index, this.place, atOnce);
   }
 
   bend(index: number): void {
-    const { world, model } = this;
-    const bend = model.bends[index];
-    if (!world || !model.path || !bend) return;
-    this.setFollow(false);
-    this.atBend = index;
-    this.tools.atBend(index);
-    world.stage.go(bendPose(model.path, bend, world.stage.aspect));
+    this.cameras?.bend(index);
   }
 
   nextBend(step: number): void {
-    const n = this.model.bends.length;
-    if (n > 0) this.bend((this.atBend + step + (this.atBend < 0 && step < 0 ? 1 : 0) + n) % n);
+    this.cameras?.nextBend(step);
+  }
+
+  follow(on?: boolean): void {
+    this.cameras?.follow(on);
+  }
+
+  toPlace(place = this.place): void {
+    if (place !== null && this.model.path) this.cameras?.lookAt(this.model.path.at(place));
   }
 
   colour(field: string): void {
-    this.quantity = QUANTITIES.find((quantity) => quantity.field === field) ?? this.quantity;
-    const frames = this.now?.frames;
-    if (frames?.fields.has(field) && !this.scales.has(field)) this.scales.set(field, scaleOf(frames, field, this.wound(frames)));
-    const scale = this.scales.get(field) ?? null;
+    const { colouring } = this;
+    colouring.choose(field);
+    const scale = colouring.scale(this.now?.frames);
     this.tools.coloured(field);
     this.world?.scale(scale);
-    this.legend.scale(this.quantity, scale, this.store.get('units'));
+    this.legend.scale(colouring.quantity, scale, this.store.get('units'));
     if (this.choice && 'place' in this.choice) this.inspect(this.choice);
     this.refresh();
   }
 
   nextColour(): void {
-    const here = QUANTITIES.filter(({ field }) => this.now?.frames.fields.has(field));
-    const at = here.indexOf(this.quantity);
-    if (here.length > 0) this.colour(here[(at + 1) % here.length]!.field);
+    this.colour(this.colouring.next.field);
   }
 
-  /** Cable on the reel does not count for the colours: it is bent more than anything on the route. */
-  private wound(frames: Frames): ((item: number, frame: number) => boolean) | undefined {
-    const field = frames.fields.get('position');
-    if (!this.model.run.geometry?.reel || !field) return undefined;
-    const inside = onReel(this.model);
-    const [x, y, z] = this.model.centre;
-    const { q, meta } = field;
-    return (item, frame) => {
-      const at = 3 * (frame * frames.items + item);
-      return inside(q[at]! * meta.step - x, q[at + 1]! * meta.step - y, q[at + 2]! * meta.step - z);
-    };
+  /** Place that the reader points at, or else has chosen, m. */
+  private get place(): number | null {
+    return this.store.get('place') ?? (this.choice && 'place' in this.choice ? this.choice.place : null);
   }
 
   /** Shows figures over time of a roller or a place. */
@@ -267,19 +220,19 @@ export class Viewer implements KeyActions {
     const system = this.store.get('units');
     const roller = choice && 'roller' in choice ? choice.roller : null;
     this.store.set('roller', roller, this);
+    const ofPlace = choice && 'place' in choice && now;
     const picked =
       roller !== null
         ? pickedRoller(model, roller, this.forces, system)
-        : choice && 'place' in choice && now
-          ? pickedPlace(model, choice.place, now, this.quantity, system)
+        : ofPlace
+          ? pickedPlace(model, choice.place, now, this.colouring.quantity, system)
           : null;
     this.inspector.show(picked, this.store.get('theme'));
-    this.mark(choice && 'place' in choice ? choice.place : this.store.get('place'));
     this.world?.rollers?.mark(roller ?? -1, -1);
-    this.world?.stage.invalidate();
+    this.mark();
   }
 
-  /** Shows the choice again, in other units or colours. */
+  /** Shows the choice again, with what has changed or come. */
   inspectAgain(): void {
     if (this.choice) this.inspect(this.choice);
   }
@@ -288,28 +241,14 @@ export class Viewer implements KeyActions {
     this.inspect(null);
   }
 
-  /** A label where the store's place is. */
-  mark(s: number | null): void {
-    const { model, world } = this;
-    const chosen = this.choice && 'place' in this.choice ? this.choice.place : null;
-    const at = s ?? chosen;
+  /** A label where the reader points. */
+  mark(): void {
+    const { model, world, place } = this;
+    const text = place === null ? '' : lengthText(place, this.store.get('units'));
     const label =
-      at === null || !model.path
-        ? null
-        : { text: lengthText(at, this.store.get('units')), point: model.path.at(at), weight: 200, kind: 'place' };
+      place === null || !model.path ? null : { text, point: model.path.at(place), weight: 200, kind: 'place' };
     world?.labels.set('place', label);
     world?.stage.invalidate();
-  }
-
-  toPlace(): void {
-    const s = this.store.get('place') ?? (this.choice && 'place' in this.choice ? this.choice.place : null);
-    if (s !== null && this.model.path) this.lookAt(this.model.path.at(s));
-  }
-
-  /** Nearer to a point, from the same side. */
-  lookAt(point: Vec3): void {
-    const stage = this.world?.stage;
-    if (stage) stage.go(poseAt(stage.goal, point, nearby(this.model) * 2));
   }
 
   /** Units or theme have changed. */
@@ -320,9 +259,9 @@ export class Viewer implements KeyActions {
       nameEverything(this.world.labels, this.model, system);
       this.world.paint(this.store.get('theme'));
     }
-    this.colour(this.quantity.field);
+    this.colour(this.colouring.quantity.field);
     this.inspectAgain();
-    this.mark(this.store.get('place'));
+    this.mark();
   }
 
   dispose(): void {

@@ -40,7 +40,7 @@ export class World {
 
   constructor(
     root: HTMLElement,
-    private readonly model: Model,
+    readonly model: Model,
     still: boolean,
   ) {
     this.stage = new Stage(root, this.shared, still);
