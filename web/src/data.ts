@@ -167,6 +167,8 @@ export interface States {
 export interface RunData {
   label: string;
   summary: Summary;
+  /** What is missing in the folder or could not be read, in sentences. */
+  notes?: string[];
   stations?: Columns | null;
   rollers?: Columns | null;
   series?: (Columns & { thinned_from?: unknown }) | null;

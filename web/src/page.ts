@@ -118,6 +118,7 @@ export class Page {
       el('p', { class: 'kind' }, 'Report of a cable pull'),
       el('h1', {}, named(title(run))),
       el('p', { class: 'by' }, named(run.summary.case ?? run.label), by ? ` · ${by}` : ''),
+      ...(run.notes ?? []).map((sentence) => el('p', { class: 'by' }, named(sentence))),
     );
     document.title = `${title(run).slice(0, 120)} · hawser`;
     this.list();
