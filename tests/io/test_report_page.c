@@ -202,9 +202,11 @@ static void hostile_titles_do_no_harm(void **state)
     json_t *const all = report_on(dir);
     assert_string_equal(json_string_value(json_object_get(json_object_get(first_run(all), "summary"), "title")), evil);
     char *const page = read_all(in_dir("page.html"));
-    int scripts = 0;
+    int scripts = 0, ends = 0;
     for (const char *at = page; (at = strstr(at, "<script")); at++) scripts++;
+    for (const char *at = page; (at = strstr(at, "</script")); at++) ends++;
     assert_int_equal(scripts, 2);
+    assert_int_equal(ends, 2); /* the bundle has none either */
     const char *const bundle = strstr(page, "id=\"hawser-data\"");
     const char *const alert = strstr(page, "alert(1)");
     assert_true(!alert || strncmp(alert - 9, "&#62;alert", 5) == 0 || alert > bundle - 100000);
