@@ -1,5 +1,5 @@
 /* What stands around the cable, in the group "geometry" of results.h5: sets that do not grow. */
-#include "io/results/h5_sets.h"
+#include "io/results/results_h5.h"
 
 #include <math.h>
 #include <stdio.h>

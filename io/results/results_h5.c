@@ -2,9 +2,8 @@
  * state; a chunk is one row, so that each state is written once and nothing is read back. Beside them, a group a state
  * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
  * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
+#include "io/results/results_h5.h"
 #include "core/base/error.h"
-#include "io/results/h5_sets.h"
-#include "io/results/results_disk.h"
 #include "io/results/results_file.h"
 #include "sim/def/scene_def.h"
 
@@ -23,7 +22,7 @@ struct H5File {
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
-    int disk_error; /* errno of the first write that failed, see results_disk.h */
+    int disk_error; /* errno of the first write that failed, see results_h5.h */
     float *frame;   /* [3*segments] scratch of the frames */
     char path[OUT_PATH_MAX];
 };

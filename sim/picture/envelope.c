@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "sim/equipment/rod.h"
+#include "sim/picture/geometry.h"
 
 enum { QUANTITIES = 3, LINE_ARRAYS = 2 + 3 * QUANTITIES };
 
@@ -44,10 +45,7 @@ hawser_status envelope_new(Envelope *e, const Scene *scene, hawser_error *err)
     line_cut(&e->arc, joints, &memory);
     line_cut(&e->place, places, &memory);
     e->at = memory;
-    for (int j = 1; j < joints; ++j) {
-        const ChainPieceDef *const piece = &scene->def.pieces[scene->piece[j - 1]];
-        e->arc.s[j] = e->arc.s[j - 1] + piece->length / piece->segments;
-    }
+    for (int j = 1; j < joints; ++j) e->arc.s[j] = e->arc.s[j - 1] + geometry_length(scene, j - 1);
     for (int k = 0; k < places; ++k) e->place.s[k] = e->step * k;
     return HAWSER_OK;
 }
@@ -78,7 +76,7 @@ typedef struct Values {
 
 static Values values_at(const hawser_sample *sample, int joint)
 {
-    return (Values){{sample->tension[joint], sample->curvature[joint], sample->sidewall[joint]}};
+    return (Values){{sample->tension[joint], sample->field.curvature[joint], sample->field.sidewall[joint]}};
 }
 
 static void line_widen(EnvelopeLine *line, int i, const Values *v)

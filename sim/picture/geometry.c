@@ -283,6 +283,13 @@ static void winch_fill(GeometryWinch *out, const Scene *scene)
 
 /* ----------------------------------------------------------------------------------------------------- the chain */
 
+double geometry_length(const Scene *scene, int segment)
+{
+    const int i = segment - scene->first;
+    const ChainPieceDef *const piece = &scene->def.pieces[scene->piece[segment]];
+    return i >= 0 && i < scene->chain.n ? 2 * scene->chain.half[i] : piece->length / piece->segments;
+}
+
 static int chain_fill(Geometry *g, const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
@@ -295,10 +302,9 @@ static int chain_fill(Geometry *g, const Scene *scene)
     g->piece_name = texts_new(g, def->n_pieces);
     if (!g->length || !g->diameter || !g->part || !g->piece || !g->piece_name) return 0;
     for (int i = 0; i < n; ++i) {
-        const ChainPieceDef *const piece = &def->pieces[scene->piece[i]];
-        g->length[i] = piece->length / piece->segments;
+        g->length[i] = geometry_length(scene, i);
         g->piece[i] = scene->piece[i];
-        g->diameter[i] = def->cables[piece->cable].diameter;
+        g->diameter[i] = def->cables[def->pieces[scene->piece[i]].cable].diameter;
         g->part[i] = i >= scene->eye;
     }
     for (int p = 0; p < def->n_pieces; ++p) say(g->piece_name[p], def->cables[def->pieces[p].cable].name);

@@ -69,6 +69,8 @@ typedef struct Geometry {
 /* Errors: MEMORY. */
 hawser_status geometry_make(const Scene *scene, Geometry *out, hawser_error *err);
 void geometry_free(Geometry *g);
+/* Of a segment of the whole chain, m, unstretched. */
+double geometry_length(const Scene *scene, int segment);
 /* Adds the triangles of all that has been found (geometry_skin.c); skin.failed says whether there was no memory. */
 void geometry_skin(Geometry *g, const Scene *scene);
 

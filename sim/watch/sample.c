@@ -59,10 +59,7 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .surface_friction = b->surface[1],
                                 .surface_line_load = b->surface[2],
                                 .surface_at = b->surface[3],
-                                .curvature = b->curvature,
-                                .sidewall = b->sidewall,
-                                .contact_line_load = b->contact_line_load,
-                                .roller_force = b->roller_force};
+                                .field = {b->curvature, b->sidewall, b->contact_line_load, b->roller_force}};
     return 1;
 }
 

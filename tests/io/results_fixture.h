@@ -84,10 +84,7 @@ static int fixture_new(void **state)
                                 .tension = f->tension,
                                 .axial_speed = f->axial_speed,
                                 .roller_load = f->load,
-                                .curvature = f->curvature,
-                                .sidewall = f->sidewall,
-                                .contact_line_load = f->contact,
-                                .roller_force = f->force};
+                                .field = {f->curvature, f->sidewall, f->contact, f->force}};
     fixture_sample(f, 0);
     *state = f;
     return 0;

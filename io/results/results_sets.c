@@ -1,4 +1,4 @@
-#include "io/results/h5_sets.h"
+#include "io/results/results_h5.h"
 
 #include <stdio.h>
 #include <string.h>
