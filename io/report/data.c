@@ -8,8 +8,9 @@
 #include <string.h>
 #include <time.h>
 
-/* Rows of a series on a page; frames of which it begins to think about their size. */
-enum { SERIES_MOST = 4000, FRAMES_MOST = 1200 };
+/* Rows of a series on a page; frames; those of which a guess is made
+ * how many fit. */
+enum { SERIES_MOST = 4000, FRAMES_MOST = 600, FRAMES_TRIED = 24 };
 /* Bytes of packed states: of one run so many for a short chain and so many more for each segment, of all together. */
 static const double states_least = 500e3, states_per_segment = 2.2e3, states_most = 7.5e6;
 
@@ -139,32 +140,39 @@ static hawser_status fields_pack(const States *s, Text *segments, Text *rollers,
     return status;
 }
 
-/* As many frames as fit: what the first try took says how many. `goal`: bytes. */
+/* So many states of the file, packed: `segments` the fields, `rollers` their object. Errors: INPUT, MEMORY. */
+static hawser_status states_try(hid_t file, int most, States *s, Text *segments, Text *rollers, hawser_error *err)
+{
+    text_clear(segments);
+    text_clear(rollers);
+    const hawser_status status = states_read(file, most, s, err);
+    return status ? status : fields_pack(s, segments, rollers, err);
+}
+
+/* As many frames as fit into `goal` bytes. A few say how many that will be: frames that are nearer to each other take
+ * less, so that the guess is on the safe side, and a second one is rare. */
 static hawser_status states_add(Text *out, hid_t file, Folder *folder, double goal, hawser_error *err)
 {
     hawser_error why = {HAWSER_OK, ""};
     Text segments = {0}, rollers = {0};
+    States s = {0};
     hawser_status status = HAWSER_OK;
-    int most = FRAMES_MOST;
-    for (int again = 1; again;) {
-        States s;
-        status = states_read(file, most, &s, &why);
-        if (!status) status = fields_pack(&s, &segments, &rollers, &why);
-        const double share = goal / (double)(segments.size + rollers.size + 1);
-        again = !status && share < 1 && s.frames > 2;
-        if (again) {
-            most = (int)fmax(2, fmin(0.98 * share * s.frames, s.frames - 1));
-            text_clear(&segments);
-            text_clear(&rollers);
-        } else if (!status) {
-            text_add(out, ",\n\"states\":{");
-            states_head(out, &s, &folder->series);
-            text_print(out, ",\n\"packed\":{%s}}", segments.at ? segments.at : "");
-            text_print(out, ",\n\"roller_force\":%s", rollers.at ? rollers.at : "null");
-        }
+    for (int most = FRAMES_TRIED, again = 1; again && !status;) {
         states_clear(&s);
+        status = states_try(file, most, &s, &segments, &rollers, &why);
+        const double share = goal / (double)(segments.size + rollers.size + 1);
+        const int fit = (int)fmin(FRAMES_MOST, fmax(2, 0.98 * share * s.frames));
+        again = share < 1 ? fit < s.frames : s.frames < s.there && s.frames == FRAMES_TRIED && fit > s.frames;
+        most = fit;
+    }
+    if (!status) {
+        text_add(out, ",\n\"states\":{");
+        states_head(out, &s, &folder->series);
+        text_print(out, ",\n\"packed\":{%s}}", segments.at ? segments.at : "");
+        text_print(out, ",\n\"roller_force\":%s", rollers.at ? rollers.at : "null");
     }
     out->failed |= segments.failed || rollers.failed;
+    states_clear(&s);
     text_clear(&segments);
     text_clear(&rollers);
     if (status == HAWSER_ERR_INPUT) folder_say(folder, "%s: the page has no 3-D view", why.message);
