@@ -205,6 +205,7 @@ export function run(label = 'first', scale = 1) {
       forward_N: places.map(along),
       backward_N: places.map((s) => along(40 - s)),
       paper_N: places.map((s) => 2900 + 120 * s),
+      forward_sidewall_N_per_m: places.map((s) => (s > 20 && s < 35.7 ? 0.1 * along(s) : 0)),
     },
     geometry: geometry(),
     chain: null,

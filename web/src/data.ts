@@ -14,6 +14,7 @@ export interface Limit {
   ok: boolean | null;
   where: string;
   source: string;
+  remedy?: string;
 }
 
 export interface Trust {
@@ -83,6 +84,7 @@ export interface Input {
   value: string;
   origin: string;
   where?: string;
+  source?: string;
 }
 
 export interface Envelope {
@@ -164,16 +166,28 @@ export interface States {
   packed: Record<string, string>;
 }
 
+export interface TheoryAlong {
+  s_m: number[];
+  /** The whole route full of cable, pulled either way. */
+  forward_N?: Value[];
+  backward_N?: Value[];
+  paper_N?: Value[];
+  /** What the steady window of the run is compared with. */
+  run_N?: Value[];
+  forward_sidewall_N_per_m?: Value[];
+  curvature_per_m?: Value[];
+}
+
 export interface RunData {
   label: string;
   summary: Summary;
-  /** What is missing in the folder or could not be read, in sentences. */
-  notes?: string[];
   stations?: Columns | null;
   rollers?: Columns | null;
   series?: (Columns & { thinned_from?: unknown }) | null;
   inputs?: Input[] | null;
-  theory_along?: { s_m: number[]; forward_N?: Value[]; backward_N?: Value[]; paper_N?: Value[] } | null;
+  /** Sentences: what is missing or could not be read. */
+  notes?: string[];
+  theory_along?: TheoryAlong | null;
   geometry?: Geometry | null;
   chain?: { segments: number; length_m: number[]; diameter_m: number[]; part: number[]; part_names: string[] } | null;
   envelope?: { place?: Envelope; arc?: Envelope } | null;

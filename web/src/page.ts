@@ -10,6 +10,7 @@ import { keyFiguresSection } from './section/key_figures';
 import { limitsSection } from './section/limits';
 import { conveyorsSection, motorsSection, reelSection, surfacesSection } from './section/machines';
 import { aboutSection, eventsSection, inputsSection, trustSection } from './section/record';
+import { note } from './section/parts';
 import { rollersSection } from './section/rollers';
 import { verdictSection } from './section/verdict';
 import type { Store } from './state';
@@ -118,7 +119,7 @@ export class Page {
       el('p', { class: 'kind' }, 'Report of a cable pull'),
       el('h1', {}, named(title(run))),
       el('p', { class: 'by' }, named(run.summary.case ?? run.label), by ? ` · ${by}` : ''),
-      ...(run.notes ?? []).map((sentence) => el('p', { class: 'by' }, named(sentence))),
+      ...(run.notes ?? []).map((sentence) => el('p', { class: 'note' }, named(sentence))),
     );
     document.title = `${title(run).slice(0, 120)} · hawser`;
     this.list();
@@ -135,7 +136,22 @@ export class Page {
 
   private mount(): void {
     this.view?.dispose();
-    this.view = mountView(this.viewRoot, this.run(), this.store);
+    this.view = null;
+    const run = this.run();
+    if (!run.states && !run.geometry) {
+      this.viewRoot.replaceChildren(
+        note(
+          'These results hold neither states of the cable nor the geometry of the route, so there is nothing to play.',
+        ),
+      );
+      return;
+    }
+    try {
+      this.view = mountView(this.viewRoot, run, this.store);
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      this.viewRoot.replaceChildren(note(`The view could not be made here: ${why}`));
+    }
   }
 
   private print(on: boolean): void {

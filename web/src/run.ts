@@ -85,11 +85,9 @@ export function steadyWindow(run: RunData): { from: number; to: number; label: s
     : undefined;
 }
 
-/** A remedy as the program words it, in the units of the page where it has both. */
-export function remedyOf(limit: Limit, units: 'si' | 'us'): string {
-  const texts = limit as unknown as Record<string, unknown>;
-  const text = (units === 'us' ? texts['remedy_us'] : null) ?? texts['remedy'];
-  return typeof text === 'string' ? text : '';
+/** A remedy as the program words it; empty where it knows none. */
+export function remedyOf(limit: Limit): string {
+  return limit.remedy ?? '';
 }
 
 export type Standing = 'safe' | 'unsafe' | 'untrusted' | 'unjudged';

@@ -1,12 +1,14 @@
 // The view in a real browser, with software WebGL: what is drawn where, and what slider, keys and pointer do.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { inflateSync } from 'node:zlib';
 import { pages, settled } from './pages.mjs';
 import { small } from './scenes.mjs';
 
 const data = small();
-const run = data.runs[0];
+/** A real run's geometry and states, as `hawser report` wrote them: cases/huangjiahu.yaml. */
+const real = JSON.parse(readFileSync(new URL('huangjiahu.json', import.meta.url), 'utf8'));
 let kit;
 let address;
 let page;
@@ -20,8 +22,7 @@ before(async () => {
 after(() => kit.close());
 
 /** Positions [frame][segment][xyz], m: unpacked apart from the view, value by value. */
-function positions() {
-  const { frames, segments, packed, fields } = run.states;
+function positions({ frames, segments, packed, fields }) {
   const planes = inflateSync(Buffer.from(packed.position, 'base64'));
   const n = frames * segments * 3;
   const q = new Array(n);
@@ -76,43 +77,53 @@ test('the picture is not blank, nothing is asked of a network, nothing complains
   assert.deepEqual(page.complaints, []);
 });
 
-test('the cable is drawn where its states are, at three times', async () => {
-  const at = positions();
-  const { time_s: time, segments } = run.states;
+/** Compares the picture of a run with its states at times that are (frame, part of the way to the next). */
+async function compareWithStates({ states }, moments) {
+  const at = positions(states);
+  const { time_s: time, segments, frames } = states;
   await viewer('(viewer) => viewer.preset(2, true)');
-  for (const [now, frame, part] of [
-    [time[0], 0, 0],
-    [0.35 * time[16] + 0.65 * time[17], 16, 0.65],
-    [time[40], 40, 0],
-  ]) {
+  for (const [frame, part] of moments) {
+    const next = Math.min(frame + 1, frames - 1);
+    const now = (1 - part) * time[frame] + part * time[next];
     await viewer('(viewer, store, t) => viewer.seek(t)', now);
     const shot = await chainMask();
     const covered = new Set(shot.mask);
     let checked = 0;
     for (let i = 3; i < segments - 3; i += 7) {
-      const a = at(frame, i);
-      const b = at(Math.min(frame + 1, 40), i);
+      const b = at(next, i);
       const [x, y] = projected(
         shot,
-        a.map((v, c) => v + part * (b[c] - v)),
+        at(frame, i).map((v, c) => v + part * (b[c] - v)),
       );
       if (x < 20 || y < 20 || x > shot.w - 20 || y > shot.h - 20) continue;
-      let [n, sx, sy] = [0, 0, 0];
-      for (let dx = -7; dx <= 7; dx++)
-        for (let dy = -7; dy <= 7; dy++) {
-          const [px, py] = [Math.round(x) + dx, Math.round(y) + dy];
-          if (Math.hypot(px + 0.5 - x, py + 0.5 - y) > 7 || !covered.has(py * shot.w + px)) continue;
-          n++;
-          sx += px + 0.5 - x;
-          sy += py + 0.5 - y;
-        }
+      const { n, dx, dy } = middleAround(shot, covered, x, y);
       assert.ok(n > 4, `nothing at segment ${i} at ${now} s`);
-      assert.ok(Math.hypot(sx / n, sy / n) < 1.5, `segment ${i} is ${sx / n}, ${sy / n} px off at ${now} s`);
+      assert.ok(Math.hypot(dx, dy) < 1.5, `segment ${i} is ${dx}, ${dy} px off at ${now} s`);
       checked++;
     }
     assert.ok(checked >= 10, `${checked} points`);
   }
-});
+}
+
+/** How many covered pixels there are within 7 px of a point, and how far off their middle is. */
+function middleAround({ w }, covered, x, y) {
+  let [n, sx, sy] = [0, 0, 0];
+  for (let px = Math.round(x) - 7; px <= Math.round(x) + 7; px++)
+    for (let py = Math.round(y) - 7; py <= Math.round(y) + 7; py++) {
+      if (Math.hypot(px + 0.5 - x, py + 0.5 - y) > 7 || !covered.has(py * w + px)) continue;
+      n++;
+      sx += px + 0.5 - x;
+      sy += py + 0.5 - y;
+    }
+  return { n, dx: sx / n, dy: sy / n };
+}
+
+test('the cable is drawn where its states are, at three times', () =>
+  compareWithStates(data.runs[0], [
+    [0, 0],
+    [16, 0.65],
+    [40, 0],
+  ]));
 
 test('the slider moves time, the sentence and the store with it', async () => {
   const slider = page.getByLabel('Simulated time');
@@ -265,7 +276,7 @@ test('time from another figure, units and theme are followed', async () => {
     /\sft, the largest tension is .*\slbf at .*\sft\.$/,
   );
   await viewer('(v, store) => store.set("theme", "dark")');
-  assert.equal(await page.locator('.view').getAttribute('data-theme'), 'dark');
+  assert.equal(await page.locator('.view3d').getAttribute('data-theme'), 'dark');
   await viewer('(v, store) => { store.set("theme", "light"); store.set("units", "si"); }');
 });
 
@@ -287,7 +298,7 @@ test('words are there for those who do not see: a live sentence, names of all co
   await page.waitForFunction(() => /^At 12\.0/.test(document.querySelector('[aria-live=polite]').textContent));
   const nameless = await page.evaluate(
     () =>
-      [...document.querySelectorAll('.view button, .view select, .view input')].filter(
+      [...document.querySelectorAll('.view3d button, .view3d select, .view3d input')].filter(
         (control) => !(control.getAttribute('aria-label') || control.textContent.trim() || control.labels?.length),
       ).length,
   );
@@ -315,6 +326,24 @@ test('disposed, it leaves nothing; damaged states are said', async () => {
   const other = await kit.open(kit.write('broken', broken));
   assert.match(await other.locator('.view-words p').first().textContent(), /^The states cannot be shown/);
   await other.close();
+});
+
+test('a real run is drawn where its states are, and its rollers have their loads', async () => {
+  const address = kit.write('real', real);
+  page = await kit.open(address);
+  await compareWithStates(real.runs[0], [
+    [0, 0],
+    [20, 0.5],
+    [60, 0],
+  ]);
+  await viewer('(viewer) => viewer.inspect({ roller: 14 })');
+  await settled(page);
+  const text = await page.locator('.view-inspector').textContent();
+  const peak = real.runs[0].rollers.peak_N[14];
+  assert.ok(text.includes(`peak ${(peak / 1000).toFixed(2)}\u00a0kN`), text);
+  assert.equal(await page.locator('.view-inspector canvas').count(), 1);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
 });
 
 test('without WebGL there is a sentence, and the clock still goes', async () => {

@@ -1,7 +1,7 @@
 // Figures along the route: tension, sidewall pressure, curvature, profile, loads of the rollers.
 import type { RunData, Value } from '../data';
 import { valueAt } from '../figure/align';
-import type { Curve, FigureSpec } from '../figure/spec';
+import type { Curve, FigureSpec, Role } from '../figure/spec';
 import { known, levels, limitNamed, numbers } from '../run';
 
 type Place = Pick<FigureSpec, 'along' | 'xLabel'>;
@@ -14,17 +14,27 @@ function sorted(x: Value[], y: Value[]): { x: Value[]; y: Value[] } {
   return { x: order.map((i) => x[i] ?? null), y: order.map((i) => y[i] ?? null) };
 }
 
+/** Whether two columns differ anywhere by more than a share of what they are. */
+function differ(a: Value[], b: Value[], share: number): boolean {
+  return a.some((value, i) => Math.abs((value ?? NaN) - (b[i] ?? NaN)) > share * Math.abs(value ?? 0));
+}
+
 function theoryCurves(run: RunData): Curve[] {
   const theory = run.theory_along;
   const stations = numbers(run.stations, 's_m') ?? [];
   const curves: Curve[] = [];
-  const add = (label: string, role: Curve['role'], along: Value[] | undefined, column: string | null): void => {
+  const add = (label: string, role: Role, along: Value[] | undefined, column: string | null): void => {
     const at = column ? numbers(run.stations, column) : null;
     if (theory && known(along)) curves.push({ label, role, ...sorted(theory.s_m, along) });
     else if (known(at)) curves.push({ label, role, ...sorted(stations, at) });
   };
-  add('reference theory', 'theory', theory?.forward_N, 'reference_N');
-  add('reference theory, pulled the other way', 'backward', theory?.backward_N, null);
+  const forward = theory?.forward_N;
+  const ofRun = theory && known(theory.run_N) ? theory.run_N : undefined;
+  add('reference theory', 'theory', ofRun ?? forward, 'reference_N');
+  if (ofRun && known(forward) && differ(ofRun, forward, 0.005)) {
+    add('theory, the whole route full of cable', 'third', forward, null);
+  }
+  add('theory, pulled the other way', 'backward', theory?.backward_N, null);
   add('paper’s formulas', 'paper', theory?.paper_N, 'paper_N');
   return curves;
 }
@@ -57,7 +67,7 @@ export function tensionFigure(run: RunData): FigureSpec | null {
     id: 'tension',
     title: 'Tension along the route',
     caption:
-      'Tension of the cable that passes a place. The theory is of the whole route full of cable; the run need not have been.' +
+      'Tension of the cable that passes a place. The theory for the other direction is of the whole route full of cable.' +
       (where ? ` The largest was at ${where}.` : ''),
     ...ALONG,
     yLabel: 'tension',
@@ -68,20 +78,20 @@ export function tensionFigure(run: RunData): FigureSpec | null {
   };
 }
 
-/** T/R of the reference theory where the route is bent. */
+/** T/R of the reference theory, of the whole route full of cable. */
 function theoryPressure(run: RunData): Curve | null {
   const theory = run.theory_along;
-  const route = run.geometry?.route;
-  if (!theory || !known(theory.forward_N) || !route || !known(route.curvature_per_m)) return null;
-  const { forward_N: tension, s_m: places } = theory;
-  const y = route.s_m.map((s, i) => {
-    const curvature = route.curvature_per_m[i] ?? null;
-    const at = valueAt(places, tension, s);
-    return curvature === null || at === null ? null : Math.abs(at * curvature);
-  });
-  return y.some((value) => (value ?? 0) > 0)
-    ? { label: 'reference theory, T/R', role: 'theory', x: route.s_m, y }
-    : null;
+  if (!theory || !known(theory.forward_sidewall_N_per_m)) return null;
+  return { label: 'reference theory, T/R', role: 'theory', x: theory.s_m, y: theory.forward_sidewall_N_per_m };
+}
+
+/** Curvature of the route, from where it stands most densely. */
+function routeCurvature(run: RunData): Curve | null {
+  const { theory_along: theory, geometry } = run;
+  const from = theory && known(theory.curvature_per_m) ? theory : geometry?.route;
+  if (!from?.curvature_per_m || !known(from.curvature_per_m)) return null;
+  const y = from.curvature_per_m.map((value) => (value === null ? null : Math.abs(value)));
+  return { label: 'route', role: 'theory', x: from.s_m, y };
 }
 
 export function sidewallFigure(run: RunData): FigureSpec | null {
@@ -113,18 +123,11 @@ export function sidewallFigure(run: RunData): FigureSpec | null {
 export function curvatureFigure(run: RunData): FigureSpec | null {
   const place = run.envelope?.place;
   if (!place || !known(place.curvature_max_per_m)) return null;
-  const route = run.geometry?.route;
   const curves: Curve[] = [
     { label: 'cable, largest of the run', role: 'simulated', x: place.s_m, y: place.curvature_max_per_m },
   ];
-  if (route && known(route.curvature_per_m)) {
-    curves.push({
-      label: 'route',
-      role: 'theory',
-      x: route.s_m,
-      y: route.curvature_per_m.map((k) => (k === null ? null : Math.abs(k))),
-    });
-  }
+  const route = routeCurvature(run);
+  if (route) curves.push(route);
   const radius = limitNamed(run, 'bend_radius')?.limit;
   return {
     id: 'curvature',
@@ -184,7 +187,7 @@ export function rollerFigure(run: RunData): FigureSpec | null {
   const x = numbers(run.rollers, 's_m');
   if (!known(x)) return null;
   const curves: Curve[] = [];
-  const add = (column: string, label: string, role: Curve['role']): void => {
+  const add = (column: string, label: string, role: Role): void => {
     const y = numbers(run.rollers, column);
     if (known(y)) curves.push({ label, role, points: true, ...sorted(x, y) });
   };
@@ -196,7 +199,9 @@ export function rollerFigure(run: RunData): FigureSpec | null {
   return {
     id: 'rollers',
     title: 'Loads of the rollers along the route',
-    caption: 'Rollers that were placed by coordinates have no place along the route; the table below has all.',
+    caption: x.includes(null)
+      ? 'Rollers that were placed by coordinates have no place along the route; the table below has all.'
+      : 'Where each roller stands.',
     ...ALONG,
     yLabel: 'load',
     yUnit: 'N',

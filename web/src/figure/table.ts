@@ -51,7 +51,7 @@ function download(name: string, text: string): void {
 }
 
 /** The rows of a table on the page; long ones are cut, the CSV has all. */
-export function tableElement(table: DataTable, caption: string): HTMLElement {
+export function tableElement(table: DataTable, caption: string, significant = 6): HTMLElement {
   const shown = table.rows.slice(0, ROWS_SHOWN);
   const cut = table.rows.length > shown.length;
   const note = cut ? ` (the first ${shown.length} of ${table.rows.length} rows; the CSV has all)` : '';
@@ -61,7 +61,7 @@ export function tableElement(table: DataTable, caption: string): HTMLElement {
       {},
       ...row.map((value) =>
         typeof value === 'number'
-          ? el('td', { class: 'number' }, digits(value, 6))
+          ? el('td', { class: 'number' }, digits(value, significant))
           : el('td', {}, value === null ? UNKNOWN : named(value ?? '')),
       ),
     ),

@@ -42,7 +42,7 @@ function loads(context: Context): Load[] {
   return found.sort((a, b) => rank(b) - rank(a) || (b.peak ?? 0) - (a.peak ?? 0));
 }
 
-function row(load: Load, context: Context): HTMLElement {
+function row(load: Load, context: Context, rated: boolean): HTMLElement {
   const { units, store } = context;
   const standing: Standing = load.share === null ? 'unjudged' : load.share > 1 ? 'unsafe' : 'safe';
   const margin = load.share === null ? UNKNOWN : show(100 * (1 - load.share), '%', units, 3);
@@ -59,9 +59,13 @@ function row(load: Load, context: Context): HTMLElement {
     number(load.place === null ? 'by coordinates' : show(load.place, 'm', units)),
     number(show(load.steady, 'N', units)),
     number(show(load.peak, 'N', units)),
-    number(load.rating === null ? 'not given' : show(load.rating, 'N', units)),
-    number(margin),
-    el('td', { class: 'usage-cell' }, load.share === null ? null : usage(load.share, standing)),
+    ...(rated
+      ? [
+          number(load.rating === null ? 'not given' : show(load.rating, 'N', units)),
+          number(margin),
+          el('td', { class: 'usage-cell' }, load.share === null ? null : usage(load.share, standing)),
+        ]
+      : []),
   );
 }
 
@@ -69,23 +73,23 @@ export function rollersSection(context: Context): HTMLElement | null {
   const all = loads(context);
   if (!context.run.rollers) return section('rollers', 'Rollers', note('These results hold no loads of rollers.'));
   if (all.length === 0) return null;
-  const body = el('tbody', {}, ...all.slice(0, FIRST).map((load) => row(load, context)));
+  const rated = all.some((load) => load.rating !== null);
+  const caption = rated
+    ? 'The smallest margin of the peak load against the rating first.'
+    : 'No roller has a rating in this case, so there are no margins. The largest load first.';
+  const body = el('tbody', {}, ...all.slice(0, FIRST).map((load) => row(load, context, rated)));
   const more =
     all.length > FIRST
       ? button(`Show all ${all.length} rollers`, () => {
-          body.append(...all.slice(FIRST).map((load) => row(load, context)));
+          body.append(...all.slice(FIRST).map((load) => row(load, context, rated)));
           more?.remove();
         })
       : null;
-  const heads = ['Roller', 'Place', 'Steady mean', 'Peak', 'Rating', 'Margin of the peak', 'Used'];
+  const heads = ['Roller', 'Place', 'Steady mean', 'Peak', ...(rated ? ['Rating', 'Margin of the peak', 'Used'] : [])];
   const table = el(
     'table',
     { class: 'rollers' },
-    el(
-      'caption',
-      {},
-      'The smallest margin of the peak load against the rating first; without ratings the largest load.',
-    ),
+    el('caption', {}, caption),
     el('thead', {}, el('tr', {}, ...heads.map((text) => el('th', { scope: 'col' }, text)))),
     body,
   );

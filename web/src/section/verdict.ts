@@ -74,11 +74,13 @@ function tightest(context: Context): HTMLElement[] {
   return shown.length > 0 ? shown.map((limit) => sentence(limit, context)) : [largestTension(context)];
 }
 
+/** The remedies as the program words them: of the run, or of each limit. */
 function brokenRemedies(context: Context): HTMLElement[] {
+  const sentences = context.run.summary.remedies ?? [];
+  if (sentences.length > 0) return sentences.map((sentence) => el('p', {}, named(sentence)));
   const broken = judged(context.run).filter((limit) => limit.ok === false);
   return broken.map((limit) => {
-    const text = remedyOf(limit, context.units);
-    const rest = text || `its figures alone do not tell what to change; the limit comes from: ${limit.source}`;
+    const rest = remedyOf(limit) || `its figures alone do not tell what to change; the limit is from: ${limit.source}`;
     return el('p', {}, el('strong', {}, inWords(limit.name)), ': ', named(rest), '.');
   });
 }

@@ -15,7 +15,8 @@ export interface Picked {
   limit?: { label: string; value: number } | undefined;
 }
 
-const HEIGHT = 150;
+const HEIGHT = 116;
+const FONT = '11px system-ui';
 const INK: Record<Theme, { text: string; grid: string; line: string; limit: string }> = {
   light: { text: '#3b4650', grid: '#d9dfe5', line: '#1f6f8b', limit: '#c2410c' },
   dark: { text: '#c3ccd5', grid: '#2d3742', line: '#4fb3d4', limit: '#f08c4a' },
@@ -58,7 +59,7 @@ export class Inspector {
       stroke: ink.text,
       grid: { stroke: ink.grid, width: 1 },
       ticks: { stroke: ink.grid, width: 1 },
-      font: '11px system-ui',
+      font: FONT,
     };
     const values = Array.from(picked.values, (value) => (Number.isFinite(value) ? value : null));
     const data: uPlot.AlignedData = [Array.from(picked.time), values];
@@ -75,8 +76,8 @@ export class Inspector {
         cursor: { drag: { x: false, y: false }, y: false },
         scales: { x: { time: false } },
         axes: [
-          { ...axis, size: 34, label: 'time, s', labelSize: 16, labelFont: '11px system-ui' },
-          { ...axis, size: 56, label: picked.label, labelSize: 16, labelFont: '11px system-ui' },
+          { ...axis, size: 20, gap: 2 },
+          { ...axis, size: 46, label: picked.label, labelSize: 14, labelFont: FONT },
         ],
         series,
         hooks: { draw: [(u): void => this.line(u, ink.limit)] },

@@ -14,6 +14,7 @@ export const QUANTITIES: readonly Quantity[] = [
   { field: 'sidewall', title: 'Sidewall pressure', unit: 'N/m' },
   { field: 'curvature', title: 'Curvature', unit: '1/m' },
   { field: 'speed', title: 'Speed', unit: 'm/s' },
+  { field: 'contact', title: 'Contact force per length', unit: 'N/m' },
 ];
 
 /** A place along the route or a distance, to the decimetre. */

@@ -126,6 +126,11 @@ export class RollersMesh {
     });
   }
 
+  /** Centre as it was drawn last. */
+  centre(i: number): Vec3 {
+    return [this.centres[3 * i]!, this.centres[3 * i + 1]!, this.centres[3 * i + 2]!];
+  }
+
   /** Radius as it is drawn, m. */
   drawnRadius(i: number, factor: number): number {
     const { radius, largest } = this.stand[i]!;

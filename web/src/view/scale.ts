@@ -58,6 +58,7 @@ export function ticksOf(low: number, high: number, count: number): number[] {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
   const ticks: number[] = [];
-  for (let i = Math.ceil(low / step - 1e-9) + 0; i * step <= high * (1 + 1e-12) + 1e-9 * step; i++) ticks.push(i * step);
+  for (let i = Math.ceil(low / step - 1e-9) + 0; i * step <= high * (1 + 1e-12) + 1e-9 * step; i++)
+    ticks.push(i * step);
   return ticks;
 }

@@ -25,13 +25,20 @@ const NO_WEBGL =
   'This browser does not draw in three dimensions here (no WebGL). Times and figures below still work, and everything is in the figures of this page.';
 const NO_STATES = 'These results hold no states (results.h5), so nothing moves.';
 
-function helpLine(): HTMLElement {
+function help(): HTMLElement {
   const keys = HELP.flatMap(([key, what]) => [el('span', {}, el('kbd', {}, key), ` ${what}`), ' ']);
+  const mouse =
+    'Drag turns, the right button moves, the wheel zooms once the picture has been clicked. A click on a roller or the cable shows its figures over time, a double click goes there.';
   return el(
-    'p',
+    'details',
     { class: 'view-help' },
-    'Drag turns, right button moves, the wheel zooms once the picture has been clicked; click a roller or the cable for its figures over time, double click goes there. ',
-    ...keys,
+    el(
+      'summary',
+      {},
+      'Space plays, \u2190 \u2192 step, + \u2212 zoom, 1\u20139 move the camera, F follows the head; all keys and the mouse',
+    ),
+    el('p', {}, mouse),
+    el('p', {}, ...keys),
   );
 }
 
@@ -57,19 +64,7 @@ function usePointer(world: World, viewer: Viewer, store: Store): () => void {
     hovered = roller;
     const picked = store.get('roller') ?? -1;
     world.rollers?.mark(picked, roller);
-    const name = viewer.model.run.geometry?.rollers[roller]?.name.slice(0, 60);
-    const point = world.rollers?.centres.subarray(3 * roller, 3 * roller + 3);
-    const label =
-      name && point
-        ? {
-            text: name,
-            point: [point[0]!, point[1]!, point[2]!] as [number, number, number],
-            weight: 150,
-            kind: 'picked',
-          }
-        : null;
-    world.labels.set('hovered', label);
-    world.stage.invalidate();
+    viewer.hover(roller);
   };
   return listenToPointer(canvas, {
     hover: (x, y) => {
@@ -102,11 +97,11 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
   const stage = el('div', { class: 'view-stage' });
   const shell = el(
     'div',
-    { class: 'view', role: 'group', 'aria-label': 'The pull in three dimensions' },
+    { class: 'view3d', role: 'group', 'aria-label': 'The pull in three dimensions' },
     viewer.tools.root,
     stage,
     viewer.player.root,
-    el('div', { class: 'view-words' }, words, spoken, helpLine()),
+    el('div', { class: 'view-words' }, words, spoken, help()),
   );
   root.replaceChildren(shell);
   const ends: (() => void)[] = [];
@@ -134,7 +129,7 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
     store.subscribe('theme', dress),
     store.subscribe('place', () => viewer.mark()),
     store.subscribe('time', (time, source) => {
-      if (source !== viewer && time !== null) viewer.seek(time);
+      if (source !== viewer && time !== null) viewer.showAt(time);
     }),
     store.subscribe('roller', (roller, source) => {
       if (source !== viewer) viewer.inspect(roller === null ? null : { roller });

@@ -36,6 +36,7 @@ export class Viewer implements KeyActions {
   private readonly events: PullEvent[];
   private stale = true;
   private choice: Choice = null;
+  private hovered = -1;
   private request = 0;
 
   constructor(
@@ -122,6 +123,12 @@ export class Viewer implements KeyActions {
     }
     this.narrator.tell(() => sentence(now, this.model, system), this.playback.playing);
     this.inspector.at(now.time);
+  }
+
+  /** Shows a time that others point at: nobody has to be told. */
+  showAt(time: number): void {
+    this.playback.seek(time);
+    this.refresh();
   }
 
   seek(time: number): void {
@@ -241,13 +248,20 @@ export class Viewer implements KeyActions {
     this.inspect(null);
   }
 
-  /** A label where the reader points. */
+  /** The pointer is on that roller; -1: on none. */
+  hover(roller: number): void {
+    this.hovered = roller;
+    this.mark();
+  }
+
+  /** A label where the reader points: a roller, or a place along the route. */
   mark(): void {
-    const { model, world, place } = this;
-    const text = place === null ? '' : lengthText(place, this.store.get('units'));
-    const label =
-      place === null || !model.path ? null : { text, point: model.path.at(place), weight: 200, kind: 'place' };
-    world?.labels.set('place', label);
+    const { model, world, place, hovered } = this;
+    const name = model.run.geometry?.rollers[hovered]?.name.slice(0, 60);
+    const at = place === null ? '' : lengthText(place, this.store.get('units'));
+    const point = name ? world?.rollers?.centre(hovered) : place === null ? undefined : model.path?.at(place);
+    const text = [name, at].filter(Boolean).join(' \u00b7 ');
+    world?.labels.set('place', point ? { text, point, weight: 200, kind: 'place' } : null);
     world?.stage.invalidate();
   }
 
