@@ -1,7 +1,7 @@
 // One figure of the page: heading, plot, legend, caption, and the table behind it.
 import { el } from '../dom';
 import type { Store, Theme } from '../state';
-import { extent } from './align';
+import { align, extent } from './align';
 import { makeLegend, type Legend } from './legend';
 import { onKey, pointAt, pointedAt, showCursor } from './link';
 import { makePlot, scalesOf, type Plot } from './plot';
@@ -125,21 +125,22 @@ export class Figure {
   }
 
   private drawLegend(theme: Theme): void {
-    const { plot, spec, store, memory } = this;
-    if (!plot) return;
-    this.legend = makeLegend(spec, plot.aligned, plot.yScale, {
+    const { spec, store, memory } = this;
+    const units = store.get('units');
+    const aligned = this.plot?.aligned ?? align(spec.curves);
+    this.legend = makeLegend(spec, aligned, scalesOf(spec, units).yScale, {
       theme,
-      units: store.get('units'),
+      units,
       hidden: memory.hidden,
-      onToggle: (index) => this.toggle(index, plot.chart.height),
+      onToggle: (index) => this.toggle(index),
     });
     this.legendRoot.replaceChildren(this.legend.element);
   }
 
-  private toggle(index: number, height: number): void {
+  private toggle(index: number): void {
     const { hidden } = this.memory;
     if (!hidden.delete(index)) hidden.add(index);
-    this.draw(height);
+    if (this.plot) this.draw(this.plot.chart.height);
     const buttons = this.legendRoot.querySelectorAll<HTMLButtonElement>('button');
     const shown = this.spec.curves.map((_, i) => i).filter((i) => !this.spec.curves[i]?.quiet);
     buttons[shown.indexOf(index)]?.focus();

@@ -15,9 +15,9 @@ export function planDrawing(context: Context): HTMLElement | null {
   const geometry = run.geometry;
   if (!geometry || geometry.route.position_m.length < 2) return null;
   const plane = planeOf(geometry);
-  const tight = bounds(
-    [...geometry.route.position_m, ...geometry.rollers.map((roller) => roller.position_m)].map(plane),
-  );
+  const ends = [geometry.reel?.center_m, geometry.winch?.position_m].filter((point) => point !== undefined);
+  const rollers = geometry.rollers.map((roller) => roller.position_m);
+  const tight = bounds([...geometry.route.position_m, ...rollers, ...ends].map(plane));
   const ratio = Math.min(6, Math.max(1.8, tight.width / Math.max(tight.height, 1e-9)));
   const all = scaled(shaped({ ...tight, width: Math.max(tight.width, 1e-3) }, ratio), 1.1);
   const pointer = svg('path', { class: 'plan-pointer', 'vector-effect': 'non-scaling-stroke', d: '' });

@@ -74,10 +74,12 @@ function tightest(context: Context): HTMLElement[] {
   return shown.length > 0 ? shown.map((limit) => sentence(limit, context)) : [largestTension(context)];
 }
 
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** The remedies as the program words them: of the run, or of each limit. */
 function brokenRemedies(context: Context): HTMLElement[] {
   const sentences = context.run.summary.remedies ?? [];
-  if (sentences.length > 0) return sentences.map((sentence) => el('p', {}, named(sentence)));
+  if (sentences.length > 0) return sentences.map((sentence) => el('p', {}, named(`${capital(sentence)}.`)));
   const broken = judged(context.run).filter((limit) => limit.ok === false);
   return broken.map((limit) => {
     const rest = remedyOf(limit) || `its figures alone do not tell what to change; the limit is from: ${limit.source}`;
@@ -125,8 +127,7 @@ function changes(context: Context): HTMLElement[] {
 
 /** The verdict without its first words, which stand above it. */
 function reason(verdict: string): string {
-  const text = verdict.replace(/^(NOT SAFE|NOT TRUSTED|NOT JUDGED|SAFE):?\s*/, '');
-  return text.charAt(0).toUpperCase() + text.slice(1);
+  return capital(verdict.replace(/^(NOT SAFE|NOT TRUSTED|NOT JUDGED|SAFE):?\s*/, ''));
 }
 
 export function verdictSection(context: Context): HTMLElement {
