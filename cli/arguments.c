@@ -24,6 +24,8 @@ enum {
     OPTION_DEVIATION = 'd',
     OPTION_RADIUS = 'R',
     OPTION_JSON = 'j',
+    OPTION_REPORT = 'e',
+    OPTION_PDF = 'P',
     KNOWN_MAX = 20
 };
 
@@ -52,6 +54,8 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"tolerance", required_argument, NULL, OPTION_DEVIATION},
                                             {"radius", required_argument, NULL, OPTION_RADIUS},
                                             {"json", no_argument, NULL, OPTION_JSON},
+                                            {"report", no_argument, NULL, OPTION_REPORT},
+                                            {"pdf", no_argument, NULL, OPTION_PDF},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -260,6 +264,12 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_STRICT:
         args->strict = 1;
         return ARGUMENTS_GO_ON;
+    case OPTION_REPORT:
+        args->report = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_PDF:
+        args->report = args->pdf = 1;
+        return ARGUMENTS_GO_ON;
     case 'q':
         args->quiet = 1;
         return ARGUMENTS_GO_ON;
@@ -281,6 +291,13 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         if (optind < argc) args->filter = argv[optind++];
         if (optind == argc) return ARGUMENTS_GO_ON;
         complain("%s takes a kind and a pattern; what is '%s'?", command->name, argv[optind]);
+        return EXIT_USAGE;
+    }
+    if (strchr(command->options, '*')) {
+        args->words = argv + optind;
+        args->n_words = argc - optind;
+        if (args->n_words > 0) return ARGUMENTS_GO_ON;
+        complain("%s needs a folder with results, as in: hawser %s results/huangjiahu", command->name, command->name);
         return EXIT_USAGE;
     }
     if (strchr(command->options, '-')) {

@@ -136,7 +136,7 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
     store.subscribe('theme', dress),
     store.subscribe('place', () => viewer.mark()),
     store.subscribe('time', (time, source) => {
-      if (source !== viewer && time !== null) viewer.seek(time);
+      if (source !== viewer && time !== null) viewer.showAt(time);
     }),
     store.subscribe('roller', (roller, source) => {
       if (source !== viewer) viewer.inspect(roller === null ? null : { roller });

@@ -125,6 +125,12 @@ export class Viewer implements KeyActions {
     this.inspector.at(now.time);
   }
 
+  /** Shows a time that others point at: nobody has to be told. */
+  showAt(time: number): void {
+    this.playback.seek(time);
+    this.refresh();
+  }
+
   seek(time: number): void {
     this.playback.seek(time);
     this.store.set('time', this.playback.time, this);
