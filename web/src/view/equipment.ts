@@ -4,7 +4,7 @@ import type { Conveyor, Surface } from '../data';
 import { faceMaterial, type Look, screenColour } from './material';
 import type { Model } from './model';
 import type { Palette } from './palette';
-import { add, type Vec3 } from './path';
+import type { Vec3 } from './path';
 import { obstacleMeshes, reelMesh, winchMesh } from './machines';
 import type { Shared } from './shaders';
 import { box, circle, type Corner, refined, sweepGeometry } from './sweep';
@@ -160,9 +160,12 @@ function trough({ width_m: width, height_m: height, section }: Surface): Corner[
   return [half, -half].map((wide) => ({ across: 0, above: 0, wide }));
 }
 
-/** The height of the ground below a scene of these points, m. */
+/** The height of the ground below these points, m. */
 export function groundBelow(points: readonly Vec3[]): number {
   const low = points.reduce((z, p) => Math.min(z, p[2]), Infinity);
-  const wide = points.reduce((r, p) => Math.max(r, Math.hypot(p[0], p[1])), 1);
-  return Number.isFinite(low) ? add([0, 0, low], [0, 0, 1], -Math.max(1, 0.015 * wide))[2] : -1;
+  const across = (axis: 0 | 1): number => {
+    const values = points.map((p) => p[axis]);
+    return values.reduce((a, b) => Math.max(a, b), -Infinity) - values.reduce((a, b) => Math.min(a, b), Infinity);
+  };
+  return Number.isFinite(low) ? low - Math.max(1, 0.008 * Math.hypot(across(0), across(1))) : -1;
 }

@@ -110,12 +110,21 @@ export class World {
     this.shared.factor.value = this.asked ?? own;
     const { target } = stage.controls;
     this.ground.follow(target.x, target.y, stage.distance, this.unit);
+    this.ground.mesh.position.z = this.groundHeight();
     this.equipment.shadow(stage.distance > SHADOW_FROM * this.wide);
     this.chain?.marks(MARKS_M.find((metres) => metres / pixel > MARKS_PX) ?? 1000);
     if (now && this.chain) {
       this.chain.update(now.centres, now.values);
       this.chain.mesh.visible = true;
     }
+  }
+
+  /** Below what is near the point that the camera looks at: a tunnel may climb by more than one sees of it. */
+  private groundHeight(): number {
+    const { target } = this.stage.controls;
+    const reach = 2 * this.stage.distance;
+    const near = this.model.extent.filter(([x, y]) => Math.hypot(x - target.x, y - target.y) < reach);
+    return groundBelow(near.length > 0 ? near : this.model.extent);
   }
 
   updateLabels(): void {
