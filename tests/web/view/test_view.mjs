@@ -82,7 +82,10 @@ test('damaged or short fields are refused', async () => {
 });
 
 test('between two frames values go linearly, before the first and behind the last they stay', async () => {
-  const values = { position: [0, 0, 0, 1, 0, 0, 0, 4, 0, 1, 4, 0], tension: [100, 200, 300, 600] };
+  const values = {
+    position: [0, 0, 0, 1, 0, 0, 0, 4, 0, 1, 4, 0],
+    tension: [100, 200, 300, 600],
+  };
   const states = packStates([10, 20], 2, [0, 1], values);
   const frames = await view.unpackFrames(states, () => {});
   const out = new Float32Array(6);
@@ -104,7 +107,9 @@ test('between two frames values go linearly, before the first and behind the las
 
 test('far from the origin a millimetre is still a millimetre', async () => {
   const x = 1999999.123;
-  const states = packStates([0], 2, [0], { position: [x, 0, 0, x + 0.002, 0, 0] });
+  const states = packStates([0], 2, [0], {
+    position: [x, 0, 0, x + 0.002, 0, 0],
+  });
   const frames = await view.unpackFrames(states, () => {});
   const out = new Float32Array(6);
   frames.sample('position', frames.between(0), out, [x, 0, 0]);
@@ -228,7 +233,11 @@ test('places of points on the route', () => {
 });
 
 test('picking on the screen: the nearest in reach, nothing behind the camera', () => {
-  const screen = { x: [10, 14, 100, 12], y: [10, 10, 100, 10], depth: [5, 50, 5, -1] };
+  const screen = {
+    x: [10, 14, 100, 12],
+    y: [10, 10, 100, 10],
+    depth: [5, 50, 5, -1],
+  };
   assert.equal(
     view.pointAt(screen, 11, 10, () => 9),
     0,
@@ -397,7 +406,12 @@ test('what is on the reel is told from what hangs beside it', () => {
         ],
         curvature_per_m: [0, 0],
       },
-      reel: { center_m: [-5, 0, -1], axis: [0, 1, 0], radius_m: 1.5, width_m: 1 },
+      reel: {
+        center_m: [-5, 0, -1],
+        axis: [0, 1, 0],
+        radius_m: 1.5,
+        width_m: 1,
+      },
     },
     states: { ...packStates([0], 1, [0], { tension: [1] }), fields: FIELDS },
   };

@@ -8,7 +8,7 @@ import { small } from './scenes.mjs';
 
 const data = small();
 /** A real run's geometry and states, as `hawser report` wrote them: cases/huangjiahu.yaml. */
-const real = JSON.parse(readFileSync(new URL('huangjiahu.json', import.meta.url), 'utf8'));
+const real = JSON.parse(readFileSync(new URL('huangjiahu.data', import.meta.url), 'utf8'));
 let kit;
 let address;
 let page;

@@ -20,6 +20,8 @@ export class CameraDesk {
   constructor(
     private readonly world: World,
     private readonly now: () => Now | null,
+    /** Simulated time that is shown or is about to be, s. */
+    private readonly time: () => number,
   ) {}
 
   private get model(): Model {
@@ -51,7 +53,7 @@ export class CameraDesk {
     const { model } = this;
     const now = this.now();
     if (!model.path) return poseAt(this.world.stage.pose, now?.centre(model.head) ?? [0, 0, 0], nearby(model));
-    const head = now?.headPlace() ?? model.path.from;
+    const head = now?.headPlace(this.time()) ?? model.path.from;
     return along(model.path, place ?? Math.min(model.path.to, head), nearby(model));
   }
 

@@ -4,7 +4,7 @@ import type { Conveyor, Surface } from '../data';
 import { faceMaterial, type Look, screenColour } from './material';
 import type { Model } from './model';
 import type { Palette } from './palette';
-import { add, type Vec3 } from './path';
+import type { Vec3 } from './path';
 import { obstacleMeshes, reelMesh, winchMesh } from './machines';
 import type { Shared } from './shaders';
 import { box, circle, type Corner, refined, sweepGeometry } from './sweep';
@@ -22,6 +22,7 @@ export type Part = keyof Palette;
 
 export class Equipment {
   readonly group = new Group();
+  private cast: Line | null = null;
   private readonly painted: { material: ShaderMaterial | LineBasicMaterial; part: Part }[] = [];
 
   constructor(
@@ -52,15 +53,17 @@ export class Equipment {
   /** The route as a line, and its shadow on the ground. */
   private route(groundHeight: number): void {
     const points = this.model.path?.points ?? [];
-    const line = (at: readonly Vec3[], part: Part, opacity: number): void => {
+    const line = (at: readonly Vec3[], part: Part, opacity: number): Line => {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new Float32BufferAttribute(at.flat(), 3));
       const material = new LineBasicMaterial({ transparent: true, opacity });
       this.painted.push({ material, part });
-      this.group.add(new Line(geometry, material));
+      const drawn = new Line(geometry, material);
+      this.group.add(drawn);
+      return drawn;
     };
     line(points, 'route', 0.7);
-    line(
+    this.cast = line(
       points.map(([x, y]): Vec3 => [x, y, groundHeight]),
       'grid',
       0.4,
@@ -123,6 +126,11 @@ export class Equipment {
     }
   }
 
+  /** Shows the route's shadow on the ground, or not. */
+  shadow(on: boolean): void {
+    if (this.cast) this.cast.visible = on;
+  }
+
   recolour(palette: Palette): void {
     for (const { material, part } of this.painted)
       if (material instanceof ShaderMaterial) material.uniforms['colour']!.value = screenColour(palette[part]);
@@ -152,9 +160,12 @@ function trough({ width_m: width, height_m: height, section }: Surface): Corner[
   return [half, -half].map((wide) => ({ across: 0, above: 0, wide }));
 }
 
-/** The height of the ground below a scene of these points, m. */
+/** The height of the ground below these points, m. */
 export function groundBelow(points: readonly Vec3[]): number {
   const low = points.reduce((z, p) => Math.min(z, p[2]), Infinity);
-  const wide = points.reduce((r, p) => Math.max(r, Math.hypot(p[0], p[1])), 1);
-  return Number.isFinite(low) ? add([0, 0, low], [0, 0, 1], -Math.max(1, 0.015 * wide))[2] : -1;
+  const across = (axis: 0 | 1): number => {
+    const values = points.map((p) => p[axis]);
+    return values.reduce((a, b) => Math.max(a, b), -Infinity) - values.reduce((a, b) => Math.min(a, b), Infinity);
+  };
+  return Number.isFinite(low) ? low - Math.max(1, 0.008 * Math.hypot(across(0), across(1))) : -1;
 }

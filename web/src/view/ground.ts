@@ -53,11 +53,11 @@ export class Ground {
     this.mesh.renderOrder = -1;
   }
 
-  /** Lines that suit what is seen: about ten across the distance to it. */
-  follow(x: number, y: number, distance: number): void {
-    const rough = distance / 14;
+  /** Lines that suit what is seen: about ten across the distance to it, a round number of `unit` (m) apart. */
+  follow(x: number, y: number, distance: number, unit: number): void {
+    const rough = distance / 14 / unit;
     const power = 10 ** Math.floor(Math.log10(rough));
-    this.spacing = power * (rough / power > 5 ? 10 : rough / power > 2 ? 5 : 2);
+    this.spacing = unit * power * (rough / power > 5 ? 10 : rough / power > 2 ? 5 : 2);
     const uniforms = this.mesh.material.uniforms;
     uniforms['spacing']!.value = this.spacing;
     (uniforms['focus']!.value as Vector3).set(x, y, 1.6 * distance);

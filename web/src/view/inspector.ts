@@ -46,6 +46,7 @@ export class Inspector {
         button('\u00d7', this.close, { 'aria-label': 'Close', title: 'Close (Esc)' }),
       ),
       el('p', {}, picked.facts.join(' \u00b7 ')),
+      el('p', { class: 'view-inspector-label' }, `${picked.label}, over time, s`),
       figure,
     );
     const known = Array.from(picked.values).some((value) => Number.isFinite(value));
@@ -77,7 +78,7 @@ export class Inspector {
         scales: { x: { time: false } },
         axes: [
           { ...axis, size: 20, gap: 2 },
-          { ...axis, size: 46, label: picked.label, labelSize: 14, labelFont: FONT },
+          { ...axis, size: 46 },
         ],
         series,
         hooks: { draw: [(u): void => this.line(u, ink.limit)] },

@@ -1,5 +1,6 @@
 // Labels that stand still: ends of the route, bends, machines, conveyors, distances.
 import type { UnitSystem } from '../state';
+import { scaleOf } from '../units';
 import type { Label, Labels } from './labels';
 import type { Model } from './model';
 import { lengthText } from './quantity';
@@ -18,8 +19,13 @@ export function nameEverything(labels: Labels, model: Model, system: UnitSystem)
   const label = (name: string, text: string, point: Label['point'], weight: number, kind = 'name'): void =>
     labels.set(name, { text, point, weight, kind });
   if (path) {
-    for (const s of ticksOf(path.from, path.to, DISTANCES))
-      label(`s${s}`, lengthText(s, system).replace('.0', ''), path.at(s), 10, 'distance');
+    const { factor } = scaleOf('m', system, 1);
+    const round = ticksOf(path.from * factor, path.to * factor, DISTANCES);
+    for (let i = 0; i < 3 * DISTANCES; i++) {
+      const s = (round[i] ?? 0) / factor;
+      const text = lengthText(s, system).replace('.0', '');
+      labels.set(`distance${i}`, i < round.length ? { text, point: path.at(s), weight: 10, kind: 'distance' } : null);
+    }
     bends.forEach((bend, i) =>
       label(`bend${i}`, bendText(bend, system), path.at(0.5 * (bend.from + bend.to)), 20 + bend.angle),
     );

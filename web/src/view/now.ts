@@ -44,9 +44,9 @@ export class Now {
   }
 
   /** Place of the cable's front along the route; null where it is not known. */
-  headPlace(): number | null {
+  headPlace(time = this.time): number | null {
     const places = this.model.run.states?.head_at_m ?? [];
-    const { frame, next, part } = this.frames.between(this.time);
+    const { frame, next, part } = this.frames.between(time);
     const a = places[frame] ?? null;
     const b = places[next] ?? null;
     if (a !== null && b !== null) return a + part * (b - a);

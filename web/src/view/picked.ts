@@ -76,7 +76,7 @@ export function pickedPlace(model: Model, s: number, now: Now, quantity: Quantit
   const known = Array.from(values).filter((value) => Number.isFinite(value));
   const largest = known.reduce((a, b) => Math.max(a, b), -Infinity);
   const { symbol, factor } = scaleOf(quantity.unit, system, Math.max(Math.abs(largest), 0));
-  const facts = [`${quantity.title.toLowerCase()} of what passes there`];
+  const facts = known.length > 0 ? [] : ['nothing passes there'];
   if (known.length > 0) facts.push(`largest ${show(largest, quantity.unit, system, 3)}`);
   return {
     title: `Place ${lengthText(s, system)}`,

@@ -107,7 +107,14 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
   const ends: (() => void)[] = [];
   const world = worldIn(stage, viewer);
   if (world) {
-    viewer.draws(world, new CameraDesk(world, () => viewer.now));
+    viewer.draws(
+      world,
+      new CameraDesk(
+        world,
+        () => viewer.now,
+        () => viewer.playback.time,
+      ),
+    );
     stage.append(viewer.legend.root, viewer.inspector.root);
     const canvas = world.stage.renderer.domElement;
     canvas.tabIndex = 0;

@@ -1,7 +1,7 @@
 // The view at work: what the reader does, what the store says, and what is drawn, kept together.
 import type { PullEvent, RunData } from '../data';
 import type { Store } from '../state';
-import { show } from '../units';
+import { scaleOf, show } from '../units';
 import type { CameraDesk } from './camera_desk';
 import { Colouring } from './colouring';
 import type { Frames } from './frames';
@@ -271,6 +271,7 @@ export class Viewer implements KeyActions {
     this.tools.units(system);
     if (this.world) {
       nameEverything(this.world.labels, this.model, system);
+      this.world.unit = 1 / scaleOf('m', system, 1).factor;
       this.world.paint(this.store.get('theme'));
     }
     this.colour(this.colouring.quantity.field);

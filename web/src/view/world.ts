@@ -20,6 +20,8 @@ const LARGEST_FACTOR = 100;
 /** Marks on the cable are at least this far apart, px. */
 const MARKS_PX = 55;
 const MARKS_M = [1, 2, 5, 10, 20, 50, 100, 200, 500];
+/** The route's shadow on the ground is shown from this distance on, in sizes of the scene: nearer it is only a line somewhere. */
+const SHADOW_FROM = 0.5;
 /** How near the pointer has to be, px. */
 const ROLLER_PX = 9;
 const LINE_PX = 12;
@@ -35,6 +37,10 @@ export class World {
   private readonly routePoints: Float32Array;
   private readonly routeScreen: Screen;
   private readonly rollerScreen: Screen;
+  /** How far the scene reaches, m. */
+  private readonly wide: number;
+  /** Length in whose round numbers the grid is drawn, m. */
+  unit = 1;
   /** Exaggeration that was asked for; null: the view's own. */
   private asked: number | null = null;
 
@@ -46,7 +52,7 @@ export class World {
     this.stage = new Stage(root, this.shared, still);
     root.append(this.labels.root);
     const { run, path, extent } = model;
-    const wide = extent.reduce((r, p) => Math.max(r, size(p)), 10);
+    const wide = (this.wide = extent.reduce((r, p) => Math.max(r, size(p)), 10));
     const low = groundBelow(extent);
     this.ground = new Ground(low, 6 * wide);
     this.equipment = new Equipment(model, this.shared, low + 1e-3);
@@ -103,12 +109,22 @@ export class World {
     const own = Math.min(LARGEST_FACTOR, Math.max(1, (THICK_PX * pixel) / this.model.diameter));
     this.shared.factor.value = this.asked ?? own;
     const { target } = stage.controls;
-    this.ground.follow(target.x, target.y, stage.distance);
+    this.ground.follow(target.x, target.y, stage.distance, this.unit);
+    this.ground.mesh.position.z = this.groundHeight();
+    this.equipment.shadow(stage.distance > SHADOW_FROM * this.wide);
     this.chain?.marks(MARKS_M.find((metres) => metres / pixel > MARKS_PX) ?? 1000);
     if (now && this.chain) {
       this.chain.update(now.centres, now.values);
       this.chain.mesh.visible = true;
     }
+  }
+
+  /** Below what is near the point that the camera looks at: a tunnel may climb by more than one sees of it. */
+  private groundHeight(): number {
+    const { target } = this.stage.controls;
+    const reach = 2 * this.stage.distance;
+    const near = this.model.extent.filter(([x, y]) => Math.hypot(x - target.x, y - target.y) < reach);
+    return groundBelow(near.length > 0 ? near : this.model.extent);
   }
 
   updateLabels(): void {
