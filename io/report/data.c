@@ -8,7 +8,7 @@
 #include <string.h>
 #include <time.h>
 
-/* Rows of a series on a page; frames; those of which a guess is made
+/* Rows of a series on a page; frames; those of which is guessed
  * how many fit. */
 enum { SERIES_MOST = 4000, FRAMES_MOST = 600, FRAMES_TRIED = 24 };
 /* Bytes of packed states: of one run so many for a short chain and so many more for each segment, of all together. */

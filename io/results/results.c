@@ -45,13 +45,15 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
     return status ? status : xdmf_open(&r->xdmf, r->dir, def, err);
 }
 
-/* What an earlier run left and this one may not write: a folder holds the results of one run. */
+/* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
+ */
 static hawser_status remove_old(const Results *r, int states, hawser_error *err)
 {
-    static const char *const names[] = {"modes.csv", "certificate.json", "route.csv", "results.h5", "results.xdmf"};
+    static const char *const names[] = {"modes.csv",  "certificate.json", "route.csv",   "report.html",
+                                        "report.pdf", "results.h5",       "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
-    for (int k = 0; k < (states ? 3 : 5) && !s; k++) {
+    for (int k = 0; k < (states ? 6 : 7) && !s; k++) {
         s = out_join(path, r->dir, names[k], err);
         if (!s && unlink(path) && errno != ENOENT) s = out_error(path, errno, err);
     }

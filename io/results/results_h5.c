@@ -7,6 +7,7 @@
 #include "io/results/results_file.h"
 #include "sim/def/scene_def.h"
 
+#include <errno.h>
 #include <hdf5.h>
 #include <math.h>
 #include <stdlib.h>
@@ -161,6 +162,17 @@ static int make_file(H5File *h, const ResultsDef *def)
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
 
+/* The file gets its name once it is whole: a kill before that leaves none. */
+static int name_file(H5File *h, const char *path)
+{
+    if (rename(h->path, path)) {
+        h->disk_error = errno;
+        return 0;
+    }
+    strcpy(h->path, path);
+    return 1;
+}
+
 /* Flushed at once, so that a full disk shows before anything is computed. */
 hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err)
 {
@@ -172,11 +184,14 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
     h->deflate = wants_deflate(def);
     h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
     h->set = calloc((size_t)sample_columns, sizeof *h->set);
-    hawser_status status = h->frame && h->set ? out_join(h->path, dir, "results.h5", err) : error_memory(err);
+    char path[OUT_PATH_MAX];
+    hawser_status status = h->frame && h->set ? out_join(path, dir, "results.h5", err) : error_memory(err);
+    if (!status) status = out_join(h->path, dir, "results.h5.part", err);
     if (!status) {
         int ok = 0;
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
+        ok = ok && !h->disk_error && name_file(h, path);
         status = h5_result(h, ok, err);
     }
     if (status) {

@@ -213,8 +213,8 @@ typedef struct SceneDef {
 } SceneDef;
 
 /* What is known of a key of the case, for those who read the results: its dotted name, its value as it was written, the
- * unit of that if it is a number, "given", "catalogue", "estimated" or "default", file and line, and where a value comes
- * from that was not given. */
+ * unit of that if it is a number, "given", "catalogue", "estimated" or "default", file and line, and where a value
+ * comes from that was not given. */
 enum { INPUT_KEY, INPUT_VALUE, INPUT_UNIT, INPUT_ORIGIN, INPUT_WHERE, INPUT_SOURCE, INPUT_TEXTS };
 
 /* Every default there is; docs/case-format.md lists them. */

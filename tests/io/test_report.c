@@ -233,7 +233,8 @@ static void numbers_are_jsons(void **state)
 {
     (void)state;
     static const char *const good[] = {"0", "-0", "12.5", "1e5", "1.25E-07", "-3e+2"};
-    static const char *const bad[] = {"", "-", ".5", "5.", "01", "+1", "1e", "nan", "inf", "1e999", "0x1p3", "1 ", "1,5"};
+    static const char *const bad[] = {"",    "-",   ".5",    "5.",    "01", "+1", "1e",
+                                      "nan", "inf", "1e999", "0x1p3", "1 ", "1,5"};
     for (size_t k = 0; k < sizeof good / sizeof *good; k++) assert_true(is_json_number(good[k]));
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) assert_false(is_json_number(bad[k]));
 }
