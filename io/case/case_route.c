@@ -20,7 +20,7 @@ typedef struct RouteRecord {
     int spline;
     LineRecord line; /* of a file */
     int reverse;
-    double from, to, tolerance, height;
+    double from, to, tolerance, join, height;
 } RouteRecord;
 
 /* The profile as a map. */
@@ -56,6 +56,7 @@ static const CaseKey route_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .otherwise = "where it begins", FROM(-FAR, FAR), AT(RouteRecord, from)},
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "where it ends", FROM(-FAR, FAR), AT(RouteRecord, to)},
     {"tolerance", KEY_NUMBER, DIM_LENGTH, .fallback = "50 mm", ABOVE(0, 1000), AT(RouteRecord, tolerance)},
+    {"join", KEY_NUMBER, DIM_LENGTH, .fallback = "10 mm", ABOVE(0, 10), AT(RouteRecord, join)},
     {"height", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RouteRecord, height)},
 };
 SECTION(case_route, "route", route_keys);
@@ -452,6 +453,7 @@ static hawser_status file_line(const CaseReader *r, const CaseNode *node, const 
     options.from = in->from;
     options.to = in->to;
     options.tolerance = in->tolerance;
+    options.line.join = options.profile.join = in->join;
     options.corner = in->radius;
     options.rounding = in->transition;
     options.height = in->height;
@@ -510,6 +512,7 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
                 {"from", FILE_},
                 {"to", FILE_},
                 {"tolerance", FILE_},
+                {"join", FILE_},
                 {"height", FILE_}};
     const int kind = kind_of(r, node, lists, "pieces, points, plan and file");
     if (kind < 0) return HAWSER_ERR_INPUT;

@@ -324,6 +324,7 @@ static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment
             status = error_memory(err);
         else {
             *e = f.piece[i].e;
+            e->name = 0;
             e->x += origin.x;
             e->y += origin.y;
         }

@@ -285,6 +285,7 @@ static int elements_take(const Alignment *from, Alignment *to)
         PlanElement *const e = alignment_add_plan(to);
         if (!e) return 0;
         *e = from->plan[i];
+        e->name = 0; /* of another line */
     }
     for (int i = 0; i + 1 < from->n_points; ++i) {
         const Vec3 *const p = &from->point[i];
@@ -292,7 +293,7 @@ static int elements_take(const Alignment *from, Alignment *to)
         if (!(length > 1e-9)) continue;
         PlanElement *const e = alignment_add_plan(to);
         if (!e) return 0;
-        *e = (PlanElement){p->x, p->y, atan2(p[1].y - p->y, p[1].x - p->x), length, 0, 0};
+        *e = (PlanElement){p->x, p->y, atan2(p[1].y - p->y, p[1].x - p->x), length, 0, 0, 0};
     }
     return 1;
 }

@@ -72,7 +72,7 @@ static void straights_merge(Window *w)
 static void piece_shorten(Piece *p, double before, double behind)
 {
     const PlanElement from = plan_at(&p->e, before), to = plan_at(&p->e, p->e.length - behind);
-    p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0};
+    p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0, p->e.name};
 }
 
 /* Without piece q; its neighbours share its length. */
@@ -129,7 +129,7 @@ static int make_clothoid(Window *w, int q)
     piece_shorten(&p[-1], 0, half);
     piece_shorten(&p[1], half, 0);
     const PlanElement end = plan_at(&p[-1].e, p[-1].e.length);
-    p->e = (PlanElement){end.x, end.y, end.heading, p->e.length + 2 * half, end.k0, p[1].e.k0};
+    p->e = (PlanElement){end.x, end.y, end.heading, p->e.length + 2 * half, end.k0, p[1].e.k0, 0};
     return 1;
 }
 
@@ -148,7 +148,7 @@ static int put_between(Window *w, int q, PieceKind kind, double part)
     piece_shorten(before, 0, half);
     piece_shorten(behind, half, 0);
     const PlanElement end = plan_at(&before->e, before->e.length);
-    Piece p = {.kind = kind, .e = {end.x, end.y, end.heading, 2 * half, end.k0, behind->e.k0}};
+    Piece p = {.kind = kind, .e = {end.x, end.y, end.heading, 2 * half, end.k0, behind->e.k0, 0}};
     if (kind == PIECE_STRAIGHT) p.e.k0 = p.e.k1 = 0;
     if (kind == PIECE_ARC) p.e.k0 = p.e.k1 = 0.5 * (p.e.k0 + p.e.k1);
     window_insert(w, q + 1, p);
@@ -408,7 +408,7 @@ hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_erro
         memmove(&p[2], &p[1], (size_t)(*n - i - 1) * sizeof *p);
         p[1] = (Piece){.kind = PIECE_ARC,
                        .kept = straights && fabs(turn) > 0.15,
-                       .e = {from.x, from.y, from.heading, radius * 2 * half, k, k}};
+                       .e = {from.x, from.y, from.heading, radius * 2 * half, k, k, 0}};
         ++*n;
         ++i;
     }

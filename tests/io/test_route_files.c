@@ -150,6 +150,7 @@ static void a_table_is_enough(void **state)
     if (hawser_case_load(path, &c, &err)) fail_msg("%s", err.message);
     if (hawser_case_theory(c, HAWSER_TABLE, &text, &err)) fail_msg("%s", err.message);
     check_has(text, "SAFE: ");
+    check_has(text, "yard"); /* a row's name is its piece's */
     check_has(text, "length of the route            644.9 m");
     hawser_text_free(text);
     hawser_case_free(c);
