@@ -79,7 +79,7 @@ int piece_names_add(PieceNames *names, const char *text)
     const int size = (int)strlen(name) + 1;
     if (size == 1 || names->used > LETTERS_MOST) return 0;
     if (names->used + size >= names->room) {
-        const int room = 2 * names->room + ROUTE_NAME_MAX;
+        const int room = 2 * (names->room + ROUTE_NAME_MAX);
         char *const wider = realloc(names->text, (size_t)room);
         if (!wider) return 0;
         names->text = wider;

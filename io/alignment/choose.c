@@ -49,7 +49,7 @@ static int layer_is_met(const Survey *s, int i)
     return 0;
 }
 
-static const char *const fork = "fork of ", *const gap = "gap of ";
+static const char *const fork_word = "fork of ", *const gap_word = "gap of ";
 
 /* Says where the lines of a layer end although something goes on: with places if there are few, else how many. */
 static void doubts_say(const char *layer, const Joined *j, Survey *notes)
@@ -60,10 +60,10 @@ static void doubts_say(const char *layer, const Joined *j, Survey *notes)
     for (int i = 0; few && i < j->n_doubts; ++i) {
         const JoinDoubt *const d = &j->doubt[i];
         if (d->kind == JOIN_FORK)
-            snprintf(text, sizeof text, "%s%d ends at %.3f, %.3f, layer '%.40s': lines end there", fork, d->ends,
+            snprintf(text, sizeof text, "%s%d ends at %.3f, %.3f, layer '%.40s': lines end there", fork_word, d->ends,
                      d->at.x, d->at.y, layer);
         else
-            snprintf(text, sizeof text, "%s%.4g m at %.3f, %.3f, layer '%.40s': not joined", gap, d->away, d->at.x,
+            snprintf(text, sizeof text, "%s%.4g m at %.3f, %.3f, layer '%.40s': not joined", gap_word, d->away, d->at.x,
                      d->at.y, layer);
         survey_ignore(notes, text);
     }
@@ -164,7 +164,7 @@ hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment
     names_say(s, sizeof names, names);
     for (int i = 0; i < s->n_ignored && !open; ++i) {
         const char *const what = s->ignored[i].what;
-        if (!strncmp(what, fork, strlen(fork)) || !strncmp(what, gap, strlen(gap))) open = what;
+        if (!strncmp(what, fork_word, strlen(fork_word)) || !strncmp(what, gap_word, strlen(gap_word))) open = what;
     }
     return error_set(err, HAWSER_ERR_INPUT,
                      "%.200s: %d lines could be meant, such as %s: choose one by 'name' or 'layer'%s%s%s", pick->path,

@@ -32,9 +32,27 @@ static double heading_at(const PlanElement *e, double s)
     return e->heading + s * (e->k0 + 0.5 * s * (e->k1 - e->k0) / e->length);
 }
 
+/* The same on a straight, whose integrals are powers. */
+static void go_straight(const PlanElement *e, double ds, Along *a)
+{
+    const double t[2] = {cos(e->heading), sin(e->heading)}, from = a->s, to = from + ds;
+    const double first = 0.5 * (to * to - from * from), second = (to * to * to - from * from * from) / 3;
+    a->x += ds * t[0];
+    a->y += ds * t[1];
+    a->first[0] -= first * t[1];
+    a->first[1] += first * t[0];
+    a->second[0] -= second * t[1];
+    a->second[1] += second * t[0];
+    a->s = to;
+}
+
 /* ds on, or back. Parts turn by less than half a radian: error below 1e-11 ds. */
 static void go(const PlanElement *e, double ds, Along *a)
 {
+    if (fmax(fabs(e->k0), fabs(e->k1)) * e->length < 1e-13) { /* what rounding leaves of a straight */
+        go_straight(e, ds, a);
+        return;
+    }
     const double rate = (e->k1 - e->k0) / e->length;
     const double turn = fabs(ds) * fmax(fabs(a->curvature), fabs(a->curvature + ds * rate));
     const int parts = (int)fmin(1 + 2 * turn, 1000);
