@@ -1,5 +1,5 @@
-/* What the pulling calculator is asked: a route, stretches of weight and friction, allowances, machines on the way, pits
- * in which the pull begins anew. docs/model.md, "The planner's calculation". */
+/* What the pulling calculator is asked: a route, stretches of weight and friction, allowances, machines on the way,
+ * pits in which the pull begins anew. docs/model.md, "The planner's calculation". */
 #ifndef HAWSER_THEORY_PLAN_DEF_H
 #define HAWSER_THEORY_PLAN_DEF_H
 

@@ -12,8 +12,9 @@
 #include "io/yaml/units.h"
 #include "survey/write/write.h"
 
-/* More lines than these are a whole drawing, of which nobody wants each as a route: they are used once asked for. */
-enum { USED_AT_ONCE = 32, DIGITS = 13 };
+/* More lines than these are a whole drawing, of which nobody wants each as a route, and a line of more pieces takes
+ * minutes to fit: they are used once asked for. */
+enum { USED_AT_ONCE = 32, PIECES_AT_ONCE = 50000, DIGITS = 13 };
 
 /* A line of the file and what became of it. */
 typedef struct RouteRow {
@@ -135,7 +136,10 @@ hawser_status hawser_routes_read(const char *path, const hawser_route_options *o
         if (!r->row) status = error_memory(err);
     }
     for (int i = 0; i < r->survey.n && !status; ++i) row_begin(r, i);
-    for (int i = 0; i < r->survey.n && r->survey.n <= USED_AT_ONCE && !status; ++i) row_use(r, i);
+    for (int i = 0; i < r->survey.n && r->survey.n <= USED_AT_ONCE && !status; ++i) {
+        const Alignment *const a = &r->survey.alignment[i];
+        if (a->n_plan + a->n_points <= PIECES_AT_ONCE) row_use(r, i);
+    }
     const LineOptions *const o = &r->options;
     const int asked = o->profile.path || !isnan(o->from) || !isnan(o->to);
     if (!status && r->survey.n == 1 && asked && r->row[0].figures.problem)

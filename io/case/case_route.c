@@ -542,15 +542,13 @@ static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
 static hawser_status line_read(const CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
 {
     const CaseNode *const points = case_node_key(node, "points"), *const plan = case_node_key(node, "plan");
-    const CaseNode *const origin = case_node_key(node, "origin");
     const CaseNode *profile;
     RouteCorner *corner = NULL;
     int n = 0;
     if (case_node_key(node, "file")) return file_line(r, node, in, out);
     hawser_status status = corners_find(r, case_node_key(node, "profile"), &profile);
-    if (status) return status;
-    status = points ? case_list_read(r, points, sizeof *corner, point_read, &corner, &n) : HAWSER_OK;
-    if (!status) status = origin_read(r, origin, points ? corner[0].point : in->start);
+    if (!status && points) status = case_list_read(r, points, sizeof *corner, point_read, &corner, &n);
+    if (!status) status = origin_read(r, case_node_key(node, "origin"), points ? corner[0].point : in->start);
     const Vec3 start = v3_sub(in->start, r->def->route_origin);
     if (!status && points) status = points_line(r, points, in, r->def->route_origin, n, corner, out);
     if (!status && plan) {
