@@ -48,14 +48,26 @@ test('a pull whose bend is too tight: what the page says is what the files say',
   const series = table(results, 'series.csv');
   const force = await savedCsv(view, '#figure-force');
   assertClose(column(force, 'time'), column(series, 'time_s'), 'time');
-  assertClose(column(force, 'winch,').map((f) => f * 1e3), column(series, 'winch_force_N'), 'winch force');
+  assertClose(
+    column(force, 'winch,').map((f) => f * 1e3),
+    column(series, 'winch_force_N'),
+    'winch force',
+  );
   const stations = table(results, 'stations.csv');
   const tension = await savedCsv(view, '#figure-tension');
   const means = column(tension, 'simulated, steady mean').filter((value) => value !== null);
-  assertClose(means.map((f) => f * 1e3), column(stations, 'mean_N').filter((value) => value !== null), 'station means');
+  assertClose(
+    means.map((f) => f * 1e3),
+    column(stations, 'mean_N').filter((value) => value !== null),
+    'station means',
+  );
   const loads = await savedCsv(view, '#rollers > .tools');
   const peaks = column(table(results, 'rollers.csv'), 'peak_N').sort((a, b) => b - a);
-  assertClose(column(loads, 'peak').map((f) => f * 1e3), peaks, 'all rollers have one rating: by load');
+  assertClose(
+    column(loads, 'peak').map((f) => f * 1e3),
+    peaks,
+    'all rollers have one rating: by load',
+  );
   const inputs = await savedCsv(view, '#inputs');
   assert.equal(inputs.length, table(results, 'inputs.csv').length);
   assert.deepEqual(heard, []);
