@@ -27,7 +27,6 @@ typedef enum hawser_status {
 } hawser_status;
 
 enum { HAWSER_MESSAGE_MAX = 1024 };
-
 typedef struct hawser_error {
     hawser_status status;
     char message[HAWSER_MESSAGE_MAX];
