@@ -30,6 +30,18 @@ static hawser_surface surface_row(const SceneDef *scene, const SurfaceDef *def)
     return row;
 }
 
+enum { WATCHED = 2 }; /* the pull and the largest tension stand before stations and rollers */
+
+/* What is watched, by number. */
+static TimeMean *watched(Stats *stats, int k)
+{
+    const int station = k - WATCHED, roller = station - stats->n_stations;
+    if (k < WATCHED) return k == 0 ? &stats->pull : &stats->largest;
+    return roller < 0 ? &stats->station[station] : &stats->roller[roller].load;
+}
+
+static int watched_count(const Stats *stats) { return WATCHED + stats->n_stations + stats->n_rollers; }
+
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -44,8 +56,12 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
     stats->roller_out = calloc((size_t)def->n_rollers + 1, sizeof *stats->roller_out);
     stats->surface = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface);
     stats->surface_out = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface_out);
+    stats->before = calloc((size_t)watched_count(stats), sizeof *stats->before);
+    stats->now = calloc((size_t)watched_count(stats), sizeof *stats->now);
+    stats->station_joint = calloc((size_t)def->n_stations + 1, sizeof *stats->station_joint);
+    stats->station_share = calloc((size_t)def->n_stations + 1, sizeof *stats->station_share);
     if (!stats->station || !stats->station_out || !stats->roller || !stats->roller_out || !stats->surface ||
-        !stats->surface_out) {
+        !stats->surface_out || !stats->before || !stats->now || !stats->station_joint || !stats->station_share) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -74,6 +90,10 @@ void stats_free(Stats *stats)
     free(stats->roller_out);
     free(stats->surface);
     free(stats->surface_out);
+    free(stats->before);
+    free(stats->now);
+    free(stats->station_joint);
+    free(stats->station_share);
     memset(stats, 0, sizeof *stats);
 }
 
@@ -160,7 +180,8 @@ static void stations_record(Stats *stats, const Scene *scene, const Kinematics *
     for (int i = 0; i < stats->n_stations; ++i) {
         hawser_station *const out = &stats->station_out[i];
         TimeMean *const mean = &stats->station[i];
-        const double tension = stats_tension_at(scene, kin, sample, out->s);
+        double tension = NAN;
+        stats->station_joint[i] = joint_before(scene, kin, sample, out->s, &tension, &stats->station_share[i]);
         if (!isnan(tension)) mean_add(mean, tension, dt, steady);
         out->mean_N = mean->started ? mean_of(mean) : NAN;
         out->peak_N = mean->started ? mean->peak : NAN;
@@ -185,6 +206,13 @@ static void rollers_record(Stats *stats, const hawser_sample *sample, double dt,
     }
 }
 
+static void line_load_record(hawser_surface *out, const hawser_sample *sample, int i)
+{
+    if (!(sample->surface_line_load[i] > out->line_load_N_per_m)) return;
+    out->line_load_N_per_m = sample->surface_line_load[i];
+    out->line_load_at_m = sample->surface_at[i];
+}
+
 static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
 {
     for (int i = 0; i < stats->n_surfaces; ++i) {
@@ -194,9 +222,7 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
         mean_add(&means->friction, sample->surface_friction[i], dt, steady);
         out->normal_N = mean_of(&means->normal);
         out->friction_N = mean_of(&means->friction);
-        if (!(sample->surface_line_load[i] > out->line_load_N_per_m)) continue;
-        out->line_load_N_per_m = sample->surface_line_load[i];
-        out->line_load_at_m = sample->surface_at[i];
+        line_load_record(out, sample, i);
     }
 }
 
@@ -277,6 +303,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
     if (stats->pull.at_peak) peak_record(stats, scene, kin, sample);
+    mean_add(&stats->largest, fmax(sample->max_tension, sample->winch_force), dt, steady);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
@@ -289,6 +316,67 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
         stats->passed_at = sample->winch_travel;
     }
     stats->last_t = sample->t;
+}
+
+/* ------------------------------------------------------------------------------------------ peaks between samples */
+
+/* Above the largest value so far, above which another look is worth it: shares of that, and of the largest of its kind.
+ */
+static const double NEW_PULL = 1e-3, NEW_OTHER = 1e-2, NEW_OF_ALL = 1e-3;
+
+/* Values of the last step: NAN where there is none. */
+static void step_values(const Stats *stats, const Scene *scene, double pull, const double *tension,
+                        const Vec3 *on_roller, double *value)
+{
+    double largest = -INFINITY;
+    for (int j = 0; j <= scene->chain.n; ++j) largest = fmax(largest, tension[j]);
+    *value++ = pull;
+    *value++ = fmax(largest, pull);
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const int j = stats->station_joint[i];
+        const double u = stats->station_share[i];
+        *value++ = j >= 0 && j < scene->chain.n ? (1 - u) * tension[j] + u * tension[j + 1] : NAN;
+    }
+    for (int r = 0; r < stats->n_rollers; ++r) *value++ = v3_norm(on_roller[r]);
+}
+
+int stats_step(Stats *stats, const Scene *scene, double pull, const double *tension, const Vec3 *on_roller)
+{
+    double *const before = stats->now, *const now = stats->before, load = 0;
+    const int n = watched_count(stats), first_roller = n - stats->n_rollers;
+    int due = 0;
+    step_values(stats, scene, pull, tension, on_roller, now);
+    stats->before = before;
+    stats->now = now;
+    for (int r = 0; r < stats->n_rollers; ++r) load = fmax(load, stats->roller[r].load.peak);
+    for (int k = 0; k < n; ++k) {
+        const TimeMean *const m = watched(stats, k);
+        const double more = k == 0 ? NEW_PULL * m->peak : NEW_OTHER * m->peak + NEW_OF_ALL * (k < first_roller ? stats->largest.peak : load);
+        due |= m->started && now[k] <= before[k] && now[k] > m->peak + more;
+    }
+    return due;
+}
+
+/* All at once, each with the lower of its two steps' values; the top of a parabola stands no more above the higher one
+ * than that stands above the other. */
+void stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const double pull = stats->pull.peak;
+    double *const now = stats->now;
+    now[0] = sample->winch_force;
+    now[1] = fmax(sample->max_tension, sample->winch_force);
+    for (int i = 0; i < stats->n_stations; ++i)
+        now[WATCHED + i] = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
+    for (int r = 0; r < stats->n_rollers; ++r) now[WATCHED + stats->n_stations + r] = sample->roller_load[r];
+    for (int k = 0; k < watched_count(stats); ++k) {
+        const double held = fmin(now[k], stats->before[k]);
+        if (!isnan(now[k] + stats->before[k])) mean_raise(watched(stats, k), held, 16 * fabs(now[k] - stats->before[k]));
+    }
+    if (stats->pull.peak > pull) peak_record(stats, scene, kin, sample);
+    for (int i = 0; i < stats->n_stations; ++i)
+        if (stats->station[i].started) stats->station_out[i].peak_N = stats->station[i].peak;
+    for (int r = 0; r < stats->n_rollers; ++r) stats->roller_out[r].peak_N = stats->roller[r].load.peak;
+    for (int i = 0; i < stats->n_surfaces; ++i) line_load_record(&stats->surface_out[i], sample, i);
 }
 
 static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */
