@@ -203,8 +203,10 @@ static void peak_watch(Sim *s)
     s->record_s += clock_now() - start;
     if (!due) return;
     const hawser_sample *const look = look_now(s, SAMPLE_ROW);
-    stats_peak(&s->stats, &st->scene, &st->ws.kin, look);
-    peaks_record(&s->peaks, &st->scene, &st->ws.kin, look);
+    hawser_sample held = *look;
+    held.winch_force = stats_peak(&s->stats, &st->scene, &st->ws.kin, look);
+    steadiness_raise(&s->steadiness, held.winch_force, held.t);
+    peaks_record(&s->peaks, &st->scene, &st->ws.kin, &held);
 }
 
 /* Load steps in place of time steps. */

@@ -6,7 +6,7 @@
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
 static const double BOOKS = 3;                              /* of what the books of a mean leave open (EB2) */
-static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
+static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3.5; /* of what a figure wavers while a segment passes (EB1) */
 static const double STANDS = 0.1;      /* of a segment: if less passes, nothing of it is seen (EB9) */
 static const double ROUGH = 0.27;      /* of second differences, before a peak of a cable that began anywhere (EB12) */
 static const double EVERYWHERE = 0.25; /* of that, where only surfaces carry the cable (EB1) */
@@ -16,7 +16,7 @@ static const double SIDEWAYS = 0.1;    /* of what rollers that spin would hold (
 static const double LEVEL = 1e-3;      /* of a bend: what is less to the side is none */
 static const double ENDS = 0.2;        /* of a segment, whose weight a clamp carries and no surface */
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
-static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
+static const double TOLERANCES = 3;      /* of a step, that a peak may be off by */
 
 /* What friction lacks at a speed, of what is there (EB5). */
 static double friction_missing(const FrictionLaw *law, double speed)

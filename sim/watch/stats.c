@@ -248,7 +248,8 @@ static double standing_force(const Scene *scene, const Kinematics *kin, const ha
         const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension, &passed) : -1;
         if (j < 0 || !(tension > 0)) continue;
         const double h = 2 * chain->half[j < chain->n ? j : j - 1], span = held_by(&scene->def, r);
-        const double bends = fmin(chain->stiffness[4][j], chain->stiffness[5][j]); /* the softer way: the wider bar */
+        const int held = j > 0 ? j : 1; /* the tail's joint may be a free end, its neighbour bends as the cable does */
+        const double bends = fmin(chain->stiffness[4][held], chain->stiffness[5][held]); /* the softer way */
         const double stiff = tension + (span > 0 ? M_PI * M_PI * bends * h / (span * span) : 0);
         const double force = load / 2 * fmin(load / sqrt(stiff * (stiff + 4 * bends / h)), 1);
         sum += force;
@@ -351,15 +352,18 @@ int stats_step(Stats *stats, const Scene *scene, double pull, const double *tens
     for (int r = 0; r < stats->n_rollers; ++r) load = fmax(load, stats->roller[r].load.peak);
     for (int k = 0; k < n; ++k) {
         const TimeMean *const m = watched(stats, k);
-        const double more = k == 0 ? NEW_PULL * m->peak : NEW_OTHER * m->peak + NEW_OF_ALL * (k < first_roller ? stats->largest.peak : load);
+        const double of_all = k < first_roller ? stats->largest.peak : load;
+        const double more = k == 0 ? NEW_PULL * m->peak : NEW_OTHER * m->peak + NEW_OF_ALL * of_all;
         due |= m->started && now[k] <= before[k] && now[k] > m->peak + more;
     }
     return due;
 }
 
+static const double SHARP = 16; /* second differences, whose eighth is twice what two steps are apart */
+
 /* All at once, each with the lower of its two steps' values; the top of a parabola stands no more above the higher one
  * than that stands above the other. */
-void stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double pull = stats->pull.peak;
     double *const now = stats->now;
@@ -369,14 +373,15 @@ void stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const h
         now[WATCHED + i] = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
     for (int r = 0; r < stats->n_rollers; ++r) now[WATCHED + stats->n_stations + r] = sample->roller_load[r];
     for (int k = 0; k < watched_count(stats); ++k) {
-        const double held = fmin(now[k], stats->before[k]);
-        if (!isnan(now[k] + stats->before[k])) mean_raise(watched(stats, k), held, 16 * fabs(now[k] - stats->before[k]));
+        const double held = fmin(now[k], stats->before[k]), apart = fabs(now[k] - stats->before[k]);
+        if (!isnan(apart)) mean_raise(watched(stats, k), held, SHARP * apart);
     }
     if (stats->pull.peak > pull) peak_record(stats, scene, kin, sample);
     for (int i = 0; i < stats->n_stations; ++i)
         if (stats->station[i].started) stats->station_out[i].peak_N = stats->station[i].peak;
     for (int r = 0; r < stats->n_rollers; ++r) stats->roller_out[r].peak_N = stats->roller[r].load.peak;
     for (int i = 0; i < stats->n_surfaces; ++i) line_load_record(&stats->surface_out[i], sample, i);
+    return fmin(now[0], stats->before[0]);
 }
 
 static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */

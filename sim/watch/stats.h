@@ -55,9 +55,9 @@ void stats_free(Stats *stats);
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 /* A step has ended with this pull, N; tension [joints simulated] and on_roller [rollers] are about those of its end.
  * Whether one of these has been held for two steps, falls now and is a peak that no sample has seen (EB14): then
- * stats_peak is to be told what a look at the step's end finds. */
+ * stats_peak is to be told what a look at the step's end finds, and returns the pull that both steps held, N. */
 int stats_step(Stats *stats, const Scene *scene, double pull, const double *tension, const Vec3 *on_roller);
-void stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 /* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. */
 double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j);
 /* Where along the route the pulling eye is now, the cable's front, m; travel: of the head, m. NAN if that is not

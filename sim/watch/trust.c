@@ -75,17 +75,21 @@ double steadiness_spike(const Steadiness *s, double *at)
     return peak > 0 && isfinite(beside) ? (peak - beside) / peak : 0;
 }
 
+void steadiness_raise(Steadiness *s, double pull, double t)
+{
+    double *const largest = t <= s->first ? &s->jolt : &s->later;
+    if (!(pull > *largest)) return;
+    *largest = pull;
+    if (largest == &s->jolt) s->jolt_at = t;
+}
+
 void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt)
 {
     const double from = scene->def.output.steady_from, middle = (from + scene->def.duration) / 2;
     row_record(s, sample->winch_force, sample->t, dt);
     if (!(s->first > 0)) s->first = first_moments(scene);
     if (!(sample->t > 0)) s->speed = sample->winch_speed;
-    double *const largest = sample->t <= s->first ? &s->jolt : &s->later;
-    if (sample->winch_force > *largest) {
-        *largest = sample->winch_force;
-        if (largest == &s->jolt) s->jolt_at = sample->t;
-    }
+    steadiness_raise(s, sample->winch_force, sample->t);
     if (!(sample->t - dt >= from - 1e-9)) return;
     HalfWindow *const half = &s->half[sample->t - dt / 2 > middle];
     half->pull += sample->winch_force * dt;

@@ -38,6 +38,8 @@ typedef struct Steadiness {
 
 /* Takes a sample in, dt (s) after the one before. */
 void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt);
+/* A pull that was held between two samples, N, at t. */
+void steadiness_raise(Steadiness *s, double pull, double t);
 /* By how much the pull of the window's second half differs from the first's, or from what theory has it change by as
  * the front goes on, whichever is less: a share of the mean pull, or of a tenth of the largest if that is more. 0 while
  * there is no second half. */

@@ -158,23 +158,25 @@ static void a_peak_between_rows(void **state)
     check_at_most(few.pull_peak_error.total, 0.02 * few.pull_peak_N);
 }
 
-/* A force of one step alone is none: 5 counts when the next step still holds it; and a figure that was never seen has
- * no peak to raise. */
+/* A force of one step alone is none: 5 counts when the next step still holds it, and what does then is what both held.
+ * A figure that was never seen has no peak to raise. (EB14) */
 static void a_step_alone_is_no_peak(void **state)
 {
     (void)state;
     const double pull[] = {1, 2, 9, 2, 5, 4.5, 4};
     const int held[] = {0, 0, 0, 0, 0, 1, 0};
-    Stats stats = {.pull = {.peak = 2, .started = 1}};
+    double before[2] = {0}, now[2] = {0};
+    Stats stats = {.pull = {.peak = 2, .started = 1}, .before = before, .now = now};
+    const Scene scene = {0};
     TimeMean none = {0};
-    double above;
     for (int k = 0; k < 7; k++) {
-        assert_int_equal(stats_step(&stats, pull[k], &above), held[k]);
+        assert_int_equal(stats_step(&stats, &scene, pull[k], &(double){0}, NULL), held[k]);
         if (!held[k]) continue;
-        check_close(above, 0.5, 1e-12);
-        mean_raise(&stats.pull, pull[k], 0);
+        const hawser_sample look = {.winch_force = pull[k]};
+        stats_peak(&stats, &scene, NULL, &look);
     }
     check_equal(stats.pull.peak, 4.5);
+    check_close(stats.pull.sharpness, 16 * 0.5, 1e-12);
     mean_raise(&none, 3, 0);
     check_equal(none.peak, 0);
 }

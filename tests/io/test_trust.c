@@ -242,7 +242,7 @@ static void a_shaft_without_a_brake(void **state)
     hawser_case *c = NULL;
     char *text = NULL;
     assert_int_equal(hawser_case_parse(data_with("trust", route, shaft), NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "rollers", "{}", NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "rollers", "{along: {from: 0 m, to: 100 m, spacing: 2 m, radius: 0.1 m, width: 0.4 m}}", NULL), HAWSER_OK);
     assert_int_equal(hawser_case_set(c, "drive.tail.tension", "0 N", NULL), HAWSER_OK);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
     check_has(text, "NOT TRUSTED: the cable would run away or slacken: pushed with 11.73 kN at 60.0 m");
