@@ -205,7 +205,7 @@ static void peak_watch(Sim *s)
     const hawser_sample *const look = look_now(s, SAMPLE_ROW);
     hawser_sample held = *look;
     held.winch_force = stats_peak(&s->stats, &st->scene, &st->ws.kin, look);
-    steadiness_raise(&s->steadiness, held.winch_force, held.t);
+    steadiness_held(&s->steadiness, held.winch_force, held.t);
     peaks_record(&s->peaks, &st->scene, &st->ws.kin, &held);
 }
 
