@@ -18,6 +18,7 @@ typedef struct ErrorShares {
     double still;    /* N: what a tension may waver by besides, then (EB9) */
     double placed;   /* N: what the places of joints over rollers made of the peak (EB11) */
     double rough;    /* what of second differences is the error of a peak (EB12) */
+    double slack, at_rest; /* of a peak's height above the mean and above the pull at rest, N, that what hung slack made (EB15) */
     double mesh;     /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction; /* not yet there at the speed of the pull (EB5) */
     /* by which friction falls once the cable slides, of what is left; m/s, the speed where it has; the share again, if
@@ -31,6 +32,9 @@ ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWind
 /* What a load of 1 N on the r-th roller takes from those beside the cable once it does not creep across it any more, N
  * of the pull (EB13). */
 double held_sideways(const Scene *scene, int r);
+/* What a peak owes to the length that hung slack, which nobody knows better than the mesh does; travel: of the winch up to
+ * then, m; rest: the pull at first, N (EB15). */
+double slack_share(const Scene *scene, double travel, double rest);
 /* Of the mean over the steady window; of the largest value of the run. */
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares);
 hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares);

@@ -273,6 +273,7 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     standing_force(scene, kin, sample, &here);
     stats->placed = fabs(here);
     stats->peak_speed = slowest(scene, sample);
+    stats->peak_travel = sample->winch_travel;
 }
 
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
@@ -303,6 +304,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stats->dt = dt;
     stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
+    if (stats->last_t < 0) stats->at_rest = sample->winch_force;
     if (stats->pull.at_peak) peak_record(stats, scene, kin, sample);
     mean_add(&stats->largest, fmax(sample->max_tension, sample->winch_force), dt, steady);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
@@ -436,10 +438,12 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->still = stats->still;
     shares->breaks_loose = stats->peak_speed < shares->falls_until ? shares->falls : 0;
     shares->placed = stats->placed;
+    shares->slack = slack_share(scene, stats->peak_travel, stats->at_rest);
+    shares->at_rest = stats->at_rest;
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    shares->placed = 0;                           /* of the pull alone */
+    shares->placed = shares->slack = 0;           /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);

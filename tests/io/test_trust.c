@@ -38,6 +38,9 @@
  *   a winch that is pushed, or stands still         here, a_winch_that_is_pushed, a_winch_that_stands
  *   joints in step with rollers at the peak         here, joints_in_step
  *   a start from anywhere, its peaks unresolved     here, it_begins_anywhere
+ *   a fall that hits between two rows               here, it_falls_and_hits
+ *   peaks between two rows                          io/test_error_bars, a_peak_between_rows
+ *   an S-bend whose pull is below theory            here, it_cuts_corners: it is right
  *   rollers that spin and let the cable creep aside here, it_creeps_aside
  *   peaks of breaking loose                         here, it_breaks_loose
  *   belts that share a pull by lengths alone        io/test_grips, a_shared_pull
