@@ -90,9 +90,10 @@ static hawser_condition supported_by(const Scene *scene)
                  "that of a guessed %g; give what carries it, or friction.mu",
                  scene->def.friction.mu_d);
     } else {
-        snprintf(c.remedy, sizeof c.remedy,
-                 "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
-                 "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
+        snprintf(
+            c.remedy, sizeof c.remedy,
+            "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
+            "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
     }
     return c;
 }

@@ -5,14 +5,14 @@
 #include "sim/equipment/winch.h"
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
-static const double BOOKS = 3;                              /* of what the books of a mean leave open (EB2) */
+static const double BOOKS = 3;                                /* of what the books of a mean leave open (EB2) */
 static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3.5; /* of what a figure wavers while a segment passes (EB1) */
 static const double STANDS = 0.1;      /* of a segment: if less passes, nothing of it is seen (EB9) */
 static const double ROUGH = 0.27;      /* of second differences, before a peak of a cable that began anywhere (EB12) */
 static const double EVERYWHERE = 0.25; /* of that, where only surfaces carry the cable (EB1) */
 static const double PARTLY = 0.5;      /* where rollers and surfaces do */
 static const double MESH = 5e-4;       /* of any figure, which no support shows */
-static const double SLACK = 0.07;      /* rad, by which a segment hangs off the line at most (EB15) */
+static const double SLACK = 0.065;     /* rad, by which a segment hangs off the line at most (EB15) */
 static const double SIDEWAYS = 0.1;    /* of what rollers that spin would hold (EB13) */
 static const double LEVEL = 1e-3;      /* of a bend: what is less to the side is none */
 static const double ENDS = 0.2;        /* of a segment, whose weight a clamp carries and no surface */

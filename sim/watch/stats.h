@@ -32,8 +32,8 @@ typedef struct Stats {
     double still;     /* N, of the pull: what segments may make that stand still over rollers (EB9) */
     double placed;    /* N, of the pull when it was largest: what the places of joints over rollers made of it (EB11) */
     double peak_travel, at_rest; /* m, of the winch up to then; N, of the pull at first */
-    double peak_speed; /* m/s, of the slowest segment when the pull was largest */
-    double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
+    double peak_speed;           /* m/s, of the slowest segment when the pull was largest */
+    double settled_at;           /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */
     RollerMeans *roller;

@@ -47,8 +47,8 @@ void steadiness_held(Steadiness *s, double pull, double t);
  * the front goes on, whichever is less: a share of the mean pull, or of a tenth of the largest if that is more. 0 while
  * there is no second half. */
 double steadiness_drift(const Steadiness *s);
-/* By how much the largest pull stands out of the rows before and behind it, a share of itself; *at: when, s. `rests`: the
- * cable came to rest first, and what is between two rows is not asked. */
+/* By how much the largest pull stands out of the rows before and behind it, a share of itself; *at: when, s. `rests`:
+ * the cable came to rest first, and what is between two rows is not asked. */
 double steadiness_spike(const Steadiness *s, int rests, double *at);
 
 /* What the conditions are asked of. */

@@ -187,9 +187,15 @@ static void half_a_turn(void **state)
     figures_follow(&(Figures){.n = 4, .figure = own}, &(Figures){.n = 4, .figure = other});
     check_close(other[2].value, 3.1 - 2 * M_PI, 1e-12); /* it is as near as it comes */
 
-    const char *const circle[] = {"rod.loads", "[{name: roll, at: 1 m, direction: [0, -1, 0], moment: 628.3185307 N m}]",
-                                  "output.probes", "[{name: middle, at: 0.5 m}]", "run.stability", "ignore",
-                                  "run.load_steps", "20", NULL};
+    const char *const circle[] = {"rod.loads",
+                                  "[{name: roll, at: 1 m, direction: [0, -1, 0], moment: 628.3185307 N m}]",
+                                  "output.probes",
+                                  "[{name: middle, at: 0.5 m}]",
+                                  "run.stability",
+                                  "ignore",
+                                  "run.load_steps",
+                                  "20",
+                                  NULL};
     const hawser_certify_options once = {.rounds = 1};
     Certified z = certify(data_text("certify-rod"), circle, &once);
     check_share(fabs(figure(z.cert, "rotation of middle, y")->value), M_PI, 1e-6);
@@ -278,7 +284,8 @@ int main(void)
         cmocka_unit_test(a_stiff_grip),
         cmocka_unit_test(one_thread_or_two),
         cmocka_unit_test(not_trusted),
-        cmocka_unit_test(a_rod), cmocka_unit_test(half_a_turn),
+        cmocka_unit_test(a_rod),
+        cmocka_unit_test(half_a_turn),
         cmocka_unit_test(texts),
         cmocka_unit_test(refused),
         cmocka_unit_test(levels),
