@@ -16,6 +16,8 @@ Share share_of(long hits, long n)
     return (Share){p, hits == 0 ? 0 : middle - half, hits == n ? 1 : middle + half};
 }
 
+Share share_percent(Share s) { return (Share){100 * s.value, 100 * s.low, 100 * s.high}; }
+
 /* The mean first, then the squares about it: no digits are lost to a large mean. */
 Spread spread_of(int n, const double *x)
 {

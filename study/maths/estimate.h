@@ -10,6 +10,8 @@ typedef struct Share {
 
 /* Wilson's interval (ES1) of `hits` among n independent samples; n of 0: NAN. */
 Share share_of(long hits, long n);
+/* The same in %. */
+Share share_percent(Share s);
 
 typedef struct Spread {
     long n; /* values that are known */
