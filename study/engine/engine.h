@@ -56,8 +56,8 @@ hawser_status quantities_check(const Study *s, hawser_error *err);
 
 /* ------------------------------------------------------------------------------------------------- workers' files */
 
-/* Reads every whole row that workers have left in dir/workers into `rows`, if they are of this study; cuts off what is
- * behind the last whole one. A folder without such is fine. Errors: INPUT (they are of another study), OUTPUT, MEMORY.
+/* Reads every whole row that workers have left in dir/workers into `rows`, if they are of this study; cuts off one that
+ * is not. A folder without such is fine. Errors: INPUT (they are of another study), OUTPUT, MEMORY.
  */
 hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_error *err);
 /* Makes dir/workers and says whose it is; `fresh`: what is there is removed. Errors: OUTPUT, MEMORY. */

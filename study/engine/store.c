@@ -155,12 +155,10 @@ int store_append(int fd, const Row *row, const double *value, int n_quantities)
     return n == (ssize_t)size ? 0 : n < 0 ? errno : ENOSPC;
 }
 
-/* One record at a place; 0: there is no whole one. */
-static int record_read(int fd, off_t at, int n_quantities, char *record)
+/* Whether a record is as it was written. */
+static int record_is_sound(const char *record, size_t size)
 {
-    const size_t size = record_size(n_quantities);
     Hash h;
-    if (pread(fd, record, size, at) != (ssize_t)size) return 0;
     memcpy(&h, record + size - sizeof h, sizeof h);
     return h == hash_bytes(HASH_BEGIN, record, size - sizeof h);
 }
@@ -178,26 +176,22 @@ static void record_take(const char *record, Rows *rows)
     memcpy(rows->value + (size_t)row.sample * q, record + sizeof row, q * sizeof *rows->value);
 }
 
-/* Walks over the whole records; rows NULL: just to find where they end. */
-static off_t records_walk(int fd, int n_quantities, Rows *rows)
+/* All sound records of a file. */
+static void records_take(int fd, Rows *rows)
 {
     char record[RECORD_MAX];
-    off_t at = 0;
-    for (; record_read(fd, at, n_quantities, record); at += (off_t)record_size(n_quantities)) {
-        if (rows) record_take(record, rows);
+    const size_t size = record_size(rows->n_quantities);
+    for (off_t at = 0; pread(fd, record, size, at) == (ssize_t)size; at += (off_t)size) {
+        if (record_is_sound(record, size)) record_take(record, rows);
     }
-    return at;
 }
 
 int store_mend(int fd, int n_quantities)
 {
     struct stat info;
-    const off_t size = (off_t)record_size(n_quantities);
     if (fstat(fd, &info)) return errno;
-    char record[RECORD_MAX];
-    off_t whole = info.st_size - info.st_size % size;
-    if (whole > 0 && !record_read(fd, whole - size, n_quantities, record)) whole = records_walk(fd, n_quantities, NULL);
-    return whole < info.st_size && ftruncate(fd, whole) ? errno : 0;
+    const off_t cut = info.st_size % (off_t)record_size(n_quantities);
+    return cut && ftruncate(fd, info.st_size - cut) ? errno : 0;
 }
 
 /* ----------------------------------------------------------------------------------------------------- the folder */
@@ -235,7 +229,7 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
         if (worker_path(path, dir, k, NULL)) break;
         const int fd = open(path, O_RDWR | O_CLOEXEC);
         if (fd < 0) break;
-        records_walk(fd, rows->n_quantities, rows);
+        records_take(fd, rows);
         const int number = store_mend(fd, rows->n_quantities);
         close(fd);
         if (number) return out_error(path, number, err);
@@ -243,14 +237,17 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
     return HAWSER_OK;
 }
 
-/* A small file, on the disk when this returns. */
+/* A small file, whole and on the disk when this returns, or what was there before. */
 static int write_whole(const char *path, const char *text)
 {
-    const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    char other[OUT_PATH_MAX + 4];
+    snprintf(other, sizeof other, "%s.new", path);
+    const int fd = open(other, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (fd < 0) return errno;
     const ssize_t n = write(fd, text, strlen(text));
-    const int number = n < 0 ? errno : n < (ssize_t)strlen(text) ? ENOSPC : fsync(fd) ? errno : 0;
-    return close(fd) && !number ? errno : number;
+    int number = n < 0 ? errno : n < (ssize_t)strlen(text) ? ENOSPC : fsync(fd) ? errno : 0;
+    if (close(fd) && !number) number = errno;
+    return !number && rename(other, path) ? errno : number;
 }
 
 hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_error *err)
