@@ -13,10 +13,13 @@ Share share_of(long hits, long n);
 /* The same in %. */
 Share share_percent(Share s);
 
+/* How values lie, in their own unit. */
 typedef struct Spread {
     long n; /* values that are known */
-    double mean, sd, least, most;
-    double mean_error; /* half of the 95 % interval of the mean, of independent samples */
+    double mean;
+    double sd;          /* of one value: the root of the sum of squares about the mean over n - 1 */
+    double least, most; /* of all values */
+    double mean_error;  /* half of the 95 % interval of the mean, of independent samples */
 } Spread;
 
 /* Of the finite ones of x[n]. NAN where there are too few: none, of sd and mean_error one. */

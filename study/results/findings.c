@@ -9,6 +9,13 @@
 
 /* ------------------------------------------------------------------------------------------------- verdicts, limits */
 
+/* An interval belongs to samples that are drawn: variants that somebody chose are all there are. */
+static Share share_in(const Study *s, long hits, long n)
+{
+    const Share share = share_of(hits, n);
+    return s->kind == STUDY_MONTE_CARLO ? share : (Share){share.value, NAN, NAN};
+}
+
 static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 {
     for (long i = 0; i < rows->n; i++) {
@@ -22,13 +29,13 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
     }
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
     const double there = (double)(rows->n - f->by_state[ROW_OPEN]);
-    f->not_safe = share_of(bad, judged);
+    f->not_safe = share_in(s, bad, judged);
     f->least_share = (double)bad / there;
     f->most_share = (there - (double)f->by_verdict[VERDICT_SAFE]) / there;
 }
 
 /* x: scratch [rows->n]. */
-static void limits_find(const Rows *rows, double *x, Findings *f)
+static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
     for (int k = 0; k < LIMIT_KINDS; k++) {
         LimitRow row = {.name = limits_name((LimitKind)k)};
@@ -42,7 +49,7 @@ static void limits_find(const Rows *rows, double *x, Findings *f)
         }
         if (n == 0) continue;
         row.judged = n;
-        row.share = share_percent(share_of(row.broken, n));
+        row.share = share_percent(share_in(s, row.broken, n));
         row.least = sort_finite(n, x) ? x[0] : NAN;
         row.median = quantile_of_sorted(n, x, 0.5);
         f->limit[f->n_limits++] = row;
@@ -66,10 +73,10 @@ static void quantities_find(const Study *s, const Rows *rows, double *x, Finding
     for (int q = 0; q < s->n_quantities; q++) {
         QuantityRow *const row = &f->quantity[f->n_quantities++];
         quantity_column(s, q, row->name);
-        const char *const unit = unit_of_key(s->quantity[q].path);
-        row->unit = *unit ? unit : "1";
+        row->unit = unit_of_key(s->quantity[q].path);
         values_of(rows, q, x);
         row->spread = spread_of((int)rows->n, x);
+        if (s->kind != STUDY_MONTE_CARLO) row->spread.mean_error = NAN;
         const int n = sort_finite((int)rows->n, x);
         for (int k = 0; k < 5; k++) row->percentile[k] = quantile_of_sorted(n, x, p[k]);
     }
@@ -148,7 +155,7 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
     hawser_status status = x && out->quantity && out->effect ? HAWSER_OK : error_memory(err);
     if (!status) {
         verdicts_count(s, rows, out);
-        limits_find(rows, x, out);
+        limits_find(s, rows, x, out);
         quantities_find(s, rows, x, out);
         convergence_find(s, rows, x, out);
         lost_find(rows, out);

@@ -12,7 +12,7 @@ enum { COLUMN_NAME_MAX = 160 };
 /* A quantity over all samples that have it. */
 typedef struct QuantityRow {
     char name[COLUMN_NAME_MAX];
-    const char *unit;
+    const char *unit; /* "": its path does not say */
     Spread spread;
     double percentile[5]; /* 5, 25, 50, 75, 95 % */
 } QuantityRow;
