@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "io/results/results_disk.h"
+#include "io/results/results_h5.h"
 #include "io/results/results_file.h"
 #include "study/results/results.h"
 
