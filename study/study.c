@@ -99,7 +99,19 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
 
 hawser_status hawser_study_answer(const hawser_study *s, hawser_units units, char **text, hawser_error *err)
 {
+    char *found, *whole;
     *text = NULL;
     if (s->rows.n == 0) return error_set(err, HAWSER_ERR_INPUT, "the study has not run");
-    return findings_text(s->study, &s->findings, units == HAWSER_US ? HAWSER_TABLE_US : HAWSER_TABLE, text, err);
+    const hawser_format format = units == HAWSER_US ? HAWSER_TABLE_US : HAWSER_TABLE;
+    const hawser_status status = findings_text(s->study, &s->findings, format, &found, err);
+    if (status || isnan(s->efficiency)) {
+        *text = status ? NULL : found;
+        return status;
+    }
+    const size_t size = strlen(found) + 80;
+    whole = malloc(size);
+    if (whole) snprintf(whole, size, "%s\nWorkers were busy for %.0f %% of the time\n", found, 100 * s->efficiency);
+    free(found);
+    *text = whole;
+    return whole ? HAWSER_OK : error_memory(err);
 }

@@ -14,7 +14,7 @@
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
 
-enum { STORE_FORMAT = 1, FILES_MAX = 4096, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
+enum { STORE_FORMAT = 1, FILES_MAX = 1024, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
 
 /* ------------------------------------------------------------------------------------------------------- identity */
 
@@ -228,7 +228,7 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
         char path[OUT_PATH_MAX];
         if (worker_path(path, dir, k, NULL)) break;
         const int fd = open(path, O_RDWR | O_CLOEXEC);
-        if (fd < 0) break;
+        if (fd < 0) continue; /* a worker that was killed before it made its own, or there were fewer */
         records_take(fd, rows);
         const int number = store_mend(fd, rows->n_quantities);
         close(fd);
@@ -257,7 +257,7 @@ hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_err
     if (!status) status = out_make_dir(folder, err);
     for (int k = 0; fresh && !status && k < FILES_MAX; k++) {
         status = worker_path(path, dir, k, err);
-        if (!status && unlink(path)) break;
+        if (!status) unlink(path);
     }
     if (!status) status = workers_path(path, dir, "study", err);
     if (!status) status = identity_say(s, text, err);
