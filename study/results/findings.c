@@ -137,6 +137,38 @@ static hawser_status effects_find(const Study *s, const Rows *rows, double *x, F
     return HAWSER_OK;
 }
 
+/* "count = 18, speed = 6 m/min" */
+static void variant_say(const Study *s, long i, char text[VARIANT_TEXT_MAX])
+{
+    double x[PARAMETERS_MAX];
+    char value[SETTING_MAX];
+    int n = 0;
+    study_point(s, i, x);
+    for (int j = 0; j < s->n_parameters && n < VARIANT_TEXT_MAX; j++) {
+        const char *const to = parameter_text(&s->parameter[j], x[j], value);
+        n += snprintf(text + n, (size_t)(VARIANT_TEXT_MAX - n), "%s%s = %s", j ? ", " : "", s->parameter[j].name,
+                      to ? to : "as it is");
+    }
+}
+
+/* One by one, where people can read them all. */
+static void variants_list(const Study *s, const Rows *rows, Findings *f)
+{
+    if (s->kind >= STUDY_MONTE_CARLO || rows->n > VARIANTS_MAX) return;
+    for (long i = 0; i < rows->n; i++) {
+        const Row *const row = &rows->row[i];
+        VariantRow *const to = &f->variant[f->n_variants];
+        if (row->state != ROW_DONE) continue;
+        *to = (VariantRow){.sample = i,
+                           .verdict = row_verdicts[row->verdict],
+                           .limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by),
+                           .margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by],
+                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->n_quantities] : NAN};
+        variant_say(s, i, to->values);
+        f->n_variants++;
+    }
+}
+
 static void lost_find(const Rows *rows, Findings *f)
 {
     const int most = sizeof f->lost / sizeof *f->lost;
@@ -158,6 +190,7 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
         limits_find(s, rows, x, out);
         quantities_find(s, rows, x, out);
         convergence_find(s, rows, x, out);
+        variants_list(s, rows, out);
         lost_find(rows, out);
         status = effects_find(s, rows, x, out, err);
     }

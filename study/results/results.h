@@ -41,6 +41,16 @@ typedef struct EffectRow {
     MorrisEffect effect;
 } EffectRow;
 
+/* A variant of a grid or list: what is set, and what came of it. */
+enum { VARIANTS_MAX = 50, VARIANT_TEXT_MAX = 200 };
+typedef struct VariantRow {
+    long sample;
+    char values[VARIANT_TEXT_MAX];
+    const char *verdict, *limited_by;
+    double margin;   /* the least */
+    double quantity; /* the first */
+} VariantRow;
+
 /* A sample without an answer. */
 typedef struct LostRow {
     long sample;
@@ -52,9 +62,10 @@ typedef struct Findings {
     long runs, changed; /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
     Share not_safe;     /* among those that are safe or not safe; of 1 */
     double least_share, most_share; /* if all others were safe, if none were; of 1 */
-    int n_quantities, n_limits, n_convergence, n_effects, n_lost;
-    QuantityRow *quantity;       /* owned, as what follows */
-    LimitRow limit[LIMIT_KINDS]; /* [n_limits] */
+    int n_quantities, n_limits, n_variants, n_convergence, n_effects, n_lost;
+    QuantityRow *quantity;            /* owned, as what follows */
+    LimitRow limit[LIMIT_KINDS];      /* [n_limits] */
+    VariantRow variant[VARIANTS_MAX]; /* [n_variants] of a study that has no more */
     ConvergenceRow convergence[64];
     EffectRow *effect;
     LostRow lost[10]; /* the first ones */

@@ -48,6 +48,15 @@ static const Column limit_columns[] = {
     PLAIN("median_margin", "median", LimitRow, median, 3),
 };
 
+static const Column variant_columns[] = {
+    {COLUMN("sample", LONG, VariantRow, sample), .label = "sample"},
+    {COLUMN("values", CHARS, VariantRow, values), .label = "with"},
+    {COLUMN("verdict", TEXT, VariantRow, verdict), .label = "verdict"},
+    {COLUMN("limited_by", TEXT, VariantRow, limited_by), .label = "limited by"},
+    PLAIN("least_margin", "margin", VariantRow, margin, 3),
+    PLAIN("first_quantity", "first quantity", VariantRow, quantity, -1),
+};
+
 static const Column convergence_columns[] = {
     {COLUMN("samples", LONG, ConvergenceRow, n), .label = "by samples"},
     SHARE("not_safe", "NOT SAFE, %", ConvergenceRow, share),
@@ -200,6 +209,8 @@ static int tables_list(const Study *s, const Findings *f, Table *table)
 {
     int n = 0;
     const Columns sobol = COLUMNS(EffectRow, sobol_columns), morris = COLUMNS(EffectRow, morris_columns);
+    table_add(table, &n, "variants", "Variants", (Columns)COLUMNS(VariantRow, variant_columns), f->n_variants,
+              f->variant);
     table_add(table, &n, "quantities", "Quantities", (Columns)COLUMNS(QuantityRow, quantity_columns), f->n_quantities,
               f->quantity);
     table_add(table, &n, "limits", "Limits", (Columns)COLUMNS(LimitRow, limit_columns), f->n_limits, f->limit);

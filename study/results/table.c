@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "io/results/results_h5.h"
 #include "io/results/results_file.h"
+#include "io/results/results_h5.h"
 #include "study/results/results.h"
 
 const char *parameter_column(const Parameter *p, char name[COLUMN_NAME_MAX])

@@ -20,7 +20,7 @@ cmp -s "$work/before" "$work/friction/samples.csv" || fail "the second time the 
 run_hawser 0 study "$source/cases/studies/what-matters.yaml" -o matters --quiet --jobs 2
 grep -q '"parameter": "friction"' "$work/matters/summary.json" || fail "no indices in summary.json"
 run_hawser 0 study "$source/cases/studies/spacing.yaml" --units us
-says out "2 of 4 variants are NOT SAFE, limited by roller_steady in 2" "lbf" "Results in results/spacing/"
+says out "2 of 4 variants are NOT SAFE, limited by roller_steady in 2" "count = 18" "count = 48" "lbf" "Results in results/spacing/"
 exists results/spacing/samples.csv
 
 # stopped by a signal: the rows so far are kept, and it goes on
