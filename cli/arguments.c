@@ -23,9 +23,12 @@ enum {
     OPTION_PROFILE = 'p',
     OPTION_DEVIATION = 'd',
     OPTION_RADIUS = 'R',
+    OPTION_JOIN = 'J',
     OPTION_JSON = 'j',
     OPTION_JOBS = 'J',
     OPTION_FRESH = 'N',
+    OPTION_REPORT = 'e',
+    OPTION_PDF = 'P',
     KNOWN_MAX = 20
 };
 
@@ -53,9 +56,12 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"profile", required_argument, NULL, OPTION_PROFILE},
                                             {"tolerance", required_argument, NULL, OPTION_DEVIATION},
                                             {"radius", required_argument, NULL, OPTION_RADIUS},
+                                            {"join", required_argument, NULL, OPTION_JOIN},
                                             {"json", no_argument, NULL, OPTION_JSON},
                                             {"jobs", required_argument, NULL, OPTION_JOBS},
                                             {"fresh", no_argument, NULL, OPTION_FRESH},
+                                            {"report", no_argument, NULL, OPTION_REPORT},
+                                            {"pdf", no_argument, NULL, OPTION_PDF},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -201,6 +207,8 @@ static int take_route_option(int letter, hawser_route_options *route)
         return parse_length("to", optarg, &route->to_m);
     case OPTION_DEVIATION:
         return parse_length("tolerance", optarg, &route->tolerance_m);
+    case OPTION_JOIN:
+        return parse_length("join", optarg, &route->join_m);
     case OPTION_RADIUS:
         return parse_length("radius", optarg, &route->radius_m);
     default:
@@ -233,7 +241,7 @@ static int parse_setting(char *text, Arguments *args)
 static int take_option(const Command *command, int letter, Arguments *args)
 {
     const int of_route[] = {OPTION_NAME, OPTION_LAYER,   OPTION_FILE_UNITS, OPTION_REVERSE, OPTION_FROM,
-                            OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS};
+                            OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS,  OPTION_JOIN};
     for (size_t i = 0; i < sizeof of_route / sizeof *of_route; i++) {
         if (letter == of_route[i]) return take_route_option(letter, &args->route);
     }
@@ -280,6 +288,12 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_STRICT:
         args->strict = 1;
         return ARGUMENTS_GO_ON;
+    case OPTION_REPORT:
+        args->report = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_PDF:
+        args->report = args->pdf = 1;
+        return ARGUMENTS_GO_ON;
     case 'q':
         args->quiet = 1;
         return ARGUMENTS_GO_ON;
@@ -301,6 +315,13 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         if (optind < argc) args->filter = argv[optind++];
         if (optind == argc) return ARGUMENTS_GO_ON;
         complain("%s takes a kind and a pattern; what is '%s'?", command->name, argv[optind]);
+        return EXIT_USAGE;
+    }
+    if (strchr(command->options, '*')) {
+        args->words = argv + optind;
+        args->n_words = argc - optind;
+        if (args->n_words > 0) return ARGUMENTS_GO_ON;
+        complain("%s needs a folder with results, as in: hawser %s results/huangjiahu", command->name, command->name);
         return EXIT_USAGE;
     }
     if (strchr(command->options, '-')) {

@@ -27,7 +27,6 @@ typedef enum hawser_status {
 } hawser_status;
 
 enum { HAWSER_MESSAGE_MAX = 1024 };
-
 typedef struct hawser_error {
     hawser_status status;
     char message[HAWSER_MESSAGE_MAX];
@@ -239,11 +238,12 @@ const char *hawser_sim_title(const hawser_sim *s);
 #ifdef __cplusplus
 }
 #endif
+
 #include "hawser/certify.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
+#include "hawser/report.h"
 #include "hawser/route.h"
-#include "hawser/shown.h"
 #include "hawser/study.h"
 #include "hawser/validate.h"
 

@@ -17,6 +17,7 @@ LIBRARIES = [
     (r"jansson\.h$", r"io/|survey/map/|study/engine/"),
     (r"yaml\.h$", r"io/"),
     (r"hdf5\w*\.h$", r"io/|study/results/"),
+    (r"zlib\.h$", r"io/report/"),
 ]
 
 
