@@ -162,16 +162,11 @@ test('prints on A4 and Letter with static figures in colours for paper', async (
   await close();
 });
 
-test('paper has a picture of the view; the plan has a table; sentences follow the units', async () => {
+test('the plan has a table, and sentences follow the units', async () => {
   const { page, close } = await open(report(run()));
   assert.ok((await savedCsv(page, '#figure-plan')).length > 81, 'all points of the route and what stands on it');
   await page.getByText('US', { exact: true }).click();
   assert.match(await page.locator('#verdict').innerText(), /at 56\.1\u00a0ft \(bend\)/);
-  await page.waitForFunction(() => /^At /.test(document.querySelector('.view-words p')?.textContent ?? ''));
-  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-  assert.match(await page.locator('.view-paper image').getAttribute('href'), /^data:image\/png;base64,.{2000}/);
-  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
-  assert.equal(await page.locator('.view-paper').count(), 0);
   await close();
 });
 
