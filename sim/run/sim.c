@@ -355,6 +355,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     const Unsettled refused = steadiness_refused(&s->steadiness, scene->def.solver.relax && s->relaxation.reached);
     shares.drift = refused.drift;
     shares.stands_out = refused.stands_out;
+    shares.start = scene->def.solver.relax ? 0 : s->passing.start.force;
     return shares;
 }
 

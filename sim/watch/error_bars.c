@@ -156,7 +156,8 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double loose = fmin(shares->breaks_loose * mean, fmax(0, size - mean));
     if (!figure->started) return bar(NAN, NAN, NAN);
     const double passes = fmax(WAVER_OF_PEAK * waver(figure, shares), shares->placed);
-    const double rough = fmax(shares->rough * sqrt(figure->rough_at_peak), shares->stands_out * size);
+    const double hits = fmax(shares->stands_out * size, fmin(size, shares->start - size));
+    const double rough = fmax(shares->rough * sqrt(figure->rough_at_peak), hits);
     const double jerk = shares->slack * fmax(0, size - fmax(mean, shares->at_rest));
     return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size + jerk,
                shares->friction * size + loose);
