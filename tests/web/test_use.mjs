@@ -169,6 +169,8 @@ test('light and dark follow the reader’s system, and the switch', async () => 
   await page.getByText('Light', { exact: true }).click();
   assert.equal(await ground(), 'rgb(244, 246, 248)');
   await page.emulateMedia({ colorScheme: 'light' });
+  // The page hears of a change with its next picture: of two in between of none.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   await page.emulateMedia({ colorScheme: 'dark' });
   await page.waitForFunction(() => document.documentElement.dataset.theme === 'dark');
   assert.ok(await page.getByLabel('Dark').isChecked());

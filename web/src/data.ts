@@ -108,6 +108,8 @@ export interface Roller {
 }
 
 export interface Surface {
+  from_m?: Value;
+  to_m?: Value;
   name: string;
   kind: string;
   points_m: Point[];
