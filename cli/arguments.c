@@ -25,7 +25,7 @@ enum {
     OPTION_RADIUS = 'R',
     OPTION_JOIN = 'J',
     OPTION_JSON = 'j',
-    OPTION_JOBS = 'J',
+    OPTION_JOBS = 'K',
     OPTION_FRESH = 'N',
     OPTION_REPORT = 'e',
     OPTION_PDF = 'P',
@@ -338,7 +338,7 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
             complain("%s takes one file; what is '%s'?", command->name, argv[optind + 1]);
         else
             complain("%s needs a file, as in: hawser %s tunnel.dxf", command->name, command->name);
-    } else if (strchr(command->options, 'J') && optind + 1 >= argc) {
+    } else if (strchr(command->options, OPTION_JOBS) && optind + 1 >= argc) {
         complain("%s needs a study file, as in: hawser %s cases/studies/friction.yaml", command->name, command->name);
     } else if (optind + 1 < argc) {
         complain("%s takes one case file; what is '%s'?", command->name, argv[optind + 1]);

@@ -71,4 +71,4 @@ static int study(const Arguments *args)
 }
 
 const Command command_study = {"study", "many variants of a case: how likely is a broken limit, and what matters",
-                               "ouqJN", help, study};
+                               "ouqKN", help, study};
