@@ -24,7 +24,7 @@ static void workers_alike(void **state)
     (void)state;
     const char *const lines[] = {drawn, runs};
     for (int k = 0; k < 2; k++) {
-        char one[8], two[8], four[8];
+        char one[20], two[20], four[20];
         snprintf(one, sizeof one, "one%d", k);
         snprintf(two, sizeof two, "two%d", k);
         snprintf(four, sizeof four, "four%d", k);

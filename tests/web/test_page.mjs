@@ -189,6 +189,16 @@ test('results of an older program: a sentence in place of every missing part', a
   await close();
 });
 
+test('a rod, which lies along no route, is played all the same', async () => {
+  const rod = run();
+  rod.geometry.route = { s_m: null, position_m: null, curvature_per_m: null };
+  const { page, heard, close } = await open(report(rod));
+  await page.locator('#view').scrollIntoViewIfNeeded();
+  await page.locator('#view canvas').first().waitFor();
+  assert.deepEqual(heard, []);
+  await close();
+});
+
 test('data of another format are refused with a sentence', async () => {
   const { page, close } = await open({ ...report(run()), format: 99 });
   assert.match(await page.locator('[role=alert]').innerText(), /format 99/);
