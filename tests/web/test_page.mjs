@@ -191,6 +191,7 @@ test('results of an older program: a sentence in place of every missing part', a
 
 test('a rod, which lies along no route, is played all the same', async () => {
   const rod = run();
+  Object.assign(rod.geometry, { rollers: [], surfaces: [], conveyors: [], reel: null, winch: null });
   rod.geometry.route = { s_m: null, position_m: null, curvature_per_m: null };
   const { page, heard, close } = await open(report(rod));
   await page.locator('#view').scrollIntoViewIfNeeded();

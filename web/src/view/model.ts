@@ -58,6 +58,11 @@ export function modelOf(run: RunData): Model {
   const extent = route.filter((_, i) => i % stride === 0 || i === route.length - 1);
   if (geometry?.reel) extent.push(at(geometry.reel.center_m));
   if (geometry?.winch && nearRoute(route, at(geometry.winch.position_m))) extent.push(at(geometry.winch.position_m));
+  if (extent.length === 0) {
+    // a rod without a route begins at the origin, whichever way it points
+    const length = chain ? chain.length_m.reduce((a, b) => a + b, 0) : 1;
+    extent.push([-length, 0, 0], [length, 0, 0]);
+  }
   return {
     run,
     centre,
