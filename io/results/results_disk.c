@@ -67,7 +67,7 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     *info->error = 0; /* HDF5 tries softer ways to open a file first */
     f->fd = fd;
     f->error = info->error;
-    f->size = (haddr_t)state.st_size;
+    f->size = f->kept = (haddr_t)state.st_size;
     f->device = state.st_dev;
     f->inode = state.st_ino;
     return &f->base;

@@ -432,6 +432,19 @@ static double conveyors_next_stop(const Room *room, const Scene *scene, double t
     return next;
 }
 
+static void conveyors_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene;
+    const Conveyors *const all = room->self;
+    ConveyorRange *const range = ws->room[room->number];
+    for (int i = 0; i < all->n; ++i) {
+        CHECKPOINT_UP_TO(c, &range[i], ConveyorRange, n);
+        checkpoint_put(c, "range[i].x", range[i].x, (size_t)range[i].n * sizeof(double));
+        checkpoint_put(c, "range[i].lean", range[i].lean, (size_t)range[i].n * sizeof(double));
+        CHECKPOINT_UP_TO(c, &all->filled[i], Filled, says);
+    }
+}
+
 /* What conveyor i does, for the kinematics in the workspace. */
 static ConveyorNow now_of(const Room *room, const Moment *m, int i)
 {
@@ -532,6 +545,7 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .watches = conveyors_watch,
                                 .happen = conveyors_happen,
                                 .next_stop = conveyors_next_stop,
+                                 .checkpoint = conveyors_checkpoint,
                                 .work = conveyors_work,
                                 .machines = &CONVEYORS,
                                 .pushers = conveyors_pushers,

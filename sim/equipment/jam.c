@@ -133,6 +133,16 @@ static double jams_next_stop(const Room *room, const Scene *scene, double t)
     return next;
 }
 
+static void jams_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene, (void)ws;
+    const Jams *const all = room->self;
+    for (int i = 0; i < all->n; ++i) {
+        CHECKPOINT(c, all->item[i].doing);
+        profile_checkpoint(c, &all->item[i].seizure.share, &all->item[i].seizure.share);
+    }
+}
+
 const RoomKind JAM_ROOM = {.name = "jams",
                            .build = jams_build,
                            .finish = jams_finish,
@@ -140,4 +150,5 @@ const RoomKind JAM_ROOM = {.name = "jams",
                            .watches = jams_watch,
                            .happen = jams_happen,
                            .next_stop = jams_next_stop,
+                           .checkpoint = jams_checkpoint,
                            .in_space = "something jams in mid-run, which theory does not know"};

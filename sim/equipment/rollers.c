@@ -312,6 +312,19 @@ static void rollers_accept(const Room *room, const Moment *m)
     }
 }
 
+static void rollers_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene;
+    const Rollers *const all = room->self;
+    for (int p = 0; p < PARTS; ++p) {
+        contact_pairs_checkpoint(c, &ws->contact[p].model, &ws->contact[p].pairs);
+        CHECKPOINT(c, ws->contact[p].seconds);
+    }
+    if (all->equipment.n > 0)
+        checkpoint_put(c, "equipment->stood", ws->equipment->stood,
+                       2 * (size_t)all->equipment.n * sizeof *ws->equipment->stood);
+}
+
 /* ----------------------------------------------------------------------------------------------------- to look at */
 
 static void rollers_work(const Room *room, const Moment *m, BalanceRates *out)
@@ -367,6 +380,7 @@ const RoomKind ROLLERS_ROOM = {.name = "rollers",
                                .candidates = rollers_candidates,
                                .remembers = rollers_remember,
                                .accept = rollers_accept,
+                               .checkpoint = rollers_checkpoint,
                                .work = rollers_work,
                                .stock = rollers_stock,
                                .look = rollers_look,

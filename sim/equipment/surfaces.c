@@ -178,6 +178,12 @@ static void surfaces_accept(const Room *room, const Moment *m)
     }
 }
 
+static void surfaces_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) surface_pairs_checkpoint(c, &ws->contact[p].surface, scene->chain.n);
+}
+
 static void surfaces_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     (void)room;
@@ -224,6 +230,7 @@ const RoomKind SURFACES_ROOM = {.name = "surfaces",
                                 .candidates = surfaces_candidates,
                                 .remembers = surfaces_remember,
                                 .accept = surfaces_accept,
+                                .checkpoint = surfaces_checkpoint,
                                 .work = surfaces_work,
                                 .stock = surfaces_stock,
                                 .look = surfaces_look,

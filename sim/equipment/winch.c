@@ -443,6 +443,19 @@ static const char *winch_not_planar(const Room *room, const Scene *scene)
     return w->mode == WINCH_SPEED ? NULL : "the winch pulls with a set tension";
 }
 
+static void winch_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene, (void)ws;
+    Winch *const w = room->self;
+    WinchPhase *const now = &w->phase;
+    CHECKPOINT(c, now->doing);
+    profile_checkpoint(c, &now->speed, &w->speed);
+    CHECKPOINT_FROM(c, now, WinchPhase, since);
+    CHECKPOINT(c, w->origin);
+    CHECKPOINT(c, w->attitude);
+    CHECKPOINT(c, w->take_in);
+}
+
 const RoomKind WINCH_ROOM = {.name = "winch",
                              .build = winch_build,
                              .join = winch_join,
@@ -452,6 +465,7 @@ const RoomKind WINCH_ROOM = {.name = "winch",
                              .watches = winch_watches,
                              .happen = winch_happen,
                              .next_stop = winch_next_stop,
+                             .checkpoint = winch_checkpoint,
                              .work = winch_work,
                              .look = winch_look,
                              .not_planar = winch_not_planar};

@@ -396,3 +396,104 @@ hawser_status stage_step(Stage *st, double stop, hawser_error *err)
     const hawser_status status = stage_integrate(st, stop, err);
     return status ? status : stage_settle(st, err);
 }
+
+/* ------------------------------------------------------------------------------------------------- checkpoints */
+
+/* Which segments are simulated, and what is made for these: nothing of what it holds counts. */
+static hawser_status window_again(Stage *st, int first, int n, hawser_error *err)
+{
+    Scene *const scene = &st->scene;
+    Team *const team = st->ws.team;
+    const StopCheck stop = st->ws.stop;
+    double *const y = aligned_array_new(st->motion->size + STATE_SIZE * (n - scene->chain.n));
+    if (!y) return error_memory(err);
+    free(st->y);
+    st->y = y;
+    workspace_free(&st->ws);
+    if (st->whole.n > 0 && !window_open(st, first, n)) return error_memory(err);
+    if (!workspace_alloc(&st->ws, scene, team)) return error_memory(err);
+    st->ws.stop = stop;
+    if (st->motion != &st->spatial.motion) return HAWSER_OK;
+    newton_free(&st->newton);
+    return spatial_new(st, err);
+}
+
+/* The integrator and the books, for the state of now. */
+static hawser_status steps_again(Stage *st, hawser_error *err)
+{
+    st->integrator = integrator_free(st->integrator);
+    st->balance = balance_free(st->balance);
+    hawser_status status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
+    if (!status) status = integrator_prepare(st->integrator, st->t, err);
+    if (!status) status = balance_new(st->motion, st->t, st->y, &st->balance, err);
+    return status;
+}
+
+static void critical_checkpoint(Checkpoint *c, hawser_critical *k, int n)
+{
+    const size_t bytes = 6 * (size_t)n * sizeof *k->shape;
+    int shaped = k->shape != NULL;
+    CHECKPOINT_UP_TO(c, k, hawser_critical, kind);
+    checkpoint_text(c, "k->kind", &k->kind);
+    CHECKPOINT(c, k->unstable);
+    CHECKPOINT(c, k->at);
+    CHECKPOINT(c, k->direction);
+    CHECKPOINT(c, shaped);
+    if (c->reading && shaped) k->shape = malloc(bytes);
+    if (shaped && !k->shape) checkpoint_lack(c);
+    if (shaped) checkpoint_put(c, "k->shape", (double *)(uintptr_t)k->shape, bytes);
+}
+
+static void stability_checkpoint(Checkpoint *c, Stability *s, int n)
+{
+    int count = s->n;
+    CHECKPOINT(c, count);
+    if (!checkpoint_check(c, count >= 0 && count < INT16_MAX, "a number of loads is impossible")) return;
+    if (c->reading) {
+        critical_free(s);
+        s->critical = calloc((size_t)count + 1, sizeof *s->critical);
+        s->n = s->room = s->critical ? count : 0;
+        if (!s->critical) checkpoint_lack(c);
+    }
+    CHECKPOINT_UP_TO(c, s, Stability, n);
+    for (int k = 0; !c->status && k < count; ++k) critical_checkpoint(c, &s->critical[k], n);
+}
+
+hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+{
+    Scene *const scene = &st->scene;
+    const int chain = scene->chain.n, moves = st->whole.n > 0;
+    int first = scene->first, n = chain, steps = st->integrator != NULL;
+    hawser_status status = HAWSER_OK;
+    const char *why;
+    if (!c->reading && steps && !integrator_known(st->integrator, &why))
+        return error_set(err, HAWSER_ERR_RUN, "%s", why);
+    CHECKPOINT(c, st->t);
+    CHECKPOINT(c, first);
+    CHECKPOINT(c, n);
+    CHECKPOINT(c, st->joined);
+    CHECKPOINT(c, st->left);
+    CHECKPOINT(c, steps);
+    CHECKPOINT(c, scene->reel->present);
+    const int fits = moves ? first >= 0 && n >= 2 && n <= scene->total - first : first == scene->first && n == chain;
+    if (!checkpoint_check(c, fits, "another part of the chain is simulated")) return HAWSER_OK;
+    if (c->reading) status = window_again(st, first, n, err);
+    if (status) return status;
+    checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
+    if (c->reading && !c->status && steps) {
+        double *const y = malloc((size_t)st->motion->size * sizeof *y); /* which the short step moves on */
+        if (!y) return error_memory(err);
+        memcpy(y, st->y, (size_t)st->motion->size * sizeof *y);
+        status = steps_again(st, err);
+        memcpy(st->y, y, (size_t)st->motion->size * sizeof *y);
+        free(y);
+    }
+    if (status || c->status) return status;
+    workspace_checkpoint(c, &st->ws);
+    st->motion->ops->checkpoint(c, st->motion);
+    if (steps) integrator_checkpoint(c, st->integrator);
+    if (steps) balance_checkpoint(c, st->balance, st->motion);
+    CHECKPOINT(c, st->balance_s);
+    stability_checkpoint(c, &st->stability, scene->chain.n);
+    return HAWSER_OK;
+}

@@ -14,6 +14,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
+#include "sim/step/cvode_memory.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
@@ -496,4 +497,44 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
     stats->lin_setups += before->lin_setups;
     stats->error_fails += before->error_fails;
     stats->newton_fails += before->newton_fails;
+}
+
+/* ------------------------------------------------------------------------------------------------- checkpoints */
+
+int integrator_known(const Integrator *in, const char **why) { return cvode_memory_known(in->cvode, why); }
+
+/* So short that it cannot fail where a run has been, and yet longer than t's rounding. */
+static const double SHORT = 1e-9, SHORT_OF_TIME = 1e-12; /* s, share of t */
+
+hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err)
+{
+    const char *why;
+    double reached;
+    int flag = CVodeSetInitStep(in->cvode, fmax(SHORT, SHORT_OF_TIME * fabs(t)));
+    if (flag == CV_SUCCESS) flag = CVode(in->cvode, t + 1, in->state, &reached, CV_ONE_STEP);
+    vector_family_settle(&in->family);
+    if (flag < 0) return error_set(err, HAWSER_ERR_RUN, "no step is possible where the checkpoint was made: %s", in->complaint);
+    return integrator_known(in, &why) ? HAWSER_OK : error_set(err, HAWSER_ERR_RUN, "%s", why);
+}
+
+void integrator_checkpoint(Checkpoint *c, Integrator *in)
+{
+    N_Vector history[CVODE_HISTORY_MAX];
+    const size_t bytes = (size_t)in->motion->size * sizeof(double);
+    vector_family_settle(&in->family);
+    CHECKPOINT(c, in->way);
+    CHECKPOINT(c, in->speed);
+    CHECKPOINT(c, in->speed_at);
+    CHECKPOINT(c, in->stop);
+    CHECKPOINT(c, in->gamma);
+    CHECKPOINT(c, in->stalled);
+    CHECKPOINT(c, in->stats);
+    CHECKPOINT(c, in->before);
+    cvode_memory_checkpoint(c, in->cvode);
+    if (c->status) return;
+    const int n = cvode_memory_history(in->cvode, history);
+    for (int k = 0; k < n; ++k) checkpoint_put(c, "history", NV_DATA_S(history[k]), bytes);
+    if (!c->reading || c->status) return;
+    state_keep(in);
+    in->weighted = NULL;
 }

@@ -44,4 +44,12 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
 const double *integrator_rates(Integrator *in, double *h);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 
+/* Gets a fresh one ready to be read from a checkpoint: a short step from (t, y) sets it up, of which nothing stays but
+ * what is read over: y, the workspace, the motion's own. Errors: RUN (a SUNDIALS whose state is not known). */
+hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err);
+/* Whether its state can be saved; *why says why not. */
+int integrator_known(const Integrator *in, const char **why);
+/* Steps, orders and history; y, the workspace and the motion's own are not its. */
+void integrator_checkpoint(Checkpoint *c, Integrator *in);
+
 #endif

@@ -277,3 +277,17 @@ const hawser_balance *balance_close(Balance *b, Motion *motion, double t, const 
     momentum_close(b, &b->out);
     return &b->out;
 }
+
+void balance_checkpoint(Checkpoint *c, Balance *b, const Motion *motion)
+{
+    if (c->reading && !room_renew(b, motion)) checkpoint_lack(c);
+    CHECKPOINT_UP_TO(c, b, Balance, past);
+    checkpoint_put(c, "b->past", b->past, (size_t)motion_past(motion) * sizeof *b->past);
+    CHECKPOINT(c, b->opened);
+    CHECKPOINT(c, b->at_window);
+    CHECKPOINT(c, b->stored_at_window);
+    CHECKPOINT(c, b->weight);
+    CHECKPOINT(c, b->first);
+    CHECKPOINT(c, b->here);
+    CHECKPOINT(c, b->carried_momentum);
+}
