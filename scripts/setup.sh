@@ -12,7 +12,7 @@ set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev
-    libcmocka-dev liblapacke-dev python3 valgrind"
+    libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 deb_packages="debhelper lintian fakeroot"
