@@ -1,5 +1,5 @@
 // Colours of the scene on light and dark ground.
-import type { Theme } from '../state';
+import type { Theme } from '../../state';
 
 export interface Palette {
   ground: string;

@@ -2,7 +2,7 @@
 import { Matrix4, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { type Pose, poseAt, poseBetween } from './cameras';
-import { size, sub, type Vec3 } from './path';
+import { size, sub, type Vec3 } from '../states/path';
 import type { Shared } from './shaders';
 
 /** How long the camera takes to a preset, s. */

@@ -1,13 +1,13 @@
 // What the inspector shows of a roller or a place.
-import type { RunData } from '../data';
-import type { UnitSystem } from '../state';
-import { scaleOf, show } from '../units';
-import { Frames } from './frames';
+import type { RunData } from '../../data';
+import type { UnitSystem } from '../../state';
+import { scaleOf, show } from '../../units';
+import { Frames } from '../states/frames';
 import type { Picked } from './inspector';
-import type { Model } from './model';
-import type { Now } from './now';
-import { unpackField } from './packed';
-import { lengthText, type Quantity } from './quantity';
+import type { Model } from '../states/model';
+import type { Now } from '../states/now';
+import { unpackField } from '../states/packed';
+import { lengthText, type Quantity } from '../states/quantity';
 
 const FORCE = 'force';
 

@@ -1,6 +1,6 @@
 // What the chain can be coloured by, and words for places and times.
-import type { UnitSystem } from '../state';
-import { scaleOf, type Unit } from '../units';
+import type { UnitSystem } from '../../state';
+import { scaleOf, type Unit } from '../../units';
 
 export interface Quantity {
   /** Name of the field in the states. */

@@ -1,7 +1,7 @@
 // Figures over time of what was picked: a roller's load, or the chain's field at a place.
 import uPlot from 'uplot';
-import { button, el } from '../dom';
-import type { Theme } from '../state';
+import { button, el } from '../../dom';
+import type { Theme } from '../../state';
 
 export interface Picked {
   title: string;

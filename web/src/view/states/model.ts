@@ -1,9 +1,15 @@
 // A run as the view needs it: everything about a centre near the scene, so that single precision is enough on the graphics card.
-import type { Point, RunData } from '../data';
+import type { Point, RunData } from '../../data';
 import { type Bend, bendsOf, turning } from './bends';
-import type { ChainDef } from './chain_rings';
 import type { Frames } from './frames';
 import { direction, Path, size, sub, type Vec3 } from './path';
+
+export interface ChainDef {
+  segments: number;
+  length_m: readonly number[];
+  diameter_m: readonly number[];
+  part: readonly number[];
+}
 
 export interface Model {
   run: RunData;

@@ -13,8 +13,9 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import { type ChainDef, ChainRings, RINGS_A_ROW, type Stretch, TEXELS } from './chain_rings';
-import { colourRow } from './colours';
+import { ChainRings, RINGS_A_ROW, type Stretch, TEXELS } from './chain_rings';
+import type { ChainDef } from '../states/model';
+import { colourRow } from '../states/colours';
 import { lighting, type Shared, spread } from './shaders';
 
 const SIDES = 12;

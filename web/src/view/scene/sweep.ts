@@ -1,7 +1,7 @@
 // Profiles swept along a line: ducts, floors, belts, the route itself. Corners keep where they stand on the route apart from their offset from it
 // (material.ts), so that the exaggeration of cross-sections is a single number on the graphics card.
 import { BufferGeometry, Float32BufferAttribute } from 'three';
-import { add, cross, direction, dot, size, sub, type Vec3 } from './path';
+import { add, cross, direction, dot, size, sub, type Vec3 } from '../states/path';
 
 /** A corner of a profile: across the line (to the left) and above it, m; the part of it that only grows to stay wider than the cable. */
 export interface Corner {

@@ -1,11 +1,6 @@
 // The chain as rings across it: from segment centres to centres, normals and radii of a tube, in arrays for the graphics card.
 
-export interface ChainDef {
-  segments: number;
-  length_m: readonly number[];
-  diameter_m: readonly number[];
-  part: readonly number[];
-}
+import type { ChainDef } from '../states/model';
 
 /** Texels of a ring: centre and value; normal and radius; tangent and arc length. */
 export const TEXELS = 3;

@@ -1,11 +1,11 @@
 // Labels that stand still: ends of the route, bends, machines, conveyors, distances.
-import type { UnitSystem } from '../state';
-import { scaleOf } from '../units';
+import type { UnitSystem } from '../../state';
+import { scaleOf } from '../../units';
 import type { Label, Labels } from './labels';
-import type { Model } from './model';
-import { lengthText } from './quantity';
-import { ticksOf } from './scale';
-import { bendText } from './tool_bar';
+import type { Model } from '../states/model';
+import { lengthText } from '../states/quantity';
+import { ticksOf } from '../states/scale';
+import { bendText } from '../states/bends';
 
 /** About how many distances stand along the route. */
 const DISTANCES = 10;

@@ -9,11 +9,11 @@ import {
   ShaderMaterial,
   Vector3,
 } from 'three';
-import type { Conveyor, Surface } from '../data';
+import type { Conveyor, Surface } from '../../data';
 import { faceMaterial, type Look, screenColour } from './material';
-import type { Model } from './model';
+import type { Model } from '../states/model';
 import type { Palette } from './palette';
-import { direction, type Vec3 } from './path';
+import { direction, type Vec3 } from '../states/path';
 import { obstacleMeshes, reelAngle, reelMesh, reelSpokes, winchMesh } from './machines';
 import type { Shared } from './shaders';
 import { box, circle, type Corner, refined, sweepGeometry } from './sweep';

@@ -1,7 +1,7 @@
 // Words in the scene: HTML over the picture, so that they are sharp and readable; those of less weight give way.
 import type { Matrix4 } from 'three';
-import { el } from '../dom';
-import type { Vec3 } from './path';
+import { el } from '../../dom';
+import type { Vec3 } from '../states/path';
 import { project, type Screen, screenOf } from './pick';
 
 export interface Label {

@@ -1,8 +1,8 @@
 // Play, time slider, events, rate, follow.
-import { el, svg } from '../dom';
-import type { PullEvent } from '../data';
-import { type Playback, RATES } from './playback';
-import { timeText } from './quantity';
+import { el, svg } from '../../dom';
+import type { PullEvent } from '../../data';
+import { type Playback, RATES } from '../states/playback';
+import { timeText } from '../states/quantity';
 
 export interface PlayerActions {
   toggle(): void;

@@ -1,6 +1,8 @@
 // The bends of a route, from its curvature.
-import type { Value } from '../data';
+import type { Value } from '../../data';
+import type { UnitSystem } from '../../state';
 import { cross, direction, dot, size, sub, type Vec3 } from './path';
+import { lengthText } from './quantity';
 
 export interface Bend {
   /** Counted from the route's start, from 1. */
@@ -63,4 +65,9 @@ export function bendsOf(s: readonly number[], curvature: readonly Value[], turns
     open.radius = Math.min(open.radius, 1 / here);
   }
   return bends;
+}
+
+export function bendText(bend: Bend, system: UnitSystem): string {
+  const degrees = ((bend.angle * 180) / Math.PI).toFixed(0);
+  return `Bend ${bend.number}: ${degrees}°, R ${lengthText(bend.radius, system)}`;
 }

@@ -1,6 +1,6 @@
 // Where the camera stands: overview, plan, profile, along the cable, each bend. Pure geometry; z is up.
-import type { Bend } from './bends';
-import { add, cross, direction, dot, type Path, size, sub, type Vec3 } from './path';
+import type { Bend } from '../states/bends';
+import { add, cross, direction, dot, type Path, size, sub, type Vec3 } from '../states/path';
 
 export interface Pose {
   position: Vec3;

@@ -1,9 +1,9 @@
 // What the reader wants of the camera: presets, bends, following the head, a nearer look.
-import { along, bendPose, overview, plan, type Pose, poseAt, profile } from './cameras';
-import type { Model } from './model';
-import type { Now } from './now';
-import { sub, type Vec3 } from './path';
-import type { World } from './world';
+import { along, bendPose, overview, plan, type Pose, poseAt, profile } from '../scene/cameras';
+import type { Model } from '../states/model';
+import type { Now } from '../states/now';
+import { sub, type Vec3 } from '../states/path';
+import type { World } from '../scene/world';
 
 /** Farthest that the camera follows the head from, m. */
 const FOLLOW_M = 60;

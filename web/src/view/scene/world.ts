@@ -1,16 +1,16 @@
 // The scene: everything that is drawn, for a model; what is under the pointer in it.
-import type { Theme } from '../state';
+import type { Theme } from '../../state';
 import { ChainMesh } from './chain_mesh';
 import { Equipment, groundBelow } from './equipment';
 import { Ground } from './ground';
 import { Labels } from './labels';
-import { axisOf, type Model } from './model';
-import type { Now } from './now';
+import { axisOf, type Model } from '../states/model';
+import type { Now } from '../states/now';
 import { PALETTES } from './palette';
-import { size, type Vec3 } from './path';
+import { size, type Vec3 } from '../states/path';
 import { lineAt, pointAt, project, type Screen, screenOf } from './pick';
 import { RollersMesh } from './rollers_mesh';
-import type { Scale } from './scale';
+import type { Scale } from '../states/scale';
 import { sharedUniforms } from './shaders';
 import { Stage } from './stage';
 

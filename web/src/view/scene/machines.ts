@@ -11,13 +11,13 @@ import {
   TorusGeometry,
   Vector3,
 } from 'three';
-import type { Geometry, RunData } from '../data';
-import { valueAt } from '../figure/align';
-import { numbers } from '../run';
+import type { Geometry, RunData } from '../../data';
+import { valueAt } from '../../figure/align';
+import { numbers } from '../../run';
 import type { Part } from './equipment';
 import type { Look } from './material';
-import type { Model } from './model';
-import { cross, direction, dot, sub, type Vec3 } from './path';
+import type { Model } from '../states/model';
+import { cross, direction, dot, sub, type Vec3 } from '../states/path';
 
 type Paint = (part: Part, look?: Omit<Look, 'colour'>) => ShaderMaterial;
 

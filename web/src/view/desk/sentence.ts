@@ -1,9 +1,9 @@
 // What is to be seen now, in words: for those who do not see the picture, and below it for everyone.
-import type { UnitSystem } from '../state';
-import { show } from '../units';
-import type { Model } from './model';
-import type { Now } from './now';
-import { lengthText, timeText } from './quantity';
+import type { UnitSystem } from '../../state';
+import { show } from '../../units';
+import type { Model } from '../states/model';
+import type { Now } from '../states/now';
+import { lengthText, timeText } from '../states/quantity';
 
 export function sentence(now: Now, model: Model, system: UnitSystem): string {
   const head = now.headPlace();

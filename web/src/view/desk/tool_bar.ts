@@ -1,8 +1,8 @@
 // Where the camera stands, what the colours mean, how thick the cable is drawn.
-import { button, el } from '../dom';
-import type { UnitSystem } from '../state';
-import type { Bend } from './bends';
-import { lengthText, type Quantity } from './quantity';
+import { button, el } from '../../dom';
+import type { UnitSystem } from '../../state';
+import { type Bend, bendText } from '../states/bends';
+import type { Quantity } from '../states/quantity';
 
 export interface Preset {
   name: string;
@@ -31,11 +31,6 @@ export interface ToolActions {
   colour(field: string): void;
   /** null: as the view thinks best. */
   factor(times: number | null): void;
-}
-
-export function bendText(bend: Bend, system: UnitSystem): string {
-  const degrees = ((bend.angle * 180) / Math.PI).toFixed(0);
-  return `Bend ${bend.number}: ${degrees}°, R ${lengthText(bend.radius, system)}`;
 }
 
 export class ToolBar {

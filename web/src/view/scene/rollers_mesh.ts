@@ -1,9 +1,9 @@
 // All rollers in one draw call: cylinders that stay on the cable's surface when cross-sections are exaggerated.
 import { CylinderGeometry, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
-import type { Roller } from '../data';
+import type { Roller } from '../../data';
 import { screenColour } from './material';
-import type { Model } from './model';
-import { add, direction, type Path, sub, type Vec3 } from './path';
+import type { Model } from '../states/model';
+import { add, direction, type Path, sub, type Vec3 } from '../states/path';
 import { lighting, type Shared, spread } from './shaders';
 
 /** What stands for an unknown radius and width, m. */

@@ -1,10 +1,10 @@
 // The legend: which colour is which value, and how much larger than true the cable is drawn.
-import { el } from '../dom';
-import type { UnitSystem } from '../state';
-import { digits, scaleOf } from '../units';
-import { colourGradient } from './colours';
-import type { Quantity } from './quantity';
-import { type Scale, ticksOf } from './scale';
+import { el } from '../../dom';
+import type { UnitSystem } from '../../state';
+import { digits, scaleOf } from '../../units';
+import { colourGradient } from '../states/colours';
+import type { Quantity } from '../states/quantity';
+import { type Scale, ticksOf } from '../states/scale';
 
 export class Legend {
   private readonly title = el('div', { class: 'view-legend-title' });

@@ -1,5 +1,5 @@
 // The states of a run as integers a field, and what lies between two of them.
-import type { FieldMeta, States } from '../data';
+import type { FieldMeta, States } from '../../data';
 import { unpackField } from './packed';
 
 export interface Field {
