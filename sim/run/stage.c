@@ -459,41 +459,61 @@ static void stability_checkpoint(Checkpoint *c, Stability *s, int n)
     for (int k = 0; !c->status && k < count; ++k) critical_checkpoint(c, &s->critical[k], n);
 }
 
-hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+/* Which part of the chain it is, and where. */
+static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     const int chain = scene->chain.n, moves = st->whole.n > 0;
-    int first = scene->first, n = chain, steps = st->integrator != NULL;
+    int first = scene->first, n = chain;
     hawser_status status = HAWSER_OK;
-    const char *why;
-    if (!c->reading && steps && !integrator_known(st->integrator, &why))
-        return error_set(err, HAWSER_ERR_RUN, "%s", why);
     CHECKPOINT(c, st->t);
     CHECKPOINT(c, first);
     CHECKPOINT(c, n);
     CHECKPOINT(c, st->joined);
     CHECKPOINT(c, st->left);
-    CHECKPOINT(c, steps);
     CHECKPOINT(c, scene->reel->present);
     const int fits = moves ? first >= 0 && n >= 2 && n <= scene->total - first : first == scene->first && n == chain;
     if (!checkpoint_check(c, fits, "another part of the chain is simulated")) return HAWSER_OK;
     if (c->reading) status = window_again(st, first, n, err);
-    if (status) return status;
-    checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
-    if (c->reading && !c->status && steps) {
-        double *const y = malloc((size_t)st->motion->size * sizeof *y); /* which the short step moves on */
-        if (!y) return error_memory(err);
-        memcpy(y, st->y, (size_t)st->motion->size * sizeof *y);
-        status = steps_again(st, err);
-        memcpy(st->y, y, (size_t)st->motion->size * sizeof *y);
-        free(y);
-    }
+    if (!status) checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
+    return status;
+}
+
+/* An integrator to be read into. The short step that sets it up moves the state on, which is put back. */
+static hawser_status steps_prepare(Stage *st, hawser_error *err)
+{
+    const size_t bytes = (size_t)st->motion->size * sizeof *st->y;
+    double *const y = malloc(bytes);
+    if (!y) return error_memory(err);
+    memcpy(y, st->y, bytes);
+    const hawser_status status = steps_again(st, err);
+    memcpy(st->y, y, bytes);
+    free(y);
+    return status;
+}
+
+hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+{
+    int steps = st->integrator != NULL;
+    const char *why;
+    if (!c->reading && steps && !integrator_known(st->integrator, &why))
+        return error_set(err, HAWSER_ERR_RUN, "%s", why);
+    /* before its first step a motion asks for the candidates of the last evaluation: that of the state, both ways */
+    if (!c->reading && !steps) st->motion->ops->look(st->motion, st->t, st->y);
+    hawser_status status = state_checkpoint(c, st, err);
+    CHECKPOINT(c, steps);
+    if (!status && c->reading && !c->status && steps) status = steps_prepare(st, err);
     if (status || c->status) return status;
     workspace_checkpoint(c, &st->ws);
     st->motion->ops->checkpoint(c, st->motion);
     if (steps) integrator_checkpoint(c, st->integrator);
     if (steps) balance_checkpoint(c, st->balance, st->motion);
     CHECKPOINT(c, st->balance_s);
-    stability_checkpoint(c, &st->stability, scene->chain.n);
+    stability_checkpoint(c, &st->stability, st->scene.chain.n);
+    if (c->reading && !c->status && !steps) {
+        st->integrator = integrator_free(st->integrator);
+        st->balance = balance_free(st->balance);
+        st->motion->ops->look(st->motion, st->t, st->y);
+    }
     return HAWSER_OK;
 }
