@@ -47,11 +47,12 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
 
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
  */
-enum { OLD_ENDS = 4, OLD_BUT_STATES = 7, OLD_ALL = 8 }; /* the first: what only the end of a run writes */
+enum { OLD_ENDS = 4, OLD_BUT_XDMF = 8, OLD_ALL = 9 }; /* the first: what only the end of a run writes */
 static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
     static const char *const names[OLD_ALL] = {"modes.csv",     "certificate.json", "report.html", "report.pdf",
-                                               CHECKPOINT_FILE, "route.csv",        "results.h5",  "results.xdmf"};
+                                               CHECKPOINT_FILE, "route.csv",        "results.h5.journal",
+                                               "results.h5",    "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {
@@ -97,7 +98,7 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     hawser_status s = out_make_dir(r->dir, err);
     if (!s) s = out_lock_dir(r->dir, &r->lock, err);
     if (!s) s = out_whole(r->dir, "summary.json", summary, err);
-    if (!s) s = remove_old(r, def->states > 0 ? OLD_BUT_STATES : OLD_ALL, err);
+    if (!s) s = remove_old(r, def->states > 0 ? OLD_BUT_XDMF : OLD_ALL, err);
     if (!s) s = write_known(r, def, err);
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
     if (!s) s = series_make(&r->columns, def, err);

@@ -252,6 +252,7 @@ static int frames_resume(H5File *h)
 
 static int file_resume(H5File *h)
 {
+    disk_recover(h->path);
     h->file = driven_file(h, 1);
     int ok = h->file >= 0 && frames_resume(h);
     for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);

@@ -407,6 +407,7 @@ static hawser_status window_again(Stage *st, int first, int n, hawser_error *err
     const StopCheck stop = st->ws.stop;
     double *const y = aligned_array_new(st->motion->size + STATE_SIZE * (n - scene->chain.n));
     if (!y) return error_memory(err);
+    st->integrator = integrator_free(st->integrator);
     free(st->y);
     st->y = y;
     workspace_free(&st->ws);
@@ -418,15 +419,12 @@ static hawser_status window_again(Stage *st, int first, int n, hawser_error *err
     return spatial_new(st, err);
 }
 
-/* The integrator and the books, for the state of now. */
-static hawser_status steps_again(Stage *st, hawser_error *err)
+/* Whether what is there has another shape than what is to be read. */
+static int window_differs(const Stage *st, int first, int n, int reel)
 {
-    st->integrator = integrator_free(st->integrator);
-    st->balance = balance_free(st->balance);
-    hawser_status status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
-    if (!status) status = integrator_prepare(st->integrator, st->t, err);
-    if (!status) status = balance_new(st->motion, st->t, st->y, &st->balance, err);
-    return status;
+    const Scene *const scene = &st->scene;
+    return first != scene->first || n != scene->chain.n || reel != scene->reel->present || st->newton.leaves ||
+           st->newton.extra;
 }
 
 static void critical_checkpoint(Checkpoint *c, hawser_critical *k, int n)
@@ -464,29 +462,33 @@ static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *er
 {
     Scene *const scene = &st->scene;
     const int chain = scene->chain.n, moves = st->whole.n > 0;
-    int first = scene->first, n = chain;
+    int first = scene->first, n = chain, reel = scene->reel->present;
     hawser_status status = HAWSER_OK;
     CHECKPOINT(c, st->t);
     CHECKPOINT(c, first);
     CHECKPOINT(c, n);
     CHECKPOINT(c, st->joined);
     CHECKPOINT(c, st->left);
-    CHECKPOINT(c, scene->reel->present);
+    CHECKPOINT(c, reel);
     const int fits = moves ? first >= 0 && n >= 2 && n <= scene->total - first : first == scene->first && n == chain;
     if (!checkpoint_check(c, fits, "another part of the chain is simulated")) return HAWSER_OK;
-    if (c->reading) status = window_again(st, first, n, err);
+    const int differs = c->reading && window_differs(st, first, n, reel);
+    scene->reel->present = reel;
+    if (differs) status = window_again(st, first, n, err);
     if (!status) checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
     return status;
 }
 
-/* An integrator to be read into. The short step that sets it up moves the state on, which is put back. */
+/* An integrator to be read into. What sets it up may round the state, which is put back. */
 static hawser_status steps_prepare(Stage *st, hawser_error *err)
 {
     const size_t bytes = (size_t)st->motion->size * sizeof *st->y;
     double *const y = malloc(bytes);
     if (!y) return error_memory(err);
     memcpy(y, st->y, bytes);
-    const hawser_status status = steps_again(st, err);
+    hawser_status status = HAWSER_OK;
+    if (!st->integrator) status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
+    if (!status) status = integrator_prepare(st->integrator, st->t, err);
     memcpy(st->y, y, bytes);
     free(y);
     return status;
@@ -499,7 +501,7 @@ hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
     if (!c->reading && steps && !integrator_known(st->integrator, &why))
         return error_set(err, HAWSER_ERR_RUN, "%s", why);
     /* before its first step a motion asks for the candidates of the last evaluation: that of the state, both ways */
-    if (!c->reading && !steps) st->motion->ops->look(st->motion, st->t, st->y);
+    if (!c->reading && !steps) st->motion->ops->look(st->motion, st->t, st->y, 0);
     hawser_status status = state_checkpoint(c, st, err);
     CHECKPOINT(c, steps);
     if (!status && c->reading && !c->status && steps) status = steps_prepare(st, err);
@@ -507,13 +509,13 @@ hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
     workspace_checkpoint(c, &st->ws);
     st->motion->ops->checkpoint(c, st->motion);
     if (steps) integrator_checkpoint(c, st->integrator);
-    if (steps) balance_checkpoint(c, st->balance, st->motion);
+    if (steps) balance_checkpoint(c, &st->balance, st->motion);
     CHECKPOINT(c, st->balance_s);
     stability_checkpoint(c, &st->stability, st->scene.chain.n);
     if (c->reading && !c->status && !steps) {
         st->integrator = integrator_free(st->integrator);
         st->balance = balance_free(st->balance);
-        st->motion->ops->look(st->motion, st->t, st->y);
+        st->motion->ops->look(st->motion, st->t, st->y, 0);
     }
     return HAWSER_OK;
 }

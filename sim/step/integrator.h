@@ -44,8 +44,8 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
 const double *integrator_rates(Integrator *in, double *h);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 
-/* Gets a fresh one ready to be read from a checkpoint: a short step from (t, y) sets it up, of which nothing stays but
- * what is read over: y, the workspace, the motion's own. Errors: RUN (a SUNDIALS whose state is not known). */
+/* Gets one ready to be read from a checkpoint: a fresh one is set up by its first step, which is made from t with all
+ * rates zero and moves y by rounding alone. Errors: RUN (a SUNDIALS whose state is not known). */
 hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err);
 /* Whether its state can be saved; *why says why not. */
 int integrator_known(const Integrator *in, const char **why);
