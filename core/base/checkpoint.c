@@ -1,11 +1,13 @@
 /* Each piece stands behind a head of two words, a hash of its name and its length, and is filled up to a whole word. */
+#define _DEFAULT_SOURCE /* madvise */
 #include "core/base/checkpoint.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
-enum { WORD = 8, ROOM_FIRST = 1 << 16 };
+enum { WORD = 8, LARGE_PAGE = 1 << 21 };
 
 typedef struct PieceHead {
     uint64_t name, size;
@@ -18,7 +20,22 @@ void text_pool_free(TextPool *pool)
     *pool = (TextPool){0};
 }
 
-Checkpoint checkpoint_new(void) { return (Checkpoint){0}; }
+void *checkpoint_memory(size_t size)
+{
+    if (size < LARGE_PAGE) return malloc(size + 1);
+    const size_t whole = (size + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
+    void *const memory = aligned_alloc(LARGE_PAGE, whole);
+    if (memory) madvise(memory, whole, MADV_HUGEPAGE); /* it is as good without */
+    return memory;
+}
+
+Checkpoint checkpoint_new(size_t room)
+{
+    Checkpoint c = {.room = room};
+    if (room > 0) c.bytes = checkpoint_memory(room);
+    if (room > 0 && !c.bytes) checkpoint_lack(&c);
+    return c;
+}
 
 Checkpoint checkpoint_over(const void *bytes, size_t size, TextPool *texts)
 {
@@ -50,22 +67,6 @@ void checkpoint_lack(Checkpoint *c)
 
 static size_t whole_words(size_t size) { return (size + WORD - 1) / WORD * WORD; }
 
-/* Room for `more` bytes; 0 if there is none. */
-static int room_for(Checkpoint *c, size_t more)
-{
-    size_t room = c->room ? c->room : ROOM_FIRST;
-    if (more <= c->room - c->size) return 1;
-    while (room - c->size < more) room *= 2;
-    unsigned char *const grown = realloc(c->bytes, room);
-    if (!grown) {
-        checkpoint_lack(c);
-        return 0;
-    }
-    c->bytes = grown;
-    c->room = room;
-    return 1;
-}
-
 static PieceHead head_of(const char *name, size_t size)
 {
     return (PieceHead){checkpoint_hash(name, strlen(name)), size};
@@ -74,13 +75,13 @@ static PieceHead head_of(const char *name, size_t size)
 static void piece_write(Checkpoint *c, const char *name, const void *from, size_t size)
 {
     const PieceHead head = head_of(name, size);
-    const size_t fill = whole_words(size) - size;
-    if (!room_for(c, sizeof head + size + fill)) return;
-    memcpy(c->bytes + c->size, &head, sizeof head);
-    c->size += sizeof head;
-    if (size) memcpy(c->bytes + c->size, from, size);
-    memset(c->bytes + c->size + size, 0, fill);
-    c->size += size + fill;
+    const size_t fill = whole_words(size) - size, at = c->size;
+    c->size += sizeof head + size + fill;
+    if (!c->bytes || !checkpoint_check(c, c->size <= c->room, "it has grown since it was counted")) return;
+    unsigned char *const to = c->bytes + at + sizeof head;
+    memcpy(c->bytes + at, &head, sizeof head);
+    if (size) memcpy(to, from, size);
+    memset(to + size, 0, fill);
 }
 
 /* The bytes of the next piece, which has to have this name; *size gets how many. NULL: it is not there. */

@@ -21,16 +21,19 @@ void text_pool_free(TextPool *pool);
 
 typedef struct Checkpoint {
     int reading;
-    unsigned char *bytes; /* [room], owned while writing, borrowed while reading */
-    size_t size, room;    /* bytes there */
+    unsigned char *bytes; /* [room], owned while writing, borrowed while reading; NULL: bytes are only counted */
+    size_t size, room;    /* bytes there, or counted */
     size_t at;            /* read so far */
     TextPool *texts;      /* while reading; borrowed */
     hawser_status status; /* the first thing that went wrong: nothing is read or written after that */
     char fault[160];      /* what, in words */
 } Checkpoint;
 
-/* An empty one to be written; checkpoint_free afterwards. */
-Checkpoint checkpoint_new(void);
+/* An empty one to be written, of so many bytes at most: what was counted before with one of none. checkpoint_free
+ * afterwards. Without memory its status is MEMORY. */
+Checkpoint checkpoint_new(size_t room);
+/* Memory that is read and written in one go, in large pages where it is large; free() frees it. */
+void *checkpoint_memory(size_t size);
 /* One to be read from bytes [size], borrowed. Texts go to the pool. */
 Checkpoint checkpoint_over(const void *bytes, size_t size, TextPool *texts);
 void checkpoint_free(Checkpoint *c);

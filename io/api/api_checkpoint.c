@@ -105,24 +105,37 @@ static hawser_status fault(const Checkpoint *c, const char *path, hawser_error *
     return error_set(err, HAWSER_ERR_INPUT, "'%.500s' cannot be read as a checkpoint: %s", path, c->fault);
 }
 
-hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawser_error *err)
+/* All pieces, behind the head. */
+static hawser_status pieces_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawser_error *err)
 {
     FileHead head = {.format = FORMAT};
     Preface preface = preface_of(s);
     int kept = run != NULL;
-    *c = checkpoint_new();
     memcpy(head.magic, magic, sizeof magic);
     checkpoint_put(c, "head", &head, sizeof head);
-    const size_t from = c->size;
     preface_checkpoint(c, &preface);
     CHECKPOINT(c, kept);
     if (kept) CHECKPOINT(c, *run);
     const hawser_status status = sim_checkpoint(c, s, err);
+    if (!status && c->status) return c->status == HAWSER_ERR_MEMORY ? error_memory(err) : fault(c, "it", err);
+    return status;
+}
+
+/* Counted first, so that memory is taken once. */
+hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawser_error *err)
+{
+    FileHead head;
+    const size_t head_end = 2 * sizeof(uint64_t) + sizeof head; /* a piece has a head of its own */
+    *c = checkpoint_new(0);
+    hawser_status status = pieces_write(s, run, c, err);
     if (status) return status;
-    if (c->status) return error_memory(err);
-    head.size = c->size - from;
-    head.hash = checkpoint_hash(c->bytes + from, head.size);
-    memcpy(c->bytes + from - sizeof head, &head, sizeof head);
+    *c = checkpoint_new(c->size);
+    status = pieces_write(s, run, c, err);
+    if (status) return status;
+    memcpy(&head, c->bytes + head_end - sizeof head, sizeof head);
+    head.size = c->size - head_end;
+    head.hash = checkpoint_hash(c->bytes + head_end, head.size);
+    memcpy(c->bytes + head_end - sizeof head, &head, sizeof head);
     return HAWSER_OK;
 }
 
@@ -185,7 +198,7 @@ static hawser_status file_read(const char *path, void **bytes, size_t *size, haw
     errno = 0;
     const int fd = open(path, O_RDONLY | O_CLOEXEC);
     int ok = fd >= 0 && !fstat(fd, &info) && S_ISREG(info.st_mode);
-    *bytes = ok ? malloc((size_t)info.st_size + 1) : NULL;
+    *bytes = ok ? checkpoint_memory((size_t)info.st_size) : NULL;
     *size = 0;
     while (*bytes && *size < (size_t)info.st_size) {
         const ssize_t n = read(fd, (char *)*bytes + *size, (size_t)info.st_size - *size);

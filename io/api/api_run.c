@@ -75,7 +75,7 @@ static const double KEPT_SHARE = 0.25;
 /* The run as it stands between two steps, whatever is written after it. */
 static hawser_status keep_now(Run *run, hawser_error *err)
 {
-    Checkpoint c = checkpoint_new();
+    Checkpoint c = {0};
     const double start = clock_now();
     RunKept kept = {
         .rows = run->row.count, .states = run->state.count, .last_row = run->last_row, .last_state = run->last_state};
