@@ -1,8 +1,8 @@
 /* Times saving and reading the state of a pull of a given length.
  * Usage: bench_checkpoint [SEGMENTS] [space|plane] [REPEATS]      (default: 20000 space 5)
  * Prints medians in ms: to memory, and from memory into a new simulation; to a file, which is brought to the disk and
- * renamed, and from it into the same simulation; and its MB. Times are of the thread's own work, those of the file of the
- * clock on the wall. */
+ * renamed, and from it into the same simulation; and its MB. Times are of the thread's own work, those of the file of
+ * the clock on the wall. */
 #include <hawser/hawser.h>
 #include <stdio.h>
 #include <stdlib.h>

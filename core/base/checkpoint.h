@@ -46,7 +46,8 @@ void checkpoint_put(Checkpoint *c, const char *name, void *at, size_t size);
 #define CHECKPOINT_UP_TO(c, s, type, member) checkpoint_put(c, #type " up to " #member, s, offsetof(type, member))
 /* The members of *s from `member` to its end: plain numbers alone. */
 #define CHECKPOINT_FROM(c, s, type, member)                                                                            \
-    checkpoint_put(c, #type " from " #member, (char *)(s) + offsetof(type, member), sizeof(type) - offsetof(type, member))
+    checkpoint_put(c, #type " from " #member, (char *)(s) + offsetof(type, member),                                    \
+                   sizeof(type) - offsetof(type, member))
 /* The first *count items, of `each` bytes, of an array that has grown to *room items: read, it is made longer if need
  * be, and so is *room. */
 void checkpoint_list(Checkpoint *c, const char *name, void **array, int *count, int *room, size_t each);

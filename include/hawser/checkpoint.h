@@ -1,11 +1,10 @@
-/* A simulation's whole state, kept and gone on from: what follows is, bit for bit, what would have followed without it.
+/* A simulation's whole state, kept and gone on from; part of hawser/hawser.h, which includes it. What follows is, bit for
+ * bit, what would have followed without it.
  * docs/restart.md. */
 #ifndef HAWSER_CHECKPOINT_H
 #define HAWSER_CHECKPOINT_H
 
 #include <stddef.h>
-
-#include "hawser/hawser.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,12 +24,13 @@ hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, 
 hawser_status hawser_sim_load_memory(hawser_sim *s, const void *bytes, size_t size, hawser_error *err);
 void hawser_bytes_free(void *bytes);
 
-/* The case of the run whose checkpoint is in the results folder `dir`, with all its settings; files that it includes are
- * read where they were. Errors: INPUT (no checkpoint there, a damaged one), MEMORY. */
+/* The case of the run whose checkpoint is in the results folder `dir`, with all its settings; files that it includes
+ * are read where they were. Errors: INPUT (no checkpoint there, a damaged one), MEMORY. */
 hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_error *err);
 /* Goes on with that run, in a simulation built of that case, as hawser_sim_run would have gone on. Errors: as
  * hawser_sim_run; INPUT as hawser_sim_load. */
-hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user,
+                                hawser_error *err);
 
 #ifdef __cplusplus
 }

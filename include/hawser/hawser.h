@@ -64,7 +64,6 @@ void hawser_text_free(char *text);
 /* ------------------------------------------------------------------------------------------- simulations */
 
 typedef struct hawser_sim hawser_sim;
-
 typedef struct hawser_options {
     int threads; /* 1 or 2; 0: the case's choice. Results do not depend on it. */
 } hawser_options;

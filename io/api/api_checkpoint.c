@@ -90,9 +90,10 @@ static hawser_status preface_compare(const Preface *file, const Preface *mine, c
                          path, file->kernels ? file->kernels : "?", mine->kernels, file->kernels ? file->kernels : "?");
     }
     if (file->inputs != mine->inputs || file->scene != mine->scene) {
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.500s' is a checkpoint of another case, or of '%.200s' with other settings or files than now",
-                         path, file->name ? file->name : "?");
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "'%.500s' is a checkpoint of another case, or of '%.200s' with other settings or files than now", path,
+            file->name ? file->name : "?");
     }
     return HAWSER_OK;
 }
@@ -147,8 +148,9 @@ static hawser_status head_check(Checkpoint *c, const char *path, hawser_error *e
     if (c->status || memcmp(head.magic, magic, sizeof magic) != 0)
         return error_set(err, HAWSER_ERR_INPUT, "'%.500s' is not a checkpoint of hawser", path);
     if (head.format != FORMAT) {
-        return error_set(err, HAWSER_ERR_INPUT, "'%.500s' is a checkpoint of another version of hawser: format %llu, here %d",
-                         path, (unsigned long long)head.format, FORMAT);
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.500s' is a checkpoint of another version of hawser: format %llu, here %d", path,
+                         (unsigned long long)head.format, FORMAT);
     }
     if (head.size != c->size - c->at || head.hash != checkpoint_hash(c->bytes + c->at, c->size - c->at))
         return error_set(err, HAWSER_ERR_INPUT, "the checkpoint '%.500s' is damaged or cut off", path);
@@ -182,9 +184,11 @@ hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes
         status = error_set(err, HAWSER_ERR_INPUT, "'%.500s' is a checkpoint of a simulation without results", path);
     text_pool_free(&pool);
     if (status) return status;
-    c.texts = &s->texts;
+    c.texts = &pool;
     status = sim_checkpoint(&c, s, err);
     checkpoint_end(&c);
+    text_pool_free(&s->texts); /* of a checkpoint before */
+    s->texts = pool;
     if (status) return status;
     return c.status ? fault(&c, path, err) : HAWSER_OK;
 }

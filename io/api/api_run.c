@@ -153,7 +153,8 @@ static hawser_status run_on(Run *run, hawser_error *err)
         status = sim_advance(sim, hawser_sim_end_time(sim), 1, err);
         if (!status) status = write_due(run, err);
         if (!status) status = keep_due(run, err);
-        if (!status) status = tell_progress(run, 0, err);
+        if (status) break; /* perhaps within a step: what is kept is from before it */
+        status = tell_progress(run, 0, err);
         if (status == HAWSER_STOPPED) keep_last(run);
     }
     /* the caller sees the end; there is nothing left to stop */
@@ -174,7 +175,8 @@ static hawser_status run_steps(Run *run, int resumed, hawser_error *err)
     return status;
 }
 
-/* Sizes, names and wishes for the results folder. at: where the files of a run that is resumed were; NULL: it is new. */
+/* Sizes, names and wishes for the results folder. at: where the files of a run that is resumed were; NULL: it is new.
+ */
 static hawser_status open_results(Run *run, const char *dir, const ResultsPosition *at, hawser_error *err)
 {
     hawser_sim *s = run->s;

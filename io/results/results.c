@@ -50,9 +50,9 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
 enum { OLD_ENDS = 4, OLD_BUT_XDMF = 8, OLD_ALL = 9 }; /* the first: what only the end of a run writes */
 static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
-    static const char *const names[OLD_ALL] = {"modes.csv",     "certificate.json", "report.html", "report.pdf",
-                                               CHECKPOINT_FILE, "route.csv",        "results.h5.journal",
-                                               "results.h5",    "results.xdmf"};
+    static const char *const names[OLD_ALL] = {"modes.csv",          "certificate.json", "report.html",
+                                               "report.pdf",         CHECKPOINT_FILE,    "route.csv",
+                                               "results.h5.journal", "results.h5",       "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {

@@ -6,9 +6,9 @@
  * program that is killed between two flushes would leave a file that points nowhere. So everything below `kept`, the
  * size at the last flush, is changed in memory only, page by page. Above it nothing is pointed to yet, and is written
  * at once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
- * superblock, which is at 0, comes at the very end. A kill within these few writes, of a page each, leaves a file between
- * the two: so the pages are written to a journal before, which is there for no longer than that, and disk_recover does
- * again what it says. */
+ * superblock, which is at 0, comes at the very end. A kill within these few writes, of a page each, leaves a file
+ * between the two: so the pages are written to a journal before, which is there for no longer than that, and
+ * disk_recover does again what it says. */
 #include "io/results/results_h5.h"
 
 #include <errno.h>

@@ -35,8 +35,8 @@ hawser_status out_error(const char *path, int number, hawser_error *err);
 
 /* Creates dir/name or empties it. Errors: OUTPUT, MEMORY; the file is then closed. */
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);
-/* Opens dir/name to go on behind its first `size` bytes; what is there beyond is cut off. Errors: OUTPUT (it is not there,
- * or shorter), MEMORY; the file is then closed. */
+/* Opens dir/name to go on behind its first `size` bytes; what is there beyond is cut off. Errors: OUTPUT (it is not
+ * there, or shorter), MEMORY; the file is then closed. */
 hawser_status out_resume(OutFile *out, const char *dir, const char *name, long size, hawser_error *err);
 /* Has the system write a file to the disk, where it outlives the machine. Errors: OUTPUT. */
 hawser_status out_sync(const char *path, hawser_error *err);

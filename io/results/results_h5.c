@@ -138,8 +138,7 @@ static hid_t driven_file(H5File *h, int resume)
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
     hid_t file = -1;
     if (h->driver >= 0) {
-        file = resume ? H5Fopen(h->path, H5F_ACC_RDWR, access)
-                      : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+        file = resume ? H5Fopen(h->path, H5F_ACC_RDWR, access) : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     }
     H5Pclose(access);
     return file;
@@ -273,8 +272,8 @@ hawser_status h5_resume(H5File **out, const char *dir, const ResultsDef *def, lo
     H5E_BEGIN_TRY { ok = file_resume(h); }
     H5E_END_TRY
     if (!ok && !h->disk_error) {
-        status = error_set(err, HAWSER_ERR_OUTPUT, "cannot go on with '%.700s': it has not the states of the checkpoint",
-                           path);
+        status = error_set(err, HAWSER_ERR_OUTPUT,
+                           "cannot go on with '%.700s': it has not the states of the checkpoint", path);
     } else {
         status = h5_result(h, ok, err);
     }

@@ -150,8 +150,10 @@ void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
     for (int e = 0; !c->status && e < count; ++e) {
         CHECKPOINT(c, extra->block[e].row);
         CHECKPOINT(c, extra->block[e].col);
-        checkpoint_check(c, extra->block[e].row >= 0 && extra->block[e].row < nw->n && extra->block[e].col >= 0 &&
-                                extra->block[e].col < nw->n, "a block is outside of the matrix");
+        checkpoint_check(c,
+                         extra->block[e].row >= 0 && extra->block[e].row < nw->n && extra->block[e].col >= 0 &&
+                             extra->block[e].col < nw->n,
+                         "a block is outside of the matrix");
     }
     if (count > 0) checkpoint_put(c, "extra->a", extra->a, (size_t)count * BLOCK * sizeof *extra->a);
     if (c->status) return;

@@ -42,12 +42,12 @@ typedef struct hawser_sim {
     char grade_says[512]; /* which bend loses the grade; an event has it */
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
-    TextPool texts; /* of events and the like that were read from a checkpoint */
+    TextPool texts;              /* of events and the like that were read from a checkpoint */
     /* what the interface remembers for the results (io/api) */
-    char *case_name, *title;        /* owned */
-    char *case_text, *case_folder;  /* owned: the case as it was set, and where its files are (NULL: nowhere) */
-    int relaxed, running;    /* running: inside hawser_sim_run */
-    hawser_status outcome;   /* of the last call that computed */
+    char *case_name, *title;       /* owned */
+    char *case_text, *case_folder; /* owned: the case as it was set, and where its files are (NULL: nowhere) */
+    int relaxed, running;          /* running: inside hawser_sim_run */
+    hawser_status outcome;         /* of the last call that computed */
     char message[HAWSER_MESSAGE_MAX];
 } Sim;
 

@@ -25,8 +25,8 @@ enum {
     AT_LAST_ORDER = 1064,
     AT_FIRST_STEP = 1080,
     AT_LAST_STEP = 1088,
-    AT_TOO_MUCH = 1112, /* factor by which the tolerance should be larger */
-    AT_KEPT = 1124,     /* int: the vector that holds the last correction, for a higher order */
+    AT_TOO_MUCH = 1112,  /* factor by which the tolerance should be larger */
+    AT_KEPT = 1124,      /* int: the vector that holds the last correction, for a higher order */
     AT_PROJECTION = 1528 /* pointer to what its projection keeps; NULL: there is none */
 };
 /* Of the linear solver's, and of the projection's: */
@@ -36,12 +36,12 @@ enum { AT_JACOBIANS = 136, AT_PROJECTIONS = 64 };
 typedef struct Stretch {
     int from, to;
 } Stretch;
-static const Stretch own[] = {{272, 976},   /* stop time, orders, steps, times, coefficients, limits, counts */
-                              {1000, 1004}, /* how the last iteration ended */
-                              {1048, 1128}, /* when a matrix is due; what the last step was made with */
-                              {1184, 1400}, /* limits of stability, where they are looked for */
+static const Stretch own[] = {{272, 976},    /* stop time, orders, steps, times, coefficients, limits, counts */
+                              {1000, 1004},  /* how the last iteration ended */
+                              {1048, 1128},  /* when a matrix is due; what the last step was made with */
+                              {1184, 1400},  /* limits of stability, where they are looked for */
                               {1536, 1648}}; /* whether and how the projection changes the history */
-static const Stretch linear[] = {{32, 36}, {128, 216}};              /* when a matrix was made, counts */
+static const Stretch linear[] = {{32, 36}, {128, 216}};            /* when a matrix was made, counts */
 static const Stretch projection[] = {{8, 12}, {16, 36}, {64, 80}}; /* when it was done, counts */
 enum {
     OWN = sizeof own / sizeof *own,
@@ -56,7 +56,10 @@ static void *pointer_at(const void *memory, int at)
     return p;
 }
 
-static int int_is(const void *memory, int at, int value) { return !memcmp((const char *)memory + at, &value, sizeof value); }
+static int int_is(const void *memory, int at, int value)
+{
+    return !memcmp((const char *)memory + at, &value, sizeof value);
+}
 
 static int long_is(const void *memory, int at, long value)
 {
@@ -128,8 +131,8 @@ static int parts_are(void *cvode)
 {
     long jacobians = -1, projections = -1;
     const void *const solver = pointer_at(cvode, AT_LINEAR), *const projects = pointer_at(cvode, AT_PROJECTION);
-    const int ok = solver && CVodeGetNumJacEvals(cvode, &jacobians) == CV_SUCCESS &&
-                   long_is(solver, AT_JACOBIANS, jacobians);
+    const int ok =
+        solver && CVodeGetNumJacEvals(cvode, &jacobians) == CV_SUCCESS && long_is(solver, AT_JACOBIANS, jacobians);
     if (!ok || !projects) return ok;
     return CVodeGetNumProjEvals(cvode, &projections) == CV_SUCCESS && long_is(projects, AT_PROJECTIONS, projections);
 }

@@ -116,8 +116,8 @@ static void load(hawser_sim *s, Bytes b)
 /* Pieces that tell how long something took. */
 static int is_clock(uint64_t name)
 {
-    static const char *const clocks[] = {"head",         "in->stats",    "ws->contact[p].seconds", "st->balance_s",
-                                         "s->relax_s",   "s->output_s",  "s->record_s"};
+    static const char *const clocks[] = {
+        "head", "in->stats", "ws->contact[p].seconds", "st->balance_s", "s->relax_s", "s->output_s", "s->record_s"};
     for (size_t k = 0; k < sizeof clocks / sizeof *clocks; ++k)
         if (name == checkpoint_hash(clocks[k], strlen(clocks[k]))) return 1;
     return 0;
@@ -343,9 +343,12 @@ static void test_wrong_pieces(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_kind_of_scene), cmocka_unit_test(test_from_the_start),
-        cmocka_unit_test(test_a_file),              cmocka_unit_test(test_what_is_not_whole),
-        cmocka_unit_test(test_what_is_of_another),  cmocka_unit_test(test_wrong_pieces),
+        cmocka_unit_test(test_every_kind_of_scene),
+        cmocka_unit_test(test_from_the_start),
+        cmocka_unit_test(test_a_file),
+        cmocka_unit_test(test_what_is_not_whole),
+        cmocka_unit_test(test_what_is_of_another),
+        cmocka_unit_test(test_wrong_pieces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
