@@ -87,7 +87,7 @@ static void journal_write(const DiskFile *f)
     const int fd = open(f->journal, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     const int whole = fd >= 0 && write(fd, all, size) == (ssize_t)size;
     if (fd >= 0) close(fd);
-    if (fd >= 0 && !whole) unlink(f->journal);
+    if (!whole) unlink(f->journal); /* nor one that was left */
     free(all);
 }
 
