@@ -76,10 +76,10 @@ typedef struct Occasion {
 } Occasion;
 
 /* What a step has brought about, in words that live as long as the scene; NULL: nothing more. */
-typedef struct Happening {
+typedef struct Occurrence {
     hawser_event_code code;
     const char *what;
-} Happening;
+} Occurrence;
 
 /* What holds one thing of a room fast. It is owned by who seizes; the share changes between steps only. */
 typedef struct Seizure {
@@ -153,7 +153,7 @@ struct RoomKind {
     /* What of a step it waits for: of WATCH_PULL, WATCH_FRONT, WATCH_TRAVEL; 0: nothing can happen. */
     int (*watches)(const Room *room);
     /* A step was accepted: changes what the step has brought about, one event a call. */
-    Happening (*happen)(Room *room, const Occasion *now);
+    Occurrence (*happen)(Room *room, const Occasion *now);
     /* Is told something at time t. Everything goes on from what it is then, and comes in by STEP (K1). 1: that was for
      * it; 0: nothing of it is meant; -1: it is meant and cannot do that, err says why, nothing has changed. */
     int (*command)(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err);

@@ -419,7 +419,7 @@ static int conveyors_watch(const Room *room)
 }
 
 /* Closed when half of the belts have cable, with some play. */
-static Happening conveyors_happen(Room *room, const Occasion *now)
+static Occurrence conveyors_happen(Room *room, const Occasion *now)
 {
     (void)now;
     const Conveyors *const all = room->self;
@@ -429,9 +429,9 @@ static Happening conveyors_happen(Room *room, const Occasion *now)
         const int changed = !first && grips != f->grips;
         f->grips = grips;
         if (changed)
-            return (Happening){grips ? HAWSER_EVENT_CONVEYOR_GRIPS : HAWSER_EVENT_CONVEYOR_LETS_GO, f->says[grips]};
+            return (Occurrence){grips ? HAWSER_EVENT_CONVEYOR_GRIPS : HAWSER_EVENT_CONVEYOR_LETS_GO, f->says[grips]};
     }
-    return (Happening){0};
+    return (Occurrence){0};
 }
 
 static double conveyors_next_stop(const Room *room, const Scene *scene, double t)

@@ -99,23 +99,23 @@ static void share_begin(Jam *jam, JamDoing doing, double t, double from, double 
 }
 
 /* A jam is released when it is complete, not before. */
-static Happening jam_happen(Jam *jam, const Occasion *now)
+static Occurrence jam_happen(Jam *jam, const Occasion *now)
 {
     const JamDef *const def = jam->def;
     if (jam->doing == JAM_WAITS && due(def->at, def->head_at, now)) {
         share_begin(jam, JAM_HOLDS, now->t, 0, 1);
-        return (Happening){HAWSER_EVENT_JAM, jam->says[0]};
+        return (Occurrence){HAWSER_EVENT_JAM, jam->says[0]};
     }
     const int complete = jam->doing == JAM_HOLDS && now->t >= jam->seizure.share.t1 - ON_TIME;
-    if (!complete || !due(def->release, def->release_head_at, now)) return (Happening){0};
+    if (!complete || !due(def->release, def->release_head_at, now)) return (Occurrence){0};
     share_begin(jam, JAM_IS_OVER, now->t, 1, 0);
-    return (Happening){HAWSER_EVENT_FREE, jam->says[1]};
+    return (Occurrence){HAWSER_EVENT_FREE, jam->says[1]};
 }
 
-static Happening jams_happen(Room *room, const Occasion *now)
+static Occurrence jams_happen(Room *room, const Occasion *now)
 {
     const Jams *const all = room->self;
-    Happening found = {0};
+    Occurrence found = {0};
     for (int i = 0; !found.what && i < all->n; ++i) found = jam_happen(&all->item[i], now);
     return found;
 }

@@ -351,9 +351,9 @@ WinchEvent winch_accept(Winch *w, double t, double pull)
     return WINCH_NOTHING;
 }
 
-Happening winch_happening(WinchEvent event)
+Occurrence winch_occurrence(WinchEvent event)
 {
-    static const Happening happening[] = {
+    static const Occurrence occurrence[] = {
         [WINCH_NOTHING] = {HAWSER_EVENT_NOTE, NULL},
         [WINCH_TRIPPED] = {HAWSER_EVENT_WINCH_TRIPS, "the winch trips"},
         [WINCH_STOPPED] = {HAWSER_EVENT_WINCH_STOPPED, "the winch has stopped"},
@@ -361,7 +361,7 @@ Happening winch_happening(WinchEvent event)
         [WINCH_RUNNING] = {HAWSER_EVENT_WINCH_RUNS, "the winch is back at speed"},
         [WINCH_STAYS] = {HAWSER_EVENT_WINCH_STAYS, "the winch has stopped for good"},
         [WINCH_ENDS_THE_RUN] = {HAWSER_EVENT_WINCH_ENDS_RUN, "the winch has stopped for good: the run ends"}};
-    return happening[event];
+    return occurrence[event];
 }
 
 /* Trips, and the ends of what it was told. */
@@ -390,11 +390,11 @@ static WinchEvent brake_done(Winch *w, const Occasion *now)
     return WINCH_RUNNING;
 }
 
-static Happening winch_happen(Room *room, const Occasion *now)
+static Occurrence winch_happen(Room *room, const Occasion *now)
 {
     Winch *const w = room->self;
-    if (w->mode == WINCH_TENSION) return winch_happening(brake_done(w, now));
-    return winch_happening(winch_accept(w, now->t, now->pull));
+    if (w->mode == WINCH_TENSION) return winch_occurrence(brake_done(w, now));
+    return winch_occurrence(winch_accept(w, now->t, now->pull));
 }
 
 /* ----------------------------------------------------------------------------------------------------- commands */

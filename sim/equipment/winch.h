@@ -114,6 +114,6 @@ typedef enum WinchEvent {
  * call again until NOTHING. */
 WinchEvent winch_accept(Winch *w, double t, double pull);
 /* The same as it is noted; what: NULL for WINCH_NOTHING. */
-Happening winch_happening(WinchEvent event);
+Occurrence winch_occurrence(WinchEvent event);
 
 #endif

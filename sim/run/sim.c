@@ -179,7 +179,7 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
     for (int r = 0; r < scene->n_rooms; ++r) {
         Room *const room = &scene->room[r];
         if (!room->present || !room->kind->watches || !room->kind->watches(room)) continue;
-        for (Happening h; !status && (h = room->kind->happen(room, &now)).what;)
+        for (Occurrence h; !status && (h = room->kind->happen(room, &now)).what;)
             status = sim_note(s, h.code, st->t, h.what, now.pull, err);
     }
     return status;
