@@ -66,6 +66,7 @@ static const CaseKey drive_keys[] = {
     {"winch", KEY_MAP, .otherwise = "none", .section = &winch},
     {"tail", KEY_MAP, .otherwise = "none", .section = &case_tail},
     {"rope_drag", KEY_MAP, .otherwise = "none", .section = &rope_drag},
+    {"script", KEY_LIST, .otherwise = "none", .form = "commands one by one", .section = &case_command},
 };
 SECTION(case_drive, "drive", drive_keys);
 
