@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-#define COMMAND_ROW(...)        {__VA_ARGS__},
+#define COMMAND_ROW(...)              {__VA_ARGS__},
 #define COMMAND_WORD(kind, word, ...) word,
 const CommandKind command_kinds[COMMAND_KINDS] = {COMMANDS(COMMAND_ROW)};
 const char *const command_words[] = {COMMANDS(COMMAND_WORD) NULL};
