@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "survey/fit/chain.h"
 
-enum { NODES_MOST = 20000, CORNER_PARTS = 12, CURVE_PARTS = 16, CLOSE_STEPS = 60 };
+enum { NODES_MOST = 50000, CORNER_PARTS = 12, CURVE_PARTS = 16, CLOSE_STEPS = 60 };
 
 static const double PI = 3.14159265358979323846;
 
@@ -208,11 +208,11 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
     if (memory) memory = (foot = malloc((size_t)full.n * sizeof *foot)) != NULL;
     if (memory) memory = (f->foot = malloc((size_t)l->n * sizeof *f->foot)) != NULL;
     hawser_status status = memory ? HAWSER_OK : error_memory(err);
-    if (!status && !f->piece) status = cuts_find(full.n, full.node, sigma, clothoids, &f->piece, &f->n, err);
-    if (!status) status = corners_round(&f->piece, &f->n, o->deviation, err);
-    if (!status) {
-        status = chain_improve(&f->piece, &f->n, full.n, full.node, sigma, clothoids, foot, err);
-    }
+    const int kept = f->piece != NULL;
+    if (!status && !kept)
+        status = chain_search(full.n, full.node, sigma, o->deviation, clothoids, &f->piece, &f->n, foot, err);
+    if (!status && kept) status = corners_round(&f->piece, &f->n, o->deviation, err);
+    if (!status && kept) status = chain_improve(&f->piece, &f->n, full.n, full.node, sigma, clothoids, foot, err);
     if (!status) status = chain_refine(f->n, f->piece, full.n, full.node, CLOSE_STEPS, foot, err);
     if (!status) status = arcs_widen(f, full.n, full.node, o, foot, err);
     if (!status) {
@@ -299,10 +299,8 @@ static int pieces_kept(const Alignment *a, Vec3 origin, Fitted *f)
     for (int i = 0; f->piece && i < a->n_plan; ++i) {
         const PlanElement *const e = &a->plan[i];
         const int straight = e->k0 == 0 && e->k1 == 0;
-        f->piece[f->n] = (Piece){straight         ? PIECE_STRAIGHT
-                                 : e->k0 == e->k1 ? PIECE_ARC
-                                                  : PIECE_CLOTHOID,
-                                 !straight, 1, 0, *e};
+        const PieceKind kind = straight ? PIECE_STRAIGHT : e->k0 == e->k1 ? PIECE_ARC : PIECE_CLOTHOID;
+        f->piece[f->n] = (Piece){.kind = kind, .kept = !straight, .loose = 1, .e = *e};
         f->piece[f->n].e.x -= origin.x;
         f->piece[f->n++].e.y -= origin.y;
     }

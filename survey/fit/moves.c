@@ -369,6 +369,11 @@ static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *b
 
 /* ------------------------------------------------------------------------------------------------------- the search */
 
+double chain_cost(int n, const Piece *piece, int m, const Node *node, double sigma, const Foot *foot)
+{
+    return chain_squares(m, node, foot) / (sigma * sigma) + pieces_cost(n, piece);
+}
+
 static hawser_status refine(Search *s, int steps)
 {
     return chain_refine(*s->n, *s->piece, s->m, s->node, steps, s->foot, s->err);
@@ -376,7 +381,7 @@ static hawser_status refine(Search *s, int steps)
 
 static double whole_cost(const Search *s)
 {
-    return chain_squares(s->m, s->node, s->foot) / s->sigma2 + pieces_cost(*s->n, *s->piece);
+    return chain_cost(*s->n, *s->piece, s->m, s->node, sqrt(s->sigma2), s->foot);
 }
 
 /* A chain to come back to. */
@@ -482,7 +487,6 @@ hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, doub
     int better = 1;
     hawser_status status = s.trial ? refine(&s, 3 * STEPS) : error_memory(err);
     if (!status) status = keep(&s, whole_cost(&s), &best);
-    for (int i = 0; i < *n && !status; ++i) (*piece)[i].settled = 0;
     for (int i = 0; i < SWEEPS && better && !status; ++i) {
         status = sweep(&s, &better);
         if (!status && better) status = whole_settle(&s, &best, &better);
