@@ -314,14 +314,12 @@ static void work_free(Work *w)
     free(w->before);
 }
 
-/* The step that Newton's equations give, in w->b; 0: there is none. */
-static int step_find(int n, const Piece *piece, double strength, Work *w)
+/* The matrix of Newton's equations, in w->a. */
+static void matrix_fill(int n, const Piece *piece, double strength, Work *w)
 {
     memset(w->a, 0, (size_t)n * BLOCK * (3 * HALF + 1) * sizeof *w->a);
     for (int q = 0; q < n; ++q) {
         const int at = q * BLOCK;
-        misses_find(&piece[q], q + 1 == n, &w->b[at]);
-        for (int i = 0; i < BLOCK; ++i) w->b[at + i] = i < UNKNOWNS ? w->normal[q].g[i] : -w->b[at + i];
         for (int i = 0; i < UNKNOWNS; ++i) {
             for (int k = 0; k < UNKNOWNS; ++k) *band_at(w->a, HALF, at + i, at + k) += w->normal[q].h[i][k];
         }
@@ -329,6 +327,17 @@ static int step_find(int n, const Piece *piece, double strength, Work *w)
         kind_constrain(&piece[q], at, w->a);
         if (q + 1 < n) joint_constrain(&piece[q], at, w->a);
         idle_fill(w->a, at);
+    }
+}
+
+/* The step that Newton's equations give, in w->b; 0: there is none. */
+static int step_find(int n, const Piece *piece, double strength, Work *w)
+{
+    matrix_fill(n, piece, strength, w);
+    for (int q = 0; q < n; ++q) {
+        double *const b = &w->b[q * BLOCK];
+        misses_find(&piece[q], q + 1 == n, b);
+        for (int i = 0; i < BLOCK; ++i) b[i] = i < UNKNOWNS ? w->normal[q].g[i] : -b[i];
     }
     return band_solve(n * BLOCK, HALF, w->a, w->b);
 }
@@ -419,6 +428,26 @@ hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int ste
         strength = fmax(1, strength / 30);
     }
     work_free(&w);
+    return memory ? HAWSER_OK : error_memory(err);
+}
+
+hawser_status chain_curvature_sd(int n, const Piece *piece, int q, int m, const Node *node, double sigma, double *sd,
+                                 hawser_error *err)
+{
+    const double free_steps = 1e-6; /* so little damping that it does not count */
+    Foot *const foot = malloc((size_t)m * sizeof *foot);
+    Work w;
+    const int memory = work_alloc(n, &w) && foot;
+    *sd = NAN;
+    if (memory) {
+        feet_find(n, piece, m, node, foot, w.normal);
+        matrix_fill(n, piece, free_steps, &w);
+        memset(w.b, 0, (size_t)n * BLOCK * sizeof *w.b);
+        w.b[q * BLOCK + 4] = 1;
+        if (band_solve(n * BLOCK, HALF, w.a, w.b) && w.b[q * BLOCK + 4] > 0) *sd = sigma * sqrt(w.b[q * BLOCK + 4]);
+    }
+    work_free(&w);
+    free(foot);
     return memory ? HAWSER_OK : error_memory(err);
 }
 

@@ -38,6 +38,10 @@ int chain_tied(const Piece *p);
  * distances (FT1)-(FT4), at most `steps` times. The first and last node pull at the chain's ends. foot: [m].
  * Errors: MEMORY. */
 hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, Foot *foot, hawser_error *err);
+/* The standard deviation of the curvature of arc q, 1/m, if points scatter by sigma, m: (FT10). The chain is where it
+ * fits best. NAN: the points do not tell. Errors: MEMORY. */
+hawser_status chain_curvature_sd(int n, const Piece *piece, int q, int m, const Node *node, double sigma, double *sd,
+                                 hawser_error *err);
 /* What a chain costs that is as foot says beside its nodes: (FT6). */
 double chain_cost(int n, const Piece *piece, int m, const Node *node, double sigma, const Foot *foot);
 /* The sum of weighted squares, m2. */

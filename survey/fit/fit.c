@@ -195,6 +195,33 @@ static hawser_status arcs_widen(Fitted *f, int m, const Node *node, const FitOpt
     return status;
 }
 
+static double rms_of(const Fitted *f, int n)
+{
+    double sum = 0;
+    for (int i = 0; i < n; ++i) sum += f->foot[i].away * f->foot[i].away;
+    return sqrt(sum / n);
+}
+
+/* How well the points tell each arc's curvature, in its k_sd; what stays as the file has it, or is as wide as the
+ * deviation allows, they do not tell. A few pieces on either side have all the say. foot: [m]. */
+static hawser_status radii_judge(Fitted *f, int m, const Node *node, const Foot *foot, double sigma, hawser_error *err)
+{
+    enum { ASIDE = 3 };
+    hawser_status status = HAWSER_OK;
+    for (int q = 0, from = 0; q < f->n && !status; ++q) {
+        const int a = q > ASIDE ? q - ASIDE : 0, b = q + ASIDE < f->n ? q + ASIDE : f->n - 1;
+        Piece *const p = &f->piece[q];
+        double sd;
+        while (from < m && foot[from].piece < a) ++from;
+        int to = from;
+        while (to < m && foot[to].piece <= b) ++to;
+        if (p->kind != PIECE_ARC || p->kept || to - from < 3) continue;
+        status = chain_curvature_sd(b - a + 1, f->piece + a, q - a, to - from, node + from, sigma, &sd, err);
+        p->e.k_sd = isfinite(sd) ? (float)sd : 0;
+    }
+    return status;
+}
+
 /* The chain through the line, from given pieces on if there are some (in f->piece). */
 static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
 {
@@ -219,6 +246,7 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
         chain_close(f->n, f->piece);
         status = chain_refine(f->n, f->piece, l->n, l->node, 0, f->foot, err);
     }
+    if (!status) status = radii_judge(f, l->n, l->node, f->foot, fmax(f->scatter, rms_of(f, l->n)), err);
     free(thin.node);
     free(full.node);
     free(foot);
@@ -227,13 +255,8 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
 
 static void deviations(const Fitted *f, int n, double *largest, double *rms)
 {
-    double sum = 0;
-    *largest = 0;
-    for (int i = 0; i < n; ++i) {
-        *largest = fmax(*largest, fabs(f->foot[i].away));
-        sum += f->foot[i].away * f->foot[i].away;
-    }
-    *rms = sqrt(sum / n);
+    *largest = farthest(n, f->foot);
+    *rms = rms_of(f, n);
 }
 
 /* ------------------------------------------------------------------------------------------------------- the plan */
