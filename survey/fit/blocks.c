@@ -10,6 +10,10 @@
 /* Pieces a block; within how many of them the longest one is where it ends; pieces on either side of a seam that are
  * gone over again. */
 enum { BLOCK_PIECES = 24, BLOCK_SLACK = 8, SEAM_ASIDE = 4 };
+/* How often a line's blocks are tried again, beside once for every second of them. */
+enum { RETRIES = 10 };
+/* Beyond these pieces it is not a line but a maze, on which the search would take minutes. */
+enum { PIECES_MOST = 1500 };
 
 /* A chain of a part of the line. */
 typedef struct Part {
@@ -47,12 +51,13 @@ static int is_better(const Stretch *s, const Part *a, const Part *b)
 }
 
 /* The best chain of several starts, if the first one leaves nodes beyond the deviation: the search goes downhill only,
- * and from finer or coarser cuts it goes another way. */
-static hawser_status part_find(const Stretch *s, Part *best)
+ * and from finer or coarser cuts it goes another way. *retries: how many are left. */
+static hawser_status part_find(const Stretch *s, int *retries, Part *best)
 {
     static const double other[] = {0.5, 2, 0.25, 0.7, 1.4};
     hawser_status status = part_from(s, s->sigma, best);
-    for (size_t i = 0; i < sizeof other / sizeof *other && !status && best->worst > s->deviation; ++i) {
+    for (size_t i = 0; i < sizeof other / sizeof *other && !status && best->worst > s->deviation && *retries > 0; ++i) {
+        --*retries;
         Part next;
         status = part_from(s, other[i] * s->sigma, &next);
         if (!status && is_better(s, &next, best)) {
@@ -106,13 +111,14 @@ static int seam_find(int n, const Piece *piece, int *q, int m)
 static hawser_status blocks_fit(const Stretch *all, int n_cuts, const Piece *cut, Piece **piece, int *n)
 {
     hawser_status status = HAWSER_OK;
+    int retries = RETRIES + n_cuts / (2 * BLOCK_PIECES);
     for (int q = 0, at = 0, to = 0; at < all->m - 1 && !status; at = to) {
         to = seam_find(n_cuts, cut, &q, all->m);
         Stretch s = *all;
         Part p;
         s.node += at;
         s.m = to - at + 1;
-        status = part_find(&s, &p);
+        status = part_find(&s, &retries, &p);
         for (int i = 0; i < p.n; ++i) {
             p.piece[i].settled = (at == 0 || i >= SEAM_ASIDE) && (to == all->m - 1 || i < p.n - SEAM_ASIDE);
         }
@@ -136,6 +142,12 @@ hawser_status chain_search(int m, const Node *node, double sigma, double deviati
     *piece = NULL;
     *n = 0;
     hawser_status status = cuts_find(m, node, sigma, clothoids, &cut, &n_cuts, err);
+    if (!status && n_cuts > PIECES_MOST) {
+        status = error_set(err, HAWSER_ERR_INPUT,
+                           "a line that falls into %d straights and bends, of which at most %d can be fitted: give its "
+                           "corners a radius instead, or split the file",
+                           n_cuts, PIECES_MOST);
+    }
     if (!status) status = blocks_fit(&all, n_cuts, cut, piece, n);
     if (!status && n_cuts >= 2 * BLOCK_PIECES) status = chain_improve(piece, n, m, node, sigma, clothoids, foot, err);
     free(cut);

@@ -62,7 +62,8 @@ hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_erro
 hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, double sigma, int clothoids, Foot *foot,
                             hawser_error *err);
 /* The chain through m >= 2 nodes, from nothing: cut, rounded and improved in blocks, then across their seams. A block
- * that leaves nodes beyond the deviation is tried from other cuts. *piece is allocated. foot: [m]. Errors: MEMORY. */
+ * that leaves nodes beyond the deviation is tried from other cuts. *piece is allocated. foot: [m]. Errors: INPUT (more
+ * pieces than can be fitted in a minute or two), MEMORY. */
 hawser_status chain_search(int m, const Node *node, double sigma, double deviation, int clothoids, Piece **piece,
                            int *n, Foot *foot, hawser_error *err);
 
