@@ -126,6 +126,12 @@ static hawser_status entity_add(DxfStream *s, const DxfEntity *e)
         hawser_status (*add)(const SurveyInput *in, const DxfEntity *e);
     } shapes[] = {
         {"LINE", dxf_add_line}, {"ARC", dxf_add_arc}, {"LWPOLYLINE", dxf_add_lwpolyline}, {"SPLINE", dxf_add_spline}};
+    if (dxf_number(e, 67, 0) == 1) { /* frames and titles of a sheet, in its own coordinates */
+        char what[SURVEY_NAME_MAX];
+        snprintf(what, sizeof what, "%s in paper space", e->kind);
+        survey_ignore(s->in->out, what);
+        return HAWSER_OK;
+    }
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
         if (!strcmp(e->kind, shapes[i].kind)) return shapes[i].add(s->in, e);
     }
