@@ -109,6 +109,21 @@ static void splines(void **state)
     survey_clear(&s);
 }
 
+/* Layers of old drawings are bytes of a code page; what blocks hold is not read, and said so. */
+static void layers_and_blocks(void **state)
+{
+    (void)state;
+    Survey s = drawing(DXF("6", "0\nLINE\n8\nTRASSE_\xDC\n10\n0\n20\n0\n11\n9\n21\n0\n"));
+    assert_string_equal(only(&s)->layer, "TRASSE_\xC3\x9C");
+    survey_clear(&s);
+    s = drawing("0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\n*D1\n0\nLINE\n8\n0\n0\nENDBLK\n0\nBLOCK\n2\nAXIS\n0\nLINE\n8\n0\n"
+                "0\nENDBLK\n0\nENDSEC\n" DXF("6", "0\nLINE\n8\nC\n10\n0\n20\n0\n11\n9\n21\n0\n"));
+    assert_int_equal(s.n_ignored, 1);
+    assert_string_equal(s.ignored[0].what, "lines inside of blocks");
+    assert_int_equal(s.ignored[0].times, 1);
+    survey_clear(&s);
+}
+
 /* A sheet's frame is no line of the ground. */
 static void paper_space(void **state)
 {
@@ -246,9 +261,9 @@ static void what_is_wrong(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines),
-                                       cmocka_unit_test(splines),        cmocka_unit_test(paper_space),
-                                       cmocka_unit_test(marks),          cmocka_unit_test(binary),
-                                       cmocka_unit_test(railway_sheet),  cmocka_unit_test(what_is_wrong)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines),         cmocka_unit_test(splines),
+        cmocka_unit_test(paper_space),    cmocka_unit_test(layers_and_blocks), cmocka_unit_test(marks),
+        cmocka_unit_test(binary),         cmocka_unit_test(railway_sheet),     cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
