@@ -29,7 +29,8 @@ typedef struct ProfileElement {
 
 enum { SURVEY_NAME_MAX = 128 };
 
-/* What a file calls pieces, one behind the other, each with its 0; most pieces have no name, so it costs them little. */
+/* What a file calls pieces, one behind the other, each with its 0; most pieces have no name, so it costs them little.
+ */
 typedef struct PieceNames {
     char *text;
     int used, room;
