@@ -2,7 +2,7 @@
  * in one go; what the steps keep is with those who keep it (stage_checkpoint). */
 #include <stdlib.h>
 
-#include "sim/run/sim.h"
+#include "sim/run/commands.h"
 
 /* Of a table's row, what is neither a name nor known from the case. */
 #define ROW(c, row, type, member) CHECKPOINT_FROM(c, row, type, member)
@@ -95,11 +95,12 @@ static void events_checkpoint(Checkpoint *c, EventLog *log)
     if (!checkpoint_check(c, n >= 0 && n <= EVENTS_MAX, "a number of events is impossible")) return;
     hawser_error lack = {HAWSER_OK, ""};
     if (c->reading) log->n = 0;
-    while (c->reading && log->n < n && !lack.status) events_add(log, 0, "", 0, &lack);
+    while (c->reading && log->n < n && !lack.status) events_add(log, (hawser_event){0}, &lack);
     if (lack.status) checkpoint_lack(c);
     for (int i = 0; !c->status && i < n; ++i) {
         CHECKPOINT(c, log->event[i].t);
         CHECKPOINT(c, log->event[i].pull_N);
+        CHECKPOINT(c, log->event[i].code);
         checkpoint_text(c, "event", &log->event[i].what);
     }
 }
@@ -128,10 +129,28 @@ static void modes_checkpoint(Checkpoint *c, Modes *m, int segments)
     }
 }
 
+/* What the run was told, and what winch, jams and conveyors have come to: in bytes of its own (sim/run/commands.h). */
+static hawser_status controls_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
+{
+    const int reel = s->stage.scene.reel->present; /* which the stage asks for itself */
+    hawser_status status = HAWSER_OK;
+    int size = (int)controls_size(s), room = 0;
+    if (c->status) return status;
+    void *bytes = c->reading ? NULL : malloc((size_t)size + 1);
+    if (bytes) controls_save(s, bytes);
+    if (!c->reading && !bytes) checkpoint_lack(c);
+    checkpoint_list(c, "controls", &bytes, &size, &room, 1);
+    if (c->reading && !c->status) status = controls_load(s, bytes, (size_t)size, err);
+    free(bytes);
+    s->stage.scene.reel->present = reel;
+    return status;
+}
+
 hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
-    hawser_status status = stage_checkpoint(c, &s->stage, err);
+    hawser_status status = controls_checkpoint(c, s, err);
+    if (!status) status = stage_checkpoint(c, &s->stage, err);
     if (status || c->status) return status;
     stats_checkpoint(c, &s->stats);
     machines_checkpoint(c, &s->machines);
@@ -164,7 +183,7 @@ uint64_t sim_identity(const Sim *s)
     uint64_t sum[40] = {0};
     int n = 0;
     sum[n++] = (uint64_t)scene->total;
-    sum[n++] = (uint64_t)(s->stage.motion == &s->stage.planar.motion);
+    sum[n++] = (uint64_t)scene->def.solver.planar;
     sum[n++] = checkpoint_hash(scene->joint_s, joints * sizeof *scene->joint_s);
     sum[n++] = checkpoint_hash(chain->half, (joints - 1) * sizeof(double));
     sum[n++] = checkpoint_hash(chain->radius, (joints - 1) * sizeof(double));

@@ -372,6 +372,30 @@ hawser_status stage_settle(Stage *st, hawser_error *err)
     return status;
 }
 
+hawser_status stage_to_space(Stage *st, const char *why, hawser_error *err)
+{
+    Motion *const planar = st->motion;
+    if (planar != &st->planar.motion) return HAWSER_OK;
+    double *const y = aligned_array_new(scene_state_size(&st->scene)), *const old = st->y;
+    if (!y) return error_memory(err);
+    event_begins(st);
+    planar->ops->unpack(planar, old, y);
+    hawser_status status = spatial_new(st, err);
+    if (!status) status = st->motion->ops->renew(st->motion, st->t, y, err);
+    if (!status && st->integrator) status = integrator_renew(&st->integrator, st->motion, st->t, y, err);
+    if (status) {
+        newton_free(&st->newton);
+        st->motion = planar;
+        free(y);
+        return status;
+    }
+    st->y = y;
+    free(old);
+    planar_free(&st->planar);
+    snprintf(st->plane_why, sizeof st->plane_why, "%s", why);
+    return st->balance ? balance_enter(st->balance, st->motion, st->t, st->y, err) : HAWSER_OK;
+}
+
 hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -419,6 +443,23 @@ static hawser_status window_again(Stage *st, int first, int n, hawser_error *err
     return spatial_new(st, err);
 }
 
+/* A command may have brought a scene that lies in a plane into space, or the state is from before that. */
+static hawser_status motion_again(Stage *st, int planar, hawser_error *err)
+{
+    Plane plane;
+    st->integrator = integrator_free(st->integrator);
+    if (!planar) {
+        planar_free(&st->planar);
+        return spatial_new(st, err);
+    }
+    newton_free(&st->newton);
+    if (plane_find(&st->scene, &plane, st->plane_why) <= 0)
+        return error_set(err, HAWSER_ERR_RUN, "the scene does not lie in a plane any more: %s", st->plane_why);
+    const hawser_status status = planar_new(&st->planar, &st->scene, &plane, &st->ws, &st->options, err);
+    st->motion = &st->planar.motion;
+    return status;
+}
+
 /* Whether what is there has another shape than what is to be read. */
 static int window_differs(const Stage *st, int first, int n, int reel)
 {
@@ -462,7 +503,8 @@ static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *er
 {
     Scene *const scene = &st->scene;
     const int chain = scene->chain.n, moves = st->whole.n > 0;
-    int first = scene->first, n = chain, reel = scene->reel->present;
+    int first = scene->first, n = chain, reel = scene->reel->present, planar = st->motion == &st->planar.motion;
+    const int was = planar;
     hawser_status status = HAWSER_OK;
     CHECKPOINT(c, st->t);
     CHECKPOINT(c, first);
@@ -470,11 +512,14 @@ static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *er
     CHECKPOINT(c, st->joined);
     CHECKPOINT(c, st->left);
     CHECKPOINT(c, reel);
+    CHECKPOINT(c, planar);
+    CHECKPOINT(c, st->plane_why);
     const int fits = moves ? first >= 0 && n >= 2 && n <= scene->total - first : first == scene->first && n == chain;
     if (!checkpoint_check(c, fits, "another part of the chain is simulated")) return HAWSER_OK;
-    const int differs = c->reading && window_differs(st, first, n, reel);
+    const int differs = c->reading && (planar != was || window_differs(st, first, n, reel));
     scene->reel->present = reel;
-    if (differs) status = window_again(st, first, n, err);
+    if (differs && planar != was) status = motion_again(st, planar, err);
+    if (differs && !status) status = window_again(st, first, n, err);
     if (!status) checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
     return status;
 }
