@@ -3,10 +3,9 @@
  * A file is a head of fixed size (what it is, its length, its hash) and a row of pieces: the program's version and
  * kernels, the case, and what follows from it, all of which are compared before anything is read; then, of a run with
  * results, how far these have come; then the simulation. */
-#include "io/api/api_checkpoint.h"
-
 #include "core/base/error.h"
 #include "core/base/isa.h"
+#include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 
 #include <errno.h>

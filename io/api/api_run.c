@@ -4,7 +4,7 @@
  * between rows. */
 #include "core/base/clock.h"
 #include "core/base/error.h"
-#include "io/api/api_checkpoint.h"
+#include "io/api/api_handles.h"
 #include "sim/picture/geometry.h"
 
 #include <math.h>

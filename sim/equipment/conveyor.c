@@ -448,19 +448,6 @@ static double conveyors_next_stop(const Room *room, const Scene *scene, double t
     return next;
 }
 
-static void conveyors_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
-{
-    (void)scene;
-    const Conveyors *const all = room->self;
-    ConveyorRange *const range = ws->room[room->number];
-    for (int i = 0; i < all->n; ++i) {
-        CHECKPOINT_UP_TO(c, &range[i], ConveyorRange, n);
-        checkpoint_put(c, "range[i].x", range[i].x, (size_t)range[i].n * sizeof(double));
-        checkpoint_put(c, "range[i].lean", range[i].lean, (size_t)range[i].n * sizeof(double));
-        CHECKPOINT_UP_TO(c, &all->filled[i], Filled, says);
-    }
-}
-
 /* (K4); a belt that is stopped keeps what it was told for when it is free. */
 static int conveyors_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
 {
@@ -498,8 +485,7 @@ static void conveyors_controls(Room *room, ControlsVisit *visit)
         controls_bytes(visit, &c->clamp, sizeof c->clamp);
         controls_bytes(visit, &all->told[i], sizeof all->told[i]);
         controls_bytes(visit, &told, sizeof told);
-        controls_bytes(visit, &all->filled[i].cover, sizeof all->filled[i].cover);
-        controls_bytes(visit, &all->filled[i].grips, sizeof all->filled[i].grips);
+        controls_bytes(visit, &all->filled[i], offsetof(Filled, says));
         if (told) all->seized[i] = &all->told[i];
     }
 }
