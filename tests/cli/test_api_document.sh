@@ -27,7 +27,7 @@ awk '/t = 20 s/ && $5 > 2940 && $5 < 3060 { held = 1 } END { exit !held }' "$wor
     cat "$work/example2.out" >&2
 }
 # ten or so rollers carry 200 kg less what the winch holds
-awk '/^t = / { n++; if ($7 < 1700 || $7 > 2100) exit 1 } END { exit n != 3 }' "$work/example3.out" || {
+awk '/^t = / { n++; if ($8 < 1700 || $8 > 2100) exit 1 } END { exit n != 3 }' "$work/example3.out" || {
     fail "$what: contacts do not carry the cable:"
     cat "$work/example3.out" >&2
 }

@@ -176,9 +176,14 @@ static void wrong_order(void **state)
     hawser_sim_on_step(s, NULL, NULL);
     assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &error), HAWSER_OK);
     hawser_sim_free(s);
-    hawser_sim *const resting = sim_new_of("run.analysis", "static");
-    REFUSED(hawser_sim_control(resting, HAWSER_FRICTION, NULL, 1, 1, &error), nothing);
+    hawser_case *c = NULL;
+    hawser_sim *resting = NULL;
+    assert_int_equal(hawser_case_parse(data_text("rod-column"), "rod.yaml", &c, &error), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &resting, &error), HAWSER_OK);
+    REFUSED(hawser_sim_force(resting, 1, NULL, 1, &error), nothing);
+    check_has(error.message, "dynamics");
     hawser_sim_free(resting);
+    hawser_case_free(c);
 }
 
 /* Key, file and line of a wrong case; segment and time of a run that fails. */
