@@ -14,6 +14,7 @@ static const char *const texts[] = {
     "rollers: {along: {from: 0 m, to: 8 m, spacing: 2 m}}\n"
     "drive: {winch: {speed: 0.5 m/s, to: 1 s}, tail: {tension: 1 kN, ramp: none}}\n"
     "limits: {pull: 20 kN}\n"
+    "solver: {max_steps: 300}\n"
     "run: {duration: 2 s}\n",
     "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}}\n"
     "chain: [{cable: c, length: 6 m, segment: 1 m}]\n"
@@ -27,12 +28,14 @@ static const char *const texts[] = {
     "conveyors: [{name: c, from: 1 m, to: 4 m, clamp: 200 N}]\n"
     "surfaces: {planes: [{name: ground, point: [0, 0, -100 mm], normal: [0, 0, 1]}]}\n"
     "drive: {winch: {speed: 0.5 m/s, to: 1 s, trip: {force: 3 kN, restarts: 1}}}\n"
+    "solver: {max_steps: 300}\n"
     "run: {duration: 2 s}\n",
     "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}}\n"
     "chain: [{cable: c, length: 6 m, segment: 1 m}]\n"
     "route: {head_at: 6 m, pieces: [{straight: 8 m}]}\n"
     "rollers: {along: {from: 0 m, to: 8 m, spacing: 2 m}}\n"
     "drive: {winch: {tension: {force: 500 N, to: 300 ms, speed_limit: 0.5 m/s}}}\n"
+    "solver: {max_steps: 300}\n"
     "run: {duration: 2 s, steady_from: 1 s}\n"};
 enum { TEXTS = sizeof texts / sizeof *texts };
 
@@ -45,7 +48,7 @@ static void call_case(Pair *p, int what, int argument, hawser_error *err)
 {
     static const char *const keys[] = {"run.duration", "chain.0.segment", "drive.winch.speed", "solver.accuracy",
                                        "bogus"};
-    static const char *const values[] = {"1 s", "0.5 m", "-1", "1e-4", "{}"};
+    static const char *const values[] = {"1 s", "0.5 m", "-1", "0.05", "{}"};
     static const hawser_format formats[] = {HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV};
     char *text = NULL;
     switch (what) {
