@@ -108,7 +108,8 @@ static void call_control(hawser_sim *sim, int what, int argument, hawser_error *
     const hawser_force force = {.force_N = {value, 10, -20}, .arm_m = {0.1, 0, 0}, .follows = argument & 1};
     hawser_status status;
     if (what < 13) {
-        status = hawser_sim_control(sim, (hawser_control)what, names[argument % 6], value, ramps[argument / 6 % 6], err);
+        status =
+            hawser_sim_control(sim, (hawser_control)what, names[argument % 6], value, ramps[argument / 6 % 6], err);
     } else {
         status = hawser_sim_force(sim, argument % 9 - 1, argument % 5 ? &force : NULL, ramps[argument / 6 % 6], err);
     }
@@ -160,7 +161,8 @@ static void call_close(hawser_sim *sim, int what, int *argument, hawser_error *e
         (void)(*argument & 1 ? hawser_sim_watch_envelope(sim, err) : hawser_sim_envelope(sim, 1, &envelope, err));
         break;
     case 5:
-        (void)hawser_sim_set_law(sim, *argument % 7 - 1, *argument / 7 % 9, *argument % 3 ? law : NULL, 0, argument, err);
+        (void)hawser_sim_set_law(sim, *argument % 7 - 1, *argument / 7 % 9, *argument % 3 ? law : NULL, 0, argument,
+                                 err);
         break;
     default:
         hawser_sim_on_step(sim, *argument % 3 ? step : NULL, argument);
