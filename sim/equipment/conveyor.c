@@ -54,6 +54,7 @@ static double belt_speed(const Conveyor *c, const Winch *w, const Seizure *seize
 /* (K4) */
 static double grip_now(const Conveyor *c, double t)
 {
+    if (!c->told) return c->grip;
     const double most = 2 * c->def->mu * profile_value(&c->clamp, t);
     return c->def->limit > 0 ? fmin(most, c->def->limit) : most;
 }
@@ -467,6 +468,7 @@ static int conveyors_command(Room *room, const Scene *scene, const Command *c, d
     }
     if (c->kind == HAWSER_CONVEYOR_CLAMP) {
         belt->clamp = command_ramp(&belt->clamp, t, c->value, c->ramp);
+        belt->told = 1;
         return 1;
     }
     const int taken = seizure_command(&all->told[i], all->seized[i], c, t, err);
@@ -483,6 +485,7 @@ static void conveyors_controls(Room *room, ControlsVisit *visit)
         controls_bytes(visit, &c->sync, sizeof c->sync);
         controls_profile(visit, &c->speed, &c->def->speed);
         controls_bytes(visit, &c->clamp, sizeof c->clamp);
+        controls_bytes(visit, &c->told, sizeof c->told);
         controls_bytes(visit, &all->told[i], sizeof all->told[i]);
         controls_bytes(visit, &told, sizeof told);
         controls_bytes(visit, &all->filled[i].cover, sizeof all->filled[i].cover);
