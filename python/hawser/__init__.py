@@ -11,7 +11,7 @@ from hawser.case import Case, theory
 from hawser.errors import CaseError, Error, OutputError, RunError, Stopped
 from hawser.results import Figure, Result, Verdict, compare
 from hawser.simulation import Progress, Relaxation, Sample, Simulation, run
-from hawser.theory import Theory
+from hawser.calculation import Theory
 
 __all__ = ["Case", "CaseError", "Error", "Figure", "OutputError", "Progress", "Relaxation", "Result", "RunError", "Sample",
            "Simulation", "Stopped", "Theory", "Verdict", "__version__", "compare", "run", "theory"]

@@ -14,7 +14,7 @@ from hawser.errors import check, taken
 
 if TYPE_CHECKING:
     from hawser.simulation import Simulation
-    from hawser.theory import Theory
+    from hawser.calculation import Theory
 
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 Settings = Mapping[str, Any]
@@ -92,7 +92,7 @@ class Case:
 
     def theory(self) -> Theory:
         """The pulling calculation alone, in milliseconds."""
-        from hawser.theory import Theory
+        from hawser.calculation import Theory
 
         return Theory(json.loads(self._text(lib.hawser_case_theory, lib.HAWSER_JSON)),
                       self._text(lib.hawser_case_theory, lib.HAWSER_TABLE))

@@ -53,6 +53,7 @@ class Figure(str):
 
 
 TEXTS = ("name", "key", "value", "unit", "origin", "where", "source")  # columns that hold no numbers
+COUNTS = ("max_tension_joint", "active_contacts", "mode", "segment")  # numbers that are whole always
 
 
 def unguarded(cell: str) -> str:
@@ -62,7 +63,9 @@ def unguarded(cell: str) -> str:
 
 def read_csv(path: pathlib.Path) -> pd.DataFrame:
     """A table of results; an empty cell is NaN, in a column of texts an empty text."""
-    return pd.read_csv(path, encoding="utf-8", converters=dict.fromkeys(TEXTS, unguarded))
+    table = pd.read_csv(path, encoding="utf-8", converters=dict.fromkeys(TEXTS, unguarded))
+    whole = [name for name in table.columns if table[name].dtype == np.int64 and name not in COUNTS]
+    return table.astype(dict.fromkeys(whole, float))
 
 
 class Result:
@@ -180,8 +183,8 @@ class Result:
             raise ImportError("states are read with h5py, which is not there (Debian: python3-h5py)") from missing
         with h5py.File(self.folder / "results.h5", "r") as file:
             arrays = {name: np.asarray(file[name]) for name in ("time", *AXES) if name in file}
-            units = {name: str(file[name].attrs["unit"]) for name in arrays}
-            told = {name: str(file[name].attrs["description"]) for name in arrays}
+            units = {name: as_text(file[name].attrs["unit"]) for name in arrays}
+            told = {name: as_text(file[name].attrs["description"]) for name in arrays}
             names = [as_text(name) for name in file["roller_name"]] if "roller_name" in file else []
         complete = len(arrays["time"])  # a state has a time once all of it is there
         arrays = {name: values[:complete] for name, values in arrays.items()}

@@ -334,8 +334,9 @@ class Simulation:
             lib.hawser_sim_record(c)
 
     def _table(self, call: Any, struct: str, rename: dict[str, str] | None = None) -> pd.DataFrame:
-        rows = ffi.new(f"const {struct} **")
+        rows, summary = ffi.new(f"const {struct} **"), ffi.new("hawser_summary *")
         with self._open as c:
+            lib.hawser_sim_summary(c, summary)  # brings the rows' error bars up to date
             n = call(c, rows)
             return frame(struct, rows[0], n, rename)
 
