@@ -15,6 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 OWN_DECLARATIONS = """
 extern "Python" int hawser_python_progress(void *user, const hawser_sample *sample, double wall_s, double end_s);
 extern "Python" int hawser_python_certify(void *user, const hawser_certify_state *state);
+extern "Python" int hawser_python_study(void *user, const hawser_study_state *state);
 hawser_status hawser_python_advance(hawser_sim *s, double t, double wall_s, hawser_error *err);
 """
 OWN_SOURCE = """

@@ -7,11 +7,16 @@
 SI units throughout: m, kg, s, N, rad; the names of columns end in theirs. docs/python.md has more.
 """
 from hawser._declared import VERSION as __version__
+from hawser.alignment import Route, routes
+from hawser.calculation import Theory
 from hawser.case import Case, theory
+from hawser.catalogue import library
+from hawser.certificate import Certificate, certify
 from hawser.errors import CaseError, Error, OutputError, RunError, Stopped
 from hawser.results import Figure, Result, Verdict, compare
 from hawser.simulation import Progress, Relaxation, Sample, Simulation, run
-from hawser.calculation import Theory
+from hawser.studies import Study, study
 
-__all__ = ["Case", "CaseError", "Error", "Figure", "OutputError", "Progress", "Relaxation", "Result", "RunError", "Sample",
-           "Simulation", "Stopped", "Theory", "Verdict", "__version__", "compare", "run", "theory"]
+__all__ = ["Case", "CaseError", "Certificate", "Error", "Figure", "OutputError", "Progress", "Relaxation", "Result", "Route",
+           "RunError", "Sample", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
+           "library", "routes", "run", "study", "theory"]

@@ -19,6 +19,7 @@ import declarations  # noqa: E402
 # Functions that the package does not call, and why.
 NOT_WRAPPED = {
     "hawser_limits_verdict": "hawser_verdict says the same, with the conditions",
+    "hawser_version": "the extension is linked with this version's library, whose number _declared.VERSION has",
     "hawser_machine_figure": "a dict has the figures",
     "hawser_show_figure": "the command's tables need it",
     "hawser_show_text": "texts are in SI",

@@ -57,10 +57,10 @@ def test_tables_of_a_simulation_are_those_of_its_results():
 def test_machines_and_surfaces():
     simulation = hawser.Simulation(DATA / "limits-conveyor.yaml")
     result = simulation.run()
-    done = simulation.machines["A"]
-    kept = result.conveyors.set_index("name").loc["A"]
+    done = simulation.machines["K"]
+    kept = result.conveyors.set_index("name").loc["K"]
     assert done["steady_mean_N"] == pytest.approx(kept["steady_mean_N"]) and kept["steady_mean_N"] > 0
-    assert simulation.sample().machines["A"]["force_N"] == pytest.approx(result.series["A_force_N"].iloc[-1])
+    assert simulation.sample().machines["K"]["force_N"] == pytest.approx(result.series["K_force_N"].iloc[-1])
     simulation = hawser.Simulation(DATA / "picture.yaml")
     simulation.run_quietly()
     assert list(simulation.surfaces["kind"]) == ["duct", "plane"]
