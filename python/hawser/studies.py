@@ -26,9 +26,7 @@ ALONE = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS":
 class Study:
     """What a study has found, in a folder that study() or `hawser study` has written.
 
-    samples: a row a sample: its parameters, verdict, limited_by, quantities, margins
-    summary: all of them together: shares, limits, sensitivities
-    answer:  the same for people; "" of a folder that is only read
+    answer: for people; "" of a folder that is only read
     """
 
     def __init__(self, folder: str | os.PathLike[str], answer: str = "") -> None:
@@ -38,10 +36,12 @@ class Study:
 
     @property
     def samples(self) -> pd.DataFrame:
+        """A row a sample: its parameters, verdict, limited_by, quantities, margins."""
         return read_csv(self.folder / "samples.csv")
 
     @property
     def summary(self) -> dict[str, Any]:
+        """All of them together: shares, limits, sensitivities."""
         found: dict[str, Any] = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
         return found
 

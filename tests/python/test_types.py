@@ -21,7 +21,7 @@ def test_the_package_and_programs_of_users(tmp_path):
     wrong = tmp_path / "wrong.py"
     wrong.write_text(WRONG)
     modules = [str(path) for path in sorted((ROOT / "python" / "hawser").glob("[!_]*.py"))]
-    said = subprocess.run([sys.executable, "-m", "mypy", "--cache-dir", str(tmp_path / "cache"), *modules,
+    said = subprocess.run([sys.executable, "-m", "mypy", "--cache-dir", os.environ["HAWSER_MYPY_CACHE"], *modules,
                            str(HERE / "typed_use.py"), str(wrong)],
                           cwd=ROOT / "python", env={**os.environ, "MYPYPATH": ""}, capture_output=True, text=True).stdout
     *errors, last = said.splitlines()
