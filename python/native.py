@@ -11,10 +11,15 @@ import declarations
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# What C does for Python besides: a call-back, and a step of work that ends soon, so that Ctrl-C is noticed.
+# What C does for Python besides: call-backs, and a step of work that ends soon, so that Ctrl-C is noticed.
 OWN_DECLARATIONS = """
 extern "Python" int hawser_python_progress(void *user, const hawser_sample *sample, double wall_s, double end_s);
 extern "Python" int hawser_python_certify(void *user, const hawser_certify_state *state);
+extern "Python" int hawser_python_on_step(void *user, hawser_sim *s, double t);
+extern "Python" int hawser_python_on_event(void *user, hawser_sim *s, const hawser_event *event);
+extern "Python" void hawser_python_on_log(void *user, hawser_log_level level, const char *text);
+extern "Python" int hawser_python_law(void *user, const hawser_segment_now *at, double wrench[6], double by_place[36],
+                                      double by_motion[36]);
 extern "Python" int hawser_python_study(void *user, const hawser_study_state *state);
 hawser_status hawser_python_advance(hawser_sim *s, double t, double wall_s, hawser_error *err);
 """

@@ -7,6 +7,7 @@
 SI units throughout: m, kg, s, N, rad; the names of columns end in theirs. docs/python.md has more.
 """
 from hawser._declared import VERSION as __version__
+from hawser._callbacks import Event, Progress, Segment
 from hawser.alignment import Route, routes
 from hawser.calculation import Theory
 from hawser.case import Case, theory
@@ -14,9 +15,10 @@ from hawser.catalogue import library
 from hawser.certificate import Certificate, certify
 from hawser.errors import CaseError, Error, OutputError, RunError, Stopped
 from hawser.results import Figure, Result, Verdict, compare
-from hawser.simulation import Progress, Relaxation, Sample, Simulation, run
+from hawser.sample import Sample
+from hawser.simulation import Relaxation, Simulation, run
 from hawser.studies import Study, study
 
-__all__ = ["Case", "CaseError", "Certificate", "Error", "Figure", "OutputError", "Progress", "Relaxation", "Result", "Route",
-           "RunError", "Sample", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
+__all__ = ["Case", "CaseError", "Certificate", "Error", "Event", "Figure", "OutputError", "Progress", "Relaxation", "Result", "Route",
+           "RunError", "Sample", "Segment", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
            "library", "routes", "run", "study", "theory"]

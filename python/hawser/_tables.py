@@ -59,6 +59,11 @@ def frame(struct: str, rows: Any, n: int, rename: Mapping[str, str] | None = Non
     return table
 
 
+def figures(figure: Any, n: int) -> dict[str, float]:
+    """C's figures by name."""
+    return {text_of(figure[i].key): figure[i].value for i in range(n)}
+
+
 def frame_of(rows: Iterable[Mapping[str, Any]]) -> pd.DataFrame:
     """A table of a JSON list of objects. What is not known is NaN, a flag that is not known None."""
     listed = list(rows)

@@ -3,10 +3,11 @@ from __future__ import annotations
 
 import html
 import json
-from typing import Any, Callable, NamedTuple, Optional
+from typing import Any, Callable, NamedTuple
 
 import pandas as pd
 
+from hawser._callbacks import Called, from_c
 from hawser._native import ffi, lib
 from hawser._tables import frame_of
 from hawser.case import Case, Settings, Source, case_of
@@ -55,23 +56,10 @@ class Certificate:
         return f"<pre>{html.escape(str(self))}</pre>"
 
 
-class Listener:
-    def __init__(self, wish: Optional[Callable[[Certified], Any]]) -> None:
-        self.wish, self.raised = wish, None
-
-    def tell(self, state: Any) -> bool:
-        now = Certified(state.round, state.runs, state.over, text_of(state.what), state.done, state.left_s)
-        return bool(self.wish and self.wish(now))
-
-
-def keep_raised(_: Any, error: BaseException, trace: Any) -> int:
-    ffi.from_handle(trace.tb_frame.f_locals["user"]).raised = error
-    return 1
-
-
-@ffi.def_extern(name="hawser_python_certify", error=1, onerror=keep_raised)  # type: ignore[misc]
+@from_c("certify")  # type: ignore[misc]
 def _progress(user: Any, state: Any) -> int:
-    return int(ffi.from_handle(user).tell(state))
+    now = Certified(state.round, state.runs, state.over, text_of(state.what), state.done, state.left_s)
+    return bool(ffi.from_handle(user).call(now))
 
 
 def certify(case: Source | Case, *, set: Settings | None = None, tolerance: float = 0.01, rounds: int = 0, effort: float = 0,
@@ -86,17 +74,16 @@ def certify(case: Source | Case, *, set: Settings | None = None, tolerance: floa
     progress:  is called with a Certified a few times a second, and stops it (hawser.Stopped) by returning True
     """
     case, error = case_of(case, set), ffi.new("hawser_error *")
-    simulation, listener = Simulation(case), Listener(progress)
+    simulation = Simulation(case)
     simulation.run_quietly()
-    user, made, text = ffi.new_handle(listener), ffi.new("hawser_certificate **"), ffi.new("char **")
+    handle, made, text = simulation._open, ffi.new("hawser_certificate **"), ffi.new("char **")
+    called = Called(handle, progress or (lambda now: False))
     options = ffi.new("hawser_certify_options *", {
-        "tolerance": tolerance, "rounds": rounds, "effort": effort, "threads": threads, "user": user,
+        "tolerance": tolerance, "rounds": rounds, "effort": effort, "threads": threads, "user": called.user,
         "progress": lib.hawser_python_certify})
-    with simulation._open as c:
-        status = lib.hawser_certify(case._c, c, options, made, error)
-    if listener.raised is not None:
-        raise listener.raised
-    check(status, error)
+    with handle.motion as c:
+        status = lib.hawser_certify(case._c, c, options, made, handle.error)
+    handle.check(status)
     certificate = ffi.gc(made[0], lib.hawser_certificate_free)
     texts = []
     for format in (lib.HAWSER_JSON, lib.HAWSER_TABLE):

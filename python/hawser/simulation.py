@@ -5,52 +5,24 @@ import json
 import math
 import os
 import pathlib
-import sys
 import tempfile
-import threading
-from typing import Any, Callable, Iterator, NamedTuple, Union
+import weakref
+from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
-import numpy as np
 import pandas as pd
 
-from hawser._declared import MEMBERS
+from hawser._callbacks import LEVELS, Called, Event, Segment, Teller, Wish, enum_names, event_kind
+from hawser._handle import Handle
 from hawser._native import ffi, lib
-from hawser._tables import frame, plain, view
+from hawser._tables import figures, frame, plain
 from hawser.case import Case, Settings, Source, case_of
-from hawser.errors import RunError, Stopped, check, error_from, taken, text_of
+from hawser.errors import RunError, Stopped, check, taken, text_of
 from hawser.results import Result, Verdict
+from hawser.sample import Sample
 
-Array = np.ndarray[Any, np.dtype[np.float64]]
-
+# What a simulation can be told: {"winch_speed": 1, ...}, as the header lists it.
+COMMANDS = {name: number for number, name in enum_names("hawser_control", "HAWSER_").items()}
 POLL_S = 0.1  # wall time after which a long advance lets Python look for Ctrl-C
-
-
-class Handle:
-    """The C simulation: freed when neither the Simulation nor any array of it is left. One thread at a time: `with handle as
-    c:` refuses a second one instead of waiting for it."""
-
-    def __init__(self, c: Any) -> None:
-        self.c = ffi.gc(c, lib.hawser_sim_free)
-        self.moved = 0  # counts what makes older samples invalid
-        self._lock = threading.Lock()
-
-    def __enter__(self) -> Any:
-        if not self._lock.acquire(False):
-            raise RuntimeError("this simulation is at work in another call: one thread uses it at a time")
-        return self.c
-
-    def __exit__(self, *_: object) -> None:
-        self._lock.release()
-
-
-class Progress(NamedTuple):
-    """What a progress function is told."""
-
-    t: float  # s
-    end: float  # s, the run's end
-    wall: float  # s since the run began
-    step: float  # s, the integrator's last
-    winch_force: float  # N
 
 
 class Relaxation(NamedTuple):
@@ -64,123 +36,6 @@ class Relaxation(NamedTuple):
     moved_m: float  # farthest that a segment moved from the route
 
 
-# The arrays of a sample: how many rows, and how many numbers in each (0: the rows are the numbers).
-SHAPES = {"position": ("segments", 3), "quaternion": ("segments", 4), "velocity": ("segments", 3), "omega": ("segments", 3),
-          "tension": ("joints", 0), "axial_speed": ("segments", 0), "roller_load": ("rollers", 0),
-          "roller_spin": ("rollers", 0), "roller_shift": ("rollers", 0), "surface_normal": ("surfaces", 0),
-          "surface_friction": ("surfaces", 0), "surface_line_load": ("surfaces", 0), "surface_at": ("surfaces", 0),
-          "curvature": ("joints", 0), "sidewall": ("joints", 0), "contact_line_load": ("segments", 0),
-          "roller_force": ("rollers", 3)}
-
-
-class Sample:
-    """One look at a simulation, in SI units and world components.
-
-    It is good until the simulation moves on: then its members raise RuntimeError. Arrays are views of the simulation's
-    own memory: they cannot be written, are never copied, keep it alive, and show its latest sample; copy what is to be kept
-    (as_dict copies everything).
-    """
-
-    __slots__ = ("_handle", "_c", "_moved")
-
-    t: float  # s
-    segments: int
-    joints: int
-    rollers: int
-    surfaces: int
-    first: int
-    active: int
-    winch_force: float  # N
-    tail_tension: float  # N
-    winch_speed: float  # m/s
-    winch_travel: float  # m
-    max_tension: float  # N
-    max_tension_joint: int
-    active_contacts: int
-    reel_speed: float  # rad/s
-    paid_out: float  # m
-    wound: float  # m
-    head_at: float  # m
-    reference: float  # N
-    step_size: float  # s
-    position: Array  # [segments, 3], m
-    quaternion: Array  # [segments, 4], w x y z
-    velocity: Array  # [segments, 3], m/s
-    omega: Array  # [segments, 3], rad/s
-    tension: Array  # [joints], N
-    axial_speed: Array  # [segments], m/s
-    roller_load: Array  # [rollers], N
-    roller_spin: Array  # [rollers], rad/s
-    roller_shift: Array  # [rollers], m
-    surface_normal: Array  # [surfaces], N
-    surface_friction: Array  # [surfaces], N
-    surface_line_load: Array  # [surfaces], N/m
-    surface_at: Array  # [surfaces], m along the route
-    curvature: Array  # [joints], 1/m
-    sidewall: Array  # [joints], N/m
-    contact_line_load: Array  # [segments], N/m
-    roller_force: Array  # [rollers, 3], N
-
-    def __init__(self, handle: Handle, c: Any) -> None:
-        self._handle = handle
-        self._c = c
-        self._moved = handle.moved
-
-    def _now(self) -> Any:
-        if self._moved != self._handle.moved:
-            raise RuntimeError("the simulation has moved on since this sample: take a new one, or copy what is to be kept")
-        return self._c
-
-    @property
-    def machines(self) -> dict[str, dict[str, float]]:
-        """What conveyors, motors and the like show now: {name: {figure with its unit: value}}."""
-        c = self._now()
-        return {text_of(machine.name): figures(machine.now, machine.n_now)
-                for machine in (c.machine[i] for i in range(c.machines))}
-
-    @property
-    def probes(self) -> dict[str, dict[str, Any]]:
-        """The named places of the chain: position, displacement (m), rotation (rad), force (N), moment (N m)."""
-        c = self._now()
-        return {text_of(c.probe[i].name): plain(c.probe[i]) for i in range(c.probes)}
-
-    def as_dict(self) -> dict[str, Any]:
-        """A copy of everything, which stays."""
-        found = {name: getattr(self, name) for name in Sample.__annotations__}
-        return {**{name: np.array(value) if name in SHAPES else value for name, value in found.items()},
-                "machines": self.machines, "probes": self.probes}
-
-    def __repr__(self) -> str:
-        return f"<hawser sample at t = {self.t:.6g} s: winch {self.winch_force:.6g} N>"
-
-
-def number_of(name: str) -> property:
-    def get(sample: Sample) -> Any:
-        return getattr(sample._now(), name)
-
-    return property(get, doc=MEMBERS["hawser_sample"].get(name))
-
-
-def array_of(name: str) -> property:
-    rows, width = SHAPES[name]
-    field = name in MEMBERS["hawser_fields"]
-
-    def get(sample: Sample) -> Any:
-        c = sample._now()
-        n = getattr(c, rows)
-        return view(sample._handle, getattr(c.field if field else c, name), *((n, width) if width else (n,)))
-
-    return property(get, doc=MEMBERS["hawser_fields" if field else "hawser_sample"][name])
-
-
-for _name in Sample.__annotations__:
-    setattr(Sample, _name, array_of(_name) if _name in SHAPES else number_of(_name))
-
-
-def figures(figure: Any, n: int) -> dict[str, float]:
-    return {text_of(figure[i].key): figure[i].value for i in range(n)}
-
-
 class Simulation:
     """A simulation of a case (a Case, or what makes one). The case may be changed or dropped afterwards.
 
@@ -191,9 +46,9 @@ class Simulation:
     """
 
     def __init__(self, case: Source | Case, *, set: Settings | None = None, threads: int = 0) -> None:
-        made, self._error = ffi.new("hawser_sim **"), ffi.new("hawser_error *")
+        made, error = ffi.new("hawser_sim **"), ffi.new("hawser_error *")
         options = ffi.new("hawser_options *", {"threads": threads})
-        check(lib.hawser_sim_new(case_of(case, set)._c, options, made, self._error), self._error)
+        check(lib.hawser_sim_new(case_of(case, set)._c, options, made, error), error)
         self._handle: Handle | None = Handle(made[0])
 
     # ------------------------------------------------------------------------------------------------ life
@@ -207,8 +62,8 @@ class Simulation:
     def close(self) -> None:
         """Lets the simulation go; its memory goes with the last array that shows it."""
         if self._handle is not None:
-            with self._handle:
-                pass  # not while another thread computes
+            with self._handle.motion:
+                pass  # not while it computes
         self._handle = None
 
     def __enter__(self) -> Simulation:
@@ -221,34 +76,28 @@ class Simulation:
 
     def relax(self) -> Relaxation:
         """Brings the cable to static equilibrium under the loads of t = 0. Not reaching it is no error: see `reached`."""
-        found = ffi.new("hawser_relaxation *")
-        handle = self._open
-        with handle as c:
-            handle.moved += 1
-            check(lib.hawser_sim_relax(c, found, self._error), self._error)
+        found, handle = ffi.new("hawser_relaxation *"), self._open
+        with handle.motion as c:
+            handle.check(lib.hawser_sim_relax(c, found, handle.error))
         return Relaxation(**plain(found[0]))
 
     def step(self, until: float = math.inf) -> float:
         """One step of the integrator's own, which does not go beyond `until` (s; default: the case's end). Returns the time (s)."""
         handle = self._open
-        with handle as c:
-            handle.moved += 1
-            if until == math.inf:
-                until = lib.hawser_sim_end_time(c)
-            status = lib.hawser_sim_advance(c, until, 1, self._error)
-            if status:
-                raise error_from(status, text_of(self._error.message))
+        with handle.motion as c:
+            to = until if until < math.inf else lib.hawser_sim_end_time(c)
+            status = lib.hawser_sim_advance(c, to, 1, handle.error)
             now: float = lib.hawser_sim_time(c)
-            return now
+        handle.check(status)
+        return now
 
     def advance(self, t: float) -> float:
         """Advances to the time t (s) exactly. Returns it. Ctrl-C ends it between two steps."""
         handle = self._open
-        with handle as c:
-            handle.moved += 1
-            check(lib.hawser_python_advance(c, t, POLL_S, self._error), self._error)
+        with handle.motion as c:
+            handle.check(lib.hawser_python_advance(c, t, POLL_S, handle.error))
             while lib.hawser_sim_time(c) < t:
-                check(lib.hawser_python_advance(c, t, POLL_S, self._error), self._error)
+                handle.check(lib.hawser_python_advance(c, t, POLL_S, handle.error))
             now: float = lib.hawser_sim_time(c)
             return now
 
@@ -290,16 +139,92 @@ class Simulation:
 
     def _run(self, folder: bytes | None, progress: Wish) -> None:
         handle, teller = self._open, Teller(progress)
-        user = ffi.new_handle(teller)
-        with handle as c:
-            handle.moved += 1
-            status = lib.hawser_sim_run(c, ffi.NULL if folder is None else folder, lib.hawser_python_progress, user,
-                                        self._error)
-            handle.moved += 1
+        called = Called(handle, teller.tell)
+        with handle.motion as c:
+            status = lib.hawser_sim_run(c, ffi.NULL if folder is None else folder, lib.hawser_python_progress, called.user,
+                                        handle.error)
         teller.end()
-        if teller.raised is not None:
-            raise teller.raised
-        check(status, self._error)
+        handle.check(status)
+
+    # ------------------------------------------------------------------------------------------------ acting
+
+    def control(self, command: str, value: float = 0.0, *, on: str | None = None, ramp: float = 0.0) -> None:
+        """Gives a command, which holds from now on and is an event of the run:
+
+        "winch_speed" (m/s), "winch_tension" (N), "winch_brake", "winch_pause", "winch_restart", "conveyor_speed" (m/s),
+        "conveyor_clamp" (N), "reel_brake" (N m), "jam" and "release" (a roller or conveyor), "friction" (times the case's).
+
+        value: in the command's unit
+        on:    name of the thing that is meant; of friction None means everything
+        ramp:  s over which it comes in; 0: 0.2 s
+        """
+        if command not in COMMANDS:
+            raise ValueError(f"no command {command!r}: there are {', '.join(COMMANDS)}")
+        handle, name = self._open, ffi.NULL if on is None else on.encode()
+        with handle as c:
+            handle.check(lib.hawser_sim_control(c, COMMANDS[command], name, value, ramp, handle.error))
+
+    def force(self, segment: int, force: Sequence[float] | None, moment: Sequence[float] = (0, 0, 0), *,
+              arm: Sequence[float] = (0, 0, 0), follows: bool = False, ramp: float = 0.0) -> None:
+        """Puts a force (N, x y z) and a moment (N m) on a segment, in place of what was put there before; None takes it away.
+
+        arm:     where the force acts, m from the segment's middle in its own axes (x is along it, toward the winch)
+        follows: force and moment are in the segment's own axes and turn with it
+        ramp:    s over which it comes in; 0: 0.2 s
+        """
+        handle, load = self._open, ffi.NULL
+        if force is not None:
+            load = ffi.new("hawser_force *", {"force_N": list(force), "moment_N_m": list(moment), "arm_m": list(arm),
+                                              "follows": follows})
+        with handle as c:
+            handle.check(lib.hawser_sim_force(c, segment, load, ramp, handle.error))
+
+    def law(self, start: int, stop: int, law: Callable[[Segment], Any] | None, *, derivatives: bool = False) -> None:
+        """Has a function act on the segments start .. stop-1 from now on; None: none any longer.
+
+        law:         is shown a Segment and returns force (N) and moment (N m, about its middle), in world components. It must
+                     depend on what it is shown alone: the integrator asks again, for states that are never reached
+        derivatives: the function also returns two 6 x 6 matrices, of (force, moment) by shift and small turn, and by
+                     velocity and omega; without, they are found by asking 24 times more
+        """
+        handle = self._open
+        called = None if law is None else Called(handle, law)
+        with handle as c:
+            handle.check(lib.hawser_sim_set_law(c, start, stop, lib.hawser_python_law if called else ffi.NULL, derivatives,
+                                                called.user if called else ffi.NULL, handle.error))
+        handle.kept["law", start, stop] = called
+
+    def _call_back(self, name: str, register: Any, call: Callable[..., Any] | None, *between: Any) -> None:
+        """C's function `register` gets a call-back of that name, or none any longer."""
+        handle = self._open
+        called = None if call is None else Called(handle, call)
+        with handle as c:
+            register(c, *between, getattr(lib, f"hawser_python_{name}") if called else ffi.NULL,
+                     called.user if called else ffi.NULL)
+        handle.kept[name] = called
+
+    def _told(self, function: Callable[..., Any] | None) -> Callable[[Any], Any] | None:
+        """The function with this simulation as its first argument, which it does not keep alive."""
+        if function is None:
+            return None
+        this, call = weakref.ref(self), function
+        return lambda what: call(this(), what)
+
+    def on_step(self, function: Callable[[Simulation, float], Any] | None) -> None:
+        """After each step of the integrator's, function(simulation, t) is called, which may look and give commands; True ends
+        what is going on (hawser.Stopped). None: nobody is called."""
+        self._call_back("on_step", lib.hawser_sim_on_step, self._told(function))
+
+    def on_event(self, function: Callable[[Simulation, Event], Any] | None) -> None:
+        """For each event function(simulation, event) is called, which may look; True ends what is going on."""
+        self._call_back("on_event", lib.hawser_sim_on_event, self._told(function))
+
+    def on_log(self, function: Callable[[str, str], Any] | None, level: str = "info") -> None:
+        """function(level, text) is called with each line that is worth a word: "error", "warning" or "info", up to `level`."""
+        if level not in LEVELS.values():
+            raise ValueError(f"no level {level!r}: there are {', '.join(LEVELS.values())}")
+        number = next(number for number, name in LEVELS.items() if name == level)
+        self._call_back("on_log", lib.hawser_sim_on_log, function, number)
 
     # ------------------------------------------------------------------------------------------------ looking
 
@@ -329,8 +254,7 @@ class Simulation:
         """Takes the state of now into the statistics: means of the steady window, peaks. run() does so by itself; who advances
         by himself calls it after each advance."""
         handle = self._open
-        with handle as c:
-            handle.moved += 1
+        with handle.motion as c:
             lib.hawser_sim_record(c)
 
     def _table(self, call: Any, struct: str, rename: dict[str, str] | None = None) -> pd.DataFrame:
@@ -357,8 +281,10 @@ class Simulation:
 
     @property
     def events(self) -> pd.DataFrame:
-        """What happened so far: t (s), what, pull_N."""
-        return self._table(lib.hawser_sim_events, "hawser_event")
+        """What happened so far: t (s), what (in words), kind ("winch_trips", "command" ...), pull_N."""
+        table = self._table(lib.hawser_sim_events, "hawser_event")
+        table.insert(2, "kind", [event_kind(code) for code in table.pop("code")])
+        return table
 
     @property
     def positions(self) -> pd.DataFrame:
@@ -422,9 +348,9 @@ class Simulation:
     @property
     def summary(self) -> dict[str, Any]:
         """The run so far in numbers, as summary.json has it; what is not known is None."""
-        text = ffi.new("char **")
-        with self._open as c:
-            check(lib.hawser_sim_summary_json(c, text, self._error), self._error)
+        text, handle = ffi.new("char **"), self._open
+        with handle as c:
+            handle.check(lib.hawser_sim_summary_json(c, text, handle.error))
         found: dict[str, Any] = json.loads(taken(text))
         return found
 
@@ -432,52 +358,6 @@ class Simulation:
         if self._handle is None:
             return "<hawser simulation, closed>"
         return f"<hawser simulation of {self.title!r} at t = {self.time:.6g} s of {self.end_time:.6g} s>"
-
-
-Wish = Union[bool, Callable[[Progress], Any]]
-
-
-class Teller:
-    """Between C's progress call-back and who wants to know; keeps what was raised meanwhile (Ctrl-C above all)."""
-
-    def __init__(self, wish: Wish) -> None:
-        self.wish = wish
-        self.raised: BaseException | None = None
-        self.tenth = -1
-        self.live = sys.stderr.isatty()
-
-    def tell(self, now: Progress) -> bool:
-        """True: stop."""
-        if callable(self.wish):
-            return bool(self.wish(now))
-        if self.wish:
-            self.show(now)
-        return False
-
-    def show(self, now: Progress) -> None:
-        """A line that is written over, on a terminal; elsewhere one every tenth of the run."""
-        share = now.t / now.end if now.end > 0 else 1.0
-        if not self.live and int(10 * share) == self.tenth:
-            return
-        self.tenth = int(10 * share)
-        line = f"t = {now.t:.2f} s of {now.end:g} s, {100 * share:3.0f} %, step {1e3 * now.step:.3g} ms, {now.wall:.1f} s"
-        print(f"\r{line}\033[K" if self.live else line, end="" if self.live else "\n", file=sys.stderr, flush=True)
-
-    def end(self) -> None:
-        if self.wish is True and self.live and self.tenth >= 0:
-            print(file=sys.stderr)
-
-
-def keep_raised(_: Any, error: BaseException, trace: Any) -> int:
-    """What a call-back raises waits until C has ended, which it is asked to do."""
-    ffi.from_handle(trace.tb_frame.f_locals["user"]).raised = error
-    return 1
-
-
-@ffi.def_extern(name="hawser_python_progress", error=1, onerror=keep_raised)  # type: ignore[misc]
-def _progress(user: Any, sample: Any, wall: float, end: float) -> int:
-    teller: Teller = ffi.from_handle(user)
-    return int(teller.tell(Progress(sample.t, end, wall, sample.step_size, sample.winch_force)))
 
 
 def run(case: Source | Case, *, set: Settings | None = None, out: str | os.PathLike[str] | None = None,

@@ -11,7 +11,7 @@ import pytest
 from conftest import ROOT
 from hawser import _declared
 from hawser._native import ffi, lib
-from hawser.simulation import SHAPES, Sample
+from hawser.sample import SHAPES, Sample
 
 sys.path.insert(0, str(ROOT / "python"))
 import declarations  # noqa: E402

@@ -176,15 +176,36 @@ def test_simulations_side_by_side(pull):
 def test_a_second_thread_is_refused(pull):
     simulation, said = hawser.Simulation(pull), []
 
-    def interfere(now: hawser.Progress) -> None:
-        for call in (simulation.step, simulation.sample, simulation.close):
+    def interfere() -> None:
+        for call in (simulation.step, simulation.sample, simulation.close, lambda: simulation.summary):
             try:
                 call()
             except RuntimeError as error:
                 said.append(str(error))
 
-    simulation.run(progress=interfere)
-    assert len(said) >= 3 and all("one thread uses it at a time" in text for text in said)
+    def from_elsewhere(now: hawser.Progress) -> None:
+        other = threading.Thread(target=interfere)
+        other.start()
+        other.join()
+
+    simulation.run(progress=from_elsewhere)
+    assert len(said) >= 4 and all("one thread uses it at a time" in text for text in said)
+
+
+def test_a_call_back_may_look_but_not_move(pull):
+    simulation, seen, said = hawser.Simulation(pull), [], []
+
+    def look(now: hawser.Progress) -> None:
+        seen.append(simulation.sample().t)
+        for call in (simulation.step, simulation.run_quietly, simulation.close, simulation.record):
+            try:
+                call()
+            except RuntimeError as error:
+                said.append(str(error))
+
+    simulation.run(progress=look)
+    assert seen[0] == 0 and seen[-1] == 2
+    assert len(said) == 4 * len(seen) and all("not move its simulation" in text for text in said)
 
 
 def test_wrong_order_and_wrong_numbers(pull):
