@@ -243,6 +243,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 #include "hawser/control.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
+#include "hawser/query.h"
 #include "hawser/report.h"
 #include "hawser/route.h"
 #include "hawser/study.h"

@@ -90,6 +90,8 @@ Sim *sim_free(Sim *s)
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     envelope_free(&s->envelope);
+    closeup_free(&s->closeup);
+    around_free(s->around);
     events_free(&s->events);
     passing_free(&s->passing);
     expected_free(&s->expected);
