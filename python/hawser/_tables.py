@@ -44,18 +44,53 @@ def plain(value: Any, name: str = "") -> Any:
     return value
 
 
-def columns_of(struct: str) -> list[str]:
-    """Names of the members that fit into a cell: no pointers but texts."""
-    return [name for name, field in ffi.typeof(struct).fields
-            if field.type.kind != "pointer" or field.type.item.cname == "char"]
+def kinds_of(struct: str) -> dict[str, Any]:
+    """{member: its type} of those that fit into a cell: no pointers but texts."""
+    return {name: field.type for name, field in ffi.typeof(struct).fields
+            if field.type.kind != "pointer" or field.type.item.cname == "char"}
+
+
+def is_text(kind: Any) -> bool:
+    return bool(kind.kind == "pointer" or kind.kind == "array" and kind.item.cname == "char")
+
+
+def numbers_of(struct: str, rows: Any, n: int) -> np.ndarray[Any, Any]:
+    """The numbers of C's rows as a numpy array with a field for each member; a view, good as long as the rows are."""
+    formats = {"double": "<f8", "int": "<i4"}
+    fields = {}
+    for name, field in ffi.typeof(struct).fields:
+        kind = field.type.item if field.type.kind == "array" else field.type
+        if kind.kind == "enum" or kind.cname in formats:
+            shape = (field.type.length,) if field.type.kind == "array" else ()
+            fields[name] = ((formats.get(kind.cname, "<u4"), shape), field.offset)
+    layout = np.dtype({"names": list(fields), "formats": [f for f, _ in fields.values()],
+                       "offsets": [o for _, o in fields.values()], "itemsize": ffi.sizeof(struct)})
+    return np.frombuffer(ffi.buffer(rows, n * ffi.sizeof(struct)), layout) if n else np.empty(0, layout)
+
+
+def parts_of(name: str) -> list[str]:
+    """Columns of a vector: force_N is force_x_N, force_y_N, force_z_N."""
+    stem, *unit = name.split("_", 1)
+    return ["_".join([stem, axis, *unit]) for axis in "xyz"]
 
 
 def frame(struct: str, rows: Any, n: int, rename: Mapping[str, str] | None = None) -> pd.DataFrame:
-    """A table of C's rows: a column for each member, whose comment in the header stands in `attrs["units"]`."""
-    names = columns_of(struct)
-    data = {name: [plain(getattr(rows[i], name), name) for i in range(n)] for name in names}
-    table = pd.DataFrame(data, columns=names).rename(columns=dict(rename or {}))
-    table.attrs["columns"] = {(rename or {}).get(name, name): MEMBERS[struct][name] for name in names}
+    """A table of C's rows: a column for each member, three for a vector. What the header says of each stands in
+    `attrs["columns"]`."""
+    numbers, data, told = numbers_of(struct, rows, n), {}, {}
+    for member, kind in kinds_of(struct).items():
+        name = (rename or {}).get(member, member)
+        columns: dict[str, Any] = {}
+        if is_text(kind):
+            columns = {name: [text_of(getattr(rows[i], member)) for i in range(n)]}
+        elif kind.kind == "array":
+            columns = dict(zip(parts_of(name), numbers[member].T.copy()))
+        elif member in numbers.dtype.names:
+            columns = {name: numbers[member].astype(bool if member in FLAGS else numbers[member].dtype)}
+        data.update(columns)
+        told.update(dict.fromkeys(columns, MEMBERS[struct][member]))
+    table = pd.DataFrame(data)
+    table.attrs["columns"] = told
     return table
 
 

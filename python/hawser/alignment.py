@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 
@@ -12,6 +12,17 @@ from hawser._tables import plain
 from hawser.errors import check
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+def places(at: Callable[[float, Any], None], s: float | Array) -> dict[str, Array]:
+    """The places s (m) that `at` fills in, as {"position", "tangent", "curvature"}, x y z in the last axis."""
+    wanted, place = np.atleast_1d(np.asarray(s, float)), ffi.new("hawser_route_place *")
+    found = np.empty((3, len(wanted), 3))
+    for k, one in enumerate(wanted):
+        at(float(one), place)
+        found[:, k] = tuple(place.position_m), tuple(place.tangent), tuple(place.curvature_per_m)
+    shaped = found.reshape(3, *np.shape(s), 3)
+    return {"position": shaped[0], "tangent": shaped[1], "curvature": shaped[2]}
 
 
 class Route:
@@ -42,13 +53,7 @@ class Route:
     def at(self, s: float | Array) -> dict[str, Array]:
         """The place s (m, one or many) along the route: "position" (m), "tangent" (unit) and "curvature" (1/m, toward the
         centre), each x y z in the last axis. Beyond its ends it goes on straight."""
-        places, place = np.atleast_1d(np.asarray(s, float)), ffi.new("hawser_route_place *")
-        found = np.empty((3, len(places), 3))
-        for k, one in enumerate(places):
-            check(lib.hawser_routes_at(self._c, self._number, float(one), place, self._error), self._error)
-            found[:, k] = tuple(place.position_m), tuple(place.tangent), tuple(place.curvature_per_m)
-        shaped = found.reshape(3, *np.shape(s), 3)
-        return {"position": shaped[0], "tangent": shaped[1], "curvature": shaped[2]}
+        return places(lambda one, place: check(lib.hawser_routes_at(self._c, self._number, one, place, self._error), self._error), s)
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """As it would be built: a table (.csv), a drawing (.dxf), a map (.geojson) or a case's section `route` (.yaml)."""

@@ -1,7 +1,6 @@
 """Simulations: a case in motion, step by step or all at once."""
 from __future__ import annotations
 
-import json
 import math
 import os
 import pathlib
@@ -9,15 +8,14 @@ import tempfile
 import weakref
 from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
-import pandas as pd
-
-from hawser._callbacks import LEVELS, Called, Event, Segment, Teller, Wish, enum_names, event_kind
+from hawser._callbacks import LEVELS, Called, Event, Segment, Teller, Wish, enum_names
 from hawser._handle import Handle
 from hawser._native import ffi, lib
-from hawser._tables import figures, frame, plain
+from hawser._tables import plain
 from hawser.case import Case, Settings, Source, case_of
-from hawser.errors import RunError, Stopped, check, taken, text_of
-from hawser.results import Result, Verdict
+from hawser.errors import RunError, Stopped, check
+from hawser.looking import Looking
+from hawser.results import Result
 from hawser.sample import Sample
 
 # What a simulation can be told: {"winch_speed": 1, ...}, as the header lists it.
@@ -36,7 +34,7 @@ class Relaxation(NamedTuple):
     moved_m: float  # farthest that a segment moved from the route
 
 
-class Simulation:
+class Simulation(Looking):
     """A simulation of a case (a Case, or what makes one). The case may be changed or dropped afterwards.
 
     threads: 1 or 2; 0: the case's choice. Results do not depend on it.
@@ -49,15 +47,9 @@ class Simulation:
         made, error = ffi.new("hawser_sim **"), ffi.new("hawser_error *")
         options = ffi.new("hawser_options *", {"threads": threads})
         check(lib.hawser_sim_new(case_of(case, set)._c, options, made, error), error)
-        self._handle: Handle | None = Handle(made[0])
+        self._handle = Handle(made[0])
 
     # ------------------------------------------------------------------------------------------------ life
-
-    @property
-    def _open(self) -> Handle:
-        if self._handle is None:
-            raise RuntimeError("this simulation was closed")
-        return self._handle
 
     def close(self) -> None:
         """Lets the simulation go; its memory goes with the last array that shows it."""
@@ -146,6 +138,19 @@ class Simulation:
         teller.end()
         handle.check(status)
 
+    def record(self) -> None:
+        """Takes the state of now into the statistics: means of the steady window, peaks. run() does so by itself; who advances
+        by himself calls it after each advance."""
+        handle = self._open
+        with handle.motion as c:
+            lib.hawser_sim_record(c)
+
+    def watch_envelope(self) -> None:
+        """Has all that is recorded from now on go into the envelope."""
+        handle = self._open
+        with handle as c:
+            handle.check(lib.hawser_sim_watch_envelope(c, handle.error))
+
     # ------------------------------------------------------------------------------------------------ acting
 
     def control(self, command: str, value: float = 0.0, *, on: str | None = None, ramp: float = 0.0) -> None:
@@ -225,134 +230,6 @@ class Simulation:
             raise ValueError(f"no level {level!r}: there are {', '.join(LEVELS.values())}")
         number = next(number for number, name in LEVELS.items() if name == level)
         self._call_back("on_log", lib.hawser_sim_on_log, function, number)
-
-    # ------------------------------------------------------------------------------------------------ looking
-
-    @property
-    def time(self) -> float:
-        """Where it is, s."""
-        return float(lib.hawser_sim_time(self._open.c))
-
-    @property
-    def end_time(self) -> float:
-        """The case's duration, s; earlier once a winch that tripped has ended the run."""
-        return float(lib.hawser_sim_end_time(self._open.c))
-
-    @property
-    def title(self) -> str:
-        """The case's title, or its file's name."""
-        return text_of(lib.hawser_sim_title(self._open.c))
-
-    def sample(self) -> Sample:
-        """How everything is now."""
-        handle = self._open
-        with handle as c:
-            handle.moved += 1
-            return Sample(handle, lib.hawser_sim_sample(c))
-
-    def record(self) -> None:
-        """Takes the state of now into the statistics: means of the steady window, peaks. run() does so by itself; who advances
-        by himself calls it after each advance."""
-        handle = self._open
-        with handle.motion as c:
-            lib.hawser_sim_record(c)
-
-    def _table(self, call: Any, struct: str, rename: dict[str, str] | None = None) -> pd.DataFrame:
-        rows, summary = ffi.new(f"const {struct} **"), ffi.new("hawser_summary *")
-        with self._open as c:
-            lib.hawser_sim_summary(c, summary)  # brings the rows' error bars up to date
-            n = call(c, rows)
-            return frame(struct, rows[0], n, rename)
-
-    @property
-    def stations(self) -> pd.DataFrame:
-        """Tension along the route so far: name, s_m, paper_N, reference_N, mean_N, peak_N, mean_error_N, peak_error_N."""
-        return self._table(lib.hawser_sim_stations, "hawser_station", {"s": "s_m"})
-
-    @property
-    def rollers(self) -> pd.DataFrame:
-        """The rollers so far: name, s_m, rating_N, initial_N, steady_N, peak_N and more."""
-        return self._table(lib.hawser_sim_rollers, "hawser_roller", {"s": "s_m"})
-
-    @property
-    def surfaces(self) -> pd.DataFrame:
-        """Ducts, trays, floors and walls so far: normal_N, friction_N, line_load_N_per_m and more."""
-        return self._table(lib.hawser_sim_surfaces, "hawser_surface")
-
-    @property
-    def events(self) -> pd.DataFrame:
-        """What happened so far: t (s), what (in words), kind ("winch_trips", "command" ...), pull_N."""
-        table = self._table(lib.hawser_sim_events, "hawser_event")
-        table.insert(2, "kind", [event_kind(code) for code in table.pop("code")])
-        return table
-
-    @property
-    def positions(self) -> pd.DataFrame:
-        """The pull by place of the cable's front so far: head_m, pull_N, reference_N, error_pct."""
-        return self._table(lib.hawser_sim_positions, "hawser_position")
-
-    @property
-    def modes(self) -> pd.DataFrame:
-        """Vibrations: frequency_Hz, growth_per_s, omega_squared (1/s2); none before the end of a run with `analysis: modes`."""
-        return self._table(lib.hawser_sim_modes, "hawser_mode")
-
-    @property
-    def assumptions(self) -> pd.DataFrame:
-        """Values that the case did not give itself: key, value, origin ("given", "catalogue", "estimated"), source."""
-        return self._table(lib.hawser_sim_assumptions, "hawser_assumption")
-
-    @property
-    def machines(self) -> dict[str, dict[str, float]]:
-        """What conveyors, motors and the like have done so far: {name: {figure with its unit: value}}."""
-        rows = ffi.new("const hawser_machine **")
-        with self._open as c:
-            n = lib.hawser_sim_machines(c, rows)
-            return {text_of(rows[0][i].name): figures(rows[0][i].figure, rows[0][i].n_figures) for i in range(n)}
-
-    @property
-    def limits(self) -> pd.DataFrame:
-        """The limits of the case, judged by what has been recorded so far: name, value, limit, unit, margin, ok (None: not
-        judged), where, source."""
-        rows = ffi.new("hawser_limit[]", lib.HAWSER_LIMITS_MAX)
-        with self._open as c:
-            table = frame("hawser_limit", rows, lib.hawser_sim_limits(c, rows))
-        table["ok"] = [bool(ok) if judged else None for ok, judged in zip(table["ok"], table["judged"])]
-        return table
-
-    @property
-    def trust(self) -> pd.DataFrame:
-        """The conditions under which the run is worth judging: name, unit, value, allowed, holds, remedy."""
-        summary = ffi.new("hawser_summary *")
-        with self._open as c:
-            lib.hawser_sim_summary(c, summary)
-            return frame("hawser_condition", summary.conditions, summary.n_conditions)
-
-    @property
-    def verdict(self) -> Verdict:
-        """Whether the pull is safe by what has been recorded so far."""
-        limits, summary = ffi.new("hawser_limit[]", lib.HAWSER_LIMITS_MAX), ffi.new("hawser_summary *")
-        text = ffi.new("char[]", lib.HAWSER_VERDICT_MAX)
-        with self._open as c:
-            lib.hawser_sim_summary(c, summary)
-            lib.hawser_verdict(summary.n_conditions, summary.conditions, lib.hawser_sim_limits(c, limits), limits, text,
-                               lib.HAWSER_VERDICT_MAX)
-        return Verdict(text_of(text))
-
-    @property
-    def answer(self) -> str:
-        """The verdict with what it rests on, as a report begins."""
-        text = ffi.new("char[]", lib.HAWSER_ANSWER_MAX)
-        with self._open as c:
-            return text_of(lib.hawser_sim_answer(c, lib.HAWSER_SI, text, lib.HAWSER_ANSWER_MAX))
-
-    @property
-    def summary(self) -> dict[str, Any]:
-        """The run so far in numbers, as summary.json has it; what is not known is None."""
-        text, handle = ffi.new("char **"), self._open
-        with handle as c:
-            handle.check(lib.hawser_sim_summary_json(c, text, handle.error))
-        found: dict[str, Any] = json.loads(taken(text))
-        return found
 
     def __repr__(self) -> str:
         if self._handle is None:
