@@ -5,12 +5,10 @@ Usage: run.py FILE [PACKAGE...]     (packages beside those that hawser itself ne
 import importlib.util
 import sys
 
-DEBIAN = {"h5py": "python3-h5py", "nbclient": "python3-nbclient", "ipykernel": "python3-ipykernel", "mypy": "mypy",
-          "pip": "python3-pip", "matplotlib": "python3-matplotlib"}
 needed = ["cffi", "numpy", "pandas", "pytest", *sys.argv[2:]]
 missing = [name for name in needed if importlib.util.find_spec(name) is None]
 if missing:
-    names = " ".join(DEBIAN.get(name, f"python3-{name}") for name in missing)
+    names = " ".join(name if name == "mypy" else f"python3-{name}" for name in missing)
     print(f"Without {names}: skipped (sh scripts/setup.sh --python installs it)")
     sys.exit(77)
 
