@@ -40,9 +40,9 @@ SurfaceTally surface_tally_new(void);
 /* One point of the line that is pressed on a surface, for tools and reports. */
 typedef struct SurfaceDetail {
     int surface, element, point_number;
-    double normal, gap;  /* N; m, below 0 */
-    Vec3 point, toward;  /* m, on the line; unit, toward the cable */
-    Vec3 force;          /* N, on the cable */
+    double normal, gap; /* N; m, below 0 */
+    Vec3 point, toward; /* m, on the line; unit, toward the cable */
+    Vec3 force;         /* N, on the cable */
 } SurfaceDetail;
 /* Writes all that carry force, SURFACE_POINTS for each candidate at most; returns how many. loads are scratch. */
 int surface_details(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,

@@ -5,6 +5,7 @@
 #define HAWSER_QUERY_H
 
 #include "hawser/route.h"
+#include "hawser/status.h"
 #include "hawser/tables.h"
 
 #ifdef __cplusplus
@@ -34,8 +35,8 @@ hawser_status hawser_sim_contacts(struct hawser_sim *s, const hawser_contact **o
 
 /* The cable at one joint. Force and moment are what the part ahead does to the part behind. */
 typedef struct hawser_cable_point {
-    double from_tail_m;      /* unstretched */
-    double along_m;          /* along the route; NAN: a rod */
+    double from_tail_m; /* unstretched */
+    double along_m;     /* along the route; NAN: a rod */
     double position_m[3];
     double tension_N, shear_N;
     double torsion_N_m, bending_N_m; /* about the cable's axis; size across it */
@@ -54,15 +55,14 @@ typedef struct hawser_extremes {
 } hawser_extremes;
 typedef struct hawser_envelope {
     int n;
-    const double *at_m;                               /* [n] from the tail, or along the route */
-    const double *time_s;                             /* [n] over which the means are */
+    const double *at_m;   /* [n] from the tail, or along the route */
+    const double *time_s; /* [n] over which the means are */
     hawser_extremes tension_N, curvature_per_m, sidewall_N_per_m;
 } hawser_envelope;
 /* Takes each row of the run (hawser_sim_record) into the envelope from now on. Errors: INPUT (NULL), MEMORY. */
 hawser_status hawser_sim_watch_envelope(struct hawser_sim *s, hawser_error *err);
 /* By joints of the cable, or by places along the route. Errors: INPUT (nobody has asked for it before the rows). */
-hawser_status hawser_sim_envelope(const struct hawser_sim *s, int along_route, hawser_envelope *out,
-                                  hawser_error *err);
+hawser_status hawser_sim_envelope(const struct hawser_sim *s, int along_route, hawser_envelope *out, hawser_error *err);
 
 /* What stands around the cable, as it was built; rollers on mounts and reels stand where they began. */
 typedef struct hawser_roller_shape {
@@ -71,11 +71,11 @@ typedef struct hawser_roller_shape {
     double centre_m[3], axis[3], radius_m, width_m; /* axis: unit */
 } hawser_roller_shape;
 typedef struct hawser_surface_shape {
-    const char *name, *kind;               /* "duct", "tray", "floor", "wall", "ceiling" */
-    double from_m, to_m;                   /* along the route; NAN: a plane */
-    double diameter_m, width_m, height_m;  /* inside; over all; of the sides; NAN: none */
-    int n;                                 /* points of its middle line */
-    const double *points_m, *up;           /* [3n]; unit */
+    const char *name, *kind;              /* "duct", "tray", "floor", "wall", "ceiling" */
+    double from_m, to_m;                  /* along the route; NAN: a plane */
+    double diameter_m, width_m, height_m; /* inside; over all; of the sides; NAN: none */
+    int n;                                /* points of its middle line */
+    const double *points_m, *up;          /* [3n]; unit */
 } hawser_surface_shape;
 typedef struct hawser_conveyor_shape {
     const char *name;

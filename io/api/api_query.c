@@ -10,8 +10,7 @@ hawser_status hawser_sim_contacts(hawser_sim *s, const hawser_contact **out, int
 {
     if (!s || !out || !n) return error_argument(err, !s ? "s" : !out ? "out" : "n");
     const hawser_sample *const look = hawser_sim_sample(s);
-    const hawser_status status =
-        closeup_contacts(&s->closeup, &s->stage.scene, &s->stage.ws, look->t, err);
+    const hawser_status status = closeup_contacts(&s->closeup, &s->stage.scene, &s->stage.ws, look->t, err);
     *out = s->closeup.contact;
     *n = status ? 0 : s->closeup.n_contacts;
     return status;

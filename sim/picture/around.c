@@ -1,4 +1,4 @@
-#include "sim/picture/around.h"
+#include "sim/picture/closeup.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -7,7 +7,6 @@
 #include "core/base/error.h"
 #include "core/bushing.h"
 #include "sim/equipment/rod.h"
-#include "sim/picture/geometry.h"
 #include "sim/watch/sample.h"
 
 /* Room for one more; NULL without memory. */
@@ -75,9 +74,8 @@ static int roller_contact(Closeup *c, const Scene *scene, const ContactPart *par
     const Chain *const chain = &scene->chain;
     const ContactModel *const model = &part->model;
     const Element element = element_at(model->geometry, chain->n, d->element);
-    const Carried at = {{element.body[0], element.body[1]},
-                        element_weights(&element, d->u),
-                        element_radius(&element, chain, d->u)};
+    const Carried at = {
+        {element.body[0], element.body[1]}, element_weights(&element, d->u), element_radius(&element, chain, d->u)};
     if (!(d->normal > 0)) return 1;
     hawser_contact *const out = contact_add(c);
     if (!out) return 0;
@@ -116,9 +114,10 @@ static int surface_contact(Closeup *c, const Scene *scene, const Workspace *ws, 
 {
     const SurfacePoints *const points = ws->surfaces.points;
     const int e = d->element, q = d->point_number, capsule = scene->contact.geometry == GEOMETRY_CYLINDER;
-    const Carried at = {{capsule ? -1 : e - 1, e},
-                        {{1 - points->alpha[q][e], points->alpha[q][e]}, {points->beta[q][0][e], points->beta[q][1][e]}},
-                        points->radius[q][e]};
+    const Carried at = {
+        {capsule ? -1 : e - 1, e},
+        {{1 - points->alpha[q][e], points->alpha[q][e]}, {points->beta[q][0][e], points->beta[q][1][e]}},
+        points->radius[q][e]};
     hawser_contact *const out = contact_add(c);
     if (!out) return 0;
     *out = (hawser_contact){.partner = HAWSER_ON_SURFACE,
@@ -212,15 +211,14 @@ hawser_status closeup_cable(Closeup *c, const Scene *scene, Workspace *ws, const
     for (int j = 0; j <= n; ++j) {
         const int i = j < n ? j : n - 1;
         const double side = j < n ? -chain->half[i] : chain->half[i];
-        joint[j] = (hawser_cable_point){
-            .from_tail_m = from_tail,
-            .along_m = scene->rod->present ? NAN : sample_joint_place(scene, sample, j),
-            .tension_N = sample->tension[first + j],
-            .shear_N = hypot(ws->law[1][j], ws->law[2][j]),
-            .torsion_N_m = ws->law[3][j],
-            .bending_N_m = hypot(ws->law[4][j], ws->law[5][j]),
-            .curvature_per_m = sample->field.curvature[first + j],
-            .sidewall_N_per_m = sample->field.sidewall[first + j]};
+        joint[j] = (hawser_cable_point){.from_tail_m = from_tail,
+                                        .along_m = scene->rod->present ? NAN : sample_joint_place(scene, sample, j),
+                                        .tension_N = sample->tension[first + j],
+                                        .shear_N = hypot(ws->law[1][j], ws->law[2][j]),
+                                        .torsion_N_m = ws->law[3][j],
+                                        .bending_N_m = hypot(ws->law[4][j], ws->law[5][j]),
+                                        .curvature_per_m = sample->field.curvature[first + j],
+                                        .sidewall_N_per_m = sample->field.sidewall[first + j]};
         v3_put(joint[j].position_m, v3_axpy(v3_load(ws->kin.p, i), side, v3_load(ws->kin.a, i)));
         if (j < n) from_tail += 2 * chain->half[j];
     }

@@ -5,7 +5,6 @@
 #define HAWSER_SIM_RUN_SIM_H
 
 #include "sim/expected/mesh.h"
-#include "sim/picture/around.h"
 #include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/modes.h"

@@ -1,5 +1,6 @@
 /* A close look: contacts add up to what samples have of rollers and surfaces and obey their laws, in the plane and in
- * space; bending moment is stiffness times curvature; the route is its own closed form; what is around is the case's. */
+ * space; bending moment is stiffness times curvature; the route is its own closed form; what is around is the case's.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,8 +55,8 @@ static void test_rollers(void **state)
             contact_check(&contact[i], 0.2, look->segments);
             assert_int_equal(contact[i].partner, HAWSER_ON_ROLLER);
             check_share(contact[i].slip_m_per_s, speed, 0.02);
-            check_share(dot(contact[i].force_N, contact[i].force_N),
-                        contact[i].normal_N * contact[i].normal_N * 1.04, 1e-4);
+            check_share(dot(contact[i].force_N, contact[i].force_N), contact[i].normal_N * contact[i].normal_N * 1.04,
+                        1e-4);
             for (int c = 0; c < 3; ++c) sum[3 * contact[i].index + c] -= contact[i].force_N[c];
         }
         for (int c = 0; c < 3 * look->rollers; ++c) check_close(sum[c], look->field.roller_force[c], 1e-6);
@@ -122,8 +123,7 @@ static void test_route(void **state)
     for (double x = 0.1; x < length; x += 0.37) {
         assert_int_equal(hawser_sim_route_at(s, x, &at, &err), HAWSER_OK);
         assert_int_equal(hawser_sim_route_at(s, x + 1e-6, &ahead, &err), HAWSER_OK);
-        for (int c = 0; c < 3; ++c)
-            check_close((ahead.position_m[c] - at.position_m[c]) / 1e-6, at.tangent[c], 1e-5);
+        for (int c = 0; c < 3; ++c) check_close((ahead.position_m[c] - at.position_m[c]) / 1e-6, at.tangent[c], 1e-5);
         check_close(dot(at.tangent, at.curvature_per_m), 0, 1e-12);
     }
     assert_int_equal(hawser_sim_route_at(s, NAN, &at, &err), HAWSER_ERR_INPUT);
