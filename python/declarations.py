@@ -14,6 +14,8 @@ MAIN = "hawser/hawser.h"
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"](hawser/[^">]+)[">]', re.M)
 FOR_CPLUSPLUS = re.compile(r"^[ \t]*#[ \t]*ifdef[ \t]+__cplusplus.*?^[ \t]*#[ \t]*endif[^\n]*$", re.M | re.S)
+# A function that the headers offer under another name, with a size that the compiler knows: cffi calls it as C does.
+OFFERED = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(hawser_\w+)\(([^)]*)\)(?:[ \t]|\\\n)+(hawser_\w+)\((.*)\)[ \t]*$", re.M)
 NUMBER = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(HAWSER_\w+)[ \t]+-?\d+[ \t]*$", re.M)
 PREPROCESSOR = re.compile(r"^[ \t]*#(?![ \t]*define HAWSER_\w+ \.\.\.$)(?:[^\n]*\\\n)*[^\n]*$", re.M)
 FUNCTION = re.compile(r"\b(hawser_\w+)\s*\([^;{}()]*(?:\([^()]*\)[^;{}()]*)*\)\s*;")
@@ -36,9 +38,22 @@ def unfolded(include: pathlib.Path) -> str:
     return text_of(MAIN)
 
 
+def offered(text: str) -> str:
+    """Prototypes of the functions that are macros: those that they stand for, without the sizes that they fill in."""
+    found = ""
+    for name, _, target, arguments in OFFERED.findall(text):
+        prototype = re.search(rf"^([^#\n;]*?)\b{target}\s*\(([^;]*)\)\s*;", text, re.M)
+        if prototype:
+            kept = [parameter.strip() for parameter, argument in zip(prototype.group(2).split(","), arguments.split(", "))
+                    if "sizeof" not in argument]
+            found += f"{prototype.group(1)}{name}({', '.join(kept)});\n"
+    return found
+
+
 def declarations(include: pathlib.Path) -> str:
     """What cffi reads."""
     text = FOR_CPLUSPLUS.sub("", COMMENT.sub(" ", unfolded(include)))
+    text += offered(text)
     text = NUMBER.sub(r"#define \1 ...", text)
     return re.sub(r"\s*\n\s*\n+", "\n", PREPROCESSOR.sub("", text)).strip() + "\n"
 

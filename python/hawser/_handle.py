@@ -5,7 +5,7 @@ import threading
 from typing import Any
 
 from hawser._native import ffi, lib
-from hawser.errors import error_from, text_of
+from hawser.errors import check
 
 
 class Handle:
@@ -46,8 +46,7 @@ class Handle:
         if self.raised is not None:
             raised, self.raised = self.raised, None
             raise raised
-        if status:
-            raise error_from(status, text_of(self.error.message))
+        check(status, self.error)
 
 
 class Motion:

@@ -44,30 +44,32 @@ class Stopped(Error):
     """A call-back wanted no more."""
 
 
-def error_from(status: int, message: str) -> BaseException:
+def told(error: Any) -> dict[str, Any]:
+    """What C's error says: message, file, key, line; None of what is not known."""
+    message = text_of(error.message)
+    place = PLACE.match(message)
+    if not place or not (place["key"] or place["set"] or place["line"]):
+        return {"message": message, "file": None, "key": None, "line": None}
+    return {"message": message, "file": place["file"], "key": place["key"] or place["set"],
+            "line": int(place["line"]) if place["line"] else None}
+
+
+def error_from(status: int, message: str, file: str | None, key: str | None, line: int | None) -> BaseException:
     """The exception of a status other than OK."""
     if status == lib.HAWSER_ERR_MEMORY:
         return MemoryError(message)
-    if status == lib.HAWSER_ERR_INPUT:
-        return case_error(message)
-    kinds = {lib.HAWSER_ERR_RUN: RunError, lib.HAWSER_ERR_OUTPUT: OutputError, lib.HAWSER_STOPPED: Stopped}
-    return kinds.get(status, Error)(message)
-
-
-def case_error(message: str) -> CaseError:
-    error = CaseError(message)
-    place = PLACE.match(message)
-    if place and (place["key"] or place["set"] or place["line"]):
-        error.file = place["file"]
-        error.key = place["key"] or place["set"]
-        error.line = int(place["line"]) if place["line"] else None
-    return error
+    if status != lib.HAWSER_ERR_INPUT:
+        kinds = {lib.HAWSER_ERR_RUN: RunError, lib.HAWSER_ERR_OUTPUT: OutputError, lib.HAWSER_STOPPED: Stopped}
+        return kinds.get(status, Error)(message)
+    found = CaseError(message)
+    found.file, found.key, found.line = file, key, line
+    return found
 
 
 def check(status: int, error: Any) -> None:
     """Raises what a call has returned, if it is not OK."""
     if status:
-        raise error_from(status, text_of(error.message))
+        raise error_from(status, **told(error))
 
 
 def text_of(chars: Any) -> str:

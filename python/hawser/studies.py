@@ -16,7 +16,7 @@ from typing import Any, Callable
 import pandas as pd
 
 from hawser._native import ffi, lib
-from hawser.errors import OutputError, check, error_from, taken, text_of
+from hawser.errors import OutputError, check, error_from, taken, told
 from hawser.results import read_csv
 
 # Of a study's process: numpy's linear algebra would start threads.
@@ -79,7 +79,7 @@ def study(path: str | os.PathLike[str], out: str | os.PathLike[str], *, jobs: in
     if "status" not in last:
         raise OutputError(f"the process of the study ended with status {child.returncode}")
     if last["status"]:
-        raise error_from(last["status"], last["message"])
+        raise error_from(last["status"], **last["told"])
     return Study(out, last["answer"])
 
 
@@ -95,21 +95,21 @@ def _progress(_: Any, state: Any) -> int:
 def main(path: str, out: str, jobs: str, fresh: str) -> int:
     """The process of a study; Ctrl-C comes as an exception out of the progress function, and so stops it."""
     made, error, text = ffi.new("hawser_study **"), ffi.new("hawser_error *"), ffi.new("char **")
-    told: dict[str, Any] = {"message": "", "answer": ""}
+    end: dict[str, Any] = {"answer": ""}
     if len(os.listdir("/proc/self/task")) > 1:
         raise RuntimeError("a study forks, and this process has threads")
-    told["status"] = lib.hawser_study_load(os.fsencode(path), made, error)
-    if not told["status"]:
+    end["status"] = lib.hawser_study_load(os.fsencode(path), made, error)
+    if not end["status"]:
         handle = ffi.gc(made[0], lib.hawser_study_free)
         options = ffi.new("hawser_study_options *", {"jobs": int(jobs), "fresh": int(fresh),
                                                      "progress": lib.hawser_python_study, "user": ffi.NULL})
-        told["status"] = lib.hawser_study_run(handle, os.fsencode(out), options, error)
-        if not told["status"]:
+        end["status"] = lib.hawser_study_run(handle, os.fsencode(out), options, error)
+        if not end["status"]:
             check(lib.hawser_study_answer(handle, lib.HAWSER_SI, text, error), error)
-            told["answer"] = taken(text)
-    if told["status"]:
-        told["message"] = text_of(error.message)
-    print(json.dumps(told), flush=True)
+            end["answer"] = taken(text)
+    if end["status"]:
+        end["told"] = told(error)
+    print(json.dumps(end), flush=True)
     return 0
 
 
