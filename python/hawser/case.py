@@ -10,7 +10,7 @@ import pandas as pd
 
 from hawser._native import ffi, lib
 from hawser._tables import frame_of
-from hawser.errors import check, taken
+from hawser.errors import DICT, check, taken
 
 if TYPE_CHECKING:
     from hawser.simulation import Simulation
@@ -40,7 +40,7 @@ class Case:
     """A case, from a file, a text or a dict.
 
     source: path of a YAML file (docs/case-format.md); or its text, if it has a line break; or a dict with the same keys,
-            whose values are numbers or texts with units: {"friction": {"mu": 0.2}, "run": {"duration": "30 s"}}
+            whose values are numbers (SI) or texts with units: {"friction": {"mu": 0.2}, "run": {"duration": "30 s"}}
     set:    changes by dotted key, as `hawser run --set` takes them: {"drive.winch.speed": "3 m/min", "friction.mu": 0.25}
     folder: of texts and dicts: where files are looked for that the case names
 
@@ -50,10 +50,12 @@ class Case:
     def __init__(self, source: Source, *, set: Settings | None = None,
                  folder: str | os.PathLike[str] | None = None) -> None:
         made, error = ffi.new("hawser_case **"), ffi.new("hawser_error *")
-        is_text = isinstance(source, str) and "\n" in source
-        if is_text or isinstance(source, Mapping):
-            self.name = "text" if is_text else "dict"
-            status = lib.hawser_case_parse(yaml_of(source).encode(), self.name.encode(), made, error)
+        if isinstance(source, Mapping):
+            self.name = DICT
+            status = lib.hawser_case_parse_json(yaml_of(source).encode(), DICT.encode(), made, error)
+        elif isinstance(source, str) and "\n" in source:
+            self.name = "<text>"
+            status = lib.hawser_case_parse(source.encode(), b"<text>", made, error)
         else:
             self.name = os.fspath(source)
             status = lib.hawser_case_load(os.fsencode(self.name), made, error)

@@ -1,13 +1,12 @@
 """What can go wrong, as exceptions."""
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from hawser._native import ffi, lib
 
-# "FILE:LINE: key 'KEY': what", of which only the last must be there; what --set brought has no file and no line.
-PLACE = re.compile(r"(?:--set (?P<set>\S+)|(?P<file>.*?)(?::(?P<line>\d+))?): (?:key '(?P<key>[^']*)': )?")
+# What stands in place of a file: for what Case.set has brought; for a dict, whose lines nobody has seen.
+SETTING, DICT = "--set ", "<dict>"
 
 
 class Error(Exception):
@@ -17,7 +16,7 @@ class Error(Exception):
 class CaseError(Error, ValueError):
     """A case, a setting or an argument is wrong; nothing was computed or written.
 
-    file: the case's file or name; None where the fault is not in one
+    file: the case's file, "<text>" of a text; None where the fault is not in one
     key:  dotted key of the value, as in `set`: "drive.winch.speed"; None where none is to blame
     line: in the file, from 1; None of settings and dicts
     """
@@ -30,9 +29,13 @@ class CaseError(Error, ValueError):
 class RunError(Error, RuntimeError):
     """The integration failed; the text says when, where and what to try. The simulation is in its last good state.
 
-    result: what a run had computed until then; None where nothing is written
+    t:       simulated time then, s
+    segment: of the whole chain, where it was at its wits' end; None: nowhere in particular
+    result:  what a run had computed until then; None where nothing is written
     """
 
+    t: float = 0.0
+    segment: int | None = None
     result: object = None
 
 
@@ -44,25 +47,27 @@ class Stopped(Error):
     """A call-back wanted no more."""
 
 
+KINDS: dict[int, type[Error]] = {lib.HAWSER_ERR_INPUT: CaseError, lib.HAWSER_ERR_RUN: RunError, lib.HAWSER_ERR_OUTPUT: OutputError,
+                                 lib.HAWSER_STOPPED: Stopped}
+
+
 def told(error: Any) -> dict[str, Any]:
-    """What C's error says: message, file, key, line; None of what is not known."""
-    message = text_of(error.message)
-    place = PLACE.match(message)
-    if not place or not (place["key"] or place["set"] or place["line"]):
-        return {"message": message, "file": None, "key": None, "line": None}
-    return {"message": message, "file": place["file"], "key": place["key"] or place["set"],
-            "line": int(place["line"]) if place["line"] else None}
+    """What C's error says; None of what is not known."""
+    file = text_of(error.file)
+    in_file = file and file != DICT and not file.startswith(SETTING)
+    return {"message": text_of(error.message), "file": file if in_file else None, "key": text_of(error.key) or None,
+            "line": error.line if in_file and error.line else None,
+            "segment": error.segment if error.segment >= 0 else None, "t": error.t_s}
 
 
-def error_from(status: int, message: str, file: str | None, key: str | None, line: int | None) -> BaseException:
+def error_from(status: int, message: str, **known: Any) -> BaseException:
     """The exception of a status other than OK."""
     if status == lib.HAWSER_ERR_MEMORY:
         return MemoryError(message)
-    if status != lib.HAWSER_ERR_INPUT:
-        kinds = {lib.HAWSER_ERR_RUN: RunError, lib.HAWSER_ERR_OUTPUT: OutputError, lib.HAWSER_STOPPED: Stopped}
-        return kinds.get(status, Error)(message)
-    found = CaseError(message)
-    found.file, found.key, found.line = file, key, line
+    kind = KINDS.get(status, Error)
+    found = kind(message)
+    for name in getattr(kind, "__annotations__", {}):
+        setattr(found, name, known.get(name))
     return found
 
 

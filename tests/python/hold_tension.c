@@ -5,7 +5,7 @@
 int main(int n, char **argument)
 {
     const double target = 800, gain = 1e-5, belt = 0.1, interval = 0.05;
-    hawser_error err = {HAWSER_OK, ""};
+    hawser_error err = {0};
     hawser_case *c = NULL;
     hawser_sim *sim = NULL;
     hawser_status status = hawser_case_load(n > 1 ? argument[1] : "", &c, &err);

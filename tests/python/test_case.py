@@ -32,6 +32,12 @@ def test_settings(pull, value):
     assert hawser.Case(pull).set({"friction.mu": 1}).set({"friction.mu": value}).describe()["friction"] == 0.3
 
 
+def test_numbers_are_si():
+    case = hawser.Case({**PULL, "run": {"duration": 2.0, "steady_from": np.float64(1.5)}, "route": {"head_at": 12, "pieces": [{"straight": 20}]}})
+    found = case.describe()
+    assert (found["duration_s"], found["steady_from_s"], found["route_length_m"]) == (2, 1.5, 20)
+
+
 def test_settings_of_other_kinds(pull):
     case = hawser.Case(pull, set={"solver.relax": False, "route.pieces": [{"straight": "30 m"}], "rollers": {"along": {"spacing": "2 m"}}})
     assert case.describe()["route_length_m"] == 30
@@ -63,16 +69,20 @@ def test_a_wrong_setting_has_its_key(pull):
 def test_a_wrong_dict_has_its_key():
     with pytest.raises(hawser.CaseError) as found:
         hawser.run({**PULL, "friction": {"mu": -1}})
-    assert found.value.key == "friction.mu"
+    assert (found.value.file, found.value.key, found.value.line) == (None, "friction.mu", None)
     assert isinstance(found.value, ValueError)
 
 
 def test_what_is_no_case(tmp_path):
-    with pytest.raises(hawser.CaseError, match="cannot be opened"):
+    with pytest.raises(hawser.CaseError, match="cannot be opened") as found:
         hawser.Case(tmp_path / "none.yaml")
+    assert found.value.file == str(tmp_path / "none.yaml")
+    with pytest.raises(hawser.CaseError, match="a case is a map") as found:
+        hawser.Case("- a\n- b\n")
+    assert found.value.line == 1
     with pytest.raises(hawser.CaseError) as found:
         hawser.Case("a: [1\nb: 2\n")
-    assert found.value.line in (1, 2) and found.value.file == "text"
+    assert found.value.line in (1, 2) and found.value.file == "<text>"
     with pytest.raises(TypeError):
         hawser.Case(7)
 
@@ -115,5 +125,5 @@ def test_equipment(pull):
 def test_names_of_any_alphabet(pull):
     case = hawser.Case({**PULL, "title": "Überlandtrasse 黄家湖"})
     assert case.simulation().title == "Überlandtrasse 黄家湖"
-    assert repr(case) == "hawser.Case('dict')"
+    assert repr(case) == "hawser.Case('<dict>')"
     assert "Überlandtrasse" in str(case)

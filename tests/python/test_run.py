@@ -171,6 +171,7 @@ def test_a_failed_integration_keeps_what_it_had(pull):
     with pytest.raises(hawser.RunError) as found:
         hawser.run(pull, set=few)
     assert "t = " in str(found.value) and found.value.result.outcome == "failed"
+    assert 0 < found.value.t <= found.value.result.summary["sim_time_s"] + 1e-9
     assert len(found.value.result.series) >= 1
     simulation = hawser.Simulation(pull, set=few)
     with pytest.raises(hawser.RunError):
