@@ -6,9 +6,10 @@ import os
 from typing import Any, Callable
 
 import numpy as np
+import pandas as pd
 
 from hawser._native import ffi, lib
-from hawser._tables import plain
+from hawser._tables import frame, plain
 from hawser.errors import check
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -54,6 +55,17 @@ class Route:
         """The place s (m, one or many) along the route: "position" (m), "tangent" (unit) and "curvature" (1/m, toward the
         centre), each x y z in the last axis. Beyond its ends it goes on straight."""
         return places(lambda one, place: check(lib.hawser_routes_at(self._c, self._number, one, place, self._error), self._error), s)
+
+    @property
+    def bends(self) -> pd.DataFrame:
+        """Its arcs in plan as they would be built: station_m, length_m, turn (rad, to the left positive), radius_m, radius_sd_m (of a
+        fit, one standard deviation; NaN: the file's own)."""
+        n, made = ffi.new("int *"), ffi.new("hawser_route_bend **")
+        check(lib.hawser_routes_bends(self._c, self._number, n, made, self._error), self._error)
+        try:
+            return frame("hawser_route_bend", made[0], n[0])
+        finally:
+            lib.hawser_route_bends_free(made[0])
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """As it would be built: a table (.csv), a drawing (.dxf), a map (.geojson) or a case's section `route` (.yaml)."""

@@ -27,6 +27,9 @@ def test_routes_of_a_drawing(tmp_path):
     assert route.at(1.0)["position"].shape == (3,)
     least = 1 / np.linalg.norm(places["curvature"], axis=1).max()
     assert least >= 0.99 * route.figures["least_radius_m"]
+    bends = route.bends
+    assert len(bends) > 0 and bends["radius_m"].min() == pytest.approx(route.figures["least_radius_m"])
+    assert bends["length_m"].to_numpy() == pytest.approx(np.abs(bends["turn"]) * bends["radius_m"])
     route.write(tmp_path / "route.csv")
     again = hawser.routes(tmp_path / "route.csv")
     assert again[0].length == pytest.approx(route.length, rel=1e-6)
