@@ -236,6 +236,8 @@ hawser_status checkpoint_read_dir(hawser_sim *s, const char *dir, RunKept *run, 
 hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, hawser_error *err)
 {
     Checkpoint c;
+    if (!s || !bytes || !size) return error_argument(err, !s ? "s" : bytes ? "size" : "bytes");
+    if (s->inside) return error_inside(err);
     *bytes = NULL;
     *size = 0;
     const hawser_status status = checkpoint_write(s, NULL, &c, err);
@@ -250,6 +252,8 @@ hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, 
 
 hawser_status hawser_sim_load_memory(hawser_sim *s, const void *bytes, size_t size, hawser_error *err)
 {
+    if (!s || !bytes) return error_argument(err, s ? "bytes" : "s");
+    if (s->inside || s->running) return error_inside(err);
     return checkpoint_read(s, "memory", bytes, size, NULL, err);
 }
 
@@ -260,6 +264,8 @@ hawser_status hawser_sim_save(hawser_sim *s, const char *path, hawser_error *err
 {
     Checkpoint c;
     char dir[OUT_PATH_MAX] = ".";
+    if (!s || !path) return error_argument(err, s ? "path" : "s");
+    if (s->inside) return error_inside(err);
     const char *const slash = strrchr(path, '/');
     if (strlen(path) >= sizeof dir) return out_error(path, ENAMETOOLONG, err);
     if (slash) snprintf(dir, sizeof dir, "%.*s", (int)(slash > path ? slash - path : 1), path);
@@ -273,6 +279,8 @@ hawser_status hawser_sim_load(hawser_sim *s, const char *path, hawser_error *err
 {
     void *bytes;
     size_t size;
+    if (!s || !path) return error_argument(err, s ? "path" : "s");
+    if (s->inside || s->running) return error_inside(err);
     hawser_status status = file_read(path, &bytes, &size, err);
     if (status) return status;
     status = checkpoint_read(s, path, bytes, size, NULL, err);
@@ -290,6 +298,7 @@ hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_erro
     void *bytes = NULL;
     size_t size = 0;
     int kept;
+    if (!dir || !out) return error_argument(err, dir ? "out" : "dir");
     *out = NULL;
     hawser_status status = out_join(path, dir, CHECKPOINT_FILE, err);
     if (!status) status = file_read(path, &bytes, &size, err);

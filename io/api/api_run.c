@@ -150,7 +150,9 @@ static hawser_status run_on(Run *run, hawser_error *err)
     Sim *sim = run->s;
     hawser_status status = tell_progress(run, 1, err);
     while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may bring the end nearer */
+        sim->inside = 1;
         status = sim_advance(sim, hawser_sim_end_time(sim), 1, err);
+        sim->inside = 0;
         if (!status) status = write_due(run, err);
         if (!status) status = keep_due(run, err);
         if (status) break; /* perhaps within a step: what is kept is from before it */
@@ -314,6 +316,8 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
 {
     hawser_error local = {HAWSER_OK, ""};
     hawser_error *e = err ? err : &local;
+    if (!s) return error_argument(err, "s");
+    if (s->inside || s->running) return error_inside(err);
     Run run = run_new(s, progress, user);
     s->running = 1;
     s->outcome = HAWSER_OK;
@@ -328,6 +332,8 @@ hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress 
     hawser_error local = {HAWSER_OK, ""};
     hawser_error *e = err ? err : &local;
     RunKept kept;
+    if (!s || !dir) return error_argument(err, s ? "dir" : "s");
+    if (s->inside || s->running) return error_inside(err);
     hawser_status status = checkpoint_read_dir(s, dir, &kept, e);
     if (status) return settle(s, status, e);
     Run run = run_new(s, progress, user);

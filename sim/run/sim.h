@@ -64,6 +64,7 @@ typedef struct hawser_sim {
     char *case_text, *case_folder; /* owned: the case as it was set, and where its files are (NULL: nowhere) */
     int relaxed, running;          /* running: inside hawser_sim_run */
     hawser_status outcome;         /* of the last call that computed */
+    int inside;                    /* it moves now: who is called must not have it move */
     char message[HAWSER_MESSAGE_MAX];
 } Sim;
 
