@@ -27,6 +27,7 @@ enum {
     OPTION_JSON = 'j',
     OPTION_JOBS = 'K',
     OPTION_FRESH = 'N',
+    OPTION_RESUME = 'G',
     OPTION_REPORT = 'e',
     OPTION_PDF = 'P',
     KNOWN_MAX = 20
@@ -60,6 +61,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"json", no_argument, NULL, OPTION_JSON},
                                             {"jobs", required_argument, NULL, OPTION_JOBS},
                                             {"fresh", no_argument, NULL, OPTION_FRESH},
+                                            {"resume", required_argument, NULL, OPTION_RESUME},
                                             {"report", no_argument, NULL, OPTION_REPORT},
                                             {"pdf", no_argument, NULL, OPTION_PDF},
                                             {"help", no_argument, NULL, 'h'},
@@ -285,6 +287,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_FRESH:
         args->fresh = 1;
         return ARGUMENTS_GO_ON;
+    case OPTION_RESUME:
+        args->resume = optarg;
+        return ARGUMENTS_GO_ON;
     case OPTION_STRICT:
         args->strict = 1;
         return ARGUMENTS_GO_ON;
@@ -304,6 +309,17 @@ static int take_option(const Command *command, int letter, Arguments *args)
         printf("hawser %s\n", hawser_version());
         return finish_stdout(0);
     }
+}
+
+/* A run that is gone on with is in its folder: case, settings, and where its results are. */
+static int take_resumed(int argc, char **argv, Arguments *args)
+{
+    const char *const word = optind < argc ? argv[optind] : args->n_settings ? "--set" : args->dir ? "--output" : NULL;
+    args->dir = args->resume;
+    if (!word) return ARGUMENTS_GO_ON;
+    complain("--resume goes on with the case and the settings of the run in '%s': '%s' cannot be given with it",
+             args->resume, word);
+    return EXIT_USAGE;
 }
 
 /* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case;
@@ -329,6 +345,7 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         complain("%s takes no case file; what is '%s'?", command->name, argv[optind]);
         return EXIT_USAGE;
     }
+    if (args->resume) return take_resumed(argc, argv, args);
     if (optind + 1 == argc && argv[optind][0]) {
         args->case_path = argv[optind];
         return ARGUMENTS_GO_ON;

@@ -43,6 +43,7 @@ typedef struct Arguments {
     int fast;
     int jobs;                   /* 0: the library's choice */
     int fresh;                  /* earlier samples do not count */
+    const char *resume;         /* folder of the run to go on with; NULL: a new one */
     const char *crew;           /* file for the list of equipment; NULL: none */
     hawser_route_options route; /* of the command route; its texts are parts of the command line */
 } Arguments;

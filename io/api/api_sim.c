@@ -33,9 +33,11 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     if (s->team) team_pin(s->team, mine.pin);
     s->case_name = strdup(c->name);
     s->title = strdup(c->def.title[0] ? c->def.title : c->name);
-    if (s->case_name && s->title) return HAWSER_OK;
-    *out = sim_free(s);
-    return error_memory(err);
+    s->case_folder = c->tree->folder ? realpath(c->tree->folder, NULL) : NULL;
+    if (!s->case_folder && c->tree->folder) s->case_folder = strdup(c->tree->folder);
+    status = s->case_name && s->title ? case_tree_text(c->tree, &s->case_text, err) : error_memory(err);
+    if (status) *out = sim_free(s);
+    return status;
 }
 
 void hawser_sim_free(hawser_sim *s) { sim_free(s); }

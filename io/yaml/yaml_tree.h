@@ -63,6 +63,9 @@ CaseTree *case_tree_free(CaseTree *tree);
 /* A copy to be set apart; names of places stay those of `tree`, which must outlive it. NULL if there is no memory. */
 CaseTree *case_tree_copy(const CaseTree *tree);
 
+/* The tree as a document from which the same tree is read, malloc'ed. Errors: MEMORY. */
+hawser_status case_tree_text(const CaseTree *tree, char **text, hawser_error *err);
+
 /* Reads one YAML document of `size` bytes, with a NUL behind them. `origin` is said to be where it comes from and must
  * outlive the nodes; lines 0: it is a setting's value, and line numbers mean nothing. Errors: INPUT with the place (not
  * YAML, empty, several documents, a key twice, too large, too deep), MEMORY; *out is NULL then. */

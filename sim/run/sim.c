@@ -105,6 +105,9 @@ Sim *sim_free(Sim *s)
     free(s->condition);
     free(s->case_name);
     free(s->title);
+    free(s->case_text);
+    free(s->case_folder);
+    text_pool_free(&s->texts);
     free(s);
     return NULL;
 }
@@ -283,7 +286,6 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
-    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
@@ -306,6 +308,7 @@ static void record_now(Sim *s, SampleParts parts)
 {
     const hawser_sample *const look = look_now(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
     const double start = clock_now();
+    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     hawser_error only_a_note;
