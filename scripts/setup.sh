@@ -11,7 +11,7 @@ set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev
-    libcmocka-dev liblapacke-dev python3 valgrind"
+    libnlopt-dev libcmocka-dev liblapacke-dev python3 valgrind"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 peer_packages="libmujoco-dev libsimbody-dev"

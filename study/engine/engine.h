@@ -39,17 +39,22 @@ typedef struct Row {
 /* All rows of a study, by sample. */
 typedef struct Rows {
     long n;
-    int n_quantities;
+    int width;     /* values of a row: quantities, and of a study that searches the point */
     Row *row;      /* [n]; ROW_OPEN: not computed yet */
-    double *value; /* [n * n_quantities]; NAN: not known */
+    double *value; /* [n * width]; NAN: not known */
 } Rows;
 
 /* ROW_OPEN everywhere. Errors: MEMORY. */
 hawser_status rows_make(const Study *s, Rows *rows, hawser_error *err);
 void rows_free(Rows *rows);
 
-/* Computes sample i: fills row and value[n_quantities]. What goes wrong is in the row. */
-void sample_evaluate(const Study *s, long i, Row *row, double *value);
+/* How many values a row has. */
+int row_width(const Study *s);
+/* The point x[n_parameters] of a row that is there. */
+void row_point(const Study *s, const Rows *rows, long i, double *x);
+
+/* Computes sample i at its point x[n_parameters]: fills row and value[row_width]. What goes wrong is in the row. */
+void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *value);
 /* Whether the quantities are in the answers to the middle of all parameters, as far as that shows without a run.
  * Errors: INPUT with file and line, MEMORY. */
 hawser_status quantities_check(const Study *s, hawser_error *err);
@@ -65,9 +70,23 @@ hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_err
 /* Worker k's file to append to; < 0 with errno. */
 int store_open(const char *dir, int k);
 /* Appends a row in one write; 0 or errno. */
-int store_append(int fd, const Row *row, const double *value, int n_quantities);
+int store_append(int fd, const Row *row, const double *value, int width);
 /* Cuts off a row that its worker did not finish writing; 0 or errno. */
-int store_mend(int fd, int n_quantities);
+int store_mend(int fd, int width);
+/* Worker k's rows, with those that came since the folder was read. Errors: OUTPUT. */
+hawser_status store_take(const char *dir, int k, Rows *rows, hawser_error *err);
+
+/* --------------------------------------------------------------------------------------------------------- searches */
+
+/* What a search makes of a row that is there: the value that is to be least, and by how much each constraint is broken,
+ * as a share of its bound, broken[aim_constraints], not above 0 where it is kept. NAN: the row has no value. */
+int aim_constraints(const Study *s);
+double aim_value(const Study *s, const Row *row, const double *value, const double *x, double *broken);
+/* The search that computes a sample of its own with this, and gets it back: fills row and value. Returns 0: enough. */
+typedef int (*SampleAsk)(void *user, long i, const double *x, Row *row, double *value);
+/* Search c, from its beginning. Samples that `known` has are not asked for again. Returns 0 without memory; what stands
+ * in `known` may turn out to be another search's: *other. */
+int search_samples(const Study *s, long c, const Rows *known, SampleAsk ask, void *user, int *other);
 
 /* --------------------------------------------------------------------------------------------------------- workers */
 

@@ -224,38 +224,33 @@ static double processor_time(void)
 }
 
 /* Nothing is known yet. */
-static void row_begin(const Study *s, long i, Row *row, double *value)
+static void row_begin(const Study *s, long i, const double *x, Row *row, double *value)
 {
     memset(row, 0, sizeof *row); /* what lies between the members is written too */
     row->sample = i;
     row->limited_by = -1;
     for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = NAN;
     for (int q = 0; q < s->n_quantities; q++) value[q] = NAN;
+    if (study_searches(s)) memcpy(value + s->n_quantities, x, (size_t)s->n_parameters * sizeof *x);
 }
 
-/* An answer that came before what failed does not count: its verdict might be the better one. */
-static void row_fail(const Study *s, long i, hawser_status status, const hawser_error *err, Row *row, double *value)
-{
-    row_begin(s, i, row, value);
-    row->state = status == HAWSER_ERR_INPUT ? ROW_REFUSED : status == HAWSER_ERR_MEMORY ? ROW_MEMORY : ROW_FAILED;
-    snprintf(row->reason, sizeof row->reason, "%.*s", REASON_MAX - 1, err->message);
-}
-
-void sample_evaluate(const Study *s, long i, Row *row, double *value)
+void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *value)
 {
     const double start = processor_time();
-    double x[PARAMETERS_MAX];
     hawser_error err = {HAWSER_OK, ""};
     hawser_case *c = NULL;
-    row_begin(s, i, row, value);
-    study_point(s, i, x);
+    row_begin(s, i, x, row, value);
     hawser_status status = study_case(s, x, &c, &err);
     if (!status && s->fidelity != BY_RUN) status = by_theory(s, c, row, value, &err);
     const int run = s->fidelity == BY_RUN || (s->fidelity == BY_BOTH && is_close(s, row));
     if (!status && run) status = by_run(s, c, row, value, &err);
     hawser_case_free(c);
     row->state = ROW_DONE;
-    if (status) row_fail(s, i, status, &err, row, value);
+    if (status) { /* an answer that came before does not count: its verdict might be the better one */
+        row_begin(s, i, x, row, value);
+        row->state = status == HAWSER_ERR_INPUT ? ROW_REFUSED : status == HAWSER_ERR_MEMORY ? ROW_MEMORY : ROW_FAILED;
+        snprintf(row->reason, sizeof row->reason, "%.*s", REASON_MAX - 1, err.message);
+    }
     row->seconds = processor_time() - start;
 }
 

@@ -6,8 +6,16 @@
 #include "io/schema/case_schema.h"
 #include "study/maths/distribution.h"
 #include "study/maths/points.h"
+#include "study/maths/search.h"
 
-typedef enum StudyKind { STUDY_GRID, STUDY_LIST, STUDY_MONTE_CARLO, STUDY_MORRIS, STUDY_SOBOL } StudyKind;
+typedef enum StudyKind {
+    STUDY_GRID,
+    STUDY_LIST,
+    STUDY_MONTE_CARLO,
+    STUDY_MORRIS,
+    STUDY_SOBOL,
+    STUDY_OPTIMISE
+} StudyKind;
 /* By what a sample is answered: the pulling calculation, a simulation, or the first and, near a limit, the second. */
 typedef enum Fidelity { BY_THEORY, BY_RUN, BY_BOTH } Fidelity;
 
@@ -22,6 +30,8 @@ typedef struct Parameter {
     char unit[UNIT_MAX]; /* of all its numbers, as the case takes it; "": bare */
     int chosen;          /* by choices, not by the law */
     Distribution law;
+    int whole;    /* of a range: whole numbers, or the numbers of choices */
+    double start; /* of a range: where a search begins */
     int n_choices;
     char **choice;  /* [n_choices] owned; NULL: the base case's own value */
     double *number; /* [n_choices] owned, in `unit`; NAN: no number, or in another unit */
@@ -34,6 +44,38 @@ typedef struct Quantity {
     const char *path;
     Fidelity of; /* BY_THEORY or BY_RUN: in whose answer */
 } Quantity;
+
+/* What a search asks of: a parameter, or a quantity; the other is -1. */
+typedef struct Asked {
+    int parameter, quantity;
+} Asked;
+
+/* A term of what is sought. */
+typedef struct Term {
+    Asked of;
+    double weight;
+} Term;
+
+/* A constraint: infinite ends do not bind. */
+typedef struct Constraint {
+    Asked of;
+    double least, most;
+} Constraint;
+
+/* What is sought, and how. Sample i is point i % evaluations of search i / evaluations. */
+typedef struct Aim {
+    int n_terms;
+    Term *term;       /* [n_terms] their weighted sum is sought */
+    const char *name; /* of the sum, owned: "reference_total_N", "2 rollers + conveyors" */
+    int most;         /* the largest is sought, not the least */
+    int limits;       /* limits must hold */
+    int n_constraints;
+    Constraint *constraint; /* [n_constraints] */
+    SearchMethod method;
+    int searches;
+    long evaluations; /* of each */
+    double tolerance;
+} Aim;
 
 typedef struct Study {
     CaseTree *tree;
@@ -52,6 +94,7 @@ typedef struct Study {
     double *factor;       /* [n_parameters^2], of the correlations; NULL: there are none */
     int n_quantities;
     Quantity *quantity; /* [n_quantities] */
+    Aim aim;            /* STUDY_OPTIMISE */
     double time_limit;  /* s of wall time for a sample; 0: none */
     long memory;        /* MiB of address space of a worker; 0: no limit */
 } Study;
@@ -66,10 +109,15 @@ hawser_status list_read(Study *s, const CaseNode *file, const char *path, hawser
 /* Number and unit of a text: 1, or 0 if no decimal number begins it or the unit is too long. */
 int value_split(const Units *units, const char *text, double *value, char unit[UNIT_MAX]);
 
-/* Sample i, 0 <= i < samples: x[n_parameters], each a number in the parameter's unit or the number of a choice. */
+/* Whether a sample's point follows from what came of others, so that the sample itself says where it was. */
+int study_searches(const Study *s);
+/* Sample i, 0 <= i < samples, of a study that does not search: x[n_parameters], each a number in the parameter's unit
+ * or the number of a choice. */
 void study_point(const Study *s, long i, double *x);
 /* What stands for every parameter in the middle: the median of its law, its first choice. */
 void study_middle(const Study *s, double *x);
+/* The box of a study that searches; x[3 * n_parameters], whole[n_parameters]: where it stands. */
+SearchBox study_box(const Study *s, double *x, unsigned char *whole);
 /* The value as the case takes it, in `text`; NULL: the base case's own. */
 const char *parameter_text(const Parameter *p, double x, char text[SETTING_MAX]);
 /* The value as a number in the parameter's unit; NAN: it is none. */

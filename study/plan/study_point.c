@@ -1,4 +1,5 @@
 /* What sample i is: its point, and the case with it. */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,10 +28,13 @@ static void grid_point(const Study *s, long i, double *x)
     }
 }
 
+int study_searches(const Study *s) { return s->kind == STUDY_OPTIMISE; }
+
 void study_point(const Study *s, long i, double *x)
 {
     const int d = s->n_parameters;
     double scratch[PARAMETERS_MAX];
+    assert(!study_searches(s));
     if (s->kind == STUDY_GRID) {
         grid_point(s, i, x);
         return;
@@ -52,7 +56,8 @@ void study_middle(const Study *s, double *x)
 {
     const int choices = s->kind == STUDY_GRID || s->kind == STUDY_LIST;
     for (int j = 0; j < s->n_parameters; j++) {
-        x[j] = choices ? 0 : distribution_quantile(&s->parameter[j].law, 0.5);
+        const Parameter *const p = &s->parameter[j];
+        x[j] = choices ? 0 : study_searches(s) ? p->start : distribution_quantile(&p->law, 0.5);
     }
 }
 

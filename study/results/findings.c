@@ -63,7 +63,7 @@ static void values_of(const Rows *rows, int q, double *x)
 {
     for (long i = 0; i < rows->n; i++) {
         const int known = rows->row[i].state == ROW_DONE;
-        x[i] = known ? rows->value[i * rows->n_quantities + q] : NAN;
+        x[i] = known ? rows->value[i * rows->width + q] : NAN;
     }
 }
 
@@ -137,15 +137,17 @@ static hawser_status effects_find(const Study *s, const Rows *rows, double *x, F
     return HAWSER_OK;
 }
 
-/* "count = 18, speed = 6 m/min" */
-static void variant_say(const Study *s, long i, char text[VARIANT_TEXT_MAX])
+void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX])
 {
     double x[PARAMETERS_MAX];
     char value[SETTING_MAX];
     int n = 0;
-    study_point(s, i, x);
+    row_point(s, rows, i, x);
     for (int j = 0; j < s->n_parameters && n < VARIANT_TEXT_MAX; j++) {
-        const char *const to = parameter_text(&s->parameter[j], x[j], value);
+        const Parameter *const p = &s->parameter[j];
+        const char *to = value;
+        if (p->chosen) to = parameter_text(p, x[j], value);
+        if (!p->chosen) snprintf(value, sizeof value, "%.6g%s%s", x[j], *p->unit ? " " : "", p->unit);
         n += snprintf(text + n, (size_t)(VARIANT_TEXT_MAX - n), "%s%s = %s", j ? ", " : "", s->parameter[j].name,
                       to ? to : "as it is");
     }
@@ -163,8 +165,8 @@ static void variants_list(const Study *s, const Rows *rows, Findings *f)
                            .verdict = row_verdicts[row->verdict],
                            .limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by),
                            .margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by],
-                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->n_quantities] : NAN};
-        variant_say(s, i, to->values);
+                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->width] : NAN};
+        point_say(s, rows, i, to->values);
         f->n_variants++;
     }
 }
@@ -193,6 +195,7 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
         variants_list(s, rows, out);
         lost_find(rows, out);
         status = effects_find(s, rows, x, out, err);
+        if (!status && study_searches(s)) status = designs_find(s, rows, out, err);
     }
     free(x);
     if (status) findings_free(out);
@@ -203,5 +206,6 @@ void findings_free(Findings *f)
 {
     free(f->quantity);
     free(f->effect);
+    free(f->search);
     *f = (Findings){.quantity = NULL};
 }

@@ -51,6 +51,25 @@ typedef struct VariantRow {
     double quantity; /* the first */
 } VariantRow;
 
+/* One of the best points of a search. */
+enum { DESIGNS_MAX = 10 };
+typedef struct DesignRow {
+    long sample, search;
+    char values[VARIANT_TEXT_MAX];
+    double value;      /* of what is sought */
+    double broken;     /* the sum of what limits and constraints are broken by, (SR1) */
+    const char *keeps; /* "yes" where that is 0 */
+    const char *verdict, *limited_by;
+    double margin; /* the least */
+} DesignRow;
+
+/* One search. */
+typedef struct SearchRow {
+    long search, evaluations, best; /* best: the sample; -1: none has a value */
+    double value, broken;           /* of that */
+    const char *ended;
+} SearchRow;
+
 /* A sample without an answer. */
 typedef struct LostRow {
     long sample;
@@ -68,12 +87,19 @@ typedef struct Findings {
     VariantRow variant[VARIANTS_MAX]; /* [n_variants] of a study that has no more */
     ConvergenceRow convergence[64];
     EffectRow *effect;
-    LostRow lost[10]; /* the first ones */
+    int n_searches, n_designs;
+    SearchRow *search;             /* owned */
+    DesignRow design[DESIGNS_MAX]; /* the best first */
+    LostRow lost[10];              /* the first ones */
 } Findings;
 
 /* Errors: MEMORY. The texts are the study's and the rows'. */
 hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, hawser_error *err);
 void findings_free(Findings *f);
+/* The searches and designs of a study that searches. Errors: MEMORY. */
+hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
+/* "count = 18, speed = 6 m/min": the point of a row that is there, as far as there is room. */
+void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX]);
 /* The findings as text for people, or as JSON: malloc'ed. Errors: MEMORY. */
 hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err);
 

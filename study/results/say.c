@@ -1,4 +1,5 @@
 /* The findings as a document: one answer, one list of tables, for people and for programs. */
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -86,6 +87,26 @@ static const Column morris_columns[] = {
     {COLUMN("steps", LONG, EffectRow, n), .label = "steps"},
 };
 
+static const Column search_columns[] = {
+    {COLUMN("search", LONG, SearchRow, search), .label = "search"},
+    {COLUMN("evaluations", LONG, SearchRow, evaluations), .label = "evaluations"},
+    PLAIN("value", "best", SearchRow, value, -1),
+    PLAIN("broken", "broken by", SearchRow, broken, 4),
+    {COLUMN("sample", LONG, SearchRow, best), .label = "sample"},
+    {COLUMN("ended", TEXT, SearchRow, ended), .label = "ended"},
+};
+
+static const Column design_columns[] = {
+    {COLUMN("sample", LONG, DesignRow, sample), .label = "sample"},
+    {COLUMN("values", CHARS, DesignRow, values), .label = "with"},
+    PLAIN("value", "is", DesignRow, value, -1),
+    {COLUMN("keeps", TEXT, DesignRow, keeps), .label = "keeps all"},
+    PLAIN("broken", "broken by", DesignRow, broken, 4),
+    {COLUMN("verdict", TEXT, DesignRow, verdict), .label = "verdict"},
+    {COLUMN("limited_by", TEXT, DesignRow, limited_by), .label = "limited by"},
+    PLAIN("least_margin", "margin", DesignRow, margin, 3),
+};
+
 static const Column lost_columns[] = {
     {COLUMN("sample", LONG, LostRow, sample), .label = "sample"},
     {COLUMN("state", TEXT, LostRow, state), .label = "state"},
@@ -127,11 +148,43 @@ static void say_limited(Lines *l, const Findings *f)
     }
 }
 
+/* The best design, or that there is none. */
+static void say_design(Lines *l, const Study *s, const Findings *f)
+{
+    const char *const what = s->aim.most ? "MOST" : "LEAST", *const unit = unit_of_key(s->aim.name);
+    const DesignRow *const d = f->design;
+    if (f->n_designs == 0) {
+        line(l, "NO DESIGN: no sample has an answer with %s\n", s->aim.name);
+    } else if (d->broken > 0) {
+        line(l, "NO DESIGN was found that keeps all limits and constraints; the closest has %s\n", d->values);
+    } else {
+        line(l, "%s %s = %.6g%s%s, with %s\n", what, s->aim.name, d->value, *unit ? " " : "", unit, d->values);
+    }
+}
+
+/* How it was sought. */
+static void say_search(Lines *l, const Study *s, const Findings *f)
+{
+    static const char *const how[] = {"", "linear models (COBYLA)", "evolution (ISRES), then neighbours",
+                                      "every point of the box"};
+    const long there = s->samples - f->by_state[ROW_OPEN];
+    int best = 0;
+    for (int k = 0; k < f->n_searches && f->n_designs > 0; k++)
+        best += f->search[k].broken == f->design->broken &&
+                fabs(f->search[k].value - f->design->value) <= 1e-3 * fabs(f->design->value);
+    line(l, "  sought   by %s, %d of %d searches ended there; %ld evaluations of at most %ld\n", how[s->aim.method],
+         best, s->aim.searches, there, s->samples);
+}
+
 /* The probability of points that are drawn, the number of variants. */
 static void say_answer(Lines *l, const Study *s, const Findings *f)
 {
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
     const Share p = share_percent(f->not_safe);
+    if (study_searches(s)) {
+        say_design(l, s, f);
+        return;
+    }
     if (judged == 0) {
         line(l, f->by_verdict[VERDICT_NOT_JUDGED] ? "NOT JUDGED: no sample could be judged by limits"
                                                   : "NO ANSWER: no sample is safe or not safe");
@@ -150,12 +203,13 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
     static const char *const by[] = {"theory", "runs", "theory, and runs near a limit"};
     const long there = s->samples - f->by_state[ROW_OPEN],
                judged = f->by_verdict[VERDICT_NOT_SAFE] + f->by_verdict[VERDICT_SAFE];
+    if (study_searches(s)) say_search(l, s, f);
     line(l, "  samples  %ld of %ld, by %s\n", there, s->samples, by[s->fidelity]);
     if (s->fidelity == BY_BOTH) {
         line(l, "  runs     %ld, where theory's margin is within %.3g of 0; %ld changed the verdict\n", f->runs,
              s->close, f->changed);
     }
-    if (judged == there || there == 0) return;
+    if (judged == there || there == 0 || study_searches(s)) return;
     line(l, "  open     %ld NOT TRUSTED, %ld NOT JUDGED, %ld without an answer", f->by_verdict[VERDICT_NOT_TRUSTED],
          f->by_verdict[VERDICT_NOT_JUDGED] + f->by_verdict[VERDICT_NONE], there - f->by_state[ROW_DONE]);
     if (judged > 0)
@@ -168,7 +222,7 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
 
 static int facts_list(const Study *s, const Findings *f, Fact *fact)
 {
-    static const char *const kinds[] = {"grid", "list", "monte-carlo", "morris", "sobol"};
+    static const char *const kinds[] = {"grid", "list", "monte-carlo", "morris", "sobol", "optimise"};
     static const char *const fidelities[] = {"theory", "run", "both"};
     const Share p = share_percent(f->not_safe);
     int n = 0;
@@ -211,9 +265,18 @@ static int tables_list(const Study *s, const Findings *f, Table *table)
     const Columns sobol = COLUMNS(EffectRow, sobol_columns), morris = COLUMNS(EffectRow, morris_columns);
     table_add(table, &n, "variants", "Variants", (Columns)COLUMNS(VariantRow, variant_columns), f->n_variants,
               f->variant);
-    table_add(table, &n, "quantities", "Quantities", (Columns)COLUMNS(QuantityRow, quantity_columns), f->n_quantities,
-              f->quantity);
-    table_add(table, &n, "limits", "Limits", (Columns)COLUMNS(LimitRow, limit_columns), f->n_limits, f->limit);
+    if (study_searches(s)) {
+        table_add(table, &n, "designs", "The best designs", (Columns)COLUMNS(DesignRow, design_columns), f->n_designs,
+                  f->design);
+        table_add(table, &n, "searches", "Searches", (Columns)COLUMNS(SearchRow, search_columns), f->n_searches,
+                  f->search);
+    }
+    /* points of a search are no sample of anything */
+    const int shares = !study_searches(s);
+    table_add(table, &n, "quantities", "Quantities", (Columns)COLUMNS(QuantityRow, quantity_columns),
+              shares ? f->n_quantities : 0, f->quantity);
+    table_add(table, &n, "limits", "Limits", (Columns)COLUMNS(LimitRow, limit_columns), shares ? f->n_limits : 0,
+              f->limit);
     table_add(table, &n, "sensitivity",
               s->kind == STUDY_SOBOL ? "Shares of the variance (Sobol's indices) with 95 % intervals"
                                      : "Elementary effects (Morris), over the whole range of each parameter",

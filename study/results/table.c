@@ -100,7 +100,7 @@ static Cell cell_of(const Study *s, const Rows *rows, const Row *row, const doub
     case OF_STATE:
         return cell_text(row_states[row->state]);
     case OF_QUANTITY:
-        return cell_number(rows->value[row->sample * rows->n_quantities + k]);
+        return cell_number(rows->value[row->sample * rows->width + k]);
     case OF_MARGIN:
         return cell_number(row->margin[k]);
     default:
@@ -128,7 +128,7 @@ static hawser_status csv_row(const Study *s, const Rows *rows, long i, const int
                              hawser_error *err)
 {
     double x[PARAMETERS_MAX];
-    study_point(s, i, x);
+    row_point(s, rows, i, x);
     hawser_status status = out_print(out, err, "%ld", i);
     for (int of = 0, c = 0; of < COLUMN_OFS; of++) {
         for (int k = 0; k < columns_of(s, (ColumnOf)of) && !status; k++, c++) {
@@ -203,7 +203,7 @@ static int set_of_column(hid_t file, const Study *s, const Rows *rows, const Kep
     for (char *c = set; *c; c++) *c = *c == '/' ? '|' : *c; /* which would be a group */
     for (long i = 0; i < kept->n; i++) {
         double x[PARAMETERS_MAX];
-        if (of == OF_PARAMETER) study_point(s, kept->sample[i], x);
+        if (of == OF_PARAMETER) row_point(s, rows, kept->sample[i], x);
         const Cell cell = cell_of(s, rows, &rows->row[kept->sample[i]], x, of, k);
         if (text) {
             snprintf(kept->text + i * COLUMN_TEXT_SIZE, COLUMN_TEXT_SIZE, "%s", cell.text);
