@@ -5,8 +5,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
+#include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
@@ -74,6 +76,20 @@ static hawser_status tables_write(hawser_study *s, const char *dir, hawser_error
     return status ? status : summary_write(s, dir, err);
 }
 
+/* The workers of a study that was killed end a moment after it, and hold its folder until then. */
+static hawser_status folder_lock(const char *dir, int *lock, hawser_error *err)
+{
+    static const double PATIENCE = 2; /* s */
+    const struct timespec pause = {.tv_nsec = 20000000};
+    const double start = clock_now();
+    hawser_status status = out_lock_dir(dir, lock, err);
+    while (status && clock_now() - start < PATIENCE) {
+        nanosleep(&pause, NULL);
+        status = out_lock_dir(dir, lock, err);
+    }
+    return status;
+}
+
 /* In a folder that is ours for as long as this lasts. A study that is stopped gets its tables too; the first error
  * counts. */
 hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_study_options *options, hawser_error *err)
@@ -84,7 +100,7 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
     int lock = -1;
     drop_rows(s);
     hawser_status status = out_make_dir(dir, e);
-    if (!status) status = out_lock_dir(dir, &lock, e);
+    if (!status) status = folder_lock(dir, &lock, e);
     if (!status) status = rows_make(s->study, &s->rows, e);
     if (!status && !o->fresh) status = store_read(s->study, dir, &s->rows, e);
     if (!status) status = store_begin(s->study, dir, o->fresh, e);
