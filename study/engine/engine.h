@@ -4,6 +4,7 @@
 #define HAWSER_STUDY_ENGINE_ENGINE_H
 
 #include "hawser/hawser.h"
+#include "study/maths/fit.h"
 #include "study/plan/study.h"
 #include "theory/limits.h"
 
@@ -87,6 +88,8 @@ typedef int (*SampleAsk)(void *user, long i, const double *x, Row *row, double *
 /* Search c, from its beginning. Samples that `known` has are not asked for again. Returns 0 without memory; what stands
  * in `known` may turn out to be another search's: *other. */
 int search_samples(const Study *s, long c, const Rows *known, SampleAsk ask, void *user, int *other);
+/* The fit of a calibration likewise; ask NULL: as far as `known` goes. */
+int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, int *other, FitResult *result);
 
 /* --------------------------------------------------------------------------------------------------------- workers */
 

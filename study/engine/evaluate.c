@@ -145,6 +145,12 @@ static void wish_make(const Study *s, Wanted *w)
     strcpy(w->name[n], "limits");
     w->table[n] = w->name[n];
     n++;
+    if (s->kind == STUDY_CALIBRATE) {
+        w->wish.forward_only = 0;
+        strcpy(w->name[n], "heads");
+        w->table[n] = w->name[n];
+        n++;
+    }
     for (int q = 0; q < s->n_quantities; q++) {
         const char *const path = s->quantity[q].path;
         const size_t length = strcspn(path, ".");
@@ -161,6 +167,31 @@ static void wish_make(const Study *s, Wanted *w)
     w->table[n] = NULL;
 }
 
+/* Theory's force at the places of the log's points, between those that it lists; NAN where it has none. */
+static void heads_take(const Measured *m, const json_t *heads, double *force)
+{
+    size_t i;
+    json_t *head;
+    double last_at = NAN, last[2] = {NAN, NAN};
+    int k = 0;
+    json_array_foreach((json_t *)(size_t)heads, i, head)
+    {
+        const char *const direction = json_string_value(json_object_get(head, "direction"));
+        if (!direction || strcmp(direction, "forward") != 0) continue;
+        const double at = number_of(json_object_get(head, "head_m")),
+                     now[2] = {number_of(json_object_get(head, "force_N")), number_of(json_object_get(head, "restart_N"))};
+        for (; k < m->n && m->point[k].at <= at; k++) {
+            const int of = m->point[k].restart;
+            const double share = at > last_at ? (m->point[k].at - last_at) / (at - last_at) : 1;
+            force[k] = last[of] + share * (now[of] - last[of]);
+            if (m->point[k].at == at) force[k] = now[of];
+        }
+        last_at = at;
+        last[0] = now[0];
+        last[1] = now[1];
+    }
+}
+
 static hawser_status by_theory(const Study *s, hawser_case *c, Row *row, double *value, hawser_error *err)
 {
     Wanted wanted;
@@ -170,6 +201,7 @@ static hawser_status by_theory(const Study *s, hawser_case *c, Row *row, double 
     if (status) return status;
     look(s, answer, BY_THEORY, value);
     judge(answer, "verdict_forward", 1, row);
+    heads_take(&s->measured, json_object_get(answer, "heads"), value + s->n_quantities + s->n_parameters);
     row->answered = BY_THEORY;
     row->theory_verdict = row->verdict;
     json_decref(answer);
@@ -231,7 +263,9 @@ static void row_begin(const Study *s, long i, const double *x, Row *row, double 
     row->limited_by = -1;
     for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = NAN;
     for (int q = 0; q < s->n_quantities; q++) value[q] = NAN;
-    if (study_searches(s)) memcpy(value + s->n_quantities, x, (size_t)s->n_parameters * sizeof *x);
+    if (!study_searches(s)) return;
+    memcpy(value + s->n_quantities, x, (size_t)s->n_parameters * sizeof *x);
+    for (int k = 0; k < s->measured.n; k++) value[s->n_quantities + s->n_parameters + k] = NAN;
 }
 
 void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *value)

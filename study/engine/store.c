@@ -98,6 +98,11 @@ static hawser_status identity(const Study *s, Hash *out, hawser_error *err)
     const size_t d = (size_t)s->n_parameters;
     if (s->factor) h = hash_bytes(h, s->factor, d * d * sizeof *s->factor);
     for (int q = 0; q < s->n_quantities; q++) h = hash_number(hash_text(h, s->quantity[q].path), s->quantity[q].of);
+    for (int k = 0; k < s->measured.n; k++) {
+        const LogPoint *const p = &s->measured.point[k];
+        const double one[] = {p->at, p->force, p->restart, s->measured.weight[k]};
+        h = hash_bytes(h, one, sizeof one);
+    }
     if (study_searches(s)) h = hash_text(hash_aim(h, &s->aim), search_version(version));
     *out = h;
     return HAWSER_OK;
@@ -130,7 +135,10 @@ static hawser_status worker_path(char path[OUT_PATH_MAX], const char *dir, int k
 
 /* ------------------------------------------------------------------------------------------------------------ rows */
 
-int row_width(const Study *s) { return s->n_quantities + (study_searches(s) ? s->n_parameters : 0); }
+int row_width(const Study *s)
+{
+    return s->n_quantities + (study_searches(s) ? s->n_parameters : 0) + s->measured.n;
+}
 
 void row_point(const Study *s, const Rows *rows, long i, double *x)
 {

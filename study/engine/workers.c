@@ -120,7 +120,11 @@ static void unit_compute(Worker *w, long unit, double *value)
         return;
     }
     w->slot->unit = unit;
-    if (!search_samples(e->study, unit, e->rows, sample_compute, w, &other)) _exit(WORKER_MEMORY);
+    FitResult fit;
+    const int ok = e->study->kind == STUDY_CALIBRATE
+                       ? fit_samples(e->study, e->rows, sample_compute, w, &other, &fit)
+                       : search_samples(e->study, unit, e->rows, sample_compute, w, &other);
+    if (!ok) _exit(WORKER_MEMORY);
     if (other) _exit(WORKER_OTHER);
     if (!w->number) w->slot->unit = -1;
 }
@@ -172,7 +176,7 @@ static int row_for(const Engine *e, int k, int wait_status)
     row.state = e->killed[k] ? ROW_TIME : ROW_DIED;
     row.limited_by = -1;
     for (int i = 0; i < LIMIT_KINDS; i++) row.margin[i] = NAN;
-    for (int i = 0; i < width && value; i++) value[i] = i < q ? NAN : slot->point[i - q];
+    for (int i = 0; i < width && value; i++) value[i] = i < q || i >= q + e->study->n_parameters ? NAN : slot->point[i - q];
     if (e->killed[k]) {
         snprintf(row.reason, sizeof row.reason, "took longer than %g s", e->study->time_limit);
     } else if (WIFSIGNALED(wait_status)) {

@@ -4,6 +4,7 @@
 #define HAWSER_STUDY_PLAN_STUDY_H
 
 #include "io/schema/case_schema.h"
+#include "study/log/log.h"
 #include "study/maths/distribution.h"
 #include "study/maths/points.h"
 #include "study/maths/search.h"
@@ -14,7 +15,8 @@ typedef enum StudyKind {
     STUDY_MONTE_CARLO,
     STUDY_MORRIS,
     STUDY_SOBOL,
-    STUDY_OPTIMISE
+    STUDY_OPTIMISE,
+    STUDY_CALIBRATE
 } StudyKind;
 /* By what a sample is answered: the pulling calculation, a simulation, or the first and, near a limit, the second. */
 typedef enum Fidelity { BY_THEORY, BY_RUN, BY_BOTH } Fidelity;
@@ -77,6 +79,14 @@ typedef struct Aim {
     double tolerance;
 } Aim;
 
+/* What a calibration is held against: forces by the place of the cable's head along the route. */
+typedef struct Measured {
+    int n;
+    LogPoint *point; /* [n] by rising place */
+    double *weight;  /* [n] of a residual */
+    long lost, starts;
+} Measured;
+
 typedef struct Study {
     CaseTree *tree;
     char *path; /* of the file */
@@ -95,6 +105,7 @@ typedef struct Study {
     int n_quantities;
     Quantity *quantity; /* [n_quantities] */
     Aim aim;            /* STUDY_OPTIMISE */
+    Measured measured;  /* STUDY_CALIBRATE */
     double time_limit;  /* s of wall time for a sample; 0: none */
     long memory;        /* MiB of address space of a worker; 0: no limit */
 } Study;

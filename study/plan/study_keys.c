@@ -115,6 +115,19 @@ static const CaseKey optimise_keys[] = {
 };
 SECTION(study_optimise, "optimise", optimise_keys);
 
+static const CaseKey calibrate_keys[] = {
+    {"log", KEY_TEXT, .required = 1, AT(StudyRecord, list)},
+    {"head", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(StudyRecord, head)},
+    {"from", KEY_NUMBER, DIM_LENGTH, .fallback = "-1e6 m", FROM(-LONG, LONG), AT(StudyRecord, from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .fallback = "1e6 m", FROM(-LONG, LONG), AT(StudyRecord, to)},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "the log's", ABOVE(0, 100), AT(StudyRecord, speed)},
+    {"parts", KEY_INTEGER, .fallback = "100", FROM(5, 2000), AT(StudyRecord, samples)},
+    {"starts", KEY_FLAG, .fallback = "false", AT(StudyRecord, starts)},
+    {"raw", KEY_FLAG, .fallback = "false", AT(StudyRecord, raw)},
+    {"evaluations", KEY_INTEGER, .fallback = "1000", FROM(10, 1e5), AT(StudyRecord, evaluations)},
+};
+SECTION(study_calibrate, "calibrate", calibrate_keys);
+
 static const CaseKey top_keys[] = {
     {"title", KEY_TEXT, .fallback = "", AT(StudyRecord, title)},
     {"case", KEY_TEXT, .required = 1, AT(StudyRecord, base)},
@@ -130,6 +143,7 @@ static const CaseKey top_keys[] = {
     {"monte-carlo", KEY_MAP, .otherwise = "none", .section = &study_monte_carlo},
     {"sensitivity", KEY_MAP, .otherwise = "none", .section = &study_sensitivity},
     {"optimise", KEY_MAP, .otherwise = "none", .section = &study_optimise},
+    {"calibrate", KEY_MAP, .otherwise = "none", .section = &study_calibrate},
     {"time_limit", KEY_NUMBER, DIM_TIME, .fallback = "10 min", FROM(0, LATE), AT(StudyRecord, time_limit)},
     {"memory", KEY_INTEGER, .fallback = "0", FROM(0, 1e9), AT(StudyRecord, memory)},
 };

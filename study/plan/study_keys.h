@@ -9,8 +9,8 @@ enum { STUDY_TEXT_MAX = 1024 };
 /* What the tables fill. */
 typedef struct StudyRecord {
     char title[256], base[STUDY_TEXT_MAX], list[STUDY_TEXT_MAX];
-    int fidelity, points, method, limits;
-    double close, time_limit, tolerance, at_least, at_most;
+    int fidelity, points, method, limits, starts, raw;
+    double close, time_limit, tolerance, at_least, at_most, speed, head, from, to;
     long samples, memory, seed, searches, evaluations;
 } StudyRecord;
 
@@ -25,7 +25,7 @@ enum { STUDY_LAWS = 4 };
 extern const LawKeys study_laws[STUDY_LAWS];
 
 extern const CaseSection study_parameter, study_discrete, study_steps, study_range, study_whole, study_list_section,
-    study_monte_carlo, study_correlation, study_sensitivity, study_optimise, study_constraint;
+    study_monte_carlo, study_correlation, study_sensitivity, study_optimise, study_constraint, study_calibrate;
 
 /* One parameter's section into *p: a grid wants choices, a list has them in its columns, else a law is wanted. Errors:
  * INPUT, MEMORY. */
@@ -33,6 +33,10 @@ hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKin
 /* What is sought into s->aim, once parameters and quantities are known; adds quantities that it asks for. Errors:
  * INPUT, MEMORY. */
 hawser_status aim_read(const CaseReader *r, const CaseNode *section, Study *s);
+/* The log into s->measured, once parameters are known. Errors: INPUT, MEMORY. */
+hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study *s);
+/* A path beside the study's file, malloc'ed; NULL without memory. */
+char *path_beside(const Study *s, const char *path);
 /* The correlations into s->factor. Errors: INPUT, MEMORY. */
 hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study *s);
 

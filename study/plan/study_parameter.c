@@ -209,7 +209,7 @@ static hawser_status form_read(const CaseReader *r, const CaseNode *node, StudyK
         n++;
     }
     const char *const name = form ? form->key : "";
-    const int search = kind == STUDY_OPTIMISE, whole = strcmp(name, "whole") == 0;
+    const int search = kind >= STUDY_OPTIMISE, whole = strcmp(name, "whole") == 0;
     const int by_choice = strcmp(name, "values") == 0 || strcmp(name, "steps") == 0;
     const int by_range = whole || strcmp(name, "range") == 0;
     const int fits = kind == STUDY_LIST   ? n == 0
@@ -238,7 +238,7 @@ hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKin
     hawser_status status = case_section_read(r, node, &study_parameter, &nothing);
     if (!status) status = keys_read(r, node, p);
     if (!status) status = form_read(r, node, kind, p);
-    if (!p->chosen || kind != STUDY_OPTIMISE) return status;
+    if (!p->chosen || kind < STUDY_OPTIMISE) return status;
     p->whole = 1; /* which of them, from the first: neighbours should be alike */
     p->law = (Distribution){.kind = LAW_UNIFORM, .a = 0, .b = p->n_choices - 1};
     p->start = (double)((p->n_choices - 1) / 2);

@@ -28,7 +28,7 @@ static void grid_point(const Study *s, long i, double *x)
     }
 }
 
-int study_searches(const Study *s) { return s->kind == STUDY_OPTIMISE; }
+int study_searches(const Study *s) { return s->kind == STUDY_OPTIMISE || s->kind == STUDY_CALIBRATE; }
 
 void study_point(const Study *s, long i, double *x)
 {

@@ -15,7 +15,8 @@ static const struct {
             {"list", STUDY_LIST},
             {"monte-carlo", STUDY_MONTE_CARLO},
             {"sensitivity", STUDY_MORRIS},
-            {"optimise", STUDY_OPTIMISE}};
+            {"optimise", STUDY_OPTIMISE},
+            {"calibrate", STUDY_CALIBRATE}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
 /* Which one the file has: one. */
@@ -31,12 +32,11 @@ static hawser_status kind_find(const CaseReader *r, Study *s, const CaseNode **w
     }
     if (n == 1) return HAWSER_OK;
     return case_key_error(r->err, n ? *way : r->root, NULL,
-                          "%s: give one of grid, list, monte-carlo, sensitivity, optimise",
+                          "%s: give one of grid, list, monte-carlo, sensitivity, optimise, calibrate",
                           n ? "there is another way to go about it beside it" : "nothing says how to vary");
 }
 
-/* A path beside the study's file, malloc'ed. */
-static char *path_beside(const Study *s, const char *path)
+char *path_beside(const Study *s, const char *path)
 {
     char *const full = malloc(strlen(s->tree->folder) + strlen(path) + 2);
     if (full && *path == '/') strcpy(full, path);
@@ -117,7 +117,7 @@ static hawser_status way_read(const CaseReader *r, const CaseNode *way, Study *s
     StudyRecord record = {.samples = 0};
     hawser_status status = HAWSER_OK;
     if (s->kind == STUDY_GRID) return grid_read(r, way, s);
-    if (s->kind == STUDY_OPTIMISE) return HAWSER_OK; /* which asks for quantities too: aim_read */
+    if (study_searches(s)) return HAWSER_OK; /* which ask for quantities too: aim_read, measured_read */
     if (s->kind == STUDY_LIST) {
         status = case_section_read(r, way, &study_list_section, &record);
         char *const path = status ? NULL : path_beside(s, record.list);
@@ -241,6 +241,7 @@ static hawser_status study_fill(const CaseReader *r, Study *s)
     if (!status) status = way_read(r, way, s);
     if (!status) status = quantities_read(r, s);
     if (!status && s->kind == STUDY_OPTIMISE) status = aim_read(r, way, s);
+    if (!status && s->kind == STUDY_CALIBRATE) status = measured_read(r, way, s);
     return status ? status : middle_check(r, s);
 }
 
@@ -279,6 +280,8 @@ Study *study_free(Study *s)
     free(s->quantity);
     free(s->aim.constraint);
     free(s->aim.term);
+    free(s->measured.point);
+    free(s->measured.weight);
     free((char *)(size_t)s->aim.name);
     hawser_case_free(s->base);
     case_tree_free(s->tree);

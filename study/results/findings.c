@@ -195,7 +195,8 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
         variants_list(s, rows, out);
         lost_find(rows, out);
         status = effects_find(s, rows, x, out, err);
-        if (!status && study_searches(s)) status = designs_find(s, rows, out, err);
+        if (!status && s->kind == STUDY_OPTIMISE) status = designs_find(s, rows, out, err);
+        if (!status && s->kind == STUDY_CALIBRATE) status = calibration_find(s, rows, out, err);
     }
     free(x);
     if (status) findings_free(out);
@@ -207,5 +208,6 @@ void findings_free(Findings *f)
     free(f->quantity);
     free(f->effect);
     free(f->search);
+    free(f->fitted);
     *f = (Findings){.quantity = NULL};
 }

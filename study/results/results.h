@@ -70,6 +70,13 @@ typedef struct SearchRow {
     const char *ended;
 } SearchRow;
 
+/* A parameter as a log says it, with its 95 % interval in its own unit. */
+typedef struct FittedRow {
+    const char *name, *unit, *said, *with; /* with: the parameter that it is most correlated to; NULL: none */
+    double value, half, low, high, correlation;
+} FittedRow;
+enum { WARNINGS_MAX = 12, WARNING_MAX = 200 };
+
 /* A sample without an answer. */
 typedef struct LostRow {
     long sample;
@@ -90,6 +97,12 @@ typedef struct Findings {
     int n_searches, n_designs;
     SearchRow *search;             /* owned */
     DesignRow design[DESIGNS_MAX]; /* the best first */
+    FitResult fit;     /* of a calibration */
+    long fit_sample;   /* the sample at the fit; -1: none */
+    double fit_rms_pct;
+    int n_fitted, n_warnings;
+    FittedRow *fitted; /* owned */
+    char warning[WARNINGS_MAX][WARNING_MAX];
     LostRow lost[10];              /* the first ones */
 } Findings;
 
@@ -98,6 +111,8 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
 void findings_free(Findings *f);
 /* The searches and designs of a study that searches. Errors: MEMORY. */
 hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
+/* The fit of a calibration, as far as its samples are there. Errors: MEMORY. */
+hawser_status calibration_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
 /* "count = 18, speed = 6 m/min": the point of a row that is there, as far as there is room. */
 void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX]);
 /* The findings as text for people, or as JSON: malloc'ed. Errors: MEMORY. */

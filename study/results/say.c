@@ -96,6 +96,18 @@ static const Column search_columns[] = {
     {COLUMN("ended", TEXT, SearchRow, ended), .label = "ended"},
 };
 
+static const Column fitted_columns[] = {
+    {COLUMN("parameter", TEXT, FittedRow, name), .label = "parameter"},
+    {COLUMN("unit", TEXT, FittedRow, unit), .label = "unit"},
+    PLAIN("value", "value", FittedRow, value, -1),
+    PLAIN("half", "+-", FittedRow, half, -1),
+    PLAIN("low", "from", FittedRow, low, -1),
+    PLAIN("high", "to", FittedRow, high, -1),
+    PLAIN("correlation", "correlation", FittedRow, correlation, 3),
+    {COLUMN("with", TEXT, FittedRow, with), .label = "with"},
+    {COLUMN("said", TEXT, FittedRow, said), .label = ""},
+};
+
 static const Column design_columns[] = {
     {COLUMN("sample", LONG, DesignRow, sample), .label = "sample"},
     {COLUMN("values", CHARS, DesignRow, values), .label = "with"},
@@ -162,6 +174,21 @@ static void say_design(Lines *l, const Study *s, const Findings *f)
     }
 }
 
+/* The parameters that fit best, and what to beware of. */
+static void say_fit(Lines *l, const Study *s, const Findings *f)
+{
+    const FitResult *const x = &f->fit;
+    line(l, "%s: RMS %.3g N, %.2g %% of the log's force, after %d evaluations\n",
+         x->done ? "FITTED" : "NOT FITTED, no least was reached", x->rms, f->fit_rms_pct, x->evaluations);
+    line(l, "  log      %d parts, %ld starts in it; %ld readings were left out as lost, drop-outs or spikes\n",
+         s->measured.n, s->measured.starts, s->measured.lost);
+    if (x->done) {
+        line(l, "  errors   neighbouring residuals correlate by %.2f: they count as %.0f independent ones\n", x->lag,
+             x->effective);
+    }
+    for (int k = 0; k < f->n_warnings; k++) line(l, "  beware   %s\n", f->warning[k]);
+}
+
 /* How it was sought. */
 static void say_search(Lines *l, const Study *s, const Findings *f)
 {
@@ -181,10 +208,9 @@ static void say_answer(Lines *l, const Study *s, const Findings *f)
 {
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
     const Share p = share_percent(f->not_safe);
-    if (study_searches(s)) {
-        say_design(l, s, f);
-        return;
-    }
+    if (s->kind == STUDY_OPTIMISE) say_design(l, s, f);
+    if (s->kind == STUDY_CALIBRATE) say_fit(l, s, f);
+    if (study_searches(s)) return;
     if (judged == 0) {
         line(l, f->by_verdict[VERDICT_NOT_JUDGED] ? "NOT JUDGED: no sample could be judged by limits"
                                                   : "NO ANSWER: no sample is safe or not safe");
@@ -203,7 +229,7 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
     static const char *const by[] = {"theory", "runs", "theory, and runs near a limit"};
     const long there = s->samples - f->by_state[ROW_OPEN],
                judged = f->by_verdict[VERDICT_NOT_SAFE] + f->by_verdict[VERDICT_SAFE];
-    if (study_searches(s)) say_search(l, s, f);
+    if (s->kind == STUDY_OPTIMISE) say_search(l, s, f);
     line(l, "  samples  %ld of %ld, by %s\n", there, s->samples, by[s->fidelity]);
     if (s->fidelity == BY_BOTH) {
         line(l, "  runs     %ld, where theory's margin is within %.3g of 0; %ld changed the verdict\n", f->runs,
@@ -222,7 +248,7 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
 
 static int facts_list(const Study *s, const Findings *f, Fact *fact)
 {
-    static const char *const kinds[] = {"grid", "list", "monte-carlo", "morris", "sobol", "optimise"};
+    static const char *const kinds[] = {"grid", "list", "monte-carlo", "morris", "sobol", "optimise", "calibrate"};
     static const char *const fidelities[] = {"theory", "run", "both"};
     const Share p = share_percent(f->not_safe);
     int n = 0;
@@ -248,6 +274,13 @@ static int facts_list(const Study *s, const Findings *f, Fact *fact)
     fact[n++] = (Fact){"not_safe_least_pct", NULL, "%", cell_number(100 * f->least_share)};
     fact[n++] = (Fact){"not_safe_most_pct", NULL, "%", cell_number(100 * f->most_share)};
     fact[n++] = (Fact){"runs", NULL, "", cell_number((double)f->runs)};
+    if (s->kind == STUDY_CALIBRATE) {
+        fact[n++] = (Fact){"fitted", NULL, "", cell_number(f->fit.done)};
+        fact[n++] = (Fact){"rms_N", NULL, "N", cell_number(f->fit.rms)};
+        fact[n++] = (Fact){"lag_correlation", NULL, "", cell_number(f->fit.lag)};
+        fact[n++] = (Fact){"independent_residuals", NULL, "", cell_number(f->fit.effective)};
+        fact[n++] = (Fact){"least_singular_value", NULL, "", cell_number(f->fit.least_singular)};
+    }
     fact[n++] = (Fact){"verdicts_changed_by_runs", NULL, "", cell_number((double)f->changed)};
     return n;
 }
@@ -265,7 +298,9 @@ static int tables_list(const Study *s, const Findings *f, Table *table)
     const Columns sobol = COLUMNS(EffectRow, sobol_columns), morris = COLUMNS(EffectRow, morris_columns);
     table_add(table, &n, "variants", "Variants", (Columns)COLUMNS(VariantRow, variant_columns), f->n_variants,
               f->variant);
-    if (study_searches(s)) {
+    table_add(table, &n, "parameters", "Parameters, with 95 % intervals", (Columns)COLUMNS(FittedRow, fitted_columns),
+              f->n_fitted, f->fitted);
+    if (s->kind == STUDY_OPTIMISE) {
         table_add(table, &n, "designs", "The best designs", (Columns)COLUMNS(DesignRow, design_columns), f->n_designs,
                   f->design);
         table_add(table, &n, "searches", "Searches", (Columns)COLUMNS(SearchRow, search_columns), f->n_searches,
@@ -291,8 +326,8 @@ static int tables_list(const Study *s, const Findings *f, Table *table)
 hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err)
 {
     char answer[ANSWER_MAX];
-    Fact fact[32];
-    Table table[8];
+    Fact fact[40];
+    Table table[12];
     Lines lines = {answer, 0};
     *answer = 0;
     say_answer(&lines, s, f);
