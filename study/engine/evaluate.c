@@ -179,7 +179,8 @@ static void heads_take(const Measured *m, const json_t *heads, double *force)
         const char *const direction = json_string_value(json_object_get(head, "direction"));
         if (!direction || strcmp(direction, "forward") != 0) continue;
         const double at = number_of(json_object_get(head, "head_m")),
-                     now[2] = {number_of(json_object_get(head, "force_N")), number_of(json_object_get(head, "restart_N"))};
+                     now[2] = {number_of(json_object_get(head, "force_N")),
+                               number_of(json_object_get(head, "restart_N"))};
         for (; k < m->n && m->point[k].at <= at; k++) {
             const int of = m->point[k].restart;
             const double share = at > last_at ? (m->point[k].at - last_at) / (at - last_at) : 1;

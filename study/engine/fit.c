@@ -1,5 +1,5 @@
-/* A calibration over samples: the force of theory at the log's places less the log's, and a fit that goes on where it was
- * by meeting the samples that are there again. */
+/* A calibration over samples: the force of theory at the log's places less the log's, and a fit that goes on where it
+ * was by meeting the samples that are there again. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -135,10 +135,7 @@ static hawser_status worker_path(char path[OUT_PATH_MAX], const char *dir, int k
 
 /* ------------------------------------------------------------------------------------------------------------ rows */
 
-int row_width(const Study *s)
-{
-    return s->n_quantities + (study_searches(s) ? s->n_parameters : 0) + s->measured.n;
-}
+int row_width(const Study *s) { return s->n_quantities + (study_searches(s) ? s->n_parameters : 0) + s->measured.n; }
 
 void row_point(const Study *s, const Rows *rows, long i, double *x)
 {

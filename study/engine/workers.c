@@ -176,7 +176,8 @@ static int row_for(const Engine *e, int k, int wait_status)
     row.state = e->killed[k] ? ROW_TIME : ROW_DIED;
     row.limited_by = -1;
     for (int i = 0; i < LIMIT_KINDS; i++) row.margin[i] = NAN;
-    for (int i = 0; i < width && value; i++) value[i] = i < q || i >= q + e->study->n_parameters ? NAN : slot->point[i - q];
+    for (int i = 0; i < width && value; i++)
+        value[i] = i < q || i >= q + e->study->n_parameters ? NAN : slot->point[i - q];
     if (e->killed[k]) {
         snprintf(row.reason, sizeof row.reason, "took longer than %g s", e->study->time_limit);
     } else if (WIFSIGNALED(wait_status)) {

@@ -20,7 +20,7 @@ typedef struct Model {
     double *at, *force; /* [n] owned; rising, NAN where nothing is known */
 } Model;
 
-/* How well a model agrees, (MP4)-(MP7). */
+/* How well a model agrees, (LO4)-(LO7). */
 typedef struct Agreement {
     const char *name;
     long points;
@@ -65,7 +65,8 @@ static hawser_status model_make(const Sheet *series, const char *column, const c
     double zero = NAN;
     for (int i = 0; i < series->rows && f >= 0 && l >= 0 && v >= 0; i++) {
         const double force = sheet_number(series, i, f), at = sheet_number(series, i, l);
-        if (by_start && isnan(zero) && sheet_number(series, i, v) > 0) zero = at;
+        if (by_start && isnan(zero) && sheet_number(series, i, v) > 0)
+            zero = i > 0 ? sheet_number(series, i - 1, l) : at; /* the last row at rest */
         if (!isfinite(force) || !isfinite(at) || (by_start && isnan(zero))) continue;
         const double here = by_start ? at - zero : at;
         if (m->n > 0 && here <= m->at[m->n - 1]) continue;

@@ -33,7 +33,7 @@ typedef struct PullLog {
  * judged yet. Errors: INPUT with file and line (no such row, a force without a unit, no readings), MEMORY. */
 hawser_status log_read(const char *path, PullLog *log, hawser_error *err);
 void log_free(PullLog *log);
-/* Says what each reading is good for, (MP1)-(MP3), and fills lengths that the file does not have: from speed and time,
+/* Says what each reading is good for, (LO1)-(LO3), and fills lengths that the file does not have: from speed and time,
  * or from `speed` (m/s; NAN: not known) and the time that it moved. raw: spikes and drop-outs are taken as they are.
  * Errors: INPUT (nothing moves), MEMORY. */
 hawser_status log_judge(PullLog *log, double speed, int raw, hawser_error *err);

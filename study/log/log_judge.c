@@ -8,9 +8,9 @@
 #include "study/log/log.h"
 #include "study/maths/estimate.h"
 
-/* (MP1): neighbours either way, robust deviations, and share of their median, beyond which a reading is a spike; share
- * of the usual force below which one in motion is a drop-out. (MP2): share of the usual speed or force that is motion.
- * (MP3): metres or, without lengths, seconds that a start takes; readings before it that may hold its peak. */
+/* (LO1): neighbours either way, robust deviations, and share of their median, beyond which a reading is a spike; share
+ * of the usual force below which one in motion is a drop-out. (LO2): share of the usual speed or force that is motion.
+ * (LO3): metres or, without lengths, seconds that a start takes; readings before it that may hold its peak. */
 enum { NEIGHBOURS = 5, PEAK_BEFORE = 3 };
 static const double SPIKE_DEVIATIONS = 6, SPIKE_SHARE = 0.1, DROP_SHARE = 0.05, MOVES_BY_SPEED = 0.2,
                     MOVES_BY_FORCE = 0.3, RUN_UP_M = 0.5, RUN_UP_S = 5;
@@ -64,7 +64,8 @@ static double local_median(const PullLog *log, const Kept *k, long m, double *de
     return middle;
 }
 
-/* Speeds: the file's, or differences of its lengths over the neighbours, since lengths are rounded; without either the smoothed force stands for them. */
+/* Speeds: the file's, or differences of its lengths over the neighbours, since lengths are rounded; without either the
+ * smoothed force stands for them. */
 static void speeds_find(const PullLog *log, Kept *k)
 {
     double deviation;
@@ -83,7 +84,7 @@ static void speeds_find(const PullLog *log, Kept *k)
     }
 }
 
-/* Marks where the winch stands (MP2). Returns 0 if it never moves. */
+/* Marks where the winch stands (LO2). Returns 0 if it never moves. */
 static int rests_find(PullLog *log, Kept *k)
 {
     const int by_force = !log->has_speed && !log->has_length;
@@ -103,7 +104,7 @@ static int rests_find(PullLog *log, Kept *k)
     return moving > 0;
 }
 
-/* Spikes and drop-outs among readings in motion (MP1). */
+/* Spikes and drop-outs among readings in motion (LO1). */
 static void spikes_find(PullLog *log, Kept *k)
 {
     double deviation;
@@ -135,7 +136,7 @@ static void lengths_fill(PullLog *log, const Kept *k, double speed)
 }
 
 /* The start at reading m, behind a rest: its largest force is what it takes to break away, the rest of it is no pull at
- * speed (MP3). Returns the first reading behind it. */
+ * speed (LO3). Returns the first reading behind it. */
 static long start_judge(PullLog *log, const Kept *k, long m)
 {
     const int by_length = isfinite(log->length[k->at[m]]) != 0;

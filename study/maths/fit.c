@@ -22,10 +22,10 @@ typedef struct Fit {
 double student_95(double v)
 {
     /* the end of the series that follows is bad there */
-    static const double few[] = {12.706204736, 4.302652730, 3.182446305};
+    static const double few[] = {12.706204736, 4.302652730, 3.182446305, 2.776445105, 2.570581836};
     const double z = 1.959963984540054, z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-    if (v < 3) {
-        const int k = v < 2 ? 0 : 1;
+    if (v < 5) {
+        const int k = v < 2 ? 0 : (int)v - 1;
         return few[k] + (few[k + 1] - few[k]) * (fmax(v, 1) - 1 - k);
     }
     return z + (z3 + z) / (4 * v) + (5 * z5 + 16 * z3 + 3 * z) / (96 * v * v) +
@@ -90,7 +90,8 @@ static double dot(int m, const double *a, const double *b)
     return sum;
 }
 
-/* Turns pairs of columns until they are square to each other (one-sided Jacobi): J becomes U S, V collects the turns. */
+/* Turns pairs of columns until they are square to each other (one-sided Jacobi): J becomes U S, V collects the turns.
+ */
 static void columns_turn(Fit *f)
 {
     const int n = f->n_free, m = f->plan->m;
@@ -101,7 +102,8 @@ static void columns_turn(Fit *f)
         turned = 0;
         for (int a = 0; a < n; a++) {
             for (int b = a + 1; b < n; b++) {
-                double *const p = f->J + (size_t)f->free[a] * (size_t)m, *const q = f->J + (size_t)f->free[b] * (size_t)m;
+                double *const p = f->J + (size_t)f->free[a] * (size_t)m, *const q =
+                                                                             f->J + (size_t)f->free[b] * (size_t)m;
                 const double pp = dot(m, p, p), qq = dot(m, q, q), pq = dot(m, p, q);
                 if (fabs(pq) <= 1e-15 * sqrt(pp * qq) || pq == 0) continue;
                 const double zeta = (qq - pp) / (2 * pq), t = copysign(1, zeta) / (fabs(zeta) + hypot(1, zeta)),
@@ -126,7 +128,7 @@ static void columns_turn(Fit *f)
     }
 }
 
-/* The step with that damping (FT1), cut off at the bounds. Returns its largest part. */
+/* The step with that damping (LS1), cut off at the bounds. Returns its largest part. */
 static double step_make(const Fit *f, double damping, double *u)
 {
     const int m = f->plan->m;
@@ -174,7 +176,7 @@ static int descend(Fit *f)
     return 0;
 }
 
-/* How residuals hang together from one to the next, and how many are independent (FT3). */
+/* How residuals hang together from one to the next, and how many are independent (LS3). */
 static void lag_find(const Fit *f, FitResult *x)
 {
     const int m = f->plan->m;
@@ -186,7 +188,7 @@ static void lag_find(const Fit *f, FitResult *x)
     x->effective = m * (1 - lag) / (1 + lag);
 }
 
-/* Intervals and correlations from the singular values at the end (FT2), (FT4). */
+/* Intervals and correlations from the singular values at the end (LS2), (LS4). */
 static void intervals_find(Fit *f, FitResult *x)
 {
     const int n = f->n_free;

@@ -8,8 +8,8 @@
 #include "study/maths/fit.h"
 #include "study/plan/study_keys.h"
 
-/* Parts of few readings and single ones count less, by the noise of a mean (MP9). Those of starts stay only where they are
- * to be fitted. */
+/* Parts of few readings and single ones count less, by the noise of a mean (LO9). Those of starts stay only where they
+ * are to be fitted. */
 static hawser_status points_weigh(Measured *m, int starts, hawser_error *err)
 {
     double *const x = malloc(((size_t)m->n + 1) * sizeof *x);
@@ -38,7 +38,8 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
     hawser_status status = case_section_read(r, section, &study_calibrate, &record);
     if (status) return status;
     for (int j = 0; j < s->n_parameters; j++) {
-        if (s->parameter[j].whole) return case_key_error(r->err, s->parameter[j].node, NULL, "give a range: a fit wants numbers");
+        if (s->parameter[j].whole)
+            return case_key_error(r->err, s->parameter[j].node, NULL, "give a range: a fit wants numbers");
     }
     if (s->n_parameters > FIT_MAX) return case_key_error(r->err, section, NULL, "more than %d parameters", FIT_MAX);
     if (s->fidelity != BY_THEORY)
@@ -54,8 +55,9 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
         to = fmax(to, log.length[i]);
     }
     if (!status && !(to > from)) {
-        status = case_key_error(r->err, section, NULL,
-                                "the log has no lengths within 'from' and 'to', and no speed to reckon them from: give 'speed'");
+        status = case_key_error(
+            r->err, section, NULL,
+            "the log has no lengths within 'from' and 'to', and no speed to reckon them from: give 'speed'");
     }
     if (!status) {
         m->n = log_points(&log, log.length, from, to, (int)record.samples, &m->point);
@@ -64,7 +66,8 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
         status = m->n < 0 ? error_memory(r->err) : points_weigh(m, record.starts, r->err);
     }
     if (!status && m->n <= s->n_parameters)
-        status = case_key_error(r->err, section, NULL, "the log has too few readings at speed for %d parameters", s->n_parameters);
+        status = case_key_error(r->err, section, NULL, "the log has too few readings at speed for %d parameters",
+                                s->n_parameters);
     log_free(&log);
     free(path);
     s->blocks = 1;

@@ -11,12 +11,8 @@
 static const struct {
     const char *name;
     StudyKind kind;
-} ways[] = {{"grid", STUDY_GRID},
-            {"list", STUDY_LIST},
-            {"monte-carlo", STUDY_MONTE_CARLO},
-            {"sensitivity", STUDY_MORRIS},
-            {"optimise", STUDY_OPTIMISE},
-            {"calibrate", STUDY_CALIBRATE}};
+} ways[] = {{"grid", STUDY_GRID},          {"list", STUDY_LIST},         {"monte-carlo", STUDY_MONTE_CARLO},
+            {"sensitivity", STUDY_MORRIS}, {"optimise", STUDY_OPTIMISE}, {"calibrate", STUDY_CALIBRATE}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
 /* Which one the file has: one. */

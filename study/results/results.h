@@ -97,13 +97,13 @@ typedef struct Findings {
     int n_searches, n_designs;
     SearchRow *search;             /* owned */
     DesignRow design[DESIGNS_MAX]; /* the best first */
-    FitResult fit;     /* of a calibration */
-    long fit_sample;   /* the sample at the fit; -1: none */
+    FitResult fit;                 /* of a calibration */
+    long fit_sample;               /* the sample at the fit; -1: none */
     double fit_rms_pct;
     int n_fitted, n_warnings;
     FittedRow *fitted; /* owned */
     char warning[WARNINGS_MAX][WARNING_MAX];
-    LostRow lost[10];              /* the first ones */
+    LostRow lost[10]; /* the first ones */
 } Findings;
 
 /* Errors: MEMORY. The texts are the study's and the rows'. */
