@@ -105,7 +105,10 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
     if (!status && !o->fresh) status = store_read(s->study, dir, &s->rows, e);
     if (!status) status = store_begin(s->study, dir, o->fresh, e);
     if (!status) {
-        status = engine_run(s->study, dir, o, &s->rows, &s->efficiency, e);
+        /* pilots first: they say which of the others are run */
+        if (s->study->pilot) status = engine_run(s->study, dir, o, 1, &s->rows, &s->efficiency, e);
+        if (s->study->pilot) s->study->close = pilots_band(s->study, &s->rows);
+        if (!status) status = engine_run(s->study, dir, o, 0, &s->rows, &s->efficiency, e);
         const hawser_status written = tables_write(s, dir, &late);
         if (written && (!status || status == HAWSER_STOPPED)) status = error_set(e, written, "%s", late.message);
     }

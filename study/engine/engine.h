@@ -34,6 +34,8 @@ typedef struct Row {
     int32_t pad;
     double margin[LIMIT_KINDS]; /* of the last answer; NAN: not judged */
     double seconds;             /* of processor time */
+    double off;                 /* where both answered: what theory and run differ by in a margin, at most; NAN */
+    double alone;               /* where both answered: the least margin that the run alone judges; NAN: none */
     char reason[REASON_MAX];    /* why there is no answer, or "" */
 } Row;
 
@@ -93,9 +95,12 @@ int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, in
 
 /* --------------------------------------------------------------------------------------------------------- workers */
 
-/* Computes what is open on `jobs` processes. Errors: OUTPUT, MEMORY, STOPPED; rows that were written are in `rows` in
- * any case. *efficiency: processor time of samples over wall time and workers; NAN if nothing was open. */
-hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, Rows *rows,
+/* (ES3): the band about 0 within which theory is not relied on, by the pilots that are there. */
+double pilots_band(const Study *s, const Rows *rows);
+/* Computes what is open on `jobs` processes, with `pilots` of these samples alone. Errors: OUTPUT, MEMORY, STOPPED;
+ * rows that were written are in `rows` in any case. *efficiency: processor time of samples over wall time and workers;
+ * NAN if nothing was open. */
+hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, int pilots, Rows *rows,
                          double *efficiency, hawser_error *err);
 
 #endif

@@ -238,9 +238,36 @@ static hawser_status by_run(const Study *s, hawser_case *c, Row *row, double *va
     return status;
 }
 
+/* What theory and a run that is trusted make of the same limits; `theory`: the margins before. */
+static void answers_compare(const double *theory, Row *row)
+{
+    row->off = row->alone = NAN;
+    for (int k = 0; k < LIMIT_KINDS && row->verdict != VERDICT_NOT_TRUSTED; k++) {
+        const double off = fabs(row->margin[k] - theory[k]), alone = isnan(theory[k]) ? row->margin[k] : NAN;
+        if (!isnan(off)) row->off = isnan(row->off) ? off : fmax(row->off, off);
+        if (!isnan(alone)) row->alone = isnan(row->alone) ? alone : fmin(row->alone, alone);
+    }
+}
+
+/* A margin and a half of the largest difference; what theory says nothing about and a run breaks, or no pilot with both
+ * answers: everything is run. */
+double pilots_band(const Study *s, const Rows *rows)
+{
+    static const double SAFELY = 1.5, ALL = 1e6;
+    double most = NAN;
+    for (long i = 0; i < rows->n; i++) {
+        const Row *const row = &rows->row[i];
+        if (row->state != ROW_DONE || row->answered != BY_RUN || !study_is_pilot(s, i)) continue;
+        if (row->alone < 0) return ALL;
+        if (!isnan(row->off)) most = isnan(most) ? row->off : fmax(most, row->off);
+    }
+    return isnan(most) ? ALL : SAFELY * most;
+}
+
 /* Whether theory cannot be relied on to tell: a margin of a limit is within `close` of 0. */
 static int is_close(const Study *s, const Row *row)
 {
+    if (study_is_pilot(s, row->sample)) return 1;
     for (int k = 0; k < LIMIT_KINDS; k++) {
         if (fabs(row->margin[k]) <= s->close) return 1;
     }
@@ -262,6 +289,7 @@ static void row_begin(const Study *s, long i, const double *x, Row *row, double 
     memset(row, 0, sizeof *row); /* what lies between the members is written too */
     row->sample = i;
     row->limited_by = -1;
+    row->off = row->alone = NAN;
     for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = NAN;
     for (int q = 0; q < s->n_quantities; q++) value[q] = NAN;
     if (!study_searches(s)) return;
@@ -278,7 +306,10 @@ void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *
     hawser_status status = study_case(s, x, &c, &err);
     if (!status && s->fidelity != BY_RUN) status = by_theory(s, c, row, value, &err);
     const int run = s->fidelity == BY_RUN || (s->fidelity == BY_BOTH && is_close(s, row));
+    double theory[LIMIT_KINDS];
+    memcpy(theory, row->margin, sizeof theory);
     if (!status && run) status = by_run(s, c, row, value, &err);
+    if (!status && run && s->fidelity == BY_BOTH) answers_compare(theory, row);
     hawser_case_free(c);
     row->state = ROW_DONE;
     if (status) { /* an answer that came before does not count: its verdict might be the better one */

@@ -14,7 +14,7 @@
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
 
-enum { STORE_FORMAT = 1, FILES_MAX = 1024, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
+enum { STORE_FORMAT = 2, FILES_MAX = 1024, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
 
 /* ------------------------------------------------------------------------------------------------------- identity */
 
@@ -85,14 +85,9 @@ static hawser_status identity(const Study *s, Hash *out, hawser_error *err)
     h = hash_node(h, s->base->tree->root);
     char version[32];
     const int whole = s->kind != STUDY_MONTE_CARLO || s->points == POINTS_LATIN;
-    const double plain[] = {s->kind,
-                            s->fidelity,
-                            s->close,
-                            (double)s->seed,
-                            s->kind == STUDY_MONTE_CARLO ? s->points : 0,
-                            STORE_FORMAT,
-                            sizeof(Row),
-                            whole ? (double)s->samples : 0};
+    const double plain[] = {s->kind,          s->fidelity,     s->pilot ? 0 : s->close,
+                            (double)s->pilot, (double)s->seed, s->kind == STUDY_MONTE_CARLO ? s->points : 0,
+                            STORE_FORMAT,     sizeof(Row),     whole ? (double)s->samples : 0};
     h = hash_bytes(h, plain, sizeof plain);
     for (int j = 0; j < s->n_parameters; j++) h = hash_parameter(h, &s->parameter[j]);
     const size_t d = (size_t)s->n_parameters;

@@ -175,6 +175,7 @@ static int row_for(const Engine *e, int k, int wait_status)
     row.sample = slot->sample;
     row.state = e->killed[k] ? ROW_TIME : ROW_DIED;
     row.limited_by = -1;
+    row.off = row.alone = NAN;
     for (int i = 0; i < LIMIT_KINDS; i++) row.margin[i] = NAN;
     for (int i = 0; i < width && value; i++)
         value[i] = i < q || i >= q + e->study->n_parameters ? NAN : slot->point[i - q];
@@ -293,14 +294,14 @@ static hawser_status wait_all(Engine *e, const hawser_study_options *options, co
 }
 
 /* Which samples are open, and what the others were. */
-static hawser_status open_find(Engine *e, Rows *rows, hawser_study_state *before, hawser_error *err)
+static hawser_status open_find(Engine *e, int pilots, Rows *rows, hawser_study_state *before, hawser_error *err)
 {
     e->open = malloc(((size_t)rows->n + 1) * sizeof *e->open);
     if (!e->open) return error_memory(err);
     e->rows = rows;
     for (long i = 0; i < rows->n; i++) {
         const Row *const row = &rows->row[i];
-        if (row->state == ROW_OPEN) e->open[e->n_open++] = i;
+        if (row->state == ROW_OPEN && (!pilots || study_is_pilot(e->study, i))) e->open[e->n_open++] = i;
         before->done += row->state != ROW_OPEN;
         before->failed += row->state > ROW_DONE;
         before->not_safe += row->verdict == VERDICT_NOT_SAFE;
@@ -326,13 +327,13 @@ static int jobs_of(const hawser_study_options *options, long units)
     return (int)(jobs > units ? units : jobs);
 }
 
-hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, Rows *rows,
+hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, int pilots, Rows *rows,
                          double *efficiency, hawser_error *err)
 {
     Engine e = {.study = s, .dir = dir, .parent = getpid()};
     hawser_study_state before = {.samples = rows->n};
     *efficiency = NAN;
-    hawser_status status = open_find(&e, rows, &before, err);
+    hawser_status status = open_find(&e, pilots, rows, &before, err);
     before.jobs = e.jobs = status ? 0 : jobs_of(options, e.units);
     if (!status && e.units > 0) status = board_make(&e, err);
     const double start = clock_now();

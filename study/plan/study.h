@@ -95,6 +95,7 @@ typedef struct Study {
     StudyKind kind;
     Fidelity fidelity;
     double close; /* BY_BOTH: a run is made where the smallest margin of theory is within this of 0 */
+    long pilot;   /* BY_BOTH: so many samples are run anyway, and say what `close` is; 0: the study says it */
     uint64_t seed;
     PointKind points;
     long samples; /* rows of the study in all */
@@ -129,6 +130,8 @@ void study_point(const Study *s, long i, double *x);
 void study_middle(const Study *s, double *x);
 /* The box of a study that searches; x[3 * n_parameters], whole[n_parameters]: where it stands. */
 SearchBox study_box(const Study *s, double *x, unsigned char *whole);
+/* Whether sample i is run whatever theory says of it. */
+int study_is_pilot(const Study *s, long i);
 /* The value as the case takes it, in `text`; NULL: the base case's own. */
 const char *parameter_text(const Parameter *p, double x, char text[SETTING_MAX]);
 /* The value as a number in the parameter's unit; NAN: it is none. */

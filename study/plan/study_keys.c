@@ -1,6 +1,6 @@
 #include "study/plan/study_keys.h"
 
-static const char *const fidelities[] = {"theory", "run", "both", NULL};
+static const char *const fidelities[] = {"theory", "run", "both", "auto", NULL};
 static const char *const points[] = {"random", "latin", "sobol", NULL};
 static const char *const methods[] = {"morris", "sobol", NULL};
 static const char *const search_methods[] = {"auto", "linear", "random", "all", NULL};
@@ -133,6 +133,7 @@ static const CaseKey top_keys[] = {
     {"case", KEY_TEXT, .required = 1, AT(StudyRecord, base)},
     {"set", KEY_MAP, .otherwise = "nothing", .form = "values by the case's dotted keys"},
     {"fidelity", KEY_CHOICE, .fallback = "theory", .choices = fidelities, AT(StudyRecord, fidelity)},
+    {"pilot", KEY_INTEGER, .fallback = "12", FROM(1, 1e6), AT(StudyRecord, pilot)},
     {"close", KEY_NUMBER, .fallback = "0.1", FROM(0, 100), AT(StudyRecord, close)},
     {"parameters", KEY_MAP, .otherwise = "the columns of `list`", .form = "a name and what is varied for each",
      .section = &study_parameter},

@@ -11,7 +11,7 @@ typedef struct StudyRecord {
     char title[256], base[STUDY_TEXT_MAX], list[STUDY_TEXT_MAX];
     int fidelity, points, method, limits, starts, raw;
     double close, time_limit, tolerance, at_least, at_most, speed, head, from, to;
-    long samples, memory, seed, searches, evaluations;
+    long pilot, samples, memory, seed, searches, evaluations;
 } StudyRecord;
 
 /* A law's numbers, with units of the user's: in the order a, b, c, low, high of a Distribution. */

@@ -30,6 +30,13 @@ static void grid_point(const Study *s, long i, double *x)
 
 int study_searches(const Study *s) { return s->kind == STUDY_OPTIMISE || s->kind == STUDY_CALIBRATE; }
 
+/* Drawn points are spread from the first on, and stay pilots when a study is made longer; others are taken evenly. */
+int study_is_pilot(const Study *s, long i)
+{
+    if (s->kind == STUDY_MONTE_CARLO || s->samples <= s->pilot) return i < s->pilot;
+    return s->pilot > 0 && i * s->pilot / s->samples != (i - 1) * s->pilot / s->samples;
+}
+
 void study_point(const Study *s, long i, double *x)
 {
     const int d = s->n_parameters;

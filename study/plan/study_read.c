@@ -227,11 +227,16 @@ static hawser_status study_fill(const CaseReader *r, Study *s)
     hawser_status status = case_section_read(r, r->root, &study_top, &record);
     if (status) return status;
     strcpy(s->title, record.title);
-    s->fidelity = (Fidelity)record.fidelity;
+    s->fidelity = record.fidelity > BY_BOTH ? BY_BOTH : (Fidelity)record.fidelity;
+    s->pilot = record.fidelity > BY_BOTH ? record.pilot : 0;
     s->close = record.close;
     s->time_limit = record.time_limit;
     s->memory = record.memory;
     status = kind_find(r, s, &way);
+    if (!status && s->pilot && study_searches(s)) {
+        status = case_key_error(r->err, case_node_key(r->root, "fidelity"), NULL,
+                                "a search has no pilots: give 'theory', 'run' or 'both'");
+    }
     if (!status) status = base_load(r, record.base, s);
     if (!status) status = parameters_read(r, s);
     if (!status) status = way_read(r, way, s);

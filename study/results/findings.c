@@ -18,6 +18,7 @@ static Share share_in(const Study *s, long hits, long n)
 
 static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 {
+    f->off = NAN;
     for (long i = 0; i < rows->n; i++) {
         const Row *const row = &rows->row[i];
         f->by_state[row->state]++;
@@ -25,6 +26,7 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
         f->by_verdict[row->verdict]++;
         if (s->fidelity != BY_BOTH || row->answered != BY_RUN) continue;
         f->runs++;
+        if (!isnan(row->off)) f->off = isnan(f->off) ? row->off : fmax(f->off, row->off);
         f->changed += row->verdict != row->theory_verdict;
     }
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];

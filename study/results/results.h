@@ -86,6 +86,7 @@ typedef struct LostRow {
 typedef struct Findings {
     long by_state[ROW_DIED + 1], by_verdict[VERDICT_NOT_TRUSTED + 1];
     long runs, changed; /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
+    double off;         /* of BY_BOTH: what theory and a run differ by in a margin, at most; NAN: no sample has both */
     Share not_safe;     /* among those that are safe or not safe; of 1 */
     double least_share, most_share; /* if all others were safe, if none were; of 1 */
     int n_quantities, n_limits, n_variants, n_convergence, n_effects, n_lost;

@@ -231,9 +231,18 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
                judged = f->by_verdict[VERDICT_NOT_SAFE] + f->by_verdict[VERDICT_SAFE];
     if (s->kind == STUDY_OPTIMISE) say_search(l, s, f);
     line(l, "  samples  %ld of %ld, by %s\n", there, s->samples, by[s->fidelity]);
+    if (s->fidelity == BY_BOTH && s->pilot) {
+        line(l, "  pilots   %ld samples with both", s->pilot < s->samples ? s->pilot : s->samples);
+        if (s->close < 100) line(l, ": theory's margins are relied on beyond %.3g of 0\n", s->close);
+        if (s->close >= 100) line(l, ": theory says nothing of what limits these pulls, and all samples are run\n");
+    }
     if (s->fidelity == BY_BOTH) {
         line(l, "  runs     %ld, where theory's margin is within %.3g of 0; %ld changed the verdict\n", f->runs,
              s->close, f->changed);
+    }
+    if (s->fidelity == BY_BOTH && f->off > s->close) {
+        line(l, "  beware   a margin of theory's was off by %.3g, more than the band of %.3g: %s\n", f->off, s->close,
+             s->pilot ? "take more pilots" : "raise 'close'");
     }
     if (judged == there || there == 0 || study_searches(s)) return;
     line(l, "  open     %ld NOT TRUSTED, %ld NOT JUDGED, %ld without an answer", f->by_verdict[VERDICT_NOT_TRUSTED],
@@ -274,6 +283,9 @@ static int facts_list(const Study *s, const Findings *f, Fact *fact)
     fact[n++] = (Fact){"not_safe_least_pct", NULL, "%", cell_number(100 * f->least_share)};
     fact[n++] = (Fact){"not_safe_most_pct", NULL, "%", cell_number(100 * f->most_share)};
     fact[n++] = (Fact){"runs", NULL, "", cell_number((double)f->runs)};
+    fact[n++] = (Fact){"pilots", NULL, "", cell_number((double)s->pilot)};
+    fact[n++] = (Fact){"band", NULL, "", cell_number(s->fidelity == BY_BOTH ? s->close : NAN)};
+    fact[n++] = (Fact){"theory_off_by", NULL, "", cell_number(f->off)};
     if (s->kind == STUDY_CALIBRATE) {
         fact[n++] = (Fact){"fitted", NULL, "", cell_number(f->fit.done)};
         fact[n++] = (Fact){"rms_N", NULL, "N", cell_number(f->fit.rms)};

@@ -139,6 +139,45 @@ static void theory_and_runs(void **state)
     clear(s, &rows, &f);
 }
 
+/* Pilots find the band themselves: the verdicts are those of a study that runs everything, by fewer runs. */
+static void pilots_find_the_band(void **state)
+{
+    (void)state;
+    static const char lines[] = "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\n"
+                                "set: {route.pieces.row.straight: 12.2 m, run.duration: 3 s, run.steady_from: 2 s, "
+                                "limits.winch_capacity: 600 N, limits.alpha: 2, limits.conductor: \"{material: copper, "
+                                "area: 800 mm2}\"}\n"
+                                "parameters: {friction.mu: {uniform: {from: 0.05, to: 0.6}}}\n"
+                                "monte-carlo: {samples: 32}\n";
+    char text[1000];
+    Study *s[2];
+    Rows rows[2];
+    Findings f[2];
+    static const char *const by[] = {"fidelity: auto\npilot: 6\n", "fidelity: run\n"}, *const dir[] = {"auto", "all"};
+    for (int k = 0; k < 2; k++) {
+        snprintf(text, sizeof text, "%s%s", lines, by[k]);
+        hawser_study *const run = study_open(file_write("study.yaml", text));
+        assert_int_equal(hawser_study_run(run, path_of(dir[k]), NULL, NULL), HAWSER_OK);
+        hawser_study_free(run);
+        f[k] = findings_in(dir[k], &s[k], &rows[k]);
+    }
+    const double band = pilots_band(s[0], &rows[0]);
+    double most = 0;
+    for (int i = 0; i < 6; i++) most = fmax(most, rows[0].row[i].off);
+    check_share(band, 1.5 * most, 1e-12);
+    check_at_most(band, 0.8);
+    for (int i = 0; i < 32; i++) assert_int_equal(rows[0].row[i].verdict, rows[1].row[i].verdict);
+    check_between((double)f[0].runs, 6, 31);
+    check_at_most(f[0].off, band);
+    for (int i = 0; i < 6; i++) rows[0].row[i].off = NAN;
+    check_at_least(pilots_band(s[0], &rows[0]), 1e3); /* no pilot says anything: all are run */
+    rows[0].row[2].off = 0.01;
+    check_share(pilots_band(s[0], &rows[0]), 0.015, 1e-12);
+    rows[0].row[3].alone = -0.1;
+    check_at_least(pilots_band(s[0], &rows[0]), 1e3);
+    for (int k = 0; k < 2; k++) clear(s[k], &rows[k], &f[k]);
+}
+
 /* The pull W mu with independent factors: variances of a product. mass 18..22, mu 0.1..0.3; the third does nothing. */
 static void indices_of_a_pull(void **state)
 {
@@ -166,6 +205,7 @@ static void indices_of_a_pull(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(eq_10_is_exact), cmocka_unit_test(probability_of_a_limit),
-                                       cmocka_unit_test(theory_and_runs), cmocka_unit_test(indices_of_a_pull)};
+                                       cmocka_unit_test(theory_and_runs), cmocka_unit_test(pilots_find_the_band),
+                                       cmocka_unit_test(indices_of_a_pull)};
     return cmocka_run_group_tests(tests, folder_make, folder_remove);
 }
