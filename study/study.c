@@ -107,7 +107,7 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
     if (!status) {
         /* pilots first: they say which of the others are run */
         if (s->study->pilot) status = engine_run(s->study, dir, o, 1, &s->rows, &s->efficiency, e);
-        if (s->study->pilot) s->study->close = pilots_band(s->study, &s->rows);
+        if (s->study->pilot) pilots_bands(s->study, &s->rows, s->study->close);
         if (!status) status = engine_run(s->study, dir, o, 0, &s->rows, &s->efficiency, e);
         const hawser_status written = tables_write(s, dir, &late);
         if (written && (!status || status == HAWSER_STOPPED)) status = error_set(e, written, "%s", late.message);

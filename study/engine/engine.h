@@ -6,7 +6,6 @@
 #include "hawser/hawser.h"
 #include "study/maths/fit.h"
 #include "study/plan/study.h"
-#include "theory/limits.h"
 
 /* How a sample ended. */
 typedef enum RowState { ROW_OPEN, ROW_DONE, ROW_REFUSED, ROW_FAILED, ROW_TIME, ROW_MEMORY, ROW_DIED } RowState;
@@ -34,8 +33,7 @@ typedef struct Row {
     int32_t pad;
     double margin[LIMIT_KINDS]; /* of the last answer; NAN: not judged */
     double seconds;             /* of processor time */
-    double off;                 /* where both answered: what theory and run differ by in a margin, at most; NAN */
-    double alone;               /* where both answered: the least margin that the run alone judges; NAN: none */
+    double theory[LIMIT_KINDS]; /* margins of theory where a run has answered too and is trusted; else NAN */
     char reason[REASON_MAX];    /* why there is no answer, or "" */
 } Row;
 
@@ -95,8 +93,9 @@ int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, in
 
 /* --------------------------------------------------------------------------------------------------------- workers */
 
-/* (ES3): the band about 0 within which theory is not relied on, by the pilots that are there. */
-double pilots_band(const Study *s, const Rows *rows);
+/* (ES3): of each limit the band about 0 within which theory is not relied on, by the pilots that are there; beyond 1e3
+ * nothing is. */
+void pilots_bands(const Study *s, const Rows *rows, double band[LIMIT_KINDS]);
 /* Computes what is open on `jobs` processes, with `pilots` of these samples alone. Errors: OUTPUT, MEMORY, STOPPED;
  * rows that were written are in `rows` in any case. *efficiency: processor time of samples over wall time and workers;
  * NAN if nothing was open. */

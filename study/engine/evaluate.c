@@ -238,30 +238,24 @@ static hawser_status by_run(const Study *s, hawser_case *c, Row *row, double *va
     return status;
 }
 
-/* What theory and a run that is trusted make of the same limits; `theory`: the margins before. */
-static void answers_compare(const double *theory, Row *row)
-{
-    row->off = row->alone = NAN;
-    for (int k = 0; k < LIMIT_KINDS && row->verdict != VERDICT_NOT_TRUSTED; k++) {
-        const double off = fabs(row->margin[k] - theory[k]), alone = isnan(theory[k]) ? row->margin[k] : NAN;
-        if (!isnan(off)) row->off = isnan(row->off) ? off : fmax(row->off, off);
-        if (!isnan(alone)) row->alone = isnan(row->alone) ? alone : fmin(row->alone, alone);
-    }
-}
-
-/* A margin and a half of the largest difference; what theory says nothing about and a run breaks, or no pilot with both
- * answers: everything is run. */
-double pilots_band(const Study *s, const Rows *rows)
+/* A margin and a half of the largest difference. Where no pilot has both answers, or one breaks a limit that theory
+ * says nothing about, everything is run. */
+void pilots_bands(const Study *s, const Rows *rows, double band[LIMIT_KINDS])
 {
     static const double SAFELY = 1.5, ALL = 1e6;
-    double most = NAN;
+    int known = 0, all = 0;
+    for (int k = 0; k < LIMIT_KINDS; k++) band[k] = 0;
     for (long i = 0; i < rows->n; i++) {
         const Row *const row = &rows->row[i];
         if (row->state != ROW_DONE || row->answered != BY_RUN || !study_is_pilot(s, i)) continue;
-        if (row->alone < 0) return ALL;
-        if (!isnan(row->off)) most = isnan(most) ? row->off : fmax(most, row->off);
+        for (int k = 0; k < LIMIT_KINDS; k++) {
+            const double off = SAFELY * fabs(row->margin[k] - row->theory[k]);
+            known |= !isnan(off);
+            all |= isnan(row->theory[k]) && row->margin[k] < 0;
+            if (off > band[k]) band[k] = off;
+        }
     }
-    return isnan(most) ? ALL : SAFELY * most;
+    for (int k = 0; k < LIMIT_KINDS && (all || !known); k++) band[k] = ALL;
 }
 
 /* Whether theory cannot be relied on to tell: a margin of a limit is within `close` of 0. */
@@ -269,7 +263,7 @@ static int is_close(const Study *s, const Row *row)
 {
     if (study_is_pilot(s, row->sample)) return 1;
     for (int k = 0; k < LIMIT_KINDS; k++) {
-        if (fabs(row->margin[k]) <= s->close) return 1;
+        if (fabs(row->margin[k]) <= s->close[k]) return 1;
     }
     return 0;
 }
@@ -289,8 +283,7 @@ static void row_begin(const Study *s, long i, const double *x, Row *row, double 
     memset(row, 0, sizeof *row); /* what lies between the members is written too */
     row->sample = i;
     row->limited_by = -1;
-    row->off = row->alone = NAN;
-    for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = NAN;
+    for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = row->theory[k] = NAN;
     for (int q = 0; q < s->n_quantities; q++) value[q] = NAN;
     if (!study_searches(s)) return;
     memcpy(value + s->n_quantities, x, (size_t)s->n_parameters * sizeof *x);
@@ -309,7 +302,7 @@ void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *
     double theory[LIMIT_KINDS];
     memcpy(theory, row->margin, sizeof theory);
     if (!status && run) status = by_run(s, c, row, value, &err);
-    if (!status && run && s->fidelity == BY_BOTH) answers_compare(theory, row);
+    if (!status && run && row->verdict != VERDICT_NOT_TRUSTED) memcpy(row->theory, theory, sizeof theory);
     hawser_case_free(c);
     row->state = ROW_DONE;
     if (status) { /* an answer that came before does not count: its verdict might be the better one */

@@ -85,7 +85,7 @@ static hawser_status identity(const Study *s, Hash *out, hawser_error *err)
     h = hash_node(h, s->base->tree->root);
     char version[32];
     const int whole = s->kind != STUDY_MONTE_CARLO || s->points == POINTS_LATIN;
-    const double plain[] = {s->kind,          s->fidelity,     s->pilot ? 0 : s->close,
+    const double plain[] = {s->kind,          s->fidelity,     s->pilot ? 0 : s->close[0],
                             (double)s->pilot, (double)s->seed, s->kind == STUDY_MONTE_CARLO ? s->points : 0,
                             STORE_FORMAT,     sizeof(Row),     whole ? (double)s->samples : 0};
     h = hash_bytes(h, plain, sizeof plain);

@@ -175,8 +175,7 @@ static int row_for(const Engine *e, int k, int wait_status)
     row.sample = slot->sample;
     row.state = e->killed[k] ? ROW_TIME : ROW_DIED;
     row.limited_by = -1;
-    row.off = row.alone = NAN;
-    for (int i = 0; i < LIMIT_KINDS; i++) row.margin[i] = NAN;
+    for (int i = 0; i < LIMIT_KINDS; i++) row.margin[i] = row.theory[i] = NAN;
     for (int i = 0; i < width && value; i++)
         value[i] = i < q || i >= q + e->study->n_parameters ? NAN : slot->point[i - q];
     if (e->killed[k]) {

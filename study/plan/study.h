@@ -8,6 +8,7 @@
 #include "study/maths/distribution.h"
 #include "study/maths/points.h"
 #include "study/maths/search.h"
+#include "theory/limits.h"
 
 typedef enum StudyKind {
     STUDY_GRID,
@@ -94,8 +95,8 @@ typedef struct Study {
     hawser_case *base; /* with what the study sets */
     StudyKind kind;
     Fidelity fidelity;
-    double close; /* BY_BOTH: a run is made where the smallest margin of theory is within this of 0 */
-    long pilot;   /* BY_BOTH: so many samples are run anyway, and say what `close` is; 0: the study says it */
+    double close[LIMIT_KINDS]; /* BY_BOTH: a run is made where a margin of theory is within this of 0 */
+    long pilot; /* BY_BOTH: so many samples are run anyway, and say what `close` is; 0: the study says it */
     uint64_t seed;
     PointKind points;
     long samples; /* rows of the study in all */

@@ -229,7 +229,7 @@ static hawser_status study_fill(const CaseReader *r, Study *s)
     strcpy(s->title, record.title);
     s->fidelity = record.fidelity > BY_BOTH ? BY_BOTH : (Fidelity)record.fidelity;
     s->pilot = record.fidelity > BY_BOTH ? record.pilot : 0;
-    s->close = record.close;
+    for (int k = 0; k < LIMIT_KINDS; k++) s->close[k] = record.close;
     s->time_limit = record.time_limit;
     s->memory = record.memory;
     status = kind_find(r, s, &way);

@@ -18,7 +18,7 @@ static Share share_in(const Study *s, long hits, long n)
 
 static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 {
-    f->off = NAN;
+    for (int k = 0; k < LIMIT_KINDS; k++) f->off[k] = NAN;
     for (long i = 0; i < rows->n; i++) {
         const Row *const row = &rows->row[i];
         f->by_state[row->state]++;
@@ -26,7 +26,10 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
         f->by_verdict[row->verdict]++;
         if (s->fidelity != BY_BOTH || row->answered != BY_RUN) continue;
         f->runs++;
-        if (!isnan(row->off)) f->off = isnan(f->off) ? row->off : fmax(f->off, row->off);
+        for (int k = 0; k < LIMIT_KINDS; k++) {
+            const double off = fabs(row->margin[k] - row->theory[k]);
+            if (!isnan(off)) f->off[k] = isnan(f->off[k]) ? off : fmax(f->off[k], off);
+        }
         f->changed += row->verdict != row->theory_verdict;
     }
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
@@ -40,7 +43,8 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
     for (int k = 0; k < LIMIT_KINDS; k++) {
-        LimitRow row = {.name = limits_name((LimitKind)k)};
+        LimitRow row = {.name = limits_name((LimitKind)k), .band = NAN, .off = f->off[k]};
+        if (s->fidelity == BY_BOTH) row.band = s->close[k];
         int n = 0;
         for (long i = 0; i < rows->n; i++) {
             const Row *const r = &rows->row[i];

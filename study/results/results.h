@@ -23,6 +23,7 @@ typedef struct LimitRow {
     long judged, broken, binds; /* binds: has the least margin of a sample that is not safe */
     Share share;                /* % */
     double least, median;       /* margins */
+    double band, off; /* with theory and runs: where runs are made, what the two differ by at most; else NAN */
 } LimitRow;
 
 /* The estimate by the first n samples. */
@@ -85,9 +86,10 @@ typedef struct LostRow {
 
 typedef struct Findings {
     long by_state[ROW_DIED + 1], by_verdict[VERDICT_NOT_TRUSTED + 1];
-    long runs, changed; /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
-    double off;         /* of BY_BOTH: what theory and a run differ by in a margin, at most; NAN: no sample has both */
-    Share not_safe;     /* among those that are safe or not safe; of 1 */
+    long runs, changed;      /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
+    double off[LIMIT_KINDS]; /* of BY_BOTH: what theory and a run differ by in a margin, at most; NAN: no sample has
+                                both */
+    Share not_safe;          /* among those that are safe or not safe; of 1 */
     double least_share, most_share; /* if all others were safe, if none were; of 1 */
     int n_quantities, n_limits, n_variants, n_convergence, n_effects, n_lost;
     QuantityRow *quantity;            /* owned, as what follows */

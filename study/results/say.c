@@ -47,6 +47,8 @@ static const Column limit_columns[] = {
     {COLUMN("binds", LONG, LimitRow, binds), .label = "is the worst"},
     PLAIN("least_margin", "least margin", LimitRow, least, 3),
     PLAIN("median_margin", "median", LimitRow, median, 3),
+    PLAIN("band", "run within", LimitRow, band, 3),
+    PLAIN("theory_off_by", "theory is off by", LimitRow, off, 3),
 };
 
 static const Column variant_columns[] = {
@@ -223,6 +225,27 @@ static void say_answer(Lines *l, const Study *s, const Findings *f)
     line(l, "\n");
 }
 
+/* How far theory was relied on, and whether that was right. */
+static void say_runs(Lines *l, const Study *s, const Findings *f)
+{
+    const int all = s->close[0] > 1e3;
+    if (s->pilot) line(l, "  pilots   %ld samples with both", s->pilot < s->samples ? s->pilot : s->samples);
+    if (s->pilot && all) line(l, ": theory says nothing of what limits these pulls, and all are run");
+    for (int k = 0, n = 0; k < LIMIT_KINDS && s->pilot && !all; k++) {
+        if (s->close[k] < 0.005) continue;
+        line(l, "%s%s %.2g", n ? ", " : "; near a limit is within: ", limits_name((LimitKind)k), s->close[k]);
+        n++;
+    }
+    line(l, s->pilot ? "\n  runs     %ld" : "  runs     %ld", f->runs);
+    if (!s->pilot) line(l, ", where theory's margin is within %.3g of 0", s->close[0]);
+    line(l, "; %ld changed the verdict\n", f->changed);
+    for (int k = 0; k < LIMIT_KINDS; k++) {
+        if (!(f->off[k] > s->close[k])) continue;
+        line(l, "  beware   theory's margin of %s was off by %.3g, more than the band of %.3g: %s\n",
+             limits_name((LimitKind)k), f->off[k], s->close[k], s->pilot ? "take more pilots" : "raise 'close'");
+    }
+}
+
 /* What the answer rests on, and what it leaves out. */
 static void say_rest(Lines *l, const Study *s, const Findings *f)
 {
@@ -231,19 +254,7 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
                judged = f->by_verdict[VERDICT_NOT_SAFE] + f->by_verdict[VERDICT_SAFE];
     if (s->kind == STUDY_OPTIMISE) say_search(l, s, f);
     line(l, "  samples  %ld of %ld, by %s\n", there, s->samples, by[s->fidelity]);
-    if (s->fidelity == BY_BOTH && s->pilot) {
-        line(l, "  pilots   %ld samples with both", s->pilot < s->samples ? s->pilot : s->samples);
-        if (s->close < 100) line(l, ": theory's margins are relied on beyond %.3g of 0\n", s->close);
-        if (s->close >= 100) line(l, ": theory says nothing of what limits these pulls, and all samples are run\n");
-    }
-    if (s->fidelity == BY_BOTH) {
-        line(l, "  runs     %ld, where theory's margin is within %.3g of 0; %ld changed the verdict\n", f->runs,
-             s->close, f->changed);
-    }
-    if (s->fidelity == BY_BOTH && f->off > s->close) {
-        line(l, "  beware   a margin of theory's was off by %.3g, more than the band of %.3g: %s\n", f->off, s->close,
-             s->pilot ? "take more pilots" : "raise 'close'");
-    }
+    if (s->fidelity == BY_BOTH) say_runs(l, s, f);
     if (judged == there || there == 0 || study_searches(s)) return;
     line(l, "  open     %ld NOT TRUSTED, %ld NOT JUDGED, %ld without an answer", f->by_verdict[VERDICT_NOT_TRUSTED],
          f->by_verdict[VERDICT_NOT_JUDGED] + f->by_verdict[VERDICT_NONE], there - f->by_state[ROW_DONE]);
@@ -284,8 +295,6 @@ static int facts_list(const Study *s, const Findings *f, Fact *fact)
     fact[n++] = (Fact){"not_safe_most_pct", NULL, "%", cell_number(100 * f->most_share)};
     fact[n++] = (Fact){"runs", NULL, "", cell_number((double)f->runs)};
     fact[n++] = (Fact){"pilots", NULL, "", cell_number((double)s->pilot)};
-    fact[n++] = (Fact){"band", NULL, "", cell_number(s->fidelity == BY_BOTH ? s->close : NAN)};
-    fact[n++] = (Fact){"theory_off_by", NULL, "", cell_number(f->off)};
     if (s->kind == STUDY_CALIBRATE) {
         fact[n++] = (Fact){"fitted", NULL, "", cell_number(f->fit.done)};
         fact[n++] = (Fact){"rms_N", NULL, "N", cell_number(f->fit.rms)};
