@@ -73,7 +73,8 @@ static hawser_status tables_write(hawser_study *s, const char *dir, hawser_error
     hawser_status status = findings_make(s->study, &s->rows, &s->findings, err);
     if (!status) status = table_csv(s->study, &s->rows, dir, err);
     if (!status) status = table_h5(s->study, &s->rows, dir, err);
-    return status ? status : summary_write(s, dir, err);
+    if (!status) status = summary_write(s, dir, err);
+    return status ? status : study_page_write(s->study, &s->rows, &s->findings, dir, err);
 }
 
 /* The workers of a study that was killed end a moment after it, and hold its folder until then. */

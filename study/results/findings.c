@@ -201,6 +201,7 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
         variants_list(s, rows, out);
         lost_find(rows, out);
         status = effects_find(s, rows, x, out, err);
+        if (!status) status = responses_find(s, rows, out, err);
         if (!status && s->kind == STUDY_OPTIMISE) status = designs_find(s, rows, out, err);
         if (!status && s->kind == STUDY_CALIBRATE) status = calibration_find(s, rows, out, err);
     }
@@ -215,5 +216,7 @@ void findings_free(Findings *f)
     free(f->effect);
     free(f->search);
     free(f->fitted);
+    free(f->tornado);
+    free(f->response);
     *f = (Findings){.quantity = NULL};
 }

@@ -78,6 +78,21 @@ typedef struct FittedRow {
 } FittedRow;
 enum { WARNINGS_MAX = 12, WARNING_MAX = 200 };
 
+/* The first quantity as one parameter goes from its lowest to its highest tenth, and as it goes through its range. */
+typedef struct TornadoRow {
+    const char *name;
+    long n;
+    double low, high, swing, mean; /* means there, their distance, the mean of all */
+    double rank;                   /* correlation of ranks (ES4) */
+} TornadoRow;
+enum { RESPONSE_PARTS = 10 };
+typedef struct ResponseRow {
+    int parameter;
+    const char *name, *unit;
+    double at, mean, low, high; /* in the parameter's unit; the quantity's mean, 5 % and 95 % */
+    long n;
+} ResponseRow;
+
 /* A sample without an answer. */
 typedef struct LostRow {
     long sample;
@@ -97,6 +112,9 @@ typedef struct Findings {
     VariantRow variant[VARIANTS_MAX]; /* [n_variants] of a study that has no more */
     ConvergenceRow convergence[64];
     EffectRow *effect;
+    int n_tornado, n_responses;
+    TornadoRow *tornado;   /* owned; the widest first */
+    ResponseRow *response; /* owned; parameter by parameter */
     int n_searches, n_designs;
     SearchRow *search;             /* owned */
     DesignRow design[DESIGNS_MAX]; /* the best first */
@@ -119,6 +137,14 @@ hawser_status calibration_find(const Study *s, const Rows *rows, Findings *f, ha
 /* "count = 18, speed = 6 m/min": the point of a row that is there, as far as there is room. */
 void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX]);
 /* The findings as text for people, or as JSON: malloc'ed. Errors: MEMORY. */
+enum { ANSWER_MAX = 4096, TABLES_MAX = 12 };
+/* Its parts: the lines for people, and the tables that have rows; returns how many. */
+void findings_answer(const Study *s, const Findings *f, char answer[ANSWER_MAX]);
+int findings_tables(const Study *s, const Findings *f, Table table[TABLES_MAX]);
+/* dir/study.html. Errors: OUTPUT, MEMORY. */
+hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, hawser_error *err);
+/* Tornado and response curves. Errors: MEMORY. */
+hawser_status responses_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
 hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err);
 
 /* "mu", "tension_kN": a parameter's column. */

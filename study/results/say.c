@@ -121,6 +121,24 @@ static const Column design_columns[] = {
     PLAIN("least_margin", "margin", DesignRow, margin, 3),
 };
 
+static const Column tornado_columns[] = {
+    {COLUMN("parameter", TEXT, TornadoRow, name), .label = "parameter"},
+    PLAIN("low", "at its lowest tenth", TornadoRow, low, -1),
+    PLAIN("high", "at its highest", TornadoRow, high, -1),
+    PLAIN("swing", "swing", TornadoRow, swing, -1),
+    PLAIN("rank_correlation", "rank correlation", TornadoRow, rank, 3),
+};
+
+static const Column response_columns[] = {
+    {COLUMN("parameter", TEXT, ResponseRow, name), .label = "parameter"},
+    PLAIN("at", "at", ResponseRow, at, -1),
+    {COLUMN("unit", TEXT, ResponseRow, unit), .label = "unit"},
+    PLAIN("mean", "mean", ResponseRow, mean, -1),
+    PLAIN("p5", "5 %", ResponseRow, low, -1),
+    PLAIN("p95", "95 %", ResponseRow, high, -1),
+    {COLUMN("samples", LONG, ResponseRow, n), .label = "samples"},
+};
+
 static const Column lost_columns[] = {
     {COLUMN("sample", LONG, LostRow, sample), .label = "sample"},
     {COLUMN("state", TEXT, LostRow, state), .label = "state"},
@@ -128,8 +146,6 @@ static const Column lost_columns[] = {
 };
 
 /* ------------------------------------------------------------------------------------------------------ the answer */
-
-enum { ANSWER_MAX = 2048 };
 
 /* Lines one after the other, cut where there is no more room. */
 typedef struct Lines {
@@ -313,7 +329,7 @@ static void table_add(Table *table, int *n, const char *key, const char *heading
     if (rows > 0) table[(*n)++] = (Table){key, heading, columns, rows, row};
 }
 
-static int tables_list(const Study *s, const Findings *f, Table *table)
+int findings_tables(const Study *s, const Findings *f, Table table[TABLES_MAX])
 {
     int n = 0;
     const Columns sobol = COLUMNS(EffectRow, sobol_columns), morris = COLUMNS(EffectRow, morris_columns);
@@ -337,25 +353,38 @@ static int tables_list(const Study *s, const Findings *f, Table *table)
               s->kind == STUDY_SOBOL ? "Shares of the variance (Sobol's indices) with 95 % intervals"
                                      : "Elementary effects (Morris), over the whole range of each parameter",
               s->kind == STUDY_SOBOL ? sobol : morris, f->n_effects, f->effect);
+    const int swings = s->kind == STUDY_MONTE_CARLO || s->kind == STUDY_GRID || s->kind == STUDY_LIST;
+    table_add(table, &n, "tornado", "What the first quantity does from a parameter's lowest to its highest tenth",
+              (Columns)COLUMNS(TornadoRow, tornado_columns), swings ? f->n_tornado : 0, f->tornado);
     table_add(table, &n, "convergence", "The estimate by the first samples",
               (Columns)COLUMNS(ConvergenceRow, convergence_columns), f->n_convergence, f->convergence);
     table_add(table, &n, "lost", "Samples without an answer (the first ones)", (Columns)COLUMNS(LostRow, lost_columns),
               f->n_lost, f->lost);
+    table_add(table, &n, "responses", "The first quantity along each parameter",
+              (Columns)COLUMNS(ResponseRow, response_columns), swings ? f->n_responses : 0, f->response);
     return n;
+}
+
+void findings_answer(const Study *s, const Findings *f, char answer[ANSWER_MAX])
+{
+    Lines lines = {answer, 0};
+    *answer = 0;
+    say_answer(&lines, s, f);
+    say_rest(&lines, s, f);
 }
 
 hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err)
 {
     char answer[ANSWER_MAX];
     Fact fact[40];
-    Table table[12];
-    Lines lines = {answer, 0};
-    *answer = 0;
-    say_answer(&lines, s, f);
-    say_rest(&lines, s, f);
+    Table table[TABLES_MAX];
+    findings_answer(s, f, answer);
+    int tables = findings_tables(s, f, table);
+    /* curves are for figures and programs */
+    if (format != HAWSER_JSON && tables > 0 && strcmp(table[tables - 1].key, "responses") == 0) tables--;
     const Document doc = {.title = *s->title ? s->title : s->path,
                           .n_facts = facts_list(s, f, fact),
-                          .n_tables = tables_list(s, f, table),
+                          .n_tables = tables,
                           .fact = fact,
                           .table = table,
                           .answer = answer};

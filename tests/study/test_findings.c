@@ -139,6 +139,44 @@ static void theory_and_runs(void **state)
     clear(s, &rows, &f);
 }
 
+/* A pull in proportion to friction, uniform from 0.1 to 0.4, with a parameter that does nothing: the tenths lie at
+ * 0.115 and 0.385, ten parts at 0.115, 0.145 ...; the page shows it. */
+static void tornado_and_responses(void **state)
+{
+    (void)state;
+    study_compute("parameters:\n"
+                  "  cables.power.EI: {uniform: {from: 5 kN m2, to: 20 kN m2}}\n"
+                  "  friction.mu: {uniform: {from: 0.1, to: 0.4}}\n"
+                  "monte-carlo: {samples: 256}\nquantities: [reference_total_N]\n",
+                  "swings", 2);
+    Study *s;
+    Rows rows;
+    Findings f = findings_in("swings", &s, &rows);
+    double x[2];
+    row_point(s, &rows, 0, x);
+    const double slope = rows.value[0] / x[1];
+    assert_int_equal(f.n_tornado, 2);
+    assert_string_equal(f.tornado[0].name, "friction.mu");
+    check_close(f.tornado[0].low, slope * 0.115, slope * 0.001);
+    check_close(f.tornado[0].high, slope * 0.385, slope * 0.001);
+    check_share(f.tornado[0].rank, 1, 1e-12);
+    check_at_most(fabs(f.tornado[1].rank), 0.1);
+    assert_int_equal(f.n_responses, 20);
+    for (int k = 0; k < 10; k++) {
+        const ResponseRow *const r = &f.response[10 + k];
+        check_close(r->at, 0.115 + 0.03 * k, 0.001);
+        check_share(r->mean, slope * r->at, 1e-9);
+        check_between(r->high - r->low, slope * 0.024, slope * 0.03);
+    }
+    size_t size;
+    char *const page = file_text("swings", "study.html", &size);
+    check_has(page, "<title>Tornado: mean from the lowest to the highest tenth (blue: it rises)</title>");
+    check_has(page, "<title>reference_total_N over friction.mu</title>");
+    check_has(page, "How the probability settles");
+    free(page);
+    clear(s, &rows, &f);
+}
+
 /* Pilots find the band themselves: the verdicts are those of a study that runs everything, by fewer runs. */
 static void pilots_find_the_band(void **state)
 {
@@ -209,8 +247,9 @@ static void indices_of_a_pull(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(eq_10_is_exact), cmocka_unit_test(probability_of_a_limit),
-                                       cmocka_unit_test(theory_and_runs), cmocka_unit_test(pilots_find_the_band),
-                                       cmocka_unit_test(indices_of_a_pull)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(eq_10_is_exact),        cmocka_unit_test(probability_of_a_limit),
+        cmocka_unit_test(theory_and_runs),       cmocka_unit_test(pilots_find_the_band),
+        cmocka_unit_test(tornado_and_responses), cmocka_unit_test(indices_of_a_pull)};
     return cmocka_run_group_tests(tests, folder_make, folder_remove);
 }
