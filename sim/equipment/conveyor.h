@@ -17,6 +17,7 @@ typedef struct Conveyor {
     double factor;
     Profile speed;             /* m/s */
     Profile clamp;             /* N, by which each belt is pressed on the cable (K4) */
+    int told;                  /* a command has set the clamp */
     double hold, hold_damping; /* 1/s2, 1/s: stiffness and damping across the line over the mass held; 0: does not */
 } Conveyor;
 
