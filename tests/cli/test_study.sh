@@ -29,7 +29,7 @@ says out "FITTED: RMS" "friction.mu" "Results in fitted/"
 exists fitted/study.html
 run_hawser 0 run "$source/cases/huangjiahu.yaml" --quiet --set run.duration=25s --set output.states=0 -o pulled
 run_hawser 0 compare pulled "$source/cases/studies/pull.csv" --page pulled.html --band 30%
-says out "The run pulls" "Force from column 'winch pull \[kN\]'" "within 30 %"
+says out "The run pulls" "Force from column 'winch pull [kN]'" "within 30 %"
 exists pulled.html
 run_hawser 0 compare pulled "$source/cases/studies/pull.csv" --align start --json
 says out '"aligned_by": "start"'
