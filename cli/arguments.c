@@ -30,6 +30,11 @@ enum {
     OPTION_RESUME = 'G',
     OPTION_REPORT = 'e',
     OPTION_PDF = 'P',
+    OPTION_ALIGN = 'A',
+    OPTION_SHIFT = 'H',
+    OPTION_BAND = 'B',
+    OPTION_RAW = 'w',
+    OPTION_PAGE = 'g',
     KNOWN_MAX = 20
 };
 
@@ -64,6 +69,11 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"resume", required_argument, NULL, OPTION_RESUME},
                                             {"report", no_argument, NULL, OPTION_REPORT},
                                             {"pdf", no_argument, NULL, OPTION_PDF},
+                                            {"align", required_argument, NULL, OPTION_ALIGN},
+                                            {"shift", required_argument, NULL, OPTION_SHIFT},
+                                            {"band", required_argument, NULL, OPTION_BAND},
+                                            {"raw", no_argument, NULL, OPTION_RAW},
+                                            {"page", required_argument, NULL, OPTION_PAGE},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -219,6 +229,39 @@ static int take_route_option(int letter, hawser_route_options *route)
     }
 }
 
+/* A number, with one of two units behind it or none. */
+static int parse_number(const char *option, const char *text, const char *unit, const char *other, double *value)
+{
+    char *end;
+    *value = strtod(text, &end);
+    const int number = end != text && isfinite(*value);
+    while (*end == ' ') ++end;
+    if (number && (!*end || !strcmp(end, unit) || !strcmp(end, other))) return ARGUMENTS_GO_ON;
+    complain("--%s %s: must be a number, as in --%s 5%s", option, text, option, unit);
+    return EXIT_USAGE;
+}
+
+/* The options of `compare`: how the log is laid beside the results. */
+static int take_compare_option(int letter, hawser_compare_options *compare)
+{
+    int status = ARGUMENTS_GO_ON;
+    if (letter == OPTION_RAW) compare->raw = 1;
+    if (letter == OPTION_PAGE) compare->page = optarg;
+    if (letter == OPTION_SHIFT) status = parse_number("shift", optarg, "m", "s", &compare->shift);
+    if (letter == OPTION_BAND) {
+        status = parse_number("band", optarg, "%", "%", &compare->band);
+        if (strchr(optarg, '%')) compare->band /= 100;
+        if (status != ARGUMENTS_GO_ON || (compare->band > 0 && compare->band <= 1)) return status;
+        complain("--band %s: must be a share up to 100%%, as in --band 10%%", optarg);
+        return EXIT_USAGE;
+    }
+    if (letter != OPTION_ALIGN) return status;
+    compare->by_start = !strcmp(optarg, "start");
+    if (compare->by_start || !strcmp(optarg, "length")) return ARGUMENTS_GO_ON;
+    complain("--align %s: 'length' or 'start' can be used", optarg);
+    return EXIT_USAGE;
+}
+
 /* There are never more settings than words on the command line, for which room was made. */
 static int add_setting(const char *key, const char *value, Arguments *args)
 {
@@ -246,6 +289,10 @@ static int take_option(const Command *command, int letter, Arguments *args)
                             OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS,  OPTION_JOIN};
     for (size_t i = 0; i < sizeof of_route / sizeof *of_route; i++) {
         if (letter == of_route[i]) return take_route_option(letter, &args->route);
+    }
+    const int of_compare[] = {OPTION_ALIGN, OPTION_SHIFT, OPTION_BAND, OPTION_RAW, OPTION_PAGE};
+    for (size_t i = 0; i < sizeof of_compare / sizeof *of_compare; i++) {
+        if (letter == of_compare[i]) return take_compare_option(letter, &args->compare);
     }
     switch (letter) {
     case OPTION_JSON:

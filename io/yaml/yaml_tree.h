@@ -45,6 +45,7 @@ typedef struct CaseTree {
     CaseNode *root;             /* a map */
     struct CaseOrigin *origins; /* the names of the places that nodes point at */
     char *folder;               /* where the files that it includes are looked for; NULL: it came as a text, none are */
+    int unlisted;               /* nobody will write down its inputs: they are not listed */
 } CaseTree;
 
 /* All of a file or pipe, malloc'ed, with a NUL behind it. Errors: INPUT (not there, a device, larger than 32 MiB, a
