@@ -240,6 +240,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 #endif
 
 #include "hawser/certify.h"
+#include "hawser/control.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
 #include "hawser/report.h"

@@ -75,7 +75,8 @@ static double winch_next_stop(const Room *room, const Scene *scene, double t)
     const Winch *const w = room->self;
     const WinchPhase *const now = &w->phase;
     double next = now->until > t ? now->until : INFINITY;
-    if (w->mode == WINCH_TENSION) return profile_corner_before(&w->tension, t, next);
+    if (w->mode == WINCH_TENSION)
+        return profile_corner_before(&now->tension, t, profile_corner_before(&now->hold, t, next));
     if (now->over + w->trip.hold > t) next = fmin(next, now->over + w->trip.hold);
     return fmin(next, now->since + profile_corner_before(&now->speed, t - now->since, INFINITY));
 }
@@ -88,7 +89,7 @@ double winch_tension(const Winch *w, double t, double speed, double *slope)
     if (isfinite(w->speed_limit)) {
         share = step_cubic(speed, (1 - w->band) * w->speed_limit, 1, w->speed_limit, 0, &fall);
     }
-    const double full = fmax(0, profile_value(&w->tension, t));
+    const double full = fmax(0, profile_value(&w->phase.tension, t));
     if (slope) *slope = full * fall;
     return full * share;
 }
@@ -121,19 +122,31 @@ typedef struct HeadLaw {
     double along, k_along, c_along, k_across, c_across; /* N; N/m, N s/m */
 } HeadLaw;
 
+/* What is left of the tension as the brake comes on, and the brake (K3). */
+static void brake_share(const Winch *w, double share, double x, double v, HeadLaw *law)
+{
+    const int holds = w->phase.held == HELD_TOLD;
+    const double k = holds ? share * w->brake[0] : 0, c = share * (holds ? w->brake[1] : w->slowing);
+    law->along = (1 - share) * law->along - k * (x - w->phase.held_at) - c * v;
+    law->c_along = (1 - share) * law->c_along + c;
+    law->k_along = k;
+}
+
 /* (WI2) or, while the brake is on, (WI5); across the line (WI3). */
 static HeadLaw head_law(const Winch *w, const HeadEnd *e, double t)
 {
     const double x = v3_dot(e->off, w->direction), v = v3_dot(e->velocity, w->direction);
     HeadLaw law = {.k_across = w->guide[0], .c_across = w->guide[1]};
-    if (w->phase.held) {
+    if (w->phase.held == HELD_FIRST) {
         law.k_along = w->brake[0];
         law.c_along = w->brake[1];
         law.along = -law.k_along * x - law.c_along * v;
     } else {
         double slope;
+        const double share = profile_value(&w->phase.hold, t);
         law.along = winch_tension(w, t, v, &slope);
         law.c_along = -slope;
+        if (share > 0) brake_share(w, share, x, v, &law);
     }
     return law;
 }
@@ -267,12 +280,16 @@ static WinchEvent brake(Winch *w, double t)
     return WINCH_TRIPPED;
 }
 
-/* At rest, for a while or for good (WI10). The brake's profile stays: it is 0 from here on. */
+/* At rest, for a while or for good (WI10), or until it is told. The brake's profile stays: it is 0 from here on. */
 static WinchEvent stand(Winch *w)
 {
     WinchPhase *const now = &w->phase;
     const double since = now->until;
     now->doing = WINCH_STANDS;
+    if (now->told) {
+        now->until = INFINITY;
+        return WINCH_STOPPED;
+    }
     now->until = now->trips <= w->trip.restarts ? since + w->trip.pause : INFINITY;
     if (isfinite(now->until)) return WINCH_STOPPED;
     if (!w->trip.ends_run) return WINCH_STAYS;
@@ -280,21 +297,26 @@ static WinchEvent stand(Winch *w)
     return WINCH_ENDS_THE_RUN;
 }
 
-/* (WI11). From rest to the speed at which the brake fell in. */
-static WinchEvent restart(Winch *w)
+/* (WI11). From the speed of `start`, which is none after a trip, to that at which the brake fell in. */
+static WinchEvent restart(Winch *w, double start, double ramp)
 {
     WinchPhase *const now = &w->phase;
-    const double start = now->until;
-    const Profile up = {.kind = PROFILE_STEP, .v1 = profile_value(&w->speed, now->resume), .t1 = w->trip.ramp};
+    const double before = isnan(now->asked) ? profile_value(&w->speed, now->resume) : now->asked;
+    const Profile up = {.kind = PROFILE_STEP, .v0 = winch_speed(w, start), .v1 = before, .t1 = ramp};
     phase_begin(w, WINCH_RESTARTS, start, up, 0);
-    now->until = start + w->trip.ramp;
+    now->until = start + ramp;
     return WINCH_STARTED;
 }
 
-/* (WI12). The case's profile goes on where it was left. */
+/* (WI12). The case's profile goes on where it was left, or the speed that was set. */
 static WinchEvent follow(Winch *w)
 {
-    phase_begin(w, WINCH_FOLLOWS, w->phase.until, w->speed, w->phase.resume);
+    const double asked = w->phase.asked;
+    if (isnan(asked)) {
+        phase_begin(w, WINCH_FOLLOWS, w->phase.until, w->speed, w->phase.resume);
+    } else {
+        phase_begin(w, WINCH_OBEYS, w->phase.until, profile_level(asked), 0);
+    }
     return WINCH_RUNNING;
 }
 
@@ -312,48 +334,169 @@ static int too_large(Winch *w, double t, double pull)
 
 WinchEvent winch_accept(Winch *w, double t, double pull)
 {
-    const int moving = w->phase.doing == WINCH_FOLLOWS || w->phase.doing == WINCH_RESTARTS;
-    if (!(w->trip_force > 0)) return WINCH_NOTHING;
-    if (moving && too_large(w, t, pull)) return brake(w, t);
+    const int moving = w->phase.doing != WINCH_BRAKES && w->phase.doing != WINCH_STANDS;
+    if (w->trip_force > 0 && moving && too_large(w, t, pull)) return brake(w, t);
     if (t < w->phase.until - ON_TIME) return WINCH_NOTHING;
     switch (w->phase.doing) {
     case WINCH_BRAKES:
         return stand(w);
     case WINCH_STANDS:
-        return restart(w);
+        return restart(w, w->phase.until, w->trip.ramp);
     case WINCH_RESTARTS:
         return follow(w);
     case WINCH_FOLLOWS:
+    case WINCH_OBEYS:
         break;
     }
     return WINCH_NOTHING;
 }
 
-const char *winch_event_name(WinchEvent event)
+Occurrence winch_occurrence(WinchEvent event)
 {
-    static const char *const name[] = {"",
-                                       "the winch trips",
-                                       "the winch has stopped",
-                                       "the winch starts again",
-                                       "the winch is back at speed",
-                                       "the winch has stopped for good",
-                                       "the winch has stopped for good: the run ends"};
-    return name[event];
+    static const Occurrence occurrence[] = {
+        [WINCH_NOTHING] = {HAWSER_EVENT_NOTE, NULL},
+        [WINCH_TRIPPED] = {HAWSER_EVENT_WINCH_TRIPS, "the winch trips"},
+        [WINCH_STOPPED] = {HAWSER_EVENT_WINCH_STOPPED, "the winch has stopped"},
+        [WINCH_STARTED] = {HAWSER_EVENT_WINCH_STARTS, "the winch starts again"},
+        [WINCH_RUNNING] = {HAWSER_EVENT_WINCH_RUNS, "the winch is back at speed"},
+        [WINCH_STAYS] = {HAWSER_EVENT_WINCH_STAYS, "the winch has stopped for good"},
+        [WINCH_ENDS_THE_RUN] = {HAWSER_EVENT_WINCH_ENDS_RUN, "the winch has stopped for good: the run ends"}};
+    return occurrence[event];
 }
 
+/* Trips, and the ends of what it was told. */
 static int winch_watches(const Room *room)
 {
     const Winch *const w = room->self;
-    return w->trip_force > 0 ? WATCH_PULL : 0;
+    const int ends = isfinite(w->phase.until);
+    return (w->trip_force > 0 || ends ? WATCH_PULL : 0) | (w->mode == WINCH_TENSION && ends ? WATCH_TRAVEL : 0);
 }
 
-static const char *winch_happen(Room *room, const Occasion *now)
+/* A set tension's brake is on, or off (K3). */
+static WinchEvent brake_done(Winch *w, const Occasion *now)
 {
-    const WinchEvent event = winch_accept(room->self, now->t, now->pull);
-    return event == WINCH_NOTHING ? NULL : winch_event_name(event);
+    WinchPhase *const phase = &w->phase;
+    if (now->t < phase->until - ON_TIME) return WINCH_NOTHING;
+    phase->until = INFINITY;
+    if (phase->doing == WINCH_BRAKES) {
+        phase->doing = WINCH_STANDS;
+        if (!(phase->hold.v1 > 0)) return WINCH_STOPPED; /* a pause */
+        phase->held = HELD_TOLD;
+        phase->held_at = now->travel;
+        return WINCH_STOPPED;
+    }
+    phase->doing = WINCH_FOLLOWS;
+    phase->held = 0;
+    return WINCH_RUNNING;
+}
+
+static Occurrence winch_happen(Room *room, const Occasion *now)
+{
+    Winch *const w = room->self;
+    if (w->mode == WINCH_TENSION) return winch_occurrence(brake_done(w, now));
+    return winch_occurrence(winch_accept(w, now->t, now->pull));
+}
+
+/* ----------------------------------------------------------------------------------------------------- commands */
+
+/* (K2). It sets the speed, also of a winch that stands. */
+static void obey(Winch *w, double t, double speed, double ramp)
+{
+    const Profile to = {.kind = PROFILE_STEP, .v0 = winch_speed(w, t), .t1 = ramp, .v1 = speed};
+    phase_begin(w, WINCH_OBEYS, t, to, 0);
+    w->phase.asked = speed;
+    w->phase.told = 0;
+}
+
+/* (K2). Down to rest from whatever it does now; to come back to it. */
+static void stop(Winch *w, double t, double ramp)
+{
+    WinchPhase *const now = &w->phase;
+    const Profile down = {.kind = PROFILE_STEP, .v0 = winch_speed(w, t), .t1 = ramp};
+    now->told = 1;
+    if (now->doing == WINCH_STANDS) now->until = INFINITY;
+    if (now->doing == WINCH_STANDS || now->doing == WINCH_BRAKES) return;
+    if (now->doing == WINCH_FOLLOWS) now->resume = t - now->since;
+    phase_begin(w, WINCH_BRAKES, t, down, 0);
+    now->until = t + ramp;
+}
+
+static int speed_command(Winch *w, const Command *c, double t, hawser_error *err)
+{
+    const int stands = w->phase.doing == WINCH_STANDS || w->phase.doing == WINCH_BRAKES;
+    if (c->kind == HAWSER_WINCH_TENSION) {
+        error_set(err, HAWSER_ERR_INPUT, "the winch of this case has a set speed: no tension can be set");
+        return -1;
+    }
+    if (isfinite(w->phase.ended) || (c->kind == HAWSER_WINCH_RESTART && !stands)) {
+        error_set(err, HAWSER_ERR_INPUT,
+                  isfinite(w->phase.ended) ? "the winch has stopped for good" : "the winch does not stand");
+        return -1;
+    }
+    if (c->kind == HAWSER_WINCH_SPEED) obey(w, t, c->value, c->ramp);
+    if (c->kind == HAWSER_WINCH_BRAKE || c->kind == HAWSER_WINCH_PAUSE) stop(w, t, c->ramp);
+    if (c->kind == HAWSER_WINCH_RESTART) {
+        w->phase.told = 0;
+        restart(w, t, c->ramp);
+    }
+    return 1;
+}
+
+/* (K3) */
+static int tension_command(Winch *w, const Command *c, double t, hawser_error *err)
+{
+    WinchPhase *const now = &w->phase;
+    if (c->kind == HAWSER_WINCH_SPEED || (c->kind == HAWSER_WINCH_RESTART && !now->told)) {
+        error_set(err, HAWSER_ERR_INPUT,
+                  c->kind == HAWSER_WINCH_SPEED ? "the winch of this case has a set tension: no speed can be set"
+                                                : "the winch does not stand");
+        return -1;
+    }
+    if (c->kind == HAWSER_WINCH_TENSION) {
+        if (!isnan(now->before)) {
+            now->before = c->value; /* for when it goes on */
+        } else {
+            now->tension = command_ramp(&now->tension, t, c->value, c->ramp);
+        }
+        return 1;
+    }
+    if (c->kind == HAWSER_WINCH_PAUSE && isnan(now->before)) {
+        now->before = fmax(0, profile_value(&now->tension, t));
+        now->tension = command_ramp(&now->tension, t, 0, c->ramp);
+    }
+    if (c->kind == HAWSER_WINCH_BRAKE) now->hold = command_ramp(&now->hold, t, 1, c->ramp);
+    if (c->kind == HAWSER_WINCH_RESTART) {
+        if (!isnan(now->before)) now->tension = command_ramp(&now->tension, t, now->before, c->ramp);
+        if (now->hold.v1 > 0) now->hold = command_ramp(&now->hold, t, 0, c->ramp);
+        now->before = NAN;
+    }
+    now->told = c->kind != HAWSER_WINCH_RESTART;
+    now->doing = now->told ? WINCH_BRAKES : WINCH_RESTARTS;
+    now->until = t + c->ramp;
+    return 1;
+}
+
+static int winch_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
+{
+    (void)scene;
+    Winch *const w = room->self;
+    if (c->kind < HAWSER_WINCH_SPEED || c->kind > HAWSER_WINCH_RESTART) return 0;
+    return w->mode == WINCH_SPEED ? speed_command(w, c, t, err) : tension_command(w, c, t, err);
+}
+
+static void winch_controls(Room *room, ControlsVisit *visit)
+{
+    Winch *const w = room->self;
+    controls_bytes(visit, &w->phase, sizeof w->phase);
+    if (!visit->load) return;
+    if (w->phase.speed.kind == PROFILE_TABLE) w->phase.speed = w->speed;
+    if (w->phase.tension.kind == PROFILE_TABLE) w->phase.tension = w->tension;
 }
 
 /* ---------------------------------------------------------------------------------------------------- building */
+
+/* s: of the brake's stiffness, which damps the head at least while it comes on (K3). */
+static const double SLOWING = 0.01;
 
 double winch_place(const Scene *scene)
 {
@@ -376,8 +519,11 @@ void winch_init(Winch *w, const WinchDef *def)
                             .speed = def->speed,
                             .until = INFINITY,
                             .over = INFINITY,
-                            .held = def->mode == WINCH_TENSION,
-                            .ended = INFINITY};
+                            .held = def->mode == WINCH_TENSION ? HELD_FIRST : 0,
+                            .ended = INFINITY,
+                            .asked = NAN,
+                            .tension = def->tension,
+                            .before = NAN};
 }
 
 /* It stands where the head's end is and pulls along the route's end direction; its ghost carries on the frame of the
@@ -432,6 +578,7 @@ static void winch_join(Room *room, Scene *scene)
     w->guide[1] = clamp ? b.damping[SHEAR_Y] : 0;
     w->brake[0] = b.stiffness[AXIAL];
     w->brake[1] = b.damping[AXIAL];
+    w->slowing = fmax(w->brake[1], SLOWING * w->brake[0]);
     scene->chain.mass[n - 1] += w->drum_mass;
 }
 
@@ -452,6 +599,8 @@ const RoomKind WINCH_ROOM = {.name = "winch",
                              .watches = winch_watches,
                              .happen = winch_happen,
                              .next_stop = winch_next_stop,
+                             .command = winch_command,
+                             .controls = winch_controls,
                              .work = winch_work,
                              .look = winch_look,
                              .not_planar = winch_not_planar};

@@ -16,6 +16,17 @@
 #include "sim/watch/sample.h"
 #include "sim/watch/trust.h"
 
+/* Whom a simulation calls; NULL: nobody. */
+typedef struct Calls {
+    hawser_step_function step;
+    hawser_event_function event;
+    hawser_log_function log;
+    void *step_user, *event_user, *log_user;
+    hawser_log_level log_level;
+    int law;          /* a law of force is set */
+    const char *stop; /* somebody who was called wants an end; who, in words */
+} Calls;
+
 typedef struct hawser_sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
@@ -30,6 +41,8 @@ typedef struct hawser_sim {
     BundleTerms bundle;
     ByPosition by_position;
     EventLog events;
+    Calls calls;
+    int script_done; /* rows of the case's script */
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
     double build_s, relax_s, output_s, record_s; /* s; output_s is what the writer of results says it has spent */
