@@ -69,9 +69,9 @@ struct Moment {
 /* What a step has come to, for those who wait for something. */
 enum { WATCH_PULL = 1, WATCH_FRONT = 2, WATCH_TRAVEL = 4 };
 typedef struct Occasion {
-    double t;     /* s, of the step that was accepted */
-    double pull;  /* N, of the winch */
-    double front; /* m along the route, of the cable's front; NAN: not watched, or past the winch */
+    double t;      /* s, of the step that was accepted */
+    double pull;   /* N, of the winch */
+    double front;  /* m along the route, of the cable's front; NAN: not watched, or past the winch */
     double travel; /* m, that the winch has hauled in; NAN: not watched */
 } Occasion;
 

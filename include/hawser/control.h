@@ -7,6 +7,7 @@
 #ifndef HAWSER_CONTROL_H
 #define HAWSER_CONTROL_H
 
+#include "hawser/status.h"
 #include "hawser/tables.h"
 
 #ifdef __cplusplus
@@ -55,12 +56,12 @@ hawser_status hawser_sim_force(struct hawser_sim *s, int segment, const hawser_f
 
 /* A segment as a law of force sees it; world components. */
 typedef struct hawser_segment_now {
-    int segment;            /* of the whole chain */
-    double t;               /* s */
-    double length_m;        /* unstretched */
+    int segment;     /* of the whole chain */
+    double t;        /* s */
+    double length_m; /* unstretched */
     double mass_kg;
-    double position_m[3];   /* of its middle */
-    double quaternion[4];   /* w x y z: its own axes to the world's */
+    double position_m[3]; /* of its middle */
+    double quaternion[4]; /* w x y z: its own axes to the world's */
     double velocity_m_per_s[3], omega_rad_per_s[3];
 } hawser_segment_now;
 
@@ -78,8 +79,8 @@ typedef int (*hawser_law)(void *user, const hawser_segment_now *at, double wrenc
 hawser_status hawser_sim_set_law(struct hawser_sim *s, int from, int to, hawser_law law, int has_derivatives,
                                  void *user, hawser_error *err);
 
-/* Is called after each step of the integrator's, with time in s; may look, sample and give commands, but neither advance
- * nor free the simulation. Anything but 0 ends hawser_sim_advance and hawser_sim_run with HAWSER_STOPPED. */
+/* Is called after each step of the integrator's, with time in s; may look, sample and give commands, but neither
+ * advance nor free the simulation. Anything but 0 ends hawser_sim_advance and hawser_sim_run with HAWSER_STOPPED. */
 typedef int (*hawser_step_function)(void *user, struct hawser_sim *s, double t);
 void hawser_sim_on_step(struct hawser_sim *s, hawser_step_function function, void *user);
 

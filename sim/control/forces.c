@@ -68,10 +68,8 @@ static hawser_segment_now segment_now(const Moment *m, int i)
 {
     const Scene *const scene = m->scene;
     const Kinematics *const kin = &m->ws->kin;
-    hawser_segment_now at = {.segment = scene->first + i,
-                             .t = m->t,
-                             .length_m = 2 * scene->chain.half[i],
-                             .mass_kg = scene->chain.mass[i]};
+    hawser_segment_now at = {
+        .segment = scene->first + i, .t = m->t, .length_m = 2 * scene->chain.half[i], .mass_kg = scene->chain.mass[i]};
     for (int c = 0; c < 3; ++c) {
         at.position_m[c] = kin->p[c][i];
         at.velocity_m_per_s[c] = kin->v[c][i];

@@ -7,8 +7,8 @@
 
 /* A force that comes and goes. Plain: it is saved as it is. */
 typedef struct OutsideForce {
-    int segment; /* of the whole chain */
-    int follows; /* force and moment turn with it */
+    int segment;             /* of the whole chain */
+    int follows;             /* force and moment turn with it */
     Vec3 force, moment, arm; /* N, N m; m, of the segment's axes */
     Profile share;           /* of it that acts */
 } OutsideForce;

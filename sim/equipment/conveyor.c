@@ -60,8 +60,7 @@ static double grip_now(const Conveyor *c, double t)
 
 Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, double since, double t)
 {
-    Belt belt = {
-        .speed = belt_speed(c, w, seized, t), .grip = grip_now(c, t), .elapsed = t > since ? t - since : 0};
+    Belt belt = {.speed = belt_speed(c, w, seized, t), .grip = grip_now(c, t), .elapsed = t > since ? t - since : 0};
     belt.mean = belt.speed;
     if (belt.elapsed > 0) {
         const double first = belt_speed(c, w, seized, since), middle = belt_speed(c, w, seized, (since + t) / 2);
@@ -217,7 +216,8 @@ ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const 
         Held held;
         double slope;
         if (!held_at(c, range, belt, chain, kin, i, &held)) continue;
-        const double closed = held.grips * held.share, push = friction * closed * grip_force(c, belt, held.pull, &slope);
+        const double closed = held.grips * held.share,
+                     push = friction * closed * grip_force(c, belt, held.pull, &slope);
         now.force += push;
         now.slip += closed * held.slip;
         now.cover += closed;
@@ -232,7 +232,8 @@ ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const 
 }
 
 /* (WI18) into k, (WI19) into d, both 6x6 blocks of one segment. */
-static void held_blocks(const Conveyor *c, const Belt *belt, const Held *held, double mass, double friction, double *k, double *d)
+static void held_blocks(const Conveyor *c, const Belt *belt, const Held *held, double mass, double friction, double *k,
+                        double *d)
 {
     double slope;
     friction *= held->grips;

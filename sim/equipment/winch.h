@@ -116,4 +116,10 @@ WinchEvent winch_accept(Winch *w, double t, double pull);
 /* The same as it is noted; what: NULL for WINCH_NOTHING. */
 Occurrence winch_occurrence(WinchEvent event);
 
+/* Of its room, as RoomKind has them (winch_phase.c). */
+int winch_watches(const Room *room);
+Occurrence winch_happen(Room *room, const Occasion *now);
+int winch_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err);
+void winch_controls(Room *room, ControlsVisit *visit);
+
 #endif

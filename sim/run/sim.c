@@ -90,6 +90,8 @@ Sim *sim_free(Sim *s)
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     envelope_free(&s->envelope);
+    closeup_free(&s->closeup);
+    around_free(s->around);
     events_free(&s->events);
     passing_free(&s->passing);
     expected_free(&s->expected);
@@ -237,7 +239,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
     WinchPhase *const winch = &s->stage.scene.winch->phase;
     if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
-    status = script_due(s, err); /* what is due at the very beginning */
+    status = script_due(s, err);                    /* what is due at the very beginning */
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = events_watch(s, err);
@@ -295,10 +297,8 @@ static void turned_watch(Sim *s, const hawser_sample *look)
     Stage *const st = &s->stage;
     const int now = turned(&st->scene, st->motion == &st->planar.motion, &st->ws.kin) & ~s->overturned;
     hawser_error only_a_note;
-    if (now & TURNED_JOINT)
-        sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
-    if (now & TURNED_HEAD)
-        sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_JOINT) sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_HEAD) sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
     s->overturned |= now;
 }
 

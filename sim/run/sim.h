@@ -5,6 +5,7 @@
 #define HAWSER_SIM_RUN_SIM_H
 
 #include "sim/expected/mesh.h"
+#include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/modes.h"
 #include "sim/run/stage.h"
@@ -37,6 +38,8 @@ typedef struct hawser_sim {
     Machines machines;
     Peaks peaks;
     Envelope envelope; /* present if somebody has asked for it */
+    Closeup closeup;   /* the last that was asked for */
+    Around *around;    /* NULL: nobody has asked */
     Expected expected;
     BundleTerms bundle;
     ByPosition by_position;

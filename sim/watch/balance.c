@@ -161,9 +161,9 @@ static const char *const LOSSES[BALANCE_LOSSES] = {
     "bearings",       "mount_damping",      "medium_drag"};
 static const char *const STORES[BALANCE_STORES] = {"motion",  "height",   "joints",         "bending",
                                                    "rollers", "surfaces", "cable_on_cable", "equipment"};
-static const char *const PUSHES[BALANCE_PUSHES] = {"winch", "tail",    "lead_in", "reel",    "conveyors",
-                                                   "ends",  "loads",   "",        "medium",  "",
-                                                   "outside", "drag", "rollers", "surfaces", "weight"};
+static const char *const PUSHES[BALANCE_PUSHES] = {"winch",   "tail",  "lead_in", "reel",     "conveyors",
+                                                   "ends",    "loads", "",        "medium",   "",
+                                                   "outside", "drag",  "rollers", "surfaces", "weight"};
 
 /* Adds a term that is there; what most goes through, or moves, is what the residual is measured by. */
 static void term_add(hawser_balance *out, hawser_balance_kind kind, const char *name, double energy, double turnover)

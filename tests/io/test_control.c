@@ -228,11 +228,189 @@ static void test_law(void **state)
     check_above(calls[0], calls[1]);
 }
 
+/* A winch of set tension: what it is set to, a pause in which the rope goes slack, a brake that holds what is
+ * stretched, and back (K3). Against friction of 392 N. */
+static void test_tension(void **state)
+{
+    (void)state;
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    hawser_sim *s = NULL;
+    assert_int_equal(hawser_case_parse(data_text("short-pull"), "control", &c, &err), HAWSER_OK);
+    assert_int_equal(
+        hawser_case_set(c, "drive.winch", "{tension: {force: 500 N, to: 500 ms, speed_limit: 0.1 m/s}}", &err),
+        HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "run.steady_from", "1 s", &err), HAWSER_OK);
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    advance(s, 3);
+    assert_int_equal(hawser_sim_control(s, HAWSER_WINCH_SPEED, NULL, 0.1, 0, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "set tension");
+    check_between(hawser_sim_sample(s)->winch_speed, 0.05, 0.1);
+    tell(s, HAWSER_WINCH_TENSION, NULL, 300, 0.5); /* less than friction: it comes to rest, and holds */
+    advance(s, 4);
+    check_close(hawser_sim_sample(s)->winch_force, 300, 1e-9);
+    check_close(hawser_sim_sample(s)->winch_speed, 0, 2e-3);
+    tell(s, HAWSER_WINCH_TENSION, NULL, 500, 0.5);
+    advance(s, 6);
+    check_between(hawser_sim_sample(s)->winch_speed, 0.05, 0.1);
+    tell(s, HAWSER_WINCH_BRAKE, NULL, 0, 0.3);
+    advance(s, 6.3);
+    assert_int_equal(last_event(s)->code, HAWSER_EVENT_WINCH_STOPPED);
+    const double held = hawser_sim_sample(s)->winch_travel;
+    advance(s, 9);
+    check_close(hawser_sim_sample(s)->winch_travel, held, 1e-4);
+    tell(s, HAWSER_WINCH_RESTART, NULL, 0, 0.5);
+    advance(s, 11);
+    check_between(hawser_sim_sample(s)->winch_speed, 0.05, 0.1);
+    tell(s, HAWSER_WINCH_PAUSE, NULL, 0, 0.5);
+    advance(s, 12);
+    check_close(hawser_sim_sample(s)->winch_force, 0, 1e-9);
+    tell(s, HAWSER_WINCH_RESTART, NULL, 0, 0.5);
+    advance(s, 14);
+    check_between(hawser_sim_sample(s)->winch_speed, 0.05, 0.1);
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    check_below(sum.balance->residual_share, 2e-3);
+    hawser_sim_free(s);
+}
+
+/* A belt that slips pushes with 2 mu times its clamp: the winch has that much less to do (K4). */
+static void test_conveyor(void **state)
+{
+    (void)state;
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    hawser_sim *s = NULL;
+    const hawser_machine *machine;
+    assert_int_equal(hawser_case_parse(data_text("short-pull"), "control", &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "conveyors",
+                                     "[{name: pusher, from: 4 m, to: 6 m, clamp: 200 N, mu: 0.25, hold: false, belt: "
+                                     "{speed: 0.15 m/s}}]",
+                                     &err),
+                     HAWSER_OK);
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    advance(s, 2);
+    assert_int_equal(hawser_sim_control(s, HAWSER_CONVEYOR_CLAMP, "pushes", 100, 0, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "'pushes'");
+    const double first = hawser_sim_sample(s)->machine[0].now[0].value;
+    check_share(first, 100, 1e-5);
+    tell(s, HAWSER_CONVEYOR_CLAMP, "pusher", 600, 0.3);
+    advance(s, 2.5);
+    check_share(hawser_sim_sample(s)->machine[0].now[0].value, 300, 1e-5);
+    tell(s, HAWSER_CONVEYOR_SPEED, "pusher", 0.05, 0.3); /* slower than the winch: it brakes */
+    advance(s, 3);
+    hawser_sim_sample(s);
+    assert_int_equal(hawser_sim_machines(s, &machine), 1);
+    check_share(machine[0].now[0].value, -300, 1e-5);
+    check_close(machine[0].now[1].value, 0.05, 2e-3);
+    tell(s, HAWSER_JAM, "pusher", 0, 0.2);
+    advance(s, 3.5);
+    check_close(hawser_sim_sample(s)->machine[0].now[1].value, 0.1, 2e-3);
+    hawser_sim_free(s);
+}
+
+/* The brake's torque over the drum's radius is tension at the tail (K5). */
+static void test_reel(void **state)
+{
+    (void)state;
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    hawser_sim *s = NULL;
+    assert_int_equal(hawser_case_parse(data_text("reel-payout"), "control", &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "reel.brake", "{law: constant, torque: 500 N m}", &err), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "rollers", "{along: {spacing: 1 m}}", &err), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "run.duration", "20 s", &err), HAWSER_OK);
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    double tail[2] = {0, 0}, turned = 0;
+    advance(s, 3);
+    for (int k = 0; k < 800; ++k) { /* two seconds, then it is told, two to settle, two more */
+        advance(s, 3 + 0.01 * (k < 200 ? k : k + 200));
+        if (k == 199) tell(s, HAWSER_REEL_BRAKE, NULL, 1500, 0.5);
+        const hawser_sample *const look = hawser_sim_sample(s);
+        if (k < 200) tail[0] += look->tail_tension / 200;
+        if (k >= 400) tail[1] += look->tail_tension / 400;
+        if (k >= 400) turned += look->reel_speed / 400;
+    }
+    check_share(tail[1] - tail[0], 1000 * turned / 0.1, 0.03);
+    hawser_sim_free(s);
+}
+
+/* The same commands from the case's script, to the last bit, and met exactly. */
+static void test_script(void **state)
+{
+    (void)state;
+    static const char script[] = "[{at: 0 s, do: winch_speed, speed: 0.12 m/s, ramp: 500 ms},"
+                                 " {at: 1.25 s, do: friction, factor: 1.5, ramp: 300 ms},"
+                                 " {at: 1.25 s, do: force, place: 3 m, force: [-50 N, 0 N, 0 N]},"
+                                 " {at: 1.6 s, do: winch_pause, ramp: 200 ms}]";
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    hawser_sim *s = NULL;
+    assert_int_equal(hawser_case_parse(data_text("short-pull"), "control", &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "drive.script", script, &err), HAWSER_OK);
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    hawser_sim *const told = sim_of(data_text("short-pull"));
+    const hawser_force force = {.force_N = {-50, 0, 0}};
+    tell(told, HAWSER_WINCH_SPEED, NULL, 0.12, 0.5);
+    advance(told, 1.25);
+    advance(s, 1.25);
+    tell(told, HAWSER_FRICTION, NULL, 1.5, 0.3);
+    assert_int_equal(hawser_sim_force(told, 6, &force, 0.2, &err), HAWSER_OK);
+    advance(told, 1.6);
+    advance(s, 1.6);
+    tell(told, HAWSER_WINCH_PAUSE, NULL, 0, 0.2);
+    advance(told, 2);
+    advance(s, 2);
+    check_equal(hawser_sim_sample(s)->winch_force, hawser_sim_sample(told)->winch_force);
+    const hawser_event *one, *other;
+    const int n = hawser_sim_events(s, &one);
+    assert_int_equal(n, hawser_sim_events(told, &other));
+    for (int i = 0; i < n; ++i) {
+        check_equal(one[i].t, other[i].t);
+        assert_int_equal(one[i].code, other[i].code);
+        assert_string_equal(one[i].what, other[i].what);
+    }
+    hawser_sim_free(told);
+    hawser_sim_free(s);
+}
+
+/* What a script says of things that are not there is found before anything runs. */
+static void test_script_errors(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        {"[{at: 1 s, do: winch_tension, tension: 1 kN}]", "set speed"},
+        {"[{at: 1 s, do: winch_speed}]", "needs it"},
+        {"[{at: 1 s, do: winch_brake, speed: 1 m/s}]", "not allowed beside"},
+        {"[{at: 1 s, do: conveyor_clamp, of: x, clamp: 1 kN}]", "no such conveyor"},
+        {"[{at: 1 s, do: jam}]", "needs the name"},
+        {"[{at: 1 s, do: jam, of: nobody}]", "no such"},
+        {"[{at: 1 s, do: reel_brake, torque: 1 N m}]", "no such reel"},
+        {"[{at: 1 s, do: force, place: 30 m, force: [1 N, 0 N, 0 N]}]", "beyond the chain"},
+        {"[{at: 2 s, do: winch_pause}, {at: 1 s, do: winch_restart}]", "must not be before"},
+    };
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) {
+        hawser_case *c = NULL;
+        hawser_error err = {0};
+        assert_int_equal(hawser_case_parse(data_text("short-pull"), "control", &c, &err), HAWSER_OK);
+        assert_int_equal(hawser_case_set(c, "drive.script", wrong[k][0], &err), HAWSER_OK);
+        assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, wrong[k][1]);
+        hawser_case_free(c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_winch_speed), cmocka_unit_test(test_winch_pause), cmocka_unit_test(test_friction),
-        cmocka_unit_test(test_jam),         cmocka_unit_test(test_force),       cmocka_unit_test(test_law),
+        cmocka_unit_test(test_winch_speed), cmocka_unit_test(test_winch_pause),   cmocka_unit_test(test_friction),
+        cmocka_unit_test(test_jam),         cmocka_unit_test(test_force),         cmocka_unit_test(test_law),
+        cmocka_unit_test(test_tension),     cmocka_unit_test(test_conveyor),      cmocka_unit_test(test_reel),
+        cmocka_unit_test(test_script),      cmocka_unit_test(test_script_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
