@@ -36,15 +36,20 @@ static hawser_status file_copy(const char *from, const char *to, hawser_error *e
     return status;
 }
 
+/* A name below a folder; both are short enough for the room. */
+static const char *path_below(const char *folder, const char *name, char path[PATH_ROOM])
+{
+    snprintf(path, PATH_ROOM, "%.2040s/%.2040s", folder, name);
+    return path;
+}
+
 /* Case and files below `folder`, which has room for names behind it. */
 static hawser_status resources_lay_out(const Resources *r, const char *folder, hawser_error *err)
 {
     char path[PATH_ROOM];
-    snprintf(path, sizeof path, "%s/%s", folder, MODEL_CASE);
-    hawser_status status = file_write(path, r->text.at, r->text.size, err);
+    hawser_status status = file_write(path_below(folder, MODEL_CASE, path), r->text.at, r->text.size, err);
     for (int i = 0; i < r->n && !status; ++i) {
-        snprintf(path, sizeof path, "%s/%s", folder, r->file[i].name);
-        status = file_copy(r->file[i].path, path, err);
+        status = file_copy(r->file[i].path, path_below(folder, r->file[i].name, path), err);
     }
     return status;
 }
@@ -52,12 +57,8 @@ static hawser_status resources_lay_out(const Resources *r, const char *folder, h
 static void folder_remove(const Resources *r, const char *folder)
 {
     char path[PATH_ROOM];
-    snprintf(path, sizeof path, "%s/%s", folder, MODEL_CASE);
-    unlink(path);
-    for (int i = 0; i < r->n; ++i) {
-        snprintf(path, sizeof path, "%s/%s", folder, r->file[i].name);
-        unlink(path);
-    }
+    unlink(path_below(folder, MODEL_CASE, path));
+    for (int i = 0; i < r->n; ++i) unlink(path_below(folder, r->file[i].name, path));
     rmdir(folder);
 }
 
@@ -113,9 +114,7 @@ static hawser_status parts_pack(const char *path, hawser_fmi version, const char
     file_pack(&p, name, library);
     text_pack(&p, "resources/" MODEL_CASE, &r->text);
     for (int i = 0; i < r->n; ++i) {
-        snprintf(name, sizeof name, "resources/%s", r->file[i].name);
-        snprintf(from, sizeof from, "%s/%s", folder, r->file[i].name);
-        file_pack(&p, name, from);
+        file_pack(&p, path_below("resources", r->file[i].name, name), path_below(folder, r->file[i].name, from));
     }
     if (!p.status && zip_close(p.zip) == 0) return HAWSER_OK;
     if (!p.status) p.status = error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.600s': %s", path, zip_strerror(p.zip));
@@ -152,7 +151,8 @@ static hawser_status archive_write(const hawser_case *c, const Resources *r, con
     if (!status) status = resources_lay_out(r, folder, err);
     if (!status) status = model_load(folder, &model, NULL, err);
     identifier_make(c->name, identifier);
-    if (!status) description_write(&model, version, *c->def.title ? c->def.title : identifier, identifier, &description);
+    if (!status)
+        description_write(&model, version, *c->def.title ? c->def.title : identifier, identifier, &description);
     if (!status && description.failed) status = error_memory(err);
     if (!status) status = parts_pack(path, version, identifier, library, r, folder, &description, err);
     text_clear(&description);

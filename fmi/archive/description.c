@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "fmi/archive/archive.h"
+#include "fmi/model/checkpoints.h"
 
 /* name="value", with what may not stand there escaped. */
 static void attribute(Text *t, const char *name, const char *value)
@@ -30,9 +31,10 @@ static void head_write(const Model *m, hawser_fmi version, const char *title, co
     text_add(t, "  <CoSimulation");
     attribute(t, "modelIdentifier", identifier);
     text_add(t, " canHandleVariableCommunicationStepSize=\"true\"");
-    text_add(t, two ? " canNotUseMemoryManagementFunctions=\"true\" canGetAndSetFMUstate=\"true\""
-                      " canSerializeFMUstate=\"true\"/>\n"
-                    : " canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\"/>\n");
+    if (two) text_add(t, " canNotUseMemoryManagementFunctions=\"true\"");
+    attribute(t, two ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", HAS_CHECKPOINTS ? "true" : "false");
+    attribute(t, two ? "canSerializeFMUstate" : "canSerializeFMUState", HAS_CHECKPOINTS ? "true" : "false");
+    text_add(t, "/>\n");
 }
 
 /* Those that a variable has. */
@@ -73,9 +75,11 @@ static void types_write(hawser_fmi version, Text *t)
 
 static const char *causality(VariableRole role)
 {
-    static const char *const names[] = {
-        [ROLE_TIME] = "independent", [ROLE_PARAMETER] = "parameter", [ROLE_TUNABLE] = "parameter",
-        [ROLE_INPUT] = "input",      [ROLE_OUTPUT] = "output"};
+    static const char *const names[] = {[ROLE_TIME] = "independent",
+                                        [ROLE_PARAMETER] = "parameter",
+                                        [ROLE_TUNABLE] = "parameter",
+                                        [ROLE_INPUT] = "input",
+                                        [ROLE_OUTPUT] = "output"};
     return names[role];
 }
 

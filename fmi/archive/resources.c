@@ -8,9 +8,8 @@
 #include "io/library/library.h"
 
 /* Where a case names files to read: docs/case-format.md. */
-static const char *const file_keys[RESOURCE_FILES_MAX][3] = {{"route", "file", NULL},
-                                                              {"route", "profile", "file"},
-                                                              {"drawing", "file", NULL}};
+static const char *const file_keys[RESOURCE_FILES_MAX][3] = {
+    {"route", "file", NULL}, {"route", "profile", "file"}, {"drawing", "file", NULL}};
 
 /* The file of a node goes along under a name of its own, and the node names that. */
 static hawser_status file_take(const CaseTree *tree, CaseNode *node, Resources *out, hawser_error *err)

@@ -8,15 +8,18 @@ static const char PLAIN[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXY
 static void scalar_write(const char *text, Text *out)
 {
     const size_t n = strlen(text);
-    const int plain = n > 0 && strspn(text, PLAIN) == n && strspn(text, PLAIN) > 0 && !strchr(" ._/+^-", *text) &&
-                      text[n - 1] != ' ';
+    const int plain =
+        n > 0 && strspn(text, PLAIN) == n && strspn(text, PLAIN) > 0 && !strchr(" ._/+^-", *text) && text[n - 1] != ' ';
     if (plain) text_add(out, text);
     if (plain) return;
     text_add(out, "\"");
     for (const char *c = text; *c; ++c) {
-        if (*c == '"' || *c == '\\') text_print(out, "\\%c", *c);
-        else if ((unsigned char)*c < ' ') text_print(out, "\\x%02x", (unsigned char)*c);
-        else text_bytes(out, c, 1);
+        if (*c == '"' || *c == '\\')
+            text_print(out, "\\%c", *c);
+        else if ((unsigned char)*c < ' ')
+            text_print(out, "\\x%02x", (unsigned char)*c);
+        else
+            text_bytes(out, c, 1);
     }
     text_add(out, "\"");
 }

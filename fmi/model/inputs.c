@@ -1,5 +1,5 @@
-/* Inputs: what a simulation can be told while it runs (hawser/control.h), as values that hold. An input that is where it
- * began leaves the case's own drive alone. */
+/* Inputs: what a simulation can be told while it runs (hawser/control.h), as values that hold. An input that is where
+ * it began leaves the case's own drive alone. */
 #include <math.h>
 #include <stdio.h>
 
@@ -45,7 +45,8 @@ static hawser_status winch_add(Variables *v, const WinchDef *w, hawser_error *er
                                     : command_add(v, HAWSER_WINCH_TENSION, NULL, profile_end(&w->tension),
                                                   "tension that the winch is set to", "winch.tension", err);
     if (!status)
-        status = switch_add(v, TO_BRAKE, NULL, "the winch is braked and held; false again: it goes on", "winch.brake", err);
+        status =
+            switch_add(v, TO_BRAKE, NULL, "the winch is braked and held; false again: it goes on", "winch.brake", err);
     if (!status)
         status = switch_add(v, TO_PAUSE, NULL,
                             by_speed ? "the winch stands; false again: it goes on"
@@ -59,11 +60,9 @@ static hawser_status conveyor_add(Variables *v, const SceneDef *def, const Conve
     char name[NAME_MAX_LENGTH + 32];
     const double alone = def->winch.present && def->winch.mode == WINCH_SPEED ? profile_end(&def->winch.speed) : 0;
     snprintf(name, sizeof name, "conveyors.%s.speed", c->name);
-    hawser_status status = command_add(v, HAWSER_CONVEYOR_SPEED, c->name,
-                                       c->sync ? c->factor * alone : profile_end(&c->speed),
-                                       c->sync ? "speed of the belt; where it begins it follows the winch"
-                                               : "speed of the belt",
-                                       name, err);
+    hawser_status status = command_add(
+        v, HAWSER_CONVEYOR_SPEED, c->name, c->sync ? c->factor * alone : profile_end(&c->speed),
+        c->sync ? "speed of the belt; where it begins it follows the winch" : "speed of the belt", name, err);
     snprintf(name, sizeof name, "conveyors.%s.clamp", c->name);
     if (!status)
         status = command_add(v, HAWSER_CONVEYOR_CLAMP, c->name, c->clamp, "by which each belt is pressed on the cable",
@@ -80,10 +79,10 @@ hawser_status variables_add_inputs(Variables *v, const hawser_case *c, hawser_er
     if (def->winch.present) status = winch_add(v, &def->winch, err);
     for (int i = 0; i < def->n_conveyors && !status; ++i) status = conveyor_add(v, def, &def->conveyors[i], err);
     if (!status && def->reel.model == REEL_PAYOUT && def->reel.torque > 0)
-        status = command_add(v, HAWSER_REEL_BRAKE, NULL, def->reel.torque, "torque of the reel's brake", "reel.brake",
-                             err);
+        status =
+            command_add(v, HAWSER_REEL_BRAKE, NULL, def->reel.torque, "torque of the reel's brake", "reel.brake", err);
     if (!status && (def->n_rollers > 0 || def->n_surfaces > 0))
-        status = command_add(v, HAWSER_FRICTION, NULL, 1, "all friction, as so many times the case's", "friction.factor",
-                             err);
+        status = command_add(v, HAWSER_FRICTION, NULL, 1, "all friction, as so many times the case's",
+                             "friction.factor", err);
     return status;
 }

@@ -174,7 +174,8 @@ hawser_status variables_add_outputs(Variables *v, const hawser_case *c, hawser_s
     for (int i = 0; i < SAMPLE_ROWS; ++i) {
         const Variable row = {
             .type = VARIABLE_REAL, .unit = sample_rows[i].unit, .from = FROM_SAMPLE, .at = sample_rows[i].at};
-        if (is_there(&c->def, look, sample_rows[i].needs)) add(&a, &row, sample_rows[i].description, sample_rows[i].name);
+        if (is_there(&c->def, look, sample_rows[i].needs))
+            add(&a, &row, sample_rows[i].description, sample_rows[i].name);
     }
     add(&a, &contacts, "places where the cable touches something", "cable.contacts");
     things_add(&a, &c->def, s);

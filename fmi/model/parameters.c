@@ -22,10 +22,10 @@ typedef struct Walk {
 static hawser_status number_add(const Walk *w, const CaseNode *node, const CaseKey *key, const char *path)
 {
     const char *const unit = dimension_unit(key->dimension);
-    char description[160], example[96] = "";
+    char description[200], example[112] = "";
     double value;
     if (key->dimension == DIM_STIFFNESS || case_number_read(w->r, node, key, &value)) return HAWSER_OK;
-    if (strlen(node->text) < sizeof example - 8) snprintf(example, sizeof example, ", %s in the case", node->text);
+    if (strlen(node->text) < 80) snprintf(example, sizeof example, ", %.80s in the case", node->text);
     snprintf(description, sizeof description, "%s of the case%s", dimension_name(key->dimension), example);
     const Variable row = {.type = VARIABLE_REAL,
                           .role = ROLE_PARAMETER,
@@ -49,8 +49,7 @@ static int is_named(const CaseSection *section)
 /* A dotted key that can be set: a name with a dot in it would be taken apart. */
 static int path_add(char to[CASE_PATH_MAX], const char *path, const char *step)
 {
-    return !strchr(step, '.') &&
-           snprintf(to, CASE_PATH_MAX, "%s%s%s", path, *path ? "." : "", step) < CASE_PATH_MAX;
+    return !strchr(step, '.') && snprintf(to, CASE_PATH_MAX, "%s%s%s", path, *path ? "." : "", step) < CASE_PATH_MAX;
 }
 
 static hawser_status items_walk(const Walk *w, const CaseNode *node, const CaseSection *section, const char *path)

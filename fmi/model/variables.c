@@ -10,12 +10,12 @@
 #include "core/base/error.h"
 
 const UnitRow unit_rows[UNIT_ROWS] = {
-    {"m", 0, 1, 0, 0},       {"m2", 0, 2, 0, 0},         {"s", 0, 0, 1, 0},        {"m/s", 0, 1, -1, 0},
-    {"m/s2", 0, 1, -2, 0},   {"rad", 0, 0, 0, 1},        {"rad/s", 0, 0, -1, 1},   {"N", 1, 1, -2, 0},
-    {"Pa", 1, -1, -2, 0},    {"N.m2", 1, 3, -2, 0},      {"N.m", 1, 2, -2, 0},     {"kg/m3", 1, -3, 0, 0},
-    {"kg/m", 1, -1, 0, 0},   {"kg", 1, 0, 0, 0},         {"kg.m2", 1, 2, 0, 0},    {"N/m", 1, 0, -2, 0},
-    {"N.m/rad", 1, 2, -2, -1}, {"N.s/m", 1, 0, -1, 0},   {"m-1", 0, -1, 0, 0},     {"Hz", 0, 0, -1, 0},
-    {"W", 1, 2, -3, 0},      {"J", 1, 2, -2, 0},         {"m3", 0, 3, 0, 0},       {"N.s", 1, 1, -1, 0},
+    {"m", 0, 1, 0, 0},         {"m2", 0, 2, 0, 0},     {"s", 0, 0, 1, 0},      {"m/s", 0, 1, -1, 0},
+    {"m/s2", 0, 1, -2, 0},     {"rad", 0, 0, 0, 1},    {"rad/s", 0, 0, -1, 1}, {"N", 1, 1, -2, 0},
+    {"Pa", 1, -1, -2, 0},      {"N.m2", 1, 3, -2, 0},  {"N.m", 1, 2, -2, 0},   {"kg/m3", 1, -3, 0, 0},
+    {"kg/m", 1, -1, 0, 0},     {"kg", 1, 0, 0, 0},     {"kg.m2", 1, 2, 0, 0},  {"N/m", 1, 0, -2, 0},
+    {"N.m/rad", 1, 2, -2, -1}, {"N.s/m", 1, 0, -1, 0}, {"m-1", 0, -1, 0, 0},   {"Hz", 0, 0, -1, 0},
+    {"W", 1, 2, -3, 0},        {"J", 1, 2, -2, 0},     {"m3", 0, 3, 0, 0},     {"N.s", 1, 1, -1, 0},
     {"kg/s", 1, 0, -1, 0},
 };
 
@@ -58,10 +58,10 @@ hawser_status variable_add(Variables *v, const Variable *row, const char *descri
     char text[512];
     va_list list;
     va_start(list, name);
-    vsnprintf(text, sizeof text - 8, name, list);
+    vsnprintf(text, sizeof text - 16, name, list);
     va_end(list);
     const size_t length = strlen(text);
-    for (int again = 2; is_taken(v, text); ++again) snprintf(text + length, 8, "#%d", again);
+    for (int again = 2; is_taken(v, text); ++again) snprintf(text + length, 16, "#%d", again);
     const hawser_status status = room_make(v, err);
     if (status) return status;
     Variable *const own = &v->row[v->n];

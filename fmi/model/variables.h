@@ -8,7 +8,13 @@
 
 #include "hawser/hawser.h"
 
-typedef enum VariableType { VARIABLE_REAL, VARIABLE_INTEGER, VARIABLE_BOOLEAN, VARIABLE_TEXT, VARIABLE_VERDICT } VariableType;
+typedef enum VariableType {
+    VARIABLE_REAL,
+    VARIABLE_INTEGER,
+    VARIABLE_BOOLEAN,
+    VARIABLE_TEXT,
+    VARIABLE_VERDICT
+} VariableType;
 typedef enum VariableRole { ROLE_TIME, ROLE_PARAMETER, ROLE_TUNABLE, ROLE_INPUT, ROLE_OUTPUT } VariableRole;
 
 /* Where an output's value comes from. */
@@ -34,10 +40,10 @@ typedef enum OutputFrom {
 
 /* What an input is told to. */
 typedef enum InputTo {
-    TO_COMMAND,       /* `command`, with `what`, when the value has changed */
-    TO_BRAKE,         /* the winch's brake: on, and off again */
-    TO_PAUSE,         /* likewise */
-    TO_JAM            /* jams and frees `what` */
+    TO_COMMAND, /* `command`, with `what`, when the value has changed */
+    TO_BRAKE,   /* the winch's brake: on, and off again */
+    TO_PAUSE,   /* likewise */
+    TO_JAM      /* jams and frees `what` */
 } InputTo;
 
 typedef struct Variable {
@@ -45,9 +51,9 @@ typedef struct Variable {
     char *description; /* owned */
     VariableType type;
     VariableRole role;
-    const char *unit; /* of unit_rows; NULL: none */
-    double start;     /* of all but outputs; of booleans 0 or 1 */
-    double least, most; /* of inputs; NAN: any */
+    const char *unit;    /* of unit_rows; NULL: none */
+    double start;        /* of all but outputs; of booleans 0 or 1 */
+    double least, most;  /* of inputs; NAN: any */
     const char *written; /* of a parameter: its unit as a case writes it, "N m" */
     InputTo to;
     hawser_control command;

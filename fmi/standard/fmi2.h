@@ -1,5 +1,5 @@
-/* What an FMU shows to the outside by version 2.0 of the Functional Mock-up Interface, as far as co-simulation needs it:
- * types, values and prototypes as the standard lays them down (FMI 2.0.4, chapters 2 and 4). */
+/* What an FMU shows to the outside by version 2.0 of the Functional Mock-up Interface, as far as co-simulation needs
+ * it: types, values and prototypes as the standard lays them down (FMI 2.0.4, chapters 2 and 4). */
 #ifndef HAWSER_FMI_STANDARD_FMI2_H
 #define HAWSER_FMI_STANDARD_FMI2_H
 
@@ -60,10 +60,8 @@ FMI2_FUNCTION fmi2Status fmi2GetInteger(fmi2Component, const fmi2ValueReference[
 FMI2_FUNCTION fmi2Status fmi2GetBoolean(fmi2Component, const fmi2ValueReference[], size_t n, fmi2Boolean value[]);
 FMI2_FUNCTION fmi2Status fmi2GetString(fmi2Component, const fmi2ValueReference[], size_t n, fmi2String value[]);
 FMI2_FUNCTION fmi2Status fmi2SetReal(fmi2Component, const fmi2ValueReference[], size_t n, const fmi2Real value[]);
-FMI2_FUNCTION fmi2Status fmi2SetInteger(fmi2Component, const fmi2ValueReference[], size_t n,
-                                        const fmi2Integer value[]);
-FMI2_FUNCTION fmi2Status fmi2SetBoolean(fmi2Component, const fmi2ValueReference[], size_t n,
-                                        const fmi2Boolean value[]);
+FMI2_FUNCTION fmi2Status fmi2SetInteger(fmi2Component, const fmi2ValueReference[], size_t n, const fmi2Integer value[]);
+FMI2_FUNCTION fmi2Status fmi2SetBoolean(fmi2Component, const fmi2ValueReference[], size_t n, const fmi2Boolean value[]);
 FMI2_FUNCTION fmi2Status fmi2SetString(fmi2Component, const fmi2ValueReference[], size_t n, const fmi2String value[]);
 
 FMI2_FUNCTION fmi2Status fmi2GetFMUstate(fmi2Component, fmi2FMUstate *);

@@ -177,7 +177,8 @@ static Unit *unit_for_values(fmi3Instance c, const fmi3ValueReference vr[], size
         Unit *const u =                                                                                                \
             unit_for_values(c, vr, n, (const void *)value, n_values, EARLY | PHASE_STEPPING, "fmi3Set" #NAME);         \
         fmi3Status status = u ? fmi3OK : fmi3Error;                                                                    \
-        for (size_t i = 0; i < n && status < fmi3Error; ++i) status = worse(status, unit_set(u, vr[i], TYPE, TO_VALUE)); \
+        for (size_t i = 0; i < n && status < fmi3Error; ++i)                                                           \
+            status = worse(status, unit_set(u, vr[i], TYPE, TO_VALUE));                                                \
         return status;                                                                                                 \
     }
 GET_AND_SET(Float64, VARIABLE_REAL, number, value[i])

@@ -35,9 +35,8 @@ DENIED(SetClock, const fmi3ValueReference vr[], size_t n, const fmi3Clock value[
 DENIED(GetNumberOfVariableDependencies, fmi3ValueReference vr, size_t *n)
 DENIED(GetVariableDependencies, fmi3ValueReference dependent, size_t of_dependent[], fmi3ValueReference independent[],
        size_t of_independent[], fmi3DependencyKind kind[], size_t n)
-DENIED(GetDirectionalDerivative, const fmi3ValueReference unknown[], size_t n_unknown,
-       const fmi3ValueReference known[], size_t n_known, const fmi3Float64 seed[], size_t n_seed,
-       fmi3Float64 sensitivity[], size_t n_sensitivity)
+DENIED(GetDirectionalDerivative, const fmi3ValueReference unknown[], size_t n_unknown, const fmi3ValueReference known[],
+       size_t n_known, const fmi3Float64 seed[], size_t n_seed, fmi3Float64 sensitivity[], size_t n_sensitivity)
 DENIED(GetAdjointDerivative, const fmi3ValueReference unknown[], size_t n_unknown, const fmi3ValueReference known[],
        size_t n_known, const fmi3Float64 seed[], size_t n_seed, fmi3Float64 sensitivity[], size_t n_sensitivity)
 DENIED(EnterEventMode)

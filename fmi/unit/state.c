@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmi/model/checkpoints.h"
 #include "fmi/unit/unit.h"
 
 /* What stands before values and checkpoint; all of it is written, padding included. */
@@ -27,8 +28,7 @@ Outcome unit_save(Unit *u, UnitState **state)
     head.rows = u->rows;
     head.start = u->start;
     head.stop = u->stop;
-    if (u->phase & (PHASE_STEPPING | PHASE_OVER) &&
-        hawser_sim_save_memory(u->sim, &checkpoint, &head.checkpoint, &err))
+    if (u->phase & (PHASE_STEPPING | PHASE_OVER) && hawser_sim_save_memory(u->sim, &checkpoint, &head.checkpoint, &err))
         return unit_say(u, REFUSED, "%s", err.message);
     const size_t size = sizeof head + values_size(u) + head.checkpoint;
     UnitState *const made = malloc(sizeof *made + size);
@@ -62,8 +62,8 @@ Outcome unit_load(Unit *u, const UnitState *state)
     memcpy(u->value, state->byte + sizeof head, values_size(u));
     Outcome outcome = unit_rebuild(u, head.checkpoint == 0);
     if (outcome) return outcome;
-    if (head.checkpoint && hawser_sim_load_memory(u->sim, state->byte + sizeof head + values_size(u), head.checkpoint,
-                                                  &err))
+    if (head.checkpoint &&
+        hawser_sim_load_memory(u->sim, state->byte + sizeof head + values_size(u), head.checkpoint, &err))
         return unit_say(u, FAILED, "%s", err.message);
     u->relaxed = head.checkpoint > 0;
     u->phase = (Phase)head.phase;

@@ -103,7 +103,8 @@ static int is_stale(const Unit *u)
     return 0;
 }
 
-/* The simulation that is there serves as long as it has the parameters, and stands at the start if it is to be fresh. */
+/* The simulation that is there serves as long as it has the parameters, and stands at the start if it is to be fresh.
+ */
 Outcome unit_rebuild(Unit *u, int fresh)
 {
     hawser_error err = {HAWSER_OK, ""};
@@ -261,9 +262,9 @@ Outcome unit_get(Unit *u, size_t reference, VariableType type, double *value, co
     if (row->role == ROLE_TIME) return GOES_WELL;
     if (row->role != ROLE_OUTPUT) *value = u->value[reference];
     if (row->role != ROLE_OUTPUT) return GOES_WELL;
-    const Outcome outcome =
-        u->phase == PHASE_INSTANTIATED ? unit_say(u, FAILED, "'%s' has no value before the initialization", row->name)
-                                       : sim_ready(u);
+    const Outcome outcome = u->phase == PHASE_INSTANTIATED
+                                ? unit_say(u, FAILED, "'%s' has no value before the initialization", row->name)
+                                : sim_ready(u);
     if (outcome) return outcome;
     if (type == VARIABLE_TEXT) {
         *text = output_text(u, row);
@@ -279,8 +280,7 @@ Outcome unit_set(Unit *u, size_t reference, VariableType type, double value)
     const Variable *const row = variable_of(u, reference, type);
     if (!row) return FAILED;
     const int early = u->phase == PHASE_INSTANTIATED || u->phase == PHASE_INITIALIZING;
-    if (row->role == ROLE_TIME || row->role == ROLE_OUTPUT)
-        return unit_say(u, FAILED, "'%s' cannot be set", row->name);
+    if (row->role == ROLE_TIME || row->role == ROLE_OUTPUT) return unit_say(u, FAILED, "'%s' cannot be set", row->name);
     if (row->role == ROLE_PARAMETER && !early)
         return unit_say(u, FAILED, "'%s' is fixed after the initialization", row->name);
     if (!isfinite(value) || value < row->least || value > row->most)

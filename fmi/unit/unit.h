@@ -9,7 +9,13 @@
 typedef enum Outcome { GOES_WELL, GOES_WITH_A_WORD, REFUSED, FAILED, BROKEN } Outcome;
 
 /* Where an instance is in its life. After a failure it can be reset, given another state or freed. */
-typedef enum Phase { PHASE_INSTANTIATED = 1, PHASE_INITIALIZING = 2, PHASE_STEPPING = 4, PHASE_OVER = 8, PHASE_FAILED = 16 } Phase;
+typedef enum Phase {
+    PHASE_INSTANTIATED = 1,
+    PHASE_INITIALIZING = 2,
+    PHASE_STEPPING = 4,
+    PHASE_OVER = 8,
+    PHASE_FAILED = 16
+} Phase;
 
 /* What an instance has to say; `category` is one of those in the description. */
 typedef void (*Say)(void *host, Outcome outcome, const char *category, const char *text);

@@ -13,8 +13,8 @@ extern "C" {
 typedef enum hawser_fmi { HAWSER_FMI_2 = 2, HAWSER_FMI_3 = 3 } hawser_fmi;
 
 /* Writes the archive `path` (its name ends in ".fmu" by custom): the case as it is set with all that it refers to, the
- * description of its variables, and the library that simulates it. The file is written beside and renamed. Errors: INPUT
- * (the case is wrong, or the library for archives is not installed), OUTPUT, MEMORY. */
+ * description of its variables, and the library that simulates it. The file is written beside and renamed. Errors:
+ * INPUT (the case is wrong, or the library for archives is not installed), OUTPUT, MEMORY. */
 hawser_status hawser_fmu_write(hawser_case *c, hawser_fmi version, const char *path, hawser_error *err);
 
 #ifdef __cplusplus

@@ -39,9 +39,8 @@ static char *beside(const char *module, const char *place)
 char *shipped_find(const char *place)
 {
     Dl_info module = {0};
-    char *const found = dladdr((const void *)library_kinds, &module) && module.dli_fname
-                            ? beside(module.dli_fname, place)
-                            : NULL;
+    char *const found =
+        dladdr((const void *)library_kinds, &module) && module.dli_fname ? beside(module.dli_fname, place) : NULL;
     return found ? found : beside("/proc/self/exe", place);
 }
 
