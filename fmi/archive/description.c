@@ -3,7 +3,6 @@
 #include <stdint.h>
 
 #include "fmi/archive/archive.h"
-#include "fmi/model/checkpoints.h"
 
 /* name="value", with what may not stand there escaped. */
 static void attribute(Text *t, const char *name, const char *value)

@@ -1,4 +1,4 @@
-#include "fmi/unit/address.h"
+#include "fmi/unit/unit.h"
 
 #include <ctype.h>
 #include <stdlib.h>

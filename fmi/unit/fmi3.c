@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmi/unit/address.h"
 #include "fmi/unit/unit.h"
 
 /* What an importer holds. */

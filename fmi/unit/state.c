@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmi/model/checkpoints.h"
 #include "fmi/unit/unit.h"
 
 /* What stands before values and checkpoint; all of it is written, padding included. */

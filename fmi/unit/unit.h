@@ -80,6 +80,10 @@ Outcome unit_load(Unit *u, const UnitState *state);
 /* A state of the bytes that another gave, perhaps of another process. */
 Outcome unit_state_of(Unit *u, const void *bytes, size_t size, UnitState **state);
 
+/* The folder of an address of the resources, "file:///home/me/a%20pull/resources" or "file:/home/...", malloc'ed; a
+ * path that is none is taken as it is, without slashes at its end. NULL: another scheme or host, a malformed escape,
+ * nothing, no memory. */
+char *address_folder(const char *address);
 /* Sees that there is a simulation with the parameters as they are; fresh: one that stands at the start. */
 Outcome unit_rebuild(Unit *u, int fresh);
 /* For unit_get of an output, when the simulation is there. */
