@@ -10,8 +10,8 @@
 hawser_status error_set(hawser_error *err, hawser_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* What is known besides: where in a file it is (line 0: nowhere in particular), and where in the motion (s; a segment of
- * the whole chain, or -1). After error_set. */
+/* What is known besides: where in a file it is (line 0: nowhere in particular), and where in the motion (s; a segment
+ * of the whole chain, or -1). After error_set. */
 void error_place(hawser_error *err, const char *file, int line);
 void error_moment(hawser_error *err, double t, int segment);
 

@@ -17,8 +17,8 @@ typedef enum hawser_status {
     HAWSER_STOPPED = 130 /* stopped because the caller asked for it */
 } hawser_status;
 
-/* What went wrong. Set it to {0} and pass it on: the fields are what the message says in one line, for programs. What is
- * not known stays "", 0 or, of a segment, -1. */
+/* What went wrong. Set it to {0} and pass it on: the fields are what the message says in one line, for programs. What
+ * is not known stays "", 0 or, of a segment, -1. */
 enum { HAWSER_MESSAGE_MAX = 1024, HAWSER_KEY_MAX = 192, HAWSER_FILE_MAX = 256 };
 typedef struct hawser_error {
     hawser_status status;

@@ -358,12 +358,11 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
     double step = 0;
     const int i = worst_segment(in);
     CVodeGetCurrentStep(in->cvode, &step);
-    error_set(
-        err, HAWSER_ERR_RUN,
-        "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
-        "raise it or solver.accuracy, or soften what is stiff there%s",
-        in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
-        hint_for(in->motion->scene, i));
+    error_set(err, HAWSER_ERR_RUN,
+              "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
+              "raise it or solver.accuracy, or soften what is stiff there%s",
+              in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
+              hint_for(in->motion->scene, i));
     error_moment(err, t, in->motion->scene->first + i);
     return HAWSER_ERR_RUN;
 }

@@ -14,6 +14,7 @@ static const char *const texts[] = {
     "rollers: {along: {from: 0 m, to: 8 m, spacing: 2 m}}\n"
     "drive: {winch: {speed: 0.5 m/s, to: 1 s}, tail: {tension: 1 kN, ramp: none}}\n"
     "limits: {pull: 20 kN}\n"
+    "solver: {max_steps: 300}\n"
     "run: {duration: 2 s}\n",
     "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}}\n"
     "chain: [{cable: c, length: 6 m, segment: 1 m}]\n"
@@ -27,12 +28,14 @@ static const char *const texts[] = {
     "conveyors: [{name: c, from: 1 m, to: 4 m, clamp: 200 N}]\n"
     "surfaces: {planes: [{name: ground, point: [0, 0, -100 mm], normal: [0, 0, 1]}]}\n"
     "drive: {winch: {speed: 0.5 m/s, to: 1 s, trip: {force: 3 kN, restarts: 1}}}\n"
+    "solver: {max_steps: 300}\n"
     "run: {duration: 2 s}\n",
     "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}}\n"
     "chain: [{cable: c, length: 6 m, segment: 1 m}]\n"
     "route: {head_at: 6 m, pieces: [{straight: 8 m}]}\n"
     "rollers: {along: {from: 0 m, to: 8 m, spacing: 2 m}}\n"
     "drive: {winch: {tension: {force: 500 N, to: 300 ms, speed_limit: 0.5 m/s}}}\n"
+    "solver: {max_steps: 300}\n"
     "run: {duration: 2 s, steady_from: 1 s}\n"};
 enum { TEXTS = sizeof texts / sizeof *texts };
 
@@ -45,7 +48,7 @@ static void call_case(Pair *p, int what, int argument, hawser_error *err)
 {
     static const char *const keys[] = {"run.duration", "chain.0.segment", "drive.winch.speed", "solver.accuracy",
                                        "bogus"};
-    static const char *const values[] = {"1 s", "0.5 m", "-1", "1e-4", "{}"};
+    static const char *const values[] = {"1 s", "0.5 m", "-1", "0.05", "{}"};
     static const hawser_format formats[] = {HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV};
     char *text = NULL;
     switch (what) {
@@ -105,7 +108,8 @@ static void call_control(hawser_sim *sim, int what, int argument, hawser_error *
     const hawser_force force = {.force_N = {value, 10, -20}, .arm_m = {0.1, 0, 0}, .follows = argument & 1};
     hawser_status status;
     if (what < 13) {
-        status = hawser_sim_control(sim, (hawser_control)what, names[argument % 6], value, ramps[argument / 6 % 6], err);
+        status =
+            hawser_sim_control(sim, (hawser_control)what, names[argument % 6], value, ramps[argument / 6 % 6], err);
     } else {
         status = hawser_sim_force(sim, argument % 9 - 1, argument % 5 ? &force : NULL, ramps[argument / 6 % 6], err);
     }
@@ -157,7 +161,8 @@ static void call_close(hawser_sim *sim, int what, int *argument, hawser_error *e
         (void)(*argument & 1 ? hawser_sim_watch_envelope(sim, err) : hawser_sim_envelope(sim, 1, &envelope, err));
         break;
     case 5:
-        (void)hawser_sim_set_law(sim, *argument % 7 - 1, *argument / 7 % 9, *argument % 3 ? law : NULL, 0, argument, err);
+        (void)hawser_sim_set_law(sim, *argument % 7 - 1, *argument / 7 % 9, *argument % 3 ? law : NULL, 0, argument,
+                                 err);
         break;
     default:
         hawser_sim_on_step(sim, *argument % 3 ? step : NULL, argument);
