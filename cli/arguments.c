@@ -35,6 +35,7 @@ enum {
     OPTION_BAND = 'B',
     OPTION_RAW = 'w',
     OPTION_PAGE = 'g',
+    OPTION_FMI = 'M',
     KNOWN_MAX = 20
 };
 
@@ -74,6 +75,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"band", required_argument, NULL, OPTION_BAND},
                                             {"raw", no_argument, NULL, OPTION_RAW},
                                             {"page", required_argument, NULL, OPTION_PAGE},
+                                            {"fmi", required_argument, NULL, OPTION_FMI},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -145,6 +147,16 @@ static int parse_format(const char *text, Arguments *args)
         return ARGUMENTS_GO_ON;
     }
     complain("--format %s: 'table', 'json' or 'csv' can be used", text);
+    return EXIT_USAGE;
+}
+
+/* --fmi: a version of the interface, by its first number. */
+static int parse_fmi(const char *text, Arguments *args)
+{
+    const int two = !strcmp(text, "2") || !strcmp(text, "2.0"), three = !strcmp(text, "3") || !strcmp(text, "3.0");
+    args->fmi = two ? HAWSER_FMI_2 : HAWSER_FMI_3;
+    if (two || three) return ARGUMENTS_GO_ON;
+    complain("--fmi %s: '2' or '3' can be used", text);
     return EXIT_USAGE;
 }
 
@@ -329,6 +341,8 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_CREW:
         args->crew = optarg;
         return ARGUMENTS_GO_ON;
+    case OPTION_FMI:
+        return parse_fmi(optarg, args);
     case OPTION_JOBS:
         return parse_jobs(optarg, args);
     case OPTION_FRESH:
@@ -420,6 +434,7 @@ int arguments_parse(const Command *command, int argc, char **argv, Arguments *ar
     char letters[2 * KNOWN_MAX];
     memset(args, 0, sizeof *args);
     args->route = hawser_route_defaults();
+    args->fmi = HAWSER_FMI_3;
     args->settings = calloc((size_t)argc + 1, sizeof *args->settings);
     if (!args->settings) {
         complain("out of memory");

@@ -41,6 +41,7 @@ typedef struct Arguments {
     hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
+    hawser_fmi fmi;                 /* of the command fmu */
     int jobs;                       /* 0: the library's choice */
     int fresh;                      /* earlier samples do not count */
     hawser_compare_options compare; /* of the command compare */

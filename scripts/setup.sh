@@ -12,7 +12,7 @@
 set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
-    libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev
+    libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev libzip-dev
     libnlopt-dev libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
