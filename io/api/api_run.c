@@ -1,4 +1,4 @@
-/* A run from the initial state to the case's end. The integrator takes its own steps; between them this file looks
+/* One pass of a run, from the initial state to the case's end. The integrator takes its own steps; between them this file looks
  * whether a row, a state or a word to the caller is due. What is written is a state that the integrator reached, not
  * one between two: a row belongs to the first step that ends at its time or after, and no step is longer than the time
  * between rows. */
@@ -166,17 +166,31 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     return status;
 }
 
-/* The tables, whatever the outcome. */
-static hawser_status finish_tables(Run *run, hawser_error *err)
+static ResultsTables tables_of(hawser_sim *s)
 {
-    hawser_sim *s = run->s;
-    ResultsTables tables = {0};
+    ResultsTables tables = {.segments = s->stage.scene.total, .envelope = s->envelope.present ? &s->envelope : NULL};
     tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
-    tables.segments = run->look->segments;
-    if (s->envelope.present) tables.envelope = &s->envelope;
+    return tables;
+}
+
+/* The tables, whatever the outcome. */
+static hawser_status finish_tables(Run *run, hawser_error *err)
+{
+    const ResultsTables tables = tables_of(run->s);
     return results_finish(run->results, &tables, err);
+}
+
+hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
+{
+    const ResultsTables tables = tables_of(s);
+    char *summary;
+    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    if (status) return status;
+    status = results_again(dir, &tables, summary, err);
+    hawser_text_free(summary);
+    return status;
 }
 
 /* After the tables: it says how they went, too. */
@@ -222,10 +236,9 @@ static hawser_status weigh(hawser_sim *s, hawser_status status, hawser_status wr
 }
 
 /* Folder, steps, tables: the tables are written whatever ended the steps. The first error counts. */
-hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *e)
 {
-    hawser_error local = {HAWSER_OK, ""}, late = {HAWSER_OK, ""};
-    hawser_error *e = err ? err : &local;
+    hawser_error late = {HAWSER_OK, ""};
     Run run = {.s = s,
                .progress = progress,
                .user = user,

@@ -7,6 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What a second pass would be built from, where there may be one: of a pull in time. Returns 0 without memory. */
+static int plan_keep(hawser_sim *s, const SceneDef *def)
+{
+    const int pulled = def->winch.present && !def->rod.present && def->analysis.kind == ANALYSIS_DYNAMICS;
+    if (!pulled || def->solver.passes == PASSES_ONE) return 1;
+    s->plan = calloc(1, sizeof *s->plan);
+    if (s->plan && !scene_def_copy(def, s->plan, NULL)) return 1;
+    free(s->plan);
+    s->plan = NULL;
+    return 0;
+}
+
 /* Options come from a program or a command line, so they are checked like a case. */
 hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out, hawser_error *err)
 {
@@ -27,9 +39,11 @@ hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, haws
     hawser_sim *const s = *out; /* the case may be gone soon */
     s->case_name = strdup(c->name);
     s->title = strdup(c->def.title[0] ? c->def.title : c->name);
-    if (s->case_name && s->title) return HAWSER_OK;
-    *out = sim_free(s);
-    return error_memory(err);
+    if (!s->case_name || !s->title || !plan_keep(s, &c->def)) {
+        *out = sim_free(s);
+        return error_memory(err);
+    }
+    return HAWSER_OK;
 }
 
 void hawser_sim_free(hawser_sim *s) { sim_free(s); }
@@ -47,6 +61,7 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
 {
     hawser_error local;
     hawser_error *e = err ? err : &local;
+    s = SHOWN(s);
     if (hawser_sim_time(s) > 0) {
         return error_set(e, HAWSER_ERR_INPUT, "only a simulation that has not moved on from t = 0 can be relaxed");
     }
@@ -59,6 +74,7 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
 {
     hawser_error local;
     hawser_error *e = err ? err : &local;
+    s = SHOWN(s);
     return keep_outcome(s, sim_advance(s, t, one_step, e), e);
 }
 
@@ -74,6 +90,7 @@ static const char *outcome_name(const hawser_sim *s)
 
 int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
 {
+    s = SHOWN(s);
     *out = s->stage.scene.def.assumptions;
     return s->stage.scene.def.n_assumptions;
 }
@@ -95,6 +112,7 @@ static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, c
 /* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
+    s = SHOWN(s);
     const Scene *const scene = &s->stage.scene;
     const LimitsDef *const limits = &scene->def.limits;
     hawser_summary summary;

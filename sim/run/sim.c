@@ -102,6 +102,11 @@ Sim *sim_free(Sim *s)
     free(s->condition);
     free(s->case_name);
     free(s->title);
+    if (s->plan) scene_def_clear(s->plan);
+    free(s->plan);
+    other_pass_free(&s->other);
+    free(s->passes);
+    sim_free(s->second);
     free(s);
     return NULL;
 }
@@ -244,12 +249,13 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     return status;
 }
 
-double hawser_sim_time(const Sim *s) { return s->stage.t; }
+double hawser_sim_time(const Sim *s) { return SHOWN(s)->stage.t; }
 double hawser_sim_end_time(const Sim *s)
 {
+    s = SHOWN(s);
     return fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended);
 }
-const char *hawser_sim_title(const Sim *s) { return s->title; }
+const char *hawser_sim_title(const Sim *s) { return SHOWN(s)->title; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
@@ -269,6 +275,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     s->look.sample.figure = s->machines.now;
     probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.probes = s->probes.n;
+    s->look.sample.pass = s->pass + 1;
     s->look.sample.probe = s->probes.out;
     if (s->stage.integrator) {
         IntegratorStats stats;
@@ -281,7 +288,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     return look;
 }
 
-const hawser_sample *hawser_sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
+const hawser_sample *hawser_sim_sample(Sim *s) { return look_now(SHOWN(s), SAMPLE_ALL); }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
@@ -316,7 +323,7 @@ static void record_now(Sim *s, SampleParts parts)
     s->record_s += clock_now() - start;
 }
 
-void hawser_sim_record(Sim *s) { record_now(s, SAMPLE_ALL); }
+void hawser_sim_record(Sim *s) { record_now(SHOWN(s), SAMPLE_ALL); }
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
 static void integration_fill(const Sim *s, hawser_summary *out)
@@ -362,6 +369,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 void hawser_sim_summary(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
+    s = SHOWN(s);
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
@@ -397,7 +405,8 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
                          .events = s->events.event,
                          .n_machines = s->machines.n,
                          .machines = s->machines.out,
-                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL};
+                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
+                         .passes = s->passes ? &s->passes->said : NULL};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -409,10 +418,12 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
+    other_pass_bars(&s->other, &s->stats, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .mesh = &s->mesh,
+                              .mesh_most = other_pass_share(&s->other, out),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,
@@ -427,47 +438,55 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
 
 int hawser_sim_stations(const Sim *s, const hawser_station **out)
 {
+    s = SHOWN(s);
     *out = s->stats.station_out;
     return s->stats.n_stations;
 }
 
 int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 {
+    s = SHOWN(s);
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
 }
 
 int hawser_sim_positions(const Sim *s, const hawser_position **out)
 {
+    s = SHOWN(s);
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
 }
 
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 {
+    s = SHOWN(s);
     *out = s->modes.out;
     return s->modes.n;
 }
 
 int hawser_sim_events(const Sim *s, const hawser_event **out)
 {
+    s = SHOWN(s);
     *out = s->events.event;
     return s->events.n;
 }
 
 int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 {
+    s = SHOWN(s);
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
 }
 
 int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 {
+    s = SHOWN(s);
     *out = s->machines.out;
     return s->machines.n;
 }
 
 int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
+    s = SHOWN(s);
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
 }

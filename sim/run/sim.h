@@ -7,6 +7,7 @@
 #include "sim/expected/mesh.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/modes.h"
+#include "sim/run/passes.h"
 #include "sim/run/stage.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
@@ -47,7 +48,16 @@ typedef struct hawser_sim {
     int relaxed, running;    /* running: inside hawser_sim_run */
     hawser_status outcome;   /* of the last call that computed */
     char message[HAWSER_MESSAGE_MAX];
+    /* of a whole run's two passes (io/api/api_passes.c) */
+    SceneDef *plan;         /* the definition as the case has it; NULL: no second pass is wanted. Owned */
+    int pass;               /* 0; 1 of the second one */
+    OtherPass other;        /* the figures of the other one */
+    PassesSaid *passes;     /* what is said of them; NULL: there is nothing to be said. Owned */
+    struct hawser_sim *second; /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
+
+/* The simulation whose results a handle stands for. */
+#define SHOWN(s) ((s)->second ? (s)->second : (s))
 
 /* Builds scene, state on the route, solver. threads: 0 takes the definition's. The definition is not needed
  * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */

@@ -165,8 +165,8 @@ static void add_mesh(List *list, const TrustFacts *f)
 {
     int worst;
     char where[96];
-    const double error =
-        mesh_given(f->mesh, &f->scene->def, fmin(f->figures->pull_mean_N, f->figures->reference_total_N), &worst);
+    const double pull = fmin(f->figures->pull_mean_N, f->figures->reference_total_N);
+    const double error = fmin(mesh_given(f->mesh, &f->scene->def, pull, &worst), f->mesh_most);
     if (worst < 0) return;
     const MeshPlace *const place = &f->mesh->place[worst];
     mesh_describe(place, sizeof where, where);
