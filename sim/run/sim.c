@@ -308,7 +308,7 @@ static void record_now(Sim *s, SampleParts parts)
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     hawser_error only_a_note;
-    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, look);
+    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, &s->stage.ws.kin, look);
     if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
         events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
