@@ -27,15 +27,24 @@ static int is_numerical(const hawser_condition *c)
     return found;
 }
 
-/* Whether nothing but numerical conditions fails, and some of them do; the worst of these, without its remedy, into
- * `why`. */
+/* Whether the part of friction at rest alone, of which two passes say nothing, is more than a bar may be. */
+static int is_of_friction(const hawser_condition *c, const hawser_summary *sum)
+{
+    const hawser_error_bar *bar = NULL;
+    if (!strcmp(c->name, "numerical_error")) bar = &sum->pull_mean_error;
+    if (!strcmp(c->name, "numerical_peak")) bar = &sum->pull_peak_error;
+    return bar && c->value * bar->friction > c->allowed * bar->total;
+}
+
+/* Whether nothing but numerical conditions fails that a second pass may settle, and some of them do; the worst of these,
+ * without its remedy, into `why`. */
 static int is_open(const hawser_summary *sum, size_t size, char *why)
 {
     const hawser_condition *worst = NULL;
     for (int i = 0; i < sum->n_conditions; ++i) {
         const hawser_condition *const c = &sum->conditions[i];
         if (c->holds) continue;
-        if (!is_numerical(c)) return 0;
+        if (!is_numerical(c) || is_of_friction(c, sum)) return 0;
         if (!worst || c->value / c->allowed > worst->value / worst->allowed) worst = c;
     }
     if (!worst) return 0;
@@ -176,9 +185,9 @@ static hawser_status second_take(Second *z, hawser_error *err)
     said->outcome = z->own ? "compared" : "replaced";
     say_both(said, z->own);
     if (!z->own) {
-        return other_pass_take(&b->other, &a->stats, &first, 0, z->slower, err);
+        return other_pass_take(&b->other, &a->stats, &first, 0, err);
     }
-    return is_sound(&second) ? other_pass_take(&a->other, &b->stats, &second, 1, z->slower, err) : HAWSER_OK;
+    return is_sound(&second) ? other_pass_take(&a->other, &b->stats, &second, 1, err) : HAWSER_OK;
 }
 
 /* The results of the second pass become those of the handle; the folder's, too. Errors: OUTPUT, MEMORY. */

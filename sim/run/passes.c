@@ -21,24 +21,23 @@ static double seen(const OtherPass *o, double bar, double other)
     return fmin(fmax(bar, least_of(o, difference)), fmax(most_of(o, difference), bar / TOO_MUCH));
 }
 
-/* In its parts, each as much as it was of the whole. With the same v_s in both passes nothing is known of friction. */
+/* In its parts, each as much as it was of the whole. What friction at rest makes does not fall with v_s in any order, and
+ * stays. */
 static void bar_seen(const OtherPass *o, hawser_error_bar *bar, double other)
 {
-    const double known = o->friction ? bar->total : bar->time + bar->mesh;
+    const double known = bar->time + bar->mesh;
     if (!(known > 0)) return;
     const double by = seen(o, known, other) / known;
     bar->time *= by;
     bar->mesh *= by;
-    if (o->friction) bar->friction *= by;
     bar->total = bar->time + bar->mesh + bar->friction;
 }
 
 hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer,
-                              int friction, hawser_error *err)
+                              hawser_error *err)
 {
     *out = (OtherPass){.present = 1,
                        .finer = finer,
-                       .friction = friction,
                        .mean = figures->pull_mean_N,
                        .peak = figures->pull_peak_N,
                        .n_stations = stats->n_stations,
@@ -77,7 +76,7 @@ void other_pass_bars(const OtherPass *o, const Stats *stats, hawser_summary *fig
     bar_seen(o, &figures->pull_mean_error, o->mean - figures->pull_mean_N);
     bar_seen(o, &figures->pull_peak_error, o->peak - figures->pull_peak_N);
     /* of the others the parts are not told apart */
-    if (!o->friction && figures->pull_peak_error.friction > 0) return;
+    if (figures->pull_peak_error.friction > 0) return;
     for (int i = 0; i < o->n_stations; ++i) {
         hawser_station *const s = &stats->station_out[i];
         s->mean_error_N = seen(o, s->mean_error_N, o->station[2 * i] - s->mean_N);

@@ -15,16 +15,15 @@ typedef struct PassesSaid {
 /* The figures of the other pass, in the order of the tables. Zeroed: there is none. */
 typedef struct OtherPass {
     int present;
-    int finer;    /* it is the second one */
-    int friction; /* its v_s is another too, so that differences have what v_s makes in them */
-    double mean, peak;                         /* N, of the pull */
-    double *station, *roller, *line_load;      /* [2 n] mean and peak, N; [2 n]; [n] N/m; owned */
+    int finer;                            /* it is the second one */
+    double mean, peak;                    /* N, of the pull */
+    double *station, *roller, *line_load; /* [2 n] mean and peak, N; [2 n]; [n] N/m; owned */
     int n_stations, n_rollers, n_surfaces;
 } OtherPass;
 
 /* The figures of a run that is over, for the other pass's sake. Errors: MEMORY. */
 hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer,
-                              int friction, hawser_error *err);
+                              hawser_error *err);
 void other_pass_free(OtherPass *other);
 /* Brings the error bars of summary and tables to what both passes say. */
 void other_pass_bars(const OtherPass *other, const Stats *stats, hawser_summary *figures);
