@@ -77,12 +77,12 @@ typedef struct hawser_pass {
 
 /* Why a run was computed a second time with finer settings, or not (docs/limits.md, "Two passes"). */
 typedef struct hawser_passes {
-    /* "replaced": all figures are those of the second pass; "compared": of the first, with error bars from both, because
-     * the case gives settings that would have to be others; "failed", "declined": of the first alone */
+    /* "replaced": all figures are those of the second pass; "compared": of the first, with error bars from both,
+     * because the case gives settings that would have to be others; "failed", "declined": of the first alone */
     const char *outcome;
-    char why[256];  /* what the first pass alone left open */
-    char says[512]; /* what became of it, in a sentence */
-    int n;          /* passes that have figures, 1 or 2 */
+    char why[256];           /* what the first pass alone left open */
+    char says[512];          /* what became of it, in a sentence */
+    int n;                   /* passes that have figures, 1 or 2 */
     const hawser_pass *pass; /* [n] */
 } hawser_passes;
 

@@ -18,7 +18,8 @@ enum { STEPS_MOST = 8 };
 
 /* ------------------------------------------------------------------------------------------ whether it is wanted */
 
-/* Conditions that finer settings can meet. Those of books and damping need other settings than one level would bring. */
+/* Conditions that finer settings can meet. Those of books and damping need other settings than one level would bring.
+ */
 static int is_numerical(const hawser_condition *c)
 {
     static const char *const names[] = {"numerical_error", "numerical_peak", "mesh"};
@@ -36,8 +37,8 @@ static int is_of_friction(const hawser_condition *c, const hawser_summary *sum)
     return bar && c->value * bar->friction > c->allowed * bar->total;
 }
 
-/* Whether nothing but numerical conditions fails that a second pass may settle, and some of them do; the worst of these,
- * without its remedy, into `why`. */
+/* Whether nothing but numerical conditions fails that a second pass may settle, and some of them do; the worst of
+ * these, without its remedy, into `why`. */
 static int is_open(const hawser_summary *sum, size_t size, char *why)
 {
     const hawser_condition *worst = NULL;
@@ -62,8 +63,8 @@ static int is_sound(const hawser_summary *sum)
     return sound;
 }
 
-/* The settings that a second pass makes finer, where the case itself gives them: with them its results would be those of
- * another case. */
+/* The settings that a second pass makes finer, where the case itself gives them: with them its results would be those
+ * of another case. */
 static int is_setting(const char *key, const char *value)
 {
     if (!strcmp(value, "auto")) return 0;
@@ -128,7 +129,8 @@ static void say_both(hawser_passes *p, const char *own)
     char *const rest = p->says + n;
     const size_t size = sizeof p->says - (size_t)n;
     if (!own) snprintf(rest, size, "all figures are those of the second pass");
-    if (own) snprintf(rest, size, "as the case gives %.60s, they are those of the first pass, with bars from both", own);
+    if (own)
+        snprintf(rest, size, "as the case gives %.60s, they are those of the first pass, with bars from both", own);
 }
 
 /* ------------------------------------------------------------------------------------------------- the second pass */
@@ -136,10 +138,10 @@ static void say_both(hawser_passes *p, const char *own)
 /* What a second pass is made of. */
 typedef struct Second {
     hawser_sim *first;
-    hawser_sim *sim;     /* the pass itself; NULL: not built yet */
-    const char *own;     /* a setting that is the case's; NULL: none */
-    int slower;          /* v_s is refined too */
-    char dir[4096];      /* its folder within the first one's; "": nothing is written */
+    hawser_sim *sim;  /* the pass itself; NULL: not built yet */
+    const char *own;  /* a setting that is the case's; NULL: none */
+    int slower;       /* v_s is refined too */
+    char dir[4096];   /* its folder within the first one's; "": nothing is written */
     PassesSaid *says; /* the first's */
 } Second;
 

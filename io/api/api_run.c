@@ -1,7 +1,7 @@
-/* One pass of a run, from the initial state to the case's end. The integrator takes its own steps; between them this file looks
- * whether a row, a state or a word to the caller is due. What is written is a state that the integrator reached, not
- * one between two: a row belongs to the first step that ends at its time or after, and no step is longer than the time
- * between rows. */
+/* One pass of a run, from the initial state to the case's end. The integrator takes its own steps; between them this
+ * file looks whether a row, a state or a word to the caller is due. What is written is a state that the integrator
+ * reached, not one between two: a row belongs to the first step that ends at its time or after, and no step is longer
+ * than the time between rows. */
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"

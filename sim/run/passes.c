@@ -21,8 +21,8 @@ static double seen(const OtherPass *o, double bar, double other)
     return fmin(fmax(bar, least_of(o, difference)), fmax(most_of(o, difference), bar / TOO_MUCH));
 }
 
-/* In its parts, each as much as it was of the whole. What friction at rest makes does not fall with v_s in any order, and
- * stays. */
+/* In its parts, each as much as it was of the whole. What friction at rest makes does not fall with v_s in any order,
+ * and stays. */
 static void bar_seen(const OtherPass *o, hawser_error_bar *bar, double other)
 {
     const double known = bar->time + bar->mesh;

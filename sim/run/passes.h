@@ -27,7 +27,8 @@ hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_s
 void other_pass_free(OtherPass *other);
 /* Brings the error bars of summary and tables to what both passes say. */
 void other_pass_bars(const OtherPass *other, const Stats *stats, hawser_summary *figures);
-/* The largest share of the mean pull that lengths of segments can have added by it; INFINITY: there is no other pass. */
+/* The largest share of the mean pull that lengths of segments can have added by it; INFINITY: there is no other pass.
+ */
 double other_pass_share(const OtherPass *other, const hawser_summary *figures);
 
 #endif

@@ -49,10 +49,10 @@ typedef struct hawser_sim {
     hawser_status outcome;   /* of the last call that computed */
     char message[HAWSER_MESSAGE_MAX];
     /* of a whole run's two passes (io/api/api_passes.c) */
-    SceneDef *plan;         /* the definition as the case has it; NULL: no second pass is wanted. Owned */
-    int pass;               /* 0; 1 of the second one */
-    OtherPass other;        /* the figures of the other one */
-    PassesSaid *passes;     /* what is said of them; NULL: there is nothing to be said. Owned */
+    SceneDef *plan;            /* the definition as the case has it; NULL: no second pass is wanted. Owned */
+    int pass;                  /* 0; 1 of the second one */
+    OtherPass other;           /* the figures of the other one */
+    PassesSaid *passes;        /* what is said of them; NULL: there is nothing to be said. Owned */
     struct hawser_sim *second; /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
 

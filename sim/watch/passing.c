@@ -50,7 +50,8 @@ typedef struct Crossing {
     int side;
 } Crossing;
 
-/* Of a straight piece of half length `half` about p, along the unit vector a, up to `reach` from the roller's middle. */
+/* Of a straight piece of half length `half` about p, along the unit vector a, up to `reach` from the roller's middle.
+ */
 static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller, double reach)
 {
     const Crossing none = {INFINITY, 0, 0};

@@ -18,8 +18,8 @@ typedef struct Misfit {
 
 /* A flat roller near whose edge the chain lies at t = 0. */
 typedef struct Edge {
-    double share;     /* of the half of its width; 0: there is none */
-    double across;    /* m from its middle */
+    double share;  /* of the half of its width; 0: there is none */
+    double across; /* m from its middle */
     const char *name;
 } Edge;
 

@@ -1,5 +1,5 @@
-/* The second pass of a run: it is made where numbers alone are open, its figures take the place of the first's where the
- * case leaves the settings open, and where it does not both together say what the first is off by. */
+/* The second pass of a run: it is made where numbers alone are open, its figures take the place of the first's where
+ * the case leaves the settings open, and where it does not both together say what the first is off by. */
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,12 +22,13 @@ static const hawser_condition *condition_called(const hawser_summary *sum, const
     return NULL;
 }
 
-/* A slack rope is drawn tight: 2125 N with 42 segments, of which the bar says 12 %; 1951 N with 84, 1908 N with 168. The
- * handle speaks of the second pass, which is the run with these settings. */
+/* A slack rope is drawn tight: 2125 N with 42 segments, of which the bar says 12 %; 1951 N with 84, 1908 N with 168.
+ * The handle speaks of the second pass, which is the run with these settings. */
 static void it_replaces(void **state)
 {
     (void)state;
-    hawser_sim *const first = run_of(data_text("trust-slack"), once), *const both = run_of(data_text("trust-slack"), NULL);
+    hawser_sim *const first = run_of(data_text("trust-slack"), once), *const both =
+                                                                          run_of(data_text("trust-slack"), NULL);
     const hawser_summary a = summary_of(first), b = summary_of(both);
     assert_null(a.passes);
     assert_non_null(b.passes);
@@ -52,13 +53,13 @@ static void it_replaces(void **state)
     hawser_sim_free(both);
 }
 
-/* The case gives the length of its segments: its own figures stay, to the last bit, and the bars become what both passes
- * say (EB20), 23 % of the peak before. */
+/* The case gives the length of its segments: its own figures stay, to the last bit, and the bars become what both
+ * passes say (EB20), 23 % of the peak before. */
 static void it_compares(void **state)
 {
     (void)state;
-    hawser_sim *const first = run_of(data_text("passing-guides"), once),
-                      *const both = run_of(data_text("passing-guides"), NULL);
+    hawser_sim *const first = run_of(data_text("passing-guides"), once), *const both =
+                                                                             run_of(data_text("passing-guides"), NULL);
     const hawser_summary a = summary_of(first), b = summary_of(both);
     assert_non_null(b.passes);
     assert_string_equal(b.passes->outcome, "compared");
@@ -74,8 +75,8 @@ static void it_compares(void **state)
     hawser_sim_free(both);
 }
 
-/* A run that is trusted, one that fails for another reason, one of which friction alone leaves too much open, and one that
- * its caller steps have one pass. */
+/* A run that is trusted, one that fails for another reason, one of which friction alone leaves too much open, and one
+ * that its caller steps have one pass. */
 static void one_is_enough(void **state)
 {
     (void)state;
@@ -128,8 +129,8 @@ static int lines_in(const char *dir, const char *name)
 
 static void folder_remove(const char *dir)
 {
-    static const char *const names[] = {"summary.json", "series.csv", "stations.csv", "rollers.csv", "inputs.csv",
-                                        "route.csv",    "results.h5", "results.xdmf"};
+    static const char *const names[] = {"summary.json", "series.csv", "stations.csv", "rollers.csv",
+                                        "inputs.csv",   "route.csv",  "results.h5",   "results.xdmf"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         char path[256];
         snprintf(path, sizeof path, "%s/%s", dir, names[k]);
@@ -179,16 +180,16 @@ static void stopped_in_the_second(void **state)
     folder_remove(dir);
 }
 
-/* Of a figure whose own bar is b and that is d from the other pass's (EB19), (EB20): where both agree the bar falls to a
- * quarter, where they differ it lies between what errors of second and of first order would be. */
+/* Of a figure whose own bar is b and that is d from the other pass's (EB19), (EB20): where both agree the bar falls to
+ * a quarter, where they differ it lies between what errors of second and of first order would be. */
 static void bars_by_two_passes(void **state)
 {
     (void)state;
     static const struct {
         int finer;
         double bar, apart, expected;
-    } row[] = {{0, 40, 1, 10},  {0, 40, 20, 20}, {0, 10, 6, 6}, {0, 4, 6, 4},  {0, 1, 6, 2},
-               {1, 40, 1, 10},  {1, 40, 8, 16},  {1, 10, 8, 16}, {1, 40, 30, 60}, {1, 1, 0, 0.25}};
+    } row[] = {{0, 40, 1, 10}, {0, 40, 20, 20}, {0, 10, 6, 6},  {0, 4, 6, 4},    {0, 1, 6, 2},
+               {1, 40, 1, 10}, {1, 40, 8, 16},  {1, 10, 8, 16}, {1, 40, 30, 60}, {1, 1, 0, 0.25}};
     const Stats none = {0};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         const OtherPass other = {
@@ -207,11 +208,9 @@ static void bars_by_two_passes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(it_replaces),
-                                       cmocka_unit_test(it_compares),
-                                       cmocka_unit_test(one_is_enough),
-                                       cmocka_unit_test(the_folder_is_the_seconds),
-                                       cmocka_unit_test(stopped_in_the_second),
-                                       cmocka_unit_test(bars_by_two_passes)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_replaces),           cmocka_unit_test(it_compares),
+        cmocka_unit_test(one_is_enough),         cmocka_unit_test(the_folder_is_the_seconds),
+        cmocka_unit_test(stopped_in_the_second), cmocka_unit_test(bars_by_two_passes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
