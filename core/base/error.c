@@ -27,3 +27,8 @@ hawser_status error_set(hawser_error *err, hawser_status status, const char *for
     text_make_printable(err->message);
     return status;
 }
+
+hawser_status error_argument(hawser_error *err, const char *argument)
+{
+    return error_set(err, HAWSER_ERR_INPUT, "the argument '%s' is NULL", argument);
+}

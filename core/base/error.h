@@ -13,6 +13,9 @@ hawser_status error_set(hawser_error *err, hawser_status status, const char *for
  * become question marks. Returns how many did. */
 int text_make_printable(char *text);
 
+/* An argument that must not be NULL is: what only a program can get wrong. */
+hawser_status error_argument(hawser_error *err, const char *argument);
+
 /* Out of memory, said the same way everywhere. */
 static inline hawser_status error_memory(hawser_error *err)
 {

@@ -1,5 +1,5 @@
 /* hawser: simulates how a power cable is pulled through a tunnel, a duct or over rollers, and says whether the pull is
- * safe. This header is the whole public interface.
+ * safe. This header, with those that it includes, is the whole public interface.
  *
  * Life of a run: load or define a case -> check -> build a simulation -> relax -> advance and sample -> summary ->
  * free. Handles are opaque and independent of each other; there is no global state. Every call that can fail returns a
@@ -11,28 +11,12 @@
 
 #include <stddef.h>
 
+#include "hawser/status.h"
 #include "hawser/tables.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef enum hawser_status {
-    HAWSER_OK = 0,
-    HAWSER_ERR_INPUT = 2,  /* a case, a setting or an argument is wrong; nothing was written */
-    HAWSER_ERR_RUN = 3,    /* the integration failed; what was computed before is kept */
-    HAWSER_ERR_OUTPUT = 4, /* a result could not be written */
-    HAWSER_ERR_MEMORY = 5,
-    HAWSER_STOPPED = 130 /* stopped because the caller asked for it */
-} hawser_status;
-
-enum { HAWSER_MESSAGE_MAX = 1024 };
-typedef struct hawser_error {
-    hawser_status status;
-    char message[HAWSER_MESSAGE_MAX];
-} hawser_error;
-
-const char *hawser_version(void);
 
 /* ------------------------------------------------------------------------------------------------ cases */
 
@@ -48,9 +32,6 @@ hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value
 /* Interprets and checks everything that can be checked without running. */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);
-
-/* Text for people, in SI or in US units (hawser/shown.h); for programs, in SI always. */
-typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV, HAWSER_TABLE_US } hawser_format;
 
 /* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err);
@@ -244,8 +225,10 @@ const char *hawser_sim_title(const hawser_sim *s);
 #endif
 
 #include "hawser/certify.h"
+#include "hawser/control.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
+#include "hawser/query.h"
 #include "hawser/report.h"
 #include "hawser/route.h"
 #include "hawser/study.h"

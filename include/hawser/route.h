@@ -4,6 +4,8 @@
 #ifndef HAWSER_ROUTE_H
 #define HAWSER_ROUTE_H
 
+#include "hawser/status.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -170,7 +170,8 @@ static hawser_status second_build(Second *z, hawser_error *err)
     z->sim->pass = 1;
     z->sim->case_name = strdup(first->case_name);
     z->sim->title = strdup(first->title);
-    return z->sim->case_name && z->sim->title ? HAWSER_OK : error_memory(err);
+    if (!z->sim->case_name || !z->sim->title) return error_memory(err);
+    return first->envelope.present ? envelope_new(&z->sim->envelope, &z->sim->stage.scene, err) : HAWSER_OK;
 }
 
 /* Its figures, and the passes' differences where they belong. Errors: MEMORY. */
@@ -271,13 +272,14 @@ static hawser_status second_pass(hawser_sim *s, const char *dir, hawser_progress
     return status;
 }
 
-/* A simulation that has been moved by its caller is his, and is not computed again. */
+/* A simulation that its caller has moved, or has told what to do, is his, and is not computed again. */
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
     hawser_error local = {HAWSER_OK, ""};
     hawser_error *const e = err ? err : &local;
     s = SHOWN(s);
+    if (!s) return error_argument(e, "s");
     const int whole = s->plan && !s->pass && !s->passes && !s->relaxed && !(hawser_sim_time(s) > 0);
     const hawser_status status = pass_run(s, dir, progress, user, e);
-    return status || !whole ? status : second_pass(s, dir, progress, user, e);
+    return status || !whole || s->led ? status : second_pass(s, dir, progress, user, e);
 }

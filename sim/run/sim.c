@@ -14,6 +14,7 @@
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/commands.h"
 #include "sim/run/modes.h"
 #include "sim/run/statics.h"
 #include "sim/watch/events.h"
@@ -89,6 +90,8 @@ Sim *sim_free(Sim *s)
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     envelope_free(&s->envelope);
+    closeup_free(&s->closeup);
+    around_free(s->around);
     events_free(&s->events);
     passing_free(&s->passing);
     expected_free(&s->expected);
@@ -124,7 +127,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
     chain_stop(&s->stage);
-    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, 0);
     passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
     if (scene->rod->present) {
         const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
@@ -149,7 +152,7 @@ static double next_stop(const Sim *s, double stop)
         if (room->present && room->kind->next_stop)
             stop = fmin(stop, room->kind->next_stop(room, scene, s->stage.t + 1e-9));
     }
-    return stop;
+    return fmin(stop, script_next(s));
 }
 
 /* Where the cable's front is, m along the route; NAN if it is not simulated, or in the plane. Brings the kinematics of
@@ -169,7 +172,7 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
 {
     Stage *const st = &s->stage;
     Scene *const scene = &st->scene;
-    Occasion now = {.t = st->t, .front = NAN};
+    Occasion now = {.t = st->t, .front = NAN, .travel = NAN};
     int watched = 0;
     for (int r = 0; r < scene->n_rooms; ++r) {
         const Room *const room = &scene->room[r];
@@ -178,12 +181,13 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
     if (!watched) return HAWSER_OK;
     if (watched & WATCH_FRONT) now.front = front_at(st);
     now.pull = st->motion->ops->winch_pull(st->motion, st->t, st->y);
+    if (watched & WATCH_TRAVEL) now.travel = winch_motion(scene->winch, &scene->chain, &st->ws.kin, st->t).travel;
     hawser_status status = HAWSER_OK;
     for (int r = 0; r < scene->n_rooms; ++r) {
         Room *const room = &scene->room[r];
         if (!room->present || !room->kind->watches || !room->kind->watches(room)) continue;
-        for (const char *what; !status && (what = room->kind->happen(room, &now)) != NULL;)
-            status = events_add(&s->events, st->t, what, now.pull, err);
+        for (Occurrence h; !status && (h = room->kind->happen(room, &now)).what;)
+            status = sim_note(s, h.code, st->t, h.what, now.pull, err);
     }
     return status;
 }
@@ -238,12 +242,16 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
-    s->stage.scene.winch->phase.held = 0; /* the brake that held a winch of set tension is let off */
+    WinchPhase *const winch = &s->stage.scene.winch->phase;
+    if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
+    status = script_due(s, err);                    /* what is due at the very beginning */
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = events_watch(s, err);
         if (!status) peak_watch(s);
         if (!status && s->stage.scene.rod->present) rod_watch(s);
+        if (!status) status = script_due(s, err);
+        if (!status && (s->calls.step || s->calls.law || s->calls.stop)) status = sim_call(s, err);
         if (one_step) break;
     }
     return status;
@@ -260,7 +268,7 @@ const char *hawser_sim_title(const Sim *s) { return SHOWN(s)->title; }
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
     const double start = clock_now();
-    const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
     if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
     if (s->by_position.n_grid > 0) {
@@ -296,8 +304,8 @@ static void turned_watch(Sim *s, const hawser_sample *look)
     Stage *const st = &s->stage;
     const int now = turned(&st->scene, st->motion == &st->planar.motion, &st->ws.kin) & ~s->overturned;
     hawser_error only_a_note;
-    if (now & TURNED_JOINT) events_add(&s->events, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
-    if (now & TURNED_HEAD) events_add(&s->events, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_JOINT) sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_HEAD) sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
     s->overturned |= now;
 }
 
@@ -310,7 +318,7 @@ static void record_now(Sim *s, SampleParts parts)
     hawser_error only_a_note;
     if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, &s->stage.ws.kin, look);
     if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
-        events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
+        sim_note(s, HAWSER_EVENT_PASSED, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     if (s->stats.fresh) steadiness_record(&s->steadiness, &s->stage.scene, look, s->stats.dt);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);

@@ -5,6 +5,7 @@
 #define HAWSER_SIM_RUN_SIM_H
 
 #include "sim/expected/mesh.h"
+#include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/modes.h"
 #include "sim/run/passes.h"
@@ -17,6 +18,17 @@
 #include "sim/watch/sample.h"
 #include "sim/watch/trust.h"
 
+/* Whom a simulation calls; NULL: nobody. */
+typedef struct Calls {
+    hawser_step_function step;
+    hawser_event_function event;
+    hawser_log_function log;
+    void *step_user, *event_user, *log_user;
+    hawser_log_level log_level;
+    int law;          /* a law of force is set */
+    const char *stop; /* somebody who was called wants an end; who, in words */
+} Calls;
+
 typedef struct hawser_sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
@@ -27,10 +39,14 @@ typedef struct hawser_sim {
     Machines machines;
     Peaks peaks;
     Envelope envelope; /* present if somebody has asked for it */
+    Closeup closeup;   /* the last that was asked for */
+    Around *around;    /* NULL: nobody has asked */
     Expected expected;
     BundleTerms bundle;
     ByPosition by_position;
     EventLog events;
+    Calls calls;
+    int script_done; /* rows of the case's script */
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
     double build_s, relax_s, output_s, record_s; /* s; output_s is what the writer of results says it has spent */
@@ -51,13 +67,14 @@ typedef struct hawser_sim {
     /* of a whole run's two passes (io/api/api_passes.c) */
     SceneDef *plan;            /* the definition as the case has it; NULL: no second pass is wanted. Owned */
     int pass;                  /* 0; 1 of the second one */
+    int led;                   /* the caller has told it what to do: it cannot be computed again by itself */
     OtherPass other;           /* the figures of the other one */
     PassesSaid *passes;        /* what is said of them; NULL: there is nothing to be said. Owned */
     struct hawser_sim *second; /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
 
 /* The simulation whose results a handle stands for. */
-#define SHOWN(s) ((s)->second ? (s)->second : (s))
+#define SHOWN(s) ((s) && (s)->second ? (s)->second : (s))
 
 /* Builds scene, state on the route, solver. threads: 0 takes the definition's. The definition is not needed
  * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */

@@ -478,6 +478,18 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
                : HAWSER_OK;
 }
 
+hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double *y, hawser_error *err)
+{
+    Integrator *fresh;
+    const hawser_status status = integrator_new(motion, t, y, &fresh, err);
+    if (status) return status;
+    integrator_stats(*in, &fresh->before);
+    fresh->stats = fresh->before;
+    integrator_free(*in);
+    *in = fresh;
+    return HAWSER_OK;
+}
+
 void integrator_stats(const Integrator *in, IntegratorStats *stats)
 {
     const IntegratorStats *const before = &in->before;
