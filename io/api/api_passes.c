@@ -37,10 +37,39 @@ static int is_of_friction(const hawser_condition *c, const hawser_summary *sum)
     return bar && c->value * bar->friction > c->allowed * bar->total;
 }
 
-/* Whether nothing but numerical conditions fails that a second pass may settle, and some of them do; the worst of
- * these, without its remedy, into `why`. */
-static int is_open(const hawser_summary *sum, size_t size, char *why)
+/* Whether a bend has a single pair of rollers on both sides of the cable, of which (ME12) says nothing. */
+static int has_single_pair(const Scene *scene)
 {
+    const SceneDef *const def = &scene->def;
+    int found = 0;
+    for (int p = 0; p < scene->route.n; ++p) {
+        const RoutePiece *const leg = &scene->route.piece[p];
+        int pairs = 0;
+        for (int r = 1; r < def->n_rollers && leg->kind != ROUTE_STRAIGHT; ++r) {
+            const double s = def->rollers[r].s;
+            pairs += s >= leg->s0 && s <= leg->s0 + leg->length && fabs(s - def->rollers[r - 1].s) < 1e-6;
+        }
+        found |= pairs == 1;
+    }
+    return found;
+}
+
+/* What error bars are known to say too little of, in words; NULL: nothing of it is there. */
+static const char *unseen(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    if (!def->solver.relax) return "the cable did not come to rest first, of which error bars see too little";
+    for (int k = 0; k < def->n_pieces; ++k)
+        if (def->cables[def->pieces[k].cable].bending.rows > 0)
+            return "the cable's bending stiffness falls as it bends, of which error bars see too little";
+    return has_single_pair(scene) ? "a bend has one pair of rollers, of which error bars see too little" : NULL;
+}
+
+/* Whether nothing but numerical conditions fails that a second pass may settle, and some of them do, or there is what
+ * bars do not see; the worst, without its remedy, into `why`. */
+static int is_open(const Scene *scene, const hawser_summary *sum, size_t size, char *why)
+{
+    const char *const blind = unseen(scene);
     const hawser_condition *worst = NULL;
     for (int i = 0; i < sum->n_conditions; ++i) {
         const hawser_condition *const c = &sum->conditions[i];
@@ -48,7 +77,8 @@ static int is_open(const hawser_summary *sum, size_t size, char *why)
         if (!is_numerical(c) || is_of_friction(c, sum)) return 0;
         if (!worst || c->value / c->allowed > worst->value / worst->allowed) worst = c;
     }
-    if (!worst) return 0;
+    if (!worst && blind) snprintf(why, size, "%s", blind);
+    if (!worst) return blind != NULL;
     const char *const remedy = strstr(worst->remedy, ": use "), *const other = strstr(worst->remedy, ": set ");
     const char *const end = remedy ? remedy : other ? other : worst->remedy + strlen(worst->remedy);
     snprintf(why, size, "%.*s", (int)(end - worst->remedy), worst->remedy);
@@ -188,9 +218,9 @@ static hawser_status second_take(Second *z, hawser_error *err)
     said->outcome = z->own ? "compared" : "replaced";
     say_both(said, z->own);
     if (!z->own) {
-        return other_pass_take(&b->other, &a->stats, &first, 0, err);
+        return other_pass_take(&b->other, &a->stats, &first, 0, 0, err);
     }
-    return is_sound(&second) ? other_pass_take(&a->other, &b->stats, &second, 1, err) : HAWSER_OK;
+    return other_pass_take(&a->other, &b->stats, &second, 1, !is_sound(&second), err);
 }
 
 /* The results of the second pass become those of the handle; the folder's, too. Errors: OUTPUT, MEMORY. */
@@ -252,7 +282,7 @@ static hawser_status second_pass(hawser_sim *s, const char *dir, hawser_progress
     hawser_summary sum;
     hawser_error late = {HAWSER_OK, ""};
     hawser_sim_summary(s, &sum);
-    if (!is_open(&sum, sizeof why, why)) return HAWSER_OK;
+    if (!is_open(&s->stage.scene, &sum, sizeof why, why)) return HAWSER_OK;
     s->passes = calloc(1, sizeof *s->passes);
     if (!s->passes) return error_memory(err);
     memcpy(s->passes->said.why, why, sizeof why);

@@ -18,6 +18,7 @@ static double seen(const OtherPass *o, double bar, double other)
 {
     const double difference = fabs(other);
     if (isnan(difference) || isnan(bar)) return bar;
+    if (o->unsound) return fmax(bar, least_of(o, difference));
     return fmin(fmax(bar, least_of(o, difference)), fmax(most_of(o, difference), bar / TOO_MUCH));
 }
 
@@ -33,11 +34,12 @@ static void bar_seen(const OtherPass *o, hawser_error_bar *bar, double other)
     bar->total = bar->time + bar->mesh + bar->friction;
 }
 
-hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer,
+hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer, int unsound,
                               hawser_error *err)
 {
     *out = (OtherPass){.present = 1,
                        .finer = finer,
+                       .unsound = unsound,
                        .mean = figures->pull_mean_N,
                        .peak = figures->pull_peak_N,
                        .n_stations = stats->n_stations,
@@ -96,5 +98,5 @@ void other_pass_bars(const OtherPass *o, const Stats *stats, hawser_summary *fig
 double other_pass_share(const OtherPass *o, const hawser_summary *figures)
 {
     const double mean = fabs(figures->pull_mean_N), difference = fabs(o->mean - figures->pull_mean_N);
-    return o->present && mean > 0 && !isnan(difference) ? most_of(o, difference) / mean : INFINITY;
+    return o->present && !o->unsound && mean > 0 && !isnan(difference) ? most_of(o, difference) / mean : INFINITY;
 }

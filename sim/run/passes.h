@@ -16,13 +16,14 @@ typedef struct PassesSaid {
 typedef struct OtherPass {
     int present;
     int finer;                            /* it is the second one */
+    int unsound;                          /* it fails a condition itself: then it makes no bar narrower */
     double mean, peak;                    /* N, of the pull */
     double *station, *roller, *line_load; /* [2 n] mean and peak, N; [2 n]; [n] N/m; owned */
     int n_stations, n_rollers, n_surfaces;
 } OtherPass;
 
 /* The figures of a run that is over, for the other pass's sake. Errors: MEMORY. */
-hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer,
+hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer, int unsound,
                               hawser_error *err);
 void other_pass_free(OtherPass *other);
 /* Brings the error bars of summary and tables to what both passes say. */
