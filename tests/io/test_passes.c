@@ -100,6 +100,20 @@ static void one_is_enough(void **state)
     hawser_sim_free(stepped);
 }
 
+/* What bars are known to see too little of is looked at twice, though all conditions hold. */
+static void what_bars_do_not_see(void **state)
+{
+    (void)state;
+    const char *const falls[] = {"solver.relax", "false", NULL};
+    hawser_sim *const rests = run_of(data_text("trust"), NULL), *const thrown = run_of(data_text("trust"), falls);
+    assert_null(summary_of(rests).passes);
+    const hawser_summary sum = summary_of(thrown);
+    assert_non_null(sum.passes);
+    check_has(sum.passes->why, "did not come to rest first");
+    hawser_sim_free(rests);
+    hawser_sim_free(thrown);
+}
+
 static int stop_second(void *user, const hawser_sample *sample, double wall_s, double end_s)
 {
     (void)user, (void)wall_s, (void)end_s;
@@ -204,13 +218,22 @@ static void bars_by_two_passes(void **state)
         check_equal(sum.pull_peak_error.friction, 100); /* of which passes say nothing */
         check_share(sum.pull_peak_error.total, row[k].expected + 100, 1e-12);
     }
+    /* a second pass that is not sound itself makes nothing narrower */
+    const OtherPass unsound = {.present = 1, .finer = 1, .unsound = 1, .mean = 1010, .peak = 1001};
+    hawser_summary sum = {
+        .pull_mean_N = 1000, .pull_peak_N = 1000, .pull_mean_error = {0, 8, 0, 8}, .pull_peak_error = {0, 8, 0, 8}};
+    other_pass_bars(&unsound, &none, &sum);
+    check_share(sum.pull_mean_error.total, 20, 1e-12);
+    check_share(sum.pull_peak_error.total, 8, 1e-12);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_replaces),           cmocka_unit_test(it_compares),
-        cmocka_unit_test(one_is_enough),         cmocka_unit_test(the_folder_is_the_seconds),
-        cmocka_unit_test(stopped_in_the_second), cmocka_unit_test(bars_by_two_passes)};
+        cmocka_unit_test(it_replaces),          cmocka_unit_test(it_compares),
+        cmocka_unit_test(one_is_enough),        cmocka_unit_test(the_folder_is_the_seconds),
+        cmocka_unit_test(what_bars_do_not_see), cmocka_unit_test(stopped_in_the_second),
+        cmocka_unit_test(bars_by_two_passes),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
