@@ -370,20 +370,49 @@ static void it_breaks_loose(void **state)
     hawser_sim_free(j.sim);
 }
 
+/* Rest is found without friction: a rope behind a bend slides outward over flat rollers until it is at their edge, and
+ * the mesh decides whether it slips off. Guides behind the bend hold it. */
+static void it_slides_to_the_edge(void **state)
+{
+    (void)state;
+    Judged j = judge(data_text("trust-edge"), NULL, HAWSER_OK);
+    const hawser_condition *edge = NULL;
+    for (int i = 0; i < j.sum.n_conditions; i++)
+        if (!strcmp(j.sum.conditions[i].name, "edge")) edge = &j.sum.conditions[i];
+    assert_non_null(edge);
+    check_close(edge->value, 0.81, 0.05);
+    assert_false(edge->holds);
+    check_has(edge->remedy, "roller 'R5'");
+    check_has(edge->remedy, "put guides there");
+    hawser_sim_free(j.sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_run),          cmocka_unit_test(nothing_holds_it),
-        cmocka_unit_test(not_to_the_end),      cmocka_unit_test(slower_than_friction),
-        cmocka_unit_test(energy_lost),         cmocka_unit_test(several_cables),
-        cmocka_unit_test(coarse_in_a_duct),    cmocka_unit_test(a_shaft_without_a_brake),
-        cmocka_unit_test(three_cables_jam),    cmocka_unit_test(still_in_the_ramp),
-        cmocka_unit_test(a_jolt_at_the_start), cmocka_unit_test(a_spike_between_rows),
-        cmocka_unit_test(an_old_matrix),       cmocka_unit_test(a_winch_that_is_pushed),
-        cmocka_unit_test(a_winch_that_stands), cmocka_unit_test(joints_in_step),
-        cmocka_unit_test(it_begins_anywhere),  cmocka_unit_test(it_falls_and_hits),
-        cmocka_unit_test(it_cuts_corners),     cmocka_unit_test(a_slack_rope),
-        cmocka_unit_test(it_creeps_aside),     cmocka_unit_test(it_breaks_loose),
+        cmocka_unit_test(a_good_run),
+        cmocka_unit_test(nothing_holds_it),
+        cmocka_unit_test(not_to_the_end),
+        cmocka_unit_test(slower_than_friction),
+        cmocka_unit_test(energy_lost),
+        cmocka_unit_test(several_cables),
+        cmocka_unit_test(coarse_in_a_duct),
+        cmocka_unit_test(a_shaft_without_a_brake),
+        cmocka_unit_test(three_cables_jam),
+        cmocka_unit_test(still_in_the_ramp),
+        cmocka_unit_test(a_jolt_at_the_start),
+        cmocka_unit_test(a_spike_between_rows),
+        cmocka_unit_test(an_old_matrix),
+        cmocka_unit_test(a_winch_that_is_pushed),
+        cmocka_unit_test(a_winch_that_stands),
+        cmocka_unit_test(joints_in_step),
+        cmocka_unit_test(it_begins_anywhere),
+        cmocka_unit_test(it_falls_and_hits),
+        cmocka_unit_test(it_cuts_corners),
+        cmocka_unit_test(a_slack_rope),
+        cmocka_unit_test(it_creeps_aside),
+        cmocka_unit_test(it_breaks_loose),
+        cmocka_unit_test(it_slides_to_the_edge),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
