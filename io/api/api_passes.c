@@ -280,7 +280,7 @@ static hawser_status second_pass(hawser_sim *s, const char *dir, hawser_progress
 {
     char why[sizeof s->passes->said.why];
     hawser_summary sum;
-    hawser_error late = {HAWSER_OK, ""};
+    hawser_error late = {.status = HAWSER_OK};
     hawser_sim_summary(s, &sum);
     if (!is_open(&s->stage.scene, &sum, sizeof why, why)) return HAWSER_OK;
     s->passes = calloc(1, sizeof *s->passes);
@@ -305,10 +305,11 @@ static hawser_status second_pass(hawser_sim *s, const char *dir, hawser_progress
 /* A simulation that its caller has moved, or has told what to do, is his, and is not computed again. */
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
-    hawser_error local = {HAWSER_OK, ""};
+    hawser_error local = {.status = HAWSER_OK};
     hawser_error *const e = err ? err : &local;
     s = SHOWN(s);
     if (!s) return error_argument(e, "s");
+    if (s->inside || s->running) return error_inside(e);
     const int whole = s->plan && !s->pass && !s->passes && !s->relaxed && !(hawser_sim_time(s) > 0);
     const hawser_status status = pass_run(s, dir, progress, user, e);
     return status || !whole || s->led ? status : second_pass(s, dir, progress, user, e);

@@ -116,7 +116,9 @@ static hawser_status run_steps(Run *run, hawser_error *err)
     if (!status) status = write_due(run, err);
     if (!status) status = tell_progress(run, 1, err);
     while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may bring the end nearer */
+        sim->inside = 1;
         status = sim_advance(sim, hawser_sim_end_time(sim), 1, err);
+        sim->inside = 0;
         if (!status) status = write_due(run, err);
         if (!status) status = tell_progress(run, 0, err);
     }
@@ -238,7 +240,7 @@ static hawser_status weigh(hawser_sim *s, hawser_status status, hawser_status wr
 /* Folder, steps, tables: the tables are written whatever ended the steps. The first error counts. */
 hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *e)
 {
-    hawser_error late = {HAWSER_OK, ""};
+    hawser_error late = {.status = HAWSER_OK};
     Run run = {.s = s,
                .progress = progress,
                .user = user,

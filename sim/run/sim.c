@@ -257,13 +257,13 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     return status;
 }
 
-double hawser_sim_time(const Sim *s) { return SHOWN(s)->stage.t; }
+double hawser_sim_time(const Sim *s) { return s ? SHOWN(s)->stage.t : NAN; }
 double hawser_sim_end_time(const Sim *s)
 {
     s = SHOWN(s);
-    return fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended);
+    return s ? fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended) : NAN;
 }
-const char *hawser_sim_title(const Sim *s) { return SHOWN(s)->title; }
+const char *hawser_sim_title(const Sim *s) { return s ? SHOWN(s)->title : ""; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
@@ -296,7 +296,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     return look;
 }
 
-const hawser_sample *hawser_sim_sample(Sim *s) { return look_now(SHOWN(s), SAMPLE_ALL); }
+const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(SHOWN(s), SAMPLE_ALL) : NULL; }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
@@ -331,7 +331,10 @@ static void record_now(Sim *s, SampleParts parts)
     s->record_s += clock_now() - start;
 }
 
-void hawser_sim_record(Sim *s) { record_now(SHOWN(s), SAMPLE_ALL); }
+void hawser_sim_record(Sim *s)
+{
+    if (s) record_now(SHOWN(s), SAMPLE_ALL);
+}
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
 static void integration_fill(const Sim *s, hawser_summary *out)
@@ -374,7 +377,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     return shares;
 }
 
-void hawser_sim_summary(const Sim *s, hawser_summary *out)
+static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     s = SHOWN(s);
@@ -444,9 +447,18 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->conditions = s->condition;
 }
 
+void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
+{
+    hawser_summary whole;
+    if (!s || !out) return;
+    summary_fill(s, &whole);
+    memcpy(out, &whole, size < sizeof whole ? size : sizeof whole);
+}
+
 int hawser_sim_stations(const Sim *s, const hawser_station **out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     *out = s->stats.station_out;
     return s->stats.n_stations;
 }
@@ -454,6 +466,7 @@ int hawser_sim_stations(const Sim *s, const hawser_station **out)
 int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
 }
@@ -461,6 +474,7 @@ int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 int hawser_sim_positions(const Sim *s, const hawser_position **out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
 }
@@ -468,6 +482,7 @@ int hawser_sim_positions(const Sim *s, const hawser_position **out)
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     *out = s->modes.out;
     return s->modes.n;
 }
@@ -475,6 +490,7 @@ int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 int hawser_sim_events(const Sim *s, const hawser_event **out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     *out = s->events.event;
     return s->events.n;
 }
@@ -482,6 +498,7 @@ int hawser_sim_events(const Sim *s, const hawser_event **out)
 int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
 }
@@ -489,6 +506,7 @@ int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     *out = s->machines.out;
     return s->machines.n;
 }
@@ -496,5 +514,6 @@ int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
     s = SHOWN(s);
+    if (!s || !out) return 0;
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
 }

@@ -62,6 +62,7 @@ typedef struct hawser_sim {
     /* what the interface remembers for the results (io/api) */
     char *case_name, *title; /* owned */
     int relaxed, running;    /* running: inside hawser_sim_run */
+    int inside;              /* it moves now: who is called must not have it move */
     hawser_status outcome;   /* of the last call that computed */
     char message[HAWSER_MESSAGE_MAX];
     /* of a whole run's two passes (io/api/api_passes.c) */
