@@ -20,6 +20,7 @@ typedef struct Progress {
     int live;                 /* standard error is a terminal that can rewrite its line */
     int drawn;                /* a live line stands there */
     int tenths;               /* of the run said so far */
+    int pass;                 /* of the run; 0: not begun */
     double last_t, last_wall; /* s, of the last call */
     double speed;             /* smoothed simulated seconds a second; 0: not known yet */
 } Progress;

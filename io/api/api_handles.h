@@ -27,6 +27,15 @@ hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *e
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
 
+/* ------------------------------------------------------------------------------------ one pass of a run (api_run.c) */
+
+/* One pass of a run: hawser_sim_run without a second one; err is not NULL. */
+hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+/* The same from the checkpoint in dir. */
+hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+/* Tables and summary of a run that is over once more into its folder. Errors: OUTPUT, MEMORY. */
+hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err);
+
 /* ------------------------------------------------------------------------------- checkpoints (api_checkpoint.c) */
 
 /* How far a run with results has come, beside its simulation; plain numbers. */

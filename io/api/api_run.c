@@ -1,7 +1,7 @@
-/* A run from the initial state to the case's end. The integrator takes its own steps; between them this file looks
- * whether a row, a state or a word to the caller is due. What is written is a state that the integrator reached, not
- * one between two: a row belongs to the first step that ends at its time or after, and no step is longer than the time
- * between rows. */
+/* One pass of a run, from the initial state to the case's end. The integrator takes its own steps; between them this
+ * file looks whether a row, a state or a word to the caller is due. What is written is a state that the integrator
+ * reached, not one between two: a row belongs to the first step that ends at its time or after, and no step is longer
+ * than the time between rows. */
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
@@ -221,19 +221,33 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
     return status;
 }
 
-/* The tables, whatever the outcome. */
-static hawser_status finish_tables(Run *run, hawser_error *err)
+static ResultsTables tables_of(hawser_sim *s)
 {
-    hawser_sim *s = run->s;
-    ResultsTables tables = {0};
     hawser_summary errors;
     hawser_sim_summary(s, &errors); /* brings the tables' error bars up to date */
+    ResultsTables tables = {.segments = s->stage.scene.total, .envelope = s->envelope.present ? &s->envelope : NULL};
     tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
-    tables.segments = run->look->segments;
-    if (s->envelope.present) tables.envelope = &s->envelope;
+    return tables;
+}
+
+/* The tables, whatever the outcome. */
+static hawser_status finish_tables(Run *run, hawser_error *err)
+{
+    const ResultsTables tables = tables_of(run->s);
     return results_finish(run->results, &tables, err);
+}
+
+hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
+{
+    const ResultsTables tables = tables_of(s);
+    char *summary;
+    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    if (status) return status;
+    status = results_again(dir, &tables, summary, err);
+    hawser_text_free(summary);
+    return status;
 }
 
 /* After the tables: it says how they went, too. */
@@ -312,38 +326,34 @@ static Run run_new(hawser_sim *s, hawser_progress progress, void *user)
                  .look = hawser_sim_sample(s)};
 }
 
-hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+/* Its beats begin at the state of now. */
+static void run_begin(Run *run)
 {
-    hawser_error local = {HAWSER_OK, ""};
-    hawser_error *e = err ? err : &local;
-    if (!s) return error_argument(err, "s");
-    if (s->inside || s->running) return error_inside(err);
+    run->s->running = 1;
+    run->s->outcome = HAWSER_OK;
+    start_beats(run, hawser_sim_time(run->s));
+}
+
+hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+{
     Run run = run_new(s, progress, user);
-    s->running = 1;
-    s->outcome = HAWSER_OK;
-    start_beats(&run, hawser_sim_time(s));
-    const hawser_status status = dir ? open_results(&run, dir, NULL, e) : HAWSER_OK;
-    return status ? settle(s, status, e) : run_all(&run, 0, e);
+    run_begin(&run);
+    const hawser_status status = dir ? open_results(&run, dir, NULL, err) : HAWSER_OK;
+    return status ? settle(s, status, err) : run_all(&run, 0, err);
 }
 
 /* The simulation first: nothing is touched in the folder of a run that cannot be gone on with. */
-hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
-    hawser_error local = {HAWSER_OK, ""};
-    hawser_error *e = err ? err : &local;
     RunKept kept;
-    if (!s || !dir) return error_argument(err, s ? "dir" : "s");
-    if (s->inside || s->running) return error_inside(err);
-    hawser_status status = checkpoint_read_dir(s, dir, &kept, e);
-    if (status) return settle(s, status, e);
+    hawser_status status = checkpoint_read_dir(s, dir, &kept, err);
+    if (status) return settle(s, status, err);
     Run run = run_new(s, progress, user);
-    s->running = 1;
-    s->outcome = HAWSER_OK;
-    start_beats(&run, hawser_sim_time(s));
+    run_begin(&run);
     run.row.count = kept.rows;
     run.state.count = kept.states;
     run.last_row = kept.last_row;
     run.last_state = kept.last_state;
-    status = open_results(&run, dir, &kept.files, e);
-    return status ? settle(s, status, e) : run_all(&run, 1, e);
+    status = open_results(&run, dir, &kept.files, err);
+    return status ? settle(s, status, err) : run_all(&run, 1, err);
 }

@@ -259,6 +259,49 @@ hawser_status results_summary(Results *r, const char *summary, hawser_error *err
     return out_whole(r->dir, "summary.json", summary, err);
 }
 
+hawser_status results_again(const char *dir, const ResultsTables *t, const char *summary, hawser_error *err)
+{
+    const int n[TABLES] = {t->n_stations, t->n_rollers};
+    const void *const rows[TABLES] = {t->station, t->roller};
+    hawser_status s = HAWSER_OK;
+    for (int k = 0; k < TABLES && !s; k++) {
+        OutFile out;
+        s = out_open(&out, dir, tables[k].file, err);
+        if (s) break;
+        s = csv_head(&out, tables[k].columns, err);
+        if (!s) s = csv_rows(&out, tables[k].columns, n[k], rows[k], err);
+        keep_first(&s, out_close(&out, s ? NULL : err));
+    }
+    return s ? s : out_whole(dir, "summary.json", summary, err);
+}
+
+/* All that a run may write. */
+static const char *const run_files[] = {"series.csv", "stations.csv", "rollers.csv",  "inputs.csv",  "route.csv",
+                                        "modes.csv",  "results.h5",   "results.xdmf", "summary.json"};
+enum { RUN_FILES = sizeof run_files / sizeof *run_files };
+
+/* The summary comes last: what it says is there. */
+hawser_status results_replace(const char *to, const char *from, hawser_error *err)
+{
+    char old[OUT_PATH_MAX], new[OUT_PATH_MAX];
+    hawser_status s = HAWSER_OK;
+    for (int k = 0; k < RUN_FILES && !s; k++) {
+        s = out_join(old, to, run_files[k], err);
+        if (!s) s = out_join(new, from, run_files[k], err);
+        if (!s && rename(new, old) && errno != ENOENT) s = out_error(old, errno, err);
+    }
+    if (!s) rmdir(from);
+    return s;
+}
+
+void results_remove(const char *from)
+{
+    char path[OUT_PATH_MAX];
+    for (int k = 0; k < RUN_FILES; k++)
+        if (!out_join(path, from, run_files[k], NULL)) unlink(path);
+    rmdir(from);
+}
+
 /* After results_finish only memory is left to free; without it, everything is closed as it stands. */
 Results *results_free(Results *r)
 {

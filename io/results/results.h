@@ -53,4 +53,10 @@ hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_err
 hawser_status results_summary(Results *r, const char *summary, hawser_error *err);
 Results *results_free(Results *r);
 
+/* Of folders whose runs are over. The tables and the summary once more; the results of `from`, a folder within the
+ * folder `to`, in the place of those of `to`; `from` with its results away. Errors: OUTPUT, MEMORY. */
+hawser_status results_again(const char *dir, const ResultsTables *tables, const char *summary, hawser_error *err);
+hawser_status results_replace(const char *to, const char *from, hawser_error *err);
+void results_remove(const char *from);
+
 #endif

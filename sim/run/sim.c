@@ -108,6 +108,11 @@ Sim *sim_free(Sim *s)
     free(s->case_text);
     free(s->case_folder);
     text_pool_free(&s->texts);
+    if (s->plan) scene_def_clear(s->plan);
+    free(s->plan);
+    other_pass_free(&s->other);
+    free(s->passes);
+    sim_free(s->second);
     free(s);
     return NULL;
 }
@@ -255,12 +260,13 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     return status;
 }
 
-double hawser_sim_time(const Sim *s) { return s ? s->stage.t : NAN; }
+double hawser_sim_time(const Sim *s) { return s ? SHOWN(s)->stage.t : NAN; }
 double hawser_sim_end_time(const Sim *s)
 {
+    s = SHOWN(s);
     return s ? fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended) : NAN;
 }
-const char *hawser_sim_title(const Sim *s) { return s ? s->title : ""; }
+const char *hawser_sim_title(const Sim *s) { return s ? SHOWN(s)->title : ""; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
@@ -280,6 +286,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     s->look.sample.figure = s->machines.now;
     probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.probes = s->probes.n;
+    s->look.sample.pass = s->pass + 1;
     s->look.sample.probe = s->probes.out;
     if (s->stage.integrator) {
         IntegratorStats stats;
@@ -291,7 +298,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     return look;
 }
 
-const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(s, SAMPLE_ALL) : NULL; }
+const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(SHOWN(s), SAMPLE_ALL) : NULL; }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
@@ -312,7 +319,7 @@ static void record_now(Sim *s, SampleParts parts)
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     hawser_error only_a_note;
-    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, look);
+    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, &s->stage.ws.kin, look);
     if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
         sim_note(s, HAWSER_EVENT_PASSED, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
@@ -329,7 +336,7 @@ static void record_now(Sim *s, SampleParts parts)
 
 void hawser_sim_record(Sim *s)
 {
-    if (s) record_now(s, SAMPLE_ALL);
+    if (s) record_now(SHOWN(s), SAMPLE_ALL);
 }
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
@@ -376,6 +383,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
+    s = SHOWN(s);
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
@@ -411,7 +419,8 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                          .events = s->events.event,
                          .n_machines = s->machines.n,
                          .machines = s->machines.out,
-                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL};
+                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
+                         .passes = s->passes ? &s->passes->said : NULL};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -423,10 +432,12 @@ static void summary_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
+    other_pass_bars(&s->other, &s->stats, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .mesh = &s->mesh,
+                              .mesh_most = other_pass_share(&s->other, out),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,
@@ -449,6 +460,7 @@ void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
 
 int hawser_sim_stations(const Sim *s, const hawser_station **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->stats.station_out;
     return s->stats.n_stations;
@@ -456,6 +468,7 @@ int hawser_sim_stations(const Sim *s, const hawser_station **out)
 
 int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
@@ -463,6 +476,7 @@ int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 
 int hawser_sim_positions(const Sim *s, const hawser_position **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
@@ -470,6 +484,7 @@ int hawser_sim_positions(const Sim *s, const hawser_position **out)
 
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->modes.out;
     return s->modes.n;
@@ -477,6 +492,7 @@ int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 
 int hawser_sim_events(const Sim *s, const hawser_event **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->events.event;
     return s->events.n;
@@ -484,6 +500,7 @@ int hawser_sim_events(const Sim *s, const hawser_event **out)
 
 int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
@@ -491,6 +508,7 @@ int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 
 int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->machines.out;
     return s->machines.n;
@@ -498,6 +516,7 @@ int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 
 int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
 }

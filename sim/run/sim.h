@@ -8,6 +8,7 @@
 #include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/modes.h"
+#include "sim/run/passes.h"
 #include "sim/run/stage.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
@@ -66,7 +67,17 @@ typedef struct hawser_sim {
     hawser_status outcome;         /* of the last call that computed */
     int inside;                    /* it moves now: who is called must not have it move */
     char message[HAWSER_MESSAGE_MAX];
+    /* of a whole run's two passes (io/api/api_passes.c) */
+    SceneDef *plan;            /* the definition as the case has it; NULL: no second pass is wanted. Owned */
+    int pass;                  /* 0; 1 of the second one */
+    int led;                   /* the caller has told it what to do: it cannot be computed again by itself */
+    OtherPass other;           /* the figures of the other one */
+    PassesSaid *passes;        /* what is said of them; NULL: there is nothing to be said. Owned */
+    struct hawser_sim *second; /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
+
+/* The simulation whose results a handle stands for. */
+#define SHOWN(s) ((s) && (s)->second ? (s)->second : (s))
 
 /* Builds scene, state on the route, solver. threads: 0 takes the definition's. The definition is not needed
  * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */
