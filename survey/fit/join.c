@@ -349,8 +349,9 @@ static int by_length(const void *a, const void *b)
 static int lines_sort(Survey *s, int from)
 {
     const int n = s->n - from;
+    if (n < 2) return 1;
     Alignment *const line = s->alignment + from;
-    Long *const list = malloc((size_t)(n + 1) * sizeof *list);
+    Long *const list = malloc((size_t)n * sizeof *list);
     if (!list) return 0;
     for (int i = 0; i < n; ++i) list[i] = (Long){alignment_measure(&line[i]).plan_length, i};
     qsort(list, (size_t)n, sizeof *list, by_length);
