@@ -132,7 +132,7 @@ static void radii_that_points_tell(void **state)
 {
     (void)state;
     const double step = 1, sigma = 0.01;
-    for (unsigned long long seed = 88172645463325252ULL; seed <= 6; ++seed) {
+    for (unsigned long long seed = 1; seed <= 6; ++seed) {
         Alignment route = random_route(seed, step, sigma), points = sampled(&route, step, sigma), out;
         const FitReport r = fitted(&points, &out);
         check_below(r.largest, 0.05);
@@ -153,7 +153,7 @@ static void long_line_is_within(void **state)
 {
     (void)state;
     Alignment route = {.stated_length = NAN}, out;
-    for (unsigned long long seed = 88172645463325252ULL; seed <= 4; ++seed) {
+    for (unsigned long long seed = 1; seed <= 4; ++seed) {
         Alignment part = random_route(seed, 1, 0.01);
         for (int i = 0; i < part.n_plan; ++i) add(&route, part.plan[i].length, part.plan[i].k0, part.plan[i].k1);
         alignment_clear(&part);
@@ -195,7 +195,7 @@ static void bends_have_error_bars(void **state)
     const double step = 1, sigma = 0.01;
     double sum = 0, worst = 0;
     int n = 0;
-    for (unsigned long long seed = 88172645463325252ULL; seed <= 6; ++seed) {
+    for (unsigned long long seed = 1; seed <= 6; ++seed) {
         Alignment route = random_route(seed, step, sigma), points = sampled(&route, step, sigma), out;
         fitted(&points, &out);
         assert_int_equal(out.n_plan, route.n_plan);
