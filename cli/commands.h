@@ -5,7 +5,7 @@
 #include "cli/arguments.h"
 
 extern const Command command_run, command_check, command_theory, command_validate, command_library, command_route,
-    command_report, command_plot, command_study;
+    command_report, command_plot, command_study, command_compare, command_fmu;
 
 /* Loads the case and applies the settings of the command line. *out is NULL on failure. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err);

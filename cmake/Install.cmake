@@ -9,23 +9,30 @@ endforeach()
 
 # What the folders link outside the project. A new library belongs here too, and its licence in NOTICE: tests/install builds
 # a consumer of the static library from nothing but this list.
-set(HAWSER_PRIVATE_PACKAGES yaml-0.1 expat jansson hdf5-serial zlib) # known to pkg-config
+set(HAWSER_PRIVATE_PACKAGES yaml-0.1 expat jansson hdf5-serial zlib nlopt libzip) # known to pkg-config
 set(HAWSER_PRIVATE_LIBRARIES ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
                              ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY})
 list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
 list(APPEND HAWSER_PRIVATE_LIBRARIES -lsundials_cvode -lsundials_nvecserial -lm -lpthread -ldl)
 
+# The SONAME's number changes with every change that a program built before could trip over (docs/api.md, "Growing"): below
+# 1.0 with the minor version, from then on with the major one.
+set(hawser_soversion ${PROJECT_VERSION_MAJOR})
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+    set(hawser_soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endif()
+
 # Only hawser_* leaves the shared library: cmake/hawser.map.
 add_library(hawser_shared SHARED ${objects})
 set_target_properties(hawser_shared PROPERTIES
     OUTPUT_NAME hawser EXPORT_NAME hawser LINKER_LANGUAGE C
-    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    VERSION ${PROJECT_VERSION} SOVERSION ${hawser_soversion}
     LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/hawser.map)
 target_link_options(hawser_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/hawser.map
                                           $<$<CONFIG:Release>:-Wl,-z,defs>)
 target_link_libraries(hawser_shared PRIVATE
     SUNDIALS::cvode SUNDIALS::nvecserial PkgConfig::YAML PkgConfig::EXPAT PkgConfig::JANSSON PkgConfig::HDF5 PkgConfig::ZLIB
-    hawser_klu Threads::Threads m)
+    PkgConfig::NLOPT PkgConfig::LIBZIP hawser_klu Threads::Threads m)
 target_include_directories(hawser_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 # The static library is one object in which everything but hawser_* has become local: a program that links it may have

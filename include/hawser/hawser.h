@@ -26,6 +26,9 @@ typedef struct hawser_case hawser_case;
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
 /* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
+/* The same from JSON, for programs that have a case as data: same keys, values and errors, with lines of the text.
+ * Numbers without a unit are SI. */
+hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_case **out, hawser_error *err);
 /* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0, or by
  * name: "chain.0.segment", "route.pieces.C-D.straight". A key that is allowed but absent is added. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err);
@@ -46,12 +49,16 @@ void hawser_text_free(char *text);
 
 typedef struct hawser_sim hawser_sim;
 
+/* May grow at its end; what is 0 is as if it were not there. */
 typedef struct hawser_options {
     int threads; /* 1 or 2; 0: the case's choice. Results do not depend on it. */
+    int pin;     /* not 0: the second thread may confine itself to the cores that the first does not run on */
 } hawser_options;
 
 /* Builds the scene of a case. The case may be freed afterwards. options may be NULL. */
-hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out, hawser_error *err);
+hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options, size_t size, hawser_sim **out,
+                                   hawser_error *err);
+#define hawser_sim_new(c, options, out, err) hawser_sim_new_sized(c, options, sizeof(hawser_options), out, err)
 void hawser_sim_free(hawser_sim *s);
 
 /* What the relaxation to the initial equilibrium reached. */
@@ -155,6 +162,7 @@ typedef struct hawser_phases {
 /* The places so far, along the route, up to date; none if the front does not move along it. Returns how many. */
 int hawser_sim_positions(const hawser_sim *s, const hawser_position **out);
 
+/* May grow at its end. */
 typedef struct hawser_summary {
     int segments, bushings, rollers, surfaces;
     double origin_m[3];     /* of all coordinates, in those of the case (route.origin) */
@@ -199,7 +207,9 @@ typedef struct hawser_summary {
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
 } hawser_summary;
 
-void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);
+/* Fills as much of it as the caller knows. */
+void hawser_sim_summary_sized(const hawser_sim *s, hawser_summary *out, size_t size);
+#define hawser_sim_summary(s, out) hawser_sim_summary_sized(s, out, sizeof(hawser_summary))
 /* The summary as the text of summary.json; free it with hawser_text_free. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err);
 
@@ -221,7 +231,9 @@ const char *hawser_sim_title(const hawser_sim *s);
 #endif
 
 #include "hawser/certify.h"
+#include "hawser/checkpoint.h"
 #include "hawser/control.h"
+#include "hawser/fmu.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
 #include "hawser/query.h"

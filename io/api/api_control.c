@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* A ramp of 0 is the usual one. */
-static double ramp_of(double ramp_s) { return ramp_s < 0 || ramp_s > 0 ? ramp_s : COMMAND_RAMP_USUAL; }
+static double ramp_of(double ramp_s) { return ramp_s >= 0 && ramp_s <= 0 ? COMMAND_RAMP_USUAL : ramp_s; }
 
 hawser_status hawser_sim_control(hawser_sim *s, hawser_control what_to_do, const char *what, double value,
                                  double ramp_s, hawser_error *err)

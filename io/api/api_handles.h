@@ -2,6 +2,7 @@
 #ifndef HAWSER_IO_API_API_HANDLES_H
 #define HAWSER_IO_API_API_HANDLES_H
 
+#include "core/base/checkpoint.h"
 #include "hawser/hawser.h"
 #include "io/results/column.h"
 #include "io/results/results.h"
@@ -16,6 +17,8 @@ struct hawser_case {
     SceneDef def; /* cleared while not read */
 };
 
+/* A simulation is told to move from inside one of its call-backs. */
+hawser_status error_inside(hawser_error *err);
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* A copy of the case as it is set, to be set further; `c` must outlive it. Errors: MEMORY. */
@@ -23,6 +26,26 @@ hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *e
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
+
+/* ------------------------------------------------------------------------------- checkpoints (api_checkpoint.c) */
+
+/* How far a run with results has come, beside its simulation; plain numbers. */
+typedef struct RunKept {
+    long rows, states;           /* beats so far */
+    double last_row, last_state; /* s */
+    ResultsPosition files;
+} RunKept;
+
+/* The state of now, with run's (NULL: there is none), as the bytes of a file; checkpoint_free follows either way.
+ * Errors: MEMORY, RUN. */
+hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawser_error *err);
+/* The other way; `path` is for messages. run: NULL if the file need not have it. Errors: as hawser_sim_load. */
+hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes, size_t size, RunKept *run,
+                              hawser_error *err);
+/* That of a results folder. */
+hawser_status checkpoint_read_dir(hawser_sim *s, const char *dir, RunKept *run, hawser_error *err);
+
+/* -------------------------------------------------------------------------------------------------------- theory */
 
 /* What is wanted of theory's answer. */
 typedef struct TheoryWish {

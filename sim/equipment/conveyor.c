@@ -1,6 +1,7 @@
 #include "sim/equipment/conveyor.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,6 +55,7 @@ static double belt_speed(const Conveyor *c, const Winch *w, const Seizure *seize
 /* (K4) */
 static double grip_now(const Conveyor *c, double t)
 {
+    if (!c->told) return c->grip;
     const double most = 2 * c->def->mu * profile_value(&c->clamp, t);
     return c->def->limit > 0 ? fmin(most, c->def->limit) : most;
 }
@@ -95,8 +97,7 @@ double conveyor_share(const Conveyor *c, double x, double *slope)
 }
 
 /* ------------------------------------------------------------------------------------------- which segments are near
- */
-
+/* ---------------------------------------------------------------------------------------- which segments are near */
 /* Distance of a segment's extent from the machine's, along its line; a segment that is far aside is as far away. */
 static double distance_of(const Conveyor *c, Vec3 p, double half)
 {
@@ -448,14 +449,12 @@ static double conveyors_next_stop(const Room *room, const Scene *scene, double t
     return next;
 }
 
-/* (K4); a belt that is stopped keeps what it was told for when it is free. */
+/* (K4) */
 static int conveyors_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
 {
     const Conveyors *const all = room->self;
     int i = 0;
-    if (c->kind != HAWSER_CONVEYOR_SPEED && c->kind != HAWSER_CONVEYOR_CLAMP && c->kind != HAWSER_JAM &&
-        c->kind != HAWSER_RELEASE)
-        return 0;
+    if (c->kind == HAWSER_FRICTION || !*c->what) return 0;
     while (i < all->n && strcmp(all->item[i].def->name, c->what) != 0) ++i;
     if (i == all->n) return 0;
     Conveyor *const belt = &all->item[i];
@@ -467,7 +466,7 @@ static int conveyors_command(Room *room, const Scene *scene, const Command *c, d
     }
     if (c->kind == HAWSER_CONVEYOR_CLAMP) {
         belt->clamp = command_ramp(&belt->clamp, t, c->value, c->ramp);
-        return 1;
+        return belt->told = 1;
     }
     const int taken = seizure_command(&all->told[i], all->seized[i], c, t, err);
     if (taken > 0) all->seized[i] = &all->told[i];
@@ -483,10 +482,10 @@ static void conveyors_controls(Room *room, ControlsVisit *visit)
         controls_bytes(visit, &c->sync, sizeof c->sync);
         controls_profile(visit, &c->speed, &c->def->speed);
         controls_bytes(visit, &c->clamp, sizeof c->clamp);
+        controls_bytes(visit, &c->told, sizeof c->told);
         controls_bytes(visit, &all->told[i], sizeof all->told[i]);
         controls_bytes(visit, &told, sizeof told);
-        controls_bytes(visit, &all->filled[i].cover, sizeof all->filled[i].cover);
-        controls_bytes(visit, &all->filled[i].grips, sizeof all->filled[i].grips);
+        controls_bytes(visit, &all->filled[i], offsetof(Filled, says));
         if (told) all->seized[i] = &all->told[i];
     }
 }
@@ -591,6 +590,7 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .watches = conveyors_watch,
                                 .happen = conveyors_happen,
                                 .next_stop = conveyors_next_stop,
+                                .checkpoint = conveyors_checkpoint,
                                 .command = conveyors_command,
                                 .controls = conveyors_controls,
                                 .work = conveyors_work,

@@ -155,10 +155,12 @@ hawser_status script_due(Sim *s, hawser_error *err)
 
 /* --------------------------------------------------------------------------------------------------------- saved */
 
-static size_t controls_go(Sim *s, ControlsVisit *visit)
+/* in_space: whether the motion was, or is to be. */
+static size_t controls_go(Sim *s, ControlsVisit *visit, int *in_space)
 {
     Scene *const scene = &s->stage.scene;
     controls_bytes(visit, &s->script_done, sizeof s->script_done);
+    controls_bytes(visit, in_space, sizeof *in_space);
     for (int r = 0; r < scene->n_rooms; ++r) {
         Room *const room = &scene->room[r];
         if (room->kind->controls && room->self) room->kind->controls(room, visit);
@@ -169,19 +171,23 @@ static size_t controls_go(Sim *s, ControlsVisit *visit)
 size_t controls_size(Sim *s)
 {
     ControlsVisit visit = {0};
-    return controls_go(s, &visit);
+    int in_space = 0;
+    return controls_go(s, &visit, &in_space);
 }
 
 void controls_save(Sim *s, void *to)
 {
     ControlsVisit visit = {.at = to};
-    controls_go(s, &visit);
+    int in_space = s->stage.motion != &s->stage.planar.motion;
+    controls_go(s, &visit, &in_space);
 }
 
 hawser_status controls_load(Sim *s, const void *from, size_t size, hawser_error *err)
 {
     ControlsVisit visit = {.at = (unsigned char *)(uintptr_t)from, .load = 1};
-    const size_t read = controls_go(s, &visit);
-    return read == size ? HAWSER_OK
-                        : error_set(err, HAWSER_ERR_INPUT, "%zu bytes of controls where the case has %zu", size, read);
+    int in_space = 0;
+    const size_t read = controls_go(s, &visit, &in_space);
+    if (read != size)
+        return error_set(err, HAWSER_ERR_INPUT, "%zu bytes of controls where the case has %zu", size, read);
+    return in_space ? stage_to_space(&s->stage, "in space since a command asked for it", err) : HAWSER_OK;
 }

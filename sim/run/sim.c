@@ -105,6 +105,9 @@ Sim *sim_free(Sim *s)
     free(s->condition);
     free(s->case_name);
     free(s->title);
+    free(s->case_text);
+    free(s->case_folder);
+    text_pool_free(&s->texts);
     free(s);
     return NULL;
 }
@@ -252,12 +255,12 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     return status;
 }
 
-double hawser_sim_time(const Sim *s) { return s->stage.t; }
+double hawser_sim_time(const Sim *s) { return s ? s->stage.t : NAN; }
 double hawser_sim_end_time(const Sim *s)
 {
-    return fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended);
+    return s ? fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended) : NAN;
 }
-const char *hawser_sim_title(const Sim *s) { return s->title; }
+const char *hawser_sim_title(const Sim *s) { return s ? s->title : ""; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
@@ -283,13 +286,12 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
-    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
 
-const hawser_sample *hawser_sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
+const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(s, SAMPLE_ALL) : NULL; }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
@@ -306,6 +308,7 @@ static void record_now(Sim *s, SampleParts parts)
 {
     const hawser_sample *const look = look_now(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
     const double start = clock_now();
+    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     hawser_error only_a_note;
@@ -324,7 +327,10 @@ static void record_now(Sim *s, SampleParts parts)
     s->record_s += clock_now() - start;
 }
 
-void hawser_sim_record(Sim *s) { record_now(s, SAMPLE_ALL); }
+void hawser_sim_record(Sim *s)
+{
+    if (s) record_now(s, SAMPLE_ALL);
+}
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
 static void integration_fill(const Sim *s, hawser_summary *out)
@@ -367,7 +373,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     return shares;
 }
 
-void hawser_sim_summary(const Sim *s, hawser_summary *out)
+static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
@@ -433,49 +439,65 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->conditions = s->condition;
 }
 
+void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
+{
+    hawser_summary whole;
+    if (!s || !out) return;
+    summary_fill(s, &whole);
+    memcpy(out, &whole, size < sizeof whole ? size : sizeof whole);
+}
+
 int hawser_sim_stations(const Sim *s, const hawser_station **out)
 {
+    if (!s || !out) return 0;
     *out = s->stats.station_out;
     return s->stats.n_stations;
 }
 
 int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 {
+    if (!s || !out) return 0;
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
 }
 
 int hawser_sim_positions(const Sim *s, const hawser_position **out)
 {
+    if (!s || !out) return 0;
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
 }
 
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 {
+    if (!s || !out) return 0;
     *out = s->modes.out;
     return s->modes.n;
 }
 
 int hawser_sim_events(const Sim *s, const hawser_event **out)
 {
+    if (!s || !out) return 0;
     *out = s->events.event;
     return s->events.n;
 }
 
 int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 {
+    if (!s || !out) return 0;
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
 }
 
 int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 {
+    if (!s || !out) return 0;
     *out = s->machines.out;
     return s->machines.n;
 }
 
 int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
+    if (!s || !out) return 0;
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
 }

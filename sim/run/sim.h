@@ -58,10 +58,13 @@ typedef struct hawser_sim {
     char grade_says[512]; /* which bend loses the grade; an event has it */
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
+    TextPool texts;              /* of events and the like that were read from a checkpoint */
     /* what the interface remembers for the results (io/api) */
-    char *case_name, *title; /* owned */
-    int relaxed, running;    /* running: inside hawser_sim_run */
-    hawser_status outcome;   /* of the last call that computed */
+    char *case_name, *title;       /* owned */
+    char *case_text, *case_folder; /* owned: the case as it was set, and where its files are (NULL: nowhere) */
+    int relaxed, running;          /* running: inside hawser_sim_run */
+    hawser_status outcome;         /* of the last call that computed */
+    int inside;                    /* it moves now: who is called must not have it move */
     char message[HAWSER_MESSAGE_MAX];
 } Sim;
 
@@ -83,6 +86,12 @@ hawser_status start_fit(Sim *s, hawser_error *err);
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err);
 /* See hawser_sim_advance. */
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err);
+/* Everything that the simulation keeps (sim/run/checkpoint.c). Errors: MEMORY, RUN (SUNDIALS keeps its state in a way
+ * that is not known); what is wrong with a checkpoint that is read is in c. After a failure to read it can only be
+ * freed. */
+hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);
+/* A number that another case has not. */
+uint64_t sim_identity(const Sim *s);
 /* hawser_sim_record without bringing the sample's position, quaternion, velocity and omega up to date. */
 void sim_record_row(Sim *s);
 

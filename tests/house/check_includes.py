@@ -18,6 +18,8 @@ LIBRARIES = [
     (r"yaml\.h$", r"io/"),
     (r"hdf5\w*\.h$", r"io/|study/results/"),
     (r"zlib\.h$", r"io/report/"),
+    (r"nlopt\.h$", r"study/maths/"),
+    (r"zip\.h$", r"fmi/archive/"),
 ]
 
 

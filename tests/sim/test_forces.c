@@ -1,4 +1,5 @@
-/* Forces from outside: their blocks and those of a law against differences, what takes a force's place, what is saved. */
+/* Forces from outside: their blocks and those of a law against differences, what takes a force's place, what is saved.
+ */
 #include "core/body.h"
 #include "sim/control/forces.h"
 #include "sim/run/commands.h"
