@@ -47,7 +47,8 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     s->title = strdup(c->def.title[0] ? c->def.title : c->name);
     s->case_folder = c->tree->folder ? realpath(c->tree->folder, NULL) : NULL;
     if (!s->case_folder && c->tree->folder) s->case_folder = strdup(c->tree->folder);
-    status = s->case_name && s->title && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err) : error_memory(err);
+    status = s->case_name && s->title && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err)
+                                                               : error_memory(err);
     if (status) *out = sim_free(s);
     return status;
 }
