@@ -21,11 +21,11 @@ _hawser() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        _hawser_offer 'run check theory validate library route report plot study fmu help --help --version'
+        _hawser_offer 'run check theory validate library route report plot study help --help --version'
         return
     fi
     case ${COMP_WORDS[1]} in
-    help) _hawser_offer 'run check theory validate library route report plot study fmu' ;;
+    help) _hawser_offer 'run check theory validate library route report plot study' ;;
     run)
         case $previous in
         -o|--output) _hawser_offer 'folders' ;;
@@ -97,14 +97,6 @@ _hawser() {
         --jobs) _hawser_offer '1 2' ;;
         --units) _hawser_offer 'si us' ;;
         *) _hawser_word '--output --jobs --fresh --units --quiet --help --version' '*.yaml' ;;
-        esac
-        ;;
-    fmu)
-        case $previous in
-        -o|--output) _hawser_offer 'files' ;;
-        --fmi) _hawser_offer '1 2' ;;
-        --set) _hawser_offer '' ;;
-        *) _hawser_word '--output --fmi --set --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     esac

@@ -96,7 +96,6 @@ double conveyor_share(const Conveyor *c, double x, double *slope)
     return late ? 1 - area / whole : area / whole;
 }
 
-/* ------------------------------------------------------------------------------------------- which segments are near
 /* ---------------------------------------------------------------------------------------- which segments are near */
 /* Distance of a segment's extent from the machine's, along its line; a segment that is far aside is as far away. */
 static double distance_of(const Conveyor *c, Vec3 p, double half)

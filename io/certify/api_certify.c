@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/refinement.h"
 #include "core/base/worst.h"
-#include "io/api/certify.h"
+#include "io/certify/certify.h"
 
 enum { RUNS_MAX = 32, ROUND_MAX = HAWSER_SOURCES + 2, SAID_MAX = 3 };
 static const double TOLERANCE = 0.01, EFFORT = 60;
