@@ -30,10 +30,16 @@ def without_clock(value):
     return [without_clock(v) for v in value] if isinstance(value, list) else value
 
 
+def unequal(a, b, key=""):
+    """The first key of two JSON values where they differ, or None."""
+    if isinstance(a, dict) and isinstance(b, dict):
+        return next((k for k in (unequal(a.get(n), b.get(n), f"{key}.{n}") for n in sorted({*a, *b})) if k), None)
+    if isinstance(a, list) and isinstance(b, list) and len(a) == len(b):
+        return next((k for k in (unequal(x, y, f"{key}.{i}") for i, (x, y) in enumerate(zip(a, b))) if k), None)
+    return None if a == b else f"{key}: {str(a)[:100]} and {str(b)[:100]}"
+
+
 def same_file(name, a, b):
-    if name == "summary.json":
-        with open(a) as f, open(b) as g:
-            return without_clock(json.load(f)) == without_clock(json.load(g))
     if name == "inputs.csv":
         with open(a) as f, open(b) as g:
             return [x for x in f if "run.checkpoint" not in x] == [x for x in g if "run.checkpoint" not in x]
@@ -49,6 +55,11 @@ def differences(whole, other):
         a, b = os.path.join(whole, name), os.path.join(other, name)
         if not (os.path.exists(a) and os.path.exists(b)):
             out.append(f"{name} is only in one folder")
+        elif name == "summary.json":
+            with open(a) as f, open(b) as g:
+                found = unequal(without_clock(json.load(f)), without_clock(json.load(g)))
+            if found:
+                out.append(f"{name} differs in {found}")
         elif not same_file(name, a, b):
             out.append(f"{name} differs")
     return out

@@ -53,6 +53,8 @@ static void passing_checkpoint(Checkpoint *c, Passing *p, const Scene *scene)
     CHECKPOINT(c, p->says);
     CHECKPOINT_UP_TO(c, &p->start, Misfit, name);
     checkpoint_text(c, "p->start.name", &p->start.name);
+    CHECKPOINT_UP_TO(c, &p->edge, Edge, name);
+    checkpoint_text(c, "p->edge.name", &p->edge.name);
 }
 
 static void places_checkpoint(Checkpoint *c, ByPosition *b)
@@ -168,6 +170,7 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, s->active_max);
     CHECKPOINT(c, s->overturned);
     CHECKPOINT(c, s->relaxed);
+    CHECKPOINT(c, s->led);
     CHECKPOINT(c, s->relax_s);
     CHECKPOINT(c, s->output_s);
     CHECKPOINT(c, s->record_s);

@@ -30,7 +30,7 @@ static void planted_layout(void **state)
     (void)state;
     double needed[3] = {0};
     for (int k = 0; k < 3; k++) {
-        char text[600], dir[8];
+        char text[600], dir[16];
         Study *s;
         Rows rows;
         snprintf(text, sizeof text,
