@@ -259,11 +259,20 @@ hawser_status results_summary(Results *r, const char *summary, hawser_error *err
     return out_whole(r->dir, "summary.json", summary, err);
 }
 
+/* While files change, no summary says that they belong together. */
+static void summary_withdraw(const char *dir)
+{
+    char path[OUT_PATH_MAX];
+    hawser_error unused;
+    if (!out_join(path, dir, "summary.json", &unused)) unlink(path);
+}
+
 hawser_status results_again(const char *dir, const ResultsTables *t, const char *summary, hawser_error *err)
 {
     const int n[TABLES] = {t->n_stations, t->n_rollers};
     const void *const rows[TABLES] = {t->station, t->roller};
     hawser_status s = HAWSER_OK;
+    summary_withdraw(dir);
     for (int k = 0; k < TABLES && !s; k++) {
         OutFile out;
         s = out_open(&out, dir, tables[k].file, err);
@@ -285,6 +294,7 @@ hawser_status results_replace(const char *to, const char *from, hawser_error *er
 {
     char old[OUT_PATH_MAX], new[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
+    summary_withdraw(to);
     for (int k = 0; k < RUN_FILES && !s; k++) {
         s = out_join(old, to, run_files[k], err);
         if (!s) s = out_join(new, from, run_files[k], err);
