@@ -172,14 +172,15 @@ static void the_folder_is_the_seconds(void **state)
     folder_remove(dir);
 }
 
-/* Stopped in the second pass: the first one's results stand. */
+/* Stopped in the second pass: the first one's results stand, and where no checkpoints are wanted that is all. */
 static void stopped_in_the_second(void **state)
 {
     (void)state;
+    static const char *const unkept[] = {"run.checkpoint", "0", NULL};
     char dir[] = "/tmp/hawser-passes-XXXXXX";
     hawser_error err = {0};
     assert_non_null(mkdtemp(dir));
-    hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
+    hawser_sim *const s = sim_of(data_text("trust-slack"), unkept);
     assert_int_equal(hawser_sim_run(s, dir, stop_second, NULL, &err), HAWSER_STOPPED);
     check_has(err.message, "the results are those of the first");
     const hawser_summary sum = summary_of(s);
@@ -188,9 +189,51 @@ static void stopped_in_the_second(void **state)
     assert_int_equal(sum.segments, 42);
     check_close(sum.pull_peak_N, 2125, 5);
     check_equal(hawser_sim_time(s), 8);
-    assert_false(is_there(dir, "second-pass"));
+    assert_false(is_there(dir, "second-pass") || is_there(dir, "checkpoint.hawser"));
     assert_int_equal(lines_in(dir, "series.csv"), 1 + 161);
     hawser_sim_free(s);
+    folder_remove(dir);
+}
+
+/* A simulation of the case whose run was stopped in dir, gone on with. */
+static hawser_sim *resumed(const char *dir, hawser_progress progress, hawser_status expected)
+{
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    hawser_sim *s = NULL;
+    if (hawser_case_resume(dir, &c, &err) || hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    assert_int_equal(hawser_sim_resume(s, dir, progress, NULL, &err), expected);
+    return s;
+}
+
+/* Stopped twice in the second pass, and resumed: the first is not computed again, and what both come to is what they
+ * come to in one go, to the last bit. */
+static void the_second_is_resumed(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/hawser-passes-XXXXXX";
+    hawser_error err = {0};
+    assert_non_null(mkdtemp(dir));
+    hawser_sim *const whole = run_of(data_text("trust-slack"), NULL), *const s = sim_of(data_text("trust-slack"), NULL);
+    assert_int_equal(hawser_sim_run(s, dir, stop_second, NULL, &err), HAWSER_STOPPED);
+    check_has(err.message, "until it is resumed");
+    assert_true(is_there(dir, "checkpoint.hawser") && is_there(dir, "second-pass"));
+    hawser_sim_free(s);
+    hawser_sim_free(resumed(dir, stop_second, HAWSER_STOPPED));
+    hawser_sim *const again = resumed(dir, NULL, HAWSER_OK);
+    const hawser_summary a = summary_of(whole), b = summary_of(again);
+    assert_string_equal(b.passes->outcome, "replaced");
+    check_equal(b.pull_peak_N, a.pull_peak_N);
+    check_equal(b.pull_mean_N, a.pull_mean_N);
+    check_equal(b.pull_mean_error.total, a.pull_mean_error.total);
+    check_equal(b.pull_peak_error.total, a.pull_peak_error.total);
+    check_equal(b.passes->pass[0].pull_peak_bar_N, a.passes->pass[0].pull_peak_bar_N);
+    assert_int_equal(b.steps, a.steps);
+    assert_false(is_there(dir, "second-pass") || is_there(dir, "checkpoint.hawser"));
+    assert_int_equal(lines_in(dir, "series.csv"), 1 + 161);
+    hawser_sim_free(whole);
+    hawser_sim_free(again);
     folder_remove(dir);
 }
 
@@ -233,7 +276,7 @@ int main(void)
         cmocka_unit_test(it_replaces),          cmocka_unit_test(it_compares),
         cmocka_unit_test(one_is_enough),        cmocka_unit_test(the_folder_is_the_seconds),
         cmocka_unit_test(what_bars_do_not_see), cmocka_unit_test(stopped_in_the_second),
-        cmocka_unit_test(bars_by_two_passes),
+        cmocka_unit_test(bars_by_two_passes),   cmocka_unit_test(the_second_is_resumed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
