@@ -292,13 +292,15 @@ static const char *const run_files[] = {"series.csv", "stations.csv", "rollers.c
                                         "modes.csv",  "results.h5",   "results.xdmf", "summary.json"};
 enum { RUN_FILES = sizeof run_files / sizeof *run_files };
 
-/* The summary comes last: what it says is there. */
+/* The summary comes last: what it says is there. The case is the same: what `to` says of it, with the lines of the file
+ * that it was read from, stays. */
 hawser_status results_replace(const char *to, const char *from, hawser_error *err)
 {
     char old[OUT_PATH_MAX], new[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
     summary_withdraw(to);
     for (int k = 0; k < RUN_FILES && !s; k++) {
+        if (!strcmp(run_files[k], "inputs.csv")) continue;
         s = out_join(old, to, run_files[k], err);
         if (!s) s = out_join(new, from, run_files[k], err);
         if (!s && rename(new, old) && errno != ENOENT) s = out_error(old, errno, err);

@@ -237,6 +237,35 @@ static void the_second_is_resumed(void **state)
     folder_remove(dir);
 }
 
+/* A state of before the run brings all of it back, whatever the handle speaks of now; one of after it does, too. */
+static void back_to_the_first(void **state)
+{
+    (void)state;
+    hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
+    void *before, *after;
+    size_t size, later;
+    hawser_error err = {0};
+    assert_int_equal(hawser_sim_save_memory(s, &before, &size, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_OK);
+    const double peak = summary_of(s).pull_peak_N;
+    assert_int_equal(hawser_sim_sample(s)->segments, 84);
+    assert_int_equal(hawser_sim_save_memory(s, &after, &later, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_load_memory(s, after, later, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_sample(s)->segments, 84);
+    check_equal(summary_of(s).pull_peak_N, peak);
+    assert_non_null(summary_of(s).passes);
+    if (hawser_sim_load_memory(s, before, size, &err)) fail_msg("%s", err.message);
+    check_equal(hawser_sim_time(s), 0);
+    assert_int_equal(hawser_sim_sample(s)->segments, 42);
+    assert_null(summary_of(s).passes);
+    assert_int_equal(hawser_sim_load_memory(s, after, later, &err), HAWSER_ERR_INPUT); /* that pass is gone */
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_OK);
+    check_equal(summary_of(s).pull_peak_N, peak);
+    hawser_bytes_free(before);
+    hawser_bytes_free(after);
+    hawser_sim_free(s);
+}
+
 /* Of a figure whose own bar is b and that is d from the other pass's (EB19), (EB20): where both agree the bar falls to
  * a quarter, where they differ it lies between what errors of second and of first order would be. */
 static void bars_by_two_passes(void **state)
@@ -277,6 +306,7 @@ int main(void)
         cmocka_unit_test(one_is_enough),        cmocka_unit_test(the_folder_is_the_seconds),
         cmocka_unit_test(what_bars_do_not_see), cmocka_unit_test(stopped_in_the_second),
         cmocka_unit_test(bars_by_two_passes),   cmocka_unit_test(the_second_is_resumed),
+        cmocka_unit_test(back_to_the_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
