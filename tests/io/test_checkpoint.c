@@ -299,9 +299,10 @@ static void test_what_is_of_another(void **state)
     hawser_sim *const same = sim_of(&often, 1);
     load(same, good); /* how often checkpoints are made makes no other case */
     unsigned char *const bytes = good.at;
+    const unsigned char format = bytes[FORMAT_AT];
     bytes[FORMAT_AT] = 77;
     refused(s, bytes, good.size, "another version of hawser: format 77");
-    bytes[FORMAT_AT] = 1;
+    bytes[FORMAT_AT] = format;
     /* the first piece is the version's text */
     bytes[BODY_AT + 16] ^= 1;
     hash_again(bytes, good.size);
