@@ -57,7 +57,7 @@ def test_the_catalogue(program):
 
 def test_a_measured_pull(tmp_path, program):
     """What the command says of the same, and what options change."""
-    result = hawser.run(ROOT / "cases" / "huangjiahu.yaml", set={"run.duration": "12 s"}, out=tmp_path / "pull")
+    result = hawser.run(ROOT / "cases" / "huangjiahu.yaml", set={"run.duration": "12 s", "run.steady_from": "6 s"}, out=tmp_path / "pull")
     log = ROOT / "cases" / "studies" / "pull.csv"
     said = subprocess.run([program, "compare", str(tmp_path / "pull"), str(log), "--format", "json"], capture_output=True, check=True).stdout
     found = result.against(log, page=tmp_path / "page.html")
