@@ -225,21 +225,21 @@ class Result:
         shutil.copytree(self.folder, folder)
         return Result(folder)
 
-    def against(self, log: str | os.PathLike[str], *, by: str = "travel", shift: float = 0.0, band: float = 0.1, raw: bool = False,
+    def against(self, log: str | os.PathLike[str], *, align: str = "length", shift: float = 0.0, band: float = 0.1, raw: bool = False,
                 page: str | os.PathLike[str] | None = None) -> dict[str, Any]:
         """How far the winch's force that a logger has written (CSV, docs/studies.md) agrees with this run and with the theory.
 
-        by:    "travel" of the winch, or time since the pull's "start"
+        align: by "length", the winch's travel, or by the time since the pull's "start"
         shift: m or s, added to where the log is
         band:  share of the log's force that counts as agreement
         raw:   spikes and drop-outs of the log are taken as they are
         page:  an HTML file with figures, which is written
         """
-        if by not in ("travel", "start"):
-            raise ValueError(f"by={by!r}: 'travel' or 'start' is expected")
+        if align not in ("length", "start"):
+            raise ValueError(f"align={align!r}: 'length' or 'start' is expected")
         error, text = ffi.new("hawser_error *"), ffi.new("char **")
         drawn = ffi.NULL if page is None else ffi.new("char[]", os.fsencode(page))
-        options = ffi.new("hawser_compare_options *", {"by_start": by == "start", "shift": shift, "band": band, "raw": raw, "page": drawn,
+        options = ffi.new("hawser_compare_options *", {"by_start": align == "start", "shift": shift, "band": band, "raw": raw, "page": drawn,
                                                        "format": lib.HAWSER_JSON})
         check(lib.hawser_compare(os.fsencode(self.folder), os.fsencode(log), options, text, error), error)
         found: dict[str, Any] = json.loads(taken(text))

@@ -2,6 +2,7 @@
  * in one go; what the steps keep is with those who keep it (stage_checkpoint). */
 #include <stdlib.h>
 
+#include "sim/control/forces.h"
 #include "sim/equipment/reel.h"
 #include "sim/run/commands.h"
 #include "sim/run/sim.h"

@@ -59,13 +59,13 @@ def test_a_measured_pull(tmp_path, program):
     """What the command says of the same, and what options change."""
     result = hawser.run(ROOT / "cases" / "huangjiahu.yaml", set={"run.duration": "12 s", "run.steady_from": "6 s"}, out=tmp_path / "pull")
     log = ROOT / "cases" / "studies" / "pull.csv"
-    said = subprocess.run([program, "compare", str(tmp_path / "pull"), str(log), "--format", "json"], capture_output=True, check=True).stdout
+    said = subprocess.run([program, "compare", str(tmp_path / "pull"), str(log), "--json"], capture_output=True, check=True).stdout
     found = result.against(log, page=tmp_path / "page.html")
     assert found == json.loads(said)
     assert (tmp_path / "page.html").read_text().startswith("<!doctype html>")
     assert result.against(log, band=0.5) != found
-    with pytest.raises(ValueError, match="travel"):
-        result.against(log, by="luck")
+    with pytest.raises(ValueError, match="length"):
+        result.against(log, align="luck")
     with pytest.raises(hawser.CaseError):
         result.against(tmp_path / "none.csv")
 
