@@ -1,15 +1,12 @@
 /* Preloaded into the program under test: the k-th call of a kind fails. Calls are counted from 1 over all threads. What
  * fails, and when, comes through the environment:
  *
- *   INJECT_KIND  memory: malloc, calloc, realloc, strdup and their like return NULL; not those of HDF5, nor those within
- *                        SUNContext_Create: docs/reliability.md says why
- *                heap:   the same where more than INJECT_AT KiB would be in use; what is counted is the most KiB in use
- *                disk:   open for writing, write, pwrite, ftruncate, fsync, rename, mkdir, unlink: EIO or ENOSPC
- *                eintr:  read, write, pread, pwrite fail with EINTR once
- *                short:  read, write, pread, pwrite do the half of what was asked
- *   INJECT_AT    k; 0: nothing fails
- *   INJECT_COUNT path of a file into which the number of calls is written at the end
- *   INJECT_ALL   the k-th and all after it
+ *   INJECT_KIND  memory: malloc, calloc, realloc, strdup and their like return NULL; not those of HDF5, nor those
+ * within SUNContext_Create: docs/reliability.md says why heap:   the same where more than INJECT_AT KiB would be in
+ * use; what is counted is the most KiB in use disk:   open for writing, write, pwrite, ftruncate, fsync, rename, mkdir,
+ * unlink: EIO or ENOSPC eintr:  read, write, pread, pwrite fail with EINTR once short:  read, write, pread, pwrite do
+ * the half of what was asked INJECT_AT    k; 0: nothing fails INJECT_COUNT path of a file into which the number of
+ * calls is written at the end INJECT_ALL   the k-th and all after it
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -24,7 +21,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-typedef enum Kind { NOTHING, MEMORY, HEAP, DISK, EINTR_ONCE, SHORT } Kind;
+typedef enum Kind { NOTHING, MEMORY, HEAP, DISK, EINTR_ONCE, SHORT, RESIDENT } Kind;
 static Kind kind;
 static long at, counted;
 static int all;
@@ -225,22 +222,35 @@ int open(const char *path, int flags, ...)
 
 __attribute__((constructor)) static void begin(void)
 {
-    static const char *const names[] = {"", "memory", "heap", "disk", "eintr", "short"};
+    static const char *const names[] = {"", "memory", "heap", "disk", "eintr", "short", "resident"};
     const char *const wanted = getenv("INJECT_KIND"), *const when = getenv("INJECT_AT");
     const char *const path = getenv("INJECT_COUNT");
     at = when ? atol(when) : 0;
     all = getenv("INJECT_ALL") != NULL;
     if (path) snprintf(count_path, sizeof count_path, "%s", path);
     dl_iterate_phdr(find_spared, NULL);
-    for (Kind k = MEMORY; wanted && k <= SHORT; k++) {
+    for (Kind k = MEMORY; wanted && k <= RESIDENT; k++) {
         if (!strcmp(wanted, names[k])) kind = k;
     }
+}
+
+/* Since the program began, unlike the figure of getrusage, which is that of who started it if that is larger. */
+static long resident(void)
+{
+    char line[256];
+    long most = 0;
+    FILE *const f = fopen("/proc/self/status", "r");
+    while (f && fgets(line, sizeof line, f)) {
+        if (sscanf(line, "VmHWM: %ld", &most) == 1) break;
+    }
+    if (f) fclose(f);
+    return most;
 }
 
 __attribute__((destructor)) static void end(void)
 {
     char text[32];
-    const long count = kind == HEAP ? (most_in_use + 1023) / 1024 : counted;
+    const long count = kind == RESIDENT ? resident() : kind == HEAP ? (most_in_use + 1023) / 1024 : counted;
     kind = NOTHING;
     if (!count_path[0]) return;
     const int fd = open(count_path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
