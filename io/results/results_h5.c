@@ -221,8 +221,10 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
         strcpy(h->path, part);
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
-        ok = ok && !h->disk_error && name_file(h, path);
-        status = h5_result(h, ok, err);
+        ok = ok && !h->disk_error;
+        if (ok) status = out_sync(part, err);
+        ok = ok && !status && name_file(h, path);
+        if (!status) status = h5_result(h, ok, err);
     }
     if (status) {
         h5_close(&h, NULL);

@@ -26,6 +26,7 @@ static Kind kind;
 static long at, counted;
 static int all;
 static char count_path[512];
+static int log_fd = -1;
 
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
@@ -172,15 +173,36 @@ static ssize_t allowed(int fd, size_t size, int writes)
     return size > 1 && fails(SHORT) ? (ssize_t)(size / 2) : (ssize_t)size;
 }
 
+static void note(const char *what, const char *path, const char *other)
+{
+    char line[1200];
+    const int n = snprintf(line, sizeof line, "%s %s%s%s\n", what, path, *other ? " " : "", other);
+    if (n > 0 && REAL(write, ssize_t(*)(int, const void *, size_t))(log_fd, line, (size_t)n) != n) _exit(97);
+}
+
+/* What is done to an open file, by its name. */
+static void note_open(const char *what, int fd)
+{
+    char link[32], path[512];
+    if (log_fd < 0 || fd <= 2 || fd == log_fd) return;
+    snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
+    const ssize_t n = readlink(link, path, sizeof path - 1);
+    if (n < 0) return;
+    path[n] = 0;
+    note(what, path, "");
+}
+
 ssize_t write(int fd, const void *from, size_t size)
 {
     const ssize_t n = allowed(fd, size, 1);
+    note_open("write", fd);
     return n < 0 ? n : REAL(write, ssize_t(*)(int, const void *, size_t))(fd, from, (size_t)n);
 }
 
 ssize_t pwrite(int fd, const void *from, size_t size, off_t offset)
 {
     const ssize_t n = allowed(fd, size, 1);
+    note_open("write", fd);
     return n < 0 ? n : REAL(pwrite, ssize_t(*)(int, const void *, size_t, off_t))(fd, from, (size_t)n, offset);
 }
 
@@ -196,15 +218,28 @@ ssize_t pread(int fd, void *to, size_t size, off_t offset)
     return n < 0 ? n : REAL(pread, ssize_t(*)(int, void *, size_t, off_t))(fd, to, (size_t)n, offset);
 }
 
-int ftruncate(int fd, off_t size) { return fails(DISK) ? broken() : REAL(ftruncate, int (*)(int, off_t))(fd, size); }
-int fsync(int fd) { return fails(DISK) ? broken() : REAL(fsync, int (*)(int))(fd); }
+int ftruncate(int fd, off_t size)
+{
+    note_open("write", fd);
+    return fails(DISK) ? broken() : REAL(ftruncate, int (*)(int, off_t))(fd, size);
+}
+int fsync(int fd)
+{
+    note_open("fsync", fd);
+    return fails(DISK) ? broken() : REAL(fsync, int (*)(int))(fd);
+}
 int mkdir(const char *path, mode_t mode)
 {
     return fails(DISK) ? broken() : REAL(mkdir, int (*)(const char *, mode_t))(path, mode);
 }
-int unlink(const char *path) { return fails(DISK) ? broken() : REAL(unlink, int (*)(const char *))(path); }
+int unlink(const char *path)
+{
+    if (log_fd >= 0) note("unlink", path, "");
+    return fails(DISK) ? broken() : REAL(unlink, int (*)(const char *))(path);
+}
 int rename(const char *from, const char *to)
 {
+    if (log_fd >= 0) note("rename", from, to);
     return fails(DISK) ? broken() : REAL(rename, int (*)(const char *, const char *))(from, to);
 }
 
@@ -227,6 +262,8 @@ __attribute__((constructor)) static void begin(void)
     const char *const path = getenv("INJECT_COUNT");
     at = when ? atol(when) : 0;
     all = getenv("INJECT_ALL") != NULL;
+    const char *const log = getenv("INJECT_LOG");
+    if (log) log_fd = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_APPEND, 0666);
     if (path) snprintf(count_path, sizeof count_path, "%s", path);
     dl_iterate_phdr(find_spared, NULL);
     for (Kind k = MEMORY; wanted && k <= RESIDENT; k++) {
