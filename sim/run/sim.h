@@ -70,6 +70,7 @@ typedef struct hawser_sim {
     /* of a whole run's two passes (io/api/api_passes.c) */
     SceneDef *plan;            /* the definition as the case has it; NULL: no second pass is wanted. Owned */
     int pass;                  /* 0; 1 of the second one */
+    double work_most;          /* evaluations times segments of a second pass that is begun unasked; 0: ten minutes */
     int led;                   /* the caller has told it what to do: it cannot be computed again by itself */
     OtherPass other;           /* the figures of the other one */
     PassesSaid *passes;        /* what is said of them; NULL: there is nothing to be said. Owned */
@@ -101,6 +102,8 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err);
  * that is not known); what is wrong with a checkpoint that is read is in c. After a failure to read it can only be
  * freed. */
 hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);
+/* The largest pull of the first moments, N, where it can be a jolt, or NAN. */
+double sim_jolt(const Sim *s);
 /* A number that another case has not. */
 uint64_t sim_identity(const Sim *s);
 /* hawser_sim_record without bringing the sample's position, quaternion, velocity and omega up to date. */
