@@ -13,7 +13,8 @@
 static const double GROWS = 3.1;
 /* Evaluations times segments of a second pass that is begun unasked: some ten minutes. */
 static const double WORK_MOST = 1.5e9;
-/* Steps of a second pass over those of the first: 1.7 in the median, 3.3 in 99 % of them; what takes more mostly fails. */
+/* Steps of a second pass over those of the first: 1.7 in the median, 3.3 in 99 % of them; what takes more mostly fails.
+ */
 enum { STEPS_MOST = 4 };
 
 /* ------------------------------------------------------------------------------------------ whether it is wanted */
