@@ -96,9 +96,7 @@ static int is_finished(const char *dir)
 /* Takes what there is of a list of files away from a folder, and the folder if nothing is left in it. */
 static void files_remove(const char *from, int n, const char *const *files)
 {
-    char path[OUT_PATH_MAX];
-    for (int k = 0; k < n; k++)
-        if (!out_join(path, from, files[k], NULL)) unlink(path);
+    for (int k = 0; k < n; k++) file_remove(from, files[k]);
     rmdir(from);
 }
 
