@@ -87,9 +87,11 @@ static void all_elements(void **state)
     assert_int_equal(a->n_profile, 4);
     check_close(a->profile[1].station, 40 * ft, 1e-12);
     check_close(a->profile[3].grade, -0.1, 1e-12);
-    /* q's height, bloss, a second profile, the ground; the alignment's length is not its line's */
-    assert_int_equal(s.n_ignored, 5);
+    /* q's height, bloss, a second profile, the ground; the alignment's length is not its line's, which goes on behind
+     * the profile */
+    assert_int_equal(s.n_ignored, 6);
     check_has(s.ignored[4].what, "by the file's word, but its line is");
+    check_has(s.ignored[5].what, "its grade goes on");
     check_has(s.unit, "foot");
     survey_clear(&s);
 }
