@@ -380,6 +380,12 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     return shares;
 }
 
+int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
+{
+    const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
+    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
+}
+
 static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
@@ -433,6 +439,8 @@ static void summary_fill(const Sim *s, hawser_summary *out)
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     other_pass_bars(&s->other, &s->stats, out);
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int limits = sim_limits(s, out, limit);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
@@ -441,6 +449,8 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,
+                              .n_limits = limits,
+                              .limit = limit,
                               .turned = s->overturned | s->stage.stability.turned,
                               .unstable = out->unstable,
                               .stray = s->stray,
@@ -518,5 +528,7 @@ int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
     s = SHOWN(s);
     if (!s || !out) return 0;
-    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
+    hawser_summary figures;
+    summary_fill(s, &figures);
+    return sim_limits(s, &figures, out);
 }
