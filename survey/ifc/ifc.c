@@ -66,9 +66,13 @@ static hawser_status unit_read(IfcFile *file, long id)
 static hawser_status units_read(IfcFile *file)
 {
     StepEntity e = {0};
-    const int at = step_next(&file->step, 0, "IFCUNITASSIGNMENT");
-    hawser_status status = at < 0 ? HAWSER_OK : step_entity(&file->step, file->step.entry[at].id, &e);
-    const StepValue *v = at < 0 || status ? NULL : step_item(&e, step_attribute(&e, 0), 0);
+    const int project = step_next(&file->step, 0, "IFCPROJECT"), at = step_next(&file->step, 0, "IFCUNITASSIGNMENT");
+    hawser_status status = project < 0 ? HAWSER_OK : step_entity(&file->step, file->step.entry[project].id, &e);
+    const long of_project = status || project < 0 ? 0 : step_reference(&e, 8); /* UnitsInContext */
+    const long id = of_project ? of_project : at < 0 ? 0 : file->step.entry[at].id;
+    input_unit(file->step.in, 1, "the file does not say");
+    if (!status && id) status = step_entity(&file->step, id, &e);
+    const StepValue *v = !id || status ? NULL : step_item(&e, step_attribute(&e, 0), 0);
     for (; v && !status; v = step_behind(&e, v)) status = unit_read(file, v->reference);
     step_entity_free(&e);
     return status;

@@ -225,6 +225,17 @@ static void curves_of_other_kinds(void **state)
     check_below(alignment_measure(a).gap, 1e-9);
     check_has(s.ignored[0].what, "cant");
     survey_clear(&s);
+    /* the project's units count, not the first in the file */
+    assert_string_equal(
+        read_text(IFC("IFC4X3", "#80=IFCUNITASSIGNMENT((#81));\n#81=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n"
+                                "#82=IFCPROJECT('p',$,$,$,$,$,$,$,#83);\n#83=IFCUNITASSIGNMENT((#84));\n"
+                                "#84=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);\n" DRAWN(
+                                    "#4=IFCPOLYLINE((#5,#6));\n#5=IFCCARTESIANPOINT((0.,0.));\n"
+                                    "#6=IFCCARTESIANPOINT((3000.,4000.));\n")),
+                  &s),
+        "");
+    check_close(alignment_measure(&s.alignment[0]).length, 5, 1e-12);
+    survey_clear(&s);
     bad(IFC("IFC4X3", DRAWN("#4=IFCINDEXEDPOLYCURVE(#5,(IFCARCINDEX((1,2,9))),$);\n"
                             "#5=IFCCARTESIANPOINTLIST2D(((1.,0.),(2.,0.),(3.,3.)));\n")),
         "a point that is not in its list");

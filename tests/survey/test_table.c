@@ -148,6 +148,14 @@ static void as_spreadsheets_write_them(void **state)
     assert_string_equal(read_text("x,y,\xDC\n0,0,1\n3,4,1\n", &s), "");
     assert_string_equal(s.ignored[0].what, "column '?'");
     survey_clear(&s);
+    /* what would have been passed over: a bend without its angle, one whose length is another, columns without use */
+    bad("length,radius\n10,\n7.854,5\n", "3: a piece with a radius is a bend");
+    assert_string_equal(read_text("length,angle,radius,turn\n10,,,\n5,30,5,left\n", &s), "");
+    check_has(s.ignored[0].what, "lengths of bends");
+    survey_clear(&s);
+    assert_string_equal(read_text("x,y,radius\n0,0,\n10,0,5\n10,10,\n", &s), "");
+    assert_string_equal(s.ignored[0].what, "column 'radius' of a table of points");
+    survey_clear(&s);
     bad("length,slope (deg)\n5,90\n", "2: '90' is too steep");
     bad("length,slope (deg)\n5,100\n", "too steep");
 }
