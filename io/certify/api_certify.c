@@ -385,6 +385,7 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
                              hawser_certificate **out, hawser_error *err)
 {
     hawser_summary sum;
+    if (!c || !run || !out) return error_argument(err, !c ? "c" : !run ? "run" : "out");
     *out = NULL;
     const SceneDef *const finer = run->second ? run->second->plan : NULL; /* settings of the figures that are judged */
     run = SHOWN(run);
