@@ -268,7 +268,7 @@ static hawser_status finish_summary(Run *run, hawser_error *err)
     char *summary;
     hawser_status status = hawser_sim_summary_json(run->s, &summary, err);
     if (status) return status;
-    status = results_summary(run->results, summary, err);
+    status = results_summary(run->results, summary, run->s->outcome == HAWSER_OK, err);
     hawser_text_free(summary);
     return status;
 }

@@ -49,8 +49,10 @@ hawser_status results_tick(Results *r, hawser_error *err);
 /* Writes the tables and closes everything; what can still be written is, and the first error is returned.
  * Only the summary may follow. Errors: OUTPUT. */
 hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_error *err);
-/* summary.json for good: whole, or what stood there before. Errors: OUTPUT, MEMORY. */
-hawser_status results_summary(Results *r, const char *summary, hawser_error *err);
+/* summary.json for good: whole, or what stood there before; all files are on the disk then. whole: the run ended as it
+ * should, and results of a run before, which wait in the folder "earlier", are not needed any more. Errors: OUTPUT,
+ * MEMORY. */
+hawser_status results_summary(Results *r, const char *summary, int whole, hawser_error *err);
 Results *results_free(Results *r);
 
 /* Of folders whose runs are over. The tables and the summary once more, without what had been made of them; the results
