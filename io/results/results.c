@@ -56,6 +56,14 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
     return status ? status : xdmf_open(&r->xdmf, r->dir, def, err);
 }
 
+/* If it is there. */
+static void file_remove(const char *dir, const char *name)
+{
+    char path[OUT_PATH_MAX];
+    hawser_error unused;
+    if (!out_join(path, dir, name, &unused)) unlink(path);
+}
+
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
  */
 enum { OLD_ENDS = 4, OLD_BUT_XDMF = 8, OLD_ALL = 9 }; /* the first: what only the end of a run writes */
@@ -88,9 +96,7 @@ static int is_finished(const char *dir)
 /* Takes what there is of a list of files away from a folder, and the folder if nothing is left in it. */
 static void files_remove(const char *from, int n, const char *const *files)
 {
-    char path[OUT_PATH_MAX];
-    for (int k = 0; k < n; k++)
-        if (!out_join(path, from, files[k], NULL)) unlink(path);
+    for (int k = 0; k < n; k++) file_remove(from, files[k]);
     rmdir(from);
 }
 
@@ -266,16 +272,12 @@ hawser_status results_position(Results *r, ResultsPosition *position, hawser_err
     return s;
 }
 
-hawser_status results_checkpoint(Results *r, const void *bytes, size_t size, hawser_error *err)
+hawser_status results_checkpoint(const char *dir, const void *bytes, size_t size, hawser_error *err)
 {
-    return out_whole_bytes(r->dir, CHECKPOINT_FILE, bytes, size, err);
+    return out_whole_bytes(dir, CHECKPOINT_FILE, bytes, size, err);
 }
 
-void results_no_checkpoint(Results *r)
-{
-    char path[OUT_PATH_MAX];
-    if (!out_join(path, r->dir, CHECKPOINT_FILE, NULL)) unlink(path);
-}
+void results_no_checkpoint(const char *dir) { file_remove(dir, CHECKPOINT_FILE); }
 
 /* The first error of a sequence that goes on all the same; err is given only to calls before it. */
 static void keep_first(hawser_status *first, hawser_status status)
@@ -327,12 +329,11 @@ hawser_status results_summary(Results *r, const char *summary, int whole, hawser
     return s;
 }
 
-/* While files change, no summary says that they belong together. */
+/* While files change, no summary says that they belong together, and no page or certificate what they say. */
 static void summary_withdraw(const char *dir)
 {
-    char path[OUT_PATH_MAX];
-    hawser_error unused;
-    if (!out_join(path, dir, "summary.json", &unused)) unlink(path);
+    static const char *const names[] = {"summary.json", "certificate.json", "report.html", "report.pdf"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) file_remove(dir, names[k]);
 }
 
 hawser_status results_again(const char *dir, const ResultsTables *t, const char *summary, hawser_error *err)
@@ -353,16 +354,26 @@ hawser_status results_again(const char *dir, const ResultsTables *t, const char 
     return s ? s : out_whole(dir, "summary.json", summary, err);
 }
 
-/* The summary comes last: what it says is there. */
+/* The summary comes last: what it says is there. The case is the same: what `to` says of it, with the lines of the file
+ * that it was read from, stays. */
 hawser_status results_replace(const char *to, const char *from, hawser_error *err)
 {
     summary_withdraw(to);
-    const hawser_status s = files_move(to, from, RUN_FILES, run_files, err);
-    if (!s) rmdir(from);
-    return s;
+    file_remove(from, "inputs.csv");
+    return files_move(to, from, RUN_FILES, run_files, err);
 }
 
-void results_remove(const char *from) { files_remove(from, RUN_FILES, run_files); }
+/* With what a kill leaves, too. */
+void results_remove(const char *from)
+{
+    static const char *const kept[] = {CHECKPOINT_FILE, CHECKPOINT_FILE ".part", "results.h5.journal"};
+    char part[64];
+    for (int k = 0; k < RUN_FILES; k++) {
+        if (snprintf(part, sizeof part, "%s.part", run_files[k]) > 0) file_remove(from, part);
+    }
+    for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) file_remove(from, kept[k]);
+    files_remove(from, RUN_FILES, run_files);
+}
 
 /* After results_finish only memory is left to free; without it, everything is closed as it stands. */
 Results *results_free(Results *r)
