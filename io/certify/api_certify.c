@@ -387,6 +387,7 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
                              hawser_certificate **out, hawser_error *err)
 {
     hawser_summary sum;
+    if (!c || !run || !out) return error_argument(err, !c ? "c" : !run ? "run" : "out");
     *out = NULL;
     const hawser_sim *const second = run->second;
     run = SHOWN(run);

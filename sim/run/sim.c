@@ -393,7 +393,6 @@ int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
 static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
-    s = SHOWN(s);
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
@@ -468,7 +467,7 @@ void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
 {
     hawser_summary whole;
     if (!s || !out) return;
-    summary_fill(s, &whole);
+    summary_fill(SHOWN(s), &whole);
     memcpy(out, &whole, size < sizeof whole ? size : sizeof whole);
 }
 

@@ -274,14 +274,15 @@ static void the_folder_is_the_seconds(void **state)
     folder_remove(dir);
 }
 
-/* Stopped in the second pass: the first one's results stand. */
+/* Stopped in the second pass: the first one's results stand, and where no checkpoints are wanted that is all. */
 static void stopped_in_the_second(void **state)
 {
     (void)state;
+    static const char *const unkept[] = {"run.checkpoint", "0", NULL};
     char dir[] = "/tmp/hawser-passes-XXXXXX";
     hawser_error err = {0};
     assert_non_null(mkdtemp(dir));
-    hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
+    hawser_sim *const s = sim_of(data_text("trust-slack"), unkept);
     assert_int_equal(hawser_sim_run(s, dir, stop_second, NULL, &err), HAWSER_STOPPED);
     check_has(err.message, "the results are those of the first");
     const hawser_summary sum = summary_of(s);
@@ -290,10 +291,81 @@ static void stopped_in_the_second(void **state)
     assert_int_equal(sum.segments, 42);
     check_close(sum.pull_peak_N, 2125, 5);
     check_equal(hawser_sim_time(s), 8);
-    assert_false(is_there(dir, "second-pass"));
+    assert_false(is_there(dir, "second-pass") || is_there(dir, "checkpoint.hawser"));
     assert_int_equal(lines_in(dir, "series.csv"), 1 + 161);
     hawser_sim_free(s);
     folder_remove(dir);
+}
+
+/* A simulation of the case whose run was stopped in dir, gone on with. */
+static hawser_sim *resumed(const char *dir, hawser_progress progress, hawser_status expected)
+{
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    hawser_sim *s = NULL;
+    if (hawser_case_resume(dir, &c, &err) || hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    assert_int_equal(hawser_sim_resume(s, dir, progress, NULL, &err), expected);
+    return s;
+}
+
+/* Stopped twice in the second pass, and resumed: the first is not computed again, and what both come to is what they
+ * come to in one go, to the last bit. */
+static void the_second_is_resumed(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/hawser-passes-XXXXXX";
+    hawser_error err = {0};
+    assert_non_null(mkdtemp(dir));
+    hawser_sim *const whole = run_of(data_text("trust-slack"), NULL), *const s = sim_of(data_text("trust-slack"), NULL);
+    assert_int_equal(hawser_sim_run(s, dir, stop_second, NULL, &err), HAWSER_STOPPED);
+    check_has(err.message, "until it is resumed");
+    assert_true(is_there(dir, "checkpoint.hawser") && is_there(dir, "second-pass"));
+    hawser_sim_free(s);
+    hawser_sim_free(resumed(dir, stop_second, HAWSER_STOPPED));
+    hawser_sim *const again = resumed(dir, NULL, HAWSER_OK);
+    const hawser_summary a = summary_of(whole), b = summary_of(again);
+    assert_string_equal(b.passes->outcome, "replaced");
+    check_equal(b.pull_peak_N, a.pull_peak_N);
+    check_equal(b.pull_mean_N, a.pull_mean_N);
+    check_equal(b.pull_mean_error.total, a.pull_mean_error.total);
+    check_equal(b.pull_peak_error.total, a.pull_peak_error.total);
+    check_equal(b.passes->pass[0].pull_peak_bar_N, a.passes->pass[0].pull_peak_bar_N);
+    assert_int_equal(b.steps, a.steps);
+    assert_false(is_there(dir, "second-pass") || is_there(dir, "checkpoint.hawser"));
+    assert_int_equal(lines_in(dir, "series.csv"), 1 + 161);
+    hawser_sim_free(whole);
+    hawser_sim_free(again);
+    folder_remove(dir);
+}
+
+/* A state of before the run brings all of it back, whatever the handle speaks of now; one of after it does, too. */
+static void back_to_the_first(void **state)
+{
+    (void)state;
+    hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
+    void *before, *after;
+    size_t size, later;
+    hawser_error err = {0};
+    assert_int_equal(hawser_sim_save_memory(s, &before, &size, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_OK);
+    const double peak = summary_of(s).pull_peak_N;
+    assert_int_equal(hawser_sim_sample(s)->segments, 84);
+    assert_int_equal(hawser_sim_save_memory(s, &after, &later, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_load_memory(s, after, later, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_sample(s)->segments, 84);
+    check_equal(summary_of(s).pull_peak_N, peak);
+    assert_non_null(summary_of(s).passes);
+    if (hawser_sim_load_memory(s, before, size, &err)) fail_msg("%s", err.message);
+    check_equal(hawser_sim_time(s), 0);
+    assert_int_equal(hawser_sim_sample(s)->segments, 42);
+    assert_null(summary_of(s).passes);
+    assert_int_equal(hawser_sim_load_memory(s, after, later, &err), HAWSER_ERR_INPUT); /* that pass is gone */
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_OK);
+    check_equal(summary_of(s).pull_peak_N, peak);
+    hawser_bytes_free(before);
+    hawser_bytes_free(after);
+    hawser_sim_free(s);
 }
 
 /* A second pass that would take too long is not begun: it is said how long it would take, and how to ask for it. Asked
@@ -376,6 +448,8 @@ int main(void)
         cmocka_unit_test(stopped_in_the_second),
         cmocka_unit_test(too_long_is_declined),
         cmocka_unit_test(bars_by_two_passes),
+        cmocka_unit_test(the_second_is_resumed),
+        cmocka_unit_test(back_to_the_first),
         cmocka_unit_test(close_to_a_limit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
