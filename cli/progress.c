@@ -44,11 +44,12 @@ static void say_duration(char *text, size_t size, double s)
 /* Time, share, speed, step and what is left; the last is only as good as the speed is even. */
 static void say_line(const Progress *p, const hawser_sample *sample, double end, char *line)
 {
+    static const char *const pass[] = {"", "second pass, finer: ", "third pass, finer: "};
     char left[32] = "?";
     if (p->speed > 0) say_duration(left, sizeof left, (end - sample->t) / p->speed);
     const double share = end > 0 ? 100 * sample->t / end : 100;
     snprintf(line, LINE_MAX, "%st = %.2f s of %g s, %3.0f %%, %.3g x real time, step %.3g ms, %s left",
-             p->pass > 1 ? "second pass, finer: " : "", sample->t, end, share, p->speed, 1e3 * sample->step_size, left);
+             pass[p->pass > 2 ? 2 : p->pass > 1], sample->t, end, share, p->speed, 1e3 * sample->step_size, left);
 }
 
 /* Cut to the terminal's width, so that it stays one line. */

@@ -75,14 +75,14 @@ typedef struct hawser_pass {
     double wall_time_s;
 } hawser_pass;
 
-/* Why a run was computed a second time with finer settings, or not (docs/limits.md, "Two passes"). */
+/* Why a run was computed again with finer settings, or not (docs/limits.md, "Finer passes"). */
 typedef struct hawser_passes {
-    /* "replaced": all figures are those of the second pass; "compared": of the first, with error bars from both,
-     * because the case gives settings that would have to be others; "failed", "declined": of the first alone */
+    /* "replaced": all figures are those of the last pass; "compared": of the first, with error bars from all, because
+     * the case gives settings that would have to be others; "failed", "declined": of the first alone */
     const char *outcome;
     char why[256];           /* what the first pass alone left open */
     char says[512];          /* what became of it, in a sentence */
-    int n;                   /* passes that have figures, 1 or 2 */
+    int n;                   /* passes that have figures, 1 to 3 */
     const hawser_pass *pass; /* [n] */
 } hawser_passes;
 

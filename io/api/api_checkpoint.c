@@ -233,21 +233,20 @@ hawser_status checkpoint_read_dir(hawser_sim *s, const char *dir, RunKept *run, 
     return status;
 }
 
-/* A handle that speaks of its second pass goes on from states of that; one of before that pass brings the first back,
- * and with it a time when nothing was known of another. */
+/* A handle that speaks of a finer pass goes on from states of that; one of before that pass brings the first back, and
+ * with it a time when nothing was known of another. */
 static hawser_status state_read(hawser_sim *handle, const char *path, const void *bytes, size_t size, hawser_error *err)
 {
     hawser_sim *s = SHOWN(handle);
     hawser_error first = {.status = HAWSER_OK};
     hawser_status status = checkpoint_read(s, path, bytes, size, NULL, err);
     if (status == HAWSER_ERR_INPUT && s != handle && !checkpoint_read(handle, path, bytes, size, NULL, &first)) {
-        handle->second = sim_free(handle->second);
+        handle->finer = sim_free(handle->finer);
         s = handle;
         status = HAWSER_OK;
     }
     if (status || !(hawser_sim_time(s) < hawser_sim_end_time(s))) return status;
-    other_pass_free(&s->other);
-    s->other = (OtherPass){0};
+    other_passes_free(&s->others);
     free(s->passes);
     s->passes = NULL;
     return HAWSER_OK;

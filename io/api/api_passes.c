@@ -1,6 +1,8 @@
-/* A whole run: one pass, and a second with finer settings where the first leaves nothing open but its numerical errors.
- * docs/model.md, "Error bars" (EB19), (EB20); what a user needs to know of it is in docs/limits.md. */
+/* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
+ * docs/model.md, "Error bars" (EB19), (EB20), (EB24), (EB25); what a user needs to know of it is in docs/limits.md. */
 #include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,12 +12,12 @@
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 
-/* Evaluations times segments, of which a second pass takes about so many times as many as the first (the median of 341
+/* Evaluations times segments, of which a pass takes about so many times as many as the one before (the median of 341
  * random pulls; 4.2 in 95 % of them). */
 static const double GROWS = 3.1;
-/* Evaluations times segments of a second pass that is begun unasked: some ten minutes. */
+/* Evaluations times segments of a pass that is begun unasked: some ten minutes. */
 static const double WORK_MOST = 1.5e9;
-/* Steps of a second pass over those of the first: 1.7 in the median, 3.3 in 99 % of them; what takes more mostly fails.
+/* Steps of a pass over those of the one before: 1.7 in the median, 3.3 in 99 % of them; what takes more mostly fails.
  */
 enum { STEPS_MOST = 4 };
 
@@ -31,13 +33,21 @@ static int is_numerical(const hawser_condition *c)
     return found;
 }
 
-/* Whether the part of friction at rest alone, of which two passes say nothing, is more than a bar may be. */
-static int is_of_friction(const hawser_condition *c, const hawser_summary *sum)
+/* Whether so much of the bar alone, N, is more than the condition allows it to be. */
+static int is_too_much(const hawser_condition *c, const hawser_error_bar *bar, double part)
 {
-    const hawser_error_bar *bar = NULL;
-    if (!strcmp(c->name, "numerical_error")) bar = &sum->pull_mean_error;
-    if (!strcmp(c->name, "numerical_peak")) bar = &sum->pull_peak_error;
-    return bar && c->value * bar->friction > c->allowed * bar->total;
+    return c->value * part > c->allowed * bar->total;
+}
+
+/* Whether the part of friction at rest alone, of which passes say nothing, is more than a bar may be; or what this pass
+ * already differs by from a finer one. */
+static int is_beyond(const hawser_sim *s, const hawser_condition *c, const hawser_summary *sum)
+{
+    const int mean = !strcmp(c->name, "numerical_error"), peak = !strcmp(c->name, "numerical_peak");
+    const hawser_error_bar *const bar = peak ? &sum->pull_peak_error : &sum->pull_mean_error;
+    if (!mean && !peak) return 0;
+    return is_too_much(c, bar, bar->friction) ||
+           (s->others.finer && is_too_much(c, bar, other_passes_apart(&s->others, peak, sum)));
 }
 
 /* Whether a bend has a single pair of rollers on both sides of the cable, of which (ME12) says nothing. */
@@ -68,20 +78,33 @@ static const char *unseen(const Scene *scene)
     return has_single_pair(scene) ? "a bend has one pair of rollers, of which error bars see too little" : NULL;
 }
 
-/* Whether nothing but numerical conditions fails that a second pass may settle, and some of them do, or there is what
- * bars do not see; the worst, without its remedy, into `why`. */
-static int is_open(const Scene *scene, const hawser_summary *sum, size_t size, char *why)
+/* The worst of the conditions that fail, if all that do are numerical ones that a finer pass may settle; NULL: none
+ * fails, or there is nothing to be gained: then *hopeless is 1. */
+static const hawser_condition *worst_open(const hawser_sim *s, const hawser_summary *sum, int *hopeless)
 {
-    const char *const blind = unseen(scene);
     const hawser_condition *worst = NULL;
+    *hopeless = 0;
     for (int i = 0; i < sum->n_conditions; ++i) {
         const hawser_condition *const c = &sum->conditions[i];
         if (c->holds) continue;
-        if (!is_numerical(c) || is_of_friction(c, sum)) return 0;
+        *hopeless |= !is_numerical(c) || is_beyond(s, c, sum);
         if (!worst || c->value / c->allowed > worst->value / worst->allowed) worst = c;
     }
-    if (!worst && blind) snprintf(why, size, "%s", blind);
-    if (!worst) return blind != NULL;
+    return *hopeless ? NULL : worst;
+}
+
+/* Whether a second pass is wanted: such a condition is open, or there is what bars do not see; which, without its
+ * remedy, into `why`. */
+static int is_open(const hawser_sim *s, const hawser_summary *sum, size_t size, char *why)
+{
+    int hopeless;
+    const hawser_condition *const worst = worst_open(s, sum, &hopeless);
+    const char *const blind = unseen(&s->stage.scene);
+    if (hopeless || (!worst && !blind)) return 0;
+    if (!worst) {
+        snprintf(why, size, "%s", blind);
+        return 1;
+    }
     const char *const remedy = strstr(worst->remedy, ": use "), *const other = strstr(worst->remedy, ": set ");
     const char *const end = remedy ? remedy : other ? other : worst->remedy + strlen(worst->remedy);
     snprintf(why, size, "%.*s", (int)(end - worst->remedy), worst->remedy);
@@ -150,189 +173,297 @@ static void say_time(double seconds, size_t size, char *text)
     if (seconds >= 7200) snprintf(text, size, "%.2g hours", seconds / 3600);
 }
 
-/* Of both passes' figures, and whose those of the run are. */
-static void say_both(hawser_passes *p, const char *own)
+/* "a, b and c" of a figure of every pass, at the offset `at` of hawser_pass: an int if `whole`. */
+static void say_list(FILE *out, const hawser_passes *p, size_t at, int whole, const char *unit)
 {
-    const hawser_pass *const a = &p->pass[0], *const b = &p->pass[1];
-    const int n = snprintf(p->says, sizeof p->says,
-                           "computed twice, with %d and %d segments and accuracies of %.3g and %.3g: mean %.6g N and "
-                           "%.6g N, peak %.6g N and %.6g N; ",
-                           a->segments, b->segments, a->accuracy, b->accuracy, a->pull_mean_N, b->pull_mean_N,
-                           a->pull_peak_N, b->pull_peak_N);
-    char *const rest = p->says + n;
-    const size_t size = sizeof p->says - (size_t)n;
-    if (!own) snprintf(rest, size, "all figures are those of the second pass");
-    if (own)
-        snprintf(rest, size, "as the case gives %.60s, they are those of the first pass, with bars from both", own);
+    for (int k = 0; k < p->n; ++k) {
+        const char *const field = (const char *)&p->pass[k] + at, *const join = k == 0         ? ""
+                                                                                : k + 1 < p->n ? ", "
+                                                                                               : " and ";
+        if (whole) fprintf(out, "%s%d%s", join, *(const int *)field, unit);
+        if (!whole) fprintf(out, "%s%.*g%s", join, *unit ? 6 : 3, *(const double *)field, unit);
+    }
 }
 
-/* ------------------------------------------------------------------------------------------------- the second pass */
+static const char *const PASS[PASSES_MAX] = {"first", "second", "third"};
 
-/* What a second pass is made of. */
-typedef struct Second {
-    hawser_sim *first;
-    hawser_sim *sim;  /* the pass itself; NULL: not built yet */
+/* Of all passes' figures, and whose those of the run are. Returns 0 without memory. */
+static int say_all(hawser_passes *p, const char *own)
+{
+    FILE *const out = fmemopen(p->says, sizeof p->says, "w");
+    if (!out) return 0;
+    fprintf(out, "computed %s, with ", p->n == 2 ? "twice" : "three times");
+    say_list(out, p, offsetof(hawser_pass, segments), 1, "");
+    fprintf(out, " segments and accuracies of ");
+    say_list(out, p, offsetof(hawser_pass, accuracy), 0, "");
+    fprintf(out, ": mean ");
+    say_list(out, p, offsetof(hawser_pass, pull_mean_N), 0, " N");
+    fprintf(out, ", peak ");
+    say_list(out, p, offsetof(hawser_pass, pull_peak_N), 0, " N");
+    if (own) {
+        fprintf(out, "; as the case gives %.60s, they are those of the first pass, with bars from %s", own,
+                p->n == 2 ? "both" : "all");
+    } else {
+        fprintf(out, "; all figures are those of the %s pass", PASS[p->n - 1]);
+    }
+    return !fclose(out);
+}
+
+/* Puts a sentence behind what is said. */
+static void say_more(hawser_passes *p, const char *format, ...)
+{
+    va_list values;
+    const size_t used = strlen(p->says);
+    va_start(values, format);
+    vsnprintf(p->says + used, sizeof p->says - used, format, values);
+    va_end(values);
+}
+
+/* -------------------------------------------------------------------------------------------------- finer passes */
+
+/* The passes of a run, each made from the one before. */
+typedef struct Passes {
+    int n; /* that are over */
+    hawser_sim *sim[PASSES_MAX];
     const char *own;  /* a setting that is the case's; NULL: none */
     int slower;       /* v_s is refined too */
     const char *home; /* the first one's folder; NULL: nothing is written */
-    char dir[4096];   /* its own within that */
-    int lock;         /* of the first one's; -1: none */
+    int lock;         /* of that; -1: none */
+    int resumed;      /* what was begun is gone on with */
     PassesSaid *says; /* the first's */
-} Second;
+    hawser_progress progress;
+    void *user;
+} Passes;
 
 /* Whether what stops the run here can be gone on with. */
-static int is_kept(const Second *z) { return z->home && z->first->plan->output.checkpoint > 0; }
+static int is_kept(const Passes *z) { return z->home && z->sim[0]->plan->output.checkpoint > 0; }
 
-/* Its folder belongs to this run alone, and has nothing in it that an earlier one has left: but for what `resumed`
- * goes on with. Errors: OUTPUT. */
-static hawser_status second_house(Second *z, int resumed, hawser_error *err)
+/* The folder of pass k within the first one's. Errors: OUTPUT. */
+static hawser_status pass_folder(const Passes *z, int k, char dir[OUT_PATH_MAX], hawser_error *err)
 {
+    const int n = snprintf(dir, OUT_PATH_MAX, "%s/%s-pass", z->home, PASS[k]);
+    return n < OUT_PATH_MAX ? HAWSER_OK : error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
+}
+
+static void folders_remove(const Passes *z)
+{
+    char dir[OUT_PATH_MAX];
+    for (int k = 1; k < PASSES_MAX && z->home; ++k)
+        if (!pass_folder(z, k, dir, NULL)) results_remove(dir);
+}
+
+/* The folders belong to this run alone, and have nothing in them that an earlier one has left: but for what is gone on
+ * with. Errors: OUTPUT. */
+static hawser_status passes_house(Passes *z, hawser_error *err)
+{
+    char dir[OUT_PATH_MAX];
     if (!z->home) return HAWSER_OK;
-    if (snprintf(z->dir, sizeof z->dir, "%s/second-pass", z->home) >= (int)sizeof z->dir)
-        return error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
-    const hawser_status status = out_lock_dir(z->home, &z->lock, err);
-    if (!status && !resumed) results_remove(z->dir);
+    hawser_status status = pass_folder(z, 1, dir, err);
+    if (!status) status = out_lock_dir(z->home, &z->lock, err);
+    if (!status && !z->resumed) folders_remove(z);
     return status;
 }
 
-/* From its checkpoint, if the run that is gone on with has come so far, or from its beginning; what it needs to be
- * taken over is kept. Errors: as hawser_sim_run. */
-static hawser_status second_run(Second *z, int resumed, hawser_progress progress, void *user, hawser_error *err)
+/* The next one, built from the definition of the last with finer settings. Errors: MEMORY, INPUT, RUN. */
+static hawser_status pass_build(Passes *z, hawser_error *err)
 {
-    const char *const dir = z->home ? z->dir : NULL;
-    int over = 0;
-    hawser_status status = resumed ? pass_resume(z->sim, dir, progress, user, &over, err) : HAWSER_ERR_INPUT;
-    if (status == HAWSER_ERR_INPUT) status = pass_run(z->sim, dir, progress, user, err); /* there is no checkpoint */
-    if (!status && !over && is_kept(z)) status = pass_keep(z->sim, dir, err);
-    return status;
-}
-
-/* Built from the case's definition with finer settings. Errors: MEMORY, INPUT, RUN. */
-static hawser_status second_build(Second *z, hawser_error *err)
-{
-    hawser_sim *const first = z->first;
+    const hawser_sim *const last = z->sim[z->n - 1];
+    hawser_sim **const next = &z->sim[z->n];
     hawser_summary sum;
     SceneDef *const finer = calloc(1, sizeof *finer);
     if (!finer) return error_memory(err);
-    hawser_status status = scene_def_copy(first->plan, finer, err);
+    hawser_status status = scene_def_copy(last->plan, finer, err);
     if (status) {
         free(finer);
         return status;
     }
-    hawser_sim_summary(first, &sum);
-    scene_def_second_pass(finer, z->slower);
+    hawser_sim_summary(last, &sum);
+    scene_def_finer_pass(finer, z->slower);
     finer->solver.max_steps = STEPS_MOST * sum.steps;
-    status = sim_new(finer, first->threads, &z->sim, err);
+    status = sim_new(finer, last->threads, next, err);
     if (status) {
         scene_def_clear(finer);
         free(finer);
         return status;
     }
-    z->sim->plan = finer;
-    z->sim->pass = 1;
-    z->sim->case_name = strdup(first->case_name);
-    z->sim->title = strdup(first->title);
-    if (!z->sim->case_name || !z->sim->title) return error_memory(err);
-    return first->envelope.present ? envelope_new(&z->sim->envelope, &z->sim->stage.scene, err) : HAWSER_OK;
+    (*next)->plan = finer;
+    (*next)->pass = z->n;
+    (*next)->work_most = last->work_most;
+    (*next)->case_name = strdup(last->case_name);
+    (*next)->title = strdup(last->title);
+    if (!(*next)->case_name || !(*next)->title) return error_memory(err);
+    return last->envelope.present ? envelope_new(&(*next)->envelope, &(*next)->stage.scene, err) : HAWSER_OK;
 }
 
-/* Its figures, and the passes' differences where they belong. Errors: MEMORY. */
-static hawser_status second_take(Second *z, hawser_error *err)
+/* From its checkpoint, if the run that is gone on with has come so far, or from its beginning; what it needs to be
+ * taken over is kept. Errors: as hawser_sim_run. */
+static hawser_status pass_go(Passes *z, hawser_error *err)
 {
-    hawser_sim *const a = z->first, *const b = z->sim;
-    hawser_summary first, second;
-    hawser_sim_summary(a, &first);
-    hawser_sim_summary(b, &second);
-    const double friction = z->slower ? refinement_slower(a->plan, 1) : 1;
-    hawser_passes *const said = &z->says->said;
-    z->says->pass[1] = pass_describe(b, &second, friction);
-    said->n = 2;
-    said->outcome = z->own ? "compared" : "replaced";
-    say_both(said, z->own);
-    if (!z->own) {
-        return other_pass_take(&b->other, &a->stats, &first, sim_jolt(a), 0, 0, err);
-    }
-    return other_pass_take(&a->other, &b->stats, &second, sim_jolt(b), 1, !is_sound(&second), err);
-}
-
-/* The results of the second pass become those of the handle; the folder's, too. Its checkpoint goes last. Errors:
- * OUTPUT, MEMORY. */
-static hawser_status second_settle(Second *z, hawser_error *err)
-{
-    hawser_sim *const first = z->first;
-    const int replaced = !z->own;
-    if (replaced) {
-        z->sim->passes = first->passes;
-        first->passes = NULL;
-        first->second = z->sim;
-        z->sim = NULL;
-    }
-    if (!z->home) return HAWSER_OK;
-    hawser_status status = replaced ? results_replace(z->home, z->dir, err) : HAWSER_OK;
-    if (!status) status = pass_tell(SHOWN(first), z->home, err);
-    if (!status) results_remove(z->dir);
+    hawser_sim *const s = z->sim[z->n];
+    char folder[OUT_PATH_MAX];
+    int over = 0;
+    hawser_status status = z->home ? pass_folder(z, z->n, folder, err) : HAWSER_OK;
+    const char *const dir = z->home ? folder : NULL;
+    if (status) return status;
+    status = z->resumed ? pass_resume(s, dir, z->progress, z->user, &over, err) : HAWSER_ERR_INPUT;
+    if (status == HAWSER_ERR_INPUT) status = pass_run(s, dir, z->progress, z->user, err); /* there is no checkpoint */
+    if (!status && !over && is_kept(z)) status = pass_keep(s, dir, err);
     return status;
 }
 
-/* A second pass that was not to be: the first's results stand. What the caller stopped, and what no memory was there
+/* What pass `s` found, for the others' sake. Errors: MEMORY. */
+static hawser_status figures_of(const hawser_sim *s, PassFigures *out, hawser_error *err)
+{
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    return pass_figures_take(out, &s->stats, &sum, sim_jolt(s), err);
+}
+
+/* What pass `s` is to know of n others, the finest first. Errors: MEMORY. */
+static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[], hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    OtherPasses others = {.n = n, .finer = other[0]->pass > s->pass};
+    hawser_summary sum;
+    hawser_sim_summary(other[0], &sum);
+    others.unsound = others.finer && !is_sound(&sum);
+    for (int k = 0; k < n && !status; ++k) status = figures_of(other[k], &others.other[k], err);
+    other_passes_free(&s->others);
+    s->others = others;
+    return status;
+}
+
+/* The figures of the pass that is over now, and what passes know of each other. Errors: MEMORY. */
+static hawser_status passes_take(Passes *z, hawser_error *err)
+{
+    hawser_sim *const first = z->sim[0], *const last = z->sim[z->n++];
+    hawser_sim *const coarser[] = {z->sim[z->n - 2], first}, *const finer[] = {last, z->sim[1]};
+    const double slower = z->slower ? refinement_slower(first->plan, last->pass) : 1;
+    hawser_passes *const said = &z->says->said;
+    hawser_summary sum;
+    hawser_sim_summary(last, &sum);
+    z->says->pass[last->pass] = pass_describe(last, &sum, slower);
+    said->n = z->n;
+    said->outcome = z->own ? "compared" : "replaced";
+    if (!say_all(said, z->own)) return error_memory(err);
+    hawser_status status = others_take(last, z->n - 1, coarser, err);
+    if (!status && z->own) status = others_take(first, z->n - 1, finer, err);
+    return status;
+}
+
+/* Whose results are shown. */
+static hawser_sim *shown_of(const Passes *z) { return z->sim[z->own ? 0 : z->n - 1]; }
+
+/* Whether a pass after `last` would take too long to be begun unasked, and what it would take in words. By what was
+ * computed, not by the clock: what a run says is the same on any machine. */
+static int is_too_long(const hawser_sim *last, PassesChoice asked, size_t size, char *about)
+{
+    const hawser_sim *const s = last;
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    const double work = GROWS * (double)sum.rhs_evals * sum.segments;
+    say_time(GROWS * sum.wall_time_s, size, about);
+    return s->plan->solver.passes < asked && work > (s->work_most > 0 ? s->work_most : WORK_MOST);
+}
+
+/* Whether two passes have left open what a third may settle. */
+static int third_is_wanted(Passes *z)
+{
+    hawser_sim *const shown = shown_of(z);
+    hawser_summary sum, finest;
+    char about[32];
+    int hopeless;
+    hawser_sim_summary(z->sim[z->n - 1], &finest);
+    hawser_sim_summary(shown, &sum);
+    if (z->n >= PASSES_MAX || shown->plan->solver.passes == PASSES_TWO || !is_sound(&finest)) return 0;
+    if (!worst_open(shown, &sum, &hopeless)) return 0;
+    if (!is_too_long(z->sim[z->n - 1], PASSES_THREE, sizeof about, about)) return 1;
+    say_more(&z->says->said, "; a third one would settle what is open in about %s: set solver.passes to 3", about);
+    return 0;
+}
+
+/* The results of the last pass become those of the handle; the folder's, too. Its checkpoint goes last. Errors: OUTPUT,
+ * MEMORY. */
+static hawser_status passes_settle(Passes *z, hawser_error *err)
+{
+    hawser_sim *const first = z->sim[0];
+    char dir[OUT_PATH_MAX];
+    hawser_status status = HAWSER_OK;
+    if (!z->own) {
+        hawser_sim *const last = z->sim[z->n - 1];
+        last->passes = first->passes;
+        first->passes = NULL;
+        first->finer = last;
+        z->sim[z->n - 1] = NULL;
+        if (z->home) status = pass_folder(z, z->n - 1, dir, err);
+        if (z->home && !status) status = results_replace(z->home, dir, err);
+    }
+    if (!status && z->home) status = pass_tell(SHOWN(first), z->home, err);
+    if (!status) folders_remove(z);
+    return status;
+}
+
+/* A pass that was not to be: the results of those before stand. What the caller stopped, and what no memory was there
  * for, is said to him. */
-static hawser_status second_give_up(Second *z, hawser_status status, const hawser_error *why, hawser_error *err)
+static hawser_status passes_give_up(Passes *z, hawser_status status, const hawser_error *why, hawser_error *err)
 {
     hawser_passes *const said = &z->says->said;
-    if (z->home && !(status == HAWSER_STOPPED && is_kept(z))) results_remove(z->dir);
+    const int waits = status == HAWSER_STOPPED && is_kept(z), third = z->n > 1;
+    const char *const pass = PASS[z->n], *const stands = third && !waits && !z->own ? "second" : "first";
+    if (status == HAWSER_STOPPED)
+        error_set(err, status, "stopped in the %s pass; the results are those of the %s%s", pass, stands,
+                  waits ? " until it is resumed" : "");
+    if (status == HAWSER_ERR_MEMORY) error_memory(err);
+    if (third && !waits) { /* two passes say what they have to */
+        say_more(said, status == HAWSER_STOPPED ? "; a third one was stopped" : "; a third one failed: %.150s",
+                 why->message);
+        const hawser_status told = passes_settle(z, status == HAWSER_STOPPED ? NULL : err);
+        return status == HAWSER_STOPPED || status == HAWSER_ERR_MEMORY ? status : told;
+    }
+    other_passes_free(&z->sim[0]->others);
     said->outcome = "failed";
     said->n = 1;
-    if (status == HAWSER_STOPPED) {
-        snprintf(said->says, sizeof said->says, "a second pass was stopped; these are the figures of the first");
-        error_set(err, status, "stopped in the second pass; the results are those of the first%s",
-                  is_kept(z) ? " until it is resumed" : "");
-    } else {
-        snprintf(said->says, sizeof said->says, "a second pass failed: %.400s", why->message);
-        if (status == HAWSER_ERR_MEMORY) return error_memory(err);
-    }
-    hawser_status told = z->home ? pass_tell(z->first, z->home, status == HAWSER_STOPPED ? NULL : err) : HAWSER_OK;
+    *said->says = 0;
+    say_more(said,
+             status == HAWSER_STOPPED ? "a %s pass was stopped; these are the figures of the first"
+                                      : "a %s pass failed: %.400s",
+             pass, why->message);
+    if (!waits) folders_remove(z);
+    if (status == HAWSER_ERR_MEMORY) return status;
+    const hawser_status told =
+        z->home ? pass_tell(z->sim[0], z->home, status == HAWSER_STOPPED ? NULL : err) : HAWSER_OK;
     return status == HAWSER_STOPPED ? status : told;
 }
 
-/* Whether it would take too long to be begun unasked; says so, with the time it would take. By what was computed, not
- * by the clock: what a run says is the same on any machine. */
-static int is_too_long(const hawser_sim *s, const hawser_summary *sum, hawser_passes *says)
-{
-    char about[32];
-    const double work = GROWS * (double)sum->rhs_evals * sum->segments;
-    if (s->plan->solver.passes == PASSES_TWO || work <= (s->work_most > 0 ? s->work_most : WORK_MOST)) return 0;
-    says->outcome = "declined";
-    say_time(GROWS * sum->wall_time_s, sizeof about, about);
-    snprintf(says->says, sizeof says->says,
-             "a second pass with finer settings would settle that in about %s: set solver.passes to 2", about);
-    return 1;
-}
-
-/* Whether one is to be made, and what is said if one is open. Errors: MEMORY. */
+/* Whether a second one is to be made, and what is said if it is open. Errors: MEMORY. */
 static hawser_status second_ask(hawser_sim *s, int *wanted, hawser_error *err)
 {
-    char why[sizeof s->passes->said.why];
+    char why[sizeof s->passes->said.why], about[32];
     hawser_summary sum;
     *wanted = 0;
     hawser_sim_summary(s, &sum);
-    if (!is_open(&s->stage.scene, &sum, sizeof why, why)) return HAWSER_OK;
+    if (!is_open(s, &sum, sizeof why, why)) return HAWSER_OK;
     s->passes = calloc(1, sizeof *s->passes);
     if (!s->passes) return error_memory(err);
-    memcpy(s->passes->said.why, why, sizeof why);
-    s->passes->said.n = 1;
-    s->passes->said.pass = s->passes->pass;
+    hawser_passes *const said = &s->passes->said;
+    memcpy(said->why, why, sizeof why);
+    said->n = 1;
+    said->pass = s->passes->pass;
     s->passes->pass[0] = pass_describe(s, &sum, 1);
-    *wanted = !is_too_long(s, &sum, &s->passes->said);
+    *wanted = !is_too_long(s, PASSES_TWO, sizeof about, about);
+    if (*wanted) return HAWSER_OK;
+    said->outcome = "declined";
+    say_more(said, "a second pass with finer settings would settle that in about %s: set solver.passes to 2", about);
     return HAWSER_OK;
 }
 
 /* After a first pass. resumed: that had ended when the run was stopped, and is as it was then. Errors: OUTPUT, MEMORY,
  * STOPPED. */
-static hawser_status second_pass(hawser_sim *s, const char *dir, int resumed, hawser_progress progress, void *user,
-                                 hawser_error *err)
+static hawser_status finer_passes(hawser_sim *s, const char *dir, int resumed, hawser_progress progress, void *user,
+                                  hawser_error *err)
 {
     hawser_error late = {.status = HAWSER_OK};
-    Second z = {.first = s, .home = dir, .lock = -1};
+    Passes z = {.n = 1, .sim = {s}, .home = dir, .lock = -1, .resumed = resumed, .progress = progress, .user = user};
     int wanted;
     hawser_status status = second_ask(s, &wanted, err);
     if (status) return status;
@@ -340,15 +471,17 @@ static hawser_status second_pass(hawser_sim *s, const char *dir, int resumed, ha
     z.says = s->passes;
     z.own = given(s->plan, is_setting);
     z.slower = z.own || !given(s->plan, is_v_s); /* in a pass that is only compared no law is another one */
-    status = second_house(&z, resumed, err);
+    status = passes_house(&z, err);
     if (!status && is_kept(&z) && !resumed) status = pass_keep(s, dir, err);
     if (!status) {
-        status = second_build(&z, &late);
-        if (!status) status = second_run(&z, resumed, progress, user, &late);
-        if (!status) status = second_take(&z, &late);
-        status = status ? second_give_up(&z, status, &late, err) : second_settle(&z, err);
+        do {
+            status = pass_build(&z, &late);
+            if (!status) status = pass_go(&z, &late);
+            if (!status) status = passes_take(&z, &late);
+        } while (!status && third_is_wanted(&z));
+        status = status ? passes_give_up(&z, status, &late, err) : passes_settle(&z, err);
     }
-    sim_free(z.sim);
+    for (int k = 1; k < PASSES_MAX; ++k) sim_free(z.sim[k]);
     if (z.lock >= 0) close(z.lock);
     return status;
 }
@@ -363,7 +496,7 @@ static int is_whole(const hawser_sim *s)
 static hawser_status go_on(hawser_sim *s, const char *dir, int whole, int over, hawser_status status,
                            hawser_progress progress, void *user, hawser_error *err)
 {
-    if (!status && whole && !s->led) status = second_pass(s, dir, over, progress, user, err);
+    if (!status && whole && !s->led) status = finer_passes(s, dir, over, progress, user, err);
     if (dir && (!status || status == HAWSER_ERR_RUN)) results_no_checkpoint(dir);
     return status;
 }

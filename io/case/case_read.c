@@ -8,7 +8,7 @@
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const planar_choices[] = {"auto", "on", "off", NULL};
-static const char *const passes_choices[] = {"auto", "1", "2", NULL};
+static const char *const passes_choices[] = {"auto", "1", "2", "3", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 

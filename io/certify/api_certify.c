@@ -389,15 +389,15 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     hawser_summary sum;
     if (!c || !run || !out) return error_argument(err, !c ? "c" : !run ? "run" : "out");
     *out = NULL;
-    const hawser_sim *const second = run->second;
+    const hawser_sim *const finer = run->finer;
     run = SHOWN(run);
     Certifier *const z = calloc(1, sizeof *z);
     hawser_certificate *const certificate = calloc(1, sizeof *certificate);
     hawser_status status = z && certificate ? case_ensure_read(c, err) : error_memory(err);
     if (!status) status = options_fill(options, &z->options, err);
     if (!status) {
-        z->def = second ? second->plan : &c->def;
-        z->slower = second ? second->passes->pass[1].friction : 1;
+        z->def = finer ? finer->plan : &c->def;
+        z->slower = finer ? finer->passes->pass[finer->pass].friction : 1;
         z->out = certificate;
         certificate->tolerance = z->options.tolerance;
         status = begin(z, run, err);

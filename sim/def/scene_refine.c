@@ -69,7 +69,7 @@ void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES])
 }
 
 /* Rows come as they did, and segments that were named are the first of the two that they have become. */
-void scene_def_second_pass(SceneDef *def, int slower)
+void scene_def_finer_pass(SceneDef *def, int slower)
 {
     const double interval = def->output.interval;
     const int watched = def->output.n_speed_segments;

@@ -11,7 +11,7 @@ typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
 
 /* Whether a whole run may be computed a second time with finer settings: where only numerical errors are left open and
  * it does not take too long; never; however long it takes. */
-typedef enum PassesChoice { PASSES_AUTO, PASSES_ONE, PASSES_TWO } PassesChoice;
+typedef enum PassesChoice { PASSES_AUTO, PASSES_ONE, PASSES_TWO, PASSES_THREE } PassesChoice;
 
 typedef struct SolverDef {
     double accuracy;                                                /* one number for all tolerances */

@@ -66,17 +66,17 @@ typedef struct hawser_sim {
     hawser_status outcome;         /* of the last call that computed */
     int inside;                    /* it moves now: who is called must not have it move */
     char message[HAWSER_MESSAGE_MAX];
-    /* of a whole run's two passes (io/api/api_passes.c) */
-    SceneDef *plan;            /* the definition as the case has it; NULL: no second pass is wanted. Owned */
-    int pass;                  /* 0; 1 of the second one */
-    double work_most;          /* evaluations times segments of a second pass that is begun unasked; 0: ten minutes */
-    int led;                   /* the caller has told it what to do: it cannot be computed again by itself */
-    OtherPass other;           /* the figures of the other one */
-    PassesSaid *passes;        /* what is said of them; NULL: there is nothing to be said. Owned */
-    struct hawser_sim *second; /* whose results have replaced this one's: SHOWN; owned */
+    /* of a whole run's passes (io/api/api_passes.c) */
+    SceneDef *plan;           /* the definition as the case has it; NULL: one pass is enough. Owned */
+    int pass;                 /* 0; 1 and 2 of the second and third one */
+    double work_most;         /* evaluations times segments of a pass that is begun unasked; 0: ten minutes */
+    int led;                  /* the caller has told it what to do: it cannot be computed again by itself */
+    OtherPasses others;       /* what it knows of the others */
+    PassesSaid *passes;       /* what is said of them; NULL: there is nothing to be said. Owned */
+    struct hawser_sim *finer; /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
 
 /* The simulation whose results a handle stands for. */
-#define SHOWN(s) ((s) && (s)->second ? (s)->second : (s))
+#define SHOWN(s) ((s) && (s)->finer ? (s)->finer : (s))
 
 #endif

@@ -110,9 +110,9 @@ Sim *sim_free(Sim *s)
     text_pool_free(&s->texts);
     if (s->plan) scene_def_clear(s->plan);
     free(s->plan);
-    other_pass_free(&s->other);
+    other_passes_free(&s->others);
     free(s->passes);
-    sim_free(s->second);
+    sim_free(s->finer);
     free(s);
     return NULL;
 }
@@ -442,7 +442,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
-    other_pass_bars(&s->other, &s->stats, sim_jolt(s), out);
+    other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
 }
 
 static void summary_fill(const Sim *s, hawser_summary *out)
@@ -454,7 +454,7 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .mesh = &s->mesh,
-                              .mesh_most = other_pass_share(&s->other, out),
+                              .mesh_most = other_passes_share(&s->others, out),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,

@@ -1,12 +1,13 @@
-/* The second pass of a run: it is made where numbers alone are open, its figures take the place of the first's where
- * the case leaves the settings open, and where it does not both together say what the first is off by. */
+/* Finer passes of a run: a second one is made where numbers alone are open, and a third where they still are. The last
+ * one's figures take the place of the first's where the case leaves the settings open, and where it does not all
+ * together say what the first is off by. */
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "sim/run/sim.h"
 #include "tests/io/case_fixture.h"
 
-static const char *const once[] = {"solver.passes", "1", NULL};
+static const char *const once[] = {"solver.passes", "1", NULL}, *const twice[] = {"solver.passes", "2", NULL};
 
 static hawser_summary summary_of(const hawser_sim *s)
 {
@@ -20,6 +21,19 @@ static const hawser_condition *condition_called(const hawser_summary *sum, const
     for (int i = 0; i < sum->n_conditions; i++)
         if (!strcmp(sum->conditions[i].name, name)) return &sum->conditions[i];
     return NULL;
+}
+
+/* What a pass knows of one other one, which found that and says that it may be off by `bar`. */
+static OtherPasses beside(int finer, double mean, double peak, double bar)
+{
+    OtherPasses o = {.n = 1, .finer = finer};
+    o.other[0] = (PassFigures){.n = 2, .value = calloc(4, sizeof(double)), .jolt = NAN};
+    assert_non_null(o.other[0].value);
+    o.other[0].bar = o.other[0].value + 2;
+    o.other[0].value[0] = mean;
+    o.other[0].value[1] = peak;
+    o.other[0].bar[0] = o.other[0].bar[1] = bar;
+    return o;
 }
 
 /* A slack rope is drawn tight: 2125 N with 42 segments, of which the bar says 12 %; 1951 N with 84, 1908 N with 168.
@@ -106,20 +120,22 @@ static void a_jolt_that_may_be_the_peak(void **state)
 {
     (void)state;
     const Stats none = {0};
-    const OtherPass other = {.present = 1, .mean = 1143, .peak = 1172, .jolt = 700};
+    OtherPasses other = beside(0, 1143, 1172, 0);
+    other.other[0].jolt = 700;
     hawser_summary sum = {
         .pull_mean_N = 1140, .pull_peak_N = 1178, .pull_mean_error = {0, 3, 0, 3}, .pull_peak_error = {1, 13, 7, 21}};
-    other_pass_bars(&other, &none, 1128, &sum);
+    other_passes_bars(&other, &none, 1128, &sum);
     check_share(sum.pull_peak_error.mesh, 1128 + 428 - 1178, 1e-12);
     check_share(sum.pull_peak_error.total, sum.pull_peak_error.time + sum.pull_peak_error.mesh + 7, 1e-12);
     /* one that falls as the mesh is refined, or cannot be, says nothing */
     sum.pull_peak_error = (hawser_error_bar){1, 13, 7, 21};
-    other_pass_bars(&other, &none, 650, &sum);
+    other_passes_bars(&other, &none, 650, &sum);
     check_at_most(sum.pull_peak_error.total, 21);
-    other_pass_bars(&other, &none, NAN, &sum);
+    other_passes_bars(&other, &none, NAN, &sum);
     check_at_most(sum.pull_peak_error.total, 21);
+    other_passes_free(&other);
 
-    hawser_sim *const thrown = run_of(data_text("trust-thrown"), NULL);
+    hawser_sim *const thrown = run_of(data_text("trust-thrown"), twice);
     const hawser_summary run = summary_of(thrown);
     assert_non_null(run.passes);
     assert_true(condition_called(&run, "start_jolt")->holds); /* it is not the peak in this mesh */
@@ -129,13 +145,14 @@ static void a_jolt_that_may_be_the_peak(void **state)
 }
 
 /* A reel swings on its cable, and long steps take the swing: 632 N +- 35 N was trusted, and 706 N is true. The first
- * pass's bar holds that now, and the second pass's, which comes nearer. */
+ * pass's bar holds that now, and those of the second and the third, which come nearer. */
 static void a_swing_that_steps_take(void **state)
 {
     (void)state;
-    hawser_sim *const first = run_of(data_text("trust-swings"), once), *const both =
-                                                                           run_of(data_text("trust-swings"), NULL);
-    const hawser_summary a = summary_of(first), b = summary_of(both);
+    hawser_sim *const first = run_of(data_text("trust-swings"), once),
+                      *const both = run_of(data_text("trust-swings"), twice),
+                      *const all = run_of(data_text("trust-swings"), NULL);
+    const hawser_summary a = summary_of(first), b = summary_of(both), c = summary_of(all);
     check_close(a.pull_peak_N, 632.5, 1);
     check_at_most(706 - a.pull_peak_N, a.pull_peak_error.total);
     check_at_most(60, a.pull_peak_error.time);
@@ -144,6 +161,10 @@ static void a_swing_that_steps_take(void **state)
     check_close(b.pull_peak_N, 655, 2);
     check_at_most(706 - b.pull_peak_N, b.pull_peak_error.total);
     check_at_most(b.pull_peak_error.total, 2 * (706 - b.pull_peak_N));
+    check_close(c.pull_peak_N, 679.5, 2);
+    check_at_most(706 - c.pull_peak_N, c.pull_peak_error.total);
+    check_at_most(c.pull_peak_error.total, 2.5 * (706 - c.pull_peak_N));
+    hawser_sim_free(all);
     hawser_sim_free(first);
     hawser_sim_free(both);
 }
@@ -158,10 +179,11 @@ static void swings_fall_slowly(void **state)
     } row[] = {{0, 0, 20, 25}, {0, 50, 20, 50}, {0, 80, 20, 60}, {1, 0, 20, 40}, {1, 70, 20, 70}, {1, 90, 20, 80}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         const Stats swings = {.faded = row[k].faded};
-        const OtherPass other = {.present = 1, .finer = row[k].finer, .mean = 1000, .peak = 1000 - row[k].apart};
+        OtherPasses other = beside(row[k].finer, 1000, 1000 - row[k].apart, 0);
         hawser_summary sum = {.pull_mean_N = 1000, .pull_peak_N = 1000, .pull_peak_error = {70, 30, 0, 100}};
-        other_pass_bars(&other, &swings, NAN, &sum);
+        other_passes_bars(&other, &swings, NAN, &sum);
         check_share(sum.pull_peak_error.total, row[k].expected, 1e-12);
+        other_passes_free(&other);
     }
 }
 
@@ -193,9 +215,9 @@ static void close_to_a_limit(void **state)
 {
     (void)state;
     const char *const near[] = {"limits.pull", "1880 N", "limits.sidewall", "9 kN/m", "solver.passes", "1", NULL},
-                      *const twice[] = {"limits.pull", "1880 N", "limits.sidewall", "9 kN/m", NULL},
+                      *const again[] = {"limits.pull", "1880 N", "limits.sidewall", "9 kN/m", NULL},
                       *const over[] = {"limits.pull", "1800 N", "limits.sidewall", "9 kN/m", NULL};
-    hawser_sim *const once_only = run_of(data_text("trust"), near), *const both = run_of(data_text("trust"), twice),
+    hawser_sim *const once_only = run_of(data_text("trust"), near), *const both = run_of(data_text("trust"), again),
                       *const broken = run_of(data_text("trust"), over);
     const hawser_summary a = summary_of(once_only), b = summary_of(both), c = summary_of(broken);
     hawser_limit limit[HAWSER_LIMITS_MAX];
@@ -413,25 +435,185 @@ static void bars_by_two_passes(void **state)
                {1, 40, 1, 10}, {1, 40, 8, 16},  {1, 10, 8, 16}, {1, 40, 30, 60}, {1, 1, 0, 0.25}};
     const Stats none = {0};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        const OtherPass other = {
-            .present = 1, .finer = row[k].finer, .mean = 1000 + row[k].apart, .peak = 1000 - row[k].apart};
+        OtherPasses other = beside(row[k].finer, 1000 + row[k].apart, 1000 - row[k].apart, 0);
         hawser_summary sum = {.pull_mean_N = 1000,
                               .pull_peak_N = 1000,
                               .pull_mean_error = {0, row[k].bar, 0, row[k].bar},
                               .pull_peak_error = {row[k].bar / 2, row[k].bar / 2, 100, row[k].bar + 100}};
-        other_pass_bars(&other, &none, NAN, &sum);
+        other_passes_bars(&other, &none, NAN, &sum);
         check_share(sum.pull_mean_error.total, row[k].expected, 1e-12);
         check_share(sum.pull_peak_error.mesh, row[k].expected / 2, 1e-12);
         check_equal(sum.pull_peak_error.friction, 100); /* of which passes say nothing */
         check_share(sum.pull_peak_error.total, row[k].expected + 100, 1e-12);
+        other_passes_free(&other);
     }
     /* a second pass that is not sound itself makes nothing narrower */
-    const OtherPass unsound = {.present = 1, .finer = 1, .unsound = 1, .mean = 1010, .peak = 1001};
+    OtherPasses unsound = beside(1, 1010, 1001, 0);
+    unsound.unsound = 1;
     hawser_summary sum = {
         .pull_mean_N = 1000, .pull_peak_N = 1000, .pull_mean_error = {0, 8, 0, 8}, .pull_peak_error = {0, 8, 0, 8}};
-    other_pass_bars(&unsound, &none, NAN, &sum);
+    other_passes_bars(&unsound, &none, NAN, &sum);
     check_share(sum.pull_mean_error.total, 20, 1e-12);
     check_share(sum.pull_peak_error.total, 8, 1e-12);
+    other_passes_free(&unsound);
+}
+
+/* The last of three falls to a sixteenth of its own bar where all agree, and no lower than a third of what the two
+ * before differ by (EB24); the first is off by what it differs by from the last, and what that one may be off by
+ * (EB25). */
+static void bars_by_three_passes(void **state)
+{
+    (void)state;
+    static const struct {
+        double bar, apart, before, expected;
+    } row[] = {{64, 1, 2, 4}, {64, 20, 30, 20}, {64, 1, 60, 20}, {6, 9, 12, 6}, {2, 9, 12, 3}};
+    const Stats none = {0};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        OtherPasses others = beside(0, 1000 + row[k].apart, 1000, 0);
+        OtherPasses before = beside(0, 1000 + row[k].apart + row[k].before, 1000, 0);
+        others.other[others.n++] = before.other[0];
+        hawser_summary sum = {
+            .pull_mean_N = 1000, .pull_peak_N = 1000, .pull_mean_error = {row[k].bar, 0, 0, row[k].bar}};
+        other_passes_bars(&others, &none, NAN, &sum);
+        check_share(sum.pull_mean_error.total, row[k].expected, 1e-12);
+        check_share(other_passes_share(&others, &sum), fmax(row[k].apart, row[k].before / 3) / 1000, 1e-12);
+        other_passes_free(&others);
+    }
+    OtherPasses finer = beside(1, 1012, 985, 5);
+    finer.n = 2;
+    hawser_summary sum = {
+        .pull_mean_N = 1000, .pull_peak_N = 1000, .pull_mean_error = {0, 8, 0, 8}, .pull_peak_error = {30, 60, 7, 97}};
+    other_passes_bars(&finer, &none, NAN, &sum);
+    check_share(sum.pull_mean_error.total, 12 + 5, 1e-12);
+    check_share(sum.pull_peak_error.total, 15 + 5 + 7, 1e-12);
+    check_share(other_passes_apart(&finer, 1, &sum), 15, 1e-12);
+    /* a last one that is not sound itself makes bars wider only */
+    finer.unsound = 1;
+    sum.pull_mean_error = (hawser_error_bar){0, 50, 0, 50};
+    other_passes_bars(&finer, &none, NAN, &sum);
+    check_share(sum.pull_mean_error.total, 50, 1e-12);
+    other_passes_free(&finer);
+}
+
+/* Six segments from roller to roller, all in step: 793 N, 741 N and 679 N, of which the finest says that it may be off
+ * by 3.3 %; 674 N with eight times the segments. */
+static void a_third_settles_it(void **state)
+{
+    (void)state;
+    hawser_sim *const both = run_of(data_text("trust-in-step"), twice), *const all =
+                                                                            run_of(data_text("trust-in-step"), NULL);
+    const hawser_summary a = summary_of(both), b = summary_of(all);
+    assert_int_equal(a.passes->n, 2);
+    assert_false(condition_called(&a, "numerical_peak")->holds);
+    assert_int_equal(b.passes->n, 3);
+    assert_string_equal(b.passes->outcome, "replaced");
+    check_has(b.passes->says, "computed three times, with 86, 172 and 344 segments");
+    check_has(b.passes->says, "all figures are those of the third pass");
+    check_equal(b.passes->pass[1].pull_peak_N, a.pull_peak_N);
+    check_equal(b.passes->pass[2].pull_peak_N, b.pull_peak_N);
+    check_equal(b.passes->pass[2].friction, 0.25);
+    check_equal(b.passes->pass[2].accuracy, 1e-3 / 16);
+    assert_int_equal(b.segments, 344);
+    assert_int_equal(hawser_sim_sample(all)->pass, 3);
+    assert_true(condition_called(&b, "numerical_peak")->holds);
+    check_at_most(fabs(b.pull_peak_N - 674), b.pull_peak_error.total);
+    hawser_sim_free(both);
+    hawser_sim_free(all);
+}
+
+/* The same with a length of segments that the case gives: the first one's figures, to the last bit, and the bars that
+ * all three come to. One that differs by more than is allowed from the second already asks for no third. */
+static void a_third_is_compared(void **state)
+{
+    (void)state;
+    static const char *const one[] = {"chain.0.segment", "0.2 m", "solver.passes", "1", NULL},
+                             *const given[] = {"chain.0.segment", "0.2 m", NULL},
+                             *const coarse[] = {"chain.0.segment", "0.5 m", NULL};
+    hawser_sim *const first = run_of(data_text("trust-in-step"), one),
+                      *const all = run_of(data_text("trust-in-step"), given),
+                      *const off = run_of(data_text("trust-in-step"), coarse);
+    const hawser_summary a = summary_of(first), b = summary_of(all), c = summary_of(off);
+    assert_int_equal(b.passes->n, 3);
+    assert_string_equal(b.passes->outcome, "compared");
+    check_has(b.passes->says, "they are those of the first pass, with bars from all");
+    check_equal(b.pull_mean_N, a.pull_mean_N);
+    check_equal(b.pull_peak_N, a.pull_peak_N);
+    const double apart = fabs(b.passes->pass[2].pull_peak_N - a.pull_peak_N);
+    check_at_most(apart, b.pull_peak_error.total);
+    check_at_most(b.pull_peak_error.total, apart + b.passes->pass[2].pull_peak_bar_N);
+    check_at_most(fabs(a.pull_peak_N - 674), b.pull_peak_error.total);
+    assert_int_equal(c.passes->n, 2);
+    assert_false(condition_called(&c, "numerical_peak")->holds);
+    hawser_sim_free(first);
+    hawser_sim_free(all);
+    hawser_sim_free(off);
+}
+
+static int stop_third(void *user, const hawser_sample *sample, double wall_s, double end_s)
+{
+    (void)user, (void)wall_s, (void)end_s;
+    return sample->pass == 3;
+}
+
+/* Stopped in the third pass, with nothing kept: what two passes have come to stands. One that would take too long is
+ * not begun. */
+static void without_a_third(void **state)
+{
+    (void)state;
+    static const char *const unkept[] = {"run.checkpoint", "0", NULL};
+    char dir[] = "/tmp/hawser-passes-XXXXXX";
+    hawser_error err = {0};
+    assert_non_null(mkdtemp(dir));
+    hawser_sim *const first = run_of(data_text("trust-in-step"), once);
+    hawser_sim *const both = run_of(data_text("trust-in-step"), twice);
+    hawser_sim *const stopped = sim_of(data_text("trust-in-step"), unkept);
+    hawser_sim *const declined = sim_of(data_text("trust-in-step"), NULL);
+    const hawser_summary one = summary_of(first), two = summary_of(both);
+    assert_int_equal(hawser_sim_run(stopped, dir, stop_third, NULL, &err), HAWSER_STOPPED);
+    check_has(err.message, "the results are those of the second");
+    const hawser_summary a = summary_of(stopped);
+    check_has(a.passes->says, "a third one was stopped");
+    check_equal(a.pull_peak_N, two.pull_peak_N);
+    check_equal(a.pull_peak_error.total, two.pull_peak_error.total);
+    assert_false(is_there(dir, "second-pass") || is_there(dir, "third-pass") || is_there(dir, "checkpoint.hawser"));
+
+    declined->work_most = 3.2 * (double)one.rhs_evals * one.segments; /* enough for a second one */
+    assert_int_equal(hawser_sim_run(declined, NULL, NULL, NULL, &err), HAWSER_OK);
+    const hawser_summary b = summary_of(declined);
+    assert_int_equal(b.passes->n, 2);
+    check_has(b.passes->says, "set solver.passes to 3");
+    check_equal(b.pull_peak_N, two.pull_peak_N);
+    hawser_sim_free(first);
+    hawser_sim_free(both);
+    hawser_sim_free(stopped);
+    hawser_sim_free(declined);
+    folder_remove(dir);
+}
+
+/* Stopped in the third pass and gone on with: as in one go, to the last bit. */
+static void the_third_is_resumed(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/hawser-passes-XXXXXX";
+    hawser_error err = {0};
+    assert_non_null(mkdtemp(dir));
+    hawser_sim *const whole = run_of(data_text("trust-in-step"), NULL);
+    hawser_sim *const s = sim_of(data_text("trust-in-step"), NULL);
+    assert_int_equal(hawser_sim_run(s, dir, stop_third, NULL, &err), HAWSER_STOPPED);
+    check_has(err.message, "until it is resumed");
+    assert_true(is_there(dir, "second-pass") && is_there(dir, "third-pass") && is_there(dir, "checkpoint.hawser"));
+    hawser_sim *const again = resumed(dir, NULL, HAWSER_OK);
+    const hawser_summary a = summary_of(whole), b = summary_of(again);
+    assert_int_equal(b.passes->n, 3);
+    check_equal(b.pull_peak_N, a.pull_peak_N);
+    check_equal(b.pull_mean_error.total, a.pull_mean_error.total);
+    check_equal(b.pull_peak_error.total, a.pull_peak_error.total);
+    assert_int_equal(b.steps, a.steps);
+    assert_false(is_there(dir, "second-pass") || is_there(dir, "third-pass") || is_there(dir, "checkpoint.hawser"));
+    hawser_sim_free(whole);
+    hawser_sim_free(s);
+    hawser_sim_free(again);
+    folder_remove(dir);
 }
 
 int main(void)
@@ -448,6 +630,11 @@ int main(void)
         cmocka_unit_test(stopped_in_the_second),
         cmocka_unit_test(too_long_is_declined),
         cmocka_unit_test(bars_by_two_passes),
+        cmocka_unit_test(bars_by_three_passes),
+        cmocka_unit_test(a_third_settles_it),
+        cmocka_unit_test(a_third_is_compared),
+        cmocka_unit_test(without_a_third),
+        cmocka_unit_test(the_third_is_resumed),
         cmocka_unit_test(the_second_is_resumed),
         cmocka_unit_test(back_to_the_first),
         cmocka_unit_test(close_to_a_limit),

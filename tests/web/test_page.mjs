@@ -92,6 +92,13 @@ test('says of which pass the figures are, and what the other found', async () =>
   assert.deepEqual(heard, []);
   await close();
 
+  data.summary.passes = { ...passes, pass: [...passes.pass, pass(276, 6.25e-5, 8010, 8990)] };
+  const three = await open(report(data));
+  assert.match(await three.page.locator('#key-figures').innerText(), /those of a third pass/);
+  assert.match(await three.page.locator('#trust').innerText(), /third, shown/);
+  assert.equal(await three.page.locator('#trust .record tbody tr').count(), 3);
+  await three.close();
+
   data.summary.passes = {
     ...passes,
     outcome: 'declined',

@@ -46,7 +46,7 @@ export interface ErrorBar {
   total_N: Value;
 }
 
-/** One of two passes: its settings and what the pull was by it alone. */
+/** One of up to three passes: its settings and what the pull was by it alone. */
 export interface Pass {
   accuracy: Value;
   segments: Value;
@@ -59,7 +59,7 @@ export interface Pass {
   wall_time_s: Value;
 }
 
-/** What became of a second pass: it replaced the first, was compared with it, was declined as too long, or failed. */
+/** What became of finer passes: the last replaced the first, was compared with it, was declined as too long, or failed. */
 export interface Passes {
   outcome: string;
   why: string;

@@ -34,14 +34,14 @@ function atPlace(context: Context, name: string): HTMLElement | null {
   return fact(inWords(name), show(limit.value, unit, context.units), where);
 }
 
-/** Of which pass the figures are, and where the other's stand; without a second one nothing. */
+/** Of which pass the figures are, and where the others' stand; without a second one nothing. */
 function ofWhichPass(context: Context): HTMLElement | null {
   const passes = context.run.summary.passes;
   if (!passes) return null;
+  const three = (passes.pass?.length ?? 0) > 2;
   const whose: Record<string, string> = {
-    replaced: 'All figures of this page are those of a second pass with finer settings; those of the first stand under',
-    compared:
-      'All figures of this page are those of the first of two passes, and their ± is from both; the second’s stand under',
+    replaced: `All figures of this page are those of a ${three ? 'third' : 'second'} pass with finer settings; those of the first stand under`,
+    compared: `All figures of this page are those of the first of ${three ? 'three' : 'two'} passes, and their ± is from all; the others’ stand under`,
     declined: 'A second pass with finer settings would narrow ±; what it would take stands under',
   };
   const link = el('a', { href: '#trust' }, 'trust');

@@ -29,18 +29,19 @@ const PASS: Field[] = [
   { key: 'wall_time_s', label: 'computed in', unit: 's' },
 ];
 
-/** Why a run was computed twice, or would have been, what came of it, and what each pass found. */
+/** Why a run was computed again, or would have been, what came of it, and what each pass found. */
 function passesPart(passes: Passes, units: UnitSystem): HTMLElement[] {
-  const shown = passes.outcome === 'replaced' ? 1 : 0;
-  const rows = (passes.pass ?? []).map((pass, i) => ({
-    which: `${i === 0 ? 'first' : 'second'}${i === shown ? ', shown' : ''}`,
+  const each = passes.pass ?? [];
+  const shown = passes.outcome === 'replaced' ? each.length - 1 : 0;
+  const rows = each.map((pass, i) => ({
+    which: `${['first', 'second', 'third'][i] ?? i + 1}${i === shown ? ', shown' : ''}`,
     ...pass,
   }));
   const said = `${passes.why}: ${passes.says}.`;
   return [
     el('h3', {}, 'Passes'),
     el('p', {}, named(sentenceText(said.charAt(0).toUpperCase() + said.slice(1), units))),
-    recordTable('passes', 'What each pass found before it knew of the other.', rows, PASS, units),
+    recordTable('passes', 'What each pass found before it knew of the others.', rows, PASS, units),
   ];
 }
 
