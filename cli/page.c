@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "hawser/sweep.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -73,6 +74,7 @@ static int report(const Arguments *args)
         for (size_t n = strlen(dir); n > 1 && dir[n - 1] == '/'; n--) dir[n - 1] = 0;
         folders[i] = dir;
     }
+    assert(args->n_words > 0);
     const size_t size = strlen(folders[0]) + sizeof "/report.html";
     char *const beside = malloc(size);
     if (!beside) {

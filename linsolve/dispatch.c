@@ -139,6 +139,7 @@ static int solver_analyse_again(LinSolver *s, const NewtonMatrix *a)
 
 static LinSolver *solver_new(LinMatrix a, const LinOptions *options, hawser_error *err)
 {
+    assert(a.newton || a.sparse);
     LinSolver *const s = calloc(1, sizeof *s);
     if (!s) {
         error_memory(err);
@@ -299,6 +300,7 @@ void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, co
     CHECKPOINT_FROM(c, &s->stats, LinStats, analyses);
     if (c->reading && !c->status && !pattern_renew(s, a)) checkpoint_lack(c);
     if (c->status) return;
+    assert(a || b);
     const LinMatrix m = {.newton = a,
                          .sparse = a ? &s->assembly.a : b,
                          .groups = a ? s->groups : b->n,

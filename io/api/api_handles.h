@@ -118,6 +118,6 @@ hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *e
 
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
-void limit_remedy(const Scene *scene, const hawser_limit *limit, hawser_units units, char *text);
+void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units units, char *text);
 
 #endif

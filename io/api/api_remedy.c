@@ -1,6 +1,7 @@
 /* What would make a broken limit hold, from the figures of the limit and of the scene. */
 #include "io/api/api_handles.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -67,6 +68,7 @@ static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_un
         snprintf(text, REMEDY_MAX, "%.3g %% less tension there, or what presses less", share);
         return;
     }
+    assert(bend);
     show_bound(bend->radius * (l->value - k) / (l->limit - k), 1, "m", units, radius);
     if (*bend->name) snprintf(place, sizeof place, "in '%s'", bend->name);
     snprintf(text, REMEDY_MAX,

@@ -4,6 +4,7 @@
 #ifndef HAWSER_IO_CASE_CASE_PARTS_H
 #define HAWSER_IO_CASE_CASE_PARTS_H
 
+#include "io/place/place.h"
 #include "io/schema/case_schema.h"
 
 enum {
@@ -18,9 +19,9 @@ enum {
 extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, case_bundle, case_run, case_rod,
     case_rod_tail, case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_route_plan,
     case_route_heights, case_route_profile, case_lead_in, case_contact, case_friction, case_groove, case_spin,
-    case_mount, case_roller_row, case_rollers, case_surfaces, case_drive, case_tail, case_back_tension, case_reel,
-    case_conveyor, case_jam, case_command, case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory,
-    case_theory_friction, case_theory_wear, case_theory_pit, case_theory_machine, case_limits, case_medium, case_launch;
+    case_mount, case_rollers, case_surfaces, case_drive, case_tail, case_back_tension, case_reel, case_jam,
+    case_command, case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory, case_theory_friction,
+    case_theory_wear, case_theory_machine, case_limits, case_medium, case_launch;
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
@@ -108,7 +109,7 @@ hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const Ca
 /* After the drive, whose speed the belts may follow. */
 hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);
 /* After all that the cable runs through: the segments of pieces that leave their length to the geometry. */
-hawser_status case_mesh_read(CaseReader *r, const CaseNode *list);
+hawser_status case_mesh_read(CaseReader *r, const CaseNode *node);
 /* After all that can jam. */
 hawser_status case_jams_read(CaseReader *r, const CaseNode *list);
 /* After all that can be told something; node: the drive. */

@@ -21,9 +21,9 @@ typedef struct RuleRow {
     double rating;   /* N; 0: none */
     int most;        /* rollers */
 } RuleRow;
-/* Rollers by a row's map `rule`, with the tension of the pulling theory along the whole route: weight and friction are
+/* Rollers by a row's map `node`, with the tension of the pulling theory along the whole route: weight and friction are
  * the case's. After conveyors and reel. placed: malloc'ed, the caller's. Errors: INPUT, MEMORY. */
-hawser_status case_rule_place(const CaseReader *r, const CaseNode *rule, const RuleRow *row, PlacedRoller **placed,
+hawser_status case_rule_place(const CaseReader *r, const CaseNode *node, const RuleRow *row, PlacedRoller **placed,
                               int *n);
 
 /* Writing into a case's tree: what a drawing says stands there afterwards as if somebody had typed it; a node that is

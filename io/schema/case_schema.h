@@ -111,9 +111,9 @@ int case_word_place(const CaseNode *node, const char *const *word);
 /* The row of a key that the section is known to have. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name);
 
-/* Fills r->def->assumptions with what the catalogue and estimates have put in, once all else has been read. cables: the
- * section. Errors: MEMORY. */
-hawser_status case_assumptions_read(CaseReader *r, const CaseNode *cables);
+/* Fills r->def->assumptions with what the catalogue and estimates have put in, once all else has been read. node: the
+ * section of cables. Errors: MEMORY. */
+hawser_status case_assumptions_read(CaseReader *r, const CaseNode *node);
 /* Fills r->def->inputs once all else has been read: every key of the case with its value and where that comes from.
  * top: the table of the whole case. Errors: MEMORY. */
 hawser_status case_inputs_read(CaseReader *r, const CaseSection *top);

@@ -26,6 +26,6 @@ typedef struct StiffnessEstimate {
  * and strands that hold together as one bar; ei is the geometric mean of the two. EA only says how far a cable
  * stretches. Screens, sheaths and armour of metal are not counted where the conductors are known, and counted as copper
  * where they are not. Everything is above 0 for a diameter and a mass above 0 whose powers are. */
-StiffnessEstimate stiffness_estimate(const CableMake *make);
+StiffnessEstimate stiffness_estimate(const CableMake *c);
 
 #endif
