@@ -14,6 +14,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
+#include "sim/step/contact_newton.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
@@ -30,9 +31,6 @@ static const double GRIP_LEFT = 0.01;
  * poor one. Steps that grow by a few per cent are rare (up to the longest that is allowed): a matrix for each costs
  * nothing. */
 static const double GAMMA_CHANGE = 0.005;
-/* Iterations before a step is taken back for a new matrix (CVODE's default: 3, made for a convergence a hundred times
- * looser). */
-enum { ITERATIONS_MOST = 4 };
 
 struct Integrator {
     Motion *motion;
@@ -50,6 +48,7 @@ struct Integrator {
     N_Vector state;
     N_Vector good; /* the state of the last good step */
     CustomLinear linear;
+    ContactNewton newton;
     IntegratorStats stats;
     IntegratorStats before; /* counts of CVODE's from before it was started anew */
     char complaint[256];    /* what CVODE said last */
@@ -140,11 +139,13 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
     return status;
 }
 
-static int linear_attach(Integrator *in)
+static int solvers_attach(Integrator *in)
 {
     if (!custom_linear_new(&in->linear, in, solver_setup, solver_solve, in->context)) return 0;
+    if (!contact_newton_new(&in->newton, in->state)) return 0;
     return CVodeSetLinearSolver(in->cvode, in->linear.solver, in->linear.matrix) == CV_SUCCESS &&
-           CVodeSetLinSysFn(in->cvode, call_system) == CV_SUCCESS;
+           CVodeSetLinSysFn(in->cvode, call_system) == CV_SUCCESS &&
+           CVodeSetNonlinearSolver(in->cvode, in->newton.shell) == CV_SUCCESS;
 }
 
 /* ------------------------------------------------------------------------------------------------- life */
@@ -166,13 +167,12 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
     bad |= CVodeSetNonlinConvCoef(c, newton_share(in->motion->scene));
-    bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
     const double longest = def->max_step > 0 ? def->max_step : in->motion->scene->def.output.interval;
     if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
     if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
-    return !bad && linear_attach(in);
+    return !bad && solvers_attach(in);
 }
 
 /* The state of now is one that can be gone back to. */
@@ -254,6 +254,7 @@ Integrator *integrator_free(Integrator *in)
 {
     if (!in) return NULL;
     if (in->cvode) CVodeFree(&in->cvode);
+    contact_newton_free(&in->newton);
     custom_linear_free(&in->linear);
     if (in->good) N_VDestroy(in->good);
     if (in->state) N_VDestroy(in->state);
