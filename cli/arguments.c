@@ -23,6 +23,7 @@ enum {
     OPTION_PROFILE = 'p',
     OPTION_DEVIATION = 'd',
     OPTION_RADIUS = 'R',
+    OPTION_JOIN = 'J',
     OPTION_JSON = 'j',
     KNOWN_MAX = 20
 };
@@ -51,6 +52,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"profile", required_argument, NULL, OPTION_PROFILE},
                                             {"tolerance", required_argument, NULL, OPTION_DEVIATION},
                                             {"radius", required_argument, NULL, OPTION_RADIUS},
+                                            {"join", required_argument, NULL, OPTION_JOIN},
                                             {"json", no_argument, NULL, OPTION_JSON},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
@@ -186,6 +188,8 @@ static int take_route_option(int letter, hawser_route_options *route)
         return parse_length("to", optarg, &route->to_m);
     case OPTION_DEVIATION:
         return parse_length("tolerance", optarg, &route->tolerance_m);
+    case OPTION_JOIN:
+        return parse_length("join", optarg, &route->join_m);
     case OPTION_RADIUS:
         return parse_length("radius", optarg, &route->radius_m);
     default:
@@ -218,7 +222,7 @@ static int parse_setting(char *text, Arguments *args)
 static int take_option(const Command *command, int letter, Arguments *args)
 {
     const int of_route[] = {OPTION_NAME, OPTION_LAYER,   OPTION_FILE_UNITS, OPTION_REVERSE, OPTION_FROM,
-                            OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS};
+                            OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS,  OPTION_JOIN};
     for (size_t i = 0; i < sizeof of_route / sizeof *of_route; i++) {
         if (letter == of_route[i]) return take_route_option(letter, &args->route);
     }

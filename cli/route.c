@@ -18,6 +18,7 @@ static const char help[] =
     "      --from STATION      begins at this station of the file, in m\n"
     "      --to STATION        ends at this station\n"
     "      --tolerance LENGTH  how far the route may be off the file's line (50mm)\n"
+    "      --join LENGTH       within which ends of a drawing's pieces meet (10mm)\n"
     "      --radius LENGTH     corners of lines of points get this radius; without it such lines are fitted\n"
     "  -o, --output FILE       writes the line as it would be built: .yaml (of a case), .csv, .dxf, .geojson\n"
     "      --json              JSON, with lengths in m whatever the file's unit is\n"
@@ -42,5 +43,5 @@ static int route(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRj/",
+const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRJj/",
                                help, route};

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "core/route_make.h"
 
 /* Level part of a unit tangent below which it counts as vertical; rounding leaves about 1e-15 of it. */
 static const double LEVEL_MIN = 1e-9;

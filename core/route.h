@@ -107,4 +107,17 @@ Vec3 route_left(const Route *route, double s);
 /* What a table calls a piece: "straight", "bend", "helix", "clothoid", "parabola", "vertical arc", "curve", "cubic". */
 const char *route_piece_word(const RoutePiece *piece);
 
+/* -------------------------------------------------- what building a route needs of its curves, for core/route*.c */
+
+/* Sets a curve or cubic that begins at p->start with p->tangent: `left` is the level left there, the rest of p but kind
+ * and name is filled in. Knots are added to the route. Errors: MEMORY. */
+hawser_status route_curve_set(Route *route, RoutePiece *p, const RoutePieceDef *def, Vec3 left, hawser_error *err);
+/* At distance x from its start, within its length. */
+RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x);
+
+/* The level unit vector to the left of a tangent, e_z x t (R2); the zero vector for a vertical tangent. */
+Vec3 route_level_left(Vec3 tangent);
+/* Unit vector from a bend's start toward its centre: cos(plane) left + sin(plane) up, up = t x left. (R2) */
+Vec3 route_centre(Vec3 tangent, Vec3 left, double plane);
+
 #endif

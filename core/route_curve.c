@@ -1,4 +1,4 @@
-#include "core/route_make.h"
+#include "core/route.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -71,17 +71,4 @@ hawser_status route_from_plan_and_profile(int n, const RoutePlanElement *plan, c
                                           double station, Vec3 start, double heading, RouteLine *out,
                                           hawser_error *err);
 
-/* ------------------------------------------------------- curves by arc length (route_curve.c), for route.c alone */
-
-/* Sets a curve or cubic that begins at p->start with p->tangent: `left` is the level left there, the rest of p but kind
- * and name is filled in. Knots are added to the route. Errors: MEMORY. */
-hawser_status route_curve_set(Route *route, RoutePiece *p, const RoutePieceDef *def, Vec3 left, hawser_error *err);
-/* At distance x from its start, within its length. */
-RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x);
-
-/* The level unit vector to the left of a tangent, e_z x t (R2); the zero vector for a vertical tangent. */
-Vec3 route_level_left(Vec3 tangent);
-/* Unit vector from a bend's start toward its centre: cos(plane) left + sin(plane) up, up = t x left. (R2) */
-Vec3 route_centre(Vec3 tangent, Vec3 left, double plane);
-
 #endif

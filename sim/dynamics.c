@@ -249,6 +249,7 @@ int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y)
     int active = 0;
     dynamics_kinematics(scene, ws, t, y);
     bushing_kernels()->law(&scene->chain, &ws->kin, 0, scene->chain.n + 1, ws->law);
+    for (int p = 0; p < PARTS; ++p) loads_zero(&ws->loads[p], scene->chain.n);
     EACH_ROOM(room, scene, look) active += room->kind->look(room, &m);
     return active;
 }

@@ -74,8 +74,8 @@ Push dynamics_ghost_push(const Moment *m, int joint);
 void dynamics_tail_pull(const Scene *scene, Workspace *ws);
 /* Gives contacts `share` of their stiffness, for the relaxation; 1: the scene's again. */
 void dynamics_soften(const Scene *scene, Workspace *ws, double share);
-/* Puts what a sample of (t, y) reads into the workspace: kinematics, the joints' law, what rooms look at. Returns how
- * many contacts carry force. Overwrites ws->loads. */
+/* Puts what a sample of (t, y) reads into the workspace: kinematics, the joints' law, what rooms look at; the forces of
+ * all contacts, and nothing else, into ws->loads. Returns how many contacts carry force. */
 int dynamics_look(const Scene *scene, Workspace *ws, double t, const double *y);
 /* Wall time spent in contact forces so far, s. */
 double dynamics_contact_seconds(const Workspace *ws);

@@ -152,7 +152,8 @@ struct RoomKind {
     void (*work)(const Room *room, const Moment *m, BalanceRates *out);
     /* Adds what it holds, by the last evaluation; own: its part of that state. */
     void (*stock)(const Room *room, const Moment *m, const double *own, BalanceStock *out);
-    /* Puts what a sample reads into the workspace, for the kinematics there; returns how many contacts carry force. */
+    /* Puts what a sample reads into the workspace, for the kinematics there, and adds contact forces to ws->loads;
+     * returns how many contacts carry force. */
     int (*look)(const Room *room, const Moment *m);
     const MachineKind *machines; /* NULL: no figures of its own */
 

@@ -70,8 +70,36 @@ void survey_ignore(Survey *s, const char *what)
     item->times = 1;
 }
 
+int piece_names_add(PieceNames *names, const char *text)
+{
+    enum { LETTERS_MOST = 1 << 26 };
+    char name[ROUTE_NAME_MAX];
+    snprintf(name, sizeof name, "%s", text);
+    text_make_printable(name);
+    const int size = (int)strlen(name) + 1;
+    if (size == 1 || names->used > LETTERS_MOST) return 0;
+    if (names->used + size >= names->room) {
+        const int room = 2 * (names->room + ROUTE_NAME_MAX);
+        char *const wider = realloc(names->text, (size_t)room);
+        if (!wider) return 0;
+        names->text = wider;
+        names->room = room;
+    }
+    if (names->used == 0) names->text[names->used++] = 0; /* number 0 is the empty one */
+    const int number = names->used;
+    memcpy(names->text + number, name, (size_t)size);
+    names->used += size;
+    return number;
+}
+
+const char *piece_names_get(const PieceNames *names, int number)
+{
+    return number > 0 && number < names->used ? names->text + number : "";
+}
+
 void alignment_clear(Alignment *a)
 {
+    free(a->names.text);
     free(a->plan);
     free(a->profile);
     free(a->point);
@@ -105,7 +133,9 @@ int alignment_copy(const Alignment *from, Alignment *to)
     const int plan = list_copy(from->plan, from->n_plan, sizeof *from->plan, &to->plan);
     const int profile = list_copy(from->profile, from->n_profile, sizeof *from->profile, &to->profile);
     const int points = list_copy(from->point, from->n_points, sizeof *from->point, &to->point);
-    if (plan && profile && points) return 1;
+    const int names = list_copy(from->names.text, from->names.used, 1, &to->names.text);
+    to->names.room = to->names.used;
+    if (plan && profile && points && names) return 1;
     alignment_clear(to);
     return 0;
 }
@@ -244,7 +274,7 @@ AlignmentMeasure alignment_measure(const Alignment *a)
 static PlanElement plan_reversed(const PlanElement *e)
 {
     const PlanElement end = plan_at(e, e->length);
-    return (PlanElement){end.x, end.y, end.heading + acos(-1), e->length, -e->k1, -e->k0};
+    return (PlanElement){end.x, end.y, end.heading + acos(-1), e->length, -e->k1, -e->k0, e->name};
 }
 
 static ProfileElement profile_reversed(const ProfileElement *e, double plan)

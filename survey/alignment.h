@@ -14,6 +14,7 @@ typedef struct PlanElement {
     double x, y, heading; /* where it begins; each element has its own, so that errors do not add up */
     double length;        /* m, > 0 */
     double k0, k1;        /* 1/m */
+    int name;             /* of its alignment's names; 0: none */
 } PlanElement;
 
 /* A piece of the profile, over the length in plan. */
@@ -27,12 +28,24 @@ typedef struct ProfileElement {
 
 enum { SURVEY_NAME_MAX = 128 };
 
+/* What a file calls pieces, one behind the other, each with its 0; most pieces have no name, so it costs them little. */
+typedef struct PieceNames {
+    char *text;
+    int used, room;
+} PieceNames;
+/* Adds a name, cut to ROUTE_NAME_MAX - 1, without what cannot be printed; its number. 0: it is empty, or there is no
+ * memory. */
+int piece_names_add(PieceNames *names, const char *text);
+/* "" if number is 0. */
+const char *piece_names_get(const PieceNames *names, int number);
+
 typedef struct Alignment {
     char name[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX];
     int n_plan, n_profile, n_points;
     PlanElement *plan;       /* [n_plan], end to end */
     ProfileElement *profile; /* [n_profile], by rising station; none: z is 0 everywhere, or that of the points */
     Vec3 *point;             /* [n_points] corners of a line of straights; then there are no elements in plan */
+    PieceNames names;        /* of elements in plan */
     int flat;                /* the points have no heights of their own */
     double stated_length;    /* m, in plan, by the file's own word; NAN: it says nothing */
     double station;          /* the file's number for where the alignment begins */

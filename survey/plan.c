@@ -7,7 +7,9 @@
 static const double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
 static const double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
-enum { PARTS_MOST = 20000 };
+static const double TURN = 6.28318530717958647692;
+
+enum { PARTS_MOST = 4000 }; /* of what turns 300 times; files with more than 100 are refused (survey/read) */
 
 /* The heading s metres on, (AL1). */
 static double heading_at(const PlanElement *e, double s)
@@ -30,9 +32,11 @@ PlanElement plan_at(const PlanElement *e, double s)
 {
     PlanElement at = *e;
     const double rate = (e->k1 - e->k0) / e->length;
-    const double turn = fabs(s) * fmax(fabs(e->k0), fabs(e->k0 + s * rate));
+    const double rounds = trunc(s * e->k0 / TURN);
+    const double way = rate == 0 && rounds != 0 ? s - rounds * TURN / e->k0 : s; /* after a circle it is where it was */
+    const double turn = fabs(way) * fmax(fabs(e->k0), fabs(e->k0 + way * rate));
     const int parts = (int)fmin(PARTS_MOST, 1 + 2 * turn);
-    for (int i = 0; i < parts; ++i) way_add(e, i * s / parts, s / parts, &at.x, &at.y);
+    for (int i = 0; i < parts; ++i) way_add(e, i * way / parts, way / parts, &at.x, &at.y);
     at.heading = heading_at(e, s);
     at.k0 = e->k0 + s * rate;
     return at;

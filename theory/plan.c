@@ -1,4 +1,4 @@
-#include "theory/plan_pull.h"
+#include "theory/plan.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "theory/closed_form.h"
+#include "theory/plan_pull.h"
 
 static int is_length(double x) { return x >= 0 && isfinite(x); }
 

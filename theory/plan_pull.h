@@ -3,7 +3,7 @@
 #ifndef HAWSER_THEORY_PLAN_PULL_H
 #define HAWSER_THEORY_PLAN_PULL_H
 
-#include "theory/plan.h"
+#include "theory/plan_def.h"
 
 /* Where the pull begins and ends, m along the route. */
 double plan_first(const PlanDef *def, int way);

@@ -27,7 +27,6 @@ typedef enum hawser_status {
 } hawser_status;
 
 enum { HAWSER_MESSAGE_MAX = 1024 };
-
 typedef struct hawser_error {
     hawser_status status;
     char message[HAWSER_MESSAGE_MAX];
@@ -136,6 +135,7 @@ typedef struct hawser_sample {
     const hawser_figure *figure; /* [figures] what all of these show now, one after the other */
     int probes;
     const hawser_probe *probe; /* [probes] */
+    hawser_fields field;       /* for pictures; not of rows of series.csv alone */
 } hawser_sample;
 
 /* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
@@ -171,8 +171,7 @@ typedef struct hawser_phases {
     double relax, rhs, contacts, jacobian, factor, solve, vector, output, other;
 } hawser_phases;
 
-/* The places so far, along the route; none if the front does not move along it. *out stays the simulation's and is
- * brought up to date by every call. Returns how many. */
+/* The places so far, along the route, up to date; none if the front does not move along it. Returns how many. */
 int hawser_sim_positions(const hawser_sim *s, const hawser_position **out);
 
 typedef struct hawser_summary {

@@ -18,9 +18,10 @@ typedef struct hawser_route_options {
     double tolerance_m;       /* by which the route may be off the file's line: elements that do not join, and lines
                                * of points, are fitted within it */
     double radius_m;          /* of the corners of lines of points; NAN: they are fitted instead */
+    double join_m;            /* within which ends of a drawing's pieces meet; at most 10 m */
 } hawser_route_options;
 
-/* Nothing chosen, 50 mm. */
+/* Nothing chosen, 50 mm, joined within 10 mm. */
 hawser_route_options hawser_route_defaults(void);
 
 /* The lines of a file. */

@@ -134,6 +134,14 @@ typedef struct hawser_bundle {
     const hawser_bundle_duct *ducts; /* [n_ducts] */
 } hawser_bundle;
 
+/* What a sample has along the chain and at rollers besides tensions and loads; arrays are the sample's. */
+typedef struct hawser_fields {
+    const double *curvature;         /* [joints], 1/m, between neighbouring segments; 0 at the chain's ends */
+    const double *sidewall;          /* [joints], N/m, tension over the radius of the route's bend; 0 on the rope */
+    const double *contact_line_load; /* [segments], N/m, size of all contact forces on a segment over its length */
+    const double *roller_force;      /* [3*rollers], N, contact force on the roller, of size roller_load */
+} hawser_fields;
+
 /* One station of the tension table (stations.csv). */
 typedef struct hawser_station {
     const char *name;

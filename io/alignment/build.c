@@ -116,13 +116,18 @@ static hawser_status slopes_make(const Alignment *a, double plan, double roundin
 
 /* ------------------------------------------------------------------------------------------------------- the line */
 
-/* The i-th element, from 0 on, which is called by its kind and number. */
-static RoutePlanElement plan_element(const PlanElement *e, int i)
+/* The i-th element, from 0 on, by the name that the file gives it, or else by its kind and number. */
+static RoutePlanElement plan_element(const Alignment *a, int i)
 {
+    const PlanElement *const e = &a->plan[i];
+    const char *const name = piece_names_get(&a->names, e->name);
     RoutePlanElement p = {.length = e->length, .curvature = {e->k0, e->k1}};
     const double most = fmax(fabs(e->k0), fabs(e->k1)), change = fabs(e->k1 - e->k0) * e->length;
     const char *const kind = most < STRAIGHT ? "straight" : change < 1e-12 ? "arc" : "clothoid";
-    snprintf(p.name, sizeof p.name, "%s %d", kind, i + 1);
+    if (*name)
+        snprintf(p.name, sizeof p.name, "%s", name);
+    else
+        snprintf(p.name, sizeof p.name, "%s %d", kind, i + 1);
     if (change < 1e-12) p.curvature[1] = p.curvature[0];
     if (fabs(p.curvature[0]) < STRAIGHT) p.curvature[0] = 0;
     if (fabs(p.curvature[1]) < STRAIGHT) p.curvature[1] = 0;
@@ -138,7 +143,7 @@ static hawser_status elements_route(const Alignment *a, const LineOptions *optio
     Slopes slopes = {.e = NULL};
     RoutePlanElement *const plan = calloc((size_t)a->n_plan, sizeof *plan);
     hawser_status status = plan ? HAWSER_OK : error_memory(err);
-    for (int i = 0; i < a->n_plan && !status; ++i) plan[i] = plan_element(&a->plan[i], i);
+    for (int i = 0; i < a->n_plan && !status; ++i) plan[i] = plan_element(a, i);
     if (!status && a->n_profile) status = slopes_make(a, m.plan_length, options->rounding, &slopes, err);
     if (!status) {
         const RouteProfile profile = {.height = slopes.z - origin.z, .n = slopes.n, .element = slopes.e};

@@ -12,8 +12,9 @@
 
 LineOptions line_options(void)
 {
-    return (LineOptions){.line = {.unit = NAN},
-                         .profile = {.unit = NAN},
+    const double join = join_options().tolerance;
+    return (LineOptions){.line = {.unit = NAN, .join = join},
+                         .profile = {.unit = NAN, .join = join},
                          .from = NAN,
                          .to = NAN,
                          .tolerance = 0.05,
@@ -48,8 +49,34 @@ static int layer_is_met(const Survey *s, int i)
     return 0;
 }
 
+static const char *const fork_word = "fork of ", *const gap_word = "gap of ";
+
+/* Says where the lines of a layer end although something goes on: with places if there are few, else how many. */
+static void doubts_say(const char *layer, const Joined *j, Survey *notes)
+{
+    enum { FEW = 4 };
+    char text[SURVEY_NAME_MAX];
+    const int few = j->n_forks + j->n_gaps <= FEW;
+    for (int i = 0; few && i < j->n_doubts; ++i) {
+        const JoinDoubt *const d = &j->doubt[i];
+        if (d->kind == JOIN_FORK)
+            snprintf(text, sizeof text, "%s%d ends at %.3f, %.3f, layer '%.40s': lines end there", fork_word, d->ends,
+                     d->at.x, d->at.y, layer);
+        else
+            snprintf(text, sizeof text, "%s%.4g m at %.3f, %.3f, layer '%.40s': not joined", gap_word, d->away, d->at.x,
+                     d->at.y, layer);
+        survey_ignore(notes, text);
+    }
+    snprintf(text, sizeof text, "forks, at which lines end, layer '%.60s'", layer);
+    for (int i = 0; !few && i < j->n_forks; ++i) survey_ignore(notes, text);
+    snprintf(text, sizeof text, "gaps, which are not joined, layer '%.60s'", layer);
+    for (int i = 0; !few && i < j->n_gaps; ++i) survey_ignore(notes, text);
+    snprintf(text, sizeof text, "pieces drawn twice, layer '%.60s'", layer);
+    for (int i = 0; i < j->doubles; ++i) survey_ignore(notes, text);
+}
+
 /* Only drawings have layers: their lines come in pieces, and pieces of one layer belong together. */
-static hawser_status pieces_join(const LinePick *pick, const Survey *pieces, Survey *out, hawser_error *err)
+static hawser_status pieces_join(const LinePick *pick, Survey *pieces, Survey *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     for (int i = 0; i < pieces->n && !status; ++i) {
@@ -61,9 +88,11 @@ static hawser_status pieces_join(const LinePick *pick, const Survey *pieces, Sur
         } else if (!layer_is_met(pieces, i)) {
             JoinOptions options = join_options();
             Joined joined;
+            options.tolerance = pick->join;
             options.layer = a->layer;
             options.name = pick->name;
             status = join_lines(pieces, &options, out, &joined, err);
+            if (!status) doubts_say(a->layer, &joined, pieces);
         }
     }
     return status;
@@ -123,6 +152,7 @@ hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment
     const double least = 0.1; /* of the longest one's length: what is shorter is taken for a mark */
     const ChooseOptions any = {.name = NULL};
     char names[500];
+    const char *open = NULL; /* where a line may be torn */
     const int best = choose_line(s, &any);
     *out = best < 0 ? NULL : &s->alignment[best];
     if (best < 0) return error_set(err, HAWSER_ERR_INPUT, "%.200s: no line", pick->path);
@@ -132,7 +162,11 @@ hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment
         rivals += i != best && alignment_measure(&s->alignment[i]).plan_length > least * longest;
     if (rivals == 0) return HAWSER_OK;
     names_say(s, sizeof names, names);
+    for (int i = 0; i < s->n_ignored && !open; ++i) {
+        const char *const what = s->ignored[i].what;
+        if (!strncmp(what, fork_word, strlen(fork_word)) || !strncmp(what, gap_word, strlen(gap_word))) open = what;
+    }
     return error_set(err, HAWSER_ERR_INPUT,
-                     "%.200s: %d lines could be meant, such as %s: choose one by 'name' or 'layer'", pick->path,
-                     rivals + 1, names);
+                     "%.200s: %d lines could be meant, such as %s: choose one by 'name' or 'layer'%s%s%s", pick->path,
+                     rivals + 1, names, open ? ", or join them (" : "", open ? open : "", open ? ")" : "");
 }

@@ -10,6 +10,7 @@
 typedef struct LinePick {
     const char *path, *name, *layer; /* name, layer NULL: any; case ignored */
     double unit;                     /* m in the file's unit of length; NAN: as it says */
+    double join;                     /* m, > 0, within which ends of a drawing's pieces meet */
 } LinePick;
 
 typedef struct LineOptions {
@@ -21,13 +22,14 @@ typedef struct LineOptions {
     double rounding;  /* m, radius of corners of the profile */
     double height;    /* m, of a line without heights; NAN: 0 */
 } LineOptions;
-/* Nothing chosen, 50 mm, 2 m. */
+/* Nothing chosen, joined within 10 mm, 50 mm, 2 m. */
 LineOptions line_options(void);
 
 /* Metres in a unit of length by its name, "mm" or "US_survey_foot". Errors: INPUT, MEMORY. */
 hawser_status line_unit(const char *name, double *metres, hawser_error *err);
 /* All lines of a file that the pick chooses: those of drawings joined, layer by layer, the longest of each first.
- * Errors: INPUT (also: nothing is chosen), MEMORY; then nothing is left allocated. */
+ * What the joining leaves open, forks and gaps with their places, is in out->ignored. Errors: INPUT (also: nothing is
+ * chosen), MEMORY; then nothing is left allocated. */
 hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err);
 /* The one that is meant: the only one, or the longest if no other has a tenth of its length. Errors: INPUT that names
  * the longest of them. */

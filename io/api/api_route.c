@@ -12,8 +12,9 @@
 #include "io/yaml/units.h"
 #include "survey/write/write.h"
 
-/* More lines than these are a whole drawing, of which nobody wants each as a route: they are used once asked for. */
-enum { USED_AT_ONCE = 32, DIGITS = 13 };
+/* More lines than these are a whole drawing, of which nobody wants each as a route, and a line of more pieces takes
+ * minutes to fit: they are used once asked for. */
+enum { USED_AT_ONCE = 32, PIECES_AT_ONCE = 50000, DIGITS = 13 };
 
 /* A line of the file and what became of it. */
 typedef struct RouteRow {
@@ -35,7 +36,8 @@ struct hawser_routes {
 hawser_route_options hawser_route_defaults(void)
 {
     const LineOptions usual = line_options();
-    return (hawser_route_options){.from_m = NAN, .to_m = NAN, .tolerance_m = usual.tolerance, .radius_m = NAN};
+    return (hawser_route_options){
+        .from_m = NAN, .to_m = NAN, .tolerance_m = usual.tolerance, .radius_m = NAN, .join_m = usual.line.join};
 }
 
 /* ------------------------------------------------------------------------------------------------------- reading */
@@ -59,7 +61,8 @@ static hawser_status options_take(const char *path, const hawser_route_options *
     r->layer = keep(from->layer, &fine);
     r->profile = keep(from->profile, &fine);
     if (!fine) return error_memory(err);
-    o->line = (LinePick){r->path, r->name, r->layer, NAN};
+    o->line = (LinePick){r->path, r->name, r->layer, NAN, from->join_m};
+    o->profile.join = from->join_m;
     o->profile.path = r->profile;
     o->reverse = from->reverse;
     o->from = from->from_m;
@@ -68,6 +71,9 @@ static hawser_status options_take(const char *path, const hawser_route_options *
     o->corner = from->radius_m;
     if (!(o->tolerance > 0 && o->tolerance <= 1000))
         return error_set(err, HAWSER_ERR_INPUT, "a tolerance of %g m: must be above 0 m, at most 1000 m", o->tolerance);
+    if (!(from->join_m > 0 && from->join_m <= 10))
+        return error_set(err, HAWSER_ERR_INPUT, "ends that meet within %g m: must be above 0 m, at most 10 m",
+                         from->join_m);
     if (o->corner <= 0) return error_set(err, HAWSER_ERR_INPUT, "a radius of %g m: must be above 0 m", o->corner);
     hawser_status status = from->units ? line_unit(from->units, &o->line.unit, err) : HAWSER_OK;
     return status;
@@ -130,7 +136,10 @@ hawser_status hawser_routes_read(const char *path, const hawser_route_options *o
         if (!r->row) status = error_memory(err);
     }
     for (int i = 0; i < r->survey.n && !status; ++i) row_begin(r, i);
-    for (int i = 0; i < r->survey.n && r->survey.n <= USED_AT_ONCE && !status; ++i) row_use(r, i);
+    for (int i = 0; i < r->survey.n && r->survey.n <= USED_AT_ONCE && !status; ++i) {
+        const Alignment *const a = &r->survey.alignment[i];
+        if (a->n_plan + a->n_points <= PIECES_AT_ONCE) row_use(r, i);
+    }
     const LineOptions *const o = &r->options;
     const int asked = o->profile.path || !isnan(o->from) || !isnan(o->to);
     if (!status && r->survey.n == 1 && asked && r->row[0].figures.problem)

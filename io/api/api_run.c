@@ -5,6 +5,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "sim/picture/geometry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -146,10 +147,15 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     def.rollers = hawser_sim_rollers(s, &def.roller);
     def.figures = run->look->figures;
     def.machine = run->look->machine;
-    char *summary;
+    Geometry geometry = {0};
+    char *summary = NULL;
     hawser_status status = hawser_sim_summary_json(s, &summary, err);
-    if (status) return status;
-    status = results_open(&run->results, dir, &def, summary, err);
+    if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
+    if (def.states > 0) def.geometry = &geometry;
+    envelope_free(&s->envelope); /* of a run before */
+    if (!status && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
+    if (!status) status = results_open(&run->results, dir, &def, summary, err);
+    geometry_free(&geometry);
     hawser_text_free(summary);
     return status;
 }
@@ -163,6 +169,7 @@ static hawser_status finish_tables(Run *run, hawser_error *err)
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
     tables.segments = run->look->segments;
+    if (s->envelope.present) tables.envelope = &s->envelope;
     return results_finish(run->results, &tables, err);
 }
 

@@ -20,7 +20,7 @@ typedef struct RouteRecord {
     int spline;
     LineRecord line; /* of a file */
     int reverse;
-    double from, to, tolerance, height;
+    double from, to, tolerance, join, height;
 } RouteRecord;
 
 /* The profile as a map. */
@@ -56,6 +56,7 @@ static const CaseKey route_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .otherwise = "where it begins", FROM(-FAR, FAR), AT(RouteRecord, from)},
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "where it ends", FROM(-FAR, FAR), AT(RouteRecord, to)},
     {"tolerance", KEY_NUMBER, DIM_LENGTH, .fallback = "50 mm", ABOVE(0, 1000), AT(RouteRecord, tolerance)},
+    {"join", KEY_NUMBER, DIM_LENGTH, .fallback = "10 mm", ABOVE(0, 10), AT(RouteRecord, join)},
     {"height", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RouteRecord, height)},
 };
 SECTION(case_route, "route", route_keys);
@@ -452,6 +453,7 @@ static hawser_status file_line(const CaseReader *r, const CaseNode *node, const 
     options.from = in->from;
     options.to = in->to;
     options.tolerance = in->tolerance;
+    options.line.join = options.profile.join = in->join;
     options.corner = in->radius;
     options.rounding = in->transition;
     options.height = in->height;
@@ -510,6 +512,7 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
                 {"from", FILE_},
                 {"to", FILE_},
                 {"tolerance", FILE_},
+                {"join", FILE_},
                 {"height", FILE_}};
     const int kind = kind_of(r, node, lists, "pieces, points, plan and file");
     if (kind < 0) return HAWSER_ERR_INPUT;
@@ -539,15 +542,13 @@ static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
 static hawser_status line_read(const CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
 {
     const CaseNode *const points = case_node_key(node, "points"), *const plan = case_node_key(node, "plan");
-    const CaseNode *const origin = case_node_key(node, "origin");
     const CaseNode *profile;
     RouteCorner *corner = NULL;
     int n = 0;
     if (case_node_key(node, "file")) return file_line(r, node, in, out);
     hawser_status status = corners_find(r, case_node_key(node, "profile"), &profile);
-    if (status) return status;
-    status = points ? case_list_read(r, points, sizeof *corner, point_read, &corner, &n) : HAWSER_OK;
-    if (!status) status = origin_read(r, origin, points ? corner[0].point : in->start);
+    if (!status && points) status = case_list_read(r, points, sizeof *corner, point_read, &corner, &n);
+    if (!status) status = origin_read(r, case_node_key(node, "origin"), points ? corner[0].point : in->start);
     const Vec3 start = v3_sub(in->start, r->def->route_origin);
     if (!status && points) status = points_line(r, points, in, r->def->route_origin, n, corner, out);
     if (!status && plan) {

@@ -63,16 +63,17 @@ static hawser_status write_whole(const char *dir, const char *name, const char *
 static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
 {
     const hawser_status status = h5_open(&r->h5, r->dir, def, err);
-    return status ? status : xdmf_open(&r->xdmf, r->dir, def->segments, err);
+    return status ? status : xdmf_open(&r->xdmf, r->dir, def, err);
 }
 
-/* What an earlier run left and this one may not write: a folder holds the results of one run. */
+/* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
+ */
 static hawser_status remove_old(const Results *r, int states, hawser_error *err)
 {
     static const char *const names[] = {"modes.csv", "certificate.json", "results.h5", "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
-    for (int k = 0; k < (states ? 2 : 4) && !s; k++) {
+    for (int k = 0; k < (states ? 3 : 4) && !s; k++) {
         s = out_join(path, r->dir, names[k], err);
         if (!s && unlink(path) && errno != ENOENT) s = out_error(path, errno, err);
     }
@@ -181,6 +182,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     const int n[TABLES] = {t->n_stations, t->n_rollers};
     const void *const rows[TABLES] = {t->station, t->roller};
     hawser_status s = flush_all(r, err);
+    if (r->h5 && t->envelope) keep_first(&s, h5_envelope(r->h5, t->envelope, s ? NULL : err));
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
     keep_first(&s, out_close(&r->series, s ? NULL : err));

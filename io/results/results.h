@@ -15,7 +15,8 @@ typedef struct ResultsTables {
     int n_rollers;
     const hawser_roller *roller; /* [n_rollers] */
     int n_modes, segments;
-    const hawser_mode *mode; /* [n_modes], of `segments` segments; none: no modes.csv */
+    const hawser_mode *mode;  /* [n_modes], of `segments` segments; none: no modes.csv */
+    const Envelope *envelope; /* NULL: none */
 } ResultsTables;
 
 /* Makes the folder and opens all its files, so that what cannot be written shows before anything is computed.

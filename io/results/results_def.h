@@ -3,6 +3,8 @@
 #define HAWSER_IO_RESULTS_RESULTS_DEF_H
 
 #include "hawser/hawser.h"
+#include "sim/picture/envelope.h"
+#include "sim/picture/geometry.h"
 #include "sim/watch/peaks.h"
 
 /* Sizes, names and what is wanted. Strings and arrays are borrowed until the folder is
@@ -19,6 +21,7 @@ typedef struct ResultsDef {
     const int *watched; /* [n_watched]: segments whose speed and tension are columns of series.csv */
     int probes;
     const hawser_probe *probe; /* [probes]: names */
+    const Geometry *geometry;  /* what stands around the cable; NULL: not written */
     double states;             /* expected number of states; 0: no results.h5 and no results.xdmf */
     int reel;                  /* the reel pays out: series.csv has its columns */
     int front;                 /* the cable's front moves along the route: likewise */

@@ -7,7 +7,7 @@
  * size at the last flush, is changed in memory only, page by page. Above it nothing is pointed to yet, and is written
  * at once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
  * superblock, which is at 0, comes at the very end. What is left is a kill within these few writes, of a page each. */
-#include "io/results/results_disk.h"
+#include "io/results/results_h5.h"
 
 #include <errno.h>
 #include <fcntl.h>

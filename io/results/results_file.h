@@ -77,7 +77,9 @@ typedef struct SampleColumn {
     int digits;                     /* 0: nine */
     const char *set, *unit, *about; /* in results.h5; NULL: not there */
     SamplePer per;
-    int width; /* values an item; 0: one, without a dimension of its own */
+    int width;         /* values an item; 0: one, without a dimension of its own */
+    int single;        /* in single precision: a field that others show */
+    const char *frame; /* in the frames that results.xdmf shows, of points or of cells: NULL: not there */
 } SampleColumn;
 
 extern const SampleColumn sample_column[];
@@ -107,6 +109,23 @@ hawser_status series_row(OutFile *out, const Series *series, const hawser_sample
 
 /* ------------------------------------------------------------------------------------------------- results.h5 */
 
+/* A set that does not grow, of a struct: what there is to be drawn, or an envelope. */
+typedef enum FixedKind { FIXED_NUMBER, FIXED_SINGLE, FIXED_COUNT, FIXED_NAME } FixedKind;
+typedef struct FixedSet {
+    const char *set;      /* its path */
+    FixedKind kind;       /* doubles; doubles written in single precision; ints; char[NAME_MAX_LENGTH] */
+    size_t values, count; /* in the struct: where the array's pointer and the number of its items are */
+    int width;            /* values an item; 0: one, without a dimension of its own */
+    const char *unit, *about;
+} FixedSet;
+
+/* Of a Geometry, and of one of its surfaces below "geometry/surfaces/K/". */
+extern const FixedSet geometry_set[], surface_set[];
+extern const int geometry_sets, surface_sets;
+/* Of an Envelope. */
+extern const FixedSet envelope_set[];
+extern const int envelope_sets;
+
 /* The sampled states, one row a state, readable while the run goes on. docs/results.md lists what is in it. HDF5 stays
  * silent: what goes wrong comes back as a status. */
 typedef struct H5File H5File;
@@ -115,6 +134,8 @@ typedef struct H5File H5File;
 hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err);
 /* Adds one state. Errors: OUTPUT; the states before it stay readable. */
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err);
+/* The group "envelope", once. Errors: OUTPUT. */
+hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err);
 /* After this, readers see every state. Errors: OUTPUT. */
 hawser_status h5_flush(H5File *h, hawser_error *err);
 /* Closes *file and sets it to NULL (NULL is fine). Errors: OUTPUT. */
@@ -123,15 +144,17 @@ hawser_status h5_close(H5File **file, hawser_error *err);
 /* ----------------------------------------------------------------------------------------------- results.xdmf */
 
 /* Tells ParaView, meshio and other readers of XDMF 3 where in results.h5 the states lie: a temporal collection of
- * polylines through the segment centres. The file is a complete XML document after every call. */
+ * polylines through the segment centres; and before it, the geometry: the route's line and triangles. The file is a
+ * complete XML document after every call. */
 typedef struct XdmfFile {
     OutFile out;
     int segments;
-    long end; /* where the next state goes: over the closing tags */
+    int sizes; /* the segments' diameters and parts are in results.h5 */
+    long end;  /* where the next state goes: over the closing tags */
 } XdmfFile;
 
 /* Creates dir/results.xdmf without states. Errors: OUTPUT, MEMORY. */
-hawser_status xdmf_open(XdmfFile *x, const char *dir, int segments, hawser_error *err);
+hawser_status xdmf_open(XdmfFile *x, const char *dir, const ResultsDef *def, hawser_error *err);
 /* Adds states first .. first+n-1, whose frames are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err);
 hawser_status xdmf_close(XdmfFile *x, hawser_error *err);

@@ -2,11 +2,12 @@
  * state; a chunk is one row, so that each state is written once and nothing is read back. Beside them, a group a state
  * keeps what results.xdmf shows in single precision, as small sets of their own: meshio reads whole sets only.
  * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
+#include "io/results/results_h5.h"
 #include "core/base/error.h"
-#include "io/results/results_disk.h"
 #include "io/results/results_file.h"
 #include "sim/def/scene_def.h"
 
+#include <errno.h>
 #include <hdf5.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +23,7 @@ struct H5File {
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
-    int disk_error; /* errno of the first write that failed, see results_disk.h */
+    int disk_error; /* errno of the first write that failed, see results_h5.h */
     float *frame;   /* [3*segments] scratch of the frames */
     char path[OUT_PATH_MAX];
 };
@@ -49,26 +50,15 @@ static int set_dims(const H5File *h, const SampleColumn *info, hsize_t rows, hsi
     return info->per == PER_RUN ? 1 : info->width ? 3 : 2;
 }
 
-/* A text attribute of an object. */
-static int write_text(hid_t object, const char *name, const char *text)
-{
-    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
-    H5Tset_size(type, strlen(text) + 1);
-    const hid_t a = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = a >= 0 && H5Awrite(a, type, text) >= 0;
-    if (a >= 0) H5Aclose(a);
-    H5Sclose(space);
-    H5Tclose(type);
-    return ok;
-}
+static int deflate_there(void) { return H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0; }
 
 /* Chunks of one row (many, for single numbers); if wanted, shuffled and lightly deflated. */
-static hid_t make_chunks(const H5File *h, int rank, const hsize_t *dims)
+static hid_t make_chunks(int deflate, int rank, const hsize_t *dims)
 {
     hsize_t chunk[3] = {rank == 1 ? TIME_CHUNK : 1, dims[1], dims[2]};
     const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_chunk(plist, rank, chunk);
-    if (h->deflate) {
+    if (deflate) {
         H5Pset_shuffle(plist);
         H5Pset_deflate(plist, 1);
     }
@@ -80,7 +70,7 @@ static hid_t make_chunks(const H5File *h, int rank, const hsize_t *dims)
 static int wants_deflate(const ResultsDef *def)
 {
     const double bytes = def->states * 14 * 8 * def->segments;
-    return bytes > deflate_above && H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0;
+    return bytes > deflate_above && deflate_there();
 }
 
 /* An empty set that grows row by row. */
@@ -89,27 +79,17 @@ static int make_set(H5File *h, int k)
     const SampleColumn *const info = &sample_column[k];
     hsize_t dims[3], max[3];
     if (!info->set || item_count(h, info->per) == 0) return 1;
-    const int rank = set_dims(h, info, 0, dims);
+    /* fields are mostly zeros: small at no cost */
+    const int rank = set_dims(h, info, 0, dims), deflate = h->deflate || (info->single && deflate_there());
     set_dims(h, info, H5S_UNLIMITED, max);
-    const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(h, rank, dims);
-    const hid_t set = H5Dcreate2(h->file, info->set, H5T_IEEE_F64LE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(rank, dims, max), plist = make_chunks(deflate, rank, dims);
+    const hid_t set = H5Dcreate2(h->file, info->set, info->single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                                 plist, H5P_DEFAULT);
     H5Pclose(plist);
     H5Sclose(space);
     if (set < 0) return 0;
     h->set[k] = set;
-    return write_text(set, "unit", info->unit) && write_text(set, "description", info->about);
-}
-
-/* A whole set that does not grow, written from what the machine has as `type`. */
-static int write_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
-                     const void *values)
-{
-    const hid_t space = H5Screate_simple(rank, dims, NULL);
-    const hid_t set = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    const int ok = set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
-    if (set >= 0) H5Dclose(set);
-    H5Sclose(space);
-    return ok;
+    return h5_text(set, "unit", info->unit) && h5_text(set, "description", info->about);
 }
 
 /* Which points every line element of the polyline joins: [segments-1][2]. */
@@ -122,7 +102,7 @@ static int write_connectivity(H5File *h)
         pairs[2 * i] = i;
         pairs[2 * i + 1] = i + 1;
     }
-    const int ok = write_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
+    const int ok = h5_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
     free(pairs);
     return ok;
 }
@@ -141,8 +121,8 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     }
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, NAME_MAX_LENGTH);
-    ok = ok && write_set(h->file, "roller_name", type, type, 1, &n, name) &&
-         write_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
+    ok = ok && h5_set(h->file, "roller_name", type, type, 1, &n, name) &&
+         h5_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
     H5Tclose(type);
     free(name);
     free(s);
@@ -166,19 +146,31 @@ static int make_file(H5File *h, const ResultsDef *def)
     const hid_t file = create_file(h);
     if (file < 0) return 0;
     h->file = file;
-    int ok = write_text(file, "title", def->title) && write_text(file, "hawser_version", hawser_version());
+    int ok = h5_text(file, "title", def->title) && h5_text(file, "hawser_version", hawser_version());
     if (fabs(def->origin[0]) + fabs(def->origin[1]) + fabs(def->origin[2]) > 0) {
         char text[96];
         snprintf(text, sizeof text, "%.10g %.10g %.10g", def->origin[0], def->origin[1], def->origin[2]);
-        ok = ok && write_text(file, "origin_m", text);
+        ok = ok && h5_text(file, "origin_m", text);
     }
     for (int k = 0; k < sample_columns && ok; k++) ok = make_set(h, k);
     const hid_t frames = ok ? H5Gcreate2(file, "frames", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1;
     if (frames < 0) return 0;
     h->frames = frames;
-    ok = write_text(frames, "description", "single precision copies for results.xdmf, one group a state");
+    ok = h5_text(frames, "description", "single precision copies for results.xdmf, one group a state");
+    ok = ok && (!def->geometry || geometry_write(file, def->geometry));
     return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) &&
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
+}
+
+/* The file gets its name once it is whole: a kill before that leaves none. */
+static int name_file(H5File *h, const char *path)
+{
+    if (rename(h->path, path)) {
+        h->disk_error = errno;
+        return 0;
+    }
+    strcpy(h->path, path);
+    return 1;
 }
 
 /* Flushed at once, so that a full disk shows before anything is computed. */
@@ -192,11 +184,14 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
     h->deflate = wants_deflate(def);
     h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
     h->set = calloc((size_t)sample_columns, sizeof *h->set);
-    hawser_status status = h->frame && h->set ? out_join(h->path, dir, "results.h5", err) : error_memory(err);
+    char path[OUT_PATH_MAX];
+    hawser_status status = h->frame && h->set ? out_join(path, dir, "results.h5", err) : error_memory(err);
+    if (!status) status = out_join(h->path, dir, "results.h5.part", err);
     if (!status) {
         int ok = 0;
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
+        ok = ok && !h->disk_error && name_file(h, path);
         status = h5_result(h, ok, err);
     }
     if (status) {
@@ -224,15 +219,18 @@ static int append_row(H5File *h, int k, const hawser_sample *sample)
     return ok;
 }
 
-/* One array of a frame in single precision: n x width (width 1: n). */
-static int write_frame_set(H5File *h, hid_t group, const char *name, int n, int width, const double *values)
+/* One array of a frame in single precision. Of joints only those between two segments. */
+static int write_frame_set(H5File *h, hid_t group, const SampleColumn *column, const hawser_sample *sample)
 {
+    const int joints = column->per == PER_JOINT, n = joints ? h->segments - 1 : h->segments;
+    const int width = column->width ? column->width : 1;
     const hsize_t dims[2] = {(hsize_t)n, (hsize_t)width};
+    const double *const values = (const double *)sample_at(column, sample) + joints;
     for (int i = 0; i < n * width; i++) h->frame[i] = (float)values[i];
-    return write_set(group, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
+    return h5_set(group, column->frame, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, width > 1 ? 2 : 1, dims, h->frame);
 }
 
-/* The copy that results.xdmf points to; the tensions are those of the joints between two segments. */
+/* The copy that results.xdmf points to. */
 static int write_frame(H5File *h, const hawser_sample *s)
 {
     char name[FRAMES_NAME];
@@ -240,9 +238,9 @@ static int write_frame(H5File *h, const hawser_sample *s)
     snprintf(name, sizeof name, "%06ld", (long)h->rows);
     const hid_t group = H5Gcreate2(h->frames, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     if (group < 0) return 0;
-    const int ok = write_frame_set(h, group, "position", h->segments, 3, s->position) &&
-                   write_frame_set(h, group, "axial_speed", h->segments, 1, s->axial_speed) &&
-                   write_frame_set(h, group, "tension", h->segments - 1, 1, s->tension + 1);
+    int ok = 1;
+    for (int k = 0; k < sample_columns && ok; k++)
+        if (sample_column[k].frame) ok = write_frame_set(h, group, &sample_column[k], s);
     H5Gclose(group);
     return ok;
 }
@@ -262,6 +260,14 @@ hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *er
     H5E_BEGIN_TRY { ok = append_state(h, sample); }
     H5E_END_TRY
     h->rows++;
+    return h5_result(h, ok, err);
+}
+
+hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err)
+{
+    int ok = 0;
+    H5E_BEGIN_TRY { ok = h5_fixed(h->file, "", envelope_sets, envelope_set, envelope); }
+    H5E_END_TRY
     return h5_result(h, ok, err);
 }
 

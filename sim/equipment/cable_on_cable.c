@@ -78,11 +78,19 @@ static void self_stock(const Room *room, const Moment *m, const double *own, Bal
     for (int p = 0; p < PARTS; ++p) out->energy[IN_CABLE] += m->ws->self.work[p].energy;
 }
 
-/* By the last evaluation. */
+/* How many there are is by the last evaluation, as is what the books read of it: that stays. */
 static int self_look(const Room *room, const Moment *m)
 {
-    (void)room;
-    return m->ws->self.active[0] + m->ws->self.active[1];
+    SelfPairs *const pairs = &m->ws->self;
+    const int active = pairs->active[0] + pairs->active[1];
+    for (int p = 0; p < PARTS; ++p) {
+        const int before = pairs->active[p];
+        const ContactTally work = pairs->work[p];
+        self_loads(room, m, p);
+        pairs->active[p] = before;
+        pairs->work[p] = work;
+    }
+    return active;
 }
 
 const RoomKind SELF_ROOM = {.name = "cable on cable",

@@ -335,7 +335,6 @@ static int rollers_look(const Room *room, const Moment *m)
     for (int p = 0; p < PARTS; ++p) {
         ContactPart *const part = &m->ws->contact[p];
         if (part->model.n_rollers == 0) continue;
-        loads_zero(&m->ws->loads[p], m->scene->chain.n);
         part_forces(m, p, 1.0, m->ws->on_roller + part->first);
         active += part->pairs.active;
     }

@@ -203,7 +203,6 @@ static int surfaces_look(const Room *room, const Moment *m)
     for (int i = 0; i < ws->surfaces.n_surfaces; ++i) ws->on_surface[i] = surface_tally_new();
     for (int p = 0; p < PARTS && ws->surfaces.n_patches > 0; ++p) {
         SurfacePairs *const pairs = &ws->contact[p].surface;
-        loads_zero(&ws->loads[p], m->scene->chain.n);
         surface_forces(&ws->surfaces, &m->scene->chain, &ws->kin, 1.0, pairs, &ws->loads[p], ws->on_surface);
         active += pairs->active;
     }

@@ -6,8 +6,8 @@
 #include "sim/expected/expected.h"
 #include "sim/expected/stretches.h"
 #include "theory/limits.h"
+#include "theory/plan.h"
 #include "theory/plan_head.h"
-#include "theory/plan_pull.h"
 
 /* How the cables lie in one duct of the scene. */
 typedef struct CalculatorDuct {

@@ -15,11 +15,13 @@ static const Planar *planar_in(const Motion *m) { return (const Planar *)m; }
 
 static int segments(const Planar *p) { return p->ps.chain.n; }
 
-/* The forces on the rollers, back in space. */
+/* The forces on the rollers, and those on the chain, which are all of its contacts: back in space. */
 static int roller_forces(Planar *p)
 {
     int active = 0, first = 0;
+    const int n = segments(p);
     for (int half = 0; half < PARTS; ++half) {
+        for (int c = 0; c < 2; ++c) memset(p->loads[half].f[c], 0, (size_t)n * sizeof(double));
         ContactPairs *const pairs = &p->ws->contact[half].pairs;
         if (p->model[half].n_rollers == 0) continue;
         planar_contact_forces(&p->model[half], &p->ps.chain, &p->kin, 1, pairs, &p->loads[half], p->on_roller + first);
@@ -28,6 +30,10 @@ static int roller_forces(Planar *p)
     }
     for (int r = 0; r < first; ++r)
         p->ws->on_roller[r] = plane_vector(&p->ps.plane, p->on_roller[r][0], p->on_roller[r][1]);
+    for (int half = 0; half < PARTS; ++half) {
+        double *const *const f = p->loads[half].f;
+        for (int i = 0; i < n; ++i) v3_store(p->ws->loads[half].f, i, plane_vector(&p->ps.plane, f[0][i], f[1][i]));
+    }
     return active;
 }
 

@@ -88,6 +88,7 @@ Sim *sim_free(Sim *s)
     stats_free(&s->stats);
     machines_free(&s->machines);
     peaks_free(&s->peaks);
+    envelope_free(&s->envelope);
     events_free(&s->events);
     passing_free(&s->passing);
     expected_free(&s->expected);
@@ -275,7 +276,7 @@ static void turned_watch(Sim *s, const hawser_sample *look)
 
 static void record_now(Sim *s, SampleParts parts)
 {
-    const hawser_sample *const look = look_now(s, parts);
+    const hawser_sample *const look = look_now(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
     const double start = clock_now();
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
@@ -291,6 +292,7 @@ static void record_now(Sim *s, SampleParts parts)
     if (look->t - dt >= s->stats.steady_from - 1e-9) by_position_window(&s->by_position, look->reference, dt);
     by_position_record(&s->by_position, look->t, look->head_at, look->winch_force, look->reference, steady);
     peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws.kin, look);
+    if (s->envelope.present) envelope_record(&s->envelope, &s->stage.scene, &s->stage.ws.kin, look);
     s->record_s += clock_now() - start;
 }
 

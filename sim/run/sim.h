@@ -5,6 +5,7 @@
 #define HAWSER_SIM_RUN_SIM_H
 
 #include "sim/expected/mesh.h"
+#include "sim/picture/envelope.h"
 #include "sim/run/modes.h"
 #include "sim/run/stage.h"
 #include "sim/watch/events.h"
@@ -24,6 +25,7 @@ typedef struct hawser_sim {
     Stats stats;
     Machines machines;
     Peaks peaks;
+    Envelope envelope; /* present if somebody has asked for it */
     Expected expected;
     BundleTerms bundle;
     ByPosition by_position;

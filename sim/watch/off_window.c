@@ -45,6 +45,7 @@ static void wound_take(SampleBuffers *b, const Scene *scene, const hawser_sample
         if (parts == SAMPLE_ALL) {
             const WindingPoint p = winding_point(&r->winding, at);
             wound_row(b, r, i, &p, &leaving, sample->reel_speed);
+            b->curvature[i] = 1 / p.radius;
         }
         length -= h;
     }

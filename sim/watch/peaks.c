@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
-#include "sim/expected/stretches.h"
+#include "sim/watch/sample.h"
 
 hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
 {
@@ -27,12 +27,6 @@ static void take(Peak *peak, double value, double at)
     if (value > peak->value) *peak = (Peak){value, at};
 }
 
-/* Joint j's place if nothing stretched, m along the route; j counts from the tail of what is simulated. */
-static double joint_place(const Scene *scene, const hawser_sample *sample, int j)
-{
-    return scene->joint_s[scene->first + j] + sample->winch_travel;
-}
-
 static Vec3 axis_of(const Kinematics *kin, int i)
 {
     const Quat q = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
@@ -44,34 +38,32 @@ static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample 
 {
     const double *const tension = sample->tension + scene->first;
     for (int j = 0; j <= eye; ++j) {
-        const double s = joint_place(scene, sample, j);
+        const double s = sample_joint_place(scene, sample, j);
         take(&peaks->tension, tension[j], s);
-        const double turn = v3_norm(route_at(&scene->route, s).curvature);
-        if (turn > 0)
-            take(&peaks->sidewall, tension[j] * turn * bundle_share(&scene->def, surface_at(&scene->def, s)), s);
+        take(&peaks->sidewall, sidewall_at(scene, s, tension[j]), s);
     }
-    take(&peaks->front, tension[eye], joint_place(scene, sample, eye));
-    for (int j = eye + 1; j <= scene->chain.n; ++j) take(&peaks->rope, tension[j], joint_place(scene, sample, j));
-    take(&peaks->rope, sample->winch_force, joint_place(scene, sample, scene->chain.n));
+    take(&peaks->front, tension[eye], sample_joint_place(scene, sample, eye));
+    for (int j = eye + 1; j <= scene->chain.n; ++j)
+        take(&peaks->rope, tension[j], sample_joint_place(scene, sample, j));
+    take(&peaks->rope, sample->winch_force, sample_joint_place(scene, sample, scene->chain.n));
 }
 
-/* (LI6): the angle between neighbouring axes over the length between their middles. The cable's own, before the eye. */
+/* The cable's own, before the eye. */
 static void curvature_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
                              int eye)
 {
     Vec3 before = axis_of(kin, 0);
     for (int i = 1; i < eye; ++i) {
         const Vec3 axis = axis_of(kin, i);
-        const double angle = 2 * asin(fmin(1, v3_norm(v3_sub(axis, before)) / 2));
-        take(&peaks->curvature, angle / (scene->chain.half[i - 1] + scene->chain.half[i]),
-             joint_place(scene, sample, i));
+        take(&peaks->curvature, curvature_between(before, axis, scene->chain.half[i - 1] + scene->chain.half[i]),
+             sample_joint_place(scene, sample, i));
         before = axis;
     }
 }
 
 static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
-    const double front = joint_place(scene, sample, scene->eye - scene->first);
+    const double front = sample_joint_place(scene, sample, scene->eye - scene->first);
     for (int r = 0; r < peaks->n_rollers; ++r) {
         const double s = scene->def.rollers[r].s;
         if (isnan(s) || s > front) continue; /* there is rope */

@@ -7,6 +7,7 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
+#include "sim/expected/stretches.h"
 
 /* The next `count` numbers of the memory. */
 static double *piece_of(double **memory, size_t count)
@@ -20,7 +21,7 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
 {
     const int rollers = scene->contact.n_rollers, surfaces = scene->surfaces.model.n_surfaces;
     const size_t n = (size_t)scene->total, nr = (size_t)rollers, ns = (size_t)surfaces;
-    *b = (SampleBuffers){.memory = calloc(15 * n + 1 + 3 * nr + 4 * ns, sizeof(double))};
+    *b = (SampleBuffers){.memory = calloc(18 * n + 3 + 6 * nr + 4 * ns, sizeof(double))};
     if (!b->memory) return 0;
     double *memory = b->memory;
     b->position = piece_of(&memory, 3 * n);
@@ -35,6 +36,10 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
         for (int r = 0; r < rollers; ++r) b->moving[k][r] = NAN;
     }
     for (int k = 0; k < 4; ++k) b->surface[k] = piece_of(&memory, ns);
+    b->curvature = piece_of(&memory, n + 1);
+    b->sidewall = piece_of(&memory, n + 1);
+    b->contact_line_load = piece_of(&memory, n);
+    b->roller_force = piece_of(&memory, 3 * nr);
     b->sample = (hawser_sample){.segments = scene->total,
                                 .joints = scene->total + 1,
                                 .rollers = rollers,
@@ -53,7 +58,8 @@ int sample_alloc(SampleBuffers *b, const Scene *scene)
                                 .surface_normal = b->surface[0],
                                 .surface_friction = b->surface[1],
                                 .surface_line_load = b->surface[2],
-                                .surface_at = b->surface[3]};
+                                .surface_at = b->surface[3],
+                                .field = {b->curvature, b->sidewall, b->contact_line_load, b->roller_force}};
     return 1;
 }
 
@@ -100,6 +106,38 @@ static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *
         if (tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = first + j;
     }
     s->max_tension = b->tension[s->max_tension_joint];
+}
+
+double sample_joint_place(const Scene *scene, const hawser_sample *sample, int j)
+{
+    return scene->joint_s[scene->first + j] + sample->winch_travel;
+}
+
+double sidewall_at(const Scene *scene, double s, double tension)
+{
+    const double turn = v3_norm(route_at(&scene->route, s).curvature);
+    return turn > 0 ? tension * turn * bundle_share(&scene->def, surface_at(&scene->def, s)) : 0;
+}
+
+/* What there is along the chain besides tension, of the segments that are simulated; the others have none of it. A rod
+ * has no route that could press on it. */
+static void fields_take(SampleBuffers *b, const Scene *scene, const Workspace *ws)
+{
+    const int n = scene->chain.n, first = scene->first, eye = scene->eye - first;
+    memset(b->curvature, 0, ((size_t)scene->total + 1) * sizeof(double));
+    memset(b->sidewall, 0, ((size_t)scene->total + 1) * sizeof(double));
+    memset(b->contact_line_load, 0, (size_t)scene->total * sizeof(double));
+    for (int i = 1; i < n; ++i) {
+        const double length = scene->chain.half[i - 1] + scene->chain.half[i];
+        b->curvature[first + i] = curvature_between(v3_load(ws->kin.a, i - 1), v3_load(ws->kin.a, i), length);
+    }
+    for (int j = 0; j <= n && j <= eye && !scene->rod->present; ++j)
+        b->sidewall[first + j] = sidewall_at(scene, sample_joint_place(scene, &b->sample, j), b->tension[first + j]);
+    for (int i = 0; i < n; ++i) {
+        const Vec3 force = v3_add(v3_load(ws->loads[0].f, i), v3_load(ws->loads[1].f, i));
+        b->contact_line_load[first + i] = v3_norm(force) / (2 * scene->chain.half[i]);
+    }
+    for (int r = 0; r < b->sample.rollers; ++r) v3_put(b->roller_force + 3 * r, ws->on_roller[r]);
 }
 
 static void winch_take(hawser_sample *s, const Scene *scene, const Workspace *ws, double t)
@@ -166,6 +204,7 @@ const hawser_sample *sample_take(SampleBuffers *b, const Scene *scene, const Wor
     winch_take(s, scene, ws, t);
     reel_take(b, scene, ws, t);
     tension_take(b, scene, ws);
+    if (parts >= SAMPLE_FIELDS) fields_take(b, scene, ws);
     if (n < scene->total) absent_take(b, scene, s, parts);
     for (int r = 0; r < s->rollers; ++r) b->roller_load[r] = v3_norm(ws->on_roller[r]);
     surfaces_take(b, ws);

@@ -32,9 +32,27 @@ static double heading_at(const PlanElement *e, double s)
     return e->heading + s * (e->k0 + 0.5 * s * (e->k1 - e->k0) / e->length);
 }
 
+/* The same on a straight, whose integrals are powers. */
+static void go_straight(const PlanElement *e, double ds, Along *a)
+{
+    const double t[2] = {cos(e->heading), sin(e->heading)}, from = a->s, to = from + ds;
+    const double first = 0.5 * (to * to - from * from), second = (to * to * to - from * from * from) / 3;
+    a->x += ds * t[0];
+    a->y += ds * t[1];
+    a->first[0] -= first * t[1];
+    a->first[1] += first * t[0];
+    a->second[0] -= second * t[1];
+    a->second[1] += second * t[0];
+    a->s = to;
+}
+
 /* ds on, or back. Parts turn by less than half a radian: error below 1e-11 ds. */
 static void go(const PlanElement *e, double ds, Along *a)
 {
+    if (fmax(fabs(e->k0), fabs(e->k1)) * e->length < 1e-13) { /* what rounding leaves of a straight */
+        go_straight(e, ds, a);
+        return;
+    }
     const double rate = (e->k1 - e->k0) / e->length;
     const double turn = fabs(ds) * fmax(fabs(a->curvature), fabs(a->curvature + ds * rate));
     const int parts = (int)fmin(1 + 2 * turn, 1000);
@@ -288,6 +306,18 @@ static double step_take(int n, Piece *piece, const double *b)
     return change;
 }
 
+/* How far a piece turns, at most. */
+static double turn_most(const Piece *p) { return p->e.length * fmax(fabs(p->e.k0), fabs(p->e.k1)); }
+
+/* A step that winds a piece up leads nowhere, and its sums cost as much as it turns: no more than twice round, or a
+ * little more than before. */
+static int is_wound(int n, const Piece *before, const Piece *piece)
+{
+    int wound = 0;
+    for (int q = 0; q < n; ++q) wound |= turn_most(&piece[q]) > fmax(4 * acos(-1), 1.2 * turn_most(&before[q]));
+    return wound;
+}
+
 /* What is missed, at its price: with half the squares it is what a good step lowers. */
 static double misses_price(int n, const Piece *piece, const double *price)
 {
@@ -313,11 +343,12 @@ hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int ste
         double was = INFINITY, is = INFINITY;
         for (int tries = 0; tries < 6; ++tries, strength *= 30) { /* stiffer until it is better */
             memcpy(piece, w.before, (size_t)n * sizeof *piece);
+            is = INFINITY;
             if (!step_find(n, piece, strength, &w)) continue;
             for (int k = 0; k < n * BLOCK; ++k) w.price[k] = fmax(w.price[k], 2 * fabs(w.b[k]));
             was = squares + misses_price(n, piece, w.price);
             change = step_take(n, piece, w.b);
-            if (isnan(change)) continue;
+            if (isnan(change) || is_wound(n, w.before, piece)) continue;
             feet_find(n, piece, m, node, foot, NULL);
             is = 0.5 * chain_squares(m, node, foot) + misses_price(n, piece, w.price);
             if (is <= was * (1 + 1e-9)) break;

@@ -12,6 +12,7 @@ typedef struct Piece {
     PieceKind kind;
     int kept;      /* its curvature is the file's, or that of a corner's bend, and stays */
     int loose;     /* it begins with a curvature of its own even where it or the piece before is a clothoid */
+    int settled;   /* no move about it has helped since something near it changed */
     PlanElement e; /* while it is fitted not quite where the one before ends */
 } Piece;
 

@@ -182,7 +182,7 @@ static Piece piece_make(const Course *c, int i, int j, PieceKind kind)
     }
     const double S = way.s;
     return (Piece){.kind = kind,
-                   .e = {c[i].x + u[0], c[i].y + u[1], c[i].heading + u[2], S, u[3], u[3] + 2 * u[4] * S}};
+                   .e = {c[i].x + u[0], c[i].y + u[1], c[i].heading + u[2], S, u[3], u[3] + 2 * u[4] * S, 0}};
 }
 
 /* One stretch between corners; its pieces behind the *n that are there. */

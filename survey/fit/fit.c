@@ -302,7 +302,7 @@ static int pieces_kept(const Alignment *a, Vec3 origin, Fitted *f)
         f->piece[f->n] = (Piece){straight         ? PIECE_STRAIGHT
                                  : e->k0 == e->k1 ? PIECE_ARC
                                                   : PIECE_CLOTHOID,
-                                 !straight, 1, *e};
+                                 !straight, 1, 0, *e};
         f->piece[f->n].e.x -= origin.x;
         f->piece[f->n++].e.y -= origin.y;
     }
@@ -324,6 +324,7 @@ static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment
             status = error_memory(err);
         else {
             *e = f.piece[i].e;
+            e->name = 0;
             e->x += origin.x;
             e->y += origin.y;
         }

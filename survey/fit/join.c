@@ -10,8 +10,9 @@
 
 enum { SAMPLES = 16, LOOKED_AT = 64 };
 
-/* A gap is looked for within this many tolerances of an end. */
-static const double gap_reach = 100;
+/* How far from an end a gap is looked for, m: 100 tolerances, but where these are wide no more than a metre or two of
+ * them. */
+static double gap_reach(double tolerance) { return fmin(100 * tolerance, fmax(1, 2 * tolerance)); }
 
 JoinOptions join_options(void) { return (JoinOptions){.tolerance = 0.01, .layer = NULL, .name = NULL}; }
 
@@ -220,12 +221,12 @@ static void doubt_add(Joined *j, JoinDoubt d)
 static int doubts_find(const JoinOptions *o, const Net *net, Joined *joined)
 {
     Grid g;
-    const int fine = grid_alloc(2 * net->n, net->end, gap_reach * o->tolerance, &g);
+    const int fine = grid_alloc(2 * net->n, net->end, gap_reach(o->tolerance), &g);
     for (int i = 0; fine && i < 2 * net->n; ++i) {
         if (net->knot[i] == i && net->ends[i] > 2)
             doubt_add(joined, (JoinDoubt){JOIN_FORK, net->end[i], net->ends[i], 0});
         if (net->knot[i] != i || net->ends[i] == 0) continue;
-        Search s = {net, i, -1, gap_reach * o->tolerance, INFINITY};
+        Search s = {net, i, -1, gap_reach(o->tolerance), INFINITY};
         if (net->ends[i] == 1) grid_near(&g, net->end[i], end_near, &s);
         if (s.found >= 0) doubt_add(joined, (JoinDoubt){JOIN_GAP, net->end[i], 1, s.least});
         if (net->ends[i] == 1) grid_put(&g, i); /* each pair once */
@@ -285,6 +286,7 @@ static int elements_take(const Alignment *from, Alignment *to)
         PlanElement *const e = alignment_add_plan(to);
         if (!e) return 0;
         *e = from->plan[i];
+        e->name = 0; /* of another line */
     }
     for (int i = 0; i + 1 < from->n_points; ++i) {
         const Vec3 *const p = &from->point[i];
@@ -292,7 +294,7 @@ static int elements_take(const Alignment *from, Alignment *to)
         if (!(length > 1e-9)) continue;
         PlanElement *const e = alignment_add_plan(to);
         if (!e) return 0;
-        *e = (PlanElement){p->x, p->y, atan2(p[1].y - p->y, p[1].x - p->x), length, 0, 0};
+        *e = (PlanElement){p->x, p->y, atan2(p[1].y - p->y, p[1].x - p->x), length, 0, 0, 0};
     }
     return 1;
 }

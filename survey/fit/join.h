@@ -19,7 +19,7 @@ typedef struct JoinDoubt {
     JoinDoubtKind kind;
     Vec3 at;     /* m */
     int ends;    /* fork: how many meet */
-    double away; /* gap: m to the nearest other end, within 100 tolerances */
+    double away; /* gap: m to the nearest other end, within 100 tolerances and 1 m */
 } JoinDoubt;
 
 typedef struct Joined {

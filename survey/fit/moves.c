@@ -6,14 +6,16 @@
 #include "core/base/error.h"
 #include "survey/fit/chain.h"
 
-enum { ASIDE = 2, WINDOW = 2 * ASIDE + 1, WINDOW_MOST = WINDOW + 3, EDGE_NODES = 60, STEPS = 10, SWEEPS = 8 };
+enum { ASIDE = 2, WINDOW = 2 * ASIDE + 1, GROWTH = 3, FARTHER = 4 };
+enum { WINDOW_MOST = WINDOW + GROWTH, WIDE_MOST = WINDOW_MOST + 2 * FARTHER };
+enum { EDGE_NODES = 60, STEPS = 10, SWEEPS = 8 };
 
 static const double PI = 3.14159265358979323846;
 
 /* Some pieces with their nodes, to try something on. */
 typedef struct Window {
     int n;
-    Piece piece[WINDOW_MOST];
+    Piece piece[WIDE_MOST];
 } Window;
 
 /* What a chain's pieces cost beside their squares: each for itself, and each curvature that is an unknown. Those of
@@ -72,7 +74,7 @@ static void straights_merge(Window *w)
 static void piece_shorten(Piece *p, double before, double behind)
 {
     const PlanElement from = plan_at(&p->e, before), to = plan_at(&p->e, p->e.length - behind);
-    p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0};
+    p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0, p->e.name};
 }
 
 /* Without piece q; its neighbours share its length. */
@@ -112,6 +114,7 @@ static int change_kind(Window *w, int q, PieceKind kind)
     if (kind != PIECE_CLOTHOID) p->e.k0 = p->e.k1 = kind == PIECE_ARC ? 0.5 * (p->e.k0 + p->e.k1) : 0;
     p->kind = kind;
     p->loose = 0;
+    if (kind == PIECE_CLOTHOID && q + 1 < w->n) p[1].loose = 0;
     straights_merge(w);
     return 1;
 }
@@ -129,7 +132,7 @@ static int make_clothoid(Window *w, int q)
     piece_shorten(&p[-1], 0, half);
     piece_shorten(&p[1], half, 0);
     const PlanElement end = plan_at(&p[-1].e, p[-1].e.length);
-    p->e = (PlanElement){end.x, end.y, end.heading, p->e.length + 2 * half, end.k0, p[1].e.k0};
+    p->e = (PlanElement){end.x, end.y, end.heading, p->e.length + 2 * half, end.k0, p[1].e.k0, 0};
     return 1;
 }
 
@@ -148,9 +151,10 @@ static int put_between(Window *w, int q, PieceKind kind, double part)
     piece_shorten(before, 0, half);
     piece_shorten(behind, half, 0);
     const PlanElement end = plan_at(&before->e, before->e.length);
-    Piece p = {.kind = kind, .e = {end.x, end.y, end.heading, 2 * half, end.k0, behind->e.k0}};
+    Piece p = {.kind = kind, .e = {end.x, end.y, end.heading, 2 * half, end.k0, behind->e.k0, 0}};
     if (kind == PIECE_STRAIGHT) p.e.k0 = p.e.k1 = 0;
     if (kind == PIECE_ARC) p.e.k0 = p.e.k1 = 0.5 * (p.e.k0 + p.e.k1);
+    behind->loose = 0;
     window_insert(w, q + 1, p);
     return 1;
 }
@@ -221,22 +225,38 @@ static int node_of(const Search *s, int q)
     return low;
 }
 
+/* Of long outermost pieces a and b (-1: it stays whole) only what is near counts: nodes from..to - 1, and what is cut
+ * off the pieces' far ends, m. */
+static void ends_cut(const Search *s, int a, int b, int *from, int *to, double cut[2])
+{
+    const int inner = a < 0 ? *from : node_of(s, a + 1), outer = b < 0 ? *to : node_of(s, b);
+    cut[0] = cut[1] = 0;
+    if (inner - *from > EDGE_NODES) {
+        *from = inner - EDGE_NODES;
+        cut[0] = s->foot[*from].s;
+    }
+    if (*to - outer > EDGE_NODES) {
+        *to = outer + EDGE_NODES;
+        cut[1] = fmax(0, (*s->piece)[b].e.length - s->foot[*to - 1].s);
+    }
+}
+
+static void window_shorten(Window *w, const double cut[2])
+{
+    if (cut[0] > 0) piece_shorten(&w->piece[0], cut[0], 0);
+    if (cut[1] > 0) piece_shorten(&w->piece[w->n - 1], 0, cut[1]);
+}
+
 /* Pieces a..b with their nodes from..to - 1; of the outermost ones only what is near. */
 static Window window_of(const Search *s, int a, int b, int *from, int *to)
 {
     Window w = {.n = b - a + 1};
+    double cut[2];
     memcpy(w.piece, &(*s->piece)[a], (size_t)w.n * sizeof *w.piece);
     *from = node_of(s, a);
     *to = node_of(s, b + 1);
-    const int inner = node_of(s, a + 1), outer = node_of(s, b);
-    if (w.n > 1 && inner - *from > EDGE_NODES) {
-        *from = inner - EDGE_NODES;
-        piece_shorten(&w.piece[0], s->foot[*from].s, 0);
-    }
-    if (w.n > 1 && *to - outer > EDGE_NODES) {
-        *to = outer + EDGE_NODES;
-        piece_shorten(&w.piece[w.n - 1], 0, fmax(0, w.piece[w.n - 1].e.length - s->foot[*to - 1].s));
-    }
+    ends_cut(s, b > a ? a : -1, b > a ? b : -1, from, to, cut);
+    window_shorten(&w, cut);
     return w;
 }
 
@@ -285,30 +305,30 @@ static hawser_status window_put(Search *s, int a, int b, const Window *w, int wh
     return HAWSER_OK;
 }
 
-/* The best move about piece q, if one is better than none. */
-static hawser_status piece_try(Search *s, int q, int *found)
+/* The best move about piece q, in the window w of pieces *a..*b with what it costs; *found: one is better than none. */
+static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *best, int *found)
 {
-    const int a = q > ASIDE ? q - ASIDE : 0, b = q + ASIDE < *s->n ? q + ASIDE : *s->n - 1;
     int from, to;
-    const Window now = window_of(s, a, b, &from, &to);
-    Window best = now;
+    *a = q > ASIDE ? q - ASIDE : 0;
+    *b = q + ASIDE < *s->n ? q + ASIDE : *s->n - 1;
+    const Window now = window_of(s, *a, *b, &from, &to);
     double least, cost;
+    *best = now;
     *found = 0;
     if (to - from < 3) return HAWSER_OK;
-    hawser_status status = window_cost(s, &best, from, to, &least);
+    hawser_status status = window_cost(s, best, from, to, &least);
     for (size_t k = 0; k < sizeof moves / sizeof *moves && !status; ++k) {
         Window w = now;
-        if (!moves[k](&w, q - a)) continue;
+        if (!moves[k](&w, q - *a)) continue;
         int allowed = 1;
         for (int i = 0; i < w.n && !s->clothoids; ++i) allowed &= w.piece[i].kind != PIECE_CLOTHOID;
         if (!allowed || w.n == 0) continue;
         status = window_cost(s, &w, from, to, &cost);
         if (!(cost < least - 1)) continue;
-        best = w;
+        *best = w;
         least = cost;
         *found = 1;
     }
-    if (!status && *found) status = window_put(s, a, b, &best, from == node_of(s, a), to == node_of(s, b + 1));
     return status;
 }
 
@@ -340,35 +360,83 @@ static hawser_status keep(const Search *s, double cost, Kept *k)
     return HAWSER_OK;
 }
 
-/* What a window says is better must be so for the chain as a whole; else all is as before. */
-static hawser_status settle(Search *s, Kept *best, int *better)
+/* Numbers of pieces, and feet on them, after pieces a..b have become n: those of the nodes between are found anew. */
+static hawser_status feet_renew(Search *s, int a, int n, int from, int to, int more)
+{
+    for (int i = to; i < s->m; ++i) s->foot[i].piece += more;
+    const hawser_status status =
+        to - from < 2 ? HAWSER_OK
+                      : chain_refine(n, *s->piece + a, to - from, s->node + from, 0, s->foot + from, s->err);
+    for (int i = from; i < to; ++i) s->foot[i].piece += a;
+    return status;
+}
+
+/* What a narrow window, of pieces a..b, says is better must be so in a wide one; *better: it was, and the chain has it.
+ * Farther away it changes next to nothing, so that a long line costs no more by the metre than a short one. */
+static hawser_status settle(Search *s, int a, int b, const Window *w, int *better)
+{
+    const int first = a > FARTHER ? a - FARTHER : 0, last = b + FARTHER < *s->n ? b + FARTHER : *s->n - 1;
+    const int more = w->n - (b - a + 1), all_from = node_of(s, first), all_to = node_of(s, last + 1);
+    int narrow_from, narrow_to;
+    double before = INFINITY, after = INFINITY, cut[2];
+    window_of(s, a, b, &narrow_from, &narrow_to);
+    const int whole[2] = {narrow_from == node_of(s, a), narrow_to == node_of(s, b + 1)};
+    Window old = {.n = last - first + 1}, was, is = {.n = last - first + 1 + more};
+    memcpy(old.piece, &(*s->piece)[first], (size_t)old.n * sizeof *old.piece);
+    int from = all_from, to = all_to;
+    ends_cut(s, first < a ? first : -1, last > b ? last : -1, &from, &to, cut);
+    was = old;
+    window_shorten(&was, cut);
+    hawser_status status = window_cost(s, &was, from, to, &before);
+    if (!status) status = window_put(s, a, b, w, whole[0], whole[1]);
+    if (status) return status;
+    memcpy(is.piece, &(*s->piece)[first], (size_t)is.n * sizeof *is.piece);
+    window_shorten(&is, cut);
+    status = window_cost(s, &is, from, to, &after);
+    *better = !status && after < before - 0.5;
+    if (!status)
+        status =
+            window_put(s, first, last + more, *better ? &is : &old, !*better || cut[0] == 0, !*better || cut[1] == 0);
+    if (!status && *better) status = feet_renew(s, first, is.n, all_from, all_to, more);
+    return status;
+}
+
+/* Every piece once about which something may have become better; *better: something was. */
+static hawser_status sweep(Search *s, int *better)
+{
+    hawser_status status = HAWSER_OK;
+    *better = 0;
+    for (int q = 0; q < *s->n && !status; ++q) {
+        int a, b, found, good = 0;
+        Window w;
+        if ((*s->piece)[q].settled) continue;
+        status = move_find(s, q, &a, &b, &w, &found);
+        if (!status && found) status = settle(s, a, b, &w, &good);
+        if (status) break;
+        for (int i = a - WINDOW; good && i <= b + WINDOW + GROWTH; ++i) {
+            if (i >= 0 && i < *s->n) (*s->piece)[i].settled = 0;
+        }
+        if (!good) (*s->piece)[q].settled = 1;
+        *better |= good;
+    }
+    return status;
+}
+
+/* The chain as it is now is refined as a whole; where that is no better than the best one so far, that one comes back.
+ */
+static hawser_status whole_settle(Search *s, Kept *best, int *better)
 {
     hawser_status status = refine(s, STEPS);
     const double cost = whole_cost(s);
     if (status) return status;
-    if (cost < best->cost - 0.5) {
-        *better = 1;
-        return keep(s, cost, best);
-    }
+    if (cost < best->cost) return keep(s, cost, best);
+    *better = 0;
     Piece *const room = realloc(*s->piece, (size_t)best->n * sizeof *room);
     if (!room) return error_memory(s->err);
     *s->piece = room;
     *s->n = best->n;
     memcpy(room, best->piece, (size_t)best->n * sizeof *room);
     return refine(s, 0);
-}
-
-/* Every piece once; *better: something was. */
-static hawser_status sweep(Search *s, Kept *best, int *better)
-{
-    hawser_status status = HAWSER_OK;
-    *better = 0;
-    for (int q = 0; q < *s->n && !status; ++q) {
-        int found;
-        status = piece_try(s, q, &found);
-        if (!status && found) status = settle(s, best, better);
-    }
-    return status;
 }
 
 hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, double sigma, int clothoids, Foot *foot,
@@ -379,7 +447,11 @@ hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, doub
     int better = 1;
     hawser_status status = s.trial ? refine(&s, 3 * STEPS) : error_memory(err);
     if (!status) status = keep(&s, whole_cost(&s), &best);
-    for (int i = 0; i < SWEEPS && better && !status; ++i) status = sweep(&s, &best, &better);
+    for (int i = 0; i < *n && !status; ++i) (*piece)[i].settled = 0;
+    for (int i = 0; i < SWEEPS && better && !status; ++i) {
+        status = sweep(&s, &better);
+        if (!status && better) status = whole_settle(&s, &best, &better);
+    }
     free(s.trial);
     free(best.piece);
     return status;
@@ -408,7 +480,7 @@ hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_erro
         memmove(&p[2], &p[1], (size_t)(*n - i - 1) * sizeof *p);
         p[1] = (Piece){.kind = PIECE_ARC,
                        .kept = straights && fabs(turn) > 0.15,
-                       .e = {from.x, from.y, from.heading, radius * 2 * half, k, k}};
+                       .e = {from.x, from.y, from.heading, radius * 2 * half, k, k, 0}};
         ++*n;
         ++i;
     }

@@ -1,5 +1,6 @@
 #include "survey/read/read.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -56,6 +57,51 @@ static void names_fill(const char *path, Survey *s)
     }
 }
 
+enum { TURNS_MOST = 100 };
+static const double FAR = 1e9;
+
+static int is_near(double x) { return fabs(x) <= FAR; } /* false of NAN */
+
+/* What is wrong with a line that is no line on Earth: a slip of units, signs or columns; NULL: nothing. Measuring what
+ * turns round and round would take for ever. */
+static const char *nonsense(const Alignment *a)
+{
+    int near = 1, wound = 0;
+    for (int i = 0; i < a->n_points; ++i) {
+        near &= is_near(a->point[i].x) & is_near(a->point[i].y) & is_near(a->point[i].z);
+    }
+    for (int i = 0; i < a->n_plan; ++i) {
+        const PlanElement *const e = &a->plan[i];
+        near &= is_near(e->x) & is_near(e->y) & is_near(e->length);
+        wound |= !(0.5 * e->length * fmax(fabs(e->k0), fabs(e->k1)) <= TURNS_MOST * 2 * acos(-1));
+    }
+    for (int i = 0; i < a->n_profile; ++i) near &= is_near(a->profile[i].z) & is_near(a->profile[i].length);
+    return !near   ? "lines with a place or a length beyond a million km"
+           : wound ? "lines with an element that turns more than 100 times"
+                   : NULL;
+}
+
+/* Such lines are left out, and said so. Errors: INPUT if no line is left that way. */
+static hawser_status nonsense_drop(SurveyInput *in)
+{
+    Survey *const s = in->out;
+    const int before = s->n;
+    const char *last = NULL;
+    s->n = 0;
+    for (int i = 0; i < before; ++i) {
+        const char *const wrong = nonsense(&s->alignment[i]);
+        if (!wrong) {
+            s->alignment[s->n++] = s->alignment[i];
+            continue;
+        }
+        survey_ignore(s, last = wrong);
+        alignment_clear(&s->alignment[i]);
+    }
+    in->line = 0;
+    if (!last || s->n > 0 || s->n_marks > 0) return HAWSER_OK;
+    return input_error(in, "there are only %s", last);
+}
+
 hawser_status survey_read(const char *path, const SurveyOptions *options, Survey *out, hawser_error *err)
 {
     SurveyInput in;
@@ -70,6 +116,7 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
         status = readers[i].read(&in);
         break;
     }
+    if (!status) status = nonsense_drop(&in);
     input_close(&in);
     if (!status) names_fill(path, out);
     if (status) survey_clear(out);

@@ -114,6 +114,7 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
         PlanElement *const e = alignment_add_plan(a);
         if (!e) return error_memory(in->err);
         *e = element_by(t, i, c, i ? &a->plan[i - 1] : NULL);
+        e->name = t->row[i].name;
     }
     double station = 0;
     hawser_status status = HAWSER_OK;
@@ -230,10 +231,10 @@ static int lay_profile(Alignment *a, Laying *at, double plan, double bend)
     return 1;
 }
 
-static int lay_plan(Alignment *a, double plan, double k)
+static int lay_plan(Alignment *a, double plan, double k, int name)
 {
     PlanElement *const e = alignment_add_plan(a);
-    if (e) *e = (PlanElement){.length = plan, .k0 = k, .k1 = k};
+    if (e) *e = (PlanElement){.length = plan, .k0 = k, .k1 = k, .name = name};
     return e != NULL;
 }
 
@@ -258,7 +259,7 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *
     } else if (bend) {
         k = (row->turn == TURN_RIGHT || angle < 0 ? -1 : 1) / radius;
     }
-    return lay_plan(a, plan, k) && lay_profile(a, at, plan, rise) ? HAWSER_OK : error_memory(in->err);
+    return lay_plan(a, plan, k, row->name) && lay_profile(a, at, plan, rise) ? HAWSER_OK : error_memory(in->err);
 }
 
 static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
@@ -275,11 +276,13 @@ static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* -------------------------------------------------------------------------------------------------------- kinds */
 
-hawser_status table_alignment(SurveyInput *in, const Table *t)
+hawser_status table_alignment(SurveyInput *in, Table *t)
 {
     const int *const has = t->has, plan = has[COLUMN_X] && has[COLUMN_Y];
     Alignment *const a = survey_add(in->out, "");
     if (!a) return error_memory(in->err);
+    a->names = t->names;
+    t->names = (PieceNames){.text = NULL};
     const double station = has[COLUMN_STATION] ? t->row[0].value[COLUMN_STATION] : NAN;
     a->station = isnan(station) ? 0 : station;
     if (plan && has[COLUMN_LENGTH]) return plan_make(in, t, a);
@@ -299,5 +302,6 @@ hawser_status table_read(SurveyInput *in)
     hawser_status status = table_rows(in, &table);
     if (!status && !in->options.marks) status = table_alignment(in, &table);
     free(table.row);
+    free(table.names.text);
     return status;
 }

@@ -209,6 +209,18 @@ static const char *cell_text_of(const Columns *columns, TableColumn c, int n, ch
     return "";
 }
 
+/* What the row calls itself: the last of the cells that may be a name, if it is more than a number. */
+static const char *name_of(const Columns *columns, int n, char *cell[CELLS_MOST])
+{
+    const char *name = "";
+    for (int i = 0; i < n && i < columns->n; ++i) {
+        int letters = 0;
+        for (const char *c = cell[i]; *c; ++c) letters += isalpha((unsigned char)*c) || (unsigned char)*c > 127;
+        if (columns->meaning[i] == COLUMN_NAME && letters) name = cell[i] + strspn(cell[i], " ");
+    }
+    return name;
+}
+
 /* A row as a mark on the layer that it names, by x and y or by its station. */
 static hawser_status mark_add(SurveyInput *in, const Columns *columns, const Table *table, int n,
                               char *cell[CELLS_MOST], const TableRow *row)
@@ -247,6 +259,8 @@ static hawser_status row_read(SurveyInput *in, const Columns *columns, char *tex
     for (int i = 0; i < n && i < columns->n && !status; ++i) {
         if (columns->meaning[i] != TABLE_COLUMNS) status = cell_read(in, columns, i, cell[i], row);
     }
+    if (!status && table->has[COLUMN_NAME] && !in->options.marks)
+        row->name = piece_names_add(&table->names, name_of(columns, n, cell));
     if (!status && in->options.marks) status = mark_add(in, columns, table, n, cell, row);
     return status;
 }

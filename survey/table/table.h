@@ -35,6 +35,7 @@ typedef struct TableRow {
     double value[COLUMN_TYPE];
     TableTurn turn;
     int straight; /* the type's word says so */
+    int name;     /* of the table's names; 0: none */
     long line;
 } TableRow;
 
@@ -42,12 +43,13 @@ typedef struct Table {
     int has[TABLE_COLUMNS];
     int n;
     TableRow *row;
+    PieceNames names;
 } Table;
 
 /* Reads the rows. Blank lines and those that begin with # do not count; columns of other names are ignored, and said
- * so. Errors: INPUT with line and column, MEMORY. Free the rows in any case. */
+ * so. Errors: INPUT with line and column, MEMORY. Free rows and names in any case. */
 hawser_status table_rows(SurveyInput *in, Table *table);
-/* Makes alignments of them, by what columns there are. Errors: INPUT with the reason, MEMORY. */
-hawser_status table_alignment(SurveyInput *in, const Table *table);
+/* Makes alignments of them, by what columns there are; they take the names. Errors: INPUT with the reason, MEMORY. */
+hawser_status table_alignment(SurveyInput *in, Table *table);
 
 #endif

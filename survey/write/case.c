@@ -14,7 +14,15 @@ static void radius_print(FILE *to, const char *key, double curvature)
     if (curvature != 0) fprintf(to, ", %s: %.12g m", key, 1 / fabs(curvature));
 }
 
-static void element_print(const PlanElement *from, FILE *to)
+/* In quotes of YAML. */
+static void name_print(const char *name, FILE *to)
+{
+    if (*name) fputs(", name: \"", to);
+    for (const char *c = name; *c; ++c) fprintf(to, *c == '"' || *c == '\\' ? "\\%c" : "%c", *c);
+    fputs(*name ? "\"}\n" : "}\n", to);
+}
+
+static void element_print(const PlanElement *from, const char *name, FILE *to)
 {
     PlanElement straightened = *from;
     const PlanElement *const e = &straightened;
@@ -22,22 +30,24 @@ static void element_print(const PlanElement *from, FILE *to)
     if (fabs(e->k1) * straight_radius <= 1) straightened.k1 = 0;
     const char *const turn = e->k0 + e->k1 > 0 ? "left" : "right";
     if (e->k0 == 0 && e->k1 == 0) {
-        fprintf(to, "    - {line: %.9f m}\n", e->length);
+        fprintf(to, "    - {line: %.9f m", e->length);
     } else if (e->k0 == e->k1) {
-        fprintf(to, "    - {arc: %.9f m, radius: %.12g m, turn: %s}\n", e->length, 1 / fabs(e->k0), turn);
+        fprintf(to, "    - {arc: %.9f m, radius: %.12g m, turn: %s", e->length, 1 / fabs(e->k0), turn);
     } else if (e->k0 * e->k1 < 0) { /* in two where it changes its side */
         PlanElement first = *e, second = *e;
         first.length = e->length * e->k0 / (e->k0 - e->k1);
         second.length = e->length - first.length;
         first.k1 = second.k0 = 0;
-        element_print(&first, to);
-        element_print(&second, to);
+        element_print(&first, name, to);
+        element_print(&second, name, to);
+        return;
     } else {
         fprintf(to, "    - {clothoid: %.9f m", e->length);
         radius_print(to, "start_radius", e->k0);
         radius_print(to, "end_radius", e->k1);
-        fprintf(to, ", turn: %s}\n", turn);
+        fprintf(to, ", turn: %s", turn);
     }
+    name_print(name, to);
 }
 
 /* The corner of a curve is where the grades at its ends meet. */
@@ -85,7 +95,7 @@ hawser_status print_case(const Alignment *a, const char *system, FILE *to, hawse
         fprintf(to, "# elements of the source miss each other by up to %.4f m; here they are chained\n", m.gap);
     fprintf(to, "route:\n  start: [%.6f m, %.6f m, %.6f m]\n  heading: %.12f deg\n  plan:\n", m.start.x, m.start.y,
             m.start.z, remainder(a->plan[0].heading, 2 * acos(-1)) * 180 / acos(-1));
-    for (int i = 0; i < a->n_plan; ++i) element_print(&a->plan[i], to);
+    for (int i = 0; i < a->n_plan; ++i) element_print(&a->plan[i], piece_names_get(&a->names, a->plan[i].name), to);
     if (a->n_profile) profile_print(a, m.plan_length, to);
     return HAWSER_OK;
 }

@@ -19,6 +19,14 @@ static void radius_cell(FILE *to, double curvature)
     if (curvature != 0) fprintf(to, "%.12g", 1 / curvature);
 }
 
+/* In quotes, which are doubled within. */
+static void name_cell(FILE *to, const char *name)
+{
+    fputs(",\"", to);
+    for (; *name; ++name) fprintf(to, *name == '"' ? "\"\"" : "%c", *name);
+    fputc('"', to);
+}
+
 hawser_status print_elements(const Alignment *a, FILE *to, hawser_error *err)
 {
     if (a->n_plan == 0 && a->n_profile == 0) {
@@ -31,7 +39,8 @@ hawser_status print_elements(const Alignment *a, FILE *to, hawser_error *err)
     Stretches s;
     const hawser_status status = stretches_make(a, &s, err);
     fputs("station (m),x (m),y (m),direction (rad),length (m),start radius (m),end radius (m)", to);
-    fputs(a->n_profile ? ",z (m),start gradient,end gradient,vertical radius (m)\n" : "\n", to);
+    if (a->n_profile) fputs(",z (m),start gradient,end gradient,vertical radius (m)", to);
+    fputs(a->names.used ? ",name\n" : "\n", to);
     for (int i = 0; i < s.n; ++i) {
         const PlanElement *const e = &s.item[i].plan;
         const ProfileElement *const p = &s.item[i].profile;
@@ -44,6 +53,7 @@ hawser_status print_elements(const Alignment *a, FILE *to, hawser_error *err)
             cell(to, 14, profile_at(p, p->length).grade);
             radius_cell(to, p->kind == PROFILE_ARC ? p->bend : 0);
         }
+        if (a->names.used) name_cell(to, piece_names_get(&a->names, e->name));
         fputc('\n', to);
     }
     free(s.item);

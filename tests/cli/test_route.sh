@@ -27,6 +27,17 @@ says out '"length_m": 132.0276' '"pieces": 7'
 run_hawser 0 check again-case.yaml
 says out "132.0"
 
+# a gap of a drawing is said, and closed by --join
+printf '%s\n' 0 SECTION 2 ENTITIES 0 LINE 8 C 10 0 20 0 11 10 21 0 0 LINE 8 C 10 10.3 20 0 11 20 21 0 0 ENDSEC 0 EOF >"$work/gap.dxf"
+run_hawser 0 route gap.dxf --json
+says out '"gap of 0.3 m at 10.300, 0.000, layer'
+run_hawser 2 route gap.dxf -o gap.csv
+says err "2 lines could be meant" "or join them (gap of 0.3 m at"
+run_hawser 0 route gap.dxf --join 400mm --tolerance 200mm --json
+says out '"length_m": 19.7' '"pieces": 1' '"ignored": []'
+run_hawser 2 route gap.dxf --join 0
+says err "within 0 m: must be above 0 m"
+
 # millimetres, whatever the file says; a unit that is none
 run_hawser 0 route tunnel.dxf --layer WALLS --units mm --json
 says out '"horizontal_length_m": 0.0300' "where the file says m"

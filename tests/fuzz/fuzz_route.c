@@ -26,7 +26,7 @@ static void look_at(const Alignment *a)
 /* A fit is smooth, whatever the points were; or it is refused. */
 static void fit_and_write(const Alignment *a)
 {
-    enum { SMALL = 60 };
+    enum { SMALL = 24 };
     const FitOptions options = fit_options();
     hawser_error err;
     FitReport report;

@@ -37,6 +37,7 @@ static const ResultsDef fixture_def = {.title = "A title",
 typedef struct Fixture {
     char dir[64];
     double position[3 * N], quaternion[4 * N], velocity[3 * N], omega[3 * N], tension[N + 1], axial_speed[N], load[R];
+    double curvature[N + 1], sidewall[N + 1], contact[N], force[3 * R];
     hawser_sample sample;
 } Fixture;
 
@@ -52,6 +53,11 @@ static void fixture_sample(Fixture *f, int k)
     for (int i = 0; i <= N; i++) f->tension[i] = 100 * k + i + 0.5;
     for (int i = 0; i < N; i++) f->axial_speed[i] = k + 0.125 * i;
     for (int i = 0; i < R; i++) f->load[i] = 10 * k + i;
+    for (int i = 0; i <= N; i++) f->curvature[i] = 0.25 * k + 0.125 * i; /* single precision holds these */
+    for (int i = 0; i <= N; i++) f->sidewall[i] = 8 * k + i;
+    for (int i = 0; i < N; i++) f->contact[i] = 16 * k + 2 * i;
+    for (int i = 0; i < 3 * R; i++) f->force[i] = 100 * k - i;
+    f->sample.head_at = 40 + k;
     f->sample.t = 0.1 * k;
     f->sample.winch_force = 7000 + k;
     f->sample.tail_tension = 50 + k;
@@ -77,7 +83,8 @@ static int fixture_new(void **state)
                                 .omega = f->omega,
                                 .tension = f->tension,
                                 .axial_speed = f->axial_speed,
-                                .roller_load = f->load};
+                                .roller_load = f->load,
+                                .field = {f->curvature, f->sidewall, f->contact, f->force}};
     fixture_sample(f, 0);
     *state = f;
     return 0;
@@ -120,7 +127,7 @@ static inline char *read_text(const char *path)
 /* Finishes with the fixture's tables. */
 static inline hawser_status fixture_finish(Results *r, hawser_error *err)
 {
-    const ResultsTables tables = {3, fixture_stations, R, fixture_rollers, 0, N, NULL};
+    const ResultsTables tables = {3, fixture_stations, R, fixture_rollers, 0, N, NULL, NULL};
     const hawser_status status = results_finish(r, &tables, err);
     const hawser_status told = results_summary(r, "{\"outcome\": \"finished\"}\n", status ? NULL : err);
     return status ? status : told;

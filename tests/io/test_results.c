@@ -1,6 +1,8 @@
 /* The results folder: contents of every file, up to date while it grows, and every way in which writing can
  * fail. */
 #include "results_fixture.h"
+
+#include "h5_fixture.h"
 #include "tests/support/check.h"
 
 #include <errno.h>
@@ -41,27 +43,6 @@ static void expect_text(const Fixture *f, const char *name, const char *expected
     assert_non_null(text);
     assert_string_equal(text, expected);
     free(text);
-}
-
-/* All values of a set as doubles; checks its rank and dimensions. */
-static double *read_set(const char *path, const char *name, int rank, const hsize_t *expected)
-{
-    const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    check_at_least(file, 0);
-    const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
-    hsize_t dims[4] = {0}, count = 1;
-    assert_int_equal(H5Sget_simple_extent_ndims(space), rank);
-    H5Sget_simple_extent_dims(space, dims, NULL);
-    for (int i = 0; i < rank; i++) {
-        assert_int_equal(dims[i], expected[i]);
-        count *= dims[i];
-    }
-    double *values = malloc(sizeof *values * count);
-    check_at_least(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), 0);
-    H5Sclose(space);
-    H5Dclose(set);
-    H5Fclose(file);
-    return values;
 }
 
 /* The states that a file holds, told by its set of times. */
@@ -112,12 +93,19 @@ static void test_states(void **state)
     assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
     results_free(r);
     const char *path = fixture_path(f, "results.h5");
-    double *time = read_set(path, "time", 1, (hsize_t[]){3});
-    double *position = read_set(path, "position", 3, (hsize_t[]){3, N, 3});
-    double *quaternion = read_set(path, "quaternion", 3, (hsize_t[]){3, N, 4});
-    double *tension = read_set(path, "tension", 2, (hsize_t[]){3, N + 1});
-    double *load = read_set(path, "roller_load", 2, (hsize_t[]){3, R});
-    double *frame = read_set(path, "frames/000002/tension", 1, (hsize_t[]){N - 1});
+    double *time = h5_read(path, "time", 1, (hsize_t[]){3});
+    double *position = h5_read(path, "position", 3, (hsize_t[]){3, N, 3});
+    double *quaternion = h5_read(path, "quaternion", 3, (hsize_t[]){3, N, 4});
+    double *tension = h5_read(path, "tension", 2, (hsize_t[]){3, N + 1});
+    double *load = h5_read(path, "roller_load", 2, (hsize_t[]){3, R});
+    double *frame = h5_read(path, "frames/000002/tension", 1, (hsize_t[]){N - 1});
+    double *curvature = h5_read(path, "curvature", 2, (hsize_t[]){3, N + 1});
+    double *sidewall = h5_read(path, "sidewall", 2, (hsize_t[]){3, N + 1});
+    double *contact = h5_read(path, "contact_line_load", 2, (hsize_t[]){3, N});
+    double *force = h5_read(path, "roller_force", 3, (hsize_t[]){3, R, 3});
+    double *head = h5_read(path, "head_at", 1, (hsize_t[]){3});
+    double *framed = h5_read(path, "frames/000002/contact_line_load", 1, (hsize_t[]){N});
+    double *bent = h5_read(path, "frames/000002/curvature", 1, (hsize_t[]){N - 1});
     for (int k = 0; k < 3; k++) {
         fixture_sample(f, k);
         check_equal(time[k], f->sample.t);
@@ -125,10 +113,18 @@ static void test_states(void **state)
         assert_memory_equal(quaternion + 4 * N * k, f->quaternion, sizeof f->quaternion);
         assert_memory_equal(tension + (N + 1) * k, f->tension, sizeof f->tension);
         assert_memory_equal(load + R * k, f->load, sizeof f->load);
+        assert_memory_equal(curvature + (N + 1) * k, f->curvature, sizeof f->curvature);
+        assert_memory_equal(sidewall + (N + 1) * k, f->sidewall, sizeof f->sidewall);
+        assert_memory_equal(contact + N * k, f->contact, sizeof f->contact);
+        assert_memory_equal(force + 3 * R * k, f->force, sizeof f->force);
+        check_equal(head[k], f->sample.head_at);
     }
+    assert_memory_equal(framed, f->contact, sizeof f->contact);
+    assert_memory_equal(bent, f->curvature + 1, (N - 1) * sizeof *bent);
     /* the frame has the tensions of the joints between two segments */
     for (int j = 1; j < N; j++) check_equal(frame[j - 1], (double)(float)f->tension[j]);
     free(time), free(position), free(quaternion), free(tension), free(load), free(frame);
+    free(curvature), free(sidewall), free(contact), free(force), free(head), free(framed), free(bent);
 }
 
 /* Two rollers whose names differ in their last letters alone keep them whole. */
@@ -169,7 +165,7 @@ static void test_compression(void **state)
         const hid_t set = H5Dopen2(file, "position", H5P_DEFAULT), plist = H5Dget_create_plist(set);
         assert_int_equal(H5Pget_nfilters(plist), large ? 2 : 0);
         H5Pclose(plist), H5Dclose(set), H5Fclose(file);
-        double *position = read_set(fixture_path(f, "results.h5"), "position", 3, (hsize_t[]){2, N, 3});
+        double *position = h5_read(fixture_path(f, "results.h5"), "position", 3, (hsize_t[]){2, N, 3});
         assert_memory_equal(position + 3 * N, f->position, sizeof f->position);
         free(position);
     }
@@ -181,9 +177,11 @@ static void test_attributes(void **state)
     Results *r = open_results(f);
     assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
     results_free(r);
-    const char *const units[][2] = {{"time", "s"},        {"position", "m"},     {"quaternion", "1"},
-                                    {"velocity", "m/s"},  {"omega", "rad/s"},    {"tension", "N"},
-                                    {"winch_force", "N"}, {"tail_tension", "N"}, {"roller_load", "N"}};
+    const char *const units[][2] = {{"time", "s"},         {"position", "m"},     {"quaternion", "1"},
+                                    {"velocity", "m/s"},   {"omega", "rad/s"},    {"tension", "N"},
+                                    {"winch_force", "N"},  {"tail_tension", "N"}, {"roller_load", "N"},
+                                    {"curvature", "1/m"},  {"sidewall", "N/m"},   {"contact_line_load", "N/m"},
+                                    {"roller_force", "N"}, {"head_at", "m"}};
     const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
         char unit[64] = "";
@@ -289,7 +287,7 @@ static void test_small_scenes(void **state)
     write_states(f, r, 2);
     assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
     results_free(r);
-    free(read_set(fixture_path(f, "results.h5"), "position", 3, (hsize_t[]){2, 1, 3}));
+    free(h5_read(fixture_path(f, "results.h5"), "position", 3, (hsize_t[]){2, 1, 3}));
 }
 
 static void expect_refused(const char *dir, const char *path, int number)
@@ -337,8 +335,9 @@ static void test_full_disk_at_start(void **state)
     Fixture *f = *state;
     for (int i = 0; i < FILES; i++) {
         char path[256];
-        /* the summary gets its name when it is whole */
-        snprintf(path, sizeof path, "%s/%s%s", f->dir, all_files[i], strstr(all_files[i], "json") ? ".part" : "");
+        /* the summary and the states get their names when they are whole */
+        const int late = strstr(all_files[i], "json") || strstr(all_files[i], "h5");
+        snprintf(path, sizeof path, "%s/%s%s", f->dir, all_files[i], late ? ".part" : "");
         remove(path);
         assert_int_equal(symlink("/dev/full", path), 0);
         expect_refused(f->dir, path, ENOSPC);

@@ -136,6 +136,35 @@ static void every_set(void **state)
     }
 }
 
+/* Sets that do not grow stand in tables of their group, each below its own name: `s` of `geometry/route`. */
+static void expect_fixed(const char *part, const char *prefix, int n, const FixedSet *set)
+{
+    static char table[PART_MAX];
+    for (int k = 0; k < n; k++) {
+        char group[NAME_ROOM], path[NAME_ROOM];
+        snprintf(path, sizeof path, "%s%s", prefix, set[k].set);
+        char *const name = strrchr(path, '/') + 1;
+        snprintf(group, sizeof group, "\n`%.*s`", (int)(name - 1 - path), path);
+        const char *const start = strstr(part, group);
+        if (!start) fail_msg("no table of %s", group + 1);
+        if (!start) return;
+        const char *const rows = strstr(start, "\n| `"), *const end = rows ? strstr(rows, "\n\n") : NULL;
+        assert_non_null(end);
+        snprintf(table, sizeof table, "%.*s", end ? (int)(end - start) : 0, start);
+        expect_row(table, name, 2, set[k].unit);
+    }
+}
+
+static void every_fixed_set(void **state)
+{
+    (void)state;
+    static char part[PART_MAX];
+    part_of("## results.h5", part);
+    expect_fixed(part, "", geometry_sets, geometry_set);
+    expect_fixed(part, "geometry/surfaces/K/", surface_sets, surface_set);
+    expect_fixed(part, "", envelope_sets, envelope_set);
+}
+
 /* Each key by itself, or as `.b` behind another of the same object, or in words of its list's row. */
 static void expect_keys(const char *part, const Columns *columns)
 {
@@ -176,10 +205,8 @@ static void every_key(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_table),
-        cmocka_unit_test(series),
-        cmocka_unit_test(every_set),
-        cmocka_unit_test(every_key),
+        cmocka_unit_test(every_table),     cmocka_unit_test(series),    cmocka_unit_test(every_set),
+        cmocka_unit_test(every_fixed_set), cmocka_unit_test(every_key),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

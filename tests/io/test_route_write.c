@@ -4,13 +4,7 @@
 #include "survey/fit/fit.h"
 #include "survey/write/write.h"
 #include "tests/io/case_fixture.h"
-
-static void add(Alignment *a, double length, double k0, double k1)
-{
-    PlanElement *const e = alignment_add_plan(a);
-    assert_non_null(e);
-    *e = (PlanElement){.length = length, .k0 = k0, .k1 = k1};
-}
+#include "tests/survey/survey_fixture.h"
 
 /* Transitions that change sides, arcs, a profile of grades, an arc and a parabola, far from the origin. */
 static Alignment line(int rise)
@@ -22,7 +16,7 @@ static Alignment line(int rise)
     add(&a, 35, 1 / 30.0, -1 / 50.0);
     add(&a, 45, -1 / 50.0, -1 / 50.0);
     add(&a, 60, 0, 0);
-    a.plan[0] = (PlanElement){671234.5678, 6712345.6789, 2.25, 40, 0, 0};
+    a.plan[0] = (PlanElement){671234.5678, 6712345.6789, 2.25, 40, 0, 0, 0};
     alignment_chain(&a);
     const ProfileCorner corner[] = {{.station = 0, .z = 12},
                                     {.station = 50, .z = 10, .kind = PROFILE_ARC, .radius = 300},

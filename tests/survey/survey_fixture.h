@@ -45,6 +45,21 @@ static __attribute__((unused)) const char *read_text(const char *text, Survey *s
     return colon ? colon + 1 : err.message;
 }
 
+/* That text is refused for this reason. */
+static __attribute__((unused)) void bad(const char *text, const char *reason)
+{
+    Survey s;
+    check_has(read_text(text, &s), reason);
+}
+
+/* Adds an element of a chain, whose places alignment_chain gives. */
+static __attribute__((unused)) void add(Alignment *a, double length, double k0, double k1)
+{
+    PlanElement *const e = alignment_add_plan(a);
+    assert_non_null(e);
+    *e = (PlanElement){.length = length, .k0 = k0, .k1 = k1};
+}
+
 /* The alignment of a name. */
 static __attribute__((unused)) const Alignment *named(const Survey *s, const char *name)
 {

@@ -216,12 +216,6 @@ static void railway_sheet(void **state)
     survey_clear(&ifc);
 }
 
-static void bad(const char *text, const char *reason)
-{
-    Survey s;
-    check_has(read_text(text, &s), reason);
-}
-
 static void what_is_wrong(void **state)
 {
     (void)state;

@@ -22,13 +22,6 @@ static double normal(unsigned long long *state)
     return sqrt(-2 * log(u + 1e-300)) * cos(2 * acos(-1) * v);
 }
 
-static void add(Alignment *a, double length, double k0, double k1)
-{
-    PlanElement *const e = alignment_add_plan(a);
-    assert_non_null(e);
-    *e = (PlanElement){.length = length, .k0 = k0, .k1 = k1};
-}
-
 /* Points every `step` m along a line, each coordinate off by `sigma`. */
 static Alignment sampled(const Alignment *a, double step, double sigma)
 {

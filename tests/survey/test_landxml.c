@@ -92,12 +92,6 @@ static void all_elements(void **state)
     survey_clear(&s);
 }
 
-static void bad(const char *text, const char *reason)
-{
-    Survey s;
-    check_has(read_text(text, &s), reason);
-}
-
 static void what_is_wrong(void **state)
 {
     (void)state;

@@ -77,7 +77,26 @@ static void planners_pieces(void **state)
         20 * ft * (1 - sqrt(0.75)) + 25 * ft + 5 * acos(-1) * ft * tan(acos(-1) / 6) - 0.7 * ft / sqrt(1.01);
     check_close(alignment_measure(a).end.z, rise, 1e-12);
     assert_int_equal(s.n_ignored, 1);
+    assert_string_equal(piece_names_get(&a->names, a->plan[0].name), "a");
+    assert_string_equal(piece_names_get(&a->names, a->plan[4].name), "e");
+    alignment_reverse(&s.alignment[0]);
+    assert_string_equal(piece_names_get(&a->names, a->plan[4].name), "a");
     survey_clear(&s);
+}
+
+/* Of several columns that may be names the last one with letters counts; numbers are none. */
+static void rows_have_names(void **state)
+{
+    (void)state;
+    Survey s;
+    Alignment copy;
+    assert_string_equal(read_text("Entity,ID,Name,x,y,length\nSegment,1, out of the shaft,0,0,5\n-,2,,5,0,5\n", &s),
+                        "");
+    assert_true(alignment_copy(&s.alignment[0], &copy));
+    survey_clear(&s);
+    assert_string_equal(piece_names_get(&copy.names, copy.plan[0].name), "out of the shaft");
+    assert_string_equal(piece_names_get(&copy.names, copy.plan[1].name), "");
+    alignment_clear(&copy);
 }
 
 static void points_and_corners(void **state)
@@ -102,12 +121,6 @@ static void points_and_corners(void **state)
     survey_clear(&s);
 }
 
-static void bad(const char *text, const char *reason)
-{
-    Survey s;
-    check_has(read_text(text, &s), reason);
-}
-
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -127,13 +140,15 @@ static void what_is_wrong(void **state)
     bad("station,elevation,gradient,length\n5,1,,3\n", "needs station, height, gradient");
     bad("x,y\n1,\n", "a point needs x and y");
     bad("x,y,length\n1,1,\n", "an element needs x, y and a length");
+    bad("x,y,length,radius\n0,0,1e9,1\n", "only lines with an element that turns more than 100 times");
+    bad("x,y\n0,0\n1e300,1\n", "only lines with a place or a length beyond a million km");
     bad("colour,size\nred,3\n", "the columns are none of these");
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(railway_as_tables), cmocka_unit_test(tables_with_other_signs),
-                                       cmocka_unit_test(planners_pieces), cmocka_unit_test(points_and_corners),
-                                       cmocka_unit_test(what_is_wrong)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(railway_as_tables),  cmocka_unit_test(tables_with_other_signs),
+                                       cmocka_unit_test(planners_pieces),    cmocka_unit_test(rows_have_names),
+                                       cmocka_unit_test(points_and_corners), cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,13 +5,6 @@
 #include "survey/write/write.h"
 #include "tests/survey/survey_fixture.h"
 
-static void add(Alignment *a, double length, double k0, double k1)
-{
-    PlanElement *const e = alignment_add_plan(a);
-    assert_non_null(e);
-    *e = (PlanElement){.length = length, .k0 = k0, .k1 = k1};
-}
-
 /* Straights, clothoids that change sides, arcs at UTM coordinates; rise: a profile of grades, an arc and parabolas. */
 static Alignment line(int rise, int clothoids)
 {
@@ -22,7 +15,8 @@ static Alignment line(int rise, int clothoids)
     if (clothoids) add(&a, 35, 1 / 30.0, -1 / 50.0);
     add(&a, 45, -1 / 50.0, -1 / 50.0);
     add(&a, 60, 0, 0);
-    a.plan[0] = (PlanElement){671234.5678, 6712345.6789, 2.25, 40, 0, 0};
+    a.plan[0] =
+        (PlanElement){671234.5678, 6712345.6789, 2.25, 40, 0, 0, piece_names_add(&a.names, "shaft \"2\", out\\")};
     alignment_chain(&a);
     const ProfileCorner corner[] = {{.station = 0, .z = 12},
                                     {.station = 50, .z = 10, .kind = PROFILE_ARC, .radius = 300},
@@ -63,7 +57,9 @@ static void within_a_tenth_of_a_millimetre(void **state)
         for (int k = 0; k < 3; ++k) {
             Survey back;
             check_below(there_and_back(&a, "", formats[k], &back), formats[k] == WRITE_ELEMENTS ? 3e-6 : 1e-4);
-            if (k == 0) assert_int_equal(back.alignment[0].n_plan >= a.n_plan, 1);
+            const Alignment *const b = &back.alignment[0];
+            if (k == 0) assert_true(b->n_plan >= a.n_plan);
+            if (k == 0) assert_string_equal(piece_names_get(&b->names, b->plan[0].name), "shaft \"2\", out\\");
             if (k == 1 && !rise) assert_true(back.alignment[0].n_plan > 0); /* arcs, no chords */
             survey_clear(&back);
         }
@@ -140,7 +136,7 @@ static void as_a_case(void **state)
     assert_int_equal(alignment_print(&a, "EPSG:25832", WRITE_CASE, to, &err), HAWSER_OK);
     fclose(to);
     check_has(text, "start: [671234.567800 m, 6712345.678900 m, 12.000000 m]");
-    check_has(text, "- {line: 40.000000000 m}");
+    check_has(text, "- {line: 40.000000000 m, name: \"shaft \\\"2\\\", out\\\\\"}");
     check_has(text, "- {clothoid: 20.000000000 m, end_radius: 30 m, turn: left}");
     check_has(text, "- {arc: 25.000000000 m, radius: 30 m, turn: left}");
     check_has(text, "- {clothoid: 21.875000000 m, start_radius: 30 m, turn: left}");

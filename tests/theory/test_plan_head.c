@@ -1,6 +1,7 @@
 /* The planner's calculation against closed forms: rope ahead of the cable, pits, machines, wear, a push, the brake; and
  * what must hold of any of them: the last place of the head is the whole pull, sections are cut routes, a route pulled
  * back is its mirror pulled forward. */
+#include "theory/plan.h"
 #include "theory/plan_head.h"
 
 #include "tests/support/check.h"

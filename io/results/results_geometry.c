@@ -1,0 +1,174 @@
+/* What stands around the cable, in the group "geometry" of results.h5: sets that do not grow. */
+#include "io/results/results_h5.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define OF(array, n) .values = offsetof(Geometry, array), .count = offsetof(Geometry, n)
+
+const FixedSet geometry_set[] = {
+    {"geometry/route/s", FIXED_NUMBER, OF(route_s, n_route), 0, "m", "arc length along the route"},
+    {"geometry/route/position", FIXED_NUMBER, OF(route_position, n_route), 3, "m", "of the route's line"},
+    {"geometry/route/curvature", FIXED_NUMBER, OF(route_curvature, n_route), 0, "1/m", "of the route's line"},
+    {"geometry/rollers/name", FIXED_NAME, OF(roller_name, n_rollers), 0, "",
+     "rollers and obstacles, as in roller_load"},
+    {"geometry/rollers/kind", FIXED_NAME, OF(roller_kind, n_rollers), 0, "", "roller, hold-down, box, bell-mouth"},
+    {"geometry/rollers/s", FIXED_NUMBER, OF(roller_s, n_rollers), 0, "m", "place along the route; NaN: by coordinates"},
+    {"geometry/rollers/position", FIXED_NUMBER, OF(roller_position, n_rollers), 3, "m", "centres, where they begin"},
+    {"geometry/rollers/axis", FIXED_NUMBER, OF(roller_axis, n_rollers), 3, "1", "unit vectors"},
+    {"geometry/rollers/radius", FIXED_NUMBER, OF(roller_radius, n_rollers), 0, "m",
+     "at the bottom of a groove; box: half its smallest size; bell-mouth: of its section"},
+    {"geometry/rollers/width", FIXED_NUMBER, OF(roller_width, n_rollers), 0, "m", "length along the axis"},
+    {"geometry/rollers/groove", FIXED_NUMBER, OF(roller_groove, n_rollers), 0, "m", "depth of the groove; 0: none"},
+    {"geometry/rollers/rating", FIXED_NUMBER, OF(roller_rating, n_rollers), 0, "N",
+     "what it may carry; NaN: not given"},
+    {"geometry/obstacles/roller", FIXED_COUNT, OF(obstacle_roller, n_obstacles), 0, "1", "which of the rollers it is"},
+    {"geometry/obstacles/side", FIXED_NUMBER, OF(obstacle_side, n_obstacles), 3, "1", "unit vector across the axis"},
+    {"geometry/obstacles/size", FIXED_NUMBER, OF(obstacle_size, n_obstacles), 3, "m",
+     "along the axis, along side, and square to both"},
+    {"geometry/obstacles/edge", FIXED_NUMBER, OF(obstacle_edge, n_obstacles), 0, "m", "radius of its edges"},
+    {"geometry/obstacles/ring", FIXED_NUMBER, OF(obstacle_ring, n_obstacles), 0, "m",
+     "of a bell-mouth: from the axis to the middle of its round section; NaN: a box"},
+    {"geometry/conveyors/name", FIXED_NAME, OF(conveyor_name, n_conveyors), 0, "", "of every conveyor"},
+    {"geometry/conveyors/from", FIXED_NUMBER, OF(conveyor_from, n_conveyors), 0, "m", "along the route"},
+    {"geometry/conveyors/to", FIXED_NUMBER, OF(conveyor_to, n_conveyors), 0, "m", "along the route"},
+    {"geometry/conveyors/points", FIXED_NUMBER, OF(conveyor_points, n_conveyors), 6, "m",
+     "where the cable enters and where it leaves, x y z each"},
+    {"geometry/mesh/points", FIXED_SINGLE, OF(skin.points, skin.n_points), 3, "m", "corners of the triangles"},
+    {"geometry/mesh/triangles", FIXED_COUNT, OF(skin.triangle, skin.n_triangles), 3, "1", "three points each"},
+    {"geometry/mesh/part", FIXED_COUNT, OF(skin.part, skin.n_triangles), 0, "1",
+     "what it is of: 0 roller, 1 surface, 2 conveyor, 3 reel"},
+    {"geometry/mesh/item", FIXED_COUNT, OF(skin.item, skin.n_triangles), 0, "1", "which of these"},
+    {"chain/length", FIXED_NUMBER, OF(length, n_segments), 0, "m", "of every segment, unstretched"},
+    {"chain/diameter", FIXED_NUMBER, OF(diameter, n_segments), 0, "m", "of every segment"},
+    {"chain/part", FIXED_COUNT, OF(part, n_segments), 0, "1", "of every segment: 0 cable, 1 rope"},
+    {"chain/piece", FIXED_COUNT, OF(piece, n_segments), 0, "1", "which piece of the chain a segment is of"},
+    {"chain/piece_name", FIXED_NAME, OF(piece_name, n_pieces), 0, "", "cable or rope of every piece"},
+};
+const int geometry_sets = sizeof geometry_set / sizeof *geometry_set;
+
+#define SURFACE(array) .values = offsetof(GeometrySurface, array), .count = offsetof(GeometrySurface, n)
+
+const FixedSet surface_set[] = {
+    {"points", FIXED_NUMBER, SURFACE(points), 3, "m",
+     "along its way: the middle of its bottom; of a duct, of its bore; of a V, where its planes meet"},
+    {"up", FIXED_NUMBER, SURFACE(up), 3, "1", "unit vectors square to the way there, upward in its section"},
+};
+const int surface_sets = sizeof surface_set / sizeof *surface_set;
+
+#define OVER_TIME(line, quantity, unit, what)                                                                          \
+    {"envelope/" #line "/" #quantity "_min",                                                                           \
+     FIXED_NUMBER,                                                                                                     \
+     .values = offsetof(Envelope, line.quantity.least),                                                                \
+     .count = offsetof(Envelope, line.n),                                                                              \
+     0,                                                                                                                \
+     unit,                                                                                                             \
+     "least over time of " what},                                                                                      \
+        {"envelope/" #line "/" #quantity "_mean",                                                                      \
+         FIXED_NUMBER,                                                                                                 \
+         .values = offsetof(Envelope, line.quantity.mean),                                                             \
+         .count = offsetof(Envelope, line.n),                                                                          \
+         0,                                                                                                            \
+         unit,                                                                                                         \
+         "mean over time of " what},                                                                                   \
+    {                                                                                                                  \
+        "envelope/" #line "/" #quantity "_max", FIXED_NUMBER, .values = offsetof(Envelope, line.quantity.largest),     \
+                                                              .count = offsetof(Envelope, line.n), 0, unit,            \
+                                                              "largest over time of " what                             \
+    }
+#define ALONG(line, what)                                                                                              \
+    {"envelope/" #line "/s",                                                                                           \
+     FIXED_NUMBER,                                                                                                     \
+     .values = offsetof(Envelope, line.s),                                                                             \
+     .count = offsetof(Envelope, line.n),                                                                              \
+     0,                                                                                                                \
+     "m",                                                                                                              \
+     what},                                                                                                            \
+        {"envelope/" #line "/time",                                                                                    \
+         FIXED_NUMBER,                                                                                                 \
+         .values = offsetof(Envelope, line.time),                                                                      \
+         .count = offsetof(Envelope, line.n),                                                                          \
+         0,                                                                                                            \
+         "s",                                                                                                          \
+         "over which the means are"},                                                                                  \
+        OVER_TIME(line, tension, "N", "the tension"), OVER_TIME(line, curvature, "1/m", "the curvature"),              \
+        OVER_TIME(line, sidewall, "N/m", "the sidewall pressure")
+
+const FixedSet envelope_set[] = {
+    ALONG(arc, "of every joint from the tail, unstretched"),
+    ALONG(place, "along the route; values are of the cable that was there, NaN: none was"),
+};
+const int envelope_sets = sizeof envelope_set / sizeof *envelope_set;
+
+/* The pairs that a polyline's elements join, for readers of XDMF. */
+static int line_write(hid_t file, const Geometry *g)
+{
+    const hsize_t dims[2] = {(hsize_t)g->n_route - 1, 2};
+    if (g->n_route < 2) return 1;
+    int *const pairs = malloc(2 * sizeof *pairs * (size_t)g->n_route);
+    if (!pairs) return 0;
+    for (int i = 0; i + 1 < g->n_route; i++) {
+        pairs[2 * i] = i;
+        pairs[2 * i + 1] = i + 1;
+    }
+    const int ok = h5_set(file, "geometry/route/line", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
+    free(pairs);
+    return ok;
+}
+
+/* A number that is known. */
+static int number_write(hid_t object, const char *name, double value)
+{
+    return isnan(value) || h5_numbers(object, name, 1, &value);
+}
+
+static int surface_write(hid_t file, int i, const GeometrySurface *s)
+{
+    char prefix[64];
+    snprintf(prefix, sizeof prefix, "geometry/surfaces/%d/", i);
+    if (!h5_fixed(file, prefix, surface_sets, surface_set, s)) return 0;
+    const hid_t group = H5Gopen2(file, prefix, H5P_DEFAULT);
+    const int ok = group >= 0 && h5_text(group, "name", s->name) && h5_text(group, "kind", s->kind) &&
+                   h5_text(group, "section", s->section) && number_write(group, "from", s->from) &&
+                   number_write(group, "to", s->to) && number_write(group, "diameter", s->diameter) &&
+                   number_write(group, "width", s->width) && number_write(group, "height", s->height) &&
+                   number_write(group, "endless", s->endless) && h5_numbers(group, "normal", 3, s->normal);
+    if (group >= 0) H5Gclose(group);
+    return ok;
+}
+
+static int reel_write(hid_t file, const GeometryReel *r)
+{
+    if (!r->present) return 1;
+    const hid_t group = H5Gcreate2(file, "geometry/reel", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok = group >= 0 && h5_numbers(group, "centre", 3, r->centre) && h5_numbers(group, "axis", 3, r->axis) &&
+                   number_write(group, "barrel_radius", r->barrel) && number_write(group, "flange_radius", r->flange) &&
+                   number_write(group, "width", r->width);
+    if (group >= 0) H5Gclose(group);
+    return ok;
+}
+
+static int winch_write(hid_t file, const GeometryWinch *w)
+{
+    if (!w->present) return 1;
+    const hid_t group = H5Gcreate2(file, "geometry/winch", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const int ok =
+        group >= 0 && h5_numbers(group, "position", 3, w->position) && h5_numbers(group, "direction", 3, w->direction);
+    if (group >= 0) H5Gclose(group);
+    return ok;
+}
+
+int geometry_write(hid_t file, const Geometry *g)
+{
+    const hid_t group = H5Gcreate2(file, "geometry", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    int ok = group >= 0 && h5_text(group, "description", "what stands around the cable, where it begins") &&
+             h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g);
+    if (group >= 0) H5Gclose(group);
+    for (int i = 0; i < g->n_surfaces && ok; i++) ok = surface_write(file, i, &g->surface[i]);
+    ok = ok && reel_write(file, &g->reel) && winch_write(file, &g->winch);
+    const hid_t chain = ok ? H5Gopen2(file, "chain", H5P_DEFAULT) : -1;
+    ok = chain >= 0 && h5_text(chain, "part_names", "cable, rope");
+    if (chain >= 0) H5Gclose(chain);
+    return ok;
+}

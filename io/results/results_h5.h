@@ -1,0 +1,37 @@
+/* What the writers of results.h5 share: the driver on which the file lies, and small sets. */
+#ifndef HAWSER_IO_RESULTS_RESULTS_H5_H
+#define HAWSER_IO_RESULTS_RESULTS_H5_H
+
+#include <hdf5.h>
+
+#include "io/results/results_file.h"
+
+/* ------------------------------------------------------------------------------------------------- results_disk.c */
+
+/* An HDF5 file driver that keeps the first error of a write instead of reporting it. HDF5 cannot close a file
+ * whose disk is full: objects stay half open and its clean-up at the program's end reads freed memory. With
+ * this driver HDF5 never learns of the failure; later writes are dropped, so that what was flushed before
+ * stays readable, and the writer asks after each call. Between two flushes the file is on disk as the last one left it,
+ * so that a program that is killed leaves a file that can be read. The file is not locked: readers may open it at any
+ * time. */
+
+/* Makes `access` (a file access property list) use the driver. *error, 0 or errno of the first failed write,
+ * must outlive the file. Returns a driver to be given to H5FDunregister when the file is closed (or could not be
+ * opened), not before: HDF5 calls the driver's close after it has let go of the driver. < 0 on failure. */
+hid_t disk_driver_use(hid_t access, int *error);
+
+/* ------------------------------------------------------------------- results_sets.c; all return 0 if HDF5 refuses */
+
+/* Attributes of an object. */
+int h5_text(hid_t object, const char *name, const char *text);
+int h5_numbers(hid_t object, const char *name, int n, const double *values);
+/* A whole set that does not grow, written from what the machine has as `type`; groups on its path are made. */
+int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
+           const void *values);
+/* The sets of a table, of the struct at `from`, below `parent` and behind `prefix` in their paths. Those without items
+ * are left out. */
+int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from);
+/* The groups "geometry" and "chain" (results_geometry.c). */
+int geometry_write(hid_t file, const Geometry *g);
+
+#endif
