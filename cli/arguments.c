@@ -25,6 +25,8 @@ enum {
     OPTION_RADIUS = 'R',
     OPTION_JOIN = 'J',
     OPTION_JSON = 'j',
+    OPTION_REPORT = 'e',
+    OPTION_PDF = 'P',
     KNOWN_MAX = 20
 };
 
@@ -54,6 +56,8 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"radius", required_argument, NULL, OPTION_RADIUS},
                                             {"join", required_argument, NULL, OPTION_JOIN},
                                             {"json", no_argument, NULL, OPTION_JSON},
+                                            {"report", no_argument, NULL, OPTION_REPORT},
+                                            {"pdf", no_argument, NULL, OPTION_PDF},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -264,6 +268,12 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_STRICT:
         args->strict = 1;
         return ARGUMENTS_GO_ON;
+    case OPTION_REPORT:
+        args->report = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_PDF:
+        args->report = args->pdf = 1;
+        return ARGUMENTS_GO_ON;
     case 'q':
         args->quiet = 1;
         return ARGUMENTS_GO_ON;
@@ -285,6 +295,13 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         if (optind < argc) args->filter = argv[optind++];
         if (optind == argc) return ARGUMENTS_GO_ON;
         complain("%s takes a kind and a pattern; what is '%s'?", command->name, argv[optind]);
+        return EXIT_USAGE;
+    }
+    if (strchr(command->options, '*')) {
+        args->words = argv + optind;
+        args->n_words = argc - optind;
+        if (args->n_words > 0) return ARGUMENTS_GO_ON;
+        complain("%s needs a folder with results, as in: hawser %s results/huangjiahu", command->name, command->name);
         return EXIT_USAGE;
     }
     if (strchr(command->options, '-')) {

@@ -27,10 +27,13 @@ typedef struct Arguments {
     const char *dir;       /* NULL: by the case's name */
     Setting *settings;     /* [n_settings], in the order given */
     int n_settings;
+    char **words; /* [n_words] what is left of the command line, of commands with '*' */
+    int n_words;
     int threads; /* 0: the case's choice */
     int quiet;
     int strict; /* a broken limit is an error */
     int certify;
+    int report, pdf;  /* a page about the results; the same printed */
     double tolerance; /* share; 0: the library's choice */
     int verbose;      /* what it cost to compute is shown too */
     hawser_format format;
@@ -46,7 +49,7 @@ typedef struct Command {
     const char *name;
     const char *summary; /* a line for the list of commands */
     const char *options; /* the letters of the options it takes, see arguments.c; '-': it takes no case; '+': a kind and
-                            a pattern; '/': a file of routes */
+                            a pattern; '/': a file of routes; '*': words of its own, one at least */
     const char *help;    /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;

@@ -4,7 +4,8 @@
 
 #include "cli/arguments.h"
 
-extern const Command command_run, command_check, command_theory, command_validate, command_library, command_route;
+extern const Command command_run, command_check, command_theory, command_validate, command_library, command_route,
+    command_report, command_plot;
 
 /* Loads the case and applies the settings of the command line. *out is NULL on failure. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err);
@@ -42,6 +43,12 @@ void report_run(hawser_sim *s, const Arguments *args, const char *dir);
 
 /* What the case did not say itself: how many values, and what an estimated EI is worth; nothing if it said all. */
 void report_assumptions(const hawser_sim *s, hawser_units units);
+
+/* Writes the page about results to `path`; with `pdf` also what a browser prints of it, beside it as NAME.pdf. Prints
+ * both paths unless `quiet`. *err says what went wrong; a browser that is missing or fails is OUTPUT. */
+hawser_status page_make(const char *const *folders, size_t n, const char *path, int pdf, int quiet, hawser_error *err);
+/* Prints a page to a file by an installed Chromium. Errors: OUTPUT (none is there, it fails, it takes too long). */
+hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err);
 
 /* Computes the case again with finer settings, until its figures hold or `stopped` says something else than 0; writes
  * certificate.json into dir and prints its table. Returns whether the run is certified; *status: as hawser_certify. */

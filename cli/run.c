@@ -23,6 +23,8 @@ static const char help[] =
     "                            tolerance, or says which do not; writes certificate.json. Costs 5 to 8 times\n"
     "                            a run, more where figures do not hold at once\n"
     "      --tolerance SHARE   that of --certify, which it implies (default: 1%)\n"
+    "      --report            writes DIR/report.html: the whole result as one page with figures and the pull in 3-D\n"
+    "      --pdf               prints that page to DIR/report.pdf, by an installed Chromium; implies --report\n"
     "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
     "                            figures that are not to be trusted: status 6; not certified: status 7\n"
     "      --units UNITS       of what is printed: si (default: kN, m, mm2) or us (lbf, ft, kcmil); files are in SI\n"
@@ -88,6 +90,21 @@ static int strict_verdict(hawser_sim *sim)
     return found == -2 ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
 }
 
+/* The page about what there is of the run. What ended the run weighs more than a page that could not be written, of
+ * which standard error says why then. */
+static void report_page(const Arguments *args, const char *dir, hawser_status *status, hawser_error *err)
+{
+    hawser_error why = {HAWSER_OK, ""};
+    char path[4096];
+    if (snprintf(path, sizeof path, "%s/report.html", dir) >= (int)sizeof path) return;
+    const hawser_status written = page_make(&dir, 1, path, args->pdf, args->quiet, &why);
+    if (!written) return;
+    if (*status) complain("%s", why.message);
+    if (*status) return;
+    *status = written;
+    *err = why;
+}
+
 /* What there is to say about a run that is over, whatever its end. What is not safe or not to be trusted weighs more
  * than a certificate that is missing. */
 static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, const char *dir, hawser_status status,
@@ -98,6 +115,7 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
     fflush(stdout);
     int certified = 1;
     if (args->certify && !status) certified = certify_run(args, c, sim, dir, interrupt_wanted, err, &status);
+    if (args->report && kept) report_page(args, dir, &status, err);
     int result = args->strict && !status ? strict_verdict(sim) : 0;
     if (!result && args->strict && !certified) result = EXIT_NOT_CERTIFIED;
     return finish_stdout(status ? exit_status(status, err) : result);
@@ -134,4 +152,4 @@ static int run(const Arguments *args)
     return result;
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCT", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTeP", help, run};

@@ -7,6 +7,7 @@ pkg_check_modules(YAML REQUIRED IMPORTED_TARGET yaml-0.1)
 pkg_check_modules(EXPAT REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
+pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 
 find_library(KLU_LIBRARY klu REQUIRED)
 find_library(AMD_LIBRARY amd REQUIRED)

@@ -2,7 +2,7 @@
 # Feeds the fuzz targets (tests/fuzz) with inputs that find new ways through the program, and says what broke.
 # Usage: sh scripts/fuzz.sh [MINUTES] [TARGET...]
 #   MINUTES  for each target (default 1)
-#   TARGET   units, yaml, case, set, run, api, route (default: all)
+#   TARGET   units, yaml, case, set, run, api, route, results (default: all)
 # What is found along the way stays in build/fuzz/corpus/TARGET, so that the next call goes on from there; an input that breaks
 # something is left in build/fuzz/found. Status 1 if there is one. HAWSER_FUZZ_JOBS: how many at once (default 1).
 set -eu
@@ -16,7 +16,7 @@ case "${1-}" in
     shift
     ;;
 esac
-[ $# -gt 0 ] || set -- units yaml case set run api route
+[ $# -gt 0 ] || set -- units yaml case set run api route results
 
 command -v clang >/dev/null 2>&1 && ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-x86_64.a >/dev/null 2>&1 ||
     sh scripts/setup.sh --fuzz

@@ -1,27 +1,31 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz]
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --web]
 #   --lint    also what scripts/lint.sh needs
 #   --fuzz    also what scripts/fuzz.sh needs
+#   --web     also what scripts/web.sh and the tests of the report's page need: Node, Chromium, and npm's packages in
+#             web/node_modules; goes on without them where they are not to be had
 #   --bench   also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
-    libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev
-    libcmocka-dev liblapacke-dev python3 python3-matplotlib valgrind"
+    libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev
+    libcmocka-dev liblapacke-dev python3 valgrind"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 peer_packages="libmujoco-dev libsimbody-dev"
 
 peers=no
+web=no
 case "${1-}" in
 "") ;;
 --lint) packages="$packages $lint_packages" ;;
 --fuzz) packages="$packages $fuzz_packages" ;;
 --bench) peers=yes ;;
+--web) web=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --web)" >&2
     exit 2
     ;;
 esac
@@ -67,4 +71,12 @@ install $packages
 if [ $peers = yes ]; then
     # shellcheck disable=SC2086
     (install $peer_packages) || echo "setup.sh: without $peer_packages: the comparison with them will be skipped" >&2
+fi
+if [ $web = yes ]; then
+    # Node may be there from elsewhere than Debian, with an npm of its own.
+    set -- chromium
+    command -v node >/dev/null 2>&1 || set -- "$@" nodejs
+    command -v npm >/dev/null 2>&1 || set -- "$@" npm
+    (install "$@" && sh "$(dirname "$0")/web.sh" --packages) ||
+        echo "setup.sh: without $* and the packages of web/: the tests of the report's page will be skipped" >&2
 fi

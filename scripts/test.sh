@@ -11,7 +11,7 @@ if [ "${1-}" = --long ]; then
     shift
 fi
 
-sh scripts/setup.sh
+sh scripts/setup.sh --web
 sh scripts/build.sh release
 sh scripts/build.sh debug
 

@@ -17,7 +17,7 @@ typedef struct TimeMean {
     /* the last sample was the peak; the one before it; second difference of the value at the peak */
     int at_peak;
     double before, sharpness;
-    double rough, rough_at_peak; /* value^2: mean square of second differences up to now, and up to the peak (EB11) */
+    double rough, rough_at_peak; /* value^2: mean square of second differences up to now, and up to the peak (EB12) */
     TimeBlock block;             /* since mean_block */
     double wavered, blocks;      /* value^2 s; s: about their means, summed over the blocks that have ended */
 } TimeMean;
@@ -48,6 +48,16 @@ static inline void mean_add(TimeMean *m, double value, double dt, int steady)
     m->before = m->started ? m->last : value;
     m->last = value;
     m->started = m->started ? 2 : 1; /* two: there is a sample before the last one */
+}
+
+/* A value between two samples that counts for the peak alone, and how sharp that is. */
+static inline void mean_raise(TimeMean *m, double value, double sharpness)
+{
+    if (!m->started || !(value > m->peak)) return;
+    m->peak = value;
+    m->sharpness = sharpness;
+    m->rough_at_peak = m->rough;
+    m->at_peak = 0;
 }
 
 /* A block ends here, and the next one begins. */

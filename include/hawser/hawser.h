@@ -242,8 +242,8 @@ const char *hawser_sim_title(const hawser_sim *s);
 #include "hawser/certify.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
+#include "hawser/report.h"
 #include "hawser/route.h"
-#include "hawser/shown.h"
 #include "hawser/validate.h"
 
 #endif

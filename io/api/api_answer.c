@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { REMEDY_MAX = 256, OPEN_MAX = 400, PAGE = 118, INDENT = 17 };
+enum { OPEN_MAX = 400, PAGE = 118, INDENT = 17 };
 
 /* Adds so many bytes of a text, as far as there is room. */
 static void add(Answer *a, const char *text, int n)

@@ -315,6 +315,7 @@ static hawser_status rounds(Certifier *z, hawser_error *err)
         round.state = (hawser_certify_state){.round = k + 1};
         const hawser_status status = companions_run(&round, n, wanted, err);
         if (status) return status;
+        for (int r = 0; r < n; ++r) figures_follow(&z->run[0].figures, &wanted[r]->figures);
         const int all = judge(z, next);
         if (k > 0 && !is_known(z)) { /* a run failed: what the round before knew is better */
             judge(z, base);

@@ -60,6 +60,10 @@ void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *lim
 void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inverse *inverse,
                    const char verdict[][HAWSER_VERDICT_MAX]);
 
+/* The rows of route.csv, malloc'ed; none for a scene without a route. Theory that cannot be computed there is NAN.
+ * Errors: MEMORY; *rows is NULL then. */
+hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *err);
+
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
 void limit_remedy(const Scene *scene, const hawser_limit *limit, hawser_units units, char *text);

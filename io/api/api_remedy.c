@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { REMEDY_MAX = 256 };
-
 /* A value in three digits as it is shown, rounded up where at least so much is asked for and down where at most. */
 static const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text)
 {

@@ -147,16 +147,22 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     def.rollers = hawser_sim_rollers(s, &def.roller);
     def.figures = run->look->figures;
     def.machine = run->look->machine;
+    def.n_inputs = s->stage.scene.def.n_inputs;
+    def.inputs = s->stage.scene.def.inputs;
     Geometry geometry = {0};
+    AlongRow *route;
     char *summary = NULL;
-    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    hawser_status status = along_rows(s, &route, &def.n_route, err);
+    if (!status) status = hawser_sim_summary_json(s, &summary, err);
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
     if (def.states > 0) def.geometry = &geometry;
+    def.route = route;
     envelope_free(&s->envelope); /* of a run before */
     if (!status && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
     if (!status) status = results_open(&run->results, dir, &def, summary, err);
     geometry_free(&geometry);
     hawser_text_free(summary);
+    free(route);
     return status;
 }
 

@@ -78,6 +78,20 @@ int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
     return s->stage.scene.def.n_assumptions;
 }
 
+/* What would make each broken limit hold, each sentence once. Returns how many. */
+static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, char remedy[][REMEDY_MAX])
+{
+    int found = 0;
+    for (int i = 0; i < n; i++) {
+        if (!limit[i].judged || limit[i].ok) continue;
+        limit_remedy(scene, &limit[i], HAWSER_SI, remedy[found]);
+        int fresh = *remedy[found] != 0;
+        for (int k = 0; k < found; k++) fresh &= strcmp(remedy[k], remedy[found]) != 0;
+        found += fresh;
+    }
+    return found;
+}
+
 /* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
@@ -104,7 +118,10 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
                                                             .force
                                                       : NAN};
     if (labels.n_overloads < 0) return error_memory(err);
+    char remedy[HAWSER_LIMITS_MAX][REMEDY_MAX];
     labels.overload = overload;
+    labels.n_remedies = remedies_find(scene, labels.n_limits, limit, remedy);
+    labels.remedy = (const char(*)[REMEDY_MAX])remedy;
     hawser_sim_summary(s, &summary);
     const hawser_status status = summary_json(&summary, &labels, text, err);
     free(overload);

@@ -20,6 +20,8 @@ typedef struct Figures {
 
 /* The figures of a run that is over; two runs of a case have the same ones in the same order. Errors: MEMORY. */
 hawser_status figures_take(hawser_sim *s, Figures *out, hawser_error *err);
+/* Rotations of another run go on beyond half a turn where those of this one do. */
+void figures_follow(const Figures *own, Figures *other);
 void figures_free(Figures *f);
 
 /* One run with finer settings. */

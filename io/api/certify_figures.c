@@ -11,6 +11,7 @@
 /* The least coefficient that a floor reckons with: cables without friction weigh something too. */
 static const double LEAST_MU = 0.01;
 static const double LEAST_SHARE = 1e-3; /* of the largest figure of a kind (CE6) */
+static const char ROTATION[] = "rad";   /* the unit of rotation vectors alone: x, y and z in a row */
 
 void figures_free(Figures *f)
 {
@@ -122,6 +123,30 @@ static void add_vector(const double v[3], const char *unit, double scale, const 
     for (int c = 0; c < 3; ++c) add(f, unit, v[c], scale, "%s of %.40s, %c", what, of, "xyz"[c]);
 }
 
+/* A rotation vector r and (1 - 2 pi/|r|) r turn to the same place, and at half a turn rounding decides which of them a
+ * run says: the one that is nearer to `own`'s, three numbers (CE8). */
+static void turn_nearer(const Figure own[3], Figure other[3])
+{
+    const double r[3] = {other[0].value, other[1].value, other[2].value}, size = length_of(r);
+    double here[3], there[3];
+    if (!(size > 0)) return;
+    for (int c = 0; c < 3; ++c) {
+        here[c] = r[c] - own[c].value;
+        there[c] = here[c] - 2 * M_PI / size * r[c];
+    }
+    if (!(length_of(there) < length_of(here))) return;
+    for (int c = 0; c < 3; ++c) other[c].value = own[c].value + there[c];
+}
+
+void figures_follow(const Figures *own, Figures *other)
+{
+    for (int i = 0; i + 2 < own->n && i + 2 < other->n; ++i) {
+        if (strcmp(own->figure[i].unit, ROTATION)) continue;
+        turn_nearer(own->figure + i, other->figure + i);
+        i += 2;
+    }
+}
+
 /* A rod's places at the end, and its modes; the lowest frequency that is none of a rigid motion is the floor of all. */
 static void add_rod(const hawser_summary *sum, double length, Figures *f)
 {
@@ -130,7 +155,7 @@ static void add_rod(const hawser_summary *sum, double length, Figures *f)
     for (int i = 0; i < sum->n_probes; ++i) {
         const hawser_probe *const p = &sum->probes[i];
         add_vector(p->displacement, "m", scale.displacement, "displacement", p->name, f);
-        add_vector(p->rotation, "rad", scale.rotation, "rotation", p->name, f);
+        add_vector(p->rotation, ROTATION, scale.rotation, "rotation", p->name, f);
         add_vector(p->force, "N", scale.force, "force", p->name, f);
         add_vector(p->moment, "N m", scale.moment, "moment", p->name, f);
     }

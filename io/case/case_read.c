@@ -159,6 +159,7 @@ hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++) {
         status = parts[k].read(&r, case_node_key(r.root, parts[k].key));
     }
+    if (!status) status = case_inputs_read(&r, &case_top);
     route_clear(&r.route);
     units_free(r.units);
     node_free(typed);

@@ -38,27 +38,6 @@ struct Results {
     double last_flush;
 };
 
-/* A file of one text: beside its name first, so that what stands under the name is whole at any time. */
-static hawser_status write_whole(const char *dir, const char *name, const char *text, hawser_error *err)
-{
-    OutFile out;
-    char part[64], path[OUT_PATH_MAX];
-    snprintf(part, sizeof part, "%s.part", name);
-    hawser_status status = out_join(path, dir, name, err);
-    if (status) return status;
-    status = out_open(&out, dir, part, err);
-    if (status) {
-        unlink(out.path);
-        return status;
-    }
-    status = out_print(&out, err, "%s", text);
-    const hawser_status closed = out_close(&out, status ? NULL : err);
-    if (!status) status = closed;
-    if (!status && rename(out.path, path)) status = out_error(path, errno, err);
-    if (status) unlink(out.path);
-    return status;
-}
-
 /* Both files or none: one is of no use without the other. */
 static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
 {
@@ -70,14 +49,33 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
  */
 static hawser_status remove_old(const Results *r, int states, hawser_error *err)
 {
-    static const char *const names[] = {"modes.csv", "certificate.json", "results.h5", "results.xdmf"};
+    static const char *const names[] = {"modes.csv",  "certificate.json", "route.csv",   "report.html",
+                                        "report.pdf", "results.h5",       "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
-    for (int k = 0; k < (states ? 3 : 4) && !s; k++) {
+    for (int k = 0; k < (states ? 6 : 7) && !s; k++) {
         s = out_join(path, r->dir, names[k], err);
         if (!s && unlink(path) && errno != ENOENT) s = out_error(path, errno, err);
     }
     return s;
+}
+
+/* What does not change: the case as it was read, and the route with its theory, where there is one. */
+static hawser_status write_known(const Results *r, const ResultsDef *def, hawser_error *err)
+{
+    OutFile out;
+    hawser_status status = out_open(&out, r->dir, "inputs.csv", err);
+    if (status) return status;
+    status = inputs_write(&out, def->n_inputs, def->inputs, err);
+    hawser_status closed = out_close(&out, status ? NULL : err);
+    if (!status) status = closed;
+    if (status || def->n_route == 0) return status;
+    status = out_open(&out, r->dir, "route.csv", err);
+    if (status) return status;
+    status = csv_head(&out, &route_columns, err);
+    if (!status) status = csv_rows(&out, &route_columns, def->n_route, def->route, err);
+    closed = out_close(&out, status ? NULL : err);
+    return status ? status : closed;
 }
 
 /* Before anything is written: two runs at once would mix their rows. The summary comes first: a folder whose run is
@@ -86,8 +84,9 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
 {
     hawser_status s = out_make_dir(r->dir, err);
     if (!s) s = out_lock_dir(r->dir, &r->lock, err);
-    if (!s) s = write_whole(r->dir, "summary.json", summary, err);
+    if (!s) s = out_whole(r->dir, "summary.json", summary, err);
     if (!s) s = remove_old(r, def->states > 0, err);
+    if (!s) s = write_known(r, def, err);
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
     if (!s) s = series_make(&r->columns, def, err);
     if (!s) s = series_head(&r->series, &r->columns, err);
@@ -196,7 +195,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
 
 hawser_status results_summary(Results *r, const char *summary, hawser_error *err)
 {
-    return write_whole(r->dir, "summary.json", summary, err);
+    return out_whole(r->dir, "summary.json", summary, err);
 }
 
 /* After results_finish only memory is left to free; without it, everything is closed as it stands. */

@@ -7,6 +7,15 @@
 #include "sim/picture/geometry.h"
 #include "sim/watch/peaks.h"
 
+/* A place of the route: where it is and what theory says there. What is not known or not there is NAN. */
+typedef struct AlongRow {
+    double s, place[3], curvature; /* m, m, 1/m */
+    double forward, backward,
+        paper;                      /* N, tension with the whole route full of cable, pulled either way; by the paper */
+    double run;                     /* N, by the reference theory, of the cable that the run is compared with */
+    double sidewall, sidewall_back; /* N/m, T/R, full of cable, pulled forward and back */
+} AlongRow;
+
 /* Sizes, names and what is wanted. Strings and arrays are borrowed until the folder is
  * open. */
 typedef struct ResultsDef {
@@ -27,7 +36,13 @@ typedef struct ResultsDef {
     int front;                 /* the cable's front moves along the route: likewise */
     int n_loads;
     const int *loads; /* [n_loads]: rollers whose loads are columns of series.csv */
+    int n_inputs;
+    const char *inputs; /* n_inputs times INPUT_TEXTS texts, each with a NUL, as SceneDef has them */
+    int n_route;
+    const AlongRow *route; /* [n_route] of route.csv; 0: a scene without a route, no such file */
 } ResultsDef;
+
+enum { REMEDY_MAX = 256 };
 
 /* What the summary says beside the figures. */
 typedef struct SummaryLabels {
@@ -42,6 +57,8 @@ typedef struct SummaryLabels {
     const hawser_assumption *assumption; /* [n_assumptions] */
     int n_limits;
     const hawser_limit *limit; /* [n_limits] */
+    int n_remedies;
+    const char (*remedy)[REMEDY_MAX]; /* [n_remedies] what would make broken limits hold */
     int n_overloads;
     const Overload *overload; /* [n_overloads], by roller */
     double trip_N;            /* that follows from the largest overload factor allowed; NAN without limits */

@@ -186,3 +186,23 @@ hawser_status out_close(OutFile *out, hawser_error *err)
     const int bad = ferror(out->f), number = out_release(out);
     return bad || number ? out_error(out->path, number, err) : HAWSER_OK;
 }
+
+hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err)
+{
+    OutFile out;
+    char part[OUT_PATH_MAX], path[OUT_PATH_MAX];
+    if (snprintf(part, sizeof part, "%s.part", name) >= (int)sizeof part) return out_error(name, ENAMETOOLONG, err);
+    hawser_status status = out_join(path, dir, name, err);
+    if (status) return status;
+    status = out_open(&out, dir, part, err);
+    if (status) {
+        unlink(out.path);
+        return status;
+    }
+    status = out_print(&out, err, "%s", text);
+    const hawser_status closed = out_close(&out, status ? NULL : err);
+    if (!status) status = closed;
+    if (!status && rename(out.path, path)) status = out_error(path, errno, err);
+    if (status) unlink(out.path);
+    return status;
+}

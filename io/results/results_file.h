@@ -46,15 +46,21 @@ hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */
 hawser_status out_close(OutFile *out, hawser_error *err);
 
+/* A file of one text: beside its name first ("NAME.part"), so that what stands under the name is whole at any time.
+ * Errors: OUTPUT, MEMORY; what stood there before stays. */
+hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err);
+
 /* -------------------------------------------------------------------------------------------------------- CSV */
 
 /* Of summary.json, stations.csv, rollers.csv, modes.csv. */
-extern const Columns summary_columns, station_columns, roller_columns, shape_columns;
+extern const Columns summary_columns, station_columns, roller_columns, shape_columns, route_columns;
 
 /* The columns' names, flushed, so that a table that cannot be written is noticed before the run; and n rows. All errors
  * here: OUTPUT. */
 hawser_status csv_head(OutFile *out, const Columns *columns, hawser_error *err);
 hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *rows, hawser_error *err);
+/* inputs.csv with its head. */
+hawser_status inputs_write(OutFile *out, int n, const char *inputs, hawser_error *err);
 /* modes.csv with its head: a row for each mode and segment. */
 hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err);
 

@@ -427,13 +427,23 @@ static int machines_put(json_t *o, const hawser_summary *s)
     return bad;
 }
 
+/* A list of sentences, where there are any. */
+static int remedies_put(json_t *o, const SummaryLabels *l)
+{
+    int bad = l->n_remedies > 0 && json_object_set_new(o, "remedies", json_array());
+    for (int i = 0; i < l->n_remedies && !bad; i++) {
+        bad = json_array_append_new(json_object_get(o, "remedies"), json_words(l->remedy[i]));
+    }
+    return bad;
+}
+
 /* Ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
     Summary all = {.s = *s, .l = *labels, .version = hawser_version()};
     hawser_verdict(s->n_conditions, s->conditions, labels->n_limits, labels->limit, all.verdict, sizeof all.verdict);
     json_t *o = json_row(&summary_columns, &all);
-    if (o && machines_put(o, s)) {
+    if (o && (machines_put(o, s) || remedies_put(o, labels))) {
         json_decref(o);
         o = NULL;
     }

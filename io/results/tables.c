@@ -1,6 +1,8 @@
-/* stations.csv, rollers.csv and modes.csv, which are small and written once, at the end. */
+/* stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv,
+ * which are known at the start. */
 #include "core/base/error.h"
 #include "io/results/results_file.h"
+#include "sim/def/scene_def.h"
 
 #include <math.h>
 #include <string.h>
@@ -98,6 +100,33 @@ static const Column shape_column[] = {
 };
 const Columns shape_columns = COLUMNS(ModeRow, shape_column);
 
+/* A key of the case. */
+typedef struct InputRow {
+    const char *text[INPUT_TEXTS];
+} InputRow;
+
+static const Column input_column[] = {
+    {COLUMN("key", TEXT, InputRow, text[INPUT_KEY])},     {COLUMN("value", TEXT, InputRow, text[INPUT_VALUE])},
+    {COLUMN("unit", TEXT, InputRow, text[INPUT_UNIT])},   {COLUMN("origin", TEXT, InputRow, text[INPUT_ORIGIN])},
+    {COLUMN("where", TEXT, InputRow, text[INPUT_WHERE])}, {COLUMN("source", TEXT, InputRow, text[INPUT_SOURCE])},
+};
+static const Columns input_columns = COLUMNS(InputRow, input_column);
+
+static const Column route_column[] = {
+    {COLUMN("s_m", NUMBER, AlongRow, s)},
+    {COLUMN("x_m", NUMBER, AlongRow, place[0])},
+    {COLUMN("y_m", NUMBER, AlongRow, place[1])},
+    {COLUMN("z_m", NUMBER, AlongRow, place[2])},
+    {COLUMN("curvature_per_m", NUMBER, AlongRow, curvature), .digits = 6},
+    {COLUMN("forward_N", NUMBER, AlongRow, forward), .digits = 6},
+    {COLUMN("backward_N", NUMBER, AlongRow, backward), .digits = 6},
+    {COLUMN("paper_N", NUMBER, AlongRow, paper), .digits = 6},
+    {COLUMN("run_N", NUMBER, AlongRow, run), .digits = 6},
+    {COLUMN("forward_sidewall_N_per_m", NUMBER, AlongRow, sidewall), .digits = 6},
+    {COLUMN("backward_sidewall_N_per_m", NUMBER, AlongRow, sidewall_back), .digits = 6},
+};
+const Columns route_columns = COLUMNS(AlongRow, route_column);
+
 hawser_status csv_head(OutFile *out, const Columns *columns, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -118,6 +147,21 @@ hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *
             status = out_cell(out, k ? "," : "", column_cell(c, row), c->digits, err);
         }
         if (!status) status = out_end_row(out, err);
+    }
+    return status;
+}
+
+/* Row by row through the texts, which lie one behind the other. */
+hawser_status inputs_write(OutFile *out, int n, const char *inputs, hawser_error *err)
+{
+    hawser_status status = csv_head(out, &input_columns, err);
+    for (int i = 0; i < n && !status; i++) {
+        InputRow row;
+        for (int k = 0; k < INPUT_TEXTS; k++) {
+            row.text[k] = inputs;
+            inputs += strlen(inputs) + 1;
+        }
+        status = csv_rows(out, &input_columns, 1, &row, err);
     }
     return status;
 }

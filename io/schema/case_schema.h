@@ -114,6 +114,9 @@ const CaseKey *case_key_of(const CaseSection *section, const char *name);
 /* Fills r->def->assumptions with what the catalogue and estimates have put in, once all else has been read. cables: the
  * section. Errors: MEMORY. */
 hawser_status case_assumptions_read(CaseReader *r, const CaseNode *cables);
+/* Fills r->def->inputs once all else has been read: every key of the case with its value and where that comes from.
+ * top: the table of the whole case. Errors: MEMORY. */
+hawser_status case_inputs_read(CaseReader *r, const CaseSection *top);
 
 enum { CASE_SECTIONS_MAX = 100, CASE_RANGE_MAX = 96, CASE_FORM_MAX = 128 };
 /* Adds a section and all below it to all[CASE_SECTIONS_MAX], which has n; returns how many it has then. */

@@ -86,7 +86,8 @@ typedef struct TheoryDef {
     TheoryFrictionDef *friction;
     int n_machines, n_pits;
     TheoryPlaceDef *machines, *pits;
-    int guessed_friction; /* nothing carries the cable, and no friction is given: the default's is nobody's */
+    /* nothing carries the cable, and: no friction is given, the default's is nobody's; it is to be simulated, too */
+    int guessed_friction, would_fall;
 } TheoryDef;
 
 #endif

@@ -32,6 +32,7 @@ static const OwnedArray owned[] = {
     OWNED(output.probes, output.n_probes),
     OWNED(drawn, n_drawn),
     OWNED(assumptions, n_assumptions),
+    OWNED(inputs, inputs_size),
     OWNED(theory.wear, theory.n_wear),
     OWNED(theory.friction, theory.n_friction),
     OWNED(theory.machines, theory.n_machines),

@@ -208,7 +208,14 @@ typedef struct SceneDef {
     DrawnDef *drawn;
     int n_assumptions;
     hawser_assumption *assumptions; /* what the case did not say itself */
+    int n_inputs, inputs_size;
+    char *inputs; /* [inputs_size] n_inputs times INPUT_TEXTS texts, each with a NUL */
 } SceneDef;
+
+/* What is known of a key of the case, for those who read the results: its dotted name, its value as it was written, the
+ * unit of that if it is a number, "given", "catalogue", "estimated" or "default", file and line, and where a value
+ * comes from that was not given. */
+enum { INPUT_KEY, INPUT_VALUE, INPUT_UNIT, INPUT_ORIGIN, INPUT_WHERE, INPUT_SOURCE, INPUT_TEXTS };
 
 /* Every default there is; docs/case-format.md lists them. */
 void scene_def_defaults(SceneDef *def);

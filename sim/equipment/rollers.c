@@ -232,7 +232,7 @@ static void part_forces(const Moment *m, int part, double friction, Vec3 *on_rol
 static void rollers_loads(const Room *room, const Moment *m, int part)
 {
     (void)room;
-    part_forces(m, part, m->friction, NULL);
+    part_forces(m, part, m->friction, m->ws->on_roller + m->ws->contact[part].first);
 }
 
 static void rollers_rates(const Room *room, const Moment *m, const double *own, double *rate)

@@ -77,16 +77,24 @@ static void pulled_set(const Scene *scene, Calculator *c)
     }
 }
 
-/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. */
+/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
+ * how it runs is a pull in which the cable would fall. */
 static hawser_condition supported_by(const Scene *scene)
 {
-    const int guessed = scene->def.theory.guessed_friction;
-    hawser_condition c = {.name = "supported", .unit = "1", .value = guessed, .holds = !guessed};
-    snprintf(
-        c.remedy, sizeof c.remedy,
-        "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is that "
-        "of a guessed %g; give what carries it, or friction.mu",
-        scene->def.friction.mu_d);
+    const TheoryDef *const theory = &scene->def.theory;
+    const int hangs = theory->guessed_friction || theory->would_fall;
+    hawser_condition c = {.name = "supported", .unit = "1", .value = hangs, .holds = !hangs};
+    if (theory->guessed_friction) {
+        snprintf(c.remedy, sizeof c.remedy,
+                 "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is "
+                 "that of a guessed %g; give what carries it, or friction.mu",
+                 scene->def.friction.mu_d);
+    } else {
+        snprintf(
+            c.remedy, sizeof c.remedy,
+            "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
+            "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
+    }
     return c;
 }
 

@@ -15,6 +15,13 @@ static const Planar *planar_in(const Motion *m) { return (const Planar *)m; }
 
 static int segments(const Planar *p) { return p->ps.chain.n; }
 
+/* The forces on the rollers, back in space. */
+static void on_rollers_lift(Planar *p)
+{
+    for (int r = 0; r < p->motion.scene->contact.n_rollers; ++r)
+        p->ws->on_roller[r] = plane_vector(&p->ps.plane, p->on_roller[r][0], p->on_roller[r][1]);
+}
+
 /* The forces on the rollers, and those on the chain, which are all of its contacts: back in space. */
 static int roller_forces(Planar *p)
 {
@@ -28,8 +35,7 @@ static int roller_forces(Planar *p)
         active += pairs->active;
         first += p->model[half].n_rollers;
     }
-    for (int r = 0; r < first; ++r)
-        p->ws->on_roller[r] = plane_vector(&p->ps.plane, p->on_roller[r][0], p->on_roller[r][1]);
+    on_rollers_lift(p);
     for (int half = 0; half < PARTS; ++half) {
         double *const *const f = p->loads[half].f;
         for (int i = 0; i < n; ++i) v3_store(p->ws->loads[half].f, i, plane_vector(&p->ps.plane, f[0][i], f[1][i]));
@@ -111,6 +117,13 @@ static int planar_look(Motion *m, double t, const double *y)
     planar_kernels()->tension(&p->ps.chain, &p->kin, 0, n + 1, p->ws->law[0]);
     p->ws->head_pull = head_pull(p);
     return roller_forces(p);
+}
+
+static void planar_glance(Motion *m)
+{
+    Planar *const p = planar_of(m);
+    planar_kernels()->tension(&p->ps.chain, &p->kin, 0, segments(p) + 1, p->ws->law[0]);
+    on_rollers_lift(p);
 }
 
 /* -------------------------------------------------------------------------------------- as the integrator sees it */
@@ -232,6 +245,7 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .worst = motion_worst,
                                   .place = motion_place,
                                   .look = planar_look,
+                                  .glance = planar_glance,
                                   .winch_pull = motion_winch_pull,
                                   .work = planar_work,
                                   .method_loss = planar_method_loss,

@@ -43,7 +43,8 @@ static void loads_job(void *arg, int rank)
     if (p->model[rank].n_rollers == 0) return;
     ContactPart *const part = &p->ws->contact[rank];
     const double start = clock_now();
-    planar_contact_forces(&p->model[rank], &p->ps.chain, &p->kin, e->friction, &part->pairs, &p->loads[rank], NULL);
+    planar_contact_forces(&p->model[rank], &p->ps.chain, &p->kin, e->friction, &part->pairs, &p->loads[rank],
+                          p->on_roller + part->first);
     part->seconds += clock_now() - start;
 }
 

@@ -191,6 +191,25 @@ static void rod_watch(Sim *s)
     st->stability.turned |= turned(&st->scene, 0, &st->ws.kin) & TURNED_JOINT;
 }
 
+static const hawser_sample *look_now(Sim *s, SampleParts parts);
+
+/* Peaks between two rows are peaks of the run as well (EB14). */
+static void peak_watch(Sim *s)
+{
+    Stage *const st = &s->stage;
+    if (!st->scene.winch->present) return;
+    const double start = clock_now(), pull = st->motion->ops->winch_pull(st->motion, st->t, st->y);
+    st->motion->ops->glance(st->motion);
+    const int due = stats_step(&s->stats, &st->scene, pull, st->ws.law[0], st->ws.on_roller);
+    s->record_s += clock_now() - start;
+    if (!due) return;
+    const hawser_sample *const look = look_now(s, SAMPLE_ROW);
+    hawser_sample held = *look;
+    held.winch_force = stats_peak(&s->stats, &st->scene, &st->ws.kin, look);
+    steadiness_held(&s->steadiness, held.winch_force, held.t);
+    peaks_record(&s->peaks, &st->scene, &st->ws.kin, &held);
+}
+
 /* Load steps in place of time steps. */
 static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -218,6 +237,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = events_watch(s, err);
+        if (!status) peak_watch(s);
         if (!status && s->stage.scene.rod->present) rod_watch(s);
         if (one_step) break;
     }

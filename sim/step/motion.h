@@ -45,6 +45,9 @@ typedef struct MotionOps {
     /* Puts what a sample of (t, y) reads into the workspace: kinematics, tensions (law[0]), the winch's pull, forces on
      * the rollers. Returns how many contacts carry force. */
     int (*look)(Motion *m, double t, const double *y);
+    /* Puts tensions (law[0]) and forces on the rollers of the last evaluation of the rates into the workspace: those of
+     * an iterate close to the last step's end, for next to nothing. */
+    void (*glance)(Motion *m);
     /* The winch's pull at (t, y), N: winch_pull_at. */
     double (*winch_pull)(Motion *m, double t, const double *y);
     /* What works on the motion at (t, y), a state whose rates were evaluated last or close by (sim/dynamics.h). */

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/base/worst.h"
+#include "core/bushing.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
@@ -112,6 +113,12 @@ static int spatial_look(Motion *m, double t, const double *y)
     return dynamics_look(m->scene, spatial_of(m)->ws, t, y);
 }
 
+static void spatial_glance(Motion *m)
+{
+    Workspace *const ws = spatial_of(m)->ws;
+    bushing_kernels()->law(&m->scene->chain, &ws->kin, 0, m->scene->chain.n + 1, ws->law);
+}
+
 static double spatial_winch_pull(Motion *m, double t, const double *y)
 {
     return winch_pull_at(m->scene, spatial_of(m)->ws, t, y);
@@ -171,6 +178,7 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .worst = spatial_worst,
                                   .place = spatial_place,
                                   .look = spatial_look,
+                                  .glance = spatial_glance,
                                   .winch_pull = spatial_winch_pull,
                                   .work = spatial_work,
                                   .method_loss = spatial_method_loss,

@@ -5,18 +5,19 @@
 #include "sim/equipment/winch.h"
 
 /* Calibrated on the example cases and random pulls: docs/model.md, "Error bars". */
-static const double BOOKS = 3;                              /* of what the books of a mean leave open (EB2) */
-static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3; /* of what a figure wavers while a segment passes (EB1) */
+static const double BOOKS = 3;                                /* of what the books of a mean leave open (EB2) */
+static const double WAVER_OF_MEAN = 0.7, WAVER_OF_PEAK = 3.5; /* of what a figure wavers while a segment passes (EB1) */
 static const double STANDS = 0.1;      /* of a segment: if less passes, nothing of it is seen (EB9) */
 static const double ROUGH = 0.27;      /* of second differences, before a peak of a cable that began anywhere (EB12) */
 static const double EVERYWHERE = 0.25; /* of that, where only surfaces carry the cable (EB1) */
 static const double PARTLY = 0.5;      /* where rollers and surfaces do */
 static const double MESH = 5e-4;       /* of any figure, which no support shows */
+static const double SLACK = 0.065;     /* rad, by which a segment hangs off the line at most (EB15) */
 static const double SIDEWAYS = 0.1;    /* of what rollers that spin would hold (EB13) */
 static const double LEVEL = 1e-3;      /* of a bend: what is less to the side is none */
 static const double ENDS = 0.2;        /* of a segment, whose weight a clamp carries and no surface */
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
-static const double TOLERANCES = 1;      /* of a step, that a peak may be off by */
+static const double TOLERANCES = 3;      /* of a step, that a peak may be off by */
 
 /* What friction lacks at a speed, of what is there (EB5). */
 static double friction_missing(const FrictionLaw *law, double speed)
@@ -50,6 +51,24 @@ double held_sideways(const Scene *scene, int r)
     for (int k = 0; k < scene->def.n_rollers; ++k)
         if (!(scene->def.rollers[k].spin.inertia > 0)) rubs = fmax(rubs, scene->def.rollers[k].friction.mu_d);
     return SIDEWAYS * law->mu_d * rubs;
+}
+
+/* N m/rad, the softer way. */
+static double joint_bends(const Chain *chain, int j) { return fmin(chain->stiffness[4][j], chain->stiffness[5][j]); }
+
+double slack_share(const Scene *scene, double travel, double rest)
+{
+    const Chain *const chain = &scene->chain;
+    double most = 0; /* m */
+    if (scene->def.winch.mode != WINCH_SPEED || !(travel > 0)) return 0;
+    for (int i = 0; i < chain->n; ++i) {
+        const double h = 2 * chain->half[i], weight = chain->mass[i] * v3_norm(scene->def.gravity);
+        const double bends = h * fmax(joint_bends(chain, i), joint_bends(chain, i + 1)); /* EI; one may be free */
+        const double stiff = bends > 0 ? 8. / 3 * weight * h * h / bends : SLACK;
+        const double off = fmin(fmin(SLACK, stiff), weight < SLACK * rest ? weight / rest : SLACK);
+        most = fmax(most, off * off * h / 3);
+    }
+    return fmin(1, most / travel);
 }
 
 /* By how much friction at rest stands above that of sliding, of what slides; and the speed where it has fallen. */
@@ -138,6 +157,7 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     if (!figure->started) return bar(NAN, NAN, NAN);
     const double passes = fmax(WAVER_OF_PEAK * waver(figure, shares), shares->placed);
     const double rough = shares->rough * sqrt(figure->rough_at_peak);
-    return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size,
+    const double jerk = shares->slack * fmax(0, size - fmax(mean, shares->at_rest));
+    return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size + jerk,
                shares->friction * size + loose);
 }

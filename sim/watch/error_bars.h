@@ -11,14 +11,16 @@
 
 /* What all figures of a run share: parts of a force, and of its wavering, 1. */
 typedef struct ErrorShares {
-    double time;     /* of a mean: what the books of the window leave open or have lost (EB2) */
-    double step;     /* of a peak: the tolerance of a step (EB4) */
-    double waver;    /* what of a figure's wavering is the mesh's (EB1) */
-    double passed;   /* of a segment, while nothing has been wavering for a whole one */
-    double still;    /* N: what a tension may waver by besides, then (EB9) */
-    double placed;   /* N: what the places of joints over rollers made of the peak (EB11) */
-    double rough;    /* what of second differences is the error of a peak (EB12) */
-    double mesh;     /* what the places of the route and the head ask of segments (EB3), (EB6) */
+    double time;   /* of a mean: what the books of the window leave open or have lost (EB2) */
+    double step;   /* of a peak: the tolerance of a step (EB4) */
+    double waver;  /* what of a figure's wavering is the mesh's (EB1) */
+    double passed; /* of a segment, while nothing has been wavering for a whole one */
+    double still;  /* N: what a tension may waver by besides, then (EB9) */
+    double placed; /* N: what the places of joints over rollers made of the peak (EB11) */
+    double rough;  /* what of second differences is the error of a peak (EB12) */
+    double slack,
+        at_rest; /* of a peak's height above the mean and above the pull at rest, N, that what hung slack made (EB15) */
+    double mesh; /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction; /* not yet there at the speed of the pull (EB5) */
     /* by which friction falls once the cable slides, of what is left; m/s, the speed where it has; the share again, if
      * a peak is of a cable that breaks loose (EB10) */
@@ -31,6 +33,9 @@ ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWind
 /* What a load of 1 N on the r-th roller takes from those beside the cable once it does not creep across it any more, N
  * of the pull (EB13). */
 double held_sideways(const Scene *scene, int r);
+/* What a peak owes to the length that hung slack, which nobody knows better than the mesh does; travel: of the winch up
+ * to then, m; rest: the pull at first, N (EB15). */
+double slack_share(const Scene *scene, double travel, double rest);
 /* Of the mean over the steady window; of the largest value of the run. */
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares);
 hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares);

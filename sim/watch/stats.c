@@ -30,6 +30,18 @@ static hawser_surface surface_row(const SceneDef *scene, const SurfaceDef *def)
     return row;
 }
 
+enum { WATCHED = 2 }; /* the pull and the largest tension stand before stations and rollers */
+
+/* What is watched, by number. */
+static TimeMean *watched(Stats *stats, int k)
+{
+    const int station = k - WATCHED, roller = station - stats->n_stations;
+    if (k < WATCHED) return k == 0 ? &stats->pull : &stats->largest;
+    return roller < 0 ? &stats->station[station] : &stats->roller[roller].load;
+}
+
+static int watched_count(const Stats *stats) { return WATCHED + stats->n_stations + stats->n_rollers; }
+
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -44,8 +56,12 @@ hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err)
     stats->roller_out = calloc((size_t)def->n_rollers + 1, sizeof *stats->roller_out);
     stats->surface = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface);
     stats->surface_out = calloc((size_t)def->n_surfaces + 1, sizeof *stats->surface_out);
+    stats->before = calloc((size_t)watched_count(stats), sizeof *stats->before);
+    stats->now = calloc((size_t)watched_count(stats), sizeof *stats->now);
+    stats->station_joint = calloc((size_t)def->n_stations + 1, sizeof *stats->station_joint);
+    stats->station_share = calloc((size_t)def->n_stations + 1, sizeof *stats->station_share);
     if (!stats->station || !stats->station_out || !stats->roller || !stats->roller_out || !stats->surface ||
-        !stats->surface_out) {
+        !stats->surface_out || !stats->before || !stats->now || !stats->station_joint || !stats->station_share) {
         stats_free(stats);
         return error_memory(err);
     }
@@ -74,6 +90,10 @@ void stats_free(Stats *stats)
     free(stats->roller_out);
     free(stats->surface);
     free(stats->surface_out);
+    free(stats->before);
+    free(stats->now);
+    free(stats->station_joint);
+    free(stats->station_share);
     memset(stats, 0, sizeof *stats);
 }
 
@@ -160,7 +180,8 @@ static void stations_record(Stats *stats, const Scene *scene, const Kinematics *
     for (int i = 0; i < stats->n_stations; ++i) {
         hawser_station *const out = &stats->station_out[i];
         TimeMean *const mean = &stats->station[i];
-        const double tension = stats_tension_at(scene, kin, sample, out->s);
+        double tension = NAN;
+        stats->station_joint[i] = joint_before(scene, kin, sample, out->s, &tension, &stats->station_share[i]);
         if (!isnan(tension)) mean_add(mean, tension, dt, steady);
         out->mean_N = mean->started ? mean_of(mean) : NAN;
         out->peak_N = mean->started ? mean->peak : NAN;
@@ -185,6 +206,13 @@ static void rollers_record(Stats *stats, const hawser_sample *sample, double dt,
     }
 }
 
+static void line_load_record(hawser_surface *out, const hawser_sample *sample, int i)
+{
+    if (!(sample->surface_line_load[i] > out->line_load_N_per_m)) return;
+    out->line_load_N_per_m = sample->surface_line_load[i];
+    out->line_load_at_m = sample->surface_at[i];
+}
+
 static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt, int steady)
 {
     for (int i = 0; i < stats->n_surfaces; ++i) {
@@ -194,9 +222,7 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
         mean_add(&means->friction, sample->surface_friction[i], dt, steady);
         out->normal_N = mean_of(&means->normal);
         out->friction_N = mean_of(&means->friction);
-        if (!(sample->surface_line_load[i] > out->line_load_N_per_m)) continue;
-        out->line_load_N_per_m = sample->surface_line_load[i];
-        out->line_load_at_m = sample->surface_at[i];
+        line_load_record(out, sample, i);
     }
 }
 
@@ -222,7 +248,8 @@ static double standing_force(const Scene *scene, const Kinematics *kin, const ha
         const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension, &passed) : -1;
         if (j < 0 || !(tension > 0)) continue;
         const double h = 2 * chain->half[j < chain->n ? j : j - 1], span = held_by(&scene->def, r);
-        const double bends = fmin(chain->stiffness[4][j], chain->stiffness[5][j]); /* the softer way: the wider bar */
+        const int held = j > 0 ? j : 1; /* the tail's joint may be a free end, its neighbour bends as the cable does */
+        const double bends = fmin(chain->stiffness[4][held], chain->stiffness[5][held]); /* the softer way */
         const double stiff = tension + (span > 0 ? M_PI * M_PI * bends * h / (span * span) : 0);
         const double force = load / 2 * fmin(load / sqrt(stiff * (stiff + 4 * bends / h)), 1);
         sum += force;
@@ -246,6 +273,7 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     standing_force(scene, kin, sample, &here);
     stats->placed = fabs(here);
     stats->peak_speed = slowest(scene, sample);
+    stats->peak_travel = sample->winch_travel;
 }
 
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
@@ -276,7 +304,9 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     stats->dt = dt;
     stats->steady = steady;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
+    if (stats->last_t < 0) stats->at_rest = sample->winch_force;
     if (stats->pull.at_peak) peak_record(stats, scene, kin, sample);
+    mean_add(&stats->largest, fmax(sample->max_tension, sample->winch_force), dt, steady);
     mean_add(&stats->speed, sample->axial_speed[sample->first], dt, steady);
     if (fabs(sample->axial_speed[sample->first] - scene->largest_speed) > 0.02 * scene->largest_speed)
         stats->settled_at = sample->t;
@@ -289,6 +319,71 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
         stats->passed_at = sample->winch_travel;
     }
     stats->last_t = sample->t;
+}
+
+/* ------------------------------------------------------------------------------------------ peaks between samples */
+
+/* Above the largest value so far, above which another look is worth it: shares of that, and of the largest of its kind.
+ */
+static const double NEW_PULL = 1e-3, NEW_OTHER = 1e-2, NEW_OF_ALL = 1e-3;
+
+/* Values of the last step: NAN where there is none. */
+static void step_values(const Stats *stats, const Scene *scene, double pull, const double *tension,
+                        const Vec3 *on_roller, double *value)
+{
+    double largest = -INFINITY;
+    for (int j = 0; j <= scene->chain.n; ++j) largest = fmax(largest, tension[j]);
+    *value++ = pull;
+    *value++ = fmax(largest, pull);
+    for (int i = 0; i < stats->n_stations; ++i) {
+        const int j = stats->station_joint[i];
+        const double u = stats->station_share[i];
+        *value++ = j >= 0 && j < scene->chain.n ? (1 - u) * tension[j] + u * tension[j + 1] : NAN;
+    }
+    for (int r = 0; r < stats->n_rollers; ++r) *value++ = v3_norm(on_roller[r]);
+}
+
+int stats_step(Stats *stats, const Scene *scene, double pull, const double *tension, const Vec3 *on_roller)
+{
+    double *const before = stats->now, *const now = stats->before, load = 0;
+    const int n = watched_count(stats), first_roller = n - stats->n_rollers;
+    int due = 0;
+    step_values(stats, scene, pull, tension, on_roller, now);
+    stats->before = before;
+    stats->now = now;
+    for (int r = 0; r < stats->n_rollers; ++r) load = fmax(load, stats->roller[r].load.peak);
+    for (int k = 0; k < n; ++k) {
+        const TimeMean *const m = watched(stats, k);
+        const double of_all = k < first_roller ? stats->largest.peak : load;
+        const double more = k == 0 ? NEW_PULL * m->peak : NEW_OTHER * m->peak + NEW_OF_ALL * of_all;
+        due |= m->started && now[k] <= before[k] && now[k] > m->peak + more;
+    }
+    return due;
+}
+
+static const double SHARP = 16; /* second differences, whose eighth is twice what two steps are apart */
+
+/* All at once, each with the lower of its two steps' values; the top of a parabola stands no more above the higher one
+ * than that stands above the other. */
+double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const double pull = stats->pull.peak;
+    double *const now = stats->now;
+    now[0] = sample->winch_force;
+    now[1] = fmax(sample->max_tension, sample->winch_force);
+    for (int i = 0; i < stats->n_stations; ++i)
+        now[WATCHED + i] = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
+    for (int r = 0; r < stats->n_rollers; ++r) now[WATCHED + stats->n_stations + r] = sample->roller_load[r];
+    for (int k = 0; k < watched_count(stats); ++k) {
+        const double held = fmin(now[k], stats->before[k]), apart = fabs(now[k] - stats->before[k]);
+        if (!isnan(apart)) mean_raise(watched(stats, k), held, SHARP * apart);
+    }
+    if (stats->pull.peak > pull) peak_record(stats, scene, kin, sample);
+    for (int i = 0; i < stats->n_stations; ++i)
+        if (stats->station[i].started) stats->station_out[i].peak_N = stats->station[i].peak;
+    for (int r = 0; r < stats->n_rollers; ++r) stats->roller_out[r].peak_N = stats->roller[r].load.peak;
+    for (int i = 0; i < stats->n_surfaces; ++i) line_load_record(&stats->surface_out[i], sample, i);
+    return fmin(now[0], stats->before[0]);
 }
 
 static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */
@@ -343,10 +438,12 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->still = stats->still;
     shares->breaks_loose = stats->peak_speed < shares->falls_until ? shares->falls : 0;
     shares->placed = stats->placed;
+    shares->slack = slack_share(scene, stats->peak_travel, stats->at_rest);
+    shares->at_rest = stats->at_rest;
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    shares->placed = 0;                           /* of the pull alone */
+    shares->placed = shares->slack = 0;           /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);

@@ -24,14 +24,16 @@ typedef struct Stats {
     int fresh, steady;
     double dt;
     TimeMean pull;    /* N, on the rope's end */
+    TimeMean largest; /* N, tension anywhere: its peak alone is asked for */
     TimeMean speed;   /* m/s, axial speed of the cable's first segment that is simulated */
     double passed_at; /* m, travel of the winch at which a block of the means began (EB1) */
     int passing;      /* samples since */
     double passed;    /* of a segment, since; while no block has ended */
     double still;     /* N, of the pull: what segments may make that stand still over rollers (EB9) */
     double placed;    /* N, of the pull when it was largest: what the places of joints over rollers made of it (EB11) */
-    double peak_speed; /* m/s, of the slowest segment when the pull was largest */
-    double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
+    double peak_travel, at_rest; /* m, of the winch up to then; N, of the pull at first */
+    double peak_speed;           /* m/s, of the slowest segment when the pull was largest */
+    double settled_at;           /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */
     RollerMeans *roller;
@@ -39,6 +41,12 @@ typedef struct Stats {
     hawser_station *station_out;
     hawser_roller *roller_out;
     hawser_surface *surface_out;
+    /* peaks between two samples (EB14), [WATCHED + stations + rollers]: what was found after the last step but one, and
+     * after the last; and where the stations were at the last sample: behind which joint (-1: there is no cable), and
+     * what share of the segment */
+    double *before, *now;
+    int *station_joint;
+    double *station_share;
 } Stats;
 
 hawser_status stats_new(Stats *stats, const Scene *scene, hawser_error *err);
@@ -46,6 +54,11 @@ void stats_free(Stats *stats);
 /* Takes a sample in, of which it reads no positions and attitudes: those are
  * kin's. The tables station_out, roller_out and surface_out are up to date afterwards. */
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* A step has ended with this pull, N; tension [joints simulated] and on_roller [rollers] are about those of its end.
+ * Whether one of these has been held for two steps, falls now and is a peak that no sample has seen (EB14): then
+ * stats_peak is to be told what a look at the step's end finds, and returns the pull that both steps held, N. */
+int stats_step(Stats *stats, const Scene *scene, double pull, const double *tension, const Vec3 *on_roller);
+double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 /* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. */
 double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j);
 /* Where along the route the pulling eye is now, the cable's front, m; travel: of the head, m. NAN if that is not

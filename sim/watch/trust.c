@@ -62,17 +62,42 @@ static void row_record(Steadiness *s, double pull, double t, double dt)
         s->beside = fmax(s->row[0], pull);
         s->peak_at = t - dt;
     }
+    if (s->held_open) s->held_beside = fmax(s->held_beside, pull);
+    s->held_open = 0;
     s->row[0] = s->row[1];
     s->row[1] = pull;
     s->last = t;
 }
 
-double steadiness_spike(const Steadiness *s, double *at)
+double steadiness_spike(const Steadiness *s, int rests, double *at)
 {
     const int ends = s->row[1] > s->peak; /* the run ends at its largest pull: nothing is behind it */
-    const double peak = ends ? s->row[1] : s->peak, beside = ends ? s->row[0] : s->beside;
+    double peak = ends ? s->row[1] : s->peak, beside = ends ? s->row[0] : s->beside;
     *at = ends ? s->last : s->peak_at;
+    if (!rests && s->held > peak) { /* what falls hits between rows, and nothing says that steps have resolved it */
+        peak = s->held;
+        beside = s->held_beside;
+        *at = s->held_at;
+    }
     return peak > 0 && isfinite(beside) ? (peak - beside) / peak : 0;
+}
+
+static void largest_take(Steadiness *s, double pull, double t)
+{
+    double *const largest = t <= s->first ? &s->jolt : &s->later;
+    if (!(pull > *largest)) return;
+    *largest = pull;
+    if (largest == &s->jolt) s->jolt_at = t;
+}
+
+void steadiness_held(Steadiness *s, double pull, double t)
+{
+    largest_take(s, pull, t);
+    if (!(pull > s->held)) return;
+    s->held = pull;
+    s->held_beside = s->row[1];
+    s->held_at = t;
+    s->held_open = 1;
 }
 
 void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt)
@@ -81,11 +106,7 @@ void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *s
     row_record(s, sample->winch_force, sample->t, dt);
     if (!(s->first > 0)) s->first = first_moments(scene);
     if (!(sample->t > 0)) s->speed = sample->winch_speed;
-    double *const largest = sample->t <= s->first ? &s->jolt : &s->later;
-    if (sample->winch_force > *largest) {
-        *largest = sample->winch_force;
-        if (largest == &s->jolt) s->jolt_at = sample->t;
-    }
+    largest_take(s, sample->winch_force, sample->t);
     if (!(sample->t - dt >= from - 1e-9)) return;
     HalfWindow *const half = &s->half[sample->t - dt / 2 > middle];
     half->pull += sample->winch_force * dt;
@@ -277,7 +298,7 @@ static void add_steadiness(List *list, const TrustFacts *f)
             jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");
     }
     double at;
-    const double spike = steadiness_spike(s, &at);
+    const double spike = steadiness_spike(s, rests, &at);
     add(list, "peak", "1", spike, SPIKE,
         "the largest pull is a spike, %.2g %% above the rows beside it, at %.4g s: set output.interval to less, "
         "or start more gently",

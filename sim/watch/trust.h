@@ -34,16 +34,22 @@ typedef struct Steadiness {
     double row[2];        /* N: the pull of the last row but one and of the last; -INFINITY: there was none */
     double peak, beside;  /* N: the largest pull of a row that has one behind it, and the larger of the two beside it */
     double peak_at, last; /* s: when that was, and the last row */
+    /* N, N, s: the same of the largest pull between two rows; the one behind it is still to come */
+    double held, held_beside, held_at;
+    int held_open;
 } Steadiness;
 
 /* Takes a sample in, dt (s) after the one before. */
 void steadiness_record(Steadiness *s, const Scene *scene, const hawser_sample *sample, double dt);
+/* A pull that was held between two samples, N, at t. */
+void steadiness_held(Steadiness *s, double pull, double t);
 /* By how much the pull of the window's second half differs from the first's, or from what theory has it change by as
  * the front goes on, whichever is less: a share of the mean pull, or of a tenth of the largest if that is more. 0 while
  * there is no second half. */
 double steadiness_drift(const Steadiness *s);
-/* By how much the largest pull stands out of the rows before and behind it, a share of itself; *at: when, s. */
-double steadiness_spike(const Steadiness *s, double *at);
+/* By how much the largest pull stands out of the rows before and behind it, a share of itself; *at: when, s. `rests`:
+ * the cable came to rest first, and what is between two rows is not asked. */
+double steadiness_spike(const Steadiness *s, int rests, double *at);
 
 /* What the conditions are asked of. */
 typedef struct TrustFacts {

@@ -20,7 +20,9 @@ fi
 for name in series.csv stations.csv rollers.csv summary.json results.h5 results.xdmf; do
     mkdir "$work/full-$name"
     ln -s /dev/full "$work/full-$name/$name"
-    [ $name = summary.json ] && mv "$work/full-$name/$name" "$work/full-$name/$name.part" # which gets the name when whole
+    case $name in # these get their names when they are whole
+    summary.json | results.h5) mv "$work/full-$name/$name" "$work/full-$name/$name.part" ;;
+    esac
     run_hawser 4 run pull.yaml -o "full-$name"
     says err "full-$name/$name" "No space left"
 done

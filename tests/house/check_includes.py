@@ -16,6 +16,7 @@ LIBRARIES = [
     (r"expat\.h$", r"survey/landxml/|survey/map/"),
     (r"jansson\.h$", r"io/|survey/map/"),
     (r"yaml\.h$|hdf5\w*\.h$", r"io/"),
+    (r"zlib\.h$", r"io/report/"),
 ]
 
 

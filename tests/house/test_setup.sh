@@ -22,6 +22,10 @@ fake apt-get <<'EOF'
 echo "$DEBIAN_FRONTEND apt-get $*" >>"$CALLS"
 exit "${APT_EXIT:-0}"
 EOF
+fake npm <<'EOF'
+echo "npm $*" >>"$CALLS"
+exit 1
+EOF
 fake sudo <<'EOF'
 echo sudo >>"$CALLS"
 exec "$@"
@@ -67,6 +71,15 @@ APT_EXIT=100
 export APT_EXIT
 setup --bench || fail "the benchmarks need no programs to compare with"
 grep -q "will be skipped" "$work/out" || fail "did not say what is missing"
+unset APT_EXIT
+
+MISSING="chromium"
+setup && [ ! -s "$CALLS" ] || fail "Chromium is for the tests of the report's page only"
+setup --web && grep -q "apt-get install .*chromium" "$CALLS" || fail "--web did not install chromium"
+APT_EXIT=100
+export APT_EXIT
+setup --web || fail "the other tests need no Chromium"
+grep -q "will be skipped" "$work/out" || fail "did not say that the page's tests are skipped"
 unset APT_EXIT
 
 # A package that was removed but left its configuration is not installed.

@@ -19,7 +19,7 @@ run() {
 
 # The library and the program need these and nothing else of the tree.
 (cd "$source_dir" && tar cf - CMakeLists.txt LICENSE NOTICE CHANGELOG.md cmake include core survey contact linsolve theory sim validate io \
-    cli cases/capstan.yaml) | (cd "$work" && tar xf -)
+    cli web/dist cases/capstan.yaml) | (cd "$work" && tar xf -)
 unset CMAKE_GENERATOR CMAKE_BUILD_TYPE CMAKE_C_COMPILER_LAUNCHER
 cd "$work"
 run configure.log cmake -B b -G "Unix Makefiles" -DCMAKE_C_COMPILER="$compiler" -DHAWSER_TESTS=OFF \

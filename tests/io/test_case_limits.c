@@ -360,8 +360,8 @@ static void ropes_and_conveyors(void **state)
     hawser_case_free(c);
 }
 
-/* Nothing under the cable and no friction given: a pull of 784.8 N "SAFE by 96 %" is nobody's. With a friction it is a
- * calculation like any other. */
+/* Nothing under the cable and no friction given: a pull of 784.8 N "SAFE by 96 %" is nobody's. With a friction it is
+ * one that falls if it is run, and a calculation like any other where nothing is said of that. */
 static void carried_by_nothing(void **state)
 {
     (void)state;
@@ -372,7 +372,16 @@ static void carried_by_nothing(void **state)
     check_has(json_string_value(json_object_get(o, "verdict_forward")), "NOT TRUSTED: nothing carries the cable");
     json_decref(o);
     o = theory(text, "friction.mu", "0.2");
+    check_has(json_string_value(json_object_get(o, "verdict_forward")), "NOT TRUSTED: nothing carries the cable");
+    json_decref(o);
+    static const char *const alone =
+        "cables: {c: {d: 50 mm, mass: 4 kg/m}}\nroute: {pieces: [{straight: 100 m}]}\nfriction: {mu: 0.2}\n"
+        "limits: {pull: 20 kN, sidewall: 3 kN/m}\n";
+    o = theory(alone, NULL, NULL);
     check_has(json_string_value(json_object_get(o, "verdict_forward")), "SAFE: all");
+    json_decref(o);
+    o = theory(alone, "run.duration", "10 s");
+    check_has(json_string_value(json_object_get(o, "verdict_forward")), "leave out 'run' and 'drive'");
     json_decref(o);
     /* and no limit of the tension: not safe either */
     o = theory(text, "limits", "{code: tes}");

@@ -2,7 +2,7 @@
  * shorter segments; and they are not so wide that they say nothing. */
 #include "tests/io/case_fixture.h"
 
-#include "sim/time_mean.h"
+#include "sim/watch/stats.h"
 
 static hawser_summary pulled(const char *data, const char *const *settings)
 {
@@ -144,6 +144,43 @@ static void what_a_signal_shows(void **state)
     check_share(mean_of(&m), 10.1, 1e-4);
 }
 
+/* The tail is held back for a tenth of a second: rows of 200 ms say 1837 N +- 51 N, those of 2 ms 6190 N. What steps
+ * between rows have held is a peak as well. (EB14) */
+static void a_peak_between_rows(void **state)
+{
+    (void)state;
+    const char *const tail = "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}";
+    const char *const dense[] = {"drive.tail", tail, "output.interval", "2 ms", "solver.max_step", "50 ms", NULL};
+    const char *const sparse[] = {"drive.tail", tail, "output.interval", "200 ms", "solver.max_step", "50 ms", NULL};
+    const hawser_summary all = pulled("trust", dense), few = pulled("trust", sparse);
+    check_above(all.pull_peak_N, 6000);
+    check_at_most(fabs(few.pull_peak_N - all.pull_peak_N), few.pull_peak_error.total);
+    check_at_most(few.pull_peak_error.total, 0.02 * few.pull_peak_N);
+}
+
+/* A force of one step alone is none: 5 counts when the next step still holds it, and what does then is what both held.
+ * A figure that was never seen has no peak to raise. (EB14) */
+static void a_step_alone_is_no_peak(void **state)
+{
+    (void)state;
+    const double pull[] = {1, 2, 9, 2, 5, 4.5, 4};
+    const int held[] = {0, 0, 0, 0, 0, 1, 0};
+    double before[2] = {0}, now[2] = {0};
+    Stats stats = {.pull = {.peak = 2, .started = 1}, .before = before, .now = now};
+    const Scene scene = {0};
+    TimeMean none = {0};
+    for (int k = 0; k < 7; k++) {
+        assert_int_equal(stats_step(&stats, &scene, pull[k], &(double){0}, NULL), held[k]);
+        if (!held[k]) continue;
+        const hawser_sample look = {.winch_force = pull[k]};
+        stats_peak(&stats, &scene, NULL, &look);
+    }
+    check_equal(stats.pull.peak, 4.5);
+    check_close(stats.pull.sharpness, 16 * 0.5, 1e-12);
+    mean_raise(&none, 3, 0);
+    check_equal(none.peak, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(friction_not_there),
@@ -154,6 +191,8 @@ int main(void)
                                        cmocka_unit_test(a_drum_weighs_nothing),
                                        cmocka_unit_test(loads_have_twice_the_bar),
                                        cmocka_unit_test(pressure_is_the_meshs),
-                                       cmocka_unit_test(how_rough_a_peak_is)};
+                                       cmocka_unit_test(how_rough_a_peak_is),
+                                       cmocka_unit_test(a_peak_between_rows),
+                                       cmocka_unit_test(a_step_alone_is_no_peak)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,6 +38,10 @@
  *   a winch that is pushed, or stands still         here, a_winch_that_is_pushed, a_winch_that_stands
  *   joints in step with rollers at the peak         here, joints_in_step
  *   a start from anywhere, its peaks unresolved     here, it_begins_anywhere
+ *   a jerk of a slack rope                          here, a_slack_rope
+ *   a fall that hits between two rows               here, it_falls_and_hits
+ *   peaks between two rows                          io/test_error_bars, a_peak_between_rows
+ *   an S-bend whose pull is below theory            here, it_cuts_corners: it is right
  *   rollers that spin and let the cable creep aside here, it_creeps_aside
  *   peaks of breaking loose                         here, it_breaks_loose
  *   belts that share a pull by lengths alone        io/test_grips, a_shared_pull
@@ -152,7 +156,7 @@ static void a_spike_between_rows(void **state)
 {
     (void)state;
     const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}", NULL};
-    expect_failing(data_text("trust"), snap, HAWSER_OK, "numerical_peak peak", "set output.interval to less");
+    expect_failing(data_text("trust"), snap, HAWSER_OK, "peak", "set output.interval to less");
 }
 
 static void slower_than_friction(void **state)
@@ -242,7 +246,10 @@ static void a_shaft_without_a_brake(void **state)
     hawser_case *c = NULL;
     char *text = NULL;
     assert_int_equal(hawser_case_parse(data_with("trust", route, shaft), NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "rollers", "{}", NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "rollers",
+                                     "{along: {from: 0 m, to: 100 m, spacing: 2 m, radius: 0.1 m, width: 0.4 m}}",
+                                     NULL),
+                     HAWSER_OK);
     assert_int_equal(hawser_case_set(c, "drive.tail.tension", "0 N", NULL), HAWSER_OK);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
     check_has(text, "NOT TRUSTED: the cable would run away or slacken: pushed with 11.73 kN at 60.0 m");
@@ -282,12 +289,54 @@ static void joints_in_step(void **state)
     expect_failing(data_text("trust-in-step"), NULL, HAWSER_OK, "numerical_peak", "a shorter chain.segment");
 }
 
-/* 374 N +- 20 N, and 645 N on finer segments. */
+/* 374 N +- 20 N by its rows, 680 N by its steps, and 750 N on segments a quarter as long. */
 static void it_begins_anywhere(void **state)
 {
     (void)state;
-    expect_failing(data_text("trust-begins-anywhere"), NULL, HAWSER_OK, "numerical_error numerical_peak",
-                   "the peak may be off by");
+    expect_failing(data_text("trust-begins-anywhere"), NULL, HAWSER_OK, "numerical_error peak",
+                   "the mean pull may be off by");
+    Judged j = judge(data_text("trust-begins-anywhere"), NULL, HAWSER_OK);
+    check_above(j.sum.pull_peak_N, 645);
+    hawser_sim_free(j.sim);
+}
+
+/* What a jerk is hangs on how slack the rope was (EB15): a bar that holds the 1908 N of finer segments. */
+static void a_slack_rope(void **state)
+{
+    (void)state;
+    expect_failing(data_text("trust-slack"), NULL, HAWSER_OK, "numerical_peak", "a shorter chain.segment");
+    Judged j = judge(data_text("trust-slack"), NULL, HAWSER_OK);
+    check_at_most(fabs(j.sum.pull_peak_N - 1908), j.sum.pull_peak_error.total);
+    hawser_sim_free(j.sim);
+}
+
+/* In a duct with room for it a limp cable cuts the corners of S-bends: a pull far below theory's, which follows the
+ * line, is right there, on any mesh. Where there is no room the two are the same to 5 %. */
+static void it_cuts_corners(void **state)
+{
+    (void)state;
+    const char *const fine[] = {"chain.0.segment", "200 mm", NULL}, *const tight[] = {"chain.0.segment", "100 mm",
+                                                                                      "surfaces.ducts.0.radius",
+                                                                                      "28 mm", NULL};
+    const Judged wide = judge(data_text("trust-s-bends"), NULL, HAWSER_OK),
+                 half = judge(data_text("trust-s-bends"), fine, HAWSER_OK),
+                 narrow = judge(data_text("trust-s-bends"), tight, HAWSER_OK);
+    for (int i = 0; i < wide.sum.n_conditions; i++)
+        if (!wide.sum.conditions[i].holds) fail_msg("%s fails", wide.sum.conditions[i].name);
+    check_above(wide.sum.reference_total_N, 1.4 * wide.sum.pull_mean_N);
+    check_at_most(fabs(half.sum.pull_mean_N - wide.sum.pull_mean_N), wide.sum.pull_mean_error.total);
+    check_at_most(fabs(half.sum.pull_peak_N - wide.sum.pull_peak_N), wide.sum.pull_peak_error.total);
+    check_share(narrow.sum.pull_mean_N, narrow.sum.reference_total_N, 0.05);
+    hawser_sim_free(wide.sim);
+    hawser_sim_free(half.sim);
+    hawser_sim_free(narrow.sim);
+}
+
+/* What falls through the room of a duct hits between two rows: 5825 N held by two steps, 2794 N on finer segments. */
+static void it_falls_and_hits(void **state)
+{
+    (void)state;
+    expect_failing(data_text("trust-hits"), NULL, HAWSER_OK, "numerical_peak peak", "the peak may be off by");
 }
 
 /* 265.6 N +- 1.6 N, and 274 N with a fifth of v_s. */
@@ -326,8 +375,9 @@ int main(void)
         cmocka_unit_test(a_jolt_at_the_start), cmocka_unit_test(a_spike_between_rows),
         cmocka_unit_test(an_old_matrix),       cmocka_unit_test(a_winch_that_is_pushed),
         cmocka_unit_test(a_winch_that_stands), cmocka_unit_test(joints_in_step),
-        cmocka_unit_test(it_begins_anywhere),  cmocka_unit_test(it_creeps_aside),
-        cmocka_unit_test(it_breaks_loose),
+        cmocka_unit_test(it_begins_anywhere),  cmocka_unit_test(it_falls_and_hits),
+        cmocka_unit_test(it_cuts_corners),     cmocka_unit_test(a_slack_rope),
+        cmocka_unit_test(it_creeps_aside),     cmocka_unit_test(it_breaks_loose),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

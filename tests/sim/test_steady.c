@@ -65,13 +65,23 @@ static void spikes(void **state)
     static const double inside[] = {1, 2, 8, 6, 1}, last[] = {1, 2, 3, 5}, first[] = {4, 1, 2}, low[] = {-3, -1, -2};
     double at;
     const Steadiness a = rows_of(5, inside), b = rows_of(4, last), c = rows_of(3, first), d = rows_of(3, low);
-    check_close(steadiness_spike(&a, &at), 2 / 8.0, 1e-12);
+    check_close(steadiness_spike(&a, 0, &at), 2 / 8.0, 1e-12);
     check_close(at, 0.2, 1e-12);
-    check_close(steadiness_spike(&b, &at), 2 / 5.0, 1e-12);
+    check_close(steadiness_spike(&b, 0, &at), 2 / 5.0, 1e-12);
     check_close(at, 0.3, 1e-12);
-    check_close(steadiness_spike(&c, &at), 3 / 4.0, 1e-12);
+    check_close(steadiness_spike(&c, 0, &at), 3 / 4.0, 1e-12);
     check_close(at, 0, 1e-12);
-    check_close(steadiness_spike(&d, &at), 0, 0); /* nothing was pulled */
+    check_close(steadiness_spike(&d, 0, &at), 0, 0); /* nothing was pulled */
+    /* between two rows; not asked of what came to rest first */
+    static const double before[] = {1, 2};
+    Steadiness e = rows_of(2, before);
+    const Scene scene = {.def.output.interval = 0.1};
+    const hawser_sample row = {.t = 0.2, .winch_force = 3, .reference = NAN};
+    steadiness_held(&e, 9, 0.16);
+    steadiness_record(&e, &scene, &row, 0.1);
+    check_close(steadiness_spike(&e, 0, &at), 6 / 9.0, 1e-12);
+    check_close(at, 0.16, 1e-12);
+    check_close(steadiness_spike(&e, 1, &at), 1 / 3.0, 1e-12);
 }
 
 /* The first moments last to the first row behind t = 0. */

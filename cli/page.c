@@ -1,0 +1,77 @@
+/* hawser report: results as one page. The page's program is in the library; here are the words around it. */
+#include "cli/commands.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char help[] =
+    "Usage: hawser report RESULTS [RESULTS2 ...] [options]\n"
+    "\n"
+    "Writes one HTML page about the results that hawser run has left in the folder RESULTS: verdict and remedies,\n"
+    "figures along the route and over time, loads, limits, inputs, and the pull in three dimensions. Two to six\n"
+    "folders are compared on one page. The page needs no network and no other file; any browser of today opens it.\n"
+    "\n"
+    "  -o, --output FILE       where the page goes (default: RESULTS/report.html; of several ./report.html)\n"
+    "      --pdf               prints the page to FILE with .pdf in place of .html, by an installed Chromium\n"
+    "  -q, --quiet             prints nothing but errors\n"
+    "  -h, --help              this text\n"
+    "  -V, --version           the version\n"
+    "\n"
+    "Exit status: 0 written; 2 a folder holds no results; 4 the page could not be written or printed; 5 no memory.\n";
+
+/* "DIR/report.pdf" of "DIR/report.html"; malloc'ed. */
+static char *pdf_path(const char *page)
+{
+    const size_t n = strlen(page), end = n > 5 && strcmp(page + n - 5, ".html") == 0 ? n - 5 : n;
+    char *const path = malloc(end + sizeof ".pdf");
+    if (path) sprintf(path, "%.*s.pdf", (int)end, page);
+    return path;
+}
+
+hawser_status page_make(const char *const *folders, size_t n, const char *path, int pdf, int quiet, hawser_error *err)
+{
+    hawser_status status = hawser_report_write(folders, n, path, err);
+    if (status) return status;
+    if (!quiet) printf("Report: %s\n", path);
+    if (!pdf) return HAWSER_OK;
+    interrupt_watch(); /* the browser does not outlive us */
+    fflush(stdout);
+    char *const printed = pdf_path(path);
+    if (!printed) {
+        *err = (hawser_error){HAWSER_ERR_MEMORY, "out of memory"};
+        return HAWSER_ERR_MEMORY;
+    }
+    status = pdf_print(path, printed, err);
+    if (!status && !quiet) printf("Printed: %s\n", printed);
+    free(printed);
+    return status;
+}
+
+static int report(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    if (args->n_words > HAWSER_REPORT_RUNS_MAX) {
+        complain("report compares up to %d results; these are %d", HAWSER_REPORT_RUNS_MAX, args->n_words);
+        return EXIT_USAGE;
+    }
+    const char *folders[HAWSER_REPORT_RUNS_MAX];
+    for (int i = 0; i < args->n_words; i++) {
+        char *const dir = args->words[i];
+        for (size_t n = strlen(dir); n > 1 && dir[n - 1] == '/'; n--) dir[n - 1] = 0;
+        folders[i] = dir;
+    }
+    const size_t size = strlen(folders[0]) + sizeof "/report.html";
+    char *const beside = malloc(size);
+    if (!beside) {
+        complain("out of memory");
+        return EXIT_INTERNAL;
+    }
+    snprintf(beside, size, "%s/report.html", folders[0]);
+    const char *const path = args->dir ? args->dir : args->n_words > 1 ? "report.html" : beside;
+    const hawser_status status = page_make(folders, (size_t)args->n_words, path, args->pdf, args->quiet, &err);
+    free(beside);
+    return finish_stdout(exit_status(status, &err));
+}
+
+const Command command_report = {"report", "one HTML page about results, or comparing some", "oqP*", help, report};

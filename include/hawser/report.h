@@ -1,0 +1,31 @@
+/* Pages and figures of results: part of hawser/hawser.h, which includes it. docs/report.md. */
+#ifndef HAWSER_REPORT_H
+#define HAWSER_REPORT_H
+
+#include <stddef.h>
+
+#include "hawser/shown.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { HAWSER_REPORT_RUNS_MAX = 6 };
+
+/* Writes one HTML page about the results in n folders (1 to HAWSER_REPORT_RUNS_MAX), which hawser_sim_run has written:
+ * it needs no other file and no network. What stood at `path` is replaced only by a whole page. Errors: INPUT (a folder
+ * that is none or holds no results), OUTPUT, MEMORY. */
+hawser_status hawser_report_write(const char *const *folders, size_t n, const char *path, hawser_error *err);
+
+/* Draws main figures of the results in a folder as SVG files NAME.svg in the folder `dir`, which is made if need be.
+ * names [n]: "tension", "series", "rollers", "plan"; n 0: all of them for which the results hold something. Errors:
+ * INPUT (no results; a figure that there is not, or for which they hold nothing), OUTPUT, MEMORY. *drawn (may be NULL):
+ * how many. */
+hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, const char *const *names,
+                                hawser_units units, int *drawn, hawser_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,129 @@
+/* Pages and figures of results: folders are read, and files are written. */
+#include "core/base/error.h"
+#include "hawser/hawser.h"
+#include "io/report/report.h"
+#include "io/results/results_file.h"
+
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Numbers are read and written with a decimal point, whatever the locale of the calling program: this thread's is
+ * changed until locale_back. 0: no memory. */
+static locale_t locale_plain(locale_t *before)
+{
+    const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (plain) *before = uselocale(plain);
+    return plain;
+}
+
+static void locale_back(locale_t plain, locale_t before)
+{
+    uselocale(before);
+    freelocale(plain);
+}
+
+/* All of a text under a path: beside it first, so that what stands there is whole at any time. */
+static hawser_status file_write(const char *path, const char *text, hawser_error *err)
+{
+    char dir[OUT_PATH_MAX];
+    const char *const slash = strrchr(path, '/'), *const name = slash ? slash + 1 : path;
+    const size_t n = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
+    if (!*name) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': it names no file", path);
+    if (n >= sizeof dir) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the name is too long", path);
+    memcpy(dir, slash ? path : ".", n);
+    dir[n] = 0;
+    return out_whole(dir, name, text, err);
+}
+
+static hawser_status report_make(const char *const *dirs, size_t n, const char *path, hawser_error *err)
+{
+    Folder folder[REPORT_RUNS_MAX] = {0};
+    Text data = {0}, page = {0};
+    hawser_status status = HAWSER_OK;
+    for (size_t i = 0; i < n && !status; i++) status = folder_read(dirs[i], &folder[i], err);
+    if (!status) status = data_write(n, folder, &data, err);
+    if (!status) status = page_write(n, folder, &data, &page, err);
+    text_clear(&data);
+    if (!status) status = file_write(path, page.at, err);
+    text_clear(&page);
+    for (size_t i = 0; i < n; i++) folder_clear(&folder[i]);
+    return status;
+}
+
+hawser_status hawser_report_write(const char *const *folders, size_t n, const char *path, hawser_error *err)
+{
+    locale_t before;
+    if (n < 1 || n > REPORT_RUNS_MAX)
+        return error_set(err, HAWSER_ERR_INPUT, "%zu results: a page shows 1 to %d", n, REPORT_RUNS_MAX);
+    const locale_t plain = locale_plain(&before);
+    if (!plain) return error_memory(err);
+    const hawser_status status = report_make(folders, n, path, err);
+    locale_back(plain, before);
+    return status;
+}
+
+/* The number of a figure among all; FIGURES if there is none of that name. */
+static int figure_named(const char *name)
+{
+    int k = 0;
+    while (k < FIGURES && strcmp(name, figures[k].name) != 0) k++;
+    return k;
+}
+
+/* One figure. *drawn counts it; results that hold nothing for it are an error if it was asked for. */
+static hawser_status figure_write(const Folder *folder, const char *dir, const Figure *figure, hawser_units units,
+                                  int wanted, int *drawn, hawser_error *err)
+{
+    char name[64];
+    Text text = {0};
+    const int some = figure->draw(folder, units, &text);
+    hawser_status status = some < 0 || text.failed ? error_memory(err) : HAWSER_OK;
+    if (!status && !some && wanted)
+        status = error_set(err, HAWSER_ERR_INPUT, "'%.600s' has nothing for the figure '%s': it needs %s", folder->dir,
+                           figure->name, figure->needs);
+    if (!status && some) {
+        snprintf(name, sizeof name, "%s.svg", figure->name);
+        status = out_make_dir(dir, err);
+        if (!status) status = out_whole(dir, name, text.at, err);
+        *drawn += !status;
+    }
+    text_clear(&text);
+    return status;
+}
+
+static hawser_status plot_make(const char *results, const char *dir, size_t n, const char *const *names,
+                               hawser_units units, int *drawn, hawser_error *err)
+{
+    Folder folder;
+    hawser_status status = folder_read(results, &folder, err);
+    for (int k = 0; k < FIGURES && !status; k++) {
+        int wanted = 0;
+        for (size_t i = 0; i < n; i++) wanted |= figure_named(names[i]) == k;
+        if (n == 0 || wanted) status = figure_write(&folder, dir, &figures[k], units, wanted, drawn, err);
+    }
+    if (!status && *drawn == 0)
+        status = error_set(err, HAWSER_ERR_INPUT,
+                           "'%.700s' holds nothing to draw: no stations, series, rollers or route", results);
+    folder_clear(&folder);
+    return status;
+}
+
+hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, const char *const *names,
+                                hawser_units units, int *drawn, hawser_error *err)
+{
+    int count = 0;
+    locale_t before;
+    for (size_t i = 0; i < n; i++) {
+        if (figure_named(names[i]) == FIGURES)
+            return error_set(err, HAWSER_ERR_INPUT,
+                             "'%.100s' is no figure: there are tension, series, rollers and plan", names[i]);
+    }
+    const locale_t plain = locale_plain(&before);
+    if (!plain) return error_memory(err);
+    const hawser_status status = plot_make(folder, dir, n, names, units, &count, err);
+    locale_back(plain, before);
+    if (drawn) *drawn = count;
+    return status;
+}

@@ -1,0 +1,35 @@
+/* A results folder as it is read back: docs/results.md says what is in each file. Only summary.json must be there. */
+#ifndef HAWSER_IO_REPORT_FOLDER_H
+#define HAWSER_IO_REPORT_FOLDER_H
+
+#include "io/report/sheet.h"
+
+struct json_t;
+
+enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
+
+typedef struct Folder {
+    const char *dir;                                /* borrowed */
+    struct json_t *summary;                         /* an object */
+    char *summary_text;                             /* summary.json as it stands there */
+    Sheet stations, rollers, series, inputs, route; /* without columns: not there */
+    int n_notes;
+    char note[FOLDER_NOTES_MAX][FOLDER_NOTE_MAX]; /* sentences: what is not there or cannot be read */
+} Folder;
+
+/* Errors: INPUT (no such folder, no summary.json or one that is none), MEMORY. A file beside it that is not there or
+ * that cannot be read is a note. Give it back with folder_clear, also after an error. */
+hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err);
+void folder_clear(Folder *folder);
+void folder_say(Folder *folder, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* dir/name, malloc'ed; NULL without memory. */
+char *folder_path(const Folder *folder, const char *name);
+/* A figure of the summary by its path, "pull_force.peak_N"; NAN: not known. */
+double folder_figure(const Folder *folder, const char *path);
+/* A text of the summary by its key; "" if there is none. */
+const char *folder_text(const Folder *folder, const char *key);
+/* What a run is called: its title, or its folder. */
+const char *folder_title(const Folder *folder);
+
+#endif

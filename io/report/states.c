@@ -1,0 +1,191 @@
+/* Calls on a handle that is not valid fail without harm: what is missing shows at the end of each function. */
+#include "io/report/states.h"
+
+#include "core/base/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Numbers that one set may bring into memory. */
+static const double numbers_most = 3e8;
+
+hid_t states_open(const char *path)
+{
+    hid_t file = -1;
+    H5E_BEGIN_TRY
+    {
+        const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+        H5Pset_file_locking(access, 0, 1); /* a run may still be writing, or the disk know no locks */
+        file = H5Fopen(path, H5F_ACC_RDONLY, access);
+        H5Pclose(access);
+    }
+    H5E_END_TRY
+    return file;
+}
+
+/* A set of that rank, and its dimensions; < 0: there is none. */
+static hid_t set_open(hid_t parent, const char *name, int rank, hsize_t *dims)
+{
+    hid_t set = -1;
+    H5E_BEGIN_TRY { set = H5Lexists(parent, name, H5P_DEFAULT) > 0 ? H5Dopen2(parent, name, H5P_DEFAULT) : -1; }
+    H5E_END_TRY
+    if (set < 0) return -1;
+    const hid_t space = H5Dget_space(set), type = H5Dget_type(set);
+    const H5T_class_t class = H5Tget_class(type);
+    const int fits = H5Sget_simple_extent_ndims(space) == rank &&
+                     H5Sget_simple_extent_dims(space, dims, NULL) == rank &&
+                     (class == H5T_FLOAT || class == H5T_INTEGER);
+    double numbers = 1;
+    for (int k = 0; fits && k < rank; k++) numbers *= (double)dims[k];
+    H5Sclose(space);
+    H5Tclose(type);
+    if (fits && numbers <= numbers_most) return set;
+    H5Dclose(set);
+    return -1;
+}
+
+double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims)
+{
+    size_t n = 1;
+    const hid_t set = set_open(parent, name, rank, dims);
+    if (set < 0) return NULL;
+    for (int k = 0; k < rank; k++) n *= (size_t)dims[k];
+    double *values = calloc(n + 1, sizeof *values);
+    herr_t code = -1;
+    H5E_BEGIN_TRY { code = values ? H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) : -1; }
+    H5E_END_TRY
+    H5Dclose(set);
+    if (code >= 0) return values;
+    free(values);
+    return NULL;
+}
+
+int states_count(hid_t file)
+{
+    hsize_t dims[3];
+    const hid_t time = set_open(file, "time", 1, dims);
+    if (time < 0) return 0;
+    H5Dclose(time);
+    const hsize_t n = dims[0] < 10000000 ? dims[0] : 0;
+    const hid_t position = set_open(file, "position", 3, dims);
+    if (position < 0) return 0;
+    H5Dclose(position);
+    return dims[0] < n ? (int)dims[0] : (int)n; /* the time is written last */
+}
+
+/* Which state of the file the i-th frame is. */
+static hsize_t row_of(const States *s, int i)
+{
+    return s->frames < 2 ? 0 : (hsize_t)((double)i * (s->there - 1) / (s->frames - 1) + 0.5);
+}
+
+/* The chosen rows of a set of `items` x `width` (0: one number an item, without a dimension of its own); NULL if there
+ * is no such set, or without memory. */
+static float *rows_read(hid_t file, const States *s, const char *name, int items, int width)
+{
+    hsize_t dims[3] = {0, 0, 0};
+    const int rank = width ? 3 : 2;
+    const size_t row = (size_t)items * (size_t)(width ? width : 1);
+    const hid_t set = set_open(file, name, rank, dims);
+    if (set < 0) return NULL;
+    float *values = NULL;
+    int ok = dims[0] >= (hsize_t)s->there && dims[1] == (hsize_t)items && (!width || dims[2] == (hsize_t)width);
+    if (ok) ok = (values = malloc((row * (size_t)s->frames + 1) * sizeof *values)) != NULL;
+    const hsize_t count[3] = {1, dims[1], dims[2]};
+    const hid_t here = H5Screate_simple(rank, count, NULL), there = H5Dget_space(set);
+    H5E_BEGIN_TRY
+    {
+        for (int i = 0; i < s->frames && ok; i++) {
+            const hsize_t start[3] = {row_of(s, i), 0, 0};
+            ok = H5Sselect_hyperslab(there, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
+                 H5Dread(set, H5T_NATIVE_FLOAT, here, there, H5P_DEFAULT, values + row * (size_t)i) >= 0;
+        }
+    }
+    H5E_END_TRY
+    H5Sclose(here);
+    H5Sclose(there);
+    H5Dclose(set);
+    if (ok) return values;
+    free(values);
+    return NULL;
+}
+
+/* A set of joints, [n+1]: of each state those ahead of the segments, as series.csv has them. */
+static float *joints_read(hid_t file, const States *s, const char *name)
+{
+    float *const t = rows_read(file, s, name, s->segments + 1, 0);
+    const size_t n = (size_t)s->segments;
+    for (size_t f = 0; t && f < (size_t)s->frames; f++) memmove(t + f * n, t + f * (n + 1) + 1, n * sizeof *t);
+    return t;
+}
+
+/* Speed along the segment's own axis, which is the first column of its rotation (w x y z): the velocity's share. */
+static float *speeds_make(hid_t file, const States *s)
+{
+    float *const v = rows_read(file, s, "velocity", s->segments, 3), *const q = rows_read(file, s, "quaternion",
+                                                                                          s->segments, 4);
+    const size_t n = (size_t)s->segments * (size_t)s->frames;
+    for (size_t i = 0; v && q && i < n; i++) {
+        const float *const r = q + 4 * i, *const u = v + 3 * i;
+        const float axis[3] = {1 - 2 * (r[2] * r[2] + r[3] * r[3]), 2 * (r[1] * r[2] + r[0] * r[3]),
+                               2 * (r[1] * r[3] - r[0] * r[2])};
+        v[i] = axis[0] * u[0] + axis[1] * u[1] + axis[2] * u[2];
+    }
+    free(q);
+    if (q) return v;
+    free(v);
+    return NULL;
+}
+
+/* Forces on the rollers with their directions; of older results their sizes alone. */
+static void rollers_read(hid_t file, States *s)
+{
+    Field *const f = &s->field[FIELD_ROLLERS];
+    hsize_t dims[3];
+    const hid_t set = set_open(file, "roller_load", 2, dims);
+    if (set < 0) return;
+    H5Dclose(set);
+    if (dims[1] == 0 || dims[1] > 1000000) return;
+    *f = (Field){"roller_force", "N", (int)dims[1], 3, 1, rows_read(file, s, "roller_force", (int)dims[1], 3)};
+    if (f->value) return;
+    f->components = 1;
+    f->value = rows_read(file, s, "roller_load", (int)dims[1], 0);
+}
+
+hawser_status states_read(hid_t file, int most, States *s, hawser_error *err)
+{
+    hsize_t dims[3];
+    *s = (States){.there = states_count(file)};
+    double *const time = numbers_read(file, "time", 1, dims);
+    const hid_t set = set_open(file, "position", 3, dims);
+    if (set >= 0) H5Dclose(set);
+    const int fits = time && set >= 0 && s->there > 0 && dims[1] > 0 && dims[1] < 100000000 && dims[2] == 3;
+    if (fits) {
+        s->segments = (int)dims[1];
+        s->frames = s->there < most ? s->there : most;
+        s->time = malloc((size_t)s->frames * sizeof *s->time);
+        for (int i = 0; s->time && i < s->frames; i++) s->time[i] = time[row_of(s, i)];
+    }
+    free(time);
+    if (!fits) return error_set(err, HAWSER_ERR_INPUT, "results.h5 holds no states");
+    if (!s->time) return error_memory(err);
+    const int n = s->segments;
+    Field *const f = s->field;
+    f[FIELD_POSITION] = (Field){"position", "m", n, 3, 1e-3, rows_read(file, s, "position", n, 3)};
+    f[FIELD_TENSION] = (Field){"tension", "N", n, 1, 1, joints_read(file, s, "tension")};
+    f[FIELD_CURVATURE] = (Field){"curvature", "1/m", n, 1, 1e-4, joints_read(file, s, "curvature")};
+    f[FIELD_SIDEWALL] = (Field){"sidewall", "N/m", n, 1, 10, joints_read(file, s, "sidewall")};
+    f[FIELD_CONTACT] = (Field){"contact", "N/m", n, 1, 10, rows_read(file, s, "contact_line_load", n, 0)};
+    f[FIELD_SPEED] = (Field){"speed", "m/s", n, 1, 1e-3, speeds_make(file, s)};
+    rollers_read(file, s);
+    return f[FIELD_POSITION].value ? HAWSER_OK
+                                   : error_set(err, HAWSER_ERR_INPUT, "results.h5: the positions cannot be read");
+}
+
+void states_clear(States *s)
+{
+    for (int k = 0; k < FIELDS; k++) free(s->field[k].value);
+    free(s->time);
+    *s = (States){0};
+}

@@ -1,0 +1,48 @@
+/* The states of results.h5, as many of them as are wanted, and what else a page takes from there. */
+#ifndef HAWSER_IO_REPORT_STATES_H
+#define HAWSER_IO_REPORT_STATES_H
+
+#include "hawser/hawser.h"
+#include "io/report/text.h"
+
+#include <hdf5.h>
+
+/* What is known of each segment, or of each roller, in each state. */
+typedef struct Field {
+    const char *name, *unit;
+    int items, components;
+    double step;  /* to which it is rounded when it is packed, in `unit` */
+    float *value; /* [frames][items][components], owned; NULL: the file has no such thing */
+} Field;
+
+enum {
+    FIELD_POSITION,
+    FIELD_TENSION,
+    FIELD_CURVATURE,
+    FIELD_SIDEWALL,
+    FIELD_CONTACT,
+    FIELD_SPEED,
+    FIELD_ROLLERS,
+    FIELDS
+};
+
+typedef struct States {
+    int frames, segments; /* frames: that were read; of */
+    int there;            /* states of the file */
+    double *time;         /* [frames] s, owned */
+    Field field[FIELDS];
+} States;
+
+/* results.h5 open for reading; < 0: it is not there, or no such file. HDF5 keeps silent. */
+hid_t states_open(const char *path);
+/* How many states there are; 0: none that could be shown. */
+int states_count(hid_t file);
+/* At most so many states, evenly chosen, the first and the last among them. Errors: INPUT (sets that do not fit each
+ * other), MEMORY. */
+hawser_status states_read(hid_t file, int most, States *states, hawser_error *err);
+void states_clear(States *states);
+
+/* A whole set as numbers, malloc'ed; NULL if there is none of that rank. dims[rank]. */
+double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims);
+
+#endif

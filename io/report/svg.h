@@ -1,0 +1,47 @@
+/* Small figures as SVG, for documents: a page with frames in it, axes with round numbers, lines, bars, marks and a
+ * legend. Everything is placed in pixels of the page; `Axis` says what a value is in them. Light and dark by the
+ * reader's choice. */
+#ifndef HAWSER_IO_REPORT_SVG_H
+#define HAWSER_IO_REPORT_SVG_H
+
+#include "io/report/text.h"
+
+/* How a thing looks: colours that also those can tell apart who do not see red and green alike. */
+typedef enum SvgStyle { SVG_FIRST, SVG_SECOND, SVG_THIRD, SVG_FOURTH, SVG_PALE, SVG_LIMIT, SVG_STYLES } SvgStyle;
+
+typedef struct Axis {
+    double from, to;   /* values at both ends */
+    double at, length; /* pixels: of `from`, and to `to`; upward axes have a negative length */
+    const char *label; /* with its unit */
+} Axis;
+
+typedef struct Svg {
+    Text out;
+    double width, height;
+    double legend_x, legend_y; /* where the next entry goes */
+} Svg;
+
+void svg_begin(Svg *svg, double width, double height, const char *title);
+void svg_end(Svg *svg);
+double axis_pixel(const Axis *axis, double value);
+/* The least range that holds from..to, with a little room at the ends that are not 0. */
+void axis_fit(Axis *axis, double from, double to);
+/* A frame with grid, numbers and labels. */
+void svg_frame(Svg *svg, const Axis *x, const Axis *y);
+/* Lines break where a value is not finite; more points than pixels are thinned to the least and largest of each pixel.
+ */
+void svg_line(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, SvgStyle style);
+/* A small circle at each point. */
+void svg_marks(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, SvgStyle style);
+/* Bars from 0, `width` in pixels, moved aside by `shift`. */
+void svg_bars(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, double width,
+              double shift, SvgStyle style);
+/* A line from end to end at a value, with words above its end; across: at a value of x, from top to bottom. */
+void svg_level(Svg *svg, const Axis *x, const Axis *y, double value, const char *words, SvgStyle style);
+void svg_across(Svg *svg, const Axis *x, const Axis *y, double value, const char *words);
+/* A stretch of the frame in another shade. */
+void svg_shade(Svg *svg, const Axis *x, const Axis *y, double from, double to, const char *words);
+void svg_legend_at(Svg *svg, double x, double y);
+void svg_legend(Svg *svg, const char *words, SvgStyle style, int bar);
+
+#endif

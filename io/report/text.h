@@ -1,0 +1,31 @@
+/* A text that grows, and how strange texts enter a page: as JSON inside a script element, as HTML. The first failed
+ * allocation is remembered, and everything after it does nothing. */
+#ifndef HAWSER_IO_REPORT_TEXT_H
+#define HAWSER_IO_REPORT_TEXT_H
+
+#include <stddef.h>
+
+/* Zeroed: empty. */
+typedef struct Text {
+    char *at; /* owned; with a NUL behind; NULL: nothing yet */
+    size_t size, room;
+    int failed; /* there was no memory */
+} Text;
+
+/* Each of these appends. */
+void text_bytes(Text *t, const char *bytes, size_t size);
+void text_add(Text *t, const char *text);
+void text_print(Text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* A JSON string with its quotes; NULL: null. What could end a script element or a line of it (<, >, &, U+2028, U+2029)
+ * and controls become \u escapes, bytes that are not UTF-8 U+FFFD. */
+void text_json(Text *t, const char *words);
+/* JSON that is known to be whole, with the same letters escaped: they can stand in its strings alone. */
+void text_json_whole(Text *t, const char *json, size_t size);
+/* Text of an element or of an attribute in quotes; at most `most` characters, then an ellipsis. */
+void text_html(Text *t, const char *words, size_t most);
+/* Bytes as base64 (RFC 4648, section 4). */
+void text_base64(Text *t, const unsigned char *bytes, size_t size);
+/* Frees it and leaves it empty. */
+void text_clear(Text *t);
+
+#endif

@@ -1,0 +1,31 @@
+#!/bin/sh
+# Builds the page of the report: web/src -> web/dist/report.js, report.css, MANIFEST. The result is committed, so that who only
+# runs hawser needs no Node (web/README.md). Needs Node and npm (sh scripts/setup.sh --web).
+# Usage: sh scripts/web.sh [--check | --packages]
+#   --check      builds into a scratch folder and compares with web/dist bit for bit
+#   --packages   only installs npm's packages, those of package-lock.json, where they are not there yet
+set -eu
+
+cd "$(dirname "$0")/../web"
+if [ ! -f node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
+    npm ci --ignore-scripts --no-audit --no-fund --loglevel=error
+    touch node_modules/.package-lock.json
+fi
+[ "${1-}" != --packages ] || exit 0
+
+node_modules/.bin/tsc --noEmit
+node_modules/.bin/prettier --config .prettierrc.json --check --log-level warn src build.mjs package.json tsconfig.json '../tests/web/**/*.mjs'
+if [ "${1-}" != --check ]; then
+    node build.mjs
+    python3 manifest.py --write
+    exit 0
+fi
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+node build.mjs "$scratch"
+for file in report.js report.css; do
+    cmp "$scratch/$file" "dist/$file" || {
+        echo "web.sh: web/dist/$file is not what web/src makes: run sh scripts/web.sh and commit web/dist" >&2
+        exit 1
+    }
+done

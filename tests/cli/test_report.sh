@@ -1,0 +1,72 @@
+# `hawser report`, `run --report` and `plot`: files, messages and exit statuses. What is in a page: tests/io/test_report_page.c.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+
+run_hawser 0 run -o r pull.yaml --report
+says out "Report: r/report.html"
+exists r/report.html r/inputs.csv r/route.csv
+run_hawser 0 run -q -o r2 pull.yaml --report --set title='"</script>\u202e \"quoted\""'
+silent out
+exists r2/report.html
+[ "$(grep -c '<script' "$work/r2/report.html")" = "$(grep -c '<script' "$work/r/report.html")" ] || fail "$what: a title made a script"
+
+# one folder, with a slash or without; several; where it goes
+rm "$work/r/report.html"
+run_hawser 0 report r/
+says out "Report: r/report.html"
+exists r/report.html
+run_hawser 0 report r r2
+says out "Report: report.html"
+exists report.html
+run_hawser 0 report r2 -o page.html -q
+silent out
+exists page.html
+missing page.html.part
+
+# a run that was stopped before its end, and one that failed to be written at all
+run_hawser 2 report
+says err "report needs a folder with results"
+run_hawser 2 report nowhere
+says err "nowhere" "No such file"
+run_hawser 2 report pull.yaml
+says err "is no folder"
+mkdir "$work/empty"
+run_hawser 2 report empty
+says err "there is no summary.json"
+missing empty/report.html
+run_hawser 2 report r r r r r r r
+says err "up to 6"
+run_hawser 4 report r -o nowhere/page.html
+says err "nowhere/page.html"
+run_hawser 2 report r --pfd
+says err "--pdf"
+
+# without a browser --pdf says what to install; the page is there all the same
+PATH_BEFORE=$PATH
+mkdir "$work/bin"
+for tool in rm sh; do ln -s "$(command -v $tool)" "$work/bin/$tool"; done
+PATH=$work/bin
+rm -f r/report.html
+run_hawser_without_browser() {
+    what="hawser report --pdf without a browser"
+    (cd "$work" && "$hawser" report r --pdf >"$work/out" 2>"$work/err" </dev/null)
+    [ $? = 4 ] || failures=$((failures + 1))
+}
+run_hawser_without_browser
+PATH=$PATH_BEFORE
+says err "apt-get install chromium"
+exists r/report.html
+
+# figures
+run_hawser 0 plot r
+says out "Drawn: 4 figures in r"
+exists r/tension.svg r/series.svg r/rollers.svg r/plan.svg
+run_hawser 0 plot r -o figures tension plan --units us
+exists figures/tension.svg figures/plan.svg
+missing figures/rollers.svg
+grep -q ", ft" "$work/figures/plan.svg" || fail "$what: no feet"
+run_hawser 2 plot r tensions
+says err "'tensions' is no figure"
+run_hawser 2 plot empty
+run_hawser 4 plot r -o pull.yaml
+finish
