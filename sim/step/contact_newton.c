@@ -200,7 +200,7 @@ int contact_newton_new(ContactNewton *newton, N_Vector like)
                               .next = N_VClone(like),
                               .rate = 1};
     if (!newton->shell || !newton->r || !newton->step || !newton->next) return 0;
-    const SUNNonlinearSolver_Ops ops = newton->shell->ops;
+    struct _generic_SUNNonlinearSolver_Ops *const ops = newton->shell->ops;
     ops->gettype = solver_type;
     ops->solve = iterate;
     ops->setsysfn = set_residual;
