@@ -25,6 +25,8 @@ enum {
     OPTION_RADIUS = 'R',
     OPTION_JOIN = 'J',
     OPTION_JSON = 'j',
+    OPTION_JOBS = 'K',
+    OPTION_FRESH = 'N',
     OPTION_REPORT = 'e',
     OPTION_PDF = 'P',
     KNOWN_MAX = 20
@@ -56,6 +58,8 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"radius", required_argument, NULL, OPTION_RADIUS},
                                             {"join", required_argument, NULL, OPTION_JOIN},
                                             {"json", no_argument, NULL, OPTION_JSON},
+                                            {"jobs", required_argument, NULL, OPTION_JOBS},
+                                            {"fresh", no_argument, NULL, OPTION_FRESH},
                                             {"report", no_argument, NULL, OPTION_REPORT},
                                             {"pdf", no_argument, NULL, OPTION_PDF},
                                             {"help", no_argument, NULL, 'h'},
@@ -104,6 +108,17 @@ static int parse_threads(const char *text, Arguments *args)
     args->threads = (int)n;
     if (*text && !*end && n >= 1 && n <= 2) return ARGUMENTS_GO_ON;
     complain("--threads %s: 1 or 2 can be used", text);
+    return EXIT_USAGE;
+}
+
+/* --jobs: any number of processes that a machine could have. */
+static int parse_jobs(const char *text, Arguments *args)
+{
+    char *end;
+    const long n = strtol(text, &end, 10);
+    args->jobs = (int)n;
+    if (*text && !*end && n >= 1 && n <= 1024) return ARGUMENTS_GO_ON;
+    complain("--jobs %s: must be a number of processes from 1 to 1024", text);
     return EXIT_USAGE;
 }
 
@@ -265,6 +280,11 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_CREW:
         args->crew = optarg;
         return ARGUMENTS_GO_ON;
+    case OPTION_JOBS:
+        return parse_jobs(optarg, args);
+    case OPTION_FRESH:
+        args->fresh = 1;
+        return ARGUMENTS_GO_ON;
     case OPTION_STRICT:
         args->strict = 1;
         return ARGUMENTS_GO_ON;
@@ -318,6 +338,8 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
             complain("%s takes one file; what is '%s'?", command->name, argv[optind + 1]);
         else
             complain("%s needs a file, as in: hawser %s tunnel.dxf", command->name, command->name);
+    } else if (strchr(command->options, OPTION_JOBS) && optind + 1 >= argc) {
+        complain("%s needs a study file, as in: hawser %s cases/studies/friction.yaml", command->name, command->name);
     } else if (optind + 1 < argc) {
         complain("%s takes one case file; what is '%s'?", command->name, argv[optind + 1]);
     } else {

@@ -41,6 +41,8 @@ typedef struct Arguments {
     hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
+    int jobs;                   /* 0: the library's choice */
+    int fresh;                  /* earlier samples do not count */
     const char *crew;           /* file for the list of equipment; NULL: none */
     hawser_route_options route; /* of the command route; its texts are parts of the command line */
 } Arguments;
@@ -49,7 +51,7 @@ typedef struct Command {
     const char *name;
     const char *summary; /* a line for the list of commands */
     const char *options; /* the letters of the options it takes, see arguments.c; '-': it takes no case; '+': a kind and
-                            a pattern; '/': a file of routes; '*': words of its own, one at least */
+                            a pattern; '/': a file of routes; 'J': a study; '*': words of its own, one at least */
     const char *help;    /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;

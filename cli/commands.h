@@ -5,10 +5,13 @@
 #include "cli/arguments.h"
 
 extern const Command command_run, command_check, command_theory, command_validate, command_library, command_route,
-    command_report, command_plot;
+    command_report, command_plot, command_study;
 
 /* Loads the case and applies the settings of the command line. *out is NULL on failure. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err);
+
+/* "results/NAME" of "some/where/NAME.yaml"; the caller frees it. NULL without memory. */
+char *default_dir(const char *case_path);
 
 /* What the user sees while a run goes on, on standard error: one live line on a terminal, else a line every
  * tenth of the run. */
@@ -26,6 +29,8 @@ void progress_start(Progress *p, int quiet);
 void progress_show(Progress *p, const hawser_sample *sample, double wall_s, double end_s);
 /* The same for a certificate; in a log a line for each run that ends. */
 void progress_certify(Progress *p, const hawser_certify_state *state);
+/* The same for a study. */
+void progress_study(Progress *p, const hawser_study_state *state);
 /* Clears the live line. */
 void progress_end(Progress *p);
 

@@ -6,8 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
-static const Command *const commands[] = {&command_run,     &command_check, &command_theory, &command_validate,
-                                          &command_library, &command_route, &command_report, &command_plot};
+static const Command *const commands[] = {&command_run,      &command_check,   &command_theory,
+                                          &command_validate, &command_library, &command_route,
+                                          &command_report,   &command_plot,    &command_study};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* What hawser says about itself: the commands with a line each. */

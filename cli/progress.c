@@ -95,6 +95,23 @@ void progress_certify(Progress *p, const hawser_certify_state *state)
     p->tenths = state->over + 100 * state->round;
 }
 
+void progress_study(Progress *p, const hawser_study_state *state)
+{
+    char line[LINE_MAX], left[32] = "?";
+    if (p->quiet) return;
+    if (!isnan(state->left_s)) say_duration(left, sizeof left, state->left_s);
+    const int tenths = state->samples > 0 ? (int)(10 * state->done / state->samples) : 10;
+    snprintf(line, LINE_MAX, "%ld of %ld samples, %ld not safe, %ld without an answer, %d worker%s, %s left",
+             state->done, state->samples, state->not_safe, state->failed, state->jobs, state->jobs == 1 ? "" : "s",
+             left);
+    if (p->live) {
+        draw_line(p, line);
+    } else if (tenths > p->tenths) {
+        fprintf(stderr, "%s\n", line);
+    }
+    p->tenths = tenths;
+}
+
 /* The report that follows starts on a clean line. */
 void progress_end(Progress *p)
 {

@@ -45,8 +45,7 @@ static int show_progress(void *user, const hawser_sample *sample, double wall_s,
     return interrupt_wanted();
 }
 
-/* "results/NAME" of "some/where/NAME.yaml"; the caller frees it. */
-static char *default_dir(const char *case_path)
+char *default_dir(const char *case_path)
 {
     const char *slash = strrchr(case_path, '/');
     const char *name = slash ? slash + 1 : case_path;

@@ -8,7 +8,7 @@ enum { B_MAX = 6 };
 
 /* S of one block row, its lower triangle becoming L (unit diagonal) and d: S = L diag(d) L^T. Returns how many d are
  * negative. A pivot that is nothing but rounding counts as positive: what has no stiffness is not unstable. */
-static int pivots(int b, double s[B_MAX][B_MAX], double *d)
+static inline int pivots(int b, double s[B_MAX][B_MAX], double *d)
 {
     int negative = 0;
     for (int c = 0; c < b; ++c) {
@@ -26,23 +26,29 @@ static int pivots(int b, double s[B_MAX][B_MAX], double *d)
 }
 
 /* next -= C S^-1 C^T, C the coupling of the next row to this one [row][column] (RD16). */
-static void pass_on(int b, double s[B_MAX][B_MAX], const double *d, double c[B_MAX][B_MAX], double next[B_MAX][B_MAX])
+static inline void pass_on(int b, double s[B_MAX][B_MAX], const double *d, double c[B_MAX][B_MAX],
+                           double next[B_MAX][B_MAX])
 {
     for (int r = 0; r < b; ++r) { /* rows of C become those of C L^-T */
         for (int k = 0; k < b; ++k) {
             for (int l = 0; l < k; ++l) c[r][k] -= c[r][l] * s[k][l];
         }
     }
+    double over[B_MAX][B_MAX]; /* C L^-T d^-1 */
+    for (int k = 0; k < b; ++k) {
+        const double one = 1 / d[k];
+        for (int r = 0; r < b; ++r) over[r][k] = one * c[r][k];
+    }
     for (int r = 0; r < b; ++r) {
         for (int q = 0; q <= r; ++q) {
-            for (int k = 0; k < b; ++k) next[r][q] -= c[r][k] * c[q][k] / d[k];
+            for (int k = 0; k < b; ++k) next[r][q] -= over[r][k] * c[q][k];
         }
     }
 }
 
-int block_chain_negative(const BlockChain *a)
+/* b is a->b: a constant where it is called. */
+static inline int negative_of(const BlockChain *a, int b)
 {
-    const int b = a->b;
     const size_t block = (size_t)(b * b);
     double s[2][B_MAX][B_MAX] = {{{0}}}, c[B_MAX][B_MAX], d[B_MAX];
     int negative = 0;
@@ -65,3 +71,5 @@ int block_chain_negative(const BlockChain *a)
     }
     return negative;
 }
+
+int block_chain_negative(const BlockChain *a) { return a->b == B_MAX ? negative_of(a, B_MAX) : negative_of(a, a->b); }

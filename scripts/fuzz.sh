@@ -4,7 +4,8 @@
 #   MINUTES  for each target (default 1)
 #   TARGET   units, yaml, case, set, run, api, route, results (default: all)
 # What is found along the way stays in build/fuzz/corpus/TARGET, so that the next call goes on from there; an input that breaks
-# something is left in build/fuzz/found. Status 1 if there is one. HAWSER_FUZZ_JOBS: how many at once (default 1).
+# something is left in build/fuzz/found, also one that takes 100 s by the clock: so long, as the machine may be busy. Status 1 if
+# there is one. HAWSER_FUZZ_JOBS: how many at once (default 1).
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -21,7 +22,8 @@ esac
 command -v clang >/dev/null 2>&1 && ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-x86_64.a >/dev/null 2>&1 ||
     sh scripts/setup.sh --fuzz
 cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz -j "$(nproc)"
+# shellcheck disable=SC2046,SC2086 # one word a target
+cmake --build --preset fuzz -j "$(nproc)" --target fuzz_dictionary $(printf 'fuzz_%s ' "$@")
 
 build=build/fuzz
 mkdir -p $build/found
@@ -33,13 +35,18 @@ status=0
 for target in "$@"; do
     mkdir -p $build/corpus/"$target"
     seeds="tests/fuzz/corpus/$target"
+    words=$build/case.dict
     case "$target" in
     yaml | case | run) seeds="$seeds tests/data cases" ;;
+    route)
+        seeds="$seeds cases/routes"
+        words=tests/fuzz/route.dict
+        ;;
     esac
     echo "fuzz.sh: $target, $minutes min"
     # shellcheck disable=SC2086 # one word a folder
-    nice -n 19 $build/tests/fuzz/fuzz_"$target" -max_total_time=$((60 * minutes)) -timeout=20 -rss_limit_mb=2048 \
-        -max_len=16384 -dict=$build/case.dict -artifact_prefix=$build/found/"$target"- -print_final_stats=1 \
+    nice -n 19 $build/tests/fuzz/fuzz_"$target" -max_total_time=$((60 * minutes)) -timeout=100 -rss_limit_mb=2048 \
+        -max_len=16384 -dict=$words -artifact_prefix=$build/found/"$target"- -print_final_stats=1 \
         -fork="${HAWSER_FUZZ_JOBS-1}" -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
         $build/corpus/"$target" $seeds >$build/"$target".log 2>&1 || status=1
     tail -n 1 $build/"$target".log

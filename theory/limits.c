@@ -42,6 +42,8 @@ static const struct {
                         {"run_away", "N"},    {"alpha", "1"},     {"trip", "N"},          {"speed", "m/s"},
                         {"jam_ratio", "1"},   {"clearance", "m"}, {"fill", "1"},          {"weight_correction", "1"}};
 
+const char *limits_name(LimitKind kind) { return kinds[kind].name; }
+
 /* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
 static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)

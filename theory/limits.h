@@ -114,6 +114,8 @@ typedef struct Allowed {
 /* The first rule that fits; set: a LimitCode, of sidewall and bend a LimitPractice, otherwise -1. */
 Allowed limits_rule(Rule rule, int set, int a, int b);
 const char *limits_code_name(int code);
+/* "pull" of LIMIT_PULL and so on. */
+const char *limits_name(LimitKind kind);
 /* The practice that counts. */
 int limits_practice(const LimitsDef *def);
 

@@ -14,6 +14,15 @@ static double allowance(const PlanDef *def, int way)
     return weight * def->rope_length + def->rope_force;
 }
 
+/* Whether no friction is larger at rest, so that a restart is the pull at speed (PN2). */
+static int restarts_alike(const PlanDef *def)
+{
+    for (int i = 0; i < def->n_stretches; i++) {
+        if (def->stretch[i].mu_static > def->stretch[i].mu) return 0;
+    }
+    return 1;
+}
+
 hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, double head, HeadForce *out,
                         hawser_error *err)
 {
@@ -23,8 +32,9 @@ hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, doubl
     hawser_status status = plan_pull(def, load, &what, &pull, err);
     if (status) return status;
     out->tension = pull_at(&pull, head).tension;
-    out->force = pull.end_tension + allowance(def, way);
+    out->force = out->restart = pull.end_tension + allowance(def, way);
     pull_clear(&pull);
+    if (restarts_alike(def)) return HAWSER_OK;
     what.restart = 1;
     status = plan_pull(def, load, &what, &pull, err);
     if (status) return status;
@@ -134,6 +144,10 @@ static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int wa
     for (int restart = 0; restart < 2 && !status; restart++) {
         HeadForce *const peak = restart ? &s->restart_peak : &s->peak;
         int top = 0;
+        if (restart && restarts_alike(def)) {
+            *peak = s->peak;
+            continue;
+        }
         for (int i = 1; i < s->n; i++) {
             if (force_of(&s->row[i], restart) > force_of(&s->row[top], restart)) top = i;
         }

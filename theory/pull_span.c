@@ -148,25 +148,28 @@ static double signed_normal(const SpanLaw *p, double s, double tension)
     return fabs(g) > ZERO_FORCE * (fabs(pull) + p->weight) ? g : 0;
 }
 
-/* The step, at most h, after which the normal force comes to zero, by bisection; h itself if it keeps its
- * sign. */
-static double step_to_corner(const SpanLaw *p, double s, double tension, double h, const double k[7])
+/* One step of at most h, to where the normal force comes to zero, by bisection, or of h itself if it keeps its sign:
+ * returns how long it is; k, *end and *error as dopri_step has them. */
+static double step_to_corner(const SpanLaw *p, double s, double tension, double h, double k[7], double *end,
+                             double *error)
 {
+    *end = dopri_step(p, s, tension, h, k, error);
     const double before = signed_normal(p, s, tension);
-    if (before == 0) return h;
-    double trial[7] = {k[0]}, error, low = 0, high = h;
-    if (before * signed_normal(p, s + p->direction * h, dopri_step(p, s, tension, h, trial, &error)) >= 0) return h;
+    if (before == 0 || before * signed_normal(p, s + p->direction * h, *end) >= 0) return h;
+    double low = 0, high = h, x = h;
     for (int i = 0; i < 60; i++) {
-        const double x = low + (high - low) / 2;
-        const double g = signed_normal(p, s + p->direction * x, dopri_step(p, s, tension, x, trial, &error));
-        if (g == 0) return x;
+        x = low + (high - low) / 2;
+        const double g = signed_normal(p, s + p->direction * x, dopri_step(p, s, tension, x, k, error));
+        if (g == 0) break;
         if (before * g > 0) {
             low = x;
         } else {
             high = x;
         }
+        x = high;
     }
-    return high;
+    *end = dopri_step(p, s, tension, x, k, error);
+    return x;
 }
 
 /* The extreme inside a step of h whose rates at its ends, k[0] and k[6], differ in sign: where the rate is
@@ -244,12 +247,11 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
 {
     const double length = p->direction * (s1 - s0), scale = p->weight * length;
     assert(length >= 0);
-    double k[7] = {span_rate(p, s0, tension)}, x = 0, h = length, error;
+    double k[7] = {span_rate(p, s0, tension)}, x = 0, h = length, end, error;
     while (x < length) {
         const double s = s0 + p->direction * x;
         if (h > length - x) h = length - x;
-        h = step_to_corner(p, s, tension, h, k);
-        const double end = dopri_step(p, s, tension, h, k, &error);
+        h = step_to_corner(p, s, tension, h, k, &end, &error);
         const double allowed = STEP_TOLERANCE * (fabs(tension) + scale);
         const double grow = fabs(error) > 0 ? fmin(5, fmax(0.2, 0.9 * pow(allowed / fabs(error), 0.2))) : 5;
         const int last = h >= length - x;

@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 
 static const ValidationGroup *const groups[] = {
-    &paper_group, &row_group,      &duct_group, &roller_group,    &wave_group,      &motion_group,     &flight_group,
-    &slip_group,  &buckling_group, &rod_group,  &stability_group, &frequency_group, &convergence_group};
+    &paper_group, &row_group,      &duct_group, &roller_group, &wave_group,      &motion_group,    &flight_group,
+    &slip_group,  &buckling_group, &rod_group,  &frame_group,  &stability_group, &frequency_group, &convergence_group};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
 /* Room for one more row. No memory for it is remembered. What a NAN was found for is not ok. */

@@ -55,7 +55,7 @@ typedef struct ValidationGroup {
     }
 
 extern const ValidationGroup rod_group, stability_group, frequency_group, paper_group, row_group, duct_group,
-    roller_group, wave_group, motion_group, flight_group, slip_group, buckling_group, convergence_group;
+    roller_group, wave_group, motion_group, flight_group, frame_group, slip_group, buckling_group, convergence_group;
 
 /* Adds a quantity of the running case. Tolerance: per cent of `expected`. */
 void log_share(ValidationLog *log, const char *quantity, const char *unit, double expected, double found,

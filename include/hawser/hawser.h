@@ -42,8 +42,8 @@ typedef struct hawser_case hawser_case;
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
 /* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
-/* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0:
- * "chain.0.segment". A key that is allowed but absent is added. */
+/* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0, or by
+ * name: "chain.0.segment", "route.pieces.C-D.straight". A key that is allowed but absent is added. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err);
 /* Interprets and checks everything that can be checked without running. */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
@@ -244,6 +244,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 #include "hawser/limits.h"
 #include "hawser/report.h"
 #include "hawser/route.h"
+#include "hawser/study.h"
 #include "hawser/validate.h"
 
 #endif

@@ -40,6 +40,13 @@ hawser_status hawser_case_parse(const char *text, const char *name, hawser_case 
     return status ? status : wrap_tree(tree, name, out, err);
 }
 
+hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err)
+{
+    CaseTree *const tree = case_tree_copy(c->tree);
+    *out = NULL;
+    return tree ? wrap_tree(tree, c->name, out, err) : error_memory(err);
+}
+
 /* Forgets what was read from the tree. */
 static void drop_read(hawser_case *c)
 {

@@ -18,9 +18,22 @@ struct hawser_case {
 
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
+/* A copy of the case as it is set, to be set further; `c` must outlive it. Errors: MEMORY. */
+hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
+
+/* What is wanted of theory's answer. */
+typedef struct TheoryWish {
+    const char *const *table; /* which tables, NULL-ended; NULL: all */
+    int forward_only;         /* figures of the other direction, and which is better, are left out, and all tables but
+                               * "limits" and what lies along the route */
+    int no_inverse;           /* so are the answers to what would still hold */
+} TheoryWish;
+/* What `hawser theory` says as JSON, without its words for people: a thousand a second. Errors: as
+ * hawser_case_theory. */
+hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
 
 enum { THEORY_TABLES_MAX = 14, THEORY_PIECES = 0 };
 
@@ -31,6 +44,8 @@ typedef struct TheoryTables {
     void *rows[THEORY_TABLES_MAX];  /* owned */
 } TheoryTables;
 
+/* The table `limits` alone, of the first `ways` directions. Returns 0 without memory. */
+int theory_limits_add(const Calculator *c, int ways, TheoryTables *t);
 /* The texts are the calculator's, the answers' and the scene's, which must stay. Errors: MEMORY. */
 hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err);

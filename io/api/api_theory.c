@@ -4,6 +4,7 @@
 #include "sim/expected/expected.h"
 #include "theory/paper.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -122,16 +123,20 @@ static hawser_status solve_paper(Theory *t, hawser_error *err)
 }
 
 /* The run's own figures are those of its stretch, full of cable and pulled forward are the others. */
-static hawser_status solve(Theory *t, hawser_error *err)
+static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
 {
     hawser_status status = make_arrays(t, err);
     if (status) return status;
     collect_places(t);
     status = expected_fill(&t->scene, 0, NULL, &t->expected, err);
-    if (!status) status = calculator_build(&t->scene, t->expected.start_tension, &t->calculator, err);
+    if (!status) {
+        status = calculator_build(&t->scene, t->expected.start_tension, wish->forward_only, &t->calculator, err);
+    }
     if (!status) status = solve_paper(t, err);
-    if (!status) status = inverse_find(&t->scene, &t->calculator, &t->inverse, err);
-    return status ? status : theory_tables_make(&t->scene, &t->calculator, &t->inverse, &t->tables, err);
+    if (!status && !wish->no_inverse) status = inverse_find(&t->scene, &t->calculator, &t->inverse, err);
+    if (status) return status;
+    if (wish->forward_only) return theory_limits_add(&t->calculator, 1, &t->tables) ? HAWSER_OK : error_memory(err);
+    return theory_tables_make(&t->scene, &t->calculator, &t->inverse, &t->tables, err);
 }
 
 /* The whole route full of cable, pulled forward. */
@@ -211,54 +216,94 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     return n;
 }
 
-/* Facts first, the tension along the route, then the paper's own terms if the case lists them. */
-static hawser_status write_theory(Theory *t, const char *title, hawser_format format, char **text, hawser_error *err)
+/* Of a calculation of one direction: the facts without those of the other and those that compare them. */
+static int drop_backward(int n, Fact fact[FACTS_MAX])
+{
+    static const char *const keys[] = {"backward_total_N", "better_direction", "best_direction", "verdict_backward"};
+    int kept = 0;
+    for (int i = 0; i < n; i++) {
+        int drop = 0;
+        for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) drop |= strcmp(fact[i].key, keys[k]) == 0;
+        if (!drop) fact[kept++] = fact[i];
+    }
+    return kept;
+}
+
+/* The document with what it is made of, which must stay while it is used. */
+typedef struct Page {
+    Document doc;
+    Fact fact[FACTS_MAX];
+    Table table[3 + THEORY_TABLES_MAX];
+    RunRow run;
+} Page;
+
+/* Facts first, the tension along the route, then the paper's own terms if the case lists them. `place` of the theory is
+ * filled if it is shown. */
+static void page_make(Theory *t, const char *title, int forward_only, Page *page)
 {
     const SceneDef *def = &t->scene.def;
     const Expected *e = &t->expected;
-    const Calculator *c = &t->calculator;
-    const RunRow run = {e->from, e->to, e->start_tension, e->paper_total, e->reference_total};
-    Fact fact[FACTS_MAX];
-    fill_places(t);
+    Table *const table = page->table;
+    int n = 0;
+    page->run = (RunRow){e->from, e->to, e->start_tension, e->paper_total, e->reference_total};
     fill_terms(t);
-    for (int k = 0; k < PLAN_WAYS; k++) {
+    for (int k = 0; k < (forward_only ? 1 : PLAN_WAYS); k++) {
+        const Calculator *const c = &t->calculator;
         const hawser_condition held[] = {c->supported, c->pulled[k]};
         hawser_verdict(2, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
-    if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) few_places(t);
-    Table table[3 + THEORY_TABLES_MAX];
-    int n = 0;
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",
                          COLUMNS(Place, place_column), t->n, t->place};
     if (def->n_paper > 0)
         table[n++] = (Table){"terms", "Terms of the paper's sum", COLUMNS(Term, term_column), def->n_paper, t->term};
     if (!def->duration_open)
-        table[n++] = (Table){"run", "What a run of this case is compared with", COLUMNS(RunRow, run_column), 1, &run};
+        table[n++] =
+            (Table){"run", "What a run of this case is compared with", COLUMNS(RunRow, run_column), 1, &page->run};
+    page->doc = (Document){
+        .title = title, .n_facts = list_facts(t, page->fact), .n_tables = n, .fact = page->fact, .table = table};
+    if (forward_only) page->doc.n_facts = drop_backward(page->doc.n_facts, page->fact);
+}
+
+/* As text for people or programs, all of it. */
+static hawser_status write_theory(Theory *t, const char *title, hawser_format format, char **text, hawser_error *err)
+{
+    Page page;
+    fill_places(t);
+    if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) few_places(t);
+    page_make(t, title, 0, &page);
     Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
-    answer_theory(&answer, &t->scene, c, &t->inverse, t->verdict);
-    const Document doc = {.title = title,
-                          .n_facts = list_facts(t, fact),
-                          .n_tables = n,
-                          .fact = fact,
-                          .table = table,
-                          .csv = &table[THEORY_PIECES],
-                          .answer = t->answer};
-    return document_write(&doc, format, text, err);
+    answer_theory(&answer, &t->scene, &t->calculator, &t->inverse, t->verdict);
+    page.doc.csv = &page.table[THEORY_PIECES];
+    page.doc.answer = t->answer;
+    return document_write(&page.doc, format, text, err);
+}
+
+/* As an object, as far as it is wanted. */
+static hawser_status list_theory(Theory *t, const char *title, const TheoryWish *wish, json_t **out, hawser_error *err)
+{
+    Page page;
+    int places = !wish->table;
+    for (int i = 0; wish->table && wish->table[i]; i++) places |= strcmp(wish->table[i], "stations") == 0;
+    if (places) fill_places(t);
+    page_make(t, title, wish->forward_only, &page);
+    *out = document_json(&page.doc, wish->table);
+    return *out ? HAWSER_OK : error_memory(err);
 }
 
 /* Everything from a definition that was read; the theory's memory is the caller's to free. */
-static hawser_status build_and_solve(Theory *t, const hawser_case *c, hawser_error *err)
+static hawser_status build_and_solve(Theory *t, const hawser_case *c, const TheoryWish *wish, hawser_error *err)
 {
     hawser_status status = scene_build(&c->def, &t->scene, err);
     if (status) return status;
     t->built = 1;
-    return solve(t, err);
+    return solve(t, wish, err);
 }
 
 /* Also for a theory that was never finished. */
 static void theory_free(Theory *t)
 {
+    if (!t) return;
     pull_clear(&t->paper);
     theory_tables_free(&t->tables);
     calculator_free(&t->calculator);
@@ -269,19 +314,39 @@ static void theory_free(Theory *t)
     free(t);
 }
 
-/* No simulation is built: this takes milliseconds even for a long route. */
-hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
+/* Reads the case and solves it; *out is to be freed in any case. No simulation is built: this takes milliseconds even
+ * for a long route. */
+static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory **out, hawser_error *err)
 {
-    *text = NULL;
-    hawser_status status = case_ensure_read(c, err);
+    *out = NULL;
+    const hawser_status status = case_ensure_read(c, err);
     if (status) return status;
     if (c->def.rod.present) {
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     }
-    Theory *t = calloc(1, sizeof *t);
-    if (!t) return error_memory(err);
-    status = case_name_error(c, build_and_solve(t, c, err), err);
-    if (!status) status = write_theory(t, c->def.title[0] ? c->def.title : c->name, format, text, err);
+    *out = calloc(1, sizeof **out);
+    return *out ? case_name_error(c, build_and_solve(*out, c, wish, err), err) : error_memory(err);
+}
+
+static const char *title_of(const hawser_case *c) { return c->def.title[0] ? c->def.title : c->name; }
+
+hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
+{
+    const TheoryWish all = {0};
+    Theory *t;
+    *text = NULL;
+    hawser_status status = theory_new(c, &all, &t, err);
+    if (!status) status = write_theory(t, title_of(c), format, text, err);
+    theory_free(t);
+    return status;
+}
+
+hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, json_t **out, hawser_error *err)
+{
+    Theory *t;
+    *out = NULL;
+    hawser_status status = theory_new(c, wish, &t, err);
+    if (!status) status = list_theory(t, title_of(c), wish, out, err);
     theory_free(t);
     return status;
 }

@@ -230,11 +230,11 @@ static const Column limit_column[] = {
 };
 static const Columns limit_columns = COLUMNS(LimitRow, limit_column);
 
-static int limits_add(const Calculator *c, TheoryTables *t)
+int theory_limits_add(const Calculator *c, int ways, TheoryTables *t)
 {
     if (c->n_limits == 0) return 1;
-    LimitRow *const row = theory_table_add(t, "limits", "Limits", limit_columns, PLAN_WAYS * c->n_limits);
-    for (int i = 0; row && i < PLAN_WAYS * c->n_limits; ++i) {
+    LimitRow *const row = theory_table_add(t, "limits", "Limits", limit_columns, ways * c->n_limits);
+    for (int i = 0; row && i < ways * c->n_limits; ++i) {
         row[i] = (LimitRow){theory_ways[i / c->n_limits], c->limit[i / c->n_limits][i % c->n_limits]};
     }
     return row != NULL;
@@ -245,7 +245,8 @@ hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const 
 {
     *out = (TheoryTables){0};
     const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(c, out) && pushes_add(c, out) &&
-                     theory_planner_add(scene, c, inverse, out) && limits_add(c, out) && notes_add(scene, c, out);
+                     theory_planner_add(scene, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
+                     notes_add(scene, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

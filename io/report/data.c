@@ -8,9 +8,8 @@
 #include <string.h>
 #include <time.h>
 
-/* Rows of a series on a page; frames; those of which is guessed
- * how many fit. */
-enum { SERIES_MOST = 4000, FRAMES_MOST = 600, FRAMES_TRIED = 24 };
+/* Rows of a series on a page; frames; those of which is guessed how many fit; tries of a file that is being written. */
+enum { SERIES_MOST = 4000, FRAMES_MOST = 600, FRAMES_TRIED = 24, TRIES = 8 };
 /* Bytes of packed states: of one run so many for a short chain and so many more for each segment, of all together. */
 static const double states_least = 500e3, states_per_segment = 2.2e3, states_most = 7.5e6;
 
@@ -179,12 +178,26 @@ static hawser_status states_add(Text *out, hid_t file, Folder *folder, double go
     return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
 }
 
+/* The file with its states; < 0: it cannot be read. That of a run in progress may be caught before its first flush or
+ * in the middle of one, when what points to the states does not fit them yet: a little later it does. */
+static hid_t states_wait(const char *path, int running)
+{
+    const struct timespec nap = {0, 100 * 1000 * 1000};
+    hid_t file = states_open(path);
+    for (int k = 0; running && k < TRIES && (file < 0 || states_count(file) == 0); k++) {
+        if (file >= 0) H5Fclose(file);
+        nanosleep(&nap, NULL);
+        file = states_open(path);
+    }
+    return file;
+}
+
 /* What results.h5 has: geometry, envelopes, states. */
 static hawser_status file_add(Text *out, Folder *folder, double share, hawser_error *err)
 {
     char *const path = folder_path(folder, "results.h5");
     if (!path) return error_memory(err);
-    const hid_t file = states_open(path);
+    const hid_t file = states_wait(path, !strcmp(folder_text(folder, "outcome"), "running"));
     free(path);
     if (file < 0) {
         folder_say(folder, "results.h5 is not there or cannot be read: the page has no 3-D view");

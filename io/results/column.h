@@ -122,6 +122,9 @@ typedef struct Document {
 /* JSON as text, malloc'ed; NULL without memory. */
 struct json_t;
 char *json_text(const struct json_t *o);
+/* The document as one JSON object, of its tables only those that `wanted` (NULL-ended; NULL: all) names; NULL without
+ * memory. */
+struct json_t *document_json(const Document *doc, const char *const *wanted);
 /* A document as text for people. */
 void document_print(FILE *f, const Document *doc, hawser_units units);
 /* The text in a format; malloc'ed. Errors: MEMORY. */

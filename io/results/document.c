@@ -160,8 +160,14 @@ static json_t *json_table(const Table *t)
     return NULL;
 }
 
-/* The whole document as text, NULL without memory. */
-static char *json_document(const Document *doc)
+static int is_wanted(const char *key, const char *const *wanted)
+{
+    if (!wanted) return 1;
+    while (*wanted && strcmp(*wanted, key) != 0) wanted++;
+    return *wanted != NULL;
+}
+
+json_t *document_json(const Document *doc, const char *const *wanted)
 {
     json_t *const o = json_object();
     int bad = !o || json_object_set_new(o, "title", json_cell(cell_text(doc->title)));
@@ -169,9 +175,19 @@ static char *json_document(const Document *doc)
         bad = json_object_set_new(o, doc->fact[i].key, json_cell(doc->fact[i].cell));
     }
     for (int i = 0; i < doc->n_tables && !bad; i++) {
-        bad = json_object_set_new(o, doc->table[i].key, json_table(&doc->table[i]));
+        const Table *const t = &doc->table[i];
+        if (is_wanted(t->key, wanted)) bad = json_object_set_new(o, t->key, json_table(t));
     }
-    char *const body = bad ? NULL : json_text(o);
+    if (!bad) return o;
+    json_decref(o);
+    return NULL;
+}
+
+/* The whole document as text, NULL without memory. */
+static char *json_document(const Document *doc)
+{
+    json_t *const o = document_json(doc, NULL);
+    char *const body = o ? json_text(o) : NULL;
     json_decref(o);
     return body;
 }

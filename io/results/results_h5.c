@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 /* Bytes of states from which on they are compressed. */
@@ -173,9 +174,10 @@ static int name_file(H5File *h, const char *path)
     return 1;
 }
 
-/* Flushed at once, so that a full disk shows before anything is computed. */
+/* Flushed at once, so that a full disk shows before anything is computed; what has no name by then is taken away. */
 hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err)
 {
+    char path[OUT_PATH_MAX] = "", part[OUT_PATH_MAX] = "";
     *out = NULL;
     H5File *h = calloc(1, sizeof *h);
     if (!h) return error_memory(err);
@@ -184,11 +186,11 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
     h->deflate = wants_deflate(def);
     h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
     h->set = calloc((size_t)sample_columns, sizeof *h->set);
-    char path[OUT_PATH_MAX];
     hawser_status status = h->frame && h->set ? out_join(path, dir, "results.h5", err) : error_memory(err);
-    if (!status) status = out_join(h->path, dir, "results.h5.part", err);
+    if (!status) status = out_join(part, dir, "results.h5.part", err);
     if (!status) {
         int ok = 0;
+        strcpy(h->path, part);
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
         ok = ok && !h->disk_error && name_file(h, path);
@@ -196,6 +198,7 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
     }
     if (status) {
         h5_close(&h, NULL);
+        if (*part) unlink(part);
         return status;
     }
     *out = h;

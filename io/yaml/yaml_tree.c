@@ -19,6 +19,9 @@ typedef struct CaseOrigin {
 /* Remembers a name in the tree and returns the tree's copy; NULL if there is no memory. */
 static const char *tree_origin(CaseTree *tree, const char *name)
 {
+    for (const CaseOrigin *o = tree->origins; o; o = o->next) {
+        if (strcmp(o->name, name) == 0) return o->name;
+    }
     CaseOrigin *origin = calloc(1, sizeof *origin);
     if (!origin) return NULL;
     origin->name = strdup(name);
@@ -99,6 +102,15 @@ hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err
     return status;
 }
 
+CaseTree *case_tree_copy(const CaseTree *tree)
+{
+    CaseTree *const copy = calloc(1, sizeof *copy);
+    if (!copy) return NULL;
+    copy->root = node_clone(tree->root, NULL);
+    copy->folder = tree->folder ? strdup(tree->folder) : NULL;
+    return copy->root && (copy->folder || !tree->folder) ? copy : case_tree_free(copy);
+}
+
 /* One setting being made: where it comes from, and its key cut at the dots. */
 typedef struct Setting {
     CaseTree *tree;
@@ -123,15 +135,32 @@ static hawser_status key_cut(Setting *s, const char *key)
     return HAWSER_OK;
 }
 
-/* The item of a list that `step` numbers. */
+/* The items of a list that have this `name`: how many there are, and the last of them. */
+static int items_named(const CaseNode *list, const char *name, CaseNode **out)
+{
+    int n = 0;
+    for (CaseNode *item = list->first; item; item = item->next) {
+        const CaseNode *const own = case_node_key(item, "name");
+        if (!own || own->kind != NODE_TEXT || strcmp(own->text, name) != 0) continue;
+        *out = item;
+        n++;
+    }
+    return n;
+}
+
+/* The item of a list that `step` numbers or names. */
 static hawser_status item_find(const Setting *s, const CaseNode *list, const char *step, CaseNode **out)
 {
-    char *end;
+    char *end, shown[CASE_SHOWN_MAX];
     const long index = isdigit((unsigned char)*step) ? strtol(step, &end, 10) : LONG_MAX;
     const int whole = index != LONG_MAX && !*end;
     *out = whole && index < list->count ? (CaseNode *)(size_t)case_node_item(list, (int)index) : NULL;
-    if (*out) return HAWSER_OK;
-    char shown[CASE_SHOWN_MAX];
+    const int named = *out ? 1 : items_named(list, step, out);
+    if (named == 1) return HAWSER_OK;
+    if (named > 1) {
+        return error_set(s->err, HAWSER_ERR_INPUT, "%s: %d items have the name %s: give the number, from 0", s->origin,
+                         named, case_shown(step, shown));
+    }
     return error_set(s->err, HAWSER_ERR_INPUT, "%s: no item %s: the list has %d, numbered from 0", s->origin,
                      case_shown(step, shown), list->count);
 }

@@ -56,10 +56,12 @@ hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err
 /* The same for text; `name` stands in for the file's name. Its folder stays NULL. */
 hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out, hawser_error *err);
 /* Gives the dotted key ("chain.0.segment") a new value, which is YAML itself ("250 mm", "[0, 0, -9.8]"). Maps
- * on the way are made where they are missing; list items must exist. Errors: INPUT that names the setting;
- * MEMORY. The tree is unchanged then. */
+ * on the way are made where they are missing; list items must exist and go by number or by their `name`. Errors: INPUT
+ * that names the setting; MEMORY. The tree is unchanged then. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err);
 CaseTree *case_tree_free(CaseTree *tree);
+/* A copy to be set apart; names of places stay those of `tree`, which must outlive it. NULL if there is no memory. */
+CaseTree *case_tree_copy(const CaseTree *tree);
 
 /* Reads one YAML document of `size` bytes, with a NUL behind them. `origin` is said to be where it comes from and must
  * outlive the nodes; lines 0: it is a setting's value, and line numbers mean nothing. Errors: INPUT with the place (not

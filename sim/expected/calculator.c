@@ -216,9 +216,11 @@ static hawser_status solve(const Scene *scene, double apart, Calculator *c, haws
 
 enum { HEAD_PLACES = 40 }; /* of the head between the ends of the route, at least */
 
-hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err)
+hawser_status calculator_build(const Scene *scene, double start_tension, int forward_only, Calculator *out,
+                               hawser_error *err)
 {
     *out = (Calculator){.cables = scene->def.bundle.shape.cables, .route = &scene->route};
+    out->def.skip[PLAN_BACKWARD] = forward_only;
     hawser_status status = cables_set(scene, out, err);
     if (!status) status = spacings_find(scene, out, err);
     if (!status) status = steps_set(&scene->def.theory, 0, out, err);

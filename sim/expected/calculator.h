@@ -44,9 +44,11 @@ typedef struct Calculator {
     hawser_condition supported; /* whether anything is known of what carries it */
 } Calculator;
 
-/* start_tension: N, of all cables where the pull begins, whichever way. Errors: INPUT (as plan_build), MEMORY. Give
- * it back with calculator_free, also after an error. The scene must stay. */
-hawser_status calculator_build(const Scene *scene, double start_tension, Calculator *out, hawser_error *err);
+/* start_tension: N, of all cables where the pull begins, whichever way. forward_only: what belongs to the other way
+ * stays zero, and `best` and `plan.better` say nothing. Errors: INPUT (as plan_build), MEMORY. Give it back with
+ * calculator_free, also after an error. The scene must stay. */
+hawser_status calculator_build(const Scene *scene, double start_tension, int forward_only, Calculator *out,
+                               hawser_error *err);
 void calculator_free(Calculator *c);
 /* Fills limits, `supported` and `pulled` of one that is solved. Errors: MEMORY. */
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);

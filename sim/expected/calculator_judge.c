@@ -155,7 +155,7 @@ static hawser_status brakes_set(Calculator *c, hawser_error *err)
     for (int k = 0; k < PLAN_WAYS; ++k) {
         hawser_condition *const held = &c->pulled[k];
         Brake *const brake = &c->brake[k];
-        if (held->holds) continue;
+        if (held->holds || c->def.skip[k]) continue;
         const hawser_status status = plan_brake(&c->def, &c->plan.duct, k, brake, err);
         if (status) return status;
         if (isnan(brake->brake)) {

@@ -46,7 +46,7 @@ static void triangle_add(Skin *m, int a, int b, int c)
         if (p[0] == q[0] && p[1] == q[1] && p[2] == q[2]) return;
     }
     memcpy(m->triangle + 3 * m->n_triangles, corner, sizeof corner);
-    m->part[m->n_triangles] = m->now_part;
+    m->part[m->n_triangles] = (int)m->now_part;
     m->item[m->n_triangles++] = m->now_item;
 }
 

@@ -345,6 +345,20 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->balance = balance_close(s->stage.balance, s->stage.motion, s->stage.t, s->stage.y);
 }
 
+/* What the error bars of the summary's figures share. */
+static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
+{
+    const Scene *const scene = &s->stage.scene;
+    const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
+    ErrorShares shares =
+        error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
+    const Unsettled refused = steadiness_refused(&s->steadiness, scene->def.solver.relax && s->relaxation.reached);
+    shares.drift = refused.drift;
+    shares.stands_out = refused.stands_out;
+    shares.start = scene->def.solver.relax ? 0 : s->passing.start.force;
+    return shares;
+}
+
 void hawser_sim_summary(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
@@ -393,9 +407,7 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->wall_time_s += s->build_s + s->relax_s + s->output_s + s->record_s;
     out->real_time_factor = out->wall_time_s > 0 ? s->stage.t / out->wall_time_s : 0;
     stats_summary(&s->stats, out);
-    const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
-    ErrorShares shares =
-        error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
+    ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,

@@ -146,7 +146,7 @@ hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares
 {
     const double size = fabs(mean_of(figure));
     if (!(figure->time > 0)) return bar(NAN, NAN, NAN);
-    return bar(shares->time * size, WAVER_OF_MEAN * waver(figure, shares) + shares->mesh * size,
+    return bar((shares->time + shares->drift / 2) * size, WAVER_OF_MEAN * waver(figure, shares) + shares->mesh * size,
                shares->friction * size);
 }
 
@@ -156,7 +156,8 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double loose = fmin(shares->breaks_loose * mean, fmax(0, size - mean));
     if (!figure->started) return bar(NAN, NAN, NAN);
     const double passes = fmax(WAVER_OF_PEAK * waver(figure, shares), shares->placed);
-    const double rough = shares->rough * sqrt(figure->rough_at_peak);
+    const double hits = fmax(shares->stands_out * size, fmin(size, shares->start - size));
+    const double rough = fmax(shares->rough * sqrt(figure->rough_at_peak), hits);
     const double jerk = shares->slack * fmax(0, size - fmax(mean, shares->at_rest));
     return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size + jerk,
                shares->friction * size + loose);

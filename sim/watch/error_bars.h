@@ -20,8 +20,11 @@ typedef struct ErrorShares {
     double rough;  /* what of second differences is the error of a peak (EB12) */
     double slack,
         at_rest; /* of a peak's height above the mean and above the pull at rest, N, that what hung slack made (EB15) */
-    double mesh; /* what the places of the route and the head ask of segments (EB3), (EB6) */
-    double friction; /* not yet there at the speed of the pull (EB5) */
+    double drift;      /* of a mean, between the halves of its window, if that is refused (EB17) */
+    double start;      /* N: with which a chain that did not come to rest begins inside a body (EB18) */
+    double stands_out; /* of a peak: a spike or jolt that is refused (EB16) */
+    double mesh;       /* what the places of the route and the head ask of segments (EB3), (EB6) */
+    double friction;   /* not yet there at the speed of the pull (EB5) */
     /* by which friction falls once the cable slides, of what is left; m/s, the speed where it has; the share again, if
      * a peak is of a cable that breaks loose (EB10) */
     double falls, falls_until, breaks_loose;

@@ -127,6 +127,18 @@ double steadiness_drift(const Steadiness *s)
     return fmin(fabs(change), fabs(change - expected)) / fmax(fmax(mean, 0.1 * fmax(s->jolt, s->later)), 1e-6);
 }
 
+/* Whether the largest pull can be a jolt: a chain that begins at rest and is set in motion gently has none. */
+static int may_jolt(const Steadiness *s, int rests) { return !rests || s->speed > 0; }
+
+Unsettled steadiness_refused(const Steadiness *s, int rests)
+{
+    double at;
+    const double drift = steadiness_drift(s), spike = steadiness_spike(s, rests, &at);
+    const int jolts = may_jolt(s, rests) && s->jolt > s->later;
+    const double jolt = jolts ? 1 - fmax(s->later, 0) / s->jolt : 0;
+    return (Unsettled){.drift = drift > DRIFT ? drift : 0, .stands_out = fmax(jolt, spike > SPIKE ? spike : 0)};
+}
+
 /* ------------------------------------------------------------------------------------------------- conditions */
 
 typedef struct List {
@@ -281,8 +293,7 @@ static void add_pushed(List *list, const hawser_summary *s)
         -s->pull_mean_N);
 }
 
-/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. A
- * chain that begins at rest and is set in motion gently has no jolt. */
+/* Means of a window in which the pull still changes, and a peak that is none of the pull's, are figures of nothing. */
 static void add_steadiness(List *list, const TrustFacts *f)
 {
     const Steadiness *const s = f->steadiness;
@@ -292,7 +303,7 @@ static void add_steadiness(List *list, const TrustFacts *f)
         "the pull changes by %.2g %% within the steady window: set run.steady_from to where it has settled, or "
         "run.duration to more",
         100 * drift);
-    if (!rests || jumps) {
+    if (may_jolt(s, rests)) {
         add(list, "start_jolt", "1", fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
             "the largest pull is the jolt of the start, at %.3g s: %s", s->jolt_at,
             jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");

@@ -51,6 +51,14 @@ double steadiness_drift(const Steadiness *s);
  * the cable came to rest first, and what is between two rows is not asked. */
 double steadiness_spike(const Steadiness *s, int rests, double *at);
 
+/* What the conditions on steadiness refuse, shares; 0 where they hold. Its use: (EB16), (EB17). */
+typedef struct Unsettled {
+    double drift; /* of the mean, between the window's halves */
+    double
+        stands_out; /* of the largest pull: a spike above the rows beside it, or the start's jolt above what follows */
+} Unsettled;
+Unsettled steadiness_refused(const Steadiness *s, int rests);
+
 /* What the conditions are asked of. */
 typedef struct TrustFacts {
     const Scene *scene;

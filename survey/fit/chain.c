@@ -126,6 +126,34 @@ static void end_add(const PlanElement *e, const Node *p, int last, Normal *q)
     row_add(q, row, p->weight, t[0] * (p->x - a.x) + t[1] * (p->y - a.y));
 }
 
+/* The place of piece q that is nearest to a point: its foot, or the piece's end. */
+static Along nearest_on(const PlanElement *e, const Node *p)
+{
+    Along a = piece_start(e);
+    go_to_foot(e, p, &a);
+    if (a.s < 0) a = piece_start(e);
+    if (a.s > e->length) go(e, e->length - a.s, &a);
+    return a;
+}
+
+/* While pieces do not meet yet, a place may run away along one of them: a point that is farther off than some steps
+ * from point to point looks for a later piece that passes it. *q and *at become that piece and its foot. */
+static void lost_find(int n, const Piece *piece, const Node *p, double step, int *q, Along *at)
+{
+    enum { AHEAD = 6, STEPS_OFF = 4 };
+    double least = hypot(p->x - at->x, p->y - at->y);
+    if (!(least > STEPS_OFF * step)) return;
+    least *= 0.5;
+    for (int i = *q + 1, last = *q + AHEAD; i < n && i <= last; ++i) {
+        const Along there = nearest_on(&piece[i].e, p);
+        const double away = hypot(p->x - there.x, p->y - there.y);
+        if (!(away < least)) continue;
+        least = away;
+        *q = i;
+        *at = there;
+    }
+}
+
 /* The feet of all nodes, in their order, and what they pull by (normal: [n] or NULL). */
 static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *foot, Normal *normal)
 {
@@ -138,6 +166,7 @@ static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *
             go_to_foot(&piece[q].e, &node[i], &at);
             if (at.s < 0) at = piece_start(&piece[q].e);
         }
+        if (i > 0) lost_find(n, piece, &node[i], hypot(node[i].x - node[i - 1].x, node[i].y - node[i - 1].y), &q, &at);
         Along here = at;
         if ((q > 0 && at.s < 0) || (i == 0 && q == 0)) here = piece_start(&piece[q].e);
         if (i == m - 1 && q == n - 1) go(&piece[q].e, piece[q].e.length - here.s, &here);

@@ -10,6 +10,8 @@ enum { ASIDE = 2, WINDOW = 2 * ASIDE + 1, GROWTH = 3, FARTHER = 4 };
 enum { WINDOW_MOST = WINDOW + GROWTH, WIDE_MOST = WINDOW_MOST + 2 * FARTHER };
 enum { EDGE_NODES = 60, STEPS = 10, SWEEPS = 8 };
 
+/* Squares over sigma2 a node, from which on a window fits badly. */
+static const double ROUGH = 2;
 static const double PI = 3.14159265358979323846;
 
 /* Some pieces with their nodes, to try something on. */
@@ -185,6 +187,38 @@ static int split(Window *w, int q)
     return 1;
 }
 
+/* An arc turns in one of its ends alone, and is straight beyond: what stood for a bend and the straight beside it. */
+static int bend_in_end(Window *w, int q, int last)
+{
+    const double part = 0.1;
+    Piece *const p = &w->piece[q];
+    if (p->kind != PIECE_ARC || p->kept || w->n >= WINDOW_MOST) return 0;
+    const double L = p->e.length, turn = L * p->e.k0, bend = part * L;
+    const PlanElement from = p->e;
+    Piece arc = *p, straight = *p;
+    straight.kind = PIECE_STRAIGHT;
+    straight.loose = 0;
+    arc.e.length = bend;
+    arc.e.k0 = arc.e.k1 = turn / bend;
+    straight.e.length = L - bend;
+    straight.e.k0 = straight.e.k1 = 0;
+    if (!last) { /* the straight begins where the arc ends */
+        const PlanElement end = plan_at(&arc.e, bend);
+        straight.e.x = end.x, straight.e.y = end.y, straight.e.heading = end.heading;
+    } else {
+        const PlanElement end = plan_at(&straight.e, L - bend);
+        arc.e.x = end.x, arc.e.y = end.y, arc.e.heading = from.heading;
+    }
+    *p = last ? straight : arc;
+    window_insert(w, q + 1, last ? arc : straight);
+    straights_merge(w);
+    return 1;
+}
+/* Only worth its time where the window fits badly: both stand first among the moves. */
+enum { ROUGH_MOVES = 2 };
+static int bend_first(Window *w, int q) { return bend_in_end(w, q, 0); }
+static int bend_last(Window *w, int q) { return bend_in_end(w, q, 1); }
+
 static int loosen(Window *w, int q)
 {
     if (q == 0 || (w->piece[q].kind != PIECE_CLOTHOID && w->piece[q - 1].kind != PIECE_CLOTHOID)) return 0;
@@ -193,10 +227,10 @@ static int loosen(Window *w, int q)
 }
 
 /* Each changes a window about its piece q; 0: that cannot be done. */
-static int (*const moves[])(Window *w, int q) = {leave_out,    leave_two_out,      make_straight,      make_arc,
-                                                 put_clothoid, put_short_clothoid, put_two_clothoids,  put_straight,
-                                                 put_arc,      make_clothoid,      make_two_clothoids, split,
-                                                 loosen};
+static int (*const moves[])(Window *w, int q) = {bend_first,         bend_last,    leave_out,    leave_two_out,
+                                                 make_straight,      make_arc,     put_clothoid, put_short_clothoid,
+                                                 put_two_clothoids,  put_straight, put_arc,      make_clothoid,
+                                                 make_two_clothoids, split,        loosen};
 
 /* ------------------------------------------------------------------------------------------------------- windows */
 
@@ -317,7 +351,8 @@ static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *b
     *found = 0;
     if (to - from < 3) return HAWSER_OK;
     hawser_status status = window_cost(s, best, from, to, &least);
-    for (size_t k = 0; k < sizeof moves / sizeof *moves && !status; ++k) {
+    const int rough = !(least - pieces_cost(best->n, best->piece) < ROUGH * (to - from));
+    for (size_t k = rough ? 0 : ROUGH_MOVES; k < sizeof moves / sizeof *moves && !status; ++k) {
         Window w = now;
         if (!moves[k](&w, q - *a)) continue;
         int allowed = 1;
@@ -465,12 +500,14 @@ hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_erro
         const double end = p->e.heading + 0.5 * p->e.length * (p->e.k0 + p->e.k1);
         const double turn = remainder(p[1].e.heading - end, 2 * PI), half = 0.5 * fabs(turn);
         const int straights = p[0].kind == PIECE_STRAIGHT && p[1].kind == PIECE_STRAIGHT;
-        if (fabs(turn) < (straights ? 1e-9 : 0.15)) continue; /* a small turn between others they settle themselves */
+        const double shorter =
+            fmin(p[0].e.length, p[1].e.length); /* a small turn between others they settle themselves */
+        if (fabs(turn) < (straights ? 1e-9 : fmin(0.15, 4 * deviation / shorter))) continue;
         Piece *const wider = realloc(*piece, (size_t)(*n + 1) * sizeof *wider);
         if (!wider) return error_memory(err);
         *piece = wider;
         p = &wider[i];
-        const double room = 0.3 * fmin(p[0].e.length, p[1].e.length), outside = 1 / fmax(cos(half), 0.05) - 1;
+        const double room = 0.3 * shorter, outside = 1 / fmax(cos(half), 0.05) - 1;
         const double tangent = fmin(room, 0.5 * deviation / outside * tan(fmin(half, 1.5)));
         const double radius = tangent / tan(fmin(half, 1.5));
         piece_shorten(&p[0], 0, tangent);

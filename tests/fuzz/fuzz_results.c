@@ -21,7 +21,7 @@ static void tables(const uint8_t *data, size_t size)
     hawser_error err = {HAWSER_OK, ""};
     Sheet sheet;
     const hawser_status status = sheet_parse(fuzz_text(data, size), "fuzz.csv", &sheet, &err);
-    if (status) FUZZ_MUST(fuzz_error_is_good(status, err.message));
+    if (status) FUZZ_MUST(fuzz_error_is_good((int)status, err.message));
     if (status || sheet.columns == 0) return;
     int row[16 + 3];
     Text t = {0};

@@ -34,7 +34,7 @@ static void fit_and_write(const Alignment *a)
     if (a->n_points + 8 * a->n_plan + a->n_profile > SMALL) return;
     const hawser_status status = fit_alignment(a, NULL, &options, &out, &report, &err);
     if (status) {
-        FUZZ_MUST(fuzz_error_is_good(status, err.message));
+        FUZZ_MUST(fuzz_error_is_good((int)status, err.message));
         return;
     }
     FUZZ_MUST(out.n_plan > 0 && report.largest >= 0);
@@ -42,7 +42,7 @@ static void fit_and_write(const Alignment *a)
     for (int format = WRITE_ELEMENTS; to && format <= WRITE_CASE; ++format) {
         if (alignment_measure(&out).plan_length > 1e5) continue; /* millions of corners */
         const hawser_status written = alignment_print(&out, "", (WriteFormat)format, to, &err);
-        if (written) FUZZ_MUST(fuzz_error_is_good(written, err.message));
+        if (written) FUZZ_MUST(fuzz_error_is_good((int)written, err.message));
     }
     if (to) fclose(to);
     alignment_clear(&out);
@@ -55,7 +55,7 @@ static void join_and_fit(const Survey *survey)
     Joined joined;
     Survey lines = {0};
     const hawser_status status = join_lines(survey, &options, &lines, &joined, &err);
-    if (status) FUZZ_MUST(fuzz_error_is_good(status, err.message));
+    if (status) FUZZ_MUST(fuzz_error_is_good((int)status, err.message));
     for (int i = 0; i < lines.n; ++i) look_at(&lines.alignment[i]);
     if (lines.n) fit_and_write(&lines.alignment[0]);
     survey_clear(&lines);
@@ -71,7 +71,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     FUZZ_MUST(fd >= 0 && write(fd, data, size) == (ssize_t)size);
     snprintf(path, sizeof path, "/proc/self/fd/%d", fd);
     const hawser_status status = survey_read(path, &options, &survey, &err);
-    if (status) FUZZ_MUST(fuzz_error_is_good(status, err.message));
+    if (status) FUZZ_MUST(fuzz_error_is_good((int)status, err.message));
     for (int i = 0; !status && i < survey.n; ++i) look_at(&survey.alignment[i]);
     if (!status) join_and_fit(&survey);
     if (!status) survey_clear(&survey);

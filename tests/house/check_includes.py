@@ -14,8 +14,9 @@ LIBRARIES = [
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
     (r"expat\.h$", r"survey/landxml/|survey/map/"),
-    (r"jansson\.h$", r"io/|survey/map/"),
-    (r"yaml\.h$|hdf5\w*\.h$", r"io/"),
+    (r"jansson\.h$", r"io/|survey/map/|study/engine/"),
+    (r"yaml\.h$", r"io/"),
+    (r"hdf5\w*\.h$", r"io/|study/results/"),
     (r"zlib\.h$", r"io/report/"),
 ]
 

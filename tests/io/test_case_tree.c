@@ -323,9 +323,37 @@ static void near_words(void **state)
     assert_null(case_nearest("averyveryveryveryverylongwordindeed", names, 5));
 }
 
+/* Items of a list go by their name too, if one alone has it; the number comes first. */
+static void items_by_name(void **state)
+{
+    (void)state;
+    CaseTree *tree;
+    hawser_error err;
+    const char *const text =
+        "pieces: [{name: A, straight: 1 m}, {name: B-C, straight: 2 m}, {name: twin}, {name: twin}, {name: 0}]";
+    assert_int_equal(case_tree_parse(text, "named", &tree, &err), HAWSER_OK);
+    assert_int_equal(case_tree_set(tree, "pieces.B-C.straight", "5 m", &err), HAWSER_OK);
+    assert_int_equal(case_tree_set(tree, "pieces.0.straight", "6 m", &err), HAWSER_OK);
+    CaseTree *const copy = case_tree_copy(tree);
+    assert_non_null(copy);
+    assert_int_equal(case_tree_set(copy, "pieces.A.straight", "7 m", &err), HAWSER_OK);
+    const CaseNode *const pieces = case_node_key(tree->root, "pieces");
+    assert_string_equal(case_node_key(case_node_item(pieces, 1), "straight")->text, "5 m");
+    assert_string_equal(case_node_key(case_node_item(pieces, 0), "straight")->text, "6 m");
+    const CaseNode *const copied = case_node_key(copy->root, "pieces");
+    assert_string_equal(case_node_key(case_node_item(copied, 0), "straight")->text, "7 m");
+    assert_int_equal(case_tree_set(tree, "pieces.twin.straight", "1 m", &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "2 items have the name 'twin': give the number, from 0");
+    assert_int_equal(case_tree_set(tree, "pieces.D.straight", "1 m", &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "no item 'D'");
+    case_tree_free(copy);
+    case_tree_free(tree);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(items_by_name),
         cmocka_unit_test(nodes_know_their_places),
         cmocka_unit_test(aliases_are_written_out),
         cmocka_unit_test(not_a_case),

@@ -181,6 +181,29 @@ static void a_step_alone_is_no_peak(void **state)
     check_equal(none.peak, 0);
 }
 
+/* A spike by which it stands out, and a mean in a ramp by half of what its window's halves differ by: more than a
+ * fifth, and more than a fortieth (EB16), (EB17). */
+static void what_is_not_steady(void **state)
+{
+    (void)state;
+    const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}", NULL};
+    const char *const early[] = {"run.steady_from", "500 ms", "drive.winch.to", "4 s", "friction.v_s", "80 mm/s", NULL};
+    const hawser_summary spike = pulled("trust", snap), ramp = pulled("trust", early);
+    check_at_most(0.2 * spike.pull_peak_N, spike.pull_peak_error.mesh);
+    check_at_most(spike.pull_mean_error.total, 0.02 * spike.pull_mean_N);
+    check_at_most(0.025 * ramp.pull_mean_N, ramp.pull_mean_error.time);
+}
+
+/* Pressed into the wall of a duct's bend with 1111 N at first, and 951 N at most at the winch (EB18). */
+static void a_start_in_a_wall(void **state)
+{
+    (void)state;
+    const char *const pressed[] = {"solver.relax", "false", "chain.0.segment", "250 mm", NULL};
+    const hawser_summary run = pulled("trust-duct", pressed);
+    check_at_most(1110 - run.pull_peak_N, run.pull_peak_error.mesh);
+    check_at_most(run.pull_peak_error.mesh, 1.2 * (1111 - run.pull_peak_N));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(friction_not_there),
@@ -193,6 +216,8 @@ int main(void)
                                        cmocka_unit_test(pressure_is_the_meshs),
                                        cmocka_unit_test(how_rough_a_peak_is),
                                        cmocka_unit_test(a_peak_between_rows),
-                                       cmocka_unit_test(a_step_alone_is_no_peak)};
+                                       cmocka_unit_test(a_step_alone_is_no_peak),
+                                       cmocka_unit_test(what_is_not_steady),
+                                       cmocka_unit_test(a_start_in_a_wall)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

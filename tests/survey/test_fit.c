@@ -132,6 +132,72 @@ static void noisy_route_comes_back(void **state)
     }
 }
 
+/* The standard deviation of an arc's radius between straights, over the radius: (FT9). */
+static double radius_error(double radius, double turn, double step, double sigma)
+{
+    return sigma * sqrt(120 * step / (radius * pow(turn, 5))) / radius;
+}
+
+/* Ten straights with ten bends whose radii points every `step` m tell within 0.7 %. */
+static Alignment random_route(unsigned long long seed, double step, double sigma)
+{
+    unsigned long long state = 88172645463325252ULL + 7919 * seed;
+    Alignment a = {.stated_length = NAN};
+    for (int i = 0; i < 20; ++i) chance(&state);
+    while (a.n_plan < 20) {
+        const double straight = 15 + 45 * chance(&state), R = 5 + 45 * chance(&state),
+                     turn = 0.3 + 1.2 * chance(&state);
+        const double k = (chance(&state) < 0.5 ? -1 : 1) / R;
+        if (radius_error(R, turn, step, sigma) > 0.007) continue;
+        add(&a, straight, 0, 0);
+        add(&a, R * turn, k, k);
+    }
+    alignment_chain(&a);
+    return a;
+}
+
+/* Bends that points can tell come back with their radii: within 2 %, or three standard deviations. */
+static void radii_that_points_tell(void **state)
+{
+    (void)state;
+    const double step = 1, sigma = 0.01;
+    for (unsigned long long seed = 1; seed <= 6; ++seed) {
+        Alignment route = random_route(seed, step, sigma), points = sampled(&route, step, sigma), out;
+        const FitReport r = fitted(&points, &out);
+        check_below(r.largest, 0.05);
+        assert_int_equal(out.n_plan, 20);
+        for (int i = 1; i < 20; i += 2) {
+            const double R = 1 / fabs(route.plan[i].k0);
+            const double error = radius_error(R, route.plan[i].length / R, step, sigma);
+            check_close(1 / out.plan[i].k0, 1 / route.plan[i].k0, fmax(0.02, 3 * error) * R);
+        }
+        alignment_clear(&route);
+        alignment_clear(&points);
+        alignment_clear(&out);
+    }
+}
+
+/* On a line of 2.5 km nothing is farther off than is allowed: one bad place does not stop the search elsewhere. */
+static void long_line_is_within(void **state)
+{
+    (void)state;
+    Alignment route = {.stated_length = NAN}, out;
+    for (unsigned long long seed = 1; seed <= 4; ++seed) {
+        Alignment part = random_route(seed, 1, 0.01);
+        for (int i = 0; i < part.n_plan; ++i) add(&route, part.plan[i].length, part.plan[i].k0, part.plan[i].k1);
+        alignment_clear(&part);
+    }
+    alignment_chain(&route);
+    Alignment points = sampled(&route, 1, 0.01);
+    const FitReport r = fitted(&points, &out);
+    assert_int_equal(out.n_plan, 80);
+    check_below(r.largest, 0.05);
+    check_close(r.rms, 0.01, 0.001);
+    alignment_clear(&route);
+    alignment_clear(&points);
+    alignment_clear(&out);
+}
+
 /* Whatever the spacing and the noise. */
 static void spacing_and_noise(void **state)
 {
@@ -265,7 +331,8 @@ static void what_is_wrong(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(spacing_and_noise),
+        cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(radii_that_points_tell),
+        cmocka_unit_test(long_line_is_within),    cmocka_unit_test(spacing_and_noise),
         cmocka_unit_test(corners_get_bends),      cmocka_unit_test(smooth_lines_stay),
         cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
         cmocka_unit_test(what_is_wrong)};

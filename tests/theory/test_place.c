@@ -154,10 +154,10 @@ static void loads_are_shared(void **state)
     const PlaceLine line = {.route = &route, .pull = &pull, .weight = W, .to = route.length};
     Support support[200];
     int n = 0;
-    for (double s = 0.5; s < route.length; s += 1) support[n++] = (Support){.s = s, .side = PLACE_BELOW, .item = n};
-    for (double s = 12.4; s < 20; s += 0.8) support[n++] = (Support){.s = s, .side = PLACE_LEFT, .item = n};
+    for (double s = 0.5; s < route.length; s += 1, ++n) support[n] = (Support){.s = s, .side = PLACE_BELOW, .item = n};
+    for (double s = 12.4; s < 20; s += 0.8, ++n) support[n] = (Support){.s = s, .side = PLACE_LEFT, .item = n};
     const double sag = route.piece[5].s0;
-    for (int k = 0; k < 5; ++k) support[n++] = (Support){.s = sag + 0.45 + 0.9 * k, .side = PLACE_ABOVE, .item = n};
+    for (int k = 0; k < 5; ++k, ++n) support[n] = (Support){.s = sag + 0.45 + 0.9 * k, .side = PLACE_ABOVE, .item = n};
     support_loads(&line, n, support);
     double down = 0, held = 0, off = 0;
     for (int i = 0; i < n; ++i) {

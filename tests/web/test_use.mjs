@@ -162,6 +162,14 @@ test('prints on A4 and Letter with static figures in colours for paper', async (
   await close();
 });
 
+test('the plan has a table, and sentences follow the units', async () => {
+  const { page, close } = await open(report(run()));
+  assert.ok((await savedCsv(page, '#figure-plan')).length > 81, 'all points of the route and what stands on it');
+  await page.getByText('US', { exact: true }).click();
+  assert.match(await page.locator('#verdict').innerText(), /at 56\.1\u00a0ft \(bend\)/);
+  await close();
+});
+
 test('light and dark follow the reader’s system, and the switch', async () => {
   const { page, close } = await open(report(run()), { colorScheme: 'dark' });
   const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -169,6 +177,8 @@ test('light and dark follow the reader’s system, and the switch', async () => 
   await page.getByText('Light', { exact: true }).click();
   assert.equal(await ground(), 'rgb(244, 246, 248)');
   await page.emulateMedia({ colorScheme: 'light' });
+  // The page hears of a change with its next picture: of two in between of none.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   await page.emulateMedia({ colorScheme: 'dark' });
   await page.waitForFunction(() => document.documentElement.dataset.theme === 'dark');
   assert.ok(await page.getByLabel('Dark').isChecked());

@@ -108,6 +108,8 @@ export interface Roller {
 }
 
 export interface Surface {
+  from_m?: Value;
+  to_m?: Value;
   name: string;
   kind: string;
   points_m: Point[];
@@ -202,6 +204,13 @@ export interface ReportData {
   runs: RunData[];
 }
 
+/** A rod lies along no route: its lists are empty then, not absent. */
+function withoutRoute({ geometry }: RunData): void {
+  if (geometry && !(geometry.route as { s_m: number[] | null }).s_m) {
+    geometry.route = { s_m: [], position_m: [], curvature_per_m: [] };
+  }
+}
+
 /** Reads the data out of the page; throws with a sentence for the reader where there is none or it is of another format. */
 export function readData(page: Document): ReportData {
   const text = page.getElementById('hawser-data')?.textContent;
@@ -210,5 +219,6 @@ export function readData(page: Document): ReportData {
   if (data.format !== 1)
     throw new Error(`The data of this page are of format ${String(data.format)}; the page reads 1.`);
   if (!Array.isArray(data.runs) || data.runs.length === 0) throw new Error('The data of this page hold no run.');
+  data.runs.forEach(withoutRoute);
   return data;
 }

@@ -3,6 +3,7 @@ import type { Context, Section } from './context';
 import type { ReportData } from './data';
 import { el, named } from './dom';
 import { Figure, type Memory } from './figure/figure';
+import { later } from './later';
 import { title } from './run';
 import { compareSection } from './section/compare';
 import { alongSection, routeSection, timeSection } from './section/figures';
@@ -46,6 +47,7 @@ export class Page {
   private readonly before = el('div');
   private readonly after = el('div');
   private readonly viewRoot = el('div', { class: 'view' });
+  private readonly viewPaper = el('div', { class: 'on-paper' });
   private readonly viewSection: HTMLElement;
   private readonly contents = el('nav', { class: 'contents', 'aria-label': 'Contents' });
   private view: View | null = null;
@@ -60,6 +62,7 @@ export class Page {
       { id: 'view', 'aria-labelledby': 'view-heading' },
       el('h2', { id: 'view-heading' }, 'The pull in three dimensions'),
       this.viewRoot,
+      this.viewPaper,
     );
     const body = el('div', { class: 'body' }, this.before, this.viewSection, this.after);
     root.replaceChildren(toolbar(data, store), this.heading, el('div', { class: 'columns' }, this.contents, body));
@@ -72,8 +75,7 @@ export class Page {
     addEventListener('beforeprint', () => this.print(true));
     addEventListener('afterprint', () => this.print(false));
     this.fill();
-    // The page is there first; the view comes in the next frame.
-    requestAnimationFrame(() => setTimeout(() => this.mount()));
+    later(this.viewRoot, () => this.mount());
   }
 
   private run(): ReportData['runs'][number] {
@@ -156,6 +158,8 @@ export class Page {
 
   private print(on: boolean): void {
     for (const figure of this.figures) figure.print(on);
+    const still = on ? (this.view?.onPaper() ?? null) : null;
+    this.viewPaper.replaceChildren(...(still ? [still] : []));
     for (const details of document.querySelectorAll<HTMLDetailsElement>('details.long')) if (on) details.open = true;
   }
 }

@@ -84,8 +84,24 @@ export function isUnit(text: string): text is Unit {
   return ['N', 'N/m', 'm', 'mm', 'm/s', 's', '1', '%', 'N m', 'W', 'rad/s', '1/m'].includes(text);
 }
 
-/** A place as the program names it, "17.1 m (bend)", in the chosen system; other texts stay as they are. */
-export function placeText(text: string, system: UnitSystem): string {
-  const found = /^(-?\d+(?:\.\d+)?) m\b(.*)$/s.exec(text);
-  return found ? show(Number(found[1]), 'm', system) + (found[2] ?? '') : text;
+/** Units as the program words them; the longer before those that begin like them. */
+const WORDED = /(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)\s(kN\/m|N\/m|m\/s|kN m|N m|kN|mm|N|m)(?![\w/])/g;
+const PREFIX: Record<string, [Unit, number]> = {
+  'kN/m': ['N/m', 1e3],
+  'kN m': ['N m', 1e3],
+  kN: ['N', 1e3],
+  mm: ['mm', 1e-3],
+};
+
+/** A sentence of the program with its quantities in the chosen system; names, between quotes, stay what they are. */
+export function sentenceText(text: string, system: UnitSystem): string {
+  if (system === 'si') return text;
+  const convert = (_: string, number: string, symbol: string): string => {
+    const [unit, factor] = PREFIX[symbol] ?? [symbol as Unit, 1];
+    return show(Number(number) * factor, unit, system);
+  };
+  return text
+    .split(/('[^']*')/)
+    .map((part, i) => (i % 2 === 1 ? part : part.replace(WORDED, convert)))
+    .join('');
 }

@@ -173,6 +173,11 @@ test('bends of a route: where, how sharp, how far round', () => {
   assert.ok(Math.abs(a.radius - 10 / (30 * degree)) < 1e-6);
   assert.ok(farthest([b.from, b.to, b.angle / degree], [120, 125, 45]) < 1e-6);
   assert.deepEqual(view.bendsOf([0, 10], [0, 0]), []);
+  const snake = routeOf([{ length: 5 }, { length: 10, turn: 1 }, { length: 6, turn: -0.5 }, { length: 5 }], 0.5);
+  const [left, right, ...more] = view.bendsOf(snake.s, snake.curvature, view.turning(snake.position));
+  assert.deepEqual(more, [], 'a bend that goes over into one the other way: two');
+  assert.ok(Math.abs(left.angle - 1) < 0.06 && Math.abs(right.angle - 0.5) < 0.06, `${left.angle}, ${right.angle}`);
+  assert.ok(Math.abs(left.to - 15) < 0.51 && left.to === right.from);
   assert.deepEqual(view.bendsOf([0, 10, 20], [null, 0.1, 0]).length, 1);
 });
 

@@ -1,5 +1,6 @@
 // One figure of the page: heading, plot, legend, caption, and the table behind it.
 import { el } from '../dom';
+import { later } from '../later';
 import type { Store, Theme } from '../state';
 import { align, extent } from './align';
 import { makeLegend, type Legend } from './legend';
@@ -42,6 +43,8 @@ export class Figure {
   private readonly legendRoot = el('div');
   private readonly ends: (() => void)[] = [];
   private plot: Plot | null = null;
+  /** Whether its turn to be drawn has come. */
+  private wanted = false;
   private legend: Legend | null = null;
 
   constructor(
@@ -79,7 +82,12 @@ export class Figure {
     }
     const sizes = new ResizeObserver(() => this.resize());
     sizes.observe(this.frame);
-    this.ends.push(() => sizes.disconnect());
+    const draw = (): void => {
+      this.wanted = true;
+      this.resize();
+    };
+    this.ends.push(() => sizes.disconnect(), later(this.element, draw));
+    this.drawLegend(store.get('theme'));
   }
 
   dispose(): void {
@@ -102,6 +110,8 @@ export class Figure {
   private resize(): void {
     const height = this.spec.height ?? (this.width() < 560 ? 220 : 280);
     if (this.frame.clientWidth === 0) return;
+    this.root.style.minHeight = `${height}px`;
+    if (!this.wanted) return;
     if (this.plot && this.plot.chart.width === this.width()) return;
     if (this.plot) this.plot.chart.setSize({ width: this.width(), height });
     else this.draw(height);

@@ -2,8 +2,10 @@
 import type { Context } from '../context';
 import { button, el, svg } from '../dom';
 import { valueAt } from '../figure/align';
+import { tableTools } from '../figure/table';
 import { digits, scaleOf, show } from '../units';
 import { equipment, markPath, placeNear, planeOf, planLegend } from './marks';
+import { standsTable } from './stands';
 import { bounds, scaled, shaped, Zoom } from './zoom';
 
 const WIDE = 900;
@@ -65,6 +67,14 @@ export function planDrawing(context: Context): HTMLElement | null {
     button('Zoom in', () => zoom.zoomIn()),
     button('Show all', () => zoom.showAll()),
   );
+  const [csv, place] = tableTools(
+    () => standsTable(geometry, units),
+    'What stands where',
+    false,
+    () => {},
+  );
+  if (csv) tools.append(...csv.childNodes);
+  const behind = place ? [place] : [];
   return el(
     'figure',
     { id: 'figure-plan', class: 'figure' },
@@ -77,6 +87,7 @@ export function planDrawing(context: Context): HTMLElement | null {
       el('p', { class: 'caption' }, 'The route from above, both directions to the same scale.'),
       width,
       tools,
+      ...behind,
     ),
   );
 }

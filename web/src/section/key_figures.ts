@@ -4,7 +4,7 @@ import { el, named } from '../dom';
 import type { Value } from '../data';
 import { extent } from '../figure/align';
 import { inWords, limitNamed, numbers, texts } from '../run';
-import { digits, placeText, show } from '../units';
+import { digits, sentenceText, show } from '../units';
 import { fact, note, section, withError } from './parts';
 
 function difference(value: Value | undefined, reference: Value | undefined): string {
@@ -30,7 +30,7 @@ function atPlace(context: Context, name: string): HTMLElement | null {
   const limit = limitNamed(context.run, name);
   if (!limit || limit.value === null) return null;
   const unit = name === 'sidewall' ? 'N/m' : 'm';
-  const where = limit.where ? named(placeText(limit.where, context.units)) : '';
+  const where = limit.where ? named(sentenceText(limit.where, context.units)) : '';
   return fact(inWords(name), show(limit.value, unit, context.units), where);
 }
 

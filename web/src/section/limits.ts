@@ -3,7 +3,7 @@ import type { Context } from '../context';
 import { el, named } from '../dom';
 import type { Limit } from '../data';
 import { inWords, judged, limitUnit, type Standing } from '../run';
-import { digits, placeText, scaleOf, show, UNKNOWN } from '../units';
+import { digits, sentenceText, scaleOf, show, UNKNOWN } from '../units';
 import { note, section, sign, usage } from './parts';
 import { csvTools } from '../figure/table';
 
@@ -38,8 +38,8 @@ function row(limit: Limit, context: Context): HTMLElement {
     number(show(limit.limit, unit, units)),
     number(margin),
     el('td', { class: 'usage-cell' }, limit.margin === null ? null : usage(1 - limit.margin, standing)),
-    el('td', {}, named(placeText(limit.where, units))),
-    el('td', { class: 'source' }, named(limit.source)),
+    el('td', {}, named(sentenceText(limit.where, units))),
+    el('td', { class: 'source' }, named(sentenceText(limit.source, units))),
   );
 }
 

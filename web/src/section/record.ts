@@ -4,7 +4,7 @@ import type { Assumption, Input, Trust } from '../data';
 import { el, named } from '../dom';
 import { csvTools } from '../figure/table';
 import { inWords } from '../run';
-import { digits, isUnit, show, UNKNOWN, type Unit } from '../units';
+import { digits, isUnit, sentenceText, show, UNKNOWN, type Unit } from '../units';
 import { fact, note, section, sign } from './parts';
 
 function scrolled(label: string, table: HTMLElement): HTMLElement {
@@ -40,7 +40,7 @@ export const trustSection: Section = ({ run, units }) => {
       el('td', { class: 'standing' }, el('span', { class: `standing-word ${standing}` }, sign(standing), word)),
       el('td', { class: 'number' }, shown(condition.value, condition.unit)),
       el('td', { class: 'number' }, shown(condition.allowed, condition.unit)),
-      el('td', { class: 'source' }, condition.holds === false ? named(condition.remedy) : null),
+      el('td', { class: 'source' }, condition.holds === false ? named(sentenceText(condition.remedy, units)) : null),
     );
   };
   const order = [...conditions].sort((a, b) => Number(a.holds !== false) - Number(b.holds !== false));
@@ -144,7 +144,7 @@ export const eventsSection: Section = ({ run, units, store }) => {
       {},
       el('button', { type: 'button', class: 'pick', onclick: jump(event.time_s) }, show(event.time_s, 's', units)),
       ' ',
-      named(event.what),
+      named(sentenceText(event.what, units)),
       event.pull_N === null ? '' : `, pull ${show(event.pull_N, 'N', units)}`,
     ),
   );

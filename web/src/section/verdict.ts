@@ -4,8 +4,8 @@ import { el, named } from '../dom';
 import type { Limit } from '../data';
 import { extent } from '../figure/align';
 import { inWords, judged, limitUnit, numbers, remedyOf, standing, texts, type Standing } from '../run';
-import { placeText, show } from '../units';
-import { note, sign } from './parts';
+import { sentenceText, show } from '../units';
+import { sign } from './parts';
 
 const WORD: Record<Standing, string> = {
   safe: 'SAFE',
@@ -30,7 +30,7 @@ function sentence(limit: Limit, context: Context): HTMLElement {
     ': ',
     el('strong', {}, show(limit.value, unit, units)),
     limit.where ? ' at ' : '',
-    limit.where ? named(placeText(limit.where, units)) : null,
+    limit.where ? named(sentenceText(limit.where, units)) : null,
     `. Allowed: ${bound}${show(limit.limit, unit, units)}; `,
     el('strong', {}, rest),
     '.',
@@ -79,10 +79,13 @@ const capital = (text: string): string => text.charAt(0).toUpperCase() + text.sl
 /** The remedies as the program words them: of the run, or of each limit. */
 function brokenRemedies(context: Context): HTMLElement[] {
   const sentences = context.run.summary.remedies ?? [];
-  if (sentences.length > 0) return sentences.map((sentence) => el('p', {}, named(`${capital(sentence)}.`)));
+  if (sentences.length > 0)
+    return sentences.map((sentence) => el('p', {}, named(`${capital(sentenceText(sentence, context.units))}.`)));
   const broken = judged(context.run).filter((limit) => limit.ok === false);
   return broken.map((limit) => {
-    const rest = remedyOf(limit) || `its figures alone do not tell what to change; the limit is from: ${limit.source}`;
+    const rest =
+      sentenceText(remedyOf(limit), context.units) ||
+      `its figures alone do not tell what to change; the limit is from: ${limit.source}`;
     return el('p', {}, el('strong', {}, inWords(limit.name)), ': ', named(rest), '.');
   });
 }
@@ -94,7 +97,13 @@ function changes(context: Context): HTMLElement[] {
     case 'untrusted': {
       const failed = (summary.trust ?? []).filter((condition) => condition.holds === false);
       const list = failed.map((condition) =>
-        el('li', {}, el('strong', {}, inWords(condition.name)), ': ', named(condition.remedy)),
+        el(
+          'li',
+          {},
+          el('strong', {}, inWords(condition.name)),
+          ': ',
+          named(sentenceText(condition.remedy, context.units)),
+        ),
       );
       const first = el('p', {}, 'Make the figures trustworthy first; until then no margin on this page counts.');
       return list.length > 0 ? [first, el('ul', {}, ...list)] : [first];
@@ -119,7 +128,9 @@ function changes(context: Context): HTMLElement[] {
       if (open.length === 0) {
         return [el('p', {}, 'Say what the cable may bear: give the case a section “limits”, and compute again.')];
       }
-      const list = open.map((limit) => el('li', {}, el('strong', {}, inWords(limit.name)), ': ', named(limit.source)));
+      const list = open.map((limit) =>
+        el('li', {}, el('strong', {}, inWords(limit.name)), ': ', named(sentenceText(limit.source, context.units))),
+      );
       return [el('p', {}, 'Give the case what is missing, and compute again:'), el('ul', {}, ...list)];
     }
   }
@@ -145,16 +156,13 @@ export function verdictSection(context: Context): HTMLElement {
     'section',
     { id: 'verdict', class: `verdict ${now}`, 'aria-labelledby': 'verdict-heading' },
     el('h2', { id: 'verdict-heading' }, sign(now), el('span', {}, WORD[now])),
-    el('p', { class: 'reason' }, named(verdict)),
-    ended ? el('p', { class: 'reason' }, named(ended)) : null,
+    el('p', { class: 'reason' }, named(sentenceText(verdict, units))),
+    ended ? el('p', { class: 'reason' }, named(sentenceText(ended, units))) : null,
     el(
       'div',
       { class: 'answers' },
       el('div', {}, el('h3', {}, 'Where it is tightest'), ...tightest(context)),
       el('div', {}, el('h3', {}, 'What to change'), ...changes(context)),
     ),
-    units === 'us'
-      ? note('Sentences of the program, such as the verdict’s reason, are in metric units where it gave no others.')
-      : null,
   );
 }

@@ -1,11 +1,20 @@
 // What stands still: route, ducts and floors, conveyors, obstacles.
-import { BufferGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, Mesh, ShaderMaterial } from 'three';
+import {
+  BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  Line,
+  LineBasicMaterial,
+  Mesh,
+  ShaderMaterial,
+  Vector3,
+} from 'three';
 import type { Conveyor, Surface } from '../data';
 import { faceMaterial, type Look, screenColour } from './material';
 import type { Model } from './model';
 import type { Palette } from './palette';
-import type { Vec3 } from './path';
-import { obstacleMeshes, reelMesh, winchMesh } from './machines';
+import { direction, type Vec3 } from './path';
+import { obstacleMeshes, reelAngle, reelMesh, reelSpokes, winchMesh } from './machines';
 import type { Shared } from './shaders';
 import { box, circle, type Corner, refined, sweepGeometry } from './sweep';
 
@@ -23,6 +32,8 @@ export type Part = keyof Palette;
 export class Equipment {
   readonly group = new Group();
   private cast: Line | null = null;
+  private spokes: Group | null = null;
+  private readonly angle: ((time: number) => number) | null;
   private readonly painted: { material: ShaderMaterial | LineBasicMaterial; part: Part }[] = [];
 
   constructor(
@@ -31,6 +42,7 @@ export class Equipment {
     groundHeight: number,
   ) {
     const geometry = model.run.geometry;
+    this.angle = reelAngle(model.run, model);
     if (!geometry) return;
     this.route(groundHeight);
     for (const surface of geometry.surfaces) this.surface(surface);
@@ -42,6 +54,14 @@ export class Equipment {
       ...obstacleMeshes(geometry, model, paint),
     ];
     for (const mesh of machines) this.group.add(mesh);
+    if (geometry.reel) this.group.add((this.spokes = reelSpokes(geometry.reel, model, paint)));
+  }
+
+  /** Turns the reel to where it is at a time. */
+  turn(time: number): void {
+    const axis = this.model.run.geometry?.reel?.axis;
+    if (!axis || !this.angle) return;
+    this.spokes?.quaternion.setFromAxisAngle(new Vector3(...direction(axis, [0, 1, 0])), this.angle(time));
   }
 
   private paint(part: Part, look: Omit<Look, 'colour'>): ShaderMaterial {

@@ -77,6 +77,14 @@ export class Frames {
     return true;
   }
 
+  /** Time of the frame in which a field of one component is largest; null where there is no such field. */
+  timeOfLargest(name: string): number | null {
+    const q = this.fields.get(name)?.q;
+    if (!q || q.length === 0) return null;
+    const largest = q.reduce((most, value, i) => (value > q[most]! ? i : most), 0);
+    return this.time[Math.floor(largest / this.items)] ?? null;
+  }
+
   /** One item's value over all frames, SI; of a vector its size. */
   history(name: string, item: (frame: number) => number): Float64Array | null {
     const field = this.fields.get(name);

@@ -69,6 +69,22 @@ export class Labels {
     this.elements.set(name, { element, label });
   }
 
+  /** Those that are shown: the words, and where they and their point are in the picture, CSS pixels. */
+  shown(): { text: string; x: number; y: number; aside: number }[] {
+    return [...this.elements.values()].flatMap(({ element, label }, i) =>
+      element.hidden
+        ? []
+        : [
+            {
+              text: label.text,
+              x: this.screen.x[i]!,
+              y: this.screen.y[i]!,
+              aside: parseFloat(element.style.getPropertyValue('--aside')) || 0,
+            },
+          ],
+    );
+  }
+
   /** Puts all labels where their points are now. */
   update(clip: Matrix4, width: number, height: number): void {
     const all = [...this.elements.values()];

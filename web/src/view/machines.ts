@@ -3,6 +3,7 @@ import {
   BoxGeometry,
   BufferGeometry,
   CylinderGeometry,
+  Group,
   Matrix4,
   Mesh,
   Quaternion,
@@ -10,13 +11,17 @@ import {
   TorusGeometry,
   Vector3,
 } from 'three';
-import type { Geometry } from '../data';
+import type { Geometry, RunData } from '../data';
+import { valueAt } from '../figure/align';
+import { numbers } from '../run';
 import type { Part } from './equipment';
 import type { Look } from './material';
 import type { Model } from './model';
-import { cross, direction, type Vec3 } from './path';
+import { cross, direction, dot, sub, type Vec3 } from './path';
 
 type Paint = (part: Part, look?: Omit<Look, 'colour'>) => ShaderMaterial;
+
+const SPOKES = 6;
 
 /** A solid made about the origin with its axis along y, moved to a point with its axis along `axis`. */
 function stood(geometry: BufferGeometry, at: Vec3, axis: Vec3, shift = 0): BufferGeometry {
@@ -43,6 +48,40 @@ export function reelMesh(reel: NonNullable<Geometry['reel']>, model: Model, pain
     meshes.push(side);
   }
   return meshes;
+}
+
+/** Spokes on both flanges, by which one sees that the reel turns: a group about its centre. */
+export function reelSpokes(reel: NonNullable<Geometry['reel']>, model: Model, paint: Paint): Group {
+  const { radius_m: flange, width_m: width } = reel;
+  const group = new Group();
+  const material = paint('frame');
+  for (const end of [-1, 1])
+    for (let k = 0; k < SPOKES; k++) {
+      const spoke = new BoxGeometry(0.05 * flange, 0.02 * flange, 0.97 * flange).translate(0, 0, 0.485 * flange);
+      spoke.rotateY((2 * Math.PI * k) / SPOKES);
+      group.add(new Mesh(stood(spoke, [0, 0, 0], reel.axis, end * (0.5 * width + 0.03 * flange)), material));
+    }
+  group.position.set(...model.at(reel.center_m));
+  return group;
+}
+
+/**
+ * The angle by which the reel has turned about its axis at a time, rad: its speed of series.csv by the trapezoidal rule, which is positive
+ * where it pays out; null without.
+ */
+export function reelAngle(run: RunData, model: Model): ((time: number) => number) | null {
+  const reel = run.geometry?.reel;
+  const time = numbers(run.series, 'time_s')?.map((t) => t ?? NaN);
+  const speed = numbers(run.series, 'reel_speed_rad_per_s');
+  if (!reel || !time || !speed || !model.path) return null;
+  const out = sub(model.path.at(model.path.from), model.at(reel.center_m));
+  const way = Math.sign(dot(cross(direction(reel.axis), out), model.path.tangent(model.path.from))) || 1;
+  let sum = 0;
+  const angle = time.map((t, i) => {
+    if (i > 0) sum += 0.5 * ((speed[i] ?? 0) + (speed[i - 1] ?? 0)) * (t - time[i - 1]!);
+    return way * sum;
+  });
+  return (at) => valueAt(time, angle, at) ?? 0;
 }
 
 /** A frame with a drum behind the point where the rope goes in. */

@@ -1,6 +1,6 @@
 // A run as the view needs it: everything about a centre near the scene, so that single precision is enough on the graphics card.
 import type { Point, RunData } from '../data';
-import { type Bend, bendsOf } from './bends';
+import { type Bend, bendsOf, turning } from './bends';
 import type { ChainDef } from './chain_rings';
 import type { Frames } from './frames';
 import { direction, Path, size, sub, type Vec3 } from './path';
@@ -58,12 +58,17 @@ export function modelOf(run: RunData): Model {
   const extent = route.filter((_, i) => i % stride === 0 || i === route.length - 1);
   if (geometry?.reel) extent.push(at(geometry.reel.center_m));
   if (geometry?.winch && nearRoute(route, at(geometry.winch.position_m))) extent.push(at(geometry.winch.position_m));
+  if (extent.length === 0) {
+    // a rod without a route begins at the origin, whichever way it points
+    const length = chain ? chain.length_m.reduce((a, b) => a + b, 0) : 1;
+    extent.push([-length, 0, 0], [length, 0, 0]);
+  }
   return {
     run,
     centre,
     at,
     path: geometry && route.length > 1 ? new Path(geometry.route.s_m, route) : null,
-    bends: geometry ? bendsOf(geometry.route.s_m, geometry.route.curvature_per_m) : [],
+    bends: geometry ? bendsOf(geometry.route.s_m, geometry.route.curvature_per_m, turning(route)) : [],
     chain,
     head: chain ? (cable >= 0 ? cable : chain.segments - 1) : 0,
     diameter: chain?.diameter_m[Math.max(0, cable)] ?? DIAMETER,

@@ -11,7 +11,7 @@ export function sentence(now: Now, model: Model, system: UnitSystem): string {
   const at = largest ? model.path?.nearest(now.centre(largest.segment)) : undefined;
   const parts = [`At ${timeText(now.time, now.frames.to)}`];
   const told = [head === null ? 'the head is off the route' : `the head is at ${lengthText(head, system)}`];
-  if (largest) {
+  if (largest && largest.value > 0) {
     const where = !at || at.distance > 3 ? 'off the route' : `at ${lengthText(at.s, system)}`;
     told.push(`the largest tension is ${show(largest.value, 'N', system, 3)} ${where}`);
   }

@@ -153,6 +153,20 @@ export class Stage {
     if (more) this.invalidate();
   }
 
+  /** The picture as it is now with that many pixels a CSS pixel, as the URL of an image. */
+  shot(density: number): string {
+    const { renderer } = this;
+    const usual = renderer.getPixelRatio();
+    renderer.setPixelRatio(density);
+    this.fit();
+    this.onFrame(0);
+    renderer.render(this.scene, this.camera);
+    const url = renderer.domElement.toDataURL('image/png');
+    renderer.setPixelRatio(usual);
+    this.invalidate();
+    return url;
+  }
+
   /** Near and far planes about the scene, and the size of a pixel. */
   fit(): void {
     const camera = this.camera;

@@ -7,6 +7,7 @@ import { CameraDesk } from './camera_desk';
 import { unpackFrames } from './frames';
 import { HELP, listenToKeys } from './keys';
 import { rollerForces } from './picked';
+import { paperPicture } from './paper';
 import { listenToPointer } from './pointer';
 import { Narrator } from './sentence';
 import { Viewer } from './viewer';
@@ -15,6 +16,8 @@ import { World } from './world';
 export interface View {
   /** Resolves when all states are unpacked. */
   readonly ready: Promise<void>;
+  /** A still picture for paper; null where there is none. */
+  onPaper(): HTMLElement | null;
   /** For tests and measurements. */
   readonly viewer: Viewer;
   /** Frees what the view holds and empties its root. */
@@ -148,6 +151,7 @@ export function mountView(root: HTMLElement, run: RunData, store: Store): View {
   return {
     ready,
     viewer,
+    onPaper: () => paperPicture(viewer, store),
     dispose: () => {
       ends.forEach((end) => end());
       viewer.dispose();

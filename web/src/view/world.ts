@@ -113,6 +113,7 @@ export class World {
     this.ground.mesh.position.z = this.groundHeight();
     this.equipment.shadow(stage.distance > SHADOW_FROM * this.wide);
     this.chain?.marks(MARKS_M.find((metres) => metres / pixel > MARKS_PX) ?? 1000);
+    if (now) this.equipment.turn(now.time);
     if (now && this.chain) {
       this.chain.update(now.centres, now.values);
       this.chain.mesh.visible = true;

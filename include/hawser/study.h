@@ -1,0 +1,49 @@
+/* Studies: many samples of a case, on all processors; part of hawser/hawser.h, which includes it. docs/studies.md
+ * describes the file, the ways to vary, and what comes out. */
+#ifndef HAWSER_STUDY_H
+#define HAWSER_STUDY_H
+
+#include "hawser/shown.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct hawser_study hawser_study;
+
+/* What is going on; good during the call of the progress function only. */
+typedef struct hawser_study_state {
+    long samples, done; /* rows in all; rows that are there, those of an earlier start included */
+    long failed;        /* of these, without an answer */
+    long not_safe;
+    int jobs;
+    double wall_s, left_s; /* s since the start; until the end, NAN: not known yet */
+} hawser_study_state;
+/* Other than 0: stop. Called a few times a second. */
+typedef int (*hawser_study_progress)(void *user, const hawser_study_state *state);
+
+typedef struct hawser_study_options {
+    int jobs;                       /* worker processes; 0: as many as there are processors */
+    int fresh;                      /* what an earlier start has left in the folder is dropped, not gone on with */
+    hawser_study_progress progress; /* may be NULL */
+    void *user;
+} hawser_study_options;
+
+/* Reads a study file and its base case. Errors: INPUT with file, line and key; MEMORY. *out is NULL then. */
+hawser_status hawser_study_load(const char *path, hawser_study **out, hawser_error *err);
+void hawser_study_free(hawser_study *s);
+/* Computes the samples that the folder does not have yet, on processes that are forked from this one (which must have
+ * no other threads), and writes samples.csv, study.h5 and summary.json. A sample without an answer is a row with its
+ * reason. options may be NULL. Errors: INPUT (the folder has another study), OUTPUT, MEMORY, STOPPED; then tables
+ * hold what there is. */
+hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_study_options *options,
+                               hawser_error *err);
+/* The answer for people, as far as the last run went: *text is malloc'ed: hawser_text_free. Errors: INPUT (it has not
+ * run), MEMORY. */
+hawser_status hawser_study_answer(const hawser_study *s, hawser_units units, char **text, hawser_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

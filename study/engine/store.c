@@ -1,0 +1,266 @@
+/* Workers' files: rows of one size, each with a check sum, appended by one write and never changed. A row that is cut
+ * off or damaged, and what is behind it, counts as not there. */
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "io/api/api_handles.h"
+#include "io/results/results_file.h"
+#include "study/engine/engine.h"
+
+enum { STORE_FORMAT = 1, FILES_MAX = 1024, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
+
+/* ------------------------------------------------------------------------------------------------------- identity */
+
+/* FNV-1a, 64 bits. */
+typedef uint64_t Hash;
+static const Hash HASH_BEGIN = 14695981039346656037u;
+
+static Hash hash_bytes(Hash h, const void *from, size_t size)
+{
+    for (const unsigned char *p = from, *end = p + size; p < end; p++) h = (h ^ *p) * 1099511628211u;
+    return h;
+}
+
+/* With its end, so that "ab", "c" is not "a", "bc". */
+static Hash hash_text(Hash h, const char *text)
+{
+    return hash_bytes(h, text ? text : "\1", text ? strlen(text) + 1 : 2);
+}
+static Hash hash_number(Hash h, double x) { return hash_bytes(h, &x, sizeof x); }
+
+static Hash hash_node(Hash h, const CaseNode *node)
+{
+    h = hash_number(hash_text(hash_text(h, node->key), node->text), node->kind);
+    for (const CaseNode *child = node->first; child; child = child->next) h = hash_node(h, child);
+    return hash_text(h, "end");
+}
+
+static Hash hash_parameter(Hash h, const Parameter *p)
+{
+    const double law[] = {p->law.kind, p->law.a, p->law.b, p->law.c, p->law.low, p->law.high, p->chosen, p->n_choices};
+    h = hash_text(hash_text(h, p->name), p->unit);
+    for (int k = 0; k < p->n_keys; k++) h = hash_text(h, p->key[k]);
+    h = hash_bytes(h, law, sizeof law);
+    for (int k = 0; k < p->n_choices; k++) {
+        h = hash_text(h, p->choice[k]);
+        if (p->weight) h = hash_number(h, p->weight[k]);
+    }
+    return h;
+}
+
+/* All that a row depends on: the program, the base case and the files that it takes in, as far as they show in what is
+ * built; what is varied and looked at. The number of samples only where the points depend on it, so that a study may be
+ * made longer. */
+static hawser_status identity(const Study *s, Hash *out, hawser_error *err)
+{
+    char *built = NULL;
+    const hawser_status status = hawser_case_describe(s->base, HAWSER_JSON, &built, NULL);
+    if (status == HAWSER_ERR_MEMORY) return error_memory(err);
+    Hash h = hash_text(hash_text(HASH_BEGIN, hawser_version()), built); /* a base that is no case by itself: nothing */
+    hawser_text_free(built);
+    h = hash_node(h, s->base->tree->root);
+    const int whole = s->kind != STUDY_MONTE_CARLO || s->points == POINTS_LATIN;
+    const double plain[] = {s->kind,
+                            s->fidelity,
+                            s->close,
+                            (double)s->seed,
+                            s->kind == STUDY_MONTE_CARLO ? s->points : 0,
+                            STORE_FORMAT,
+                            sizeof(Row),
+                            whole ? (double)s->samples : 0};
+    h = hash_bytes(h, plain, sizeof plain);
+    for (int j = 0; j < s->n_parameters; j++) h = hash_parameter(h, &s->parameter[j]);
+    const size_t d = (size_t)s->n_parameters;
+    if (s->factor) h = hash_bytes(h, s->factor, d * d * sizeof *s->factor);
+    for (int q = 0; q < s->n_quantities; q++) h = hash_number(hash_text(h, s->quantity[q].path), s->quantity[q].of);
+    *out = h;
+    return HAWSER_OK;
+}
+
+static hawser_status identity_say(const Study *s, char text[IDENTITY_MAX], hawser_error *err)
+{
+    Hash h = 0;
+    const hawser_status status = identity(s, &h, err);
+    snprintf(text, IDENTITY_MAX, "hawser study %016llx\n", (unsigned long long)h);
+    return status;
+}
+
+/* ----------------------------------------------------------------------------------------------------------- paths */
+
+/* dir/workers, and a file in it. */
+static hawser_status workers_path(char path[OUT_PATH_MAX], const char *dir, const char *name, hawser_error *err)
+{
+    char folder[OUT_PATH_MAX];
+    const hawser_status status = out_join(folder, dir, "workers", err);
+    return status ? status : out_join(path, folder, name, err);
+}
+
+static hawser_status worker_path(char path[OUT_PATH_MAX], const char *dir, int k, hawser_error *err)
+{
+    char name[NAME_MAX_];
+    snprintf(name, sizeof name, "worker-%d.rows", k);
+    return workers_path(path, dir, name, err);
+}
+
+/* ------------------------------------------------------------------------------------------------------------ rows */
+
+hawser_status rows_make(const Study *s, Rows *rows, hawser_error *err)
+{
+    const size_t n = (size_t)s->samples, q = (size_t)s->n_quantities;
+    *rows = (Rows){s->samples, s->n_quantities, calloc(n, sizeof *rows->row), malloc((n * q + 1) * sizeof(double))};
+    if (rows->row && rows->value) return HAWSER_OK;
+    rows_free(rows);
+    return error_memory(err);
+}
+
+void rows_free(Rows *rows)
+{
+    free(rows->row);
+    free(rows->value);
+    *rows = (Rows){0};
+}
+
+static size_t record_size(int n_quantities)
+{
+    return sizeof(Row) + (size_t)n_quantities * sizeof(double) + sizeof(Hash);
+}
+
+int store_open(const char *dir, int k)
+{
+    char path[OUT_PATH_MAX];
+    if (worker_path(path, dir, k, NULL)) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    return open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+}
+
+int store_append(int fd, const Row *row, const double *value, int n_quantities)
+{
+    const size_t values = (size_t)n_quantities * sizeof *value, size = record_size(n_quantities);
+    char record[RECORD_MAX];
+    if (size > sizeof record) return EFBIG;
+    memcpy(record, row, sizeof *row);
+    memcpy(record + sizeof *row, value, values);
+    const Hash h = hash_bytes(HASH_BEGIN, record, sizeof *row + values);
+    memcpy(record + sizeof *row + values, &h, sizeof h);
+    const ssize_t n = write(fd, record, size);
+    return n == (ssize_t)size ? 0 : n < 0 ? errno : ENOSPC;
+}
+
+/* Whether a record is as it was written. */
+static int record_is_sound(const char *record, size_t size)
+{
+    Hash h;
+    memcpy(&h, record + size - sizeof h, sizeof h);
+    return h == hash_bytes(HASH_BEGIN, record, size - sizeof h);
+}
+
+/* Takes a record in; an answer weighs more than none, else the first counts. */
+static void record_take(const char *record, Rows *rows)
+{
+    Row row;
+    memcpy(&row, record, sizeof row);
+    if (row.sample < 0 || row.sample >= rows->n) return; /* of a longer study */
+    Row *const to = &rows->row[row.sample];
+    if (to->state == ROW_DONE || (to->state != ROW_OPEN && row.state != ROW_DONE)) return;
+    *to = row;
+    const size_t q = (size_t)rows->n_quantities;
+    memcpy(rows->value + (size_t)row.sample * q, record + sizeof row, q * sizeof *rows->value);
+}
+
+/* All sound records of a file. */
+static void records_take(int fd, Rows *rows)
+{
+    char record[RECORD_MAX];
+    const size_t size = record_size(rows->n_quantities);
+    for (off_t at = 0; pread(fd, record, size, at) == (ssize_t)size; at += (off_t)size) {
+        if (record_is_sound(record, size)) record_take(record, rows);
+    }
+}
+
+int store_mend(int fd, int n_quantities)
+{
+    struct stat info;
+    if (fstat(fd, &info)) return errno;
+    const off_t cut = info.st_size % (off_t)record_size(n_quantities);
+    return cut && ftruncate(fd, info.st_size - cut) ? errno : 0;
+}
+
+/* ----------------------------------------------------------------------------------------------------- the folder */
+
+/* Whose the files are: 1 this study's, 0 there are none, -1 another's. */
+static hawser_status owner_find(const Study *s, const char *dir, int *own, hawser_error *err)
+{
+    char path[OUT_PATH_MAX], mine[IDENTITY_MAX], theirs[IDENTITY_MAX] = "";
+    hawser_status status = workers_path(path, dir, "study", err);
+    if (!status) status = identity_say(s, mine, err);
+    if (status) return status;
+    FILE *const f = fopen(path, "r");
+    *own = 0;
+    if (!f) return HAWSER_OK;
+    const size_t n = fread(theirs, 1, sizeof theirs - 1, f);
+    theirs[n] = 0;
+    *own = strcmp(mine, theirs) ? -1 : 1;
+    fclose(f);
+    return HAWSER_OK;
+}
+
+hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_error *err)
+{
+    int own;
+    hawser_status status = owner_find(s, dir, &own, err);
+    if (status || own == 0) return status;
+    if (own < 0) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.400s' holds the samples of another study (or the case has changed since): take another "
+                         "folder, or begin anew with --fresh",
+                         dir);
+    }
+    for (int k = 0; k < FILES_MAX; k++) {
+        char path[OUT_PATH_MAX];
+        if (worker_path(path, dir, k, NULL)) break;
+        const int fd = open(path, O_RDWR | O_CLOEXEC);
+        if (fd < 0) continue; /* a worker that was killed before it made its own, or there were fewer */
+        records_take(fd, rows);
+        const int number = store_mend(fd, rows->n_quantities);
+        close(fd);
+        if (number) return out_error(path, number, err);
+    }
+    return HAWSER_OK;
+}
+
+/* A small file, whole and on the disk when this returns, or what was there before. */
+static int write_whole(const char *path, const char *text)
+{
+    char other[OUT_PATH_MAX + 4];
+    snprintf(other, sizeof other, "%s.new", path);
+    const int fd = open(other, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) return errno;
+    const ssize_t n = write(fd, text, strlen(text));
+    int number = n < 0 ? errno : n < (ssize_t)strlen(text) ? ENOSPC : fsync(fd) ? errno : 0;
+    if (close(fd) && !number) number = errno;
+    return !number && rename(other, path) ? errno : number;
+}
+
+hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_error *err)
+{
+    char folder[OUT_PATH_MAX], path[OUT_PATH_MAX], text[IDENTITY_MAX];
+    hawser_status status = out_join(folder, dir, "workers", err);
+    if (!status) status = out_make_dir(folder, err);
+    for (int k = 0; fresh && !status && k < FILES_MAX; k++) {
+        status = worker_path(path, dir, k, err);
+        if (!status) unlink(path);
+    }
+    if (!status) status = workers_path(path, dir, "study", err);
+    if (!status) status = identity_say(s, text, err);
+    const int number = status ? 0 : write_whole(path, text);
+    return number ? out_error(path, number, err) : status;
+}

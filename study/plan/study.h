@@ -1,0 +1,85 @@
+/* A study as its file says it: a base case, what is varied and how, what is looked at; and sample i of it, which is a
+ * function of the study and i alone. docs/studies.md describes every key. */
+#ifndef HAWSER_STUDY_PLAN_STUDY_H
+#define HAWSER_STUDY_PLAN_STUDY_H
+
+#include "io/schema/case_schema.h"
+#include "study/maths/distribution.h"
+#include "study/maths/points.h"
+
+typedef enum StudyKind { STUDY_GRID, STUDY_LIST, STUDY_MONTE_CARLO, STUDY_MORRIS, STUDY_SOBOL } StudyKind;
+/* By what a sample is answered: the pulling calculation, a simulation, or the first and, near a limit, the second. */
+typedef enum Fidelity { BY_THEORY, BY_RUN, BY_BOTH } Fidelity;
+
+enum { UNIT_MAX = 24, PARAMETERS_MAX = 256, SETTING_MAX = 200 };
+
+/* Something that is varied: a number of its law, or one of a row of choices. */
+typedef struct Parameter {
+    const CaseNode *node; /* where it was written; its key is the name; NULL: a column of a list */
+    const char *name;
+    int n_keys;
+    const char **key;    /* [n_keys] of the case, dotted; owned, the texts are not */
+    char unit[UNIT_MAX]; /* of all its numbers, as the case takes it; "": bare */
+    int chosen;          /* by choices, not by the law */
+    Distribution law;
+    int n_choices;
+    char **choice;  /* [n_choices] owned; NULL: the base case's own value */
+    double *number; /* [n_choices] owned, in `unit`; NAN: no number, or in another unit */
+    double *weight; /* [n_choices] owned */
+} Parameter;
+
+/* Something that is looked at. */
+typedef struct Quantity {
+    const CaseNode *node; /* its path in the answer, dotted; NULL: looked at without being asked for */
+    const char *path;
+    Fidelity of; /* BY_THEORY or BY_RUN: in whose answer */
+} Quantity;
+
+typedef struct Study {
+    CaseTree *tree;
+    char *path; /* of the file */
+    char title[256];
+    hawser_case *base; /* with what the study sets */
+    StudyKind kind;
+    Fidelity fidelity;
+    double close; /* BY_BOTH: a run is made where the smallest margin of theory is within this of 0 */
+    uint64_t seed;
+    PointKind points;
+    long samples; /* rows of the study in all */
+    long blocks;  /* of a sensitivity: trajectories, or blocks of d+2 samples; else samples */
+    int n_parameters;
+    Parameter *parameter; /* [n_parameters] */
+    double *factor;       /* [n_parameters^2], of the correlations; NULL: there are none */
+    int n_quantities;
+    Quantity *quantity; /* [n_quantities] */
+    double time_limit;  /* s of wall time for a sample; 0: none */
+    long memory;        /* MiB of address space of a worker; 0: no limit */
+} Study;
+
+/* Reads and checks the file and its base case. Errors: INPUT with file, line and key, MEMORY; *out is NULL then. */
+hawser_status study_read(const char *path, Study **out, hawser_error *err);
+Study *study_free(Study *s);
+
+/* The columns of a CSV file as parameters whose choices are the rows; names that `s` has as parameters stand for their
+ * keys, others are keys. Errors: INPUT with file and line, MEMORY. */
+hawser_status list_read(Study *s, const CaseNode *file, const char *path, hawser_error *err);
+/* Number and unit of a text: 1, or 0 if no decimal number begins it or the unit is too long. */
+int value_split(const Units *units, const char *text, double *value, char unit[UNIT_MAX]);
+
+/* Sample i, 0 <= i < samples: x[n_parameters], each a number in the parameter's unit or the number of a choice. */
+void study_point(const Study *s, long i, double *x);
+/* What stands for every parameter in the middle: the median of its law, its first choice. */
+void study_middle(const Study *s, double *x);
+/* The value as the case takes it, in `text`; NULL: the base case's own. */
+const char *parameter_text(const Parameter *p, double x, char text[SETTING_MAX]);
+/* The value as a number in the parameter's unit; NAN: it is none. */
+double parameter_number(const Parameter *p, double x);
+/* Whether all of its values are numbers. */
+int parameter_is_number(const Parameter *p);
+/* The base case with a point set; *out is freed by the caller, before the study. Errors: INPUT, MEMORY. */
+hawser_status study_case(const Study *s, const double *x, hawser_case **out, hawser_error *err);
+
+/* The whole file, for its documentation and tests. */
+extern const CaseSection study_top;
+
+#endif

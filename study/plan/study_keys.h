@@ -1,0 +1,36 @@
+/* The study file's sections as tables of keys, and what they are first read into. For study/plan alone. */
+#ifndef HAWSER_STUDY_PLAN_STUDY_KEYS_H
+#define HAWSER_STUDY_PLAN_STUDY_KEYS_H
+
+#include "study/plan/study.h"
+
+enum { STUDY_TEXT_MAX = 1024 };
+
+/* What the tables fill. */
+typedef struct StudyRecord {
+    char title[256], base[STUDY_TEXT_MAX], list[STUDY_TEXT_MAX];
+    int fidelity, points, method;
+    double close, time_limit;
+    long samples, memory, seed;
+} StudyRecord;
+
+/* A law's numbers, with units of the user's: in the order a, b, c, low, high of a Distribution. */
+typedef struct LawKeys {
+    const char *name;
+    DistributionKind kind;
+    const CaseSection *section;
+    const char *key[5]; /* NULL: the law has none */
+} LawKeys;
+enum { STUDY_LAWS = 4 };
+extern const LawKeys study_laws[STUDY_LAWS];
+
+extern const CaseSection study_parameter, study_discrete, study_steps, study_list_section, study_monte_carlo,
+    study_correlation, study_sensitivity;
+
+/* One parameter's section into *p: a grid wants choices, a list has them in its columns, else a law is wanted. Errors:
+ * INPUT, MEMORY. */
+hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKind kind, Parameter *p);
+/* The correlations into s->factor. Errors: INPUT, MEMORY. */
+hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study *s);
+
+#endif

@@ -1,0 +1,255 @@
+/* What is varied: laws and choices, with the units that the user gave. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "study/plan/study_keys.h"
+
+/* The length of a decimal number at a text's beginning: "6.9e3" of "6.9e3 kN"; 0: there is none. */
+static size_t number_length(const char *text)
+{
+    static const char digits[] = "0123456789";
+    size_t n = *text == '-' || *text == '+';
+    const size_t whole = strspn(text + n, digits);
+    n += whole;
+    const size_t part = text[n] == '.' ? strspn(text + n + 1, digits) : 0;
+    if (text[n] == '.') n += 1 + part;
+    if (whole + part == 0) return 0;
+    if (text[n] != 'e' && text[n] != 'E') return n;
+    const size_t sign = text[n + 1] == '-' || text[n + 1] == '+', power = strspn(text + n + 1 + sign, digits);
+    return power ? n + 1 + sign + power : n;
+}
+
+int value_split(const Units *units, const char *text, double *value, char unit[UNIT_MAX])
+{
+    char number[64], why[UNITS_WHY_MAX];
+    const size_t n = number_length(text);
+    if (n == 0 || n >= sizeof number) return 0;
+    snprintf(number, sizeof number, "%.*s", (int)n, text);
+    text += n;
+    while (*text == ' ') text++;
+    if (strlen(text) >= UNIT_MAX) return 0;
+    strcpy(unit, text);
+    return units_read(units, number, DIM_NONE, value, why);
+}
+
+/* A number in the parameter's unit, which the first one with a unit sets; a bare 0 goes with any. */
+static hawser_status value_read(const CaseReader *r, const CaseNode *node, Parameter *p, double *value)
+{
+    char unit[UNIT_MAX];
+    if (node->kind != NODE_TEXT || !value_split(r->units, node->text, value, unit))
+        return case_value_error(r->err, node, ": expected a number, with the unit that the case takes");
+    if (*value == 0 && !*unit) return HAWSER_OK;
+    if (!*p->unit) strcpy(p->unit, unit);
+    if (strcmp(unit, p->unit) == 0) return HAWSER_OK;
+    return case_value_error(r->err, node, " has the unit '%s', other numbers of this parameter '%s': give all in one",
+                            unit, p->unit);
+}
+
+/* What cannot be: a law of no width, or of no sense. `node`: its section. */
+static hawser_status law_check(const CaseReader *r, const CaseNode *node, const Distribution *law)
+{
+    const char *wrong = NULL;
+    const int open = law->kind == LAW_NORMAL || law->kind == LAW_LOGNORMAL;
+    if (!open && !(law->a < law->b)) wrong = "'from' must be below 'to'";
+    if (open && !(law->low < law->high)) wrong = "'from' must be below 'to'";
+    if (law->kind == LAW_NORMAL && !(law->b > 0)) wrong = "'sd' must be above 0";
+    if (law->kind == LAW_LOGNORMAL && !(law->a > 0)) wrong = "'median' must be above 0";
+    if (law->kind == LAW_LOGNORMAL && !(law->b > 1)) wrong = "'factor' must be above 1";
+    if (law->kind == LAW_LOGNORMAL && !(law->high > 0)) wrong = "'to' must be above 0";
+    if (law->kind == LAW_TRIANGULAR && !(law->a <= law->c && law->c <= law->b))
+        wrong = "'mode' must be between 'from' and 'to'";
+    return wrong ? case_key_error(r->err, node, NULL, "%s", wrong) : HAWSER_OK;
+}
+
+/* The numbers of a law; `factor` of a lognormal one is a pure number. */
+static hawser_status law_read(const CaseReader *r, const CaseNode *node, const LawKeys *keys, Parameter *p)
+{
+    Distribution *const law = &p->law;
+    double *const to[5] = {&law->a, &law->b, &law->c, &law->low, &law->high};
+    char nothing;
+    *law = (Distribution){.kind = keys->kind, .low = -INFINITY, .high = INFINITY};
+    hawser_status status = case_section_read(r, node, keys->section, &nothing);
+    for (int k = 0; k < 5 && !status; k++) {
+        const CaseNode *const number = keys->key[k] ? case_node_key(node, keys->key[k]) : NULL;
+        Parameter plain = {.unit = ""};
+        if (number) status = value_read(r, number, strcmp(keys->key[k], "factor") ? p : &plain, to[k]);
+        if (!status && *plain.unit) status = case_value_error(r->err, number, " is a pure number");
+    }
+    return status ? status : law_check(r, node, law);
+}
+
+/* Room for n choices. 0 without memory. */
+static int choices_alloc(Parameter *p, int n)
+{
+    p->chosen = 1;
+    p->choice = calloc((size_t)n + 1, sizeof *p->choice);
+    p->number = calloc((size_t)n + 1, sizeof *p->number);
+    p->weight = calloc((size_t)n + 1, sizeof *p->weight);
+    return p->choice && p->number && p->weight;
+}
+
+/* Any texts, of which those that are numbers in one unit are known as numbers. */
+static hawser_status choices_read(const CaseReader *r, const CaseNode *list, Parameter *p)
+{
+    if (list->kind != NODE_LIST || list->count == 0)
+        return case_value_error(r->err, list, ": expected a list of values");
+    if (!choices_alloc(p, list->count)) return error_memory(r->err);
+    for (const CaseNode *node = list->first; node; node = node->next) {
+        char unit[UNIT_MAX];
+        const int k = p->n_choices;
+        if (node->kind != NODE_TEXT) return case_value_error(r->err, node, ": expected a value in one line, in quotes");
+        p->choice[k] = strdup(node->text);
+        if (!p->choice[k]) return error_memory(r->err);
+        p->n_choices++;
+        p->weight[k] = 1;
+        const int known = value_split(r->units, node->text, &p->number[k], unit);
+        if (known && k == 0) strcpy(p->unit, unit);
+        if (!known || strcmp(unit, p->unit) != 0) p->number[k] = NAN;
+    }
+    return HAWSER_OK;
+}
+
+/* The weights beside the values: none below 0, one above. */
+static hawser_status discrete_read(const CaseReader *r, const CaseNode *node, Parameter *p)
+{
+    static const CaseKey weight = {.name = "weights", .kind = KEY_NUMBER, FROM(0, 1e9)};
+    char nothing;
+    hawser_status status = case_section_read(r, node, &study_discrete, &nothing);
+    if (!status) status = choices_read(r, case_node_key(node, "values"), p);
+    const CaseNode *const list = case_node_key(node, "weights");
+    p->law = (Distribution){.kind = LAW_DISCRETE, .n = p->n_choices, .weight = p->weight};
+    if (status || !list) return status;
+    if (list->count != p->n_choices)
+        return case_value_error(r->err, list, " of %d: there are %d values", list->count, p->n_choices);
+    double sum = 0;
+    for (const CaseNode *item = list->first; item && !status; item = item->next) {
+        status = case_number_read(r, item, &weight, &p->weight[item->index]);
+        sum += p->weight[item->index];
+    }
+    if (!status && !(sum > 0)) status = case_value_error(r->err, list, ": one weight must be above 0");
+    return status;
+}
+
+/* Evenly from end to end. */
+static hawser_status steps_read(const CaseReader *r, const CaseNode *node, Parameter *p)
+{
+    double end[2] = {0, 0};
+    char text[SETTING_MAX];
+    long count = 0;
+    hawser_status status = case_section_read(r, node, &study_steps, &count);
+    if (!status) status = value_read(r, case_node_key(node, "from"), p, &end[0]);
+    if (!status) status = value_read(r, case_node_key(node, "to"), p, &end[1]);
+    if (status) return status;
+    if (!choices_alloc(p, (int)count)) return error_memory(r->err);
+    const Parameter number = {.unit = ""};
+    for (long k = 0; k < count; k++) {
+        const double x = end[0] + (end[1] - end[0]) * (double)k / (double)(count - 1);
+        char value[SETTING_MAX + UNIT_MAX + 1];
+        snprintf(value, sizeof value, "%s%s%s", parameter_text(&number, x, text), *p->unit ? " " : "", p->unit);
+        p->number[k] = x;
+        p->choice[k] = strdup(value);
+        if (!p->choice[k]) return error_memory(r->err);
+        p->n_choices++;
+    }
+    return HAWSER_OK;
+}
+
+/* The case's keys that it stands for: its name, a key or several. */
+static hawser_status keys_read(const CaseReader *r, const CaseNode *node, Parameter *p)
+{
+    const CaseNode *const key = case_node_key(node, "key");
+    const int several = key && key->kind == NODE_LIST;
+    p->key = calloc(several ? (size_t)key->count + 1 : 1, sizeof *p->key);
+    if (!p->key) return error_memory(r->err);
+    for (const CaseNode *one = several ? key->first : key; one; one = several ? one->next : NULL) {
+        if (one->kind != NODE_TEXT || !*one->text)
+            return case_value_error(r->err, one, ": expected a dotted key, such as friction.mu");
+        p->key[p->n_keys++] = one->text;
+    }
+    if (p->n_keys == 0) p->key[p->n_keys++] = node->key;
+    return HAWSER_OK;
+}
+
+/* The one way in which it is varied. */
+static hawser_status form_read(const CaseReader *r, const CaseNode *node, StudyKind kind, Parameter *p)
+{
+    static const char *const wanted[] = {"give one of values, steps (in a grid)", "its values are in the list's file",
+                                         "give one of uniform, normal, lognormal, triangular, discrete"};
+    const CaseNode *form = NULL;
+    int n = 0;
+    for (const CaseNode *one = node->first; one; one = one->next) {
+        if (strcmp(one->key, "key") == 0) continue;
+        form = one;
+        n++;
+    }
+    const char *const name = form ? form->key : "";
+    const int by_choice = strcmp(name, "values") == 0 || strcmp(name, "steps") == 0;
+    const int fits = kind == STUDY_LIST ? n == 0 : n == 1 && by_choice == (kind == STUDY_GRID);
+    if (!fits) return case_key_error(r->err, node, NULL, "%s", wanted[kind < STUDY_MONTE_CARLO ? (int)kind : 2]);
+    if (strcmp(name, "values") == 0) return choices_read(r, form, p);
+    if (strcmp(name, "steps") == 0) return steps_read(r, form, p);
+    if (strcmp(name, "discrete") == 0) return discrete_read(r, form, p);
+    for (int k = 0; k < STUDY_LAWS; k++) {
+        if (strcmp(name, study_laws[k].name) == 0) return law_read(r, form, &study_laws[k], p);
+    }
+    p->chosen = 1; /* a list's */
+    return HAWSER_OK;
+}
+
+hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKind kind, Parameter *p)
+{
+    char nothing;
+    *p = (Parameter){.node = node, .name = node->key};
+    hawser_status status = case_section_read(r, node, &study_parameter, &nothing);
+    if (!status) status = keys_read(r, node, p);
+    return status ? status : form_read(r, node, kind, p);
+}
+
+/* The parameter that a node names; -1 with a message. */
+static int parameter_named(const CaseReader *r, const Study *s, const CaseNode *node)
+{
+    for (int j = 0; node && node->kind == NODE_TEXT && j < s->n_parameters; j++) {
+        if (strcmp(s->parameter[j].name, node->text) == 0) return j;
+    }
+    if (node) case_value_error(r->err, node, ": no parameter has this name");
+    return -1;
+}
+
+/* A pair and its correlation into R, in s->factor for now. */
+static hawser_status correlation_read(const CaseReader *r, const CaseNode *node, Study *s)
+{
+    double value = 0;
+    hawser_status status = case_section_read(r, node, &study_correlation, &value);
+    if (status) return status;
+    const CaseNode *const of = case_node_key(node, "of");
+    if (of->count != 2) return case_value_error(r->err, of, ": expected the names of two parameters");
+    const int a = parameter_named(r, s, of->first), b = a < 0 ? -1 : parameter_named(r, s, of->last);
+    if (b < 0) return HAWSER_ERR_INPUT;
+    if (a == b) return case_value_error(r->err, of, ": expected two different parameters");
+    s->factor[a * s->n_parameters + b] = s->factor[b * s->n_parameters + a] = value;
+    return HAWSER_OK;
+}
+
+hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study *s)
+{
+    const int n = s->n_parameters;
+    if (!list) return HAWSER_OK;
+    double *const lower = calloc((size_t)n * (size_t)n, sizeof *lower);
+    s->factor = calloc((size_t)n * (size_t)n, sizeof *s->factor);
+    hawser_status status = lower && s->factor ? HAWSER_OK : error_memory(r->err);
+    for (int j = 0; j < n && !status; j++) s->factor[j * n + j] = 1;
+    for (const CaseNode *node = list->first; node && !status; node = node->next) status = correlation_read(r, node, s);
+    const int bad = status ? -1 : correlation_factor(n, s->factor, lower);
+    if (bad >= 0) {
+        status = case_key_error(r->err, list, NULL,
+                                "no parameters can be correlated so: with what is said of the others, '%s' cannot be "
+                                "correlated as it is",
+                                s->parameter[bad].name);
+    }
+    if (!status) memcpy(s->factor, lower, (size_t)n * (size_t)n * sizeof *lower);
+    free(lower);
+    return status;
+}

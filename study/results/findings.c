@@ -1,0 +1,207 @@
+/* From rows to findings. Sums go over samples in their order, so that they do not depend on who computed which. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "study/results/results.h"
+
+/* ------------------------------------------------------------------------------------------------- verdicts, limits */
+
+/* An interval belongs to samples that are drawn: variants that somebody chose are all there are. */
+static Share share_in(const Study *s, long hits, long n)
+{
+    const Share share = share_of(hits, n);
+    return s->kind == STUDY_MONTE_CARLO ? share : (Share){share.value, NAN, NAN};
+}
+
+static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
+{
+    for (long i = 0; i < rows->n; i++) {
+        const Row *const row = &rows->row[i];
+        f->by_state[row->state]++;
+        if (row->state != ROW_DONE) continue;
+        f->by_verdict[row->verdict]++;
+        if (s->fidelity != BY_BOTH || row->answered != BY_RUN) continue;
+        f->runs++;
+        f->changed += row->verdict != row->theory_verdict;
+    }
+    const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
+    const double there = (double)(rows->n - f->by_state[ROW_OPEN]);
+    f->not_safe = share_in(s, bad, judged);
+    f->least_share = (double)bad / there;
+    f->most_share = (there - (double)f->by_verdict[VERDICT_SAFE]) / there;
+}
+
+/* x: scratch [rows->n]. */
+static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f)
+{
+    for (int k = 0; k < LIMIT_KINDS; k++) {
+        LimitRow row = {.name = limits_name((LimitKind)k)};
+        int n = 0;
+        for (long i = 0; i < rows->n; i++) {
+            const Row *const r = &rows->row[i];
+            if (r->state != ROW_DONE || isnan(r->margin[k])) continue;
+            row.broken += r->margin[k] < 0;
+            row.binds += r->verdict == VERDICT_NOT_SAFE && r->limited_by == k;
+            x[n++] = r->margin[k];
+        }
+        if (n == 0) continue;
+        row.judged = n;
+        row.share = share_percent(share_in(s, row.broken, n));
+        row.least = sort_finite(n, x) ? x[0] : NAN;
+        row.median = quantile_of_sorted(n, x, 0.5);
+        f->limit[f->n_limits++] = row;
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------ quantities */
+
+/* The values of quantity q into x[rows->n]; NAN where there is no answer. */
+static void values_of(const Rows *rows, int q, double *x)
+{
+    for (long i = 0; i < rows->n; i++) {
+        const int known = rows->row[i].state == ROW_DONE;
+        x[i] = known ? rows->value[i * rows->n_quantities + q] : NAN;
+    }
+}
+
+static void quantities_find(const Study *s, const Rows *rows, double *x, Findings *f)
+{
+    static const double p[5] = {0.05, 0.25, 0.5, 0.75, 0.95};
+    for (int q = 0; q < s->n_quantities; q++) {
+        QuantityRow *const row = &f->quantity[f->n_quantities++];
+        quantity_column(s, q, row->name);
+        row->unit = unit_of_key(s->quantity[q].path);
+        values_of(rows, q, x);
+        row->spread = spread_of((int)rows->n, x);
+        if (s->kind != STUDY_MONTE_CARLO) row->spread.mean_error = NAN;
+        const int n = sort_finite((int)rows->n, x);
+        for (int k = 0; k < 5; k++) row->percentile[k] = quantile_of_sorted(n, x, p[k]);
+    }
+}
+
+/* By 10, 20, 50, 100 ... samples, and by all: of points that are drawn, as far as all of them are there. */
+static void convergence_find(const Study *s, const Rows *rows, double *x, Findings *f)
+{
+    static const int steps[3] = {1, 2, 5};
+    long bad = 0, judged = 0, at = 0, there = 0;
+    if (s->kind != STUDY_MONTE_CARLO) return;
+    while (there < rows->n && rows->row[there].state != ROW_OPEN) there++;
+    if (s->n_quantities > 0) values_of(rows, 0, x);
+    for (int k = 3; at < there; k++) {
+        const double next = steps[k % 3] * pow(10, k / 3);
+        const long to = next < (double)there ? (long)next : there;
+        for (; at < to; at++) {
+            const Row *const row = &rows->row[at];
+            bad += row->state == ROW_DONE && row->verdict == VERDICT_NOT_SAFE;
+            judged += row->state == ROW_DONE && (row->verdict == VERDICT_NOT_SAFE || row->verdict == VERDICT_SAFE);
+        }
+        const Spread spread = s->n_quantities > 0 ? spread_of((int)at, x) : spread_of(0, NULL);
+        f->convergence[f->n_convergence++] =
+            (ConvergenceRow){at, share_percent(share_of(bad, judged)), spread.mean, spread.mean_error};
+    }
+}
+
+/* -------------------------------------------------------------------------------------------------------- effects */
+
+/* Of quantity q; 0 without memory. Blocks that are not all there do not count. */
+static int effects_of(const Study *s, int q, const double *y, EffectRow *row)
+{
+    const int d = s->n_parameters;
+    MorrisEffect effect[PARAMETERS_MAX];
+    SobolIndex index[PARAMETERS_MAX];
+    int n = -1;
+    if (s->kind == STUDY_SOBOL) n = sobol_indices(s->seed, d, (int)s->blocks, y, index);
+    if (s->kind == STUDY_MORRIS) n = morris_effects(s->seed, d, (int)s->blocks, y, effect) - 1;
+    for (int j = 0; n >= 0 && j < d; j++) {
+        row[j] = (EffectRow){.parameter = s->parameter[j].name, .n = n};
+        quantity_column(s, q, row[j].quantity);
+        if (s->kind == STUDY_SOBOL) row[j].index = index[j];
+        if (s->kind != STUDY_MORRIS) continue;
+        row[j].effect = effect[j];
+        row[j].n = effect[j].n;
+    }
+    return n >= 0;
+}
+
+static hawser_status effects_find(const Study *s, const Rows *rows, double *x, Findings *f, hawser_error *err)
+{
+    if (s->kind != STUDY_SOBOL && s->kind != STUDY_MORRIS) return HAWSER_OK;
+    for (int q = 0; q < s->n_quantities; q++) {
+        values_of(rows, q, x);
+        if (!effects_of(s, q, x, &f->effect[f->n_effects])) return error_memory(err);
+        f->n_effects += s->n_parameters;
+    }
+    return HAWSER_OK;
+}
+
+/* "count = 18, speed = 6 m/min" */
+static void variant_say(const Study *s, long i, char text[VARIANT_TEXT_MAX])
+{
+    double x[PARAMETERS_MAX];
+    char value[SETTING_MAX];
+    int n = 0;
+    study_point(s, i, x);
+    for (int j = 0; j < s->n_parameters && n < VARIANT_TEXT_MAX; j++) {
+        const char *const to = parameter_text(&s->parameter[j], x[j], value);
+        n += snprintf(text + n, (size_t)(VARIANT_TEXT_MAX - n), "%s%s = %s", j ? ", " : "", s->parameter[j].name,
+                      to ? to : "as it is");
+    }
+}
+
+/* One by one, where people can read them all. */
+static void variants_list(const Study *s, const Rows *rows, Findings *f)
+{
+    if (s->kind >= STUDY_MONTE_CARLO || rows->n > VARIANTS_MAX) return;
+    for (long i = 0; i < rows->n; i++) {
+        const Row *const row = &rows->row[i];
+        VariantRow *const to = &f->variant[f->n_variants];
+        if (row->state != ROW_DONE) continue;
+        *to = (VariantRow){.sample = i,
+                           .verdict = row_verdicts[row->verdict],
+                           .limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by),
+                           .margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by],
+                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->n_quantities] : NAN};
+        variant_say(s, i, to->values);
+        f->n_variants++;
+    }
+}
+
+static void lost_find(const Rows *rows, Findings *f)
+{
+    const int most = sizeof f->lost / sizeof *f->lost;
+    for (long i = 0; i < rows->n && f->n_lost < most; i++) {
+        const Row *const row = &rows->row[i];
+        if (row->state > ROW_DONE) f->lost[f->n_lost++] = (LostRow){i, row_states[row->state], row->reason};
+    }
+}
+
+hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, hawser_error *err)
+{
+    const size_t q = (size_t)s->n_quantities, d = (size_t)s->n_parameters;
+    double *const x = malloc(((size_t)rows->n + 1) * sizeof *x);
+    *out =
+        (Findings){.quantity = calloc(q + 1, sizeof *out->quantity), .effect = calloc(q * d + 1, sizeof *out->effect)};
+    hawser_status status = x && out->quantity && out->effect ? HAWSER_OK : error_memory(err);
+    if (!status) {
+        verdicts_count(s, rows, out);
+        limits_find(s, rows, x, out);
+        quantities_find(s, rows, x, out);
+        convergence_find(s, rows, x, out);
+        variants_list(s, rows, out);
+        lost_find(rows, out);
+        status = effects_find(s, rows, x, out, err);
+    }
+    free(x);
+    if (status) findings_free(out);
+    return status;
+}
+
+void findings_free(Findings *f)
+{
+    free(f->quantity);
+    free(f->effect);
+    *f = (Findings){.quantity = NULL};
+}

@@ -1,0 +1,244 @@
+/* The findings as a document: one answer, one list of tables, for people and for programs. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "study/results/results.h"
+
+/* A share is shown in %, to a tenth. */
+#define SHARE(prefix, what, type, member)                                                                              \
+    {COLUMN(prefix "_pct", NUMBER, type, member.value), .label = what, .decimals = 1},                                 \
+        {COLUMN(prefix "_low_pct", NUMBER, type, member.low), .label = "from", .decimals = 1},                         \
+    {                                                                                                                  \
+        COLUMN(prefix "_high_pct", NUMBER, type, member.high), .label = "to, %", .decimals = 1                         \
+    }
+/* A number in the unit that its row names. */
+#define IN_UNIT(key_, what, type, member)                                                                              \
+    {                                                                                                                  \
+        COLUMN(key_, NUMBER, type, member), .label = what, .decimals = -1, .unit_by = "unit"                           \
+    }
+#define PLAIN(key_, what, type, member, places)                                                                        \
+    {                                                                                                                  \
+        COLUMN(key_, NUMBER, type, member), .label = what, .decimals = places                                          \
+    }
+
+static const Column quantity_columns[] = {
+    {COLUMN("name", CHARS, QuantityRow, name), .label = "quantity"},
+    {COLUMN("unit", TEXT, QuantityRow, unit), .label = "unit"},
+    IN_UNIT("mean", "mean", QuantityRow, spread.mean),
+    IN_UNIT("mean_error", "+-", QuantityRow, spread.mean_error),
+    IN_UNIT("p5", "5 %", QuantityRow, percentile[0]),
+    IN_UNIT("p25", "25 %", QuantityRow, percentile[1]),
+    IN_UNIT("p50", "median", QuantityRow, percentile[2]),
+    IN_UNIT("p75", "75 %", QuantityRow, percentile[3]),
+    IN_UNIT("p95", "95 %", QuantityRow, percentile[4]),
+    IN_UNIT("least", "least", QuantityRow, spread.least),
+    IN_UNIT("most", "most", QuantityRow, spread.most),
+    IN_UNIT("sd", "sd", QuantityRow, spread.sd),
+    {COLUMN("samples", LONG, QuantityRow, spread.n), .label = "samples"},
+};
+
+static const Column limit_columns[] = {
+    {COLUMN("name", TEXT, LimitRow, name), .label = "limit"},
+    {COLUMN("broken", LONG, LimitRow, broken), .label = "broken"},
+    {COLUMN("judged", LONG, LimitRow, judged), .label = "of"},
+    SHARE("broken", "that is, %", LimitRow, share),
+    {COLUMN("binds", LONG, LimitRow, binds), .label = "is the worst"},
+    PLAIN("least_margin", "least margin", LimitRow, least, 3),
+    PLAIN("median_margin", "median", LimitRow, median, 3),
+};
+
+static const Column variant_columns[] = {
+    {COLUMN("sample", LONG, VariantRow, sample), .label = "sample"},
+    {COLUMN("values", CHARS, VariantRow, values), .label = "with"},
+    {COLUMN("verdict", TEXT, VariantRow, verdict), .label = "verdict"},
+    {COLUMN("limited_by", TEXT, VariantRow, limited_by), .label = "limited by"},
+    PLAIN("least_margin", "margin", VariantRow, margin, 3),
+    PLAIN("first_quantity", "first quantity", VariantRow, quantity, -1),
+};
+
+static const Column convergence_columns[] = {
+    {COLUMN("samples", LONG, ConvergenceRow, n), .label = "by samples"},
+    SHARE("not_safe", "NOT SAFE, %", ConvergenceRow, share),
+    PLAIN("mean", "mean of the first quantity", ConvergenceRow, mean, -1),
+    PLAIN("mean_error", "+-", ConvergenceRow, mean_error, -1),
+};
+
+static const Column sobol_columns[] = {
+    {COLUMN("quantity", CHARS, EffectRow, quantity), .label = "quantity"},
+    {COLUMN("parameter", TEXT, EffectRow, parameter), .label = "parameter"},
+    PLAIN("first", "alone", EffectRow, index.first, 3),
+    PLAIN("first_low", "from", EffectRow, index.first_low, 3),
+    PLAIN("first_high", "to", EffectRow, index.first_high, 3),
+    PLAIN("total", "in all", EffectRow, index.total, 3),
+    PLAIN("total_low", "from", EffectRow, index.total_low, 3),
+    PLAIN("total_high", "to", EffectRow, index.total_high, 3),
+    {COLUMN("blocks", LONG, EffectRow, n), .label = "blocks"},
+};
+
+static const Column morris_columns[] = {
+    {COLUMN("quantity", CHARS, EffectRow, quantity), .label = "quantity"},
+    {COLUMN("parameter", TEXT, EffectRow, parameter), .label = "parameter"},
+    PLAIN("mean_size", "mu*", EffectRow, effect.mean_size, -1),
+    PLAIN("mean_size_error", "+-", EffectRow, effect.mean_size_error, -1),
+    PLAIN("mean", "mu", EffectRow, effect.mean, -1),
+    PLAIN("sd", "sigma", EffectRow, effect.sd, -1),
+    {COLUMN("steps", LONG, EffectRow, n), .label = "steps"},
+};
+
+static const Column lost_columns[] = {
+    {COLUMN("sample", LONG, LostRow, sample), .label = "sample"},
+    {COLUMN("state", TEXT, LostRow, state), .label = "state"},
+    {COLUMN("reason", TEXT, LostRow, reason), .label = "because"},
+};
+
+/* ------------------------------------------------------------------------------------------------------ the answer */
+
+enum { ANSWER_MAX = 2048 };
+
+/* Lines one after the other, cut where there is no more room. */
+typedef struct Lines {
+    char *text;
+    size_t used;
+} Lines;
+
+__attribute__((format(printf, 2, 3))) static void line(Lines *l, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    const int n = vsnprintf(l->text + l->used, ANSWER_MAX - l->used, format, args);
+    va_end(args);
+    l->used += (size_t)n;
+    if (l->used >= ANSWER_MAX) l->used = ANSWER_MAX - 1;
+}
+
+/* ", limited by pull in 30, sidewall in 2": the most frequent first. */
+static void say_limited(Lines *l, const Findings *f)
+{
+    int told[LIMIT_KINDS] = {0};
+    for (int n = 0; n < 3; n++) {
+        int most = -1;
+        for (int k = 0; k < f->n_limits; k++) {
+            if (!told[k] && f->limit[k].binds > 0 && (most < 0 || f->limit[k].binds > f->limit[most].binds)) most = k;
+        }
+        if (most < 0) return;
+        told[most] = 1;
+        line(l, "%s%s in %ld", n ? ", " : ", limited by ", f->limit[most].name, f->limit[most].binds);
+    }
+}
+
+/* The probability of points that are drawn, the number of variants. */
+static void say_answer(Lines *l, const Study *s, const Findings *f)
+{
+    const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
+    const Share p = share_percent(f->not_safe);
+    if (judged == 0) {
+        line(l, f->by_verdict[VERDICT_NOT_JUDGED] ? "NOT JUDGED: no sample could be judged by limits"
+                                                  : "NO ANSWER: no sample is safe or not safe");
+    } else if (s->kind == STUDY_MONTE_CARLO) {
+        line(l, "P(NOT SAFE) = %.3g %% (%.2g-%.2g %% with 95 %% confidence)", p.value, p.low, p.high);
+    } else {
+        line(l, "%ld of %ld %s are NOT SAFE", bad, judged, s->kind < STUDY_MONTE_CARLO ? "variants" : "samples");
+    }
+    say_limited(l, f);
+    line(l, "\n");
+}
+
+/* What the answer rests on, and what it leaves out. */
+static void say_rest(Lines *l, const Study *s, const Findings *f)
+{
+    static const char *const by[] = {"theory", "runs", "theory, and runs near a limit"};
+    const long there = s->samples - f->by_state[ROW_OPEN],
+               judged = f->by_verdict[VERDICT_NOT_SAFE] + f->by_verdict[VERDICT_SAFE];
+    line(l, "  samples  %ld of %ld, by %s\n", there, s->samples, by[s->fidelity]);
+    if (s->fidelity == BY_BOTH) {
+        line(l, "  runs     %ld, where theory's margin is within %.3g of 0; %ld changed the verdict\n", f->runs,
+             s->close, f->changed);
+    }
+    if (judged == there || there == 0) return;
+    line(l, "  open     %ld NOT TRUSTED, %ld NOT JUDGED, %ld without an answer", f->by_verdict[VERDICT_NOT_TRUSTED],
+         f->by_verdict[VERDICT_NOT_JUDGED] + f->by_verdict[VERDICT_NONE], there - f->by_state[ROW_DONE]);
+    if (judged > 0)
+        line(l, ": whatever they are, between %.3g and %.3g %% are NOT SAFE", 100 * f->least_share,
+             100 * f->most_share);
+    line(l, "\n");
+}
+
+/* ---------------------------------------------------------------------------------------------------- the document */
+
+static int facts_list(const Study *s, const Findings *f, Fact *fact)
+{
+    static const char *const kinds[] = {"grid", "list", "monte-carlo", "morris", "sobol"};
+    static const char *const fidelities[] = {"theory", "run", "both"};
+    const Share p = share_percent(f->not_safe);
+    int n = 0;
+    fact[n++] = (Fact){"study", NULL, "", cell_text(s->path)};
+    fact[n++] = (Fact){"kind", NULL, "", cell_text(kinds[s->kind])};
+    fact[n++] = (Fact){"fidelity", NULL, "", cell_text(fidelities[s->fidelity])};
+    fact[n++] = (Fact){"seed", NULL, "", cell_number((double)s->seed)};
+    fact[n++] = (Fact){"samples", NULL, "", cell_number((double)s->samples)};
+    fact[n++] = (Fact){"done", NULL, "", cell_number((double)f->by_state[ROW_DONE])};
+    fact[n++] = (Fact){"open", NULL, "", cell_number((double)f->by_state[ROW_OPEN])};
+    fact[n++] = (Fact){"refused", NULL, "", cell_number((double)f->by_state[ROW_REFUSED])};
+    fact[n++] = (Fact){"failed", NULL, "", cell_number((double)f->by_state[ROW_FAILED])};
+    fact[n++] = (Fact){"over_time", NULL, "", cell_number((double)f->by_state[ROW_TIME])};
+    fact[n++] = (Fact){"out_of_memory", NULL, "", cell_number((double)f->by_state[ROW_MEMORY])};
+    fact[n++] = (Fact){"died", NULL, "", cell_number((double)f->by_state[ROW_DIED])};
+    fact[n++] = (Fact){"safe", NULL, "", cell_number((double)f->by_verdict[VERDICT_SAFE])};
+    fact[n++] = (Fact){"not_safe", NULL, "", cell_number((double)f->by_verdict[VERDICT_NOT_SAFE])};
+    fact[n++] = (Fact){"not_judged", NULL, "", cell_number((double)f->by_verdict[VERDICT_NOT_JUDGED])};
+    fact[n++] = (Fact){"not_trusted", NULL, "", cell_number((double)f->by_verdict[VERDICT_NOT_TRUSTED])};
+    fact[n++] = (Fact){"not_safe_pct", NULL, "%", cell_number(p.value)};
+    fact[n++] = (Fact){"not_safe_low_pct", NULL, "%", cell_number(p.low)};
+    fact[n++] = (Fact){"not_safe_high_pct", NULL, "%", cell_number(p.high)};
+    fact[n++] = (Fact){"not_safe_least_pct", NULL, "%", cell_number(100 * f->least_share)};
+    fact[n++] = (Fact){"not_safe_most_pct", NULL, "%", cell_number(100 * f->most_share)};
+    fact[n++] = (Fact){"runs", NULL, "", cell_number((double)f->runs)};
+    fact[n++] = (Fact){"verdicts_changed_by_runs", NULL, "", cell_number((double)f->changed)};
+    return n;
+}
+
+/* Tables without rows are left out. */
+static void table_add(Table *table, int *n, const char *key, const char *heading, Columns columns, int rows,
+                      const void *row)
+{
+    if (rows > 0) table[(*n)++] = (Table){key, heading, columns, rows, row};
+}
+
+static int tables_list(const Study *s, const Findings *f, Table *table)
+{
+    int n = 0;
+    const Columns sobol = COLUMNS(EffectRow, sobol_columns), morris = COLUMNS(EffectRow, morris_columns);
+    table_add(table, &n, "variants", "Variants", (Columns)COLUMNS(VariantRow, variant_columns), f->n_variants,
+              f->variant);
+    table_add(table, &n, "quantities", "Quantities", (Columns)COLUMNS(QuantityRow, quantity_columns), f->n_quantities,
+              f->quantity);
+    table_add(table, &n, "limits", "Limits", (Columns)COLUMNS(LimitRow, limit_columns), f->n_limits, f->limit);
+    table_add(table, &n, "sensitivity",
+              s->kind == STUDY_SOBOL ? "Shares of the variance (Sobol's indices) with 95 % intervals"
+                                     : "Elementary effects (Morris), over the whole range of each parameter",
+              s->kind == STUDY_SOBOL ? sobol : morris, f->n_effects, f->effect);
+    table_add(table, &n, "convergence", "The estimate by the first samples",
+              (Columns)COLUMNS(ConvergenceRow, convergence_columns), f->n_convergence, f->convergence);
+    table_add(table, &n, "lost", "Samples without an answer (the first ones)", (Columns)COLUMNS(LostRow, lost_columns),
+              f->n_lost, f->lost);
+    return n;
+}
+
+hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err)
+{
+    char answer[ANSWER_MAX];
+    Fact fact[32];
+    Table table[8];
+    Lines lines = {answer, 0};
+    *answer = 0;
+    say_answer(&lines, s, f);
+    say_rest(&lines, s, f);
+    const Document doc = {.title = *s->title ? s->title : s->path,
+                          .n_facts = facts_list(s, f, fact),
+                          .n_tables = tables_list(s, f, table),
+                          .fact = fact,
+                          .table = table,
+                          .answer = answer};
+    return document_write(&doc, format, text, err);
+}

@@ -1,0 +1,114 @@
+/* What the tests of studies share: a folder for the test's files, a study of a short pull, and what came of it. */
+#ifndef HAWSER_TESTS_STUDY_FIXTURE_H
+#define HAWSER_TESTS_STUDY_FIXTURE_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "study/engine/engine.h"
+#include "study/results/results.h"
+#include "tests/support/check.h"
+
+static char folder[64];
+
+static inline int folder_make(void **state)
+{
+    (void)state;
+    strcpy(folder, "/tmp/hawser-study-XXXXXX");
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static inline int folder_remove(void **state)
+{
+    char command[128];
+    (void)state;
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command);
+}
+
+/* folder/NAME, in a place that the next four calls leave alone. */
+static inline const char *path_of(const char *name)
+{
+    static char path[4][160];
+    static int turn;
+    turn = (turn + 1) % 4;
+    snprintf(path[turn], sizeof path[turn], "%s/%s", folder, name);
+    return path[turn];
+}
+
+static inline const char *file_write(const char *name, const char *text)
+{
+    const char *const path = path_of(name);
+    FILE *const f = fopen(path, "w");
+    assert_non_null(f);
+    fputs(text, f);
+    fclose(f);
+    return path;
+}
+
+/* folder/study.yaml: a study of tests/data/cli-pull.yaml with limits, and these lines. */
+static inline const char *study_write(const char *lines)
+{
+    char text[8000];
+    snprintf(text, sizeof text,
+             "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\n"
+             "set: {run.steady_from: 200 ms, limits.winch_capacity: 600 N, limits.conductor: \"{material: copper, "
+             "area: 800 mm2}\"}\n%s",
+             lines);
+    return file_write("study.yaml", text);
+}
+
+static inline hawser_study *study_open(const char *path)
+{
+    hawser_study *s = NULL;
+    hawser_error err;
+    if (hawser_study_load(path, &s, &err)) fail_msg("%s", err.message);
+    return s;
+}
+
+/* The study of these lines, computed into folder/DIR. */
+static inline void study_compute(const char *lines, const char *dir, int jobs)
+{
+    hawser_error err;
+    hawser_study *const s = study_open(study_write(lines));
+    const hawser_study_options options = {.jobs = jobs};
+    if (hawser_study_run(s, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+    hawser_study_free(s);
+}
+
+/* All of a file; malloc'ed. */
+static inline char *file_text(const char *dir, const char *name, size_t *size)
+{
+    char *text;
+    hawser_error err;
+    char path[200];
+    snprintf(path, sizeof path, "%s/%s", path_of(dir), name);
+    if (case_file_read(path, &text, size, &err)) fail_msg("%s", err.message);
+    return text;
+}
+
+/* Three files, byte by byte. */
+static inline void expect_alike(const char *one, const char *other)
+{
+    const char *const names[] = {"samples.csv", "summary.json", "study.h5"};
+    for (int k = 0; k < 3; k++) {
+        size_t n, m;
+        char *const a = file_text(one, names[k], &n), *const b = file_text(other, names[k], &m);
+        if (n != m || memcmp(a, b, n) != 0) fail_msg("%s/%s and %s/%s differ", one, names[k], other, names[k]);
+        free(a);
+        free(b);
+    }
+}
+
+/* The rows in folder/DIR of the study at folder/study.yaml. */
+static inline void rows_of(const char *dir, Study **s, Rows *rows)
+{
+    hawser_error err;
+    if (study_read(path_of("study.yaml"), s, &err)) fail_msg("%s", err.message);
+    assert_int_equal(rows_make(*s, rows, &err), HAWSER_OK);
+    if (store_read(*s, path_of(dir), rows, &err)) fail_msg("%s", err.message);
+}
+
+#endif

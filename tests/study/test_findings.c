@@ -1,0 +1,171 @@
+/* What a study says, against what is known by other means: quantiles of eq. 10 under an exact law, a probability,
+ * theory with runs near a limit, and indices of a pull whose variance is known. */
+#include "tests/study/study_fixture.h"
+
+#include "theory/limits.h"
+
+/* Of the findings of the study at folder/study.yaml, computed into folder/DIR. */
+static Findings findings_in(const char *dir, Study **s, Rows *rows)
+{
+    Findings f;
+    hawser_error err;
+    rows_of(dir, s, rows);
+    assert_int_equal(findings_make(*s, rows, &f, &err), HAWSER_OK);
+    return f;
+}
+
+static void clear(Study *s, Rows *rows, Findings *f)
+{
+    findings_free(f);
+    rows_free(rows);
+    study_free(s);
+}
+
+/* A number of theory's answer for the paper's tunnel with that friction. */
+static double total_of_paper(const char *mu)
+{
+    hawser_case *c;
+    hawser_error err;
+    char *text;
+    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml", &c, &err), HAWSER_OK);
+    hawser_case_set(c, "friction.mu", mu, NULL);
+    assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, &err), HAWSER_OK);
+    const double total = strtod(strstr(text, "\"paper_total_N\":") + 16, NULL);
+    hawser_text_free(text);
+    hawser_case_free(c);
+    return total;
+}
+
+/* Eq. 10 is a straight line in the friction coefficient: its quantiles are those of the coefficient, and the
+ * probability of more than any force follows. 512 Sobol points find both to about 1/512 of the range. */
+static void eq_10_is_exact(void **state)
+{
+    (void)state;
+    const double at_1 = total_of_paper("0.1"), at_3 = total_of_paper("0.3"), slope = (at_3 - at_1) / 0.2;
+    check_share(total_of_paper("0.2"), (at_1 + at_3) / 2, 1e-9);
+    file_write("study.yaml", "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
+                             "parameters: {friction.mu: {triangular: {from: 0.1, mode: 0.15, to: 0.3}}}\n"
+                             "monte-carlo: {samples: 512}\nquantities: [paper_total_N]\n");
+    hawser_study *const run = study_open(path_of("study.yaml"));
+    assert_int_equal(hawser_study_run(run, path_of("eq10"), NULL, NULL), HAWSER_OK);
+    hawser_study_free(run);
+    Study *s;
+    Rows rows;
+    Findings f = findings_in("eq10", &s, &rows);
+    const Distribution law = {.kind = LAW_TRIANGULAR, .a = 0.1, .b = 0.3, .c = 0.15};
+    const double p[5] = {0.05, 0.25, 0.5, 0.75, 0.95};
+    for (int k = 0; k < 5; k++) {
+        const double exact = at_1 + slope * (distribution_quantile(&law, p[k]) - 0.1);
+        check_close(f.quantity[0].percentile[k], exact, 0.01 * (at_3 - at_1));
+    }
+    check_close(f.quantity[0].spread.mean, at_1 + slope * ((0.1 + 0.3 + 0.15) / 3 - 0.1), 1e-4 * (at_3 - at_1));
+    /* P(mu > 0.25) = (0.3 - 0.25)^2 / ((0.3 - 0.1) (0.3 - 0.15)) */
+    int more = 0;
+    for (long i = 0; i < rows.n; i++) more += rows.value[i] > at_1 + slope * 0.15;
+    check_close(more / 512.0, 0.0025 / 0.03, 2.0 / 512);
+    clear(s, &rows, &f);
+}
+
+/* On a level row the pull is W L mu: with a winch for 600 N of 10 m of 20 kg/m it is not safe above mu = 600/1961.33.
+ */
+static void probability_of_a_limit(void **state)
+{
+    (void)state;
+    study_compute("parameters: {friction.mu: {uniform: {from: 0.1, to: 0.4}}}\n"
+                  "monte-carlo: {samples: 512}\nquantities: [reference_total_N]\n",
+                  "limit", 2);
+    Study *s;
+    Rows rows;
+    Findings f = findings_in("limit", &s, &rows);
+    double value[2], mu[2];
+    for (int i = 0; i < 2; i++) {
+        study_point(s, i, &mu[i]);
+        value[i] = rows.value[i];
+    }
+    const double exact = (0.4 - 600 / (value[0] / mu[0])) / 0.3;
+    check_share(value[1] / mu[1], value[0] / mu[0], 1e-9);
+    check_close(f.not_safe.value, exact, 2.0 / 512);
+    check_between(exact, f.not_safe.low, f.not_safe.high);
+    for (int k = 0; k < f.n_limits; k++) {
+        const int winch = strcmp(f.limit[k].name, "winch") == 0;
+        if (winch) check_close(f.limit[k].share.value, 100 * exact, 0.4);
+        assert_int_equal(f.limit[k].binds, winch ? f.by_verdict[VERDICT_NOT_SAFE] : 0);
+    }
+    /* by more samples the interval narrows as the root of their number */
+    const ConvergenceRow *const first = &f.convergence[1], *const last = &f.convergence[f.n_convergence - 1];
+    assert_int_equal(last->n, 512);
+    const double ratio = (first->share.high - first->share.low) / (last->share.high - last->share.low);
+    check_between(ratio, 0.7 * sqrt(512.0 / (double)first->n), 1.3 * sqrt(512.0 / (double)first->n));
+    hawser_study *const again = study_open(path_of("study.yaml"));
+    char *text;
+    hawser_error err;
+    assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_study_run(again, path_of("limit"), NULL, &err), HAWSER_OK); /* nothing is open */
+    assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_OK);
+    check_has(text, "P(NOT SAFE) = ");
+    check_has(text, ", limited by winch in ");
+    hawser_text_free(text);
+    hawser_study_free(again);
+    clear(s, &rows, &f);
+}
+
+/* Runs are made where theory is within a tenth of the limit, and nowhere else; their verdict counts. */
+static void theory_and_runs(void **state)
+{
+    (void)state;
+    study_compute("fidelity: both\nclose: 0.1\n"
+                  "parameters: {friction.mu: {values: [0.1, 0.145, 0.15, 0.16, 0.3]}}\ngrid: [friction.mu]\n"
+                  "quantities: {theory: [reference_total_N], run: [pull_force.peak_N]}\n",
+                  "both", 2);
+    Study *s;
+    Rows rows;
+    Findings f = findings_in("both", &s, &rows);
+    for (int i = 0; i < 5; i++) {
+        const int near = i >= 1 && i <= 3;
+        assert_int_equal(rows.row[i].answered, near ? BY_RUN : BY_THEORY);
+        assert_int_equal(isfinite(rows.value[2 * i + 1]) != 0, near);
+        check_finite(rows.value[2 * i]);
+    }
+    assert_int_equal(f.runs, 3);
+    assert_int_equal(rows.row[0].verdict, VERDICT_SAFE);
+    assert_int_equal(rows.row[4].verdict, VERDICT_NOT_SAFE);
+    size_t size;
+    char *const csv = file_text("both", "samples.csv", &size);
+    check_has(
+        csv,
+        "sample,friction.mu,answered_by,verdict,limited_by,state,theory: reference_total_N,run: pull_force.peak_N,");
+    check_has(csv, "\n0,0.1,theory,SAFE,winch,done,");
+    free(csv);
+    clear(s, &rows, &f);
+}
+
+/* The pull W mu with independent factors: variances of a product. mass 18..22, mu 0.1..0.3; the third does nothing. */
+static void indices_of_a_pull(void **state)
+{
+    (void)state;
+    study_compute("parameters:\n"
+                  "  friction.mu: {uniform: {from: 0.1, to: 0.3}}\n"
+                  "  cables.power.mass: {uniform: {from: 18 kg/m, to: 22 kg/m}}\n"
+                  "  cables.power.EI: {uniform: {from: 5 kN m2, to: 20 kN m2}}\n"
+                  "sensitivity: {samples: 256, seed: 2}\nquantities: [reference_total_N]\n",
+                  "indices", 2);
+    Study *s;
+    Rows rows;
+    Findings f = findings_in("indices", &s, &rows);
+    const double a = 0.2 * 0.2 / 12 / 0.04, b = 4.0 * 4 / 12 / 400, all = (1 + a) * (1 + b) - 1;
+    const double first[3] = {a / all, b / all, 0}, total[3] = {(a + a * b) / all, (b + a * b) / all, 0};
+    assert_int_equal(f.n_effects, 3);
+    for (int j = 0; j < 3; j++) {
+        check_close(f.effect[j].index.first, first[j], 0.02);
+        check_close(f.effect[j].index.total, total[j], 0.02);
+    }
+    check_equal(f.effect[2].index.total, 0);
+    clear(s, &rows, &f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(eq_10_is_exact), cmocka_unit_test(probability_of_a_limit),
+                                       cmocka_unit_test(theory_and_runs), cmocka_unit_test(indices_of_a_pull)};
+    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+}
