@@ -84,7 +84,8 @@ void flat_vector(PlaneBench *b, double gamma) { vectors_step(b->vector, gamma); 
 void flat_sample(PlaneBench *b, SampleParts parts)
 {
     Motion *const m = motion_of(b);
-    sample_take(&b->look, m->scene, &b->ws, b->t, m->ops->look(m, b->t, b->y), parts);
+    const int active = m->ops->look(m, b->t, b->y, parts >= SAMPLE_FIELDS);
+    sample_take(&b->look, m->scene, &b->ws, b->t, active, parts);
 }
 
 static double norm_of(const void *owner, const double *x, const double *w)

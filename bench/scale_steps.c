@@ -106,7 +106,7 @@ static void stage_go(Stage *stage, Amount amount)
 /* What the run must not lose: the winch's pull over the friction of everything behind it. */
 static void print_result(const Task *task, Stage *stage)
 {
-    stage->motion->ops->look(stage->motion, stage->t, stage->y);
+    stage->motion->ops->look(stage->motion, stage->t, stage->y, 0);
     const Chain *const chain = &stage->scene.chain;
     double weight = 0;
     for (int i = 0; i < chain->n; ++i) weight += chain->mass[i] * v3_norm(stage->scene.def.gravity);

@@ -40,7 +40,12 @@ set_target_properties(hawser_static PROPERTIES OUTPUT_NAME hawser LINKER_LANGUAG
 
 install(TARGETS hawser_shared EXPORT hawserTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS hawser_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES LICENSE NOTICE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE NOTICE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases)
+install(FILES packaging/hawser.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES packaging/hawser.bash DESTINATION share/bash-completion/completions RENAME hawser)
+install(FILES packaging/_hawser DESTINATION share/zsh/site-functions)
 # The catalogue is found by its place beside program and library (io/library/library_place.c), also in a build.
 install(DIRECTORY library/ DESTINATION share/hawser/library FILES_MATCHING PATTERN "*.yaml")
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/hawser)

@@ -124,6 +124,13 @@ RoutePoint route_on_piece(const Route *route, int piece, double s)
     return at;
 }
 
+double route_turn(const Route *route, double s)
+{
+    const RoutePiece *const p = &route->piece[piece_find(route, s)];
+    if (p->kind == ROUTE_STRAIGHT || s > route->length || s < p->s0) return 0;
+    return p->kind == ROUTE_BEND ? 1 / p->radius : v3_norm(route_at(route, s).curvature);
+}
+
 double route_slope(const Route *route, double s)
 {
     const Vec3 t = route_at(route, s).tangent;

@@ -94,6 +94,8 @@ void route_clear(Route *route);
 RoutePoint route_at(const Route *route, double s);
 /* The same on one piece, whose law holds up to both its ends. */
 RoutePoint route_on_piece(const Route *route, int piece, double s);
+/* Curvature at s alone, 1/m. */
+double route_turn(const Route *route, double s);
 /* Slope of the tangent above the horizontal at s, rad. */
 double route_slope(const Route *route, double s);
 /* Whether a piece turns to a side at all. */

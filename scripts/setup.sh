@@ -1,19 +1,21 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --web]
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --web | --deb]
 #   --lint    also what scripts/lint.sh needs
 #   --fuzz    also what scripts/fuzz.sh needs
 #   --web     also what scripts/web.sh and the tests of the report's page need: Node, Chromium, and npm's packages in
 #             web/node_modules; goes on without them where they are not to be had
+#   --deb     also what packaging/deb.sh needs
 #   --bench   also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev
-    libcmocka-dev liblapacke-dev python3 valgrind"
+    libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
+deb_packages="debhelper lintian fakeroot"
 peer_packages="libmujoco-dev libsimbody-dev"
 
 peers=no
@@ -22,10 +24,11 @@ case "${1-}" in
 "") ;;
 --lint) packages="$packages $lint_packages" ;;
 --fuzz) packages="$packages $fuzz_packages" ;;
+--deb) packages="$packages $deb_packages" ;;
 --bench) peers=yes ;;
 --web) web=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --web)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --web, --deb)" >&2
     exit 2
     ;;
 esac

@@ -22,13 +22,22 @@ static void on_rollers_lift(Planar *p)
         p->ws->on_roller[r] = plane_vector(&p->ps.plane, p->on_roller[r][0], p->on_roller[r][1]);
 }
 
-/* The forces on the rollers, and those on the chain, which are all of its contacts: back in space. */
-static int roller_forces(Planar *p)
+/* The forces of the rollers on the chain, which are all that its contacts do to it: back in space. */
+static void on_chain_lift(Planar *p)
+{
+    for (int half = 0; half < PARTS; ++half) {
+        double *const *const f = p->loads[half].f;
+        for (int i = 0; i < segments(p); ++i)
+            v3_store(p->ws->loads[half].f, i, plane_vector(&p->ps.plane, f[0][i], f[1][i]));
+    }
+}
+
+static int roller_forces(Planar *p, int on_chain)
 {
     int active = 0, first = 0;
     const int n = segments(p);
     for (int half = 0; half < PARTS; ++half) {
-        for (int c = 0; c < 2; ++c) memset(p->loads[half].f[c], 0, (size_t)n * sizeof(double));
+        for (int c = 0; c < 2 && on_chain; ++c) memset(p->loads[half].f[c], 0, (size_t)n * sizeof(double));
         ContactPairs *const pairs = &p->ws->contact[half].pairs;
         if (p->model[half].n_rollers == 0) continue;
         planar_contact_forces(&p->model[half], &p->ps.chain, &p->kin, 1, pairs, &p->loads[half], p->on_roller + first);
@@ -36,10 +45,7 @@ static int roller_forces(Planar *p)
         first += p->model[half].n_rollers;
     }
     on_rollers_lift(p);
-    for (int half = 0; half < PARTS; ++half) {
-        double *const *const f = p->loads[half].f;
-        for (int i = 0; i < n; ++i) v3_store(p->ws->loads[half].f, i, plane_vector(&p->ps.plane, f[0][i], f[1][i]));
-    }
+    if (on_chain) on_chain_lift(p);
     return active;
 }
 
@@ -108,7 +114,7 @@ static double motion_winch_pull(Motion *m, double t, const double *y)
 }
 
 /* Everything that a sample reads from the workspace, and no more. */
-static int planar_look(Motion *m, double t, const double *y)
+static int planar_look(Motion *m, double t, const double *y, int on_chain)
 {
     Planar *const p = planar_of(m);
     const int n = segments(p);
@@ -116,7 +122,7 @@ static int planar_look(Motion *m, double t, const double *y)
     planar_sim_kernels()->lift(&p->ps.plane, &p->ps.chain, &p->kin, &p->ws->kin);
     planar_kernels()->tension(&p->ps.chain, &p->kin, 0, n + 1, p->ws->law[0]);
     p->ws->head_pull = head_pull(p);
-    return roller_forces(p);
+    return roller_forces(p, on_chain);
 }
 
 static void planar_glance(Motion *m)

@@ -119,7 +119,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
     chain_stop(&s->stage);
-    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, 0);
     passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
     if (scene->rod->present) {
         const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
@@ -254,7 +254,7 @@ const char *hawser_sim_title(const Sim *s) { return s->title; }
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
     const double start = clock_now();
-    const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y);
+    const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
     if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
     if (s->by_position.n_grid > 0) {

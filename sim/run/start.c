@@ -41,7 +41,7 @@ static int fits(void *user)
 {
     Sim *const s = user;
     Stage *const st = &s->stage;
-    const int active = st->motion->ops->look(st->motion, st->t, st->y);
+    const int active = st->motion->ops->look(st->motion, st->t, st->y, 0);
     passing_start(&s->passing, &st->scene, sample_take(&s->look, &st->scene, &st->ws, st->t, active, SAMPLE_ROW));
     return s->passing.start.force <= s->passing.start.allowed;
 }

@@ -43,8 +43,8 @@ typedef struct MotionOps {
     int (*worst)(const Motion *m, const double *error, const double *weight);
     Vec3 (*place)(const Motion *m, const double *y, int segment);
     /* Puts what a sample of (t, y) reads into the workspace: kinematics, tensions (law[0]), the winch's pull, forces on
-     * the rollers. Returns how many contacts carry force. */
-    int (*look)(Motion *m, double t, const double *y);
+     * the rollers and, where asked for, those of all contacts on the chain. Returns how many contacts carry force. */
+    int (*look)(Motion *m, double t, const double *y, int on_chain);
     /* Puts tensions (law[0]) and forces on the rollers of the last evaluation of the rates into the workspace: those of
      * an iterate close to the last step's end, for next to nothing. */
     void (*glance)(Motion *m);

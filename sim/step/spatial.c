@@ -108,8 +108,9 @@ static Vec3 spatial_place(const Motion *m, const double *y, int segment)
     return v3(y[segment], y[n + segment], y[2 * n + segment]);
 }
 
-static int spatial_look(Motion *m, double t, const double *y)
+static int spatial_look(Motion *m, double t, const double *y, int on_chain)
 {
+    (void)on_chain; /* the evaluation leaves them there */
     return dynamics_look(m->scene, spatial_of(m)->ws, t, y);
 }
 

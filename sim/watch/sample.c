@@ -115,7 +115,7 @@ double sample_joint_place(const Scene *scene, const hawser_sample *sample, int j
 
 double sidewall_at(const Scene *scene, double s, double tension)
 {
-    const double turn = v3_norm(route_at(&scene->route, s).curvature);
+    const double turn = route_turn(&scene->route, s);
     return turn > 0 ? tension * turn * bundle_share(&scene->def, surface_at(&scene->def, s)) : 0;
 }
 

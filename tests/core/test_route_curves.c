@@ -79,6 +79,7 @@ static void derivatives_match_differences(void **state)
         const RoutePoint a = route_at(&r, s - h), at = route_at(&r, s), b = route_at(&r, s + h);
         check_close(v3_norm(at.tangent), 1, 1e-15);
         check_close(v3_dot(at.tangent, at.curvature), 0, 1e-15);
+        check_close(route_turn(&r, s), v3_norm(at.curvature), 1e-14);
         if (a.piece != b.piece) continue;
         check_vec(v3_scale(0.5 / h, v3_sub(b.position, a.position)), at.tangent, 1e-9);
         check_vec(v3_scale(0.5 / h, v3_sub(b.tangent, a.tangent)), at.curvature, 1e-9);

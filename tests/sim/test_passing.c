@@ -38,7 +38,7 @@ static int look_after(Sim *sim, double dz)
     double *const z = st->y + (st->motion == &st->planar.motion ? 1 : 2) * stride;
     for (int i = 0; i < n; ++i) z[i] += dz;
     assert_int_equal(st->motion->ops->renew(st->motion, 0, st->y, NULL), HAWSER_OK);
-    st->motion->ops->look(st->motion, 0, st->y);
+    st->motion->ops->look(st->motion, 0, st->y, 0);
     return passing_look(&sim->passing, &st->scene, &st->ws, 0, 1);
 }
 

@@ -265,7 +265,7 @@ static void test_look(void **state)
     Spatial spatial;
     Motion *const flat = &r->planar.motion, *const full = spatial_init(&spatial, &r->scene, &r->ws, NULL);
     double again[SIZE], lifted[STATE_SIZE * N];
-    assert_int_equal(flat->ops->look(flat, T, r->y), full->ops->look(full, T, r->full));
+    assert_int_equal(flat->ops->look(flat, T, r->y, 1), full->ops->look(full, T, r->full, 1));
     check_below(difference(N + 1, r->planar_ws.law[0], r->ws.law[0]), 1e-11);
     double *const *const mine[] = {r->planar_ws.kin.p, r->planar_ws.kin.q, r->planar_ws.kin.v, r->planar_ws.kin.w};
     double *const *const theirs[] = {r->ws.kin.p, r->ws.kin.q, r->ws.kin.v, r->ws.kin.w};
@@ -276,6 +276,12 @@ static void test_look(void **state)
     }
     for (int roller = 0; roller < r->scene.contact.n_rollers; ++roller) {
         const Vec3 a = r->planar_ws.on_roller[roller], b = r->ws.on_roller[roller];
+        check_vec(a, b, 1e-11 * (1 + v3_norm(b)));
+    }
+    for (int i = 0; i < N; ++i) {
+        const Loads *const of = r->planar_ws.loads, *const in = r->ws.loads;
+        const Vec3 a = v3_add(v3_load(of[0].f, i), v3_load(of[1].f, i)),
+                   b = v3_add(v3_load(in[0].f, i), v3_load(in[1].f, i));
         check_vec(a, b, 1e-11 * (1 + v3_norm(b)));
     }
     check_share(r->planar_ws.head_pull, r->ws.head_pull, 1e-11);

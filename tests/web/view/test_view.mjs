@@ -7,21 +7,21 @@ import { FIELDS, pack, packStates } from './pack.mjs';
 import { routeOf } from './scenes.mjs';
 
 const view = await modules(
-  'packed',
-  'frames',
-  'colours',
-  'scale',
-  'path',
-  'bends',
-  'cameras',
-  'pick',
-  'chain_rings',
-  'playback',
-  'keys',
-  'labels',
-  'quantity',
-  'sweep',
-  'model',
+  'states/packed',
+  'states/frames',
+  'states/colours',
+  'states/scale',
+  'states/path',
+  'states/bends',
+  'scene/cameras',
+  'scene/pick',
+  'scene/chain_rings',
+  'states/playback',
+  'desk/keys',
+  'scene/labels',
+  'states/quantity',
+  'scene/sweep',
+  'states/model',
 );
 
 /** The largest distance between two lists of numbers. */

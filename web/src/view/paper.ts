@@ -1,8 +1,8 @@
 // The view on paper: all of the route at the moment of the largest tension, as one picture with its labels and the legend.
 import { el, svg } from '../dom';
 import type { Store } from '../state';
-import type { Labels } from './labels';
-import { sentence } from './sentence';
+import type { Labels } from './scene/labels';
+import { sentence } from './desk/sentence';
 import type { Viewer } from './viewer';
 
 /** Pixels a CSS pixel. */

@@ -3,15 +3,15 @@ import './view.css';
 import type { RunData } from '../data';
 import { el } from '../dom';
 import type { Store } from '../state';
-import { CameraDesk } from './camera_desk';
-import { unpackFrames } from './frames';
-import { HELP, listenToKeys } from './keys';
-import { rollerForces } from './picked';
+import { CameraDesk } from './desk/camera_desk';
+import { unpackFrames } from './states/frames';
+import { HELP, listenToKeys } from './desk/keys';
+import { rollerForces } from './desk/picked';
 import { paperPicture } from './paper';
-import { listenToPointer } from './pointer';
-import { Narrator } from './sentence';
+import { listenToPointer } from './desk/pointer';
+import { Narrator } from './desk/sentence';
 import { Viewer } from './viewer';
-import { World } from './world';
+import { World } from './scene/world';
 
 export interface View {
   /** Resolves when all states are unpacked. */

@@ -2,22 +2,22 @@
 import type { PullEvent, RunData } from '../data';
 import type { Store } from '../state';
 import { scaleOf, show } from '../units';
-import type { CameraDesk } from './camera_desk';
-import { Colouring } from './colouring';
-import type { Frames } from './frames';
-import { Inspector } from './inspector';
-import type { KeyActions } from './keys';
-import { Legend } from './legend';
-import { extentOfStates, type Model, modelOf } from './model';
-import { nameEverything } from './names';
-import { Now } from './now';
-import { pickedPlace, pickedRoller } from './picked';
-import { Playback, RATES } from './playback';
-import { PlayerBar } from './player_bar';
-import { lengthText } from './quantity';
-import { type Narrator, sentence } from './sentence';
-import { ToolBar } from './tool_bar';
-import type { World } from './world';
+import type { CameraDesk } from './desk/camera_desk';
+import { Colouring } from './states/colouring';
+import type { Frames } from './states/frames';
+import { Inspector } from './desk/inspector';
+import type { KeyActions } from './desk/keys';
+import { Legend } from './desk/legend';
+import { extentOfStates, type Model, modelOf } from './states/model';
+import { nameEverything } from './scene/names';
+import { Now } from './states/now';
+import { pickedPlace, pickedRoller } from './desk/picked';
+import { Playback, RATES } from './states/playback';
+import { PlayerBar } from './desk/player_bar';
+import { lengthText } from './states/quantity';
+import { type Narrator, sentence } from './desk/sentence';
+import { ToolBar } from './desk/tool_bar';
+import type { World } from './scene/world';
 
 type Choice = { roller: number } | { place: number } | null;
 

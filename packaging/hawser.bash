@@ -1,0 +1,104 @@
+# Completion of hawser's command line for bash. Written by packaging/help_pages.py: do not edit.
+
+# _hawser_offer WHAT: files, folders, or one of the words.
+_hawser_offer() {
+    case $1 in
+    files) mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
+    folders | /) mapfile -t COMPREPLY < <(compgen -d -- "$current") ;;
+    *.yaml) mapfile -t COMPREPLY < <(compgen -f -X '!*.yaml' -- "$current"; compgen -d -- "$current") ;;
+    '*') mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
+    *) mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current") ;;
+    esac
+    [[ $1 != files && $1 != folders && $1 != / && $1 != *'*'* ]] || compopt -o filenames 2>/dev/null
+}
+
+# _hawser_word OPTIONS SUBJECT: an option where one is begun, else what the command is about.
+_hawser_word() {
+    if [[ $current == -* ]]; then _hawser_offer "$1"; else _hawser_offer "$2"; fi
+}
+
+_hawser() {
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    COMPREPLY=()
+    if [[ $COMP_CWORD -eq 1 ]]; then
+        _hawser_offer 'run check theory validate library route report plot study help --help --version'
+        return
+    fi
+    case ${COMP_WORDS[1]} in
+    help) _hawser_offer 'run check theory validate library route report plot study' ;;
+    run)
+        case $previous in
+        -o|--output) _hawser_offer 'folders' ;;
+        --set) _hawser_offer '' ;;
+        --threads) _hawser_offer '1 2' ;;
+        --linear-solver) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
+        --tolerance) _hawser_offer '1% 0.5% 2%' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--output --set --threads --linear-solver --certify --tolerance --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
+        esac
+        ;;
+    check)
+        case $previous in
+        --set) _hawser_offer '' ;;
+        --format) _hawser_offer 'table json csv' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--set --format --units --help --version' '*.yaml' ;;
+        esac
+        ;;
+    theory)
+        case $previous in
+        --crew) _hawser_offer 'files' ;;
+        --set) _hawser_offer '' ;;
+        --format) _hawser_offer 'table json csv' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--crew --set --format --units --help --version' '*.yaml' ;;
+        esac
+        ;;
+    validate)
+        case $previous in
+        --filter) _hawser_offer '' ;;
+        --format) _hawser_offer 'table json csv' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--filter --fast --format --units --help --version' '' ;;
+        esac
+        ;;
+    library)
+        case $previous in
+        --format) _hawser_offer 'table json csv' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--format --units --help --version' 'cables ropes rollers ducts friction' ;;
+        esac
+        ;;
+    route)
+        case $previous in
+        --name|--layer|--from|--to|--tolerance|--join|--radius) _hawser_offer '' ;;
+        --units) _hawser_offer 'mm m ft' ;;
+        --profile|-o|--output) _hawser_offer 'files' ;;
+        --format) _hawser_offer 'table json csv' ;;
+        *) _hawser_word '--name --layer --units --profile --reverse --from --to --tolerance --join --radius --output --json --format --help --version' '*' ;;
+        esac
+        ;;
+    report)
+        case $previous in
+        -o|--output) _hawser_offer 'files' ;;
+        *) _hawser_word '--output --pdf --quiet --help --version' '/' ;;
+        esac
+        ;;
+    plot)
+        case $previous in
+        -o|--output) _hawser_offer 'folders' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--output --units --quiet --help --version' '/' ;;
+        esac
+        ;;
+    study)
+        case $previous in
+        -o|--output) _hawser_offer 'folders' ;;
+        --jobs) _hawser_offer '1 2' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--output --jobs --fresh --units --quiet --help --version' '*.yaml' ;;
+        esac
+        ;;
+    esac
+}
+complete -F _hawser hawser
