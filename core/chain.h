@@ -98,6 +98,8 @@ void chain_array_fill(double *array, int n, double fill);
 /* Plain zeros, at the start of a cache line, so that no vector of a loop over all of them crosses one, and readable a
  * vector beyond their end; free() frees it. */
 double *aligned_array_new(int count);
+/* The largest magnitude of count numbers. */
+double chain_largest(const double *array, int count);
 /* The length of a chain array's allocation. */
 int chain_stride(int n);
 

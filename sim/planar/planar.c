@@ -165,6 +165,12 @@ static void motion_weights(const Motion *m, double *weight)
     }
 }
 
+static void motion_lighten(const Motion *m, double *weight)
+{
+    const int stride = planar_in(m)->ps.chain.stride;
+    scales_lighten(m->scene, stride, PLANAR_SIZE - PLANAR_V, weight + PLANAR_V * stride);
+}
+
 static double window_square(const void *owner, int from, int to, const double *x, const double *w)
 {
     return planar_sim_kernels()->window_square(owner, from, to, x, w);
@@ -174,6 +180,21 @@ static double motion_norm(const Motion *m, const double *x, const double *w)
 {
     const PlanarChain *const chain = &planar_in(m)->ps.chain;
     return scales_chain_norm(m->team, chain->n, window_square, chain, x, w);
+}
+
+static Surge motion_surge(const Motion *m, const double *x)
+{
+    const Planar *const p = planar_in(m);
+    const int stride = p->ps.chain.stride;
+    return surge_of(&m->scene->chain, 2, p->kin.a, stride, x + PLANAR_V * stride, 1, x + PLANAR_W * stride);
+}
+
+static double motion_tightest(Motion *m, double t, const double *y)
+{
+    Planar *const p = planar_of(m);
+    planar_place(p, t, y);
+    planar_kernels()->tension(&p->ps.chain, &p->kin, 0, segments(p) + 1, p->ws->law[0]);
+    return chain_largest(p->ws->law[0], segments(p) + 1);
 }
 
 static double motion_speed(const Motion *m, const double *y)
@@ -244,7 +265,10 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .factor = motion_factor,
                                   .solve = motion_solve,
                                   .weights = motion_weights,
+                                  .lighten = motion_lighten,
                                   .norm = motion_norm,
+                                  .surge = motion_surge,
+                                  .tightest = motion_tightest,
                                   .speed = motion_speed,
                                   .accept = planar_accept,
                                   .renew = motion_renew,

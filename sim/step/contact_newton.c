@@ -121,31 +121,27 @@ static int next_correction(Attempt *a)
     return damp(a);
 }
 
-/* SUNNonlinSolSolve: e from 0 to the solution. CVODE's test of the end, without its verdict that what doubles is lost.
- */
-static int iterate(SUNNonlinearSolver shell, N_Vector predicted, N_Vector e, N_Vector weight, realtype tolerance,
-                   booleantype setup, void *cvode)
+/* From e = 0 to the solution. CVODE's test of the end, without its verdict that what doubles is lost. */
+static int iterate(Attempt *a, int setup)
 {
-    (void)predicted;
-    ContactNewton *const c = shell->content;
-    Attempt a = {.c = c, .e = e, .weight = weight, .tolerance = tolerance, .cvode = cvode};
+    ContactNewton *const c = a->c;
     c->iterations = c->failures = 0;
     c->fresh = 0;
-    int bad = residual_at(&a);
+    int bad = residual_at(a);
     if (bad) return bad;
     if (setup) {
         booleantype current = SUNFALSE;
-        bad = c->setup(SUNFALSE, &current, cvode);
+        bad = c->setup(SUNFALSE, &current, a->cvode);
         c->fresh = current;
         c->rate = 1;
     }
-    if (!bad) bad = correction(&a, c->step, &a.size);
-    while (!bad && a.size < INFINITY) {
-        N_VLinearSum(1.0, e, 1.0, c->step, e);
+    if (!bad) bad = correction(a, c->step, &a->size);
+    while (!bad && a->size < INFINITY) {
+        N_VLinearSum(1.0, a->e, 1.0, c->step, a->e);
         ++c->iterations;
-        if (a.size * fmin(1, c->rate) <= tolerance) return 0;
+        if (a->size * fmin(1, c->rate) <= a->tolerance) return 0;
         if (c->iterations >= ITERATIONS_MOST) break;
-        bad = next_correction(&a);
+        bad = next_correction(a);
     }
     if (bad < 0) return bad;
     c->failures = 1;
@@ -153,6 +149,18 @@ static int iterate(SUNNonlinearSolver shell, N_Vector predicted, N_Vector e, N_V
 }
 
 /* ------------------------------------------------------------------------------------ in SUNDIALS' clothes */
+
+static int solve_step(SUNNonlinearSolver shell, N_Vector predicted, N_Vector e, N_Vector weight, realtype tolerance,
+                      booleantype setup, void *cvode)
+{
+    (void)predicted;
+    ContactNewton *const c = shell->content;
+    Attempt a = {.c = c, .e = e, .weight = weight, .tolerance = tolerance, .cvode = cvode};
+    c->solving = 1;
+    const int status = iterate(&a, setup);
+    c->solving = 0;
+    return status;
+}
 
 static ContactNewton *newton_of(SUNNonlinearSolver shell) { return shell->content; }
 
@@ -202,7 +210,7 @@ int contact_newton_new(ContactNewton *newton, N_Vector like)
     if (!newton->shell || !newton->r || !newton->step || !newton->next) return 0;
     struct _generic_SUNNonlinearSolver_Ops *const ops = newton->shell->ops;
     ops->gettype = solver_type;
-    ops->solve = iterate;
+    ops->solve = solve_step;
     ops->setsysfn = set_residual;
     ops->setlsetupfn = set_setup;
     ops->setlsolvefn = set_solve;

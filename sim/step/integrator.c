@@ -13,12 +13,13 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/base/worst.h"
 #include "sim/equipment/winch.h"
 #include "sim/step/contact_newton.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
-enum { STALLED_MOST = 20 };
+enum { STALLED_MOST = 20, REFUSED_MOST = 3 };
 /* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
  * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
  * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
@@ -35,10 +36,13 @@ static const double GAMMA_CHANGE = 0.005;
 struct Integrator {
     Motion *motion;
     double *y;
-    double *weight;         /* [size] 1 / absolute tolerance */
+    double *weight;         /* [2 size] 1 / absolute tolerance; the same as errors are judged with (N24) */
     const double *weighted; /* CVODE's array that holds them already; NULL: none does */
     double way;             /* m, that a step may move the chain by; INFINITY: any */
     double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
+    double tension_most;    /* N, of the chain so far */
+    ForceScale scale;       /* what errors of forces are measured with */
+    long fails_before;      /* errors that were refused before this step */
     double stop;            /* s, the stop time that CVODE knows */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
@@ -102,10 +106,44 @@ static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype
     return 0;
 }
 
+/* Of Newton's corrections by the state alone, of errors by the forces as well (N21). What jumps makes an error in force
+ * that no step is short enough for: after three that were refused the state alone decides. */
 static double call_norm(const void *owner, const double *x, const double *w)
 {
-    const Motion *const motion = owner;
-    return motion->ops->norm(motion, x, w);
+    const Integrator *const in = owner;
+    const Motion *const motion = in->motion;
+    double gamma = 0;
+    long fails = 0;
+    if (in->newton.solving) return motion->ops->norm(motion, x, w);
+    const double state = motion->ops->norm(motion, x, in->weight + motion->size);
+    if (CVodeGetCurrentGamma(in->cvode, &gamma) != CV_SUCCESS || !(gamma > 0)) return state;
+    CVodeGetNumErrTestFails(in->cvode, &fails);
+    if (fails - in->fails_before >= REFUSED_MOST) return state;
+    const Surge surge = motion->ops->surge(motion, x);
+    return larger_of(state, force_error(&surge, &in->scale, gamma, motion->scene->def.solver.accuracy));
+}
+
+/* Weights for a motion of now; 0 if there is no memory. */
+static int weights_renew(Integrator *in)
+{
+    const size_t size = (size_t)in->motion->size;
+    double *const weight = malloc(2 * size * sizeof *weight);
+    if (!weight) return 0;
+    free(in->weight);
+    in->weight = weight;
+    in->weighted = NULL;
+    in->motion->ops->weights(in->motion, weight);
+    memcpy(weight + size, weight, size * sizeof *weight);
+    in->motion->ops->lighten(in->motion, weight + size);
+    return 1;
+}
+
+/* What errors of forces are measured against from here on. */
+static void scale_renew(Integrator *in, double t)
+{
+    const double tension = in->motion->ops->tightest(in->motion, t, in->y);
+    in->tension_most = fmax(in->tension_most, tension);
+    in->scale = force_scale(in->motion->scene, tension, in->tension_most);
 }
 
 static void call_complaint(int code, const char *module, const char *function, char *message, void *user)
@@ -224,17 +262,16 @@ static int has_room(int length)
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
-    in->weight = malloc((size_t)length * sizeof(double));
-    if (!in->weight || !has_room(length) || SUNContext_Create(NULL, &in->context)) return 0;
-    in->motion->ops->weights(in->motion, in->weight);
+    if (!weights_renew(in) || !has_room(length) || SUNContext_Create(NULL, &in->context)) return 0;
     in->family.queue.team = in->motion->team;
-    in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
+    in->state = vector_wrap(length, in->y, call_norm, in, &in->family, in->context);
     if (!in->state) return 0;
     in->cvode = CVodeCreate(CV_BDF, in->context);
     if (!in->cvode || CVodeInit(in->cvode, call_rates, t, in->state) != CV_SUCCESS) return 0;
     in->good = N_VClone(in->state);
     if (!in->good) return 0;
     state_keep(in);
+    scale_renew(in, t);
     return cvode_set(in);
 }
 
@@ -393,12 +430,14 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     }
     const double start = clock_now();
     double reached = *t;
+    CVodeGetNumErrTestFails(in->cvode, &in->fails_before);
     const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
     if (flag < 0) return step_failed(in, flag, *t, err);
     in->stalled = reached > *t ? 0 : in->stalled + 1;
     if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
     state_keep(in);
+    scale_renew(in, reached);
     const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
@@ -421,14 +460,9 @@ static void call_map(const void *user, N_Vector which, const double *from, doubl
 /* What is kept beside CVODE's vectors; 0 if there is no memory. */
 static int arrays_renew(Integrator *in, const Reshape *reshape)
 {
-    double *const weight = malloc((size_t)reshape->size * sizeof(double));
-    if (!weight) return 0;
-    free(in->weight);
-    in->weight = weight;
-    in->weighted = NULL;
+    if (!weights_renew(in)) return 0;
     in->y = reshape->y;
     state_keep(in);
-    in->motion->ops->weights(in->motion, weight);
     return 1;
 }
 

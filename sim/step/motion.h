@@ -10,6 +10,7 @@
 #include "core/body.h"
 #include "sim/balance_data.h"
 #include "sim/scene.h"
+#include "sim/step/force_error.h"
 
 typedef struct Motion Motion;
 
@@ -27,9 +28,14 @@ typedef struct MotionOps {
     int (*solve)(Motion *m, double *b);
     /* weight = 1 / absolute tolerance of every entry. */
     void (*weights)(const Motion *m, double *weight);
-    /* The norm of x weighted by w, which are those weights, in which errors are judged (N11): one number a component
-     * of the chain, of which the first segment's are read. */
+    /* Of those weights, the chain's velocities' for the error test: smaller where a segment is light (N24). */
+    void (*lighten)(const Motion *m, double *weight);
+    /* The norm of x weighted by w, which are those weights, in which errors are judged (N11). */
     double (*norm)(const Motion *m, const double *x, const double *w);
+    /* What errors x of y are in momentum, with the axes of the last evaluation (N21). */
+    Surge (*surge)(const Motion *m, const double *x);
+    /* The largest tension of the chain at (t, y), whose kinematics it leaves in the workspace, N. */
+    double (*tightest)(Motion *m, double t, const double *y);
     /* Largest speed of a point of the chain, m/s: stride_speed. */
     double (*speed)(const Motion *m, const double *y);
     /* Correction of y to what its constraints ask for (unit quaternions) and projection of its error (NULL: none).

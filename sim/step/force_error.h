@@ -1,0 +1,30 @@
+/* What the error test measures in forces: errors of velocities that a step would make, as what they are in tensions and
+ * in loads. docs/model.md, "Integration" (N21)-(N23). */
+#ifndef HAWSER_SIM_STEP_FORCE_ERROR_H
+#define HAWSER_SIM_STEP_FORCE_ERROR_H
+
+#include "sim/scene.h"
+
+/* What errors of the chain's velocities are in momentum, N s. */
+typedef struct Surge {
+    double chain;   /* along the cable, between whichever two joints most of it is: what a tension would have to make up */
+    double segment; /* of one segment, in any direction, turning included: what a load would */
+} Surge;
+
+/* Of errors of n segments: of velocities v (m/s), `dims` arrays `pitch` apart, and angular ones w (rad/s), `turns` such
+ * arrays. axis [dims]: the segments' unit axes. */
+Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, const double *v, int turns,
+               const double *w);
+
+/* What errors of forces are compared with, N. */
+typedef struct ForceScale {
+    double tension, load;
+} ForceScale;
+
+/* (N22): now, most: the chain's largest tension, now and so far, N. */
+ForceScale force_scale(const Scene *scene, double now, double most);
+
+/* The errors as multiples of what the accuracy allows, with what the method makes of a rate's error: gamma, s (N21). */
+double force_error(const Surge *surge, const ForceScale *scale, double gamma, double accuracy);
+
+#endif
