@@ -8,7 +8,7 @@
 /* Of the largest tension so far, and of the pull that theory expects: what is less than that is not judged by itself.
  */
 static const double SHARE = 0.3;
-static const double LEAST = 1;        /* m of cable, by its weight */
+static const double LEAST = 1;         /* m of cable, by its weight */
 static const double LOAD_WEIGHTS = 20; /* of the heaviest segment: what a load is large against */
 /* The share of the scale that the accuracy 10^-3 allows is 10^-3 itself. */
 static const double ALLOWED = 0.1, POWER = 2.0 / 3;
@@ -36,8 +36,7 @@ Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, con
 
 ForceScale force_scale(const Scene *scene, double now, double most)
 {
-    const double tension =
-        fmax(fmax(now, LEAST * scene->cable_weight), SHARE * fmax(most, scene->expected_pull));
+    const double tension = fmax(fmax(now, LEAST * scene->cable_weight), SHARE * fmax(most, scene->expected_pull));
     const double weight = v3_norm(scene->weight.gravity) * scales_heaviest(scene);
     return (ForceScale){tension, fmax(SHARE * tension, fmin(tension, LOAD_WEIGHTS * weight))};
 }

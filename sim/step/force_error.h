@@ -7,7 +7,8 @@
 
 /* What errors of the chain's velocities are in momentum, N s. */
 typedef struct Surge {
-    double chain;   /* along the cable, between whichever two joints most of it is: what a tension would have to make up */
+    double
+        chain; /* along the cable, between whichever two joints most of it is: what a tension would have to make up */
     double segment; /* of one segment, in any direction, turning included: what a load would */
 } Surge;
 

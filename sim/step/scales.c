@@ -8,7 +8,7 @@
 
 static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */
 /* How much smaller the weight of a light segment's velocities may be. */
-static const double LIGHTEST = 0.2;
+static const double LIGHTEST = 0.5;
 
 /* Tolerances are accuracy times these (N10); a case may give its own instead. */
 static double chosen(double given, double otherwise) { return given > 0 ? given : otherwise; }

@@ -18,8 +18,8 @@ Tolerances scales_tolerances(const Scene *scene);
 
 /* The mass of the heaviest segment, without a drum that moves with it, kg. */
 double scales_heaviest(const Scene *scene);
-/* Makes the weights of the chain's velocities, `components` arrays `pitch` apart, smaller where a segment is lighter than
- * the heaviest (N24). */
+/* Makes the weights of the chain's velocities, `components` arrays `pitch` apart, smaller where a segment is lighter
+ * than the heaviest (N24). */
 void scales_lighten(const Scene *scene, int pitch, int components, double *weight);
 /* weight [scene_state_size] = 1 / absolute tolerance of every component of the state. */
 void scales_weights(const Scene *scene, double *weight);

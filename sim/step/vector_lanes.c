@@ -151,6 +151,6 @@ static void kernel_project(int n, const double *y, double *correction, double *e
     if (i < n) project_at(n, y, correction, error, i, n - i);
 }
 
-const VectorKernels ISA_NAME(vector_kernels) = {
-    kernel_linear_sum,         kernel_scale,          kernel_combination, kernel_window_square,
-     kernel_largest_square, kernel_all_finite,  kernel_project};
+const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum,    kernel_scale,          kernel_combination,
+                                                kernel_window_square, kernel_largest_square, kernel_all_finite,
+                                                kernel_project};
