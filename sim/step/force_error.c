@@ -2,13 +2,12 @@
 
 #include <math.h>
 
-#include "core/base/vec3.h"
 #include "sim/step/scales.h"
 
 /* Of the largest tension so far, and of the pull that theory expects: what is less than that is not judged by itself.
  */
 static const double SHARE = 0.3;
-static const double LEAST = 1;         /* m of cable, by its weight */
+static const double GRAVITY = 9.81;    /* m/s2, of a metre of cable, which is the least that is judged */
 static const double LOAD_WEIGHTS = 20; /* of the heaviest segment: what a load is large against */
 /* The share of the scale that the accuracy 10^-3 allows is 10^-3 itself. */
 static const double ALLOWED = 0.1, POWER = 2.0 / 3;
@@ -34,16 +33,30 @@ Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, con
     return (Surge){most - least, sqrt(largest)};
 }
 
+/* The time in which a segment swings on its joint, over 2 pi: the least of the chain's, s. */
+static double quickest(const Chain *chain)
+{
+    double least = INFINITY;
+    for (int j = 1; j < chain->n; ++j) {
+        if (chain->stiffness[0][j] > 0) least = fmin(least, chain->mass[j] / chain->stiffness[0][j]);
+    }
+    return least < INFINITY ? sqrt(least) : 0;
+}
+
 ForceScale force_scale(const Scene *scene, double now, double most)
 {
-    const double tension = fmax(fmax(now, LEAST * scene->cable_weight), SHARE * fmax(most, scene->expected_pull));
-    const double weight = v3_norm(scene->weight.gravity) * scales_heaviest(scene);
-    return (ForceScale){tension, fmax(SHARE * tension, fmin(tension, LOAD_WEIGHTS * weight))};
+    double metre = 0; /* kg */
+    for (int i = 0; i + 1 < scene->chain.n; ++i) metre = fmax(metre, scene->chain.mass[i] / (2 * scene->chain.half[i]));
+    const double tension = fmax(fmax(now, GRAVITY * metre), SHARE * fmax(most, scene->expected_pull));
+    const double weight = GRAVITY * scales_heaviest(scene);
+    return (ForceScale){.tension = tension,
+                        .load = fmax(SHARE * tension, fmin(tension, LOAD_WEIGHTS * weight)),
+                        .quick = quickest(&scene->chain)};
 }
 
 double force_error(const Surge *surge, const ForceScale *scale, double gamma, double accuracy)
 {
-    if (!(scale->tension > 0)) return 0; /* nothing weighs, nothing pulls */
-    const double allowed = ALLOWED * pow(accuracy, POWER) * gamma;
+    if (!(scale->tension > 0)) return 0; /* a single segment */
+    const double allowed = ALLOWED * pow(accuracy, POWER) * fmax(gamma, scale->quick);
     return fmax(surge->chain / (allowed * scale->tension), surge->segment / (allowed * scale->load));
 }

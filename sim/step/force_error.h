@@ -17,9 +17,10 @@ typedef struct Surge {
 Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, const double *v, int turns,
                const double *w);
 
-/* What errors of forces are compared with, N. */
+/* What errors of forces are compared with. */
 typedef struct ForceScale {
-    double tension, load;
+    double tension, load; /* N */
+    double quick;         /* s: what is over sooner is motion within a segment and its joint (N23) */
 } ForceScale;
 
 /* (N22): now, most: the chain's largest tension, now and so far, N. */

@@ -106,8 +106,19 @@ static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype
     return 0;
 }
 
-/* Of Newton's corrections by the state alone, of errors by the forces as well (N21). What jumps makes an error in force
- * that no step is short enough for: after three that were refused the state alone decides. */
+/* The vector of CVODE's history (Nordsieck's array: the state and its scaled derivatives) that is the state: CVODE
+ * predicts in place, and tells where. NULL if it does not. */
+static N_Vector history_state(const Integrator *in)
+{
+    realtype t, gamma, rl1;
+    N_Vector predicted = NULL, now, rates, first;
+    void *user;
+    const int flag = CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
+    return flag == CV_SUCCESS ? predicted : NULL;
+}
+
+/* Of Newton's corrections and of the state itself by the state alone, of errors by the forces as well (N21). What jumps
+ * makes an error in force that no step is short enough for: after three that were refused the state alone decides. */
 static double call_norm(const void *owner, const double *x, const double *w)
 {
     const Integrator *const in = owner;
@@ -116,6 +127,8 @@ static double call_norm(const void *owner, const double *x, const double *w)
     long fails = 0;
     if (in->newton.solving) return motion->ops->norm(motion, x, w);
     const double state = motion->ops->norm(motion, x, in->weight + motion->size);
+    N_Vector past = history_state(in);
+    if (!past || x == NV_DATA_S(past)) return state; /* CVODE asks whether rounding is below the tolerances */
     if (CVodeGetCurrentGamma(in->cvode, &gamma) != CV_SUCCESS || !(gamma > 0)) return state;
     CVodeGetNumErrTestFails(in->cvode, &fails);
     if (fails - in->fails_before >= REFUSED_MOST) return state;
@@ -218,17 +231,6 @@ static void state_keep(Integrator *in)
 {
     N_VScale(1.0, in->state, in->good);
     vector_family_settle(&in->family); /* from here on numbers are looked at */
-}
-
-/* The vector of CVODE's history (Nordsieck's array: the state and its scaled derivatives) that is the state: CVODE
- * predicts in place, and tells where. NULL if it does not. */
-static N_Vector history_state(const Integrator *in)
-{
-    realtype t, gamma, rl1;
-    N_Vector predicted = NULL, now, rates, first;
-    void *user;
-    const int flag = CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
-    return flag == CV_SUCCESS ? predicted : NULL;
 }
 
 /* Whether reshaping can rely on history_state: when CVODE starts, that vector is a copy of the state and none of ours.

@@ -1,0 +1,106 @@
+/* What errors of velocities are in forces, (N21)-(N24). */
+#include "sim/step/force_error.h"
+
+#include "sim/step/scales.h"
+#include "tests/support/check.h"
+#include "tests/support/scene.h"
+
+enum { N = 4, PITCH = 6 };
+
+/* A chain of 2, 2, 2 and 1 kg along x and then along y: momenta along it add up, those across it do not, and what turns
+ * counts for a segment alone. */
+static void test_surge(void **state)
+{
+    (void)state;
+    Chain chain;
+    assert_true(chain_alloc(&chain, N));
+    double ax[N] = {1, 1, 0, 0}, ay[N] = {0, 0, 1, 1}, *const axis[2] = {ax, ay};
+    double v[2 * PITCH] = {0}, w[PITCH] = {0};
+    for (int i = 0; i < N; ++i) {
+        chain.mass[i] = i < 3 ? 2 : 1;
+        chain.half[i] = 0.3;
+    }
+    v[0] = v[1] = 1e-3;  /* along */
+    v[PITCH + 2] = 2e-3; /* along */
+    v[3] = 7e-3;         /* across */
+    Surge surge = surge_of(&chain, 2, axis, PITCH, v, 1, w);
+    check_close(surge.chain, 8e-3, 1e-17);
+    check_close(surge.segment, 7e-3, 1e-17);
+    v[PITCH + 2] = -2e-3; /* the same between two inner joints as from an end */
+    surge = surge_of(&chain, 2, axis, PITCH, v, 1, w);
+    check_close(surge.chain, 4e-3, 1e-17);
+    w[3] = 0.24; /* 0.24 x 0.1 m beside 7 mm/s */
+    check_close(surge_of(&chain, 2, axis, PITCH, v, 1, w).segment, 25e-3, 1e-16);
+    chain_free(&chain);
+}
+
+/* The largest of what there is, a share of what was and of what is expected, and a metre of cable. */
+static void test_scale(void **state)
+{
+    (void)state;
+    SceneDef def;
+    Scene scene;
+    fixture_pull(&def, &(FixtureChoice){0});
+    fixture_build(&def, &scene);
+    scene.expected_pull = 0;
+    check_close(force_scale(&scene, 0, 0).tension, scene.cable_weight, 1e-12);
+    check_close(force_scale(&scene, 1e5, 2e5).tension, 1e5, 1e-9);
+    check_close(force_scale(&scene, 1e5, 1e6).tension, 3e5, 1e-9);
+    scene.expected_pull = 1e7;
+    check_close(force_scale(&scene, 1e5, 1e6).tension, 3e6, 1e-8);
+    check_close(force_scale(&scene, 1e5, 1e6).load, 0.9e6, 1e-8); /* the cable is light against it */
+    scene.expected_pull = 0;
+    const double heavy = 20 * v3_norm(scene.weight.gravity) * scales_heaviest(&scene);
+    check_close(force_scale(&scene, 2 * heavy, 0).load, heavy, 1e-9 * heavy);
+    check_close(force_scale(&scene, heavy / 2, 0).load, heavy / 2, 1e-9 * heavy);
+    scene_clear(&scene);
+}
+
+/* At an accuracy of 10^-3 a thousandth of the scale is allowed, and a hundredth of that at 10^-6 (N21). */
+static void test_share(void **state)
+{
+    (void)state;
+    const ForceScale scale = {5000, 400};
+    const double gamma = 0.02;
+    check_share(force_error(&(Surge){5 * gamma, 0}, &scale, gamma, 1e-3), 1, 1e-12);
+    check_share(force_error(&(Surge){5 * gamma, 0.8 * gamma}, &scale, gamma, 1e-3), 2, 1e-12);
+    check_share(force_error(&(Surge){0.05 * gamma, 0}, &scale, gamma, 1e-6), 1, 1e-12);
+    check_close(force_error(&(Surge){1, 1}, &(ForceScale){0, 0}, gamma, 1e-3), 0, 0);
+}
+
+/* Half of a segment's mass: its velocities may be off by sqrt(2) more; by twice at most. A drum is none of the cable.
+ */
+static void test_light(void **state)
+{
+    (void)state;
+    SceneDef def;
+    Scene scene;
+    fixture_pull(&def, &(FixtureChoice){0});
+    fixture_build(&def, &scene);
+    const int n = scene.chain.n;
+    double *const weight = calloc((size_t)n, sizeof *weight);
+    assert_non_null(weight);
+    for (int i = 0; i < n; ++i) {
+        weight[i] = 3;
+        scene.chain.mass[i] = 8;
+    }
+    scene.chain.mass[1] = 4;
+    scene.chain.mass[2] = 0.1;
+    scene.chain.mass[n - 1] = 1008;
+    scene.weight.weightless = 1000;
+    check_close(scales_heaviest(&scene), 8, 1e-12);
+    scales_lighten(&scene, n, 1, weight);
+    check_close(weight[0], 3, 0);
+    check_close(weight[1], 3 / sqrt(2), 1e-15);
+    check_close(weight[2], 1.5, 1e-15);
+    check_close(weight[n - 1], 3, 0);
+    free(weight);
+    scene_clear(&scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_surge), cmocka_unit_test(test_scale),
+                                       cmocka_unit_test(test_share), cmocka_unit_test(test_light)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
