@@ -130,7 +130,7 @@ static void nothing_holds_it(void **state)
 static void not_to_the_end(void **state)
 {
     (void)state;
-    const char *const few[] = {"solver.max_steps", "7", NULL};
+    const char *const few[] = {"solver.max_steps", "20", NULL};
     expect_failing(data_text("trust"), few, HAWSER_ERR_RUN, "finished steady_window", "of no steady pull");
 }
 
