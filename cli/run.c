@@ -69,7 +69,7 @@ hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *
 /* Once the simulation is built, the case is only needed for a certificate. */
 static hawser_status build_sim(const Arguments *args, hawser_case **c, hawser_sim **out, hawser_error *err)
 {
-    const hawser_options options = {.threads = args->threads};
+    const hawser_options options = {.threads = args->threads, .pin = 1};
     hawser_status status = load_case(args, c, err);
     if (!status) status = hawser_sim_new(*c, &options, out, err);
     return status;

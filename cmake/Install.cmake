@@ -15,11 +15,18 @@ set(HAWSER_PRIVATE_LIBRARIES ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${B
 list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
 list(APPEND HAWSER_PRIVATE_LIBRARIES -lsundials_cvode -lsundials_nvecserial -lm -lpthread -ldl)
 
+# The SONAME's number changes with every change that a program built before could trip over (docs/api.md, "Growing"): below
+# 1.0 with the minor version, from then on with the major one.
+set(hawser_soversion ${PROJECT_VERSION_MAJOR})
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+    set(hawser_soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endif()
+
 # Only hawser_* leaves the shared library: cmake/hawser.map.
 add_library(hawser_shared SHARED ${objects})
 set_target_properties(hawser_shared PROPERTIES
     OUTPUT_NAME hawser EXPORT_NAME hawser LINKER_LANGUAGE C
-    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    VERSION ${PROJECT_VERSION} SOVERSION ${hawser_soversion}
     LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/hawser.map)
 target_link_options(hawser_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/hawser.map
                                           $<$<CONFIG:Release>:-Wl,-z,defs>)

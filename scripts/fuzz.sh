@@ -2,7 +2,8 @@
 # Feeds the fuzz targets (tests/fuzz) with inputs that find new ways through the program, and says what broke.
 # Usage: sh scripts/fuzz.sh [MINUTES] [TARGET...]
 #   MINUTES  for each target (default 1)
-#   TARGET   units, yaml, case, set, run, api, route, results (default: all)
+#   TARGET   units, yaml, case, set, run, api, route, results (default: all); one reader of routes: route-csv, route-landxml,
+#            route-ifc, route-dxf, route-gpx, route-geojson; route-all: each of these with minutes of its own
 # What is found along the way stays in build/fuzz/corpus/TARGET, so that the next call goes on from there; an input that breaks
 # something is left in build/fuzz/found, also one that takes 100 s by the clock: so long, as the machine may be busy. Status 1 if
 # there is one. HAWSER_FUZZ_JOBS: how many at once (default 1).
@@ -17,13 +18,16 @@ case "${1-}" in
     shift
     ;;
 esac
+readers="route-csv route-landxml route-ifc route-dxf route-gpx route-geojson"
 [ $# -gt 0 ] || set -- units yaml case set run api route results
+# shellcheck disable=SC2086 # one word a reader
+[ "$*" != route-all ] || set -- $readers
 
 command -v clang >/dev/null 2>&1 && ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-x86_64.a >/dev/null 2>&1 ||
     sh scripts/setup.sh --fuzz
 cmake --preset fuzz >/dev/null
 # shellcheck disable=SC2046,SC2086 # one word a target
-cmake --build --preset fuzz -j "$(nproc)" --target fuzz_dictionary $(printf 'fuzz_%s ' "$@")
+cmake --build --preset fuzz -j "$(nproc)" --target fuzz_dictionary $(printf 'fuzz_%s ' "$@" | sed 's/route-[a-z]*/route/g')
 
 build=build/fuzz
 mkdir -p $build/found
@@ -36,16 +40,20 @@ for target in "$@"; do
     mkdir -p $build/corpus/"$target"
     seeds="tests/fuzz/corpus/$target"
     words=$build/case.dict
+    program=$target
+    unset HAWSER_FUZZ_READER
     case "$target" in
     yaml | case | run) seeds="$seeds tests/data cases" ;;
-    route)
-        seeds="$seeds cases/routes"
+    route | route-*)
+        program=route
+        seeds="tests/fuzz/corpus/route cases/routes"
+        [ "$target" = route ] || export HAWSER_FUZZ_READER="${target#route-}"
         words=tests/fuzz/route.dict
         ;;
     esac
     echo "fuzz.sh: $target, $minutes min"
     # shellcheck disable=SC2086 # one word a folder
-    nice -n 19 $build/tests/fuzz/fuzz_"$target" -max_total_time=$((60 * minutes)) -timeout=100 -rss_limit_mb=2048 \
+    nice -n 19 $build/tests/fuzz/fuzz_"$program" -max_total_time=$((60 * minutes)) -timeout=100 -rss_limit_mb=2048 \
         -max_len=16384 -dict=$words -artifact_prefix=$build/found/"$target"- -print_final_stats=1 \
         -fork="${HAWSER_FUZZ_JOBS-1}" -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
         $build/corpus/"$target" $seeds >$build/"$target".log 2>&1 || status=1

@@ -1,11 +1,12 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --web | --deb]
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --web | --deb | --python]
 #   --lint    also what scripts/lint.sh needs
 #   --fuzz    also what scripts/fuzz.sh needs
 #   --web     also what scripts/web.sh and the tests of the report's page need: Node, Chromium, and npm's packages in
 #             web/node_modules; goes on without them where they are not to be had
 #   --deb     also what packaging/deb.sh needs
+#   --python  also what the Python package, its tests and its notebooks need; goes on without what is not to be had
 #   --bench   also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
@@ -15,11 +16,14 @@ packages="build-essential cmake ninja-build pkg-config clang-format
     libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
+python_packages="python3-dev python3-cffi python3-setuptools python3-wheel python3-pip python3-numpy python3-pandas python3-h5py
+    python3-xarray python3-pytest python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy"
 deb_packages="debhelper lintian fakeroot"
 peer_packages="libmujoco-dev libsimbody-dev"
 
 peers=no
 web=no
+python=no
 case "${1-}" in
 "") ;;
 --lint) packages="$packages $lint_packages" ;;
@@ -27,8 +31,9 @@ case "${1-}" in
 --deb) packages="$packages $deb_packages" ;;
 --bench) peers=yes ;;
 --web) web=yes ;;
+--python) python=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --web, --deb)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --web, --deb, --python)" >&2
     exit 2
     ;;
 esac
@@ -82,4 +87,9 @@ if [ $web = yes ]; then
     command -v npm >/dev/null 2>&1 || set -- "$@" npm
     (install "$@" && sh "$(dirname "$0")/web.sh" --packages) ||
         echo "setup.sh: without $* and the packages of web/: the tests of the report's page will be skipped" >&2
+fi
+if [ $python = yes ]; then
+    # shellcheck disable=SC2086
+    (install $python_packages) ||
+        echo "setup.sh: without all of $python_packages: the Python package or some of its tests will be left out" >&2
 fi

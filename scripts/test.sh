@@ -12,6 +12,7 @@ if [ "${1-}" = --long ]; then
 fi
 
 sh scripts/setup.sh --web
+sh scripts/setup.sh --python
 sh scripts/build.sh release
 sh scripts/build.sh debug
 

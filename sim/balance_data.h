@@ -17,6 +17,7 @@ typedef enum BalanceWork {
     BY_MOTORS,    /* of rollers, on these; what reaches the cable is the rollers' push */
     BY_MEDIUM,    /* air or water: what a current and buoyancy bring in */
     BY_EDGES,     /* surfaces, where they fade out or are twisted */
+    BY_OUTSIDE,   /* forces and laws that the simulation was told */
     BALANCE_WORKS
 } BalanceWork;
 

@@ -12,6 +12,7 @@
 #include "core/chain.h"
 #include "core/profile.h"
 #include "sim/balance_data.h"
+#include "sim/command.h"
 #include "sim/time_mean.h"
 
 typedef struct Scene Scene;
@@ -66,12 +67,19 @@ struct Moment {
 };
 
 /* What a step has come to, for those who wait for something. */
-enum { WATCH_PULL = 1, WATCH_FRONT = 2 };
+enum { WATCH_PULL = 1, WATCH_FRONT = 2, WATCH_TRAVEL = 4 };
 typedef struct Occasion {
-    double t;     /* s, of the step that was accepted */
-    double pull;  /* N, of the winch */
-    double front; /* m along the route, of the cable's front; NAN: not watched, or past the winch */
+    double t;      /* s, of the step that was accepted */
+    double pull;   /* N, of the winch */
+    double front;  /* m along the route, of the cable's front; NAN: not watched, or past the winch */
+    double travel; /* m, that the winch has hauled in; NAN: not watched */
 } Occasion;
+
+/* What a step has brought about, in words that live as long as the scene; NULL: nothing more. */
+typedef struct Occurrence {
+    hawser_event_code code;
+    const char *what;
+} Occurrence;
 
 /* What holds one thing of a room fast. It is owned by who seizes; the share changes between steps only. */
 typedef struct Seizure {
@@ -79,6 +87,10 @@ typedef struct Seizure {
     double ramp;   /* s, over which it stops and starts */
     double mu;     /* with which the cable drags over it when it stands; NAN: the usual */
 } Seizure;
+
+/* A command to jam or to release something: into the seizure that commands have, `by` being what holds it now (NULL:
+ * nothing). Returns as RoomKind.command. */
+int seizure_command(Seizure *told, const Seizure *by, const Command *c, double t, hawser_error *err);
 
 struct RoomKind {
     const char *name;
@@ -138,11 +150,15 @@ struct RoomKind {
     /* Whether its laws remember the last accepted step, and that one to the kinematics of now was accepted. */
     int (*remembers)(const Room *room, const Workspace *ws);
     void (*accept)(const Room *room, const Moment *m);
-    /* What of a step it waits for: of WATCH_PULL, WATCH_FRONT; 0: nothing can happen. */
+    /* What of a step it waits for: of WATCH_PULL, WATCH_FRONT, WATCH_TRAVEL; 0: nothing can happen. */
     int (*watches)(const Room *room);
-    /* A step was accepted: changes what the step has brought about, one event a call; returns it in words that live as
-     * long as the scene, NULL when there is nothing more. */
-    const char *(*happen)(Room *room, const Occasion *now);
+    /* A step was accepted: changes what the step has brought about, one event a call. */
+    Occurrence (*happen)(Room *room, const Occasion *now);
+    /* Is told something at time t. Everything goes on from what it is then, and comes in by STEP (K1). 1: that was for
+     * it; 0: nothing of it is meant; -1: it is meant and cannot do that, err says why, nothing has changed. */
+    int (*command)(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err);
+    /* What commands have made of it, byte by byte: saved or loaded (sim/command.h). */
+    void (*controls)(Room *room, ControlsVisit *visit);
     /* The first time after t at which it is not smooth, s; INFINITY: never. */
     double (*next_stop)(const Room *room, const Scene *scene, double t);
 

@@ -37,6 +37,8 @@ typedef struct Surfaces {
     SurfaceModel model;
     SurfacePatch *patch;
     FrictionLaw *friction; /* [2 surfaces] on straights, then in bends */
+    int told;              /* commands have changed it: */
+    Profile *factor;       /* [surfaces] friction over the case's (K6) */
     SurfacePoints points;
 } Surfaces;
 

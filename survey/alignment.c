@@ -274,7 +274,7 @@ AlignmentMeasure alignment_measure(const Alignment *a)
 static PlanElement plan_reversed(const PlanElement *e)
 {
     const PlanElement end = plan_at(e, e->length);
-    return (PlanElement){end.x, end.y, end.heading + acos(-1), e->length, -e->k1, -e->k0, e->name};
+    return (PlanElement){end.x, end.y, end.heading + acos(-1), e->length, -e->k1, -e->k0, e->name, e->k_sd};
 }
 
 static ProfileElement profile_reversed(const ProfileElement *e, double plan)

@@ -15,6 +15,7 @@ typedef struct PlanElement {
     double length;        /* m, > 0 */
     double k0, k1;        /* 1/m */
     int name;             /* of its alignment's names; 0: none */
+    float k_sd;           /* 1/m, of an arc by a fit, the standard deviation of its curvature; 0: it is not known */
 } PlanElement;
 
 /* A piece of the profile, over the length in plan. */
@@ -28,7 +29,8 @@ typedef struct ProfileElement {
 
 enum { SURVEY_NAME_MAX = 128 };
 
-/* What a file calls pieces, one behind the other, each with its 0; most pieces have no name, so it costs them little. */
+/* What a file calls pieces, one behind the other, each with its 0; most pieces have no name, so it costs them little.
+ */
 typedef struct PieceNames {
     char *text;
     int used, room;

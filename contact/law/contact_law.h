@@ -23,6 +23,10 @@ typedef struct FrictionLaw {
 typedef enum FrictionKind { FRICTION_NONE, FRICTION_SPEED, FRICTION_STICK } FrictionKind;
 enum { FRICTION_KINDS = 3 };
 FrictionKind friction_kind(const FrictionLaw *law);
+/* A coefficient that counts as friction and does nothing: candidates are sorted by the kind, which must not change. */
+#define FRICTION_HARDLY_ANY 1e-12
+/* So many times the friction (K6); a law without any stays without. */
+FrictionLaw friction_scaled(FrictionLaw law, double factor);
 
 /* Normal force N (>= 0) at `gap` (m, negative: penetration) and its rate (m/s). d_gap, d_rate get dN/dgap,
  * dN/drate. */

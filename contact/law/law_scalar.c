@@ -26,3 +26,10 @@ double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v)
     *d_over_v = rub.by_lean[0] + rub.by_slide[0];
     return rub.phi[0];
 }
+
+FrictionLaw friction_scaled(FrictionLaw law, double factor)
+{
+    if (law.mu_s > 0) law.mu_s = fmax(factor * law.mu_s, FRICTION_HARDLY_ANY);
+    if (law.mu_d > 0) law.mu_d = fmax(factor * law.mu_d, FRICTION_HARDLY_ANY);
+    return law;
+}

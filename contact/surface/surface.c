@@ -237,6 +237,53 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
     }
 }
 
+/* Point q of element e (DU2). */
+static Vec3 point_place(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, int e, int q)
+{
+    const SurfacePoints *const points = model->points;
+    const double alpha[2] = {1 - points->alpha[q][e], points->alpha[q][e]};
+    Vec3 p = V3_ZERO;
+    for (int b = 0; b < 2; ++b) {
+        const int i = e - 1 + b;
+        if (i < 0 || i >= chain->n || (b == 0 && !(alpha[0] > 0))) continue;
+        p = v3_axpy(v3_axpy(p, alpha[b], v3_load(kin->p, i)), points->beta[q][b][e] * chain->half[i],
+                    v3_load(kin->a, i));
+    }
+    return p;
+}
+
+int surface_details(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
+                    Loads *loads, SurfaceDetail *out)
+{
+    const SurfaceKernels *const kernel = surface_kernels();
+    SurfacePush push;
+    ContactTally unused = {0};
+    int n = 0;
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const SurfaceRange r = pairs->range[i];
+        for (int done = 0; done < r.count; done += LANES) {
+            const SurfaceStrip strip =
+                strip_of(model, chain, kin, 1, &pairs->stick, r.patch, r.first + done, r.count - done);
+            if (!kernel->push(&strip, loads, &push, &unused)) continue;
+            for (int k = 0; k < strip.count * SURFACE_POINTS; ++k) {
+                const int l = k / SURFACE_POINTS, q = k % SURFACE_POINTS, e = strip.first + l;
+                if (!(push.normal[q][l] > 0)) continue;
+                const Vec3 point = point_place(model, chain, kin, e, q);
+                const SurfaceProbe probe = surface_probe(strip.patch, point);
+                out[n++] = (SurfaceDetail){.surface = strip.patch->surface,
+                                           .element = e,
+                                           .point_number = q,
+                                           .normal = push.normal[q][l],
+                                           .gap = probe.distance - model->points->radius[q][e],
+                                           .point = point,
+                                           .toward = probe.normal,
+                                           .force = batch_at(push.force[q], l)};
+            }
+        }
+    }
+    return n;
+}
+
 void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     const SurfacePairs *pairs, int from, int to, BlockChain *k, BlockChain *d)
 {

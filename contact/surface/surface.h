@@ -37,6 +37,17 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
                     SurfacePairs *pairs, Loads *loads, SurfaceTally *tally);
 SurfaceTally surface_tally_new(void);
 
+/* One point of the line that is pressed on a surface, for tools and reports. */
+typedef struct SurfaceDetail {
+    int surface, element, point_number;
+    double normal, gap; /* N; m, below 0 */
+    Vec3 point, toward; /* m, on the line; unit, toward the cable */
+    Vec3 force;         /* N, on the cable */
+} SurfaceDetail;
+/* Writes all that carry force, SURFACE_POINTS for each candidate at most; returns how many. loads are scratch. */
+int surface_details(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
+                    Loads *loads, SurfaceDetail *out);
+
 /* The chain has been renumbered: element e is now e + joined. Adds what `old` remembers of elements that are `now`'s;
  * to be called for all pairs of old and new halves. */
 void surface_carry(const SurfacePairs *old, SurfacePairs *now, int joined);

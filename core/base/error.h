@@ -5,13 +5,22 @@
 #include "hawser/hawser.h"
 
 /* Writes status and message into err (NULL: dropped) and returns status, so that a caller can
- * `return error_set(err, HAWSER_ERR_INPUT, "%s:%d: ...", file, line);`. Control characters become question marks. */
+ * `return error_set(err, HAWSER_ERR_INPUT, "%s:%d: ...", file, line);`. Control characters become question marks. A key
+ * that the message names as "key 'a.b'" is the error's key. */
 hawser_status error_set(hawser_error *err, hawser_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* What is known besides: where in a file it is (line 0: nowhere in particular), and where in the motion (s; a segment
+ * of the whole chain, or -1). After error_set. */
+void error_place(hawser_error *err, const char *file, int line);
+void error_moment(hawser_error *err, double t, int segment);
 
 /* What a file brings into a message must not command a terminal: control characters, of UTF-8 too (C2 80 to C2 9F),
  * become question marks. Returns how many did. */
 int text_make_printable(char *text);
+
+/* An argument that must not be NULL is: what only a program can get wrong. */
+hawser_status error_argument(hawser_error *err, const char *argument);
 
 /* Out of memory, said the same way everywhere. */
 static inline hawser_status error_memory(hawser_error *err)

@@ -28,6 +28,7 @@ struct Team {
     cpu_set_t cores;   /* where the process may run */
     atomic_int core;   /* where the caller runs */
     atomic_int ending; /* the helper is to end */
+    atomic_int pin;    /* it may confine itself to other cores */
     TeamJob job;       /* of the job that `given` counts */
     void *arg;
     Signal given;                            /* jobs so far */
@@ -107,7 +108,7 @@ static void *helper_main(void *team)
         job = signal_await(&t->given, job + 1, in_the_way(t) ? 0 : SPINS);
         if (atomic_load(&t->ending)) return NULL;
         if (in_the_way(t)) {
-            move_away(t);
+            if (atomic_load_explicit(&t->pin, memory_order_relaxed)) move_away(t);
             continue; /* the caller does it, or did */
         }
         if (!share_take(t, job)) continue;
@@ -136,9 +137,12 @@ Team *team_new(int threads)
     atomic_init(&t->taken, 0);
     atomic_init(&t->core, -1);
     atomic_init(&t->ending, 0);
+    atomic_init(&t->pin, 0);
     if (t->size == 2 && pthread_create(&t->helper, NULL, helper_main, t)) return team_drop(t);
     return t;
 }
+
+void team_pin(Team *t, int pin) { atomic_store(&t->pin, pin != 0); }
 
 Team *team_free(Team *t)
 {

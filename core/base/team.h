@@ -15,6 +15,9 @@ typedef void (*TeamJob)(void *arg, int rank);
  * to be had. */
 Team *team_new(int threads);
 Team *team_free(Team *t);
+/* Whether the second thread keeps off the core that the caller runs on, for good once it has moved; without it leaves
+ * that to the system. */
+void team_pin(Team *t, int pin);
 /* 1 or 2; NULL is a team of one. */
 int team_size(const Team *t);
 /* 1 if a second thread is there and has come in time lately. Otherwise a caller that knows a better way than both

@@ -4,6 +4,7 @@
 #define HAWSER_CERTIFY_H
 
 #include "hawser/limits.h"
+#include "hawser/status.h"
 
 #ifdef __cplusplus
 extern "C" {

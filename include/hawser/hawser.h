@@ -1,5 +1,5 @@
 /* hawser: simulates how a power cable is pulled through a tunnel, a duct or over rollers, and says whether the pull is
- * safe. This header is the whole public interface.
+ * safe. This header, with those that it includes, is the whole public interface.
  *
  * Life of a run: load or define a case -> check -> build a simulation -> relax -> advance and sample -> summary ->
  * free. Handles are opaque and independent of each other; there is no global state. Every call that can fail returns a
@@ -11,28 +11,12 @@
 
 #include <stddef.h>
 
+#include "hawser/status.h"
 #include "hawser/tables.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef enum hawser_status {
-    HAWSER_OK = 0,
-    HAWSER_ERR_INPUT = 2,  /* a case, a setting or an argument is wrong; nothing was written */
-    HAWSER_ERR_RUN = 3,    /* the integration failed; what was computed before is kept */
-    HAWSER_ERR_OUTPUT = 4, /* a result could not be written */
-    HAWSER_ERR_MEMORY = 5,
-    HAWSER_STOPPED = 130 /* stopped because the caller asked for it */
-} hawser_status;
-
-enum { HAWSER_MESSAGE_MAX = 1024 };
-typedef struct hawser_error {
-    hawser_status status;
-    char message[HAWSER_MESSAGE_MAX];
-} hawser_error;
-
-const char *hawser_version(void);
 
 /* ------------------------------------------------------------------------------------------------ cases */
 
@@ -42,15 +26,15 @@ typedef struct hawser_case hawser_case;
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
 /* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
+/* The same from JSON, for programs that have a case as data: same keys, values and errors, with lines of the text.
+ * Numbers without a unit are SI. */
+hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_case **out, hawser_error *err);
 /* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0, or by
  * name: "chain.0.segment", "route.pieces.C-D.straight". A key that is allowed but absent is added. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err);
 /* Interprets and checks everything that can be checked without running. */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);
-
-/* Text for people, in SI or in US units (hawser/shown.h); for programs, in SI always. */
-typedef enum hawser_format { HAWSER_TABLE, HAWSER_JSON, HAWSER_CSV, HAWSER_TABLE_US } hawser_format;
 
 /* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err);
@@ -65,12 +49,16 @@ void hawser_text_free(char *text);
 
 typedef struct hawser_sim hawser_sim;
 
+/* May grow at its end; what is 0 is as if it were not there. */
 typedef struct hawser_options {
     int threads; /* 1 or 2; 0: the case's choice. Results do not depend on it. */
+    int pin;     /* not 0: the second thread may confine itself to the cores that the first does not run on */
 } hawser_options;
 
 /* Builds the scene of a case. The case may be freed afterwards. options may be NULL. */
-hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out, hawser_error *err);
+hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options, size_t size, hawser_sim **out,
+                                   hawser_error *err);
+#define hawser_sim_new(c, options, out, err) hawser_sim_new_sized(c, options, sizeof(hawser_options), out, err)
 void hawser_sim_free(hawser_sim *s);
 
 /* What the relaxation to the initial equilibrium reached. */
@@ -174,6 +162,7 @@ typedef struct hawser_phases {
 /* The places so far, along the route, up to date; none if the front does not move along it. Returns how many. */
 int hawser_sim_positions(const hawser_sim *s, const hawser_position **out);
 
+/* May grow at its end. */
 typedef struct hawser_summary {
     int segments, bushings, rollers, surfaces;
     double origin_m[3];     /* of all coordinates, in those of the case (route.origin) */
@@ -218,7 +207,9 @@ typedef struct hawser_summary {
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
 } hawser_summary;
 
-void hawser_sim_summary(const hawser_sim *s, hawser_summary *out);
+/* Fills as much of it as the caller knows. */
+void hawser_sim_summary_sized(const hawser_sim *s, hawser_summary *out, size_t size);
+#define hawser_sim_summary(s, out) hawser_sim_summary_sized(s, out, sizeof(hawser_summary))
 /* The summary as the text of summary.json; free it with hawser_text_free. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err);
 
@@ -240,8 +231,10 @@ const char *hawser_sim_title(const hawser_sim *s);
 #endif
 
 #include "hawser/certify.h"
+#include "hawser/control.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
+#include "hawser/query.h"
 #include "hawser/report.h"
 #include "hawser/route.h"
 #include "hawser/study.h"

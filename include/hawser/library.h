@@ -2,6 +2,8 @@
 #ifndef HAWSER_LIBRARY_H
 #define HAWSER_LIBRARY_H
 
+#include "hawser/status.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif

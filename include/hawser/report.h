@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "hawser/shown.h"
+#include "hawser/status.h"
 
 #ifdef __cplusplus
 extern "C" {

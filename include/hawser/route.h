@@ -4,6 +4,8 @@
 #ifndef HAWSER_ROUTE_H
 #define HAWSER_ROUTE_H
 
+#include "hawser/status.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -40,6 +42,15 @@ typedef struct hawser_route_figures {
     const char *problem;           /* why it cannot be a route; NULL: it can */
 } hawser_route_figures;
 
+/* An arc in plan, of a line as it would be built. */
+typedef struct hawser_route_bend {
+    double station_m, length_m; /* where it begins, as the file counts; along it */
+    double turn;                /* rad, to the left positive */
+    double radius_m;
+    double radius_sd_m; /* of a fit, one standard deviation by the scatter of the points; NAN: the file's own, or a
+                         * corner's that is as wide as the deviation allows */
+} hawser_route_bend;
+
 /* A place of a route. */
 typedef struct hawser_route_place {
     double position_m[3], tangent[3]; /* tangent: unit */
@@ -57,6 +68,10 @@ int hawser_routes_count(const hawser_routes *r);
 hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format format, char **text, hawser_error *err);
 /* One of them, 0 <= i < count. Errors: INPUT (no such line). */
 hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_figures *out, hawser_error *err);
+/* All arcs of a line in plan, in their order: *n of them in *bends, which is malloc'ed: free it with
+ * hawser_route_bends_free. Errors: INPUT (no such line, or it cannot be a route), MEMORY. */
+hawser_status hawser_routes_bends(const hawser_routes *r, int i, int *n, hawser_route_bend **bends, hawser_error *err);
+void hawser_route_bends_free(hawser_route_bend *bends);
 /* Length in space of the route built from a line, and the place s metres along it from its start; beyond its ends it
  * goes on straight. Errors: INPUT (no such line, or it cannot be a route: its problem), MEMORY. */
 hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, hawser_error *err);

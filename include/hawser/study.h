@@ -4,6 +4,7 @@
 #define HAWSER_STUDY_H
 
 #include "hawser/shown.h"
+#include "hawser/status.h"
 
 #ifdef __cplusplus
 extern "C" {

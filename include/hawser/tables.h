@@ -82,11 +82,32 @@ typedef struct hawser_balance {
     hawser_balance_term term[HAWSER_BALANCE_TERMS]; /* [n_terms], those that there are */
 } hawser_balance;
 
-/* Something that happened: what pulls trips, stops, starts again. */
+/* What kind of event it is. The numbers stay. */
+typedef enum hawser_event_code {
+    HAWSER_EVENT_NOTE = 0, /* a word about the model: what is wrong, or where it begins */
+    HAWSER_EVENT_WINCH_TRIPS = 1,
+    HAWSER_EVENT_WINCH_STOPPED = 2,
+    HAWSER_EVENT_WINCH_STARTS = 3,
+    HAWSER_EVENT_WINCH_RUNS = 4,     /* it is back at speed */
+    HAWSER_EVENT_WINCH_STAYS = 5,    /* it has stopped for good */
+    HAWSER_EVENT_WINCH_ENDS_RUN = 6, /* the same, and the run ends with it */
+    HAWSER_EVENT_JAM = 7,
+    HAWSER_EVENT_FREE = 8, /* what was jammed is free again */
+    HAWSER_EVENT_CONVEYOR_LETS_GO = 9,
+    HAWSER_EVENT_CONVEYOR_GRIPS = 10,
+    HAWSER_EVENT_TURNED = 11,   /* something has turned farther than the model can follow */
+    HAWSER_EVENT_PASSED = 12,   /* the cable has gone through something, or has left the scene */
+    HAWSER_EVENT_COMMAND = 100, /* and above: a command, this plus its hawser_control */
+    HAWSER_EVENT_FORCE = 150,   /* hawser_sim_force */
+    HAWSER_EVENT_LAW = 151      /* hawser_sim_set_law */
+} hawser_event_code;
+
+/* Something that happened: what pulls trips, stops, starts again; a command. */
 typedef struct hawser_event {
     double t;         /* s */
     const char *what; /* in words; lives as long as the simulation */
     double pull_N;    /* on the rope's end then */
+    hawser_event_code code;
 } hawser_event;
 
 /* The pull while the cable's front passed a stretch of a few metres, at full speed. */

@@ -2,6 +2,8 @@
 #ifndef HAWSER_VALIDATE_H
 #define HAWSER_VALIDATE_H
 
+#include "hawser/status.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -47,6 +47,14 @@ static hawser_status line_find(const LineOptions *options, UsedLine *used, hawse
     status = line_choose(&options->line, &s, &line, err);
     if (!status) status = line_use(line, options, used, err);
     survey_clear(&s);
+    const int pieces = used->line.n_plan + used->line.n_points;
+    if (!status && pieces > LINE_PIECES_MOST) {
+        status =
+            error_set(err, HAWSER_ERR_INPUT,
+                      "'%.60s' has %d pieces, and a case's route at most %d: take a part of it with 'from' and 'to'",
+                      used->line.name, pieces, LINE_PIECES_MOST);
+        alignment_clear(&used->line);
+    }
     return status;
 }
 

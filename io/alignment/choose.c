@@ -40,13 +40,21 @@ static int is_picked(const LinePick *pick, const Alignment *a)
     return (!pick->name || !strcasecmp(pick->name, a->name)) && (!pick->layer || !strcasecmp(pick->layer, a->layer));
 }
 
-/* Whether an earlier line has the same layer. */
-static int layer_is_met(const Survey *s, int i)
+/* Layers that have been met: the first line of each. */
+enum { LAYERS_MOST = 4096 };
+typedef struct Layers {
+    int n, first[LAYERS_MOST];
+} Layers;
+
+/* Whether a line's layer is new; then it is among those that were met. */
+static int layer_is_new(const Survey *s, int i, Layers *met)
 {
-    for (int k = 0; k < i; ++k) {
-        if (!strcasecmp(s->alignment[k].layer, s->alignment[i].layer)) return 1;
+    for (int k = 0; k < met->n && k < LAYERS_MOST; ++k) {
+        if (!strcasecmp(s->alignment[met->first[k]].layer, s->alignment[i].layer)) return 0;
     }
-    return 0;
+    if (met->n < LAYERS_MOST) met->first[met->n] = i;
+    met->n++;
+    return 1;
 }
 
 static const char *const fork_word = "fork of ", *const gap_word = "gap of ";
@@ -79,13 +87,17 @@ static void doubts_say(const char *layer, const Joined *j, Survey *notes)
 static hawser_status pieces_join(const LinePick *pick, Survey *pieces, Survey *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
+    Layers met = {.n = 0};
     for (int i = 0; i < pieces->n && !status; ++i) {
         const Alignment *const a = &pieces->alignment[i];
+        if (met.n > LAYERS_MOST)
+            return error_set(err, HAWSER_ERR_INPUT, "%.200s: lines on more than %d layers: choose one by 'layer'",
+                             pick->path, LAYERS_MOST);
         if (!is_picked(pick, a)) continue;
         if (!*a->layer) {
             Alignment *const copy = survey_add(out, a->name);
             if (!copy || !alignment_copy(a, copy)) status = error_memory(err);
-        } else if (!layer_is_met(pieces, i)) {
+        } else if (layer_is_new(pieces, i, &met)) {
             JoinOptions options = join_options();
             Joined joined;
             options.tolerance = pick->join;

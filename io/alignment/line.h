@@ -35,6 +35,9 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err);
  * the longest of them. */
 hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment **out, hawser_error *err);
 
+/* What a case's route may have: some 70 km of short bends, whose parts are shown in 2 s. */
+enum { LINE_PIECES_MOST = 50000 };
+
 /* A line as it will be built. */
 typedef struct UsedLine {
     Alignment line;                /* elements; points where their corners get a radius */

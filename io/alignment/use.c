@@ -47,11 +47,12 @@ static hawser_status chain(const LineOptions *options, UsedLine *used, hawser_er
 }
 
 /* Joined elements are taken as they are; what the fit changes it reports. It holds the deviation where it cuts a line,
- * and may pass it a little where pieces are then joined: a smaller one is asked for until the whole line is within. */
+ * and may pass it a little where pieces are then joined: a smaller one is asked for until the whole line is within,
+ * unless it is far off. */
 static hawser_status fit(const Alignment *from, const Alignment *profile, const LineOptions *options, UsedLine *used,
                          hawser_error *err)
 {
-    enum { TRIES = 4 };
+    enum { TRIES = 4, FAR_OFF = 3 };
     FitOptions how = fit_options();
     FitReport report;
     hawser_status status = HAWSER_OK;
@@ -60,7 +61,8 @@ static hawser_status fit(const Alignment *from, const Alignment *profile, const 
         how.deviation = options->tolerance / (1 << k);
         alignment_clear(&used->line);
         status = fit_alignment(from, profile, &how, &used->line, &report, err);
-        if (!report.fitted || larger_of(report.largest, report.largest_height) <= options->tolerance) break;
+        const double off = larger_of(report.largest, report.largest_height);
+        if (!report.fitted || off <= options->tolerance || off > FAR_OFF * options->tolerance) break;
     }
     used->fitted = report.fitted;
     used->deviation = larger_of(report.largest, report.largest_height);

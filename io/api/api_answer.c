@@ -230,6 +230,7 @@ static void trust_lines(Answer *a, const hawser_summary *s)
 /* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
 const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, size_t size)
 {
+    if (!s || !text || size == 0) return "";
     hawser_summary sum;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char verdict[HAWSER_VERDICT_MAX];

@@ -4,6 +4,7 @@
 #include "io/api/api_handles.h"
 #include "io/case/case_read.h"
 
+#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,6 +27,7 @@ static hawser_status wrap_tree(CaseTree *tree, const char *name, hawser_case **o
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err)
 {
     CaseTree *tree;
+    if (!path || !out) return error_argument(err, path ? "out" : "path");
     *out = NULL;
     const hawser_status status = case_tree_load(path, &tree, err);
     return status ? status : wrap_tree(tree, path, out, err);
@@ -35,9 +37,34 @@ hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err)
 {
     CaseTree *tree;
+    if (!text || !name || !out) return error_argument(err, !text ? "text" : !name ? "name" : "out");
     *out = NULL;
     const hawser_status status = case_tree_parse(text, name, &tree, err);
     return status ? status : wrap_tree(tree, name, out, err);
+}
+
+/* Whether it is JSON, jansson says; YAML holds nearly all of JSON, so that the reader with its lines is the same. What
+ * is written in a way of JSON's own (a character as two \u) is written anew, on the lines that jansson gives it. */
+hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_case **out, hawser_error *err)
+{
+    json_error_t wrong;
+    hawser_error local;
+    if (!text || !name || !out) return error_argument(err, !text ? "text" : !name ? "name" : "out");
+    *out = NULL;
+    json_t *const json = json_loads(text, JSON_REJECT_DUPLICATES, &wrong);
+    if (!json) {
+        error_set(err, HAWSER_ERR_INPUT, "%.200s:%d: not JSON: %s", name, wrong.line, wrong.text);
+        error_place(err, name, wrong.line);
+        return HAWSER_ERR_INPUT;
+    }
+    hawser_status status = hawser_case_parse(text, name, out, err ? err : &local);
+    if (status == HAWSER_ERR_INPUT) {
+        char *const plain = json_dumps(json, JSON_INDENT(1) | JSON_ENCODE_ANY);
+        status = plain ? hawser_case_parse(plain, name, out, err) : error_memory(err);
+        free(plain);
+    }
+    json_decref(json);
+    return status;
 }
 
 hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err)
@@ -57,6 +84,7 @@ static void drop_read(hawser_case *c)
 /* Other files may be found now. */
 hawser_status hawser_case_folder(hawser_case *c, const char *folder, hawser_error *err)
 {
+    if (!c || !folder) return error_argument(err, c ? "folder" : "c");
     char *const own = strdup(folder);
     if (!own) return error_memory(err);
     drop_read(c);
@@ -68,6 +96,7 @@ hawser_status hawser_case_folder(hawser_case *c, const char *folder, hawser_erro
 /* Whatever was read before may be different now. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err)
 {
+    if (!c || !key || !value) return error_argument(err, !c ? "c" : !key ? "key" : "value");
     drop_read(c);
     return case_tree_set(c->tree, key, value, err);
 }
@@ -75,6 +104,7 @@ hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value
 /* Reading is done once for any number of checks, descriptions and simulations. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
 {
+    if (!c) return error_argument(err, "c");
     if (c->read) return HAWSER_OK;
     const hawser_status status = case_read(c->tree, &c->def, err);
     c->read = !status;
@@ -87,7 +117,9 @@ hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser
     if (status != HAWSER_ERR_INPUT || !err) return status;
     const hawser_error found = *err;
     /* room is left for the prefix: a message that long loses its end */
-    return error_set(err, status, "%.200s: %.800s", c->name, found.message);
+    error_set(err, status, "%.200s: %.800s", c->name, found.message);
+    error_place(err, c->name, 0);
+    return status;
 }
 
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err) { return case_ensure_read(c, err); }
@@ -104,6 +136,7 @@ void hawser_case_free(hawser_case *c)
 
 /* The version is the build's, see CMakeLists.txt. */
 const char *hawser_version(void) { return HAWSER_VERSION; }
+int hawser_version_number(void) { return HAWSER_VERSION_NUMBER; }
 
 /* Texts may come from another C library's heap than the caller's: they are given back where they were made. */
 void hawser_text_free(char *text) { free(text); }

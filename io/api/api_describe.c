@@ -305,6 +305,7 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
 /* Everything is freed again: a description leaves nothing behind in the case but what was read. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
+    if (!c || !text) return error_argument(err, c ? "text" : "c");
     *text = NULL;
     const hawser_status status = case_ensure_read(c, err);
     return status ? status : describe(c, format, text, err);

@@ -203,6 +203,7 @@ static hawser_status crew_make(const Scene *scene, const char *title, hawser_for
 
 hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
+    if (!c || !text) return error_argument(err, c ? "text" : "c");
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;

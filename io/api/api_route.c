@@ -14,7 +14,9 @@
 
 /* More lines than these are a whole drawing, of which nobody wants each as a route, and a line of more pieces takes
  * minutes to fit: they are used once asked for. */
-enum { USED_AT_ONCE = 32, PIECES_AT_ONCE = 50000, DIGITS = 13 };
+enum { USED_AT_ONCE = 32, PIECES_AT_ONCE = LINE_PIECES_MOST, DIGITS = 13 };
+
+static const double DEGREES = 180 / 3.14159265358979323846;
 
 /* A line of the file and what became of it. */
 typedef struct RouteRow {
@@ -169,6 +171,32 @@ void hawser_routes_free(hawser_routes *r)
 
 int hawser_routes_count(const hawser_routes *r) { return r->survey.n; }
 
+/* --------------------------------------------------------------------------------------------------------- bends */
+
+/* What an element is as a bend; 0: it is no arc. */
+static int bend_of(const PlanElement *e, double station, hawser_route_bend *bend)
+{
+    if (e->k0 != e->k1 || e->k0 == 0) return 0;
+    const double radius = 1 / fabs(e->k0), part = e->k_sd > 0 ? (double)e->k_sd * radius : NAN;
+    *bend = (hawser_route_bend){station, e->length, e->length * e->k0, radius, part * radius};
+    return 1;
+}
+
+/* The arcs of a line that is used: their number, and they themselves if `bend` is not NULL. */
+static int bends_list(const RouteRow *row, hawser_route_bend *bend)
+{
+    const Alignment *const a = &row->used.line;
+    double station = row->figures.station_m;
+    int n = 0;
+    for (int i = 0; row->tried && !row->figures.problem && i < a->n_plan; station += a->plan[i].length, ++i) {
+        hawser_route_bend one;
+        if (!bend_of(&a->plan[i], station, &one)) continue;
+        if (bend) bend[n] = one;
+        ++n;
+    }
+    return n;
+}
+
 /* --------------------------------------------------------------------------------------------------------- texts */
 
 static json_t *json_number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
@@ -194,6 +222,23 @@ static json_t *json_or_null(const char *text)
     return value ? value : json_null();
 }
 
+static json_t *json_bends(const RouteRow *row)
+{
+    json_t *const list = json_array();
+    hawser_route_bend *const bend = calloc((size_t)bends_list(row, NULL) + 1, sizeof *bend);
+    for (int i = 0, n = bend ? bends_list(row, bend) : 0; i < n; ++i) {
+        json_t *const o = json_object();
+        json_object_set_new(o, "station_m", json_number(bend[i].station_m));
+        json_object_set_new(o, "length_m", json_number(bend[i].length_m));
+        json_object_set_new(o, "turn_deg", json_number(bend[i].turn * DEGREES));
+        json_object_set_new(o, "radius_m", json_number(bend[i].radius_m));
+        json_object_set_new(o, "radius_sd_m", json_number(bend[i].radius_sd_m));
+        json_array_append_new(list, o);
+    }
+    free(bend);
+    return list;
+}
+
 static json_t *json_line(const hawser_routes *r, int i)
 {
     const hawser_route_figures *const f = &r->row[i].figures;
@@ -210,6 +255,7 @@ static json_t *json_line(const hawser_routes *r, int i)
     json_object_set_new(o, "least_radius_m", json_number(f->least_radius_m));
     json_object_set_new(o, "deviation_max_m", json_number(f->deviation_max_m));
     json_object_set_new(o, "deviation_rms_m", json_number(f->rms_m));
+    json_object_set_new(o, "bends", json_bends(&r->row[i]));
     if (f->problem) json_object_set_new(o, "problem", json_or_null(f->problem));
     json_object_set_new(o, "ignored", json_ignored(&r->survey));
     return o;
@@ -262,6 +308,42 @@ static const Column line_column[] = {
     {.key = "end_y_m", .number = end_y, .label = "end y, m", .decimals = 3, .group = 1, .digits = DIGITS},
     {.key = "end_z_m", .number = end_z, .label = "end z, m", .decimals = 3, .group = 1, .digits = DIGITS},
 };
+/* An arc of a fitted line, with the line's name. */
+typedef struct BendRow {
+    const char *name;
+    hawser_route_bend bend;
+    double turn_deg;
+} BendRow;
+
+static const Column bend_column[] = {
+    {COLUMN("name", TEXT, BendRow, name), .label = "name"},
+    {COLUMN("station_m", NUMBER, BendRow, bend.station_m), .label = "from station, m", .decimals = 2},
+    {COLUMN("length_m", NUMBER, BendRow, bend.length_m), .label = "length, m", .decimals = 2},
+    {COLUMN("turn_deg", NUMBER, BendRow, turn_deg), .label = "turn, deg", .decimals = 1},
+    {COLUMN("radius_m", NUMBER, BendRow, bend.radius_m), .label = "radius, m", .decimals = 2},
+    {COLUMN("radius_sd_m", NUMBER, BendRow, bend.radius_sd_m), .label = "+-, m", .decimals = 2},
+};
+
+/* The arcs of all fitted lines; *n of them. NULL: no memory. */
+static BendRow *bend_rows(const hawser_routes *r, int *n)
+{
+    int all = 0;
+    *n = 0;
+    for (int i = 0; i < r->survey.n; ++i) all += bends_list(&r->row[i], NULL);
+    BendRow *const rows = calloc((size_t)all + 1, sizeof *rows);
+    hawser_route_bend *const bend = calloc((size_t)all + 1, sizeof *bend);
+    for (int i = 0; rows && bend && i < r->survey.n; ++i) {
+        const int found = r->row[i].used.fitted ? bends_list(&r->row[i], bend) : 0;
+        for (int k = 0; k < found; ++k)
+            rows[(*n)++] = (BendRow){r->row[i].figures.name, bend[k], bend[k].turn * DEGREES};
+    }
+    const int memory = rows && bend;
+    free(bend);
+    if (memory) return rows;
+    free(rows);
+    return NULL;
+}
+
 static const Column problem_column[] = {
     {COLUMN("name", TEXT, RouteRow, figures.name), .label = "name"},
     {COLUMN("problem", TEXT, RouteRow, figures.problem), .label = "why"},
@@ -276,13 +358,21 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
     const Survey *const s = &r->survey;
     *text = NULL;
     if (format == HAWSER_JSON) return json_write(r, text, err);
+    int n_bad = 0, n = 1, n_bends = 0;
     RouteRow *const bad = calloc((size_t)s->n + 1, sizeof *bad);
-    int n_bad = 0, n = 1;
-    if (!bad) return error_memory(err);
+    BendRow *const bends = bend_rows(r, &n_bends);
+    if (!bad || !bends) {
+        free(bad);
+        free(bends);
+        return error_memory(err);
+    }
     for (int i = 0; i < s->n; ++i) {
         if (r->row[i].figures.problem) bad[n_bad++] = r->row[i];
     }
-    Table tables[3] = {{"alignments", "Lines", COLUMNS(RouteRow, line_column), s->n, r->row}};
+    Table tables[4] = {{"alignments", "Lines", COLUMNS(RouteRow, line_column), s->n, r->row}};
+    if (n_bends)
+        tables[n++] =
+            (Table){"bends", "Fitted bends, +- one standard deviation", COLUMNS(BendRow, bend_column), n_bends, bends};
     if (n_bad) tables[n++] = (Table){"problems", "No routes", COLUMNS(RouteRow, problem_column), n_bad, bad};
     if (s->n_ignored)
         tables[n++] = (Table){"ignored", "Not read", COLUMNS(SurveyIgnored, ignored_column), s->n_ignored, s->ignored};
@@ -300,6 +390,7 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
                           .csv = tables};
     const hawser_status status = document_write(&doc, format, text, err);
     free(bad);
+    free(bends);
     return status;
 }
 
@@ -329,6 +420,21 @@ hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_
     if (!status) *out = row->figures;
     return status;
 }
+
+hawser_status hawser_routes_bends(const hawser_routes *r, int i, int *n, hawser_route_bend **bends, hawser_error *err)
+{
+    RouteRow *row = NULL;
+    *n = 0;
+    *bends = NULL;
+    const hawser_status status = row_good(r, i, &row, err);
+    if (status) return status;
+    *bends = calloc((size_t)bends_list(row, NULL) + 1, sizeof **bends);
+    if (!*bends) return error_memory(err);
+    *n = bends_list(row, *bends);
+    return HAWSER_OK;
+}
+
+void hawser_route_bends_free(hawser_route_bend *bends) { free(bends); }
 
 /* Built where the line is, whatever its coordinates: a grain of 1e-9 m. */
 static hawser_status row_build(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)

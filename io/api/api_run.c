@@ -116,7 +116,9 @@ static hawser_status run_steps(Run *run, hawser_error *err)
     if (!status) status = write_due(run, err);
     if (!status) status = tell_progress(run, 1, err);
     while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may bring the end nearer */
+        sim->inside = 1;
         status = sim_advance(sim, hawser_sim_end_time(sim), 1, err);
+        sim->inside = 0;
         if (!status) status = write_due(run, err);
         if (!status) status = tell_progress(run, 0, err);
     }
@@ -226,6 +228,8 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
 {
     hawser_error local = {HAWSER_OK, ""}, late = {HAWSER_OK, ""};
     hawser_error *e = err ? err : &local;
+    if (!s) return error_argument(err, "s");
+    if (s->inside || s->running) return error_inside(err);
     Run run = {.s = s,
                .progress = progress,
                .user = user,

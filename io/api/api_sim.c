@@ -2,16 +2,21 @@
  * sim/run/sim.c. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "sim/run/commands.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Options come from a program or a command line, so they are checked like a case. */
-hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, hawser_sim **out, hawser_error *err)
+hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options, size_t size, hawser_sim **out,
+                                   hawser_error *err)
 {
+    if (!c || !out) return error_argument(err, c ? "out" : "c");
     *out = NULL;
-    const int threads = options ? options->threads : 0;
+    hawser_options mine = {0};
+    if (options) memcpy(&mine, options, size < sizeof mine ? size : sizeof mine);
+    const int threads = mine.threads;
     if (threads < 0 || threads > 2) {
         return error_set(err, HAWSER_ERR_INPUT, "%d threads: 1 or 2 can be used (0: the case's choice)", threads);
     }
@@ -25,6 +30,7 @@ hawser_status hawser_sim_new(hawser_case *c, const hawser_options *options, haws
     status = sim_new(&c->def, threads, out, err);
     if (status) return case_name_error(c, status, err);
     hawser_sim *const s = *out; /* the case may be gone soon */
+    if (s->team) team_pin(s->team, mine.pin);
     s->case_name = strdup(c->name);
     s->title = strdup(c->def.title[0] ? c->def.title : c->name);
     if (s->case_name && s->title) return HAWSER_OK;
@@ -42,11 +48,18 @@ static hawser_status keep_outcome(hawser_sim *s, hawser_status status, const haw
     return status;
 }
 
+hawser_status error_inside(hawser_error *err)
+{
+    return error_set(err, HAWSER_ERR_INPUT, "a call-back of the simulation may look and tell, but not make it move");
+}
+
 /* The statistics and the integrator start from here; later the state is theirs. */
 hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err)
 {
     hawser_error local;
     hawser_error *e = err ? err : &local;
+    if (!s) return error_argument(err, "s");
+    if (s->inside) return error_inside(err);
     if (hawser_sim_time(s) > 0) {
         return error_set(e, HAWSER_ERR_INPUT, "only a simulation that has not moved on from t = 0 can be relaxed");
     }
@@ -54,12 +67,22 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
     return keep_outcome(s, sim_relax(s, out, e), e);
 }
 
+static const double TIME_MOST = 1e9; /* s */
+
 /* The corners of the drive are never stepped over, whatever t is. */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_error local;
     hawser_error *e = err ? err : &local;
-    return keep_outcome(s, sim_advance(s, t, one_step, e), e);
+    if (!s) return error_argument(err, "s");
+    if (s->inside || s->running) return error_inside(err);
+    if (!(t < INFINITY) || t > TIME_MOST)
+        return error_set(e, HAWSER_ERR_INPUT, "advance to t = %g s: a time of at most %g s is expected", t, TIME_MOST);
+    s->inside = 1;
+    const hawser_status status = sim_advance(s, t, one_step, e);
+    s->inside = 0;
+    if (status && status != HAWSER_STOPPED) sim_log(s, HAWSER_LOG_ERROR, e->message);
+    return keep_outcome(s, status, e);
 }
 
 /* One word for the summary. */
@@ -74,6 +97,7 @@ static const char *outcome_name(const hawser_sim *s)
 
 int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
 {
+    if (!s || !out) return 0;
     *out = s->stage.scene.def.assumptions;
     return s->stage.scene.def.n_assumptions;
 }
@@ -95,6 +119,8 @@ static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, c
 /* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
+    if (!s || !text) return error_argument(err, s ? "text" : "s");
+    *text = NULL;
     const Scene *const scene = &s->stage.scene;
     const LimitsDef *const limits = &scene->def.limits;
     hawser_summary summary;

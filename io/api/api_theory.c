@@ -334,6 +334,7 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
 {
     const TheoryWish all = {0};
     Theory *t;
+    if (!c || !text) return error_argument(err, c ? "text" : "c");
     *text = NULL;
     hawser_status status = theory_new(c, &all, &t, err);
     if (!status) status = write_theory(t, title_of(c), format, text, err);

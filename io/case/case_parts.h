@@ -19,7 +19,7 @@ extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, c
     case_rod_tail, case_rod_head, case_rod_load, case_rod_mass, case_route, case_route_piece, case_route_plan,
     case_route_heights, case_route_profile, case_lead_in, case_contact, case_friction, case_groove, case_spin,
     case_mount, case_roller_row, case_rollers, case_surfaces, case_drive, case_tail, case_back_tension, case_reel,
-    case_conveyor, case_jam, case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory,
+    case_conveyor, case_jam, case_command, case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory,
     case_theory_friction, case_theory_wear, case_theory_pit, case_theory_machine, case_limits, case_medium, case_launch;
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
@@ -108,6 +108,8 @@ hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);
 hawser_status case_mesh_read(CaseReader *r, const CaseNode *list);
 /* After all that can jam. */
 hawser_status case_jams_read(CaseReader *r, const CaseNode *list);
+/* After all that can be told something; node: the drive. */
+hawser_status case_script_read(CaseReader *r, const CaseNode *node);
 hawser_status case_reel_read(CaseReader *r, const CaseNode *node);
 /* After the reel, which neither goes with. */
 hawser_status case_medium_read(CaseReader *r, const CaseNode *node);

@@ -130,6 +130,7 @@ static const struct {
     {"medium", case_medium_read},
     {"launch", case_launch_read},
     {"jams", case_jams_read},
+    {"drive", case_script_read},
     {"bundle", case_bundle_check},
     {"chain", case_mesh_read},
     {"solver", solver_read},

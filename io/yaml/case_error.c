@@ -55,8 +55,10 @@ const char *case_path(const CaseNode *node, const char *key, char *path)
 hawser_status case_text_error(hawser_error *err, const char *origin, int line, const char *what, const char *detail)
 {
     char place[CASE_PLACE_MAX], shown[CASE_SHOWN_MAX];
-    return error_set(err, HAWSER_ERR_INPUT, "%s: %s%s", case_place(origin, line, place), what,
-                     detail ? case_shown(detail, shown) : "");
+    error_set(err, HAWSER_ERR_INPUT, "%s: %s%s", case_place(origin, line, place), what,
+              detail ? case_shown(detail, shown) : "");
+    error_place(err, origin, line);
+    return HAWSER_ERR_INPUT;
 }
 
 /* "PLACE: key 'PATH': ABOUT VALUE WHAT": what all messages about a key have in common. The line is the node's, also
@@ -66,8 +68,10 @@ static hawser_status key_error(hawser_error *err, const CaseNode *node, const ch
 {
     char place[CASE_PLACE_MAX], path[CASE_PATH_MAX], text[HAWSER_MESSAGE_MAX / 2];
     vsnprintf(text, sizeof text, what, args);
-    return error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': %s%s%s", case_place(node->origin, node->line, place),
-                     case_path(node, key, path), about, value, text);
+    error_set(err, HAWSER_ERR_INPUT, "%s: key '%s': %s%s%s", case_place(node->origin, node->line, place),
+              case_path(node, key, path), about, value, text);
+    error_place(err, node->origin, node->line);
+    return HAWSER_ERR_INPUT;
 }
 
 /* A map or list is not shown, only named: it may be long. */

@@ -72,7 +72,9 @@ hawser_status case_file_read(const char *path, char **text, size_t *size, hawser
     *text = NULL;
     if (wrong) {
         if (fd >= 0) close(fd);
-        return error_set(err, HAWSER_ERR_INPUT, "%s: cannot be %s: %s", path, fd < 0 ? "opened" : "read", wrong);
+        error_set(err, HAWSER_ERR_INPUT, "%s: cannot be %s: %s", path, fd < 0 ? "opened" : "read", wrong);
+        error_place(err, path, 0);
+        return HAWSER_ERR_INPUT;
     }
     *text = text_take(fd, size);
     const int reason = errno;

@@ -149,10 +149,12 @@ static hawser_status parser_complain(const Reading *r, const yaml_parser_t *pars
     if (indented_with_tab(text, line))
         return case_text_error(r->err, r->origin, line, "indented with a tab: YAML wants spaces", NULL);
     char place[CASE_PLACE_MAX];
-    return error_set(r->err, HAWSER_ERR_INPUT, "%s: not YAML: %s%s%s%s",
-                     case_place(r->origin, r->lines ? line : 0, place),
-                     parser->problem ? parser->problem : "cannot be read", parser->context ? " (" : "",
-                     parser->context ? parser->context : "", parser->context ? ")" : "");
+    if (!r->lines) line = 0;
+    error_set(r->err, HAWSER_ERR_INPUT, "%s: not YAML: %s%s%s%s", case_place(r->origin, line, place),
+              parser->problem ? parser->problem : "cannot be read", parser->context ? " (" : "",
+              parser->context ? parser->context : "", parser->context ? ")" : "");
+    error_place(r->err, r->origin, line);
+    return HAWSER_ERR_INPUT;
 }
 
 /* The document that must follow now: none. */

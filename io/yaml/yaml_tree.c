@@ -70,11 +70,8 @@ static hawser_status tree_new(const char *text, size_t size, const char *name, C
         return error_memory(err);
     }
     hawser_status status = yaml_read(text + skip, size - skip, origin, 1, &tree->root, err);
-    if (!status && tree->root && tree->root->kind != NODE_MAP) {
-        char place[CASE_PLACE_MAX];
-        status = error_set(err, HAWSER_ERR_INPUT, "%s: a case is a map: lines of 'key: value'",
-                           case_place(origin, tree->root->line, place));
-    }
+    if (!status && tree->root && tree->root->kind != NODE_MAP)
+        status = case_text_error(err, origin, tree->root->line, "a case is a map: lines of 'key: value'", NULL);
     *out = status ? case_tree_free(tree) : tree;
     return status;
 }

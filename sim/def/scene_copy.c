@@ -24,6 +24,7 @@ static const OwnedArray owned[] = {
     OWNED(surfaces, n_surfaces),
     OWNED(conveyors, n_conveyors),
     OWNED(jams, n_jams),
+    OWNED(script, n_script),
     OWNED(stations, n_stations),
     OWNED(paper, n_paper),
     OWNED(launch.row, launch.n_rows),

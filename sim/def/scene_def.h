@@ -14,6 +14,7 @@
 #include "linsolve/linsolve.h"
 #include "sim/def/bundle_def.h"
 #include "sim/def/cable_def.h"
+#include "sim/def/command_def.h"
 #include "sim/def/flight_def.h"
 #include "sim/def/output_def.h"
 #include "sim/def/reel_def.h"
@@ -187,6 +188,8 @@ typedef struct SceneDef {
     ConveyorDef *conveyors;
     int n_jams;
     JamDef *jams;
+    int n_script;
+    ScriptDef *script; /* by time */
     LaunchDef launch;
     MediumDef medium;
     RodDef rod; /* in place of a route: n_route is then one straight of the chain's length */

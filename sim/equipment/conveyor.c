@@ -1,6 +1,7 @@
 #include "sim/equipment/conveyor.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +31,8 @@ static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g
                   .law = {.mu_s = 1, .mu_d = def->ratio, .v_s = def->v_s, .v_d = def->v_d},
                   .sync = def->sync,
                   .factor = def->factor,
-                  .speed = def->speed};
+                  .speed = def->speed,
+                  .clamp = profile_level(def->clamp)};
     if (def->hold) {
         c.hold = g / 1e-3;
         c.hold_damping = sqrt(c.hold);
@@ -50,9 +52,17 @@ static double belt_speed(const Conveyor *c, const Winch *w, const Seizure *seize
     return seized ? belt * (1 - profile_value(&seized->share, t)) : belt;
 }
 
+/* (K4) */
+static double grip_now(const Conveyor *c, double t)
+{
+    if (!c->told) return c->grip;
+    const double most = 2 * c->def->mu * profile_value(&c->clamp, t);
+    return c->def->limit > 0 ? fmin(most, c->def->limit) : most;
+}
+
 Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, double since, double t)
 {
-    Belt belt = {.speed = belt_speed(c, w, seized, t), .elapsed = t > since ? t - since : 0};
+    Belt belt = {.speed = belt_speed(c, w, seized, t), .grip = grip_now(c, t), .elapsed = t > since ? t - since : 0};
     belt.mean = belt.speed;
     if (belt.elapsed > 0) {
         const double first = belt_speed(c, w, seized, since), middle = belt_speed(c, w, seized, (since + t) / 2);
@@ -186,12 +196,12 @@ static int held_at(const Conveyor *c, const ConveyorRange *range, const Belt *be
 }
 
 /* The grip's force on all of its share over the slip (or what pulls at it), against it, and its slope (WI15). */
-static double grip_force(const Conveyor *c, double slip, double *slope)
+static double grip_force(const Conveyor *c, const Belt *belt, double slip, double *slope)
 {
     double curve;
     const double over = friction_over_speed(&c->law, fabs(slip), &curve);
-    *slope = -c->grip * (over + curve * slip * slip);
-    return -c->grip * over * slip;
+    *slope = -belt->grip * (over + curve * slip * slip);
+    return -belt->grip * over * slip;
 }
 
 /* The hold per mass on a segment that is wholly covered, m/s2 (WI16). */
@@ -208,7 +218,8 @@ ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const 
         Held held;
         double slope;
         if (!held_at(c, range, belt, chain, kin, i, &held)) continue;
-        const double closed = held.grips * held.share, push = friction * closed * grip_force(c, held.pull, &slope);
+        const double closed = held.grips * held.share,
+                     push = friction * closed * grip_force(c, belt, held.pull, &slope);
         now.force += push;
         now.slip += closed * held.slip;
         now.cover += closed;
@@ -223,11 +234,12 @@ ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const 
 }
 
 /* (WI18) into k, (WI19) into d, both 6x6 blocks of one segment. */
-static void held_blocks(const Conveyor *c, const Held *held, double mass, double friction, double *k, double *d)
+static void held_blocks(const Conveyor *c, const Belt *belt, const Held *held, double mass, double friction, double *k,
+                        double *d)
 {
     double slope;
     friction *= held->grips;
-    const double push = friction * held->d_share * grip_force(c, held->pull, &slope);
+    const double push = friction * held->d_share * grip_force(c, belt, held->pull, &slope);
     const double drag = friction * held->share * slope, m = held->cover * mass;
     const Vec3 by_x =
         v3_axpy(v3_scale(held->d_cover * mass, hold_force(c, held)), push + drag * held->pull_by_x, c->direction);
@@ -246,7 +258,7 @@ void conveyor_blocks(const Conveyor *c, const ConveyorRange *range, const Belt *
     for (int i = range->first; i < range->first + range->count; ++i) {
         Held held;
         if (!held_at(c, range, belt, chain, kin, i, &held)) continue;
-        held_blocks(c, &held, chain->mass[i], friction, k->diag + 36 * (size_t)i, d->diag + 36 * (size_t)i);
+        held_blocks(c, belt, &held, chain->mass[i], friction, k->diag + 36 * (size_t)i, d->diag + 36 * (size_t)i);
     }
 }
 
@@ -264,6 +276,7 @@ typedef struct Conveyors {
     int n;
     Conveyor *item;         /* [n], in the case's order */
     const Seizure **seized; /* [n] what stops it; NULL: nothing does */
+    Seizure *told;          /* [n] what stops it by command */
     Filled *filled;         /* [n] */
 } Conveyors;
 
@@ -275,8 +288,9 @@ static hawser_status conveyors_build(Room *room, Scene *scene, hawser_error *err
     all->n = room->present = def->n_conveyors;
     all->item = calloc((size_t)def->n_conveyors + 1, sizeof *all->item);
     all->seized = calloc((size_t)def->n_conveyors + 1, sizeof *all->seized);
+    all->told = calloc((size_t)def->n_conveyors + 1, sizeof *all->told);
     all->filled = calloc((size_t)def->n_conveyors + 1, sizeof *all->filled);
-    if (!all->item || !all->seized || !all->filled) return error_memory(err);
+    if (!all->item || !all->seized || !all->told || !all->filled) return error_memory(err);
     for (int i = 0; i < def->n_conveyors; ++i) {
         all->item[i] = conveyor_of(&def->conveyors[i], &scene->route, v3_norm(def->gravity));
         all->filled[i].grips = -1;
@@ -293,6 +307,7 @@ static void conveyors_clear(Room *room)
     if (!all) return;
     free(all->item);
     free(all->seized);
+    free(all->told);
     free(all->filled);
 }
 
@@ -407,7 +422,7 @@ static int conveyors_watch(const Room *room)
 }
 
 /* Closed when half of the belts have cable, with some play. */
-static const char *conveyors_happen(Room *room, const Occasion *now)
+static Occurrence conveyors_happen(Room *room, const Occasion *now)
 {
     (void)now;
     const Conveyors *const all = room->self;
@@ -416,9 +431,10 @@ static const char *conveyors_happen(Room *room, const Occasion *now)
         const int first = f->grips<0, grips = f->cover>(f->grips > 0 ? 0.45 : 0.55);
         const int changed = !first && grips != f->grips;
         f->grips = grips;
-        if (changed) return f->says[grips];
+        if (changed)
+            return (Occurrence){grips ? HAWSER_EVENT_CONVEYOR_GRIPS : HAWSER_EVENT_CONVEYOR_LETS_GO, f->says[grips]};
     }
-    return NULL;
+    return (Occurrence){0};
 }
 
 static double conveyors_next_stop(const Room *room, const Scene *scene, double t)
@@ -428,8 +444,51 @@ static double conveyors_next_stop(const Room *room, const Scene *scene, double t
     double next = INFINITY;
     for (int i = 0; i < all->n; ++i) {
         if (!all->item[i].sync) next = profile_corner_before(&all->item[i].speed, t, next);
+        next = profile_corner_before(&all->item[i].clamp, t, next);
+        next = profile_corner_before(&all->told[i].share, t, next);
     }
     return next;
+}
+
+/* (K4) */
+static int conveyors_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
+{
+    const Conveyors *const all = room->self;
+    int i = 0;
+    if (c->kind == HAWSER_FRICTION || !*c->what) return 0;
+    while (i < all->n && strcmp(all->item[i].def->name, c->what) != 0) ++i;
+    if (i == all->n) return 0;
+    Conveyor *const belt = &all->item[i];
+    if (c->kind == HAWSER_CONVEYOR_SPEED) {
+        const Profile now = profile_level(conveyor_belt(belt, scene->winch, t));
+        belt->speed = command_ramp(&now, t, c->value, c->ramp);
+        belt->sync = 0;
+        return 1;
+    }
+    if (c->kind == HAWSER_CONVEYOR_CLAMP) {
+        belt->clamp = command_ramp(&belt->clamp, t, c->value, c->ramp);
+        return belt->told = 1;
+    }
+    const int taken = seizure_command(&all->told[i], all->seized[i], c, t, err);
+    if (taken > 0) all->seized[i] = &all->told[i];
+    return taken;
+}
+
+static void conveyors_controls(Room *room, ControlsVisit *visit)
+{
+    const Conveyors *const all = room->self;
+    for (int i = 0; i < all->n; ++i) {
+        Conveyor *const c = &all->item[i];
+        int told = all->seized[i] == &all->told[i];
+        controls_bytes(visit, &c->sync, sizeof c->sync);
+        controls_profile(visit, &c->speed, &c->def->speed);
+        controls_bytes(visit, &c->clamp, sizeof c->clamp);
+        controls_bytes(visit, &c->told, sizeof c->told);
+        controls_bytes(visit, &all->told[i], sizeof all->told[i]);
+        controls_bytes(visit, &told, sizeof told);
+        controls_bytes(visit, &all->filled[i], offsetof(Filled, says));
+        if (told) all->seized[i] = &all->told[i];
+    }
 }
 
 /* What conveyor i does, for the kinematics in the workspace. */
@@ -532,6 +591,8 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .watches = conveyors_watch,
                                 .happen = conveyors_happen,
                                 .next_stop = conveyors_next_stop,
+                                .command = conveyors_command,
+                                .controls = conveyors_controls,
                                 .work = conveyors_work,
                                 .machines = &CONVEYORS,
                                 .pushers = conveyors_pushers,

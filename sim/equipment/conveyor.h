@@ -11,11 +11,13 @@ typedef struct Conveyor {
     const ConveyorDef *def; /* the scene's */
     Vec3 origin, direction; /* where the cable enters, m; unit, along the pull */
     double length, edge;    /* m; over `edge` at both ends the grip rises from nothing */
-    double grip;            /* N, largest force: 2 mu clamp, or the drive's limit */
+    double grip;            /* N, largest force by the case: 2 mu clamp, or the drive's limit */
     FrictionLaw law;        /* of the slip, with mu_s = 1 */
     int sync;               /* the belt runs at `factor` times the winch's speed; otherwise by `speed` */
     double factor;
     Profile speed;             /* m/s */
+    Profile clamp;             /* N, by which each belt is pressed on the cable (K4) */
+    int told;                  /* a command has set the clamp */
     double hold, hold_damping; /* 1/s2, 1/s: stiffness and damping across the line over the mass held; 0: does not */
 } Conveyor;
 
@@ -36,6 +38,7 @@ typedef struct ConveyorRange {
 /* How a belt runs. */
 typedef struct Belt {
     double speed;   /* m/s, now */
+    double grip;    /* N, largest force now */
     double mean;    /* m/s, since the last accepted step */
     double elapsed; /* s since then */
 } Belt;

@@ -39,7 +39,8 @@ static void reel_init(Reel *r, const SceneDef *def, Vec3 origin, Vec3 direction,
                 .speed = d->speed,
                 .tension = def->tail.tension,
                 .rest = {.mu_s = 1, .mu_d = 1, .v_s = d->v_s, .v_d = 2 * d->v_s},
-                .fixed = d->end_fixed};
+                .fixed = d->end_fixed,
+                .braked = profile_level(1)};
     winding_init(&r->winding, d, &def->cables[def->pieces[0].cable]);
     if (!def->lead_in.carries_weight) r->downhill = v3_scale(v3_dot(def->gravity, direction), direction);
     /* a proportional brake gives its torque at the cable speed that goes with it, on the full drum */
@@ -90,20 +91,20 @@ static double moving(const Reel *r, double v, double *slope)
 static double brake_torque(const Reel *r, double radius, double v, double t, double *by_radius, double *by_v)
 {
     double slope;
-    const double f = moving(r, v, &slope);
+    const double f = moving(r, v, &slope), share = profile_value(&r->braked, t);
     double torque = r->bearing * f;
     *by_radius = 0;
     *by_v = r->bearing * slope;
     if (r->brake == BRAKE_CONSTANT) {
-        torque += r->torque * f;
-        *by_v += r->torque * slope;
+        torque += share * r->torque * f;
+        *by_v += share * r->torque * slope;
     } else if (r->brake == BRAKE_PROPORTIONAL) {
-        torque += r->viscous * v / radius;
-        *by_v += r->viscous / radius;
-        *by_radius = -r->viscous * v / (radius * radius);
+        torque += share * r->viscous * v / radius;
+        *by_v += share * r->viscous / radius;
+        *by_radius = -share * r->viscous * v / (radius * radius);
     } else if (r->brake == BRAKE_SPEED) {
-        torque += r->torque * step_cubic(v - profile_value(&r->speed, t), 0, 0, r->over, 1, &slope);
-        *by_v += r->torque * slope;
+        torque += share * r->torque * step_cubic(v - profile_value(&r->speed, t), 0, 0, r->over, 1, &slope);
+        *by_v += share * r->torque * slope;
     }
     return torque;
 }
@@ -240,7 +241,29 @@ static double reel_next_stop(const Room *room, const Scene *scene, double t)
     (void)scene;
     const Reel *const r = room->self;
     if (!r->present) return INFINITY;
-    return profile_corner_before(&r->speed, t, profile_corner_before(&r->tension, t, INFINITY));
+    const double next = profile_corner_before(&r->braked, t, profile_corner_before(&r->tension, t, INFINITY));
+    return profile_corner_before(&r->speed, t, next);
+}
+
+/* (K5). A proportional brake gives the torque at the speed that the case names. */
+static int reel_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
+{
+    (void)scene;
+    Reel *const r = room->self;
+    if (c->kind != HAWSER_REEL_BRAKE) return 0;
+    if (!(r->torque > 0)) {
+        error_set(err, HAWSER_ERR_INPUT, "the reel of this case has no brake that could be set");
+        return -1;
+    }
+    r->braked = command_ramp(&r->braked, t, c->value / r->torque, c->ramp);
+    return 1;
+}
+
+static void reel_controls(Room *room, ControlsVisit *visit)
+{
+    Reel *const r = room->self;
+    controls_bytes(visit, &r->present, sizeof r->present);
+    controls_bytes(visit, &r->braked, sizeof r->braked);
 }
 
 /* It stands behind the route's start, on the lead-in's line, and brings the back tension. */
@@ -263,5 +286,7 @@ const RoomKind REEL_ROOM = {.name = "reel",
                             .loads = reel_loads,
                             .blocks = reel_blocks,
                             .next_stop = reel_next_stop,
+                            .command = reel_command,
+                            .controls = reel_controls,
                             .work = reel_work,
                             .in_space = "segments join and leave the chain"};

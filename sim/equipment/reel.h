@@ -60,6 +60,7 @@ typedef struct Reel {
     Profile tension;  /* N, back tension */
     FrictionLaw rest; /* how brake and bearing fade at rest, mu = 1 */
     int fixed;        /* the cable's end stays fastened to the drum */
+    Profile braked;   /* share of the case's torque that the brake gives, 1 without a command (K5) */
     /* of the tail segment that is leaving it now: reel_hold */
     double wound;       /* m, behind the segment when its rear end leaves the drum */
     double half;        /* m, of the segment */

@@ -9,22 +9,24 @@
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/rooms.h"
 
-/* A roller that may be held fast. */
+/* A roller that may be held fast, or whose friction changes. */
 typedef struct HeldRoller {
     int roller;
-    const Seizure *by;
-    double mu;     /* with which the cable drags over it when it stands; NAN: as ever */
-    double torque; /* N m, of the jammed bearing besides what follows the load */
+    const Seizure *by; /* NULL: what it is told */
+    Seizure told;
+    double mu;        /* with which the cable drags over it when it stands; NAN: as ever */
+    double torque;    /* N m, of the jammed bearing besides what follows the load */
+    Profile friction; /* its coefficients over the case's (K6) */
 } HeldRoller;
 
 typedef struct Rollers {
     ContactRoller *roller; /* [n], as the case puts them */
     Equipment equipment;   /* those that move */
     int n_held;
-    HeldRoller *held; /* [n_held]; room for all jams there are */
+    HeldRoller *held; /* [n_held], room for every roller: one for each that ever was */
 } Rollers;
 
-/* What a workspace has where rollers may be held: its own friction laws and bearings, by time. */
+/* What a workspace has of its own: friction laws and bearings, by time where rollers may be held. */
 typedef struct HeldWork {
     ContactRoller *roller; /* [n] of the scene, where none moves */
     Equipment equipment;   /* the scene's, but with items of its own */
@@ -40,7 +42,7 @@ static hawser_status rollers_build(Room *room, Scene *scene, hawser_error *err)
     if (!all) return error_memory(err);
     scene->equipment = &all->equipment;
     scene->rollers = all->roller = calloc((size_t)def->n_rollers + 1, sizeof *all->roller);
-    all->held = calloc((size_t)def->n_jams + 1, sizeof *all->held);
+    all->held = calloc((size_t)def->n_rollers + 1, sizeof *all->held);
     if (!all->roller || !all->held) return error_memory(err);
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const d = &def->rollers[r];
@@ -69,20 +71,40 @@ static void rollers_clear(Room *room)
 /* Of cable jackets on a steel shell that stands. */
 static const double STANDING_MU = 0.4;
 
+/* What is kept of a roller that is held; a new one is free and has its own friction. */
+static HeldRoller *held_of(Rollers *all, int r)
+{
+    int h = 0;
+    while (h < all->n_held && all->held[h].roller != r) ++h;
+    if (h < all->n_held) return &all->held[h];
+    all->held[all->n_held++] = (HeldRoller){.roller = r, .mu = NAN, .friction = profile_level(1)};
+    return &all->held[h];
+}
+
 /* A roller that spins keeps its friction; one that does not has had its bearing in it, and drags. */
+static void held_set(HeldRoller *held, const Scene *scene, const Seizure *by)
+{
+    const RollerDef *const def = &scene->def.rollers[held->roller];
+    const double inertia = def->spin.inertia;
+    held->mu = isnan(by->mu) && !(inertia > 0) ? STANDING_MU : by->mu;
+    held->torque = inertia * scene->largest_speed / def->radius / by->ramp;
+}
+
+static int roller_called(const SceneDef *def, const char *name)
+{
+    for (int r = 0; r < def->n_rollers; ++r) {
+        if (strcmp(def->rollers[r].name, name) == 0) return r;
+    }
+    return -1;
+}
+
 static const char *rollers_seize(Room *room, const Scene *scene, const char *name, const Seizure *by)
 {
-    Rollers *const all = room->self;
-    const SceneDef *const def = &scene->def;
-    int r = 0;
-    while (r < def->n_rollers && strcmp(def->rollers[r].name, name) != 0) ++r;
-    if (r == def->n_rollers) return NULL;
-    const double inertia = def->rollers[r].spin.inertia;
-    all->held[all->n_held++] =
-        (HeldRoller){.roller = r,
-                     .by = by,
-                     .mu = isnan(by->mu) && !(inertia > 0) ? STANDING_MU : by->mu,
-                     .torque = inertia * scene->largest_speed / def->rollers[r].radius / by->ramp};
+    const int r = roller_called(&scene->def, name);
+    if (r < 0) return NULL;
+    HeldRoller *const held = held_of(room->self, r);
+    held->by = by;
+    held_set(held, scene, by);
     return "roller";
 }
 
@@ -97,15 +119,13 @@ static void rollers_start(const Room *room, double *own)
 /* Of what the cable can turn a roller with: the jammed bearing's limit (JA5). */
 static const double HOLD = 20;
 
-/* A coefficient that counts as friction and does nothing: candidates are sorted by whether there is any. */
-static const double HARDLY_ANY = 1e-12;
-
 /* (JA4) */
-static FrictionLaw held_friction(const HeldRoller *held, FrictionLaw law, double share)
+static FrictionLaw held_friction(const HeldRoller *held, FrictionLaw law, double share, double factor)
 {
+    law = friction_scaled(law, factor);
     if (isnan(held->mu)) return law;
-    law.mu_s = fmax(law.mu_s + share * (held->mu - law.mu_s), HARDLY_ANY);
-    law.mu_d = fmax(law.mu_d + share * (held->mu - law.mu_d), HARDLY_ANY);
+    law.mu_s = fmax(law.mu_s + share * (held->mu - law.mu_s), FRICTION_HARDLY_ANY);
+    law.mu_d = fmax(law.mu_d + share * (held->mu - law.mu_d), FRICTION_HARDLY_ANY);
     return law;
 }
 
@@ -127,9 +147,10 @@ static void rollers_hold(const Room *room, Workspace *ws, double t)
     for (int h = 0; h < all->n_held; ++h) {
         const HeldRoller *const held = &all->held[h];
         const ContactRoller *const usual = &all->roller[held->roller];
-        const double share = profile_value(&held->by->share, t);
+        const Seizure *const by = held->by ? held->by : &held->told;
+        const double share = profile_value(&by->share, t), factor = profile_value(&held->friction, t);
         ContactRoller *const now = (moving ? ws->equipment->roller : own->roller) + held->roller;
-        now->friction = held_friction(held, usual->friction, share);
+        now->friction = held_friction(held, usual->friction, share, factor);
         const int k = moving ? ws->equipment->item_of[held->roller] : -1;
         if (k < 0) continue;
         own->equipment.item[k].bearing =
@@ -158,15 +179,15 @@ static int rollers_work_alloc(const Room *room, const Scene *scene, Workspace *w
     const int n = scene->contact.n_rollers, half = n / 2;
     EquipmentWork *const moving = ws->equipment = calloc(1, sizeof *moving);
     ws->on_roller = calloc((size_t)n + 1, sizeof *ws->on_roller);
-    HeldWork *const own = all->n_held ? held_work_new(all, n) : NULL;
+    HeldWork *const own = held_work_new(all, n);
     ws->room[room->number] = own;
-    int ok = moving && ws->on_roller && (!all->n_held || (own && own->roller && own->equipment.item));
-    ok = ok && equipment_work_alloc(moving, own ? &own->equipment : &all->equipment, n, all->roller);
+    int ok = moving && ws->on_roller && own && own->roller && own->equipment.item;
+    ok = ok && equipment_work_alloc(moving, &own->equipment, n, all->roller);
     if (ok) rollers_hold(room, ws, 0);
     for (int p = 0; ok && p < PARTS; ++p) {
         ContactPart *const part = &ws->contact[p];
         part->model = scene->contact;
-        part->model.roller = (own ? own->roller : scene->contact.roller) + (p == 0 ? 0 : half);
+        part->model.roller = own->roller + (p == 0 ? 0 : half);
         part->model.n_rollers = p == 0 ? half : n - half;
         part->first = p == 0 ? 0 : half;
         part->sticks = contact_sticks(&part->model);
@@ -312,6 +333,57 @@ static void rollers_accept(const Room *room, const Moment *m)
     }
 }
 
+/* The ends of what it was told. */
+static double rollers_next_stop(const Room *room, const Scene *scene, double t)
+{
+    (void)scene;
+    const Rollers *const all = room->self;
+    double next = INFINITY;
+    for (int h = 0; h < all->n_held; ++h) {
+        next = profile_corner_before(&all->held[h].told.share, t, next);
+        next = profile_corner_before(&all->held[h].friction, t, next);
+    }
+    return next;
+}
+
+/* (K6), (JA2). A law without friction stays without. */
+static int rollers_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
+{
+    Rollers *const all = room->self;
+    const SceneDef *const def = &scene->def;
+    const int r = *c->what ? roller_called(def, c->what) : -1;
+    if (c->kind == HAWSER_FRICTION && !*c->what) {
+        for (int i = 0; i < def->n_rollers; ++i) {
+            HeldRoller *const held = held_of(all, i);
+            held->friction = command_ramp(&held->friction, t, c->value, c->ramp);
+        }
+        return def->n_rollers > 0;
+    }
+    if (r < 0 || (c->kind != HAWSER_FRICTION && c->kind != HAWSER_JAM && c->kind != HAWSER_RELEASE)) return 0;
+    HeldRoller *const held = held_of(all, r);
+    if (c->kind == HAWSER_FRICTION) {
+        held->friction = command_ramp(&held->friction, t, c->value, c->ramp);
+        return 1;
+    }
+    const int taken = seizure_command(&held->told, held->by ? held->by : &held->told, c, t, err);
+    const Seizure now = {.ramp = c->ramp, .mu = NAN};
+    if (taken > 0 && c->kind == HAWSER_JAM) held_set(held, scene, &now);
+    return taken;
+}
+
+/* What holds it by the case stays where it was built. */
+static void rollers_controls(Room *room, ControlsVisit *visit)
+{
+    Rollers *const all = room->self;
+    controls_bytes(visit, &all->n_held, sizeof all->n_held);
+    for (int h = 0; h < all->n_held; ++h) {
+        HeldRoller *const held = &all->held[h];
+        const Seizure *const by = held->by;
+        controls_bytes(visit, held, sizeof *held);
+        held->by = by;
+    }
+}
+
 /* ----------------------------------------------------------------------------------------------------- to look at */
 
 static void rollers_work(const Room *room, const Moment *m, BalanceRates *out)
@@ -367,6 +439,9 @@ const RoomKind ROLLERS_ROOM = {.name = "rollers",
                                .candidates = rollers_candidates,
                                .remembers = rollers_remember,
                                .accept = rollers_accept,
+                               .next_stop = rollers_next_stop,
+                               .command = rollers_command,
+                               .controls = rollers_controls,
                                .work = rollers_work,
                                .stock = rollers_stock,
                                .look = rollers_look,

@@ -10,6 +10,7 @@
     ROOM(MEDIUM_ROOM)                                                                                                  \
     ROOM(ENDS_ROOM)                                                                                                    \
     ROOM(WINCH_ROOM)                                                                                                   \
+    ROOM(FORCES_ROOM)                                                                                                  \
     ROOM(ROD_ROOM)                                                                                                     \
     ROOM(REEL_ROOM)                                                                                                    \
     ROOM(CONVEYOR_ROOM)                                                                                                \

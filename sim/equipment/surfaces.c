@@ -1,6 +1,7 @@
 /* The ducts, trays, floors and walls of a scene. docs/model.md, "Surfaces". */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 #include "core/base/team.h"
@@ -42,7 +43,9 @@ static hawser_status surfaces_build(Room *room, Scene *scene, hawser_error *err)
     s->friction = calloc(2 * (size_t)def->n_surfaces, sizeof *s->friction);
     s->points.tip = tip_length(&def->impact, &def->line_impact);
     room->self = s; /* the scene's own member, for the clearing */
-    if (!s->patch || !s->friction || !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
+    s->factor = calloc((size_t)def->n_surfaces, sizeof *s->factor);
+    for (int i = 0; s->factor && i < def->n_surfaces; ++i) s->factor[i] = profile_level(1);
+    if (!s->patch || !s->friction || !s->factor || !surface_points_alloc(&s->points, def->geometry, &scene->chain)) {
         return error_memory(err);
     }
     for (int i = 0; i < def->n_surfaces; ++i) {
@@ -66,6 +69,7 @@ static void surfaces_clear(Room *room)
     if (!s) return;
     free(s->patch);
     free(s->friction);
+    free(s->factor);
     surface_points_free(&s->points);
     room->self = NULL;
 }
@@ -73,14 +77,17 @@ static void surfaces_clear(Room *room)
 /* Half of the elements each; the element before segment `middle` is the second half's. */
 static int surfaces_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
-    (void)room;
     const int elements = scene->surfaces.points.elements, middle = elements > 0 ? ws->middle : 0;
+    const size_t laws = 2 * (size_t)scene->surfaces.model.n_surfaces;
+    FrictionLaw *const own = ws->room[room->number] = calloc(laws + 1, sizeof *own);
     ws->surfaces = scene->surfaces.model;
+    if (own && laws > 0) memcpy(own, scene->surfaces.friction, laws * sizeof *own);
+    ws->surfaces.friction = own;
     surface_pairs_init(&ws->contact[0].surface, 0, middle);
     surface_pairs_init(&ws->contact[1].surface, middle, elements);
     ws->on_surface = calloc((size_t)scene->surfaces.model.n_surfaces + 1, sizeof *ws->on_surface);
-    int ok = ws->on_surface != NULL;
-    for (int p = 0; surface_sticks(&ws->surfaces) && p < PARTS; ++p) {
+    int ok = ws->on_surface && own;
+    for (int p = 0; ok && surface_sticks(&ws->surfaces) && p < PARTS; ++p) {
         ok &= surface_pairs_sticks(&ws->contact[p].surface, &ws->surfaces, scene->chain.n);
     }
     return ok;
@@ -101,6 +108,17 @@ static void surfaces_carry(const Room *room, Workspace *from, Workspace *to, int
         for (int q = 0; q < PARTS && to->contact[p].surface.stick.n_beds > 0; ++q)
             surface_carry(&from->contact[q].surface, &to->contact[p].surface, joined);
     }
+}
+
+/* Friction laws of time t, into the workspace (K6). */
+static void surfaces_pose(const Room *room, const Moment *m, const double *own)
+{
+    (void)own;
+    const Surfaces *const s = room->self;
+    FrictionLaw *const law = m->ws->room[room->number];
+    const int n = s->model.n_surfaces;
+    for (int i = 0; s->told && i < 2 * n; ++i)
+        law[i] = friction_scaled(s->friction[i], profile_value(&s->factor[i % n], m->t));
 }
 
 /* Friction that sticks leans by what has been slid since the last accepted step (GR11). */
@@ -178,6 +196,38 @@ static void surfaces_accept(const Room *room, const Moment *m)
     }
 }
 
+static double surfaces_next_stop(const Room *room, const Scene *scene, double t)
+{
+    (void)scene;
+    const Surfaces *const s = room->self;
+    double next = INFINITY;
+    for (int i = 0; s->told && i < s->model.n_surfaces; ++i) next = profile_corner_before(&s->factor[i], t, next);
+    return next;
+}
+
+/* (K6) */
+static int surfaces_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err)
+{
+    (void)err;
+    Surfaces *const s = room->self;
+    int taken = 0;
+    if (c->kind != HAWSER_FRICTION) return 0;
+    for (int i = 0; i < s->model.n_surfaces; ++i) {
+        if (*c->what && strcmp(scene->def.surfaces[i].name, c->what) != 0) continue;
+        s->factor[i] = command_ramp(&s->factor[i], t, c->value, c->ramp);
+        taken = 1;
+    }
+    s->told |= taken;
+    return taken;
+}
+
+static void surfaces_controls(Room *room, ControlsVisit *visit)
+{
+    Surfaces *const s = room->self;
+    controls_bytes(visit, &s->told, sizeof s->told);
+    controls_bytes(visit, s->factor, (size_t)s->model.n_surfaces * sizeof *s->factor);
+}
+
 static void surfaces_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     (void)room;
@@ -215,6 +265,7 @@ const RoomKind SURFACES_ROOM = {.name = "surfaces",
                                 .work_alloc = surfaces_work_alloc,
                                 .work_free = surfaces_work_free,
                                 .carry = surfaces_carry,
+                                .pose = surfaces_pose,
                                 .begin = surfaces_begin,
                                 .loads = surfaces_loads,
                                 .blocks = surfaces_blocks,
@@ -224,6 +275,9 @@ const RoomKind SURFACES_ROOM = {.name = "surfaces",
                                 .candidates = surfaces_candidates,
                                 .remembers = surfaces_remember,
                                 .accept = surfaces_accept,
+                                .next_stop = surfaces_next_stop,
+                                .command = surfaces_command,
+                                .controls = surfaces_controls,
                                 .work = surfaces_work,
                                 .stock = surfaces_stock,
                                 .look = surfaces_look,

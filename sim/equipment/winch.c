@@ -75,7 +75,8 @@ static double winch_next_stop(const Room *room, const Scene *scene, double t)
     const Winch *const w = room->self;
     const WinchPhase *const now = &w->phase;
     double next = now->until > t ? now->until : INFINITY;
-    if (w->mode == WINCH_TENSION) return profile_corner_before(&w->tension, t, next);
+    if (w->mode == WINCH_TENSION)
+        return profile_corner_before(&now->tension, t, profile_corner_before(&now->hold, t, next));
     if (now->over + w->trip.hold > t) next = fmin(next, now->over + w->trip.hold);
     return fmin(next, now->since + profile_corner_before(&now->speed, t - now->since, INFINITY));
 }
@@ -88,7 +89,7 @@ double winch_tension(const Winch *w, double t, double speed, double *slope)
     if (isfinite(w->speed_limit)) {
         share = step_cubic(speed, (1 - w->band) * w->speed_limit, 1, w->speed_limit, 0, &fall);
     }
-    const double full = fmax(0, profile_value(&w->tension, t));
+    const double full = fmax(0, profile_value(&w->phase.tension, t));
     if (slope) *slope = full * fall;
     return full * share;
 }
@@ -121,19 +122,31 @@ typedef struct HeadLaw {
     double along, k_along, c_along, k_across, c_across; /* N; N/m, N s/m */
 } HeadLaw;
 
+/* What is left of the tension as the brake comes on, and the brake (K3). */
+static void brake_share(const Winch *w, double share, double x, double v, HeadLaw *law)
+{
+    const int holds = w->phase.held == HELD_TOLD;
+    const double k = holds ? share * w->brake[0] : 0, c = share * (holds ? w->brake[1] : w->slowing);
+    law->along = (1 - share) * law->along - k * (x - w->phase.held_at) - c * v;
+    law->c_along = (1 - share) * law->c_along + c;
+    law->k_along = k;
+}
+
 /* (WI2) or, while the brake is on, (WI5); across the line (WI3). */
 static HeadLaw head_law(const Winch *w, const HeadEnd *e, double t)
 {
     const double x = v3_dot(e->off, w->direction), v = v3_dot(e->velocity, w->direction);
     HeadLaw law = {.k_across = w->guide[0], .c_across = w->guide[1]};
-    if (w->phase.held) {
+    if (w->phase.held == HELD_FIRST) {
         law.k_along = w->brake[0];
         law.c_along = w->brake[1];
         law.along = -law.k_along * x - law.c_along * v;
     } else {
         double slope;
+        const double share = profile_value(&w->phase.hold, t);
         law.along = winch_tension(w, t, v, &slope);
         law.c_along = -slope;
+        if (share > 0) brake_share(w, share, x, v, &law);
     }
     return law;
 }
@@ -232,128 +245,10 @@ static int winch_look(const Room *room, const Moment *m)
     return 0;
 }
 
-/* ------------------------------------------------------------------------------------------------------- trips */
-
-/* The trip as a small machine between accepted steps:
- *
- *     follows --force too large--> brakes --at rest--> stands --pause over--> restarts --at speed--> follows
- *
- * A restart can trip too. Every change keeps travel and speed continuous (WI8)-(WI12). */
-
-static const double ON_TIME = 1e-9; /* s: the integrator stops at a phase's end up to rounding */
-
-/* Another profile from time t on, where the travel is what it was. */
-static void phase_begin(Winch *w, WinchDoing doing, double t, Profile speed, double clock)
-{
-    WinchPhase *const now = &w->phase;
-    const double travel = winch_travel(w, t);
-    now->doing = doing;
-    now->speed = speed;
-    now->since = t - clock;
-    now->offset = travel - profile_integral(&speed, clock);
-    now->over = INFINITY;
-    now->until = INFINITY;
-}
-
-/* (WI9). The brake falls in: from the speed of now to rest. A restart that trips keeps what it was to come back to. */
-static WinchEvent brake(Winch *w, double t)
-{
-    WinchPhase *const now = &w->phase;
-    const Profile down = {.kind = PROFILE_STEP, .v0 = winch_speed(w, t), .t1 = w->trip.brake};
-    if (now->doing == WINCH_FOLLOWS) now->resume = t - now->since;
-    phase_begin(w, WINCH_BRAKES, t, down, 0);
-    now->until = t + w->trip.brake;
-    ++now->trips;
-    return WINCH_TRIPPED;
-}
-
-/* At rest, for a while or for good (WI10). The brake's profile stays: it is 0 from here on. */
-static WinchEvent stand(Winch *w)
-{
-    WinchPhase *const now = &w->phase;
-    const double since = now->until;
-    now->doing = WINCH_STANDS;
-    now->until = now->trips <= w->trip.restarts ? since + w->trip.pause : INFINITY;
-    if (isfinite(now->until)) return WINCH_STOPPED;
-    if (!w->trip.ends_run) return WINCH_STAYS;
-    now->ended = since;
-    return WINCH_ENDS_THE_RUN;
-}
-
-/* (WI11). From rest to the speed at which the brake fell in. */
-static WinchEvent restart(Winch *w)
-{
-    WinchPhase *const now = &w->phase;
-    const double start = now->until;
-    const Profile up = {.kind = PROFILE_STEP, .v1 = profile_value(&w->speed, now->resume), .t1 = w->trip.ramp};
-    phase_begin(w, WINCH_RESTARTS, start, up, 0);
-    now->until = start + w->trip.ramp;
-    return WINCH_STARTED;
-}
-
-/* (WI12). The case's profile goes on where it was left. */
-static WinchEvent follow(Winch *w)
-{
-    phase_begin(w, WINCH_FOLLOWS, w->phase.until, w->speed, w->phase.resume);
-    return WINCH_RUNNING;
-}
-
-/* Whether the force has been above the limit for as long as it takes (WI8). */
-static int too_large(Winch *w, double t, double pull)
-{
-    WinchPhase *const now = &w->phase;
-    if (!(pull > w->trip_force)) {
-        now->over = INFINITY;
-        return 0;
-    }
-    now->over = fmin(now->over, t);
-    return t - now->over >= w->trip.hold - ON_TIME;
-}
-
-WinchEvent winch_accept(Winch *w, double t, double pull)
-{
-    const int moving = w->phase.doing == WINCH_FOLLOWS || w->phase.doing == WINCH_RESTARTS;
-    if (!(w->trip_force > 0)) return WINCH_NOTHING;
-    if (moving && too_large(w, t, pull)) return brake(w, t);
-    if (t < w->phase.until - ON_TIME) return WINCH_NOTHING;
-    switch (w->phase.doing) {
-    case WINCH_BRAKES:
-        return stand(w);
-    case WINCH_STANDS:
-        return restart(w);
-    case WINCH_RESTARTS:
-        return follow(w);
-    case WINCH_FOLLOWS:
-        break;
-    }
-    return WINCH_NOTHING;
-}
-
-const char *winch_event_name(WinchEvent event)
-{
-    static const char *const name[] = {"",
-                                       "the winch trips",
-                                       "the winch has stopped",
-                                       "the winch starts again",
-                                       "the winch is back at speed",
-                                       "the winch has stopped for good",
-                                       "the winch has stopped for good: the run ends"};
-    return name[event];
-}
-
-static int winch_watches(const Room *room)
-{
-    const Winch *const w = room->self;
-    return w->trip_force > 0 ? WATCH_PULL : 0;
-}
-
-static const char *winch_happen(Room *room, const Occasion *now)
-{
-    const WinchEvent event = winch_accept(room->self, now->t, now->pull);
-    return event == WINCH_NOTHING ? NULL : winch_event_name(event);
-}
-
 /* ---------------------------------------------------------------------------------------------------- building */
+
+/* s: of the brake's stiffness, which damps the head at least while it comes on (K3). */
+static const double SLOWING = 0.01;
 
 double winch_place(const Scene *scene)
 {
@@ -376,8 +271,11 @@ void winch_init(Winch *w, const WinchDef *def)
                             .speed = def->speed,
                             .until = INFINITY,
                             .over = INFINITY,
-                            .held = def->mode == WINCH_TENSION,
-                            .ended = INFINITY};
+                            .held = def->mode == WINCH_TENSION ? HELD_FIRST : 0,
+                            .ended = INFINITY,
+                            .asked = NAN,
+                            .tension = def->tension,
+                            .before = NAN};
 }
 
 /* It stands where the head's end is and pulls along the route's end direction; its ghost carries on the frame of the
@@ -432,6 +330,7 @@ static void winch_join(Room *room, Scene *scene)
     w->guide[1] = clamp ? b.damping[SHEAR_Y] : 0;
     w->brake[0] = b.stiffness[AXIAL];
     w->brake[1] = b.damping[AXIAL];
+    w->slowing = fmax(w->brake[1], SLOWING * w->brake[0]);
     scene->chain.mass[n - 1] += w->drum_mass;
 }
 
@@ -452,6 +351,8 @@ const RoomKind WINCH_ROOM = {.name = "winch",
                              .watches = winch_watches,
                              .happen = winch_happen,
                              .next_stop = winch_next_stop,
+                             .command = winch_command,
+                             .controls = winch_controls,
                              .work = winch_work,
                              .look = winch_look,
                              .not_planar = winch_not_planar};

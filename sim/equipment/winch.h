@@ -9,7 +9,8 @@
 #include "core/push.h"
 #include "sim/dynamics.h"
 
-typedef enum WinchDoing { WINCH_FOLLOWS, WINCH_BRAKES, WINCH_STANDS, WINCH_RESTARTS } WinchDoing;
+/* It follows the case, or the last command. */
+typedef enum WinchDoing { WINCH_FOLLOWS, WINCH_BRAKES, WINCH_STANDS, WINCH_RESTARTS, WINCH_OBEYS } WinchDoing;
 
 /* What the winch does now: speed(t) = value of `speed` at t - since, travel(t) = offset + its integral there (WI1). */
 typedef struct WinchPhase {
@@ -21,9 +22,17 @@ typedef struct WinchPhase {
     double resume; /* s, on the case's profile: where the speed was when the brake fell in */
     double over;   /* s, since when the force has been above the trip's; INFINITY: it is not */
     int trips;     /* so far */
-    int held;      /* set tension: the brake is on, as before t = 0 */
+    int held;      /* set tension: HELD_FIRST: the brake is on, as before t = 0; HELD_TOLD: it is on by a command */
     double ended;  /* s, when a last trip ended the run; INFINITY: it did not */
+    /* by commands */
+    int told;        /* it was stopped by one: it stands until it is told to go on */
+    double asked;    /* m/s, set in place of the case's profile; NAN: none is */
+    Profile tension; /* N, of WINCH_TENSION, over t */
+    double before;   /* N, with which it pulled before a pause; NAN: it does not pause */
+    Profile hold;    /* share of the brake of a set tension's winch, 0..1, over t (K3) */
+    double held_at;  /* m of travel, where that brake holds */
 } WinchPhase;
+enum { HELD_FIRST = 1, HELD_TOLD = 2 };
 
 /* A winch that takes the rope in: a segment that has passed it leaves the chain and becomes the ghost that holds the
  * next one, a whole rigid segment whose pose moves on along the pull as the rope does (RL16). */
@@ -50,6 +59,7 @@ typedef struct Winch {
     double drum_mass;   /* kg, inertia of the drum at the rope: moves with the last segment, weighs nothing */
     double guide[2];    /* N/m, N s/m: holds the head's end on the pull's line, across it */
     double brake[2];    /* N/m, N s/m: holds it along the line while the brake is on */
+    double slowing;     /* N s/m: what stops it while the brake comes on (K3) */
     /* trips */
     TripDef trip;
     double trip_force; /* N; 0: never trips */
@@ -103,7 +113,13 @@ typedef enum WinchEvent {
 /* A step to time t was accepted, with this pull on the head (N). Changes the phase if something happens (WI8)-(WI12);
  * call again until NOTHING. */
 WinchEvent winch_accept(Winch *w, double t, double pull);
-/* The event in words, for logs. */
-const char *winch_event_name(WinchEvent event);
+/* The same as it is noted; what: NULL for WINCH_NOTHING. */
+Occurrence winch_occurrence(WinchEvent event);
+
+/* Of its room, as RoomKind has them (winch_phase.c). */
+int winch_watches(const Room *room);
+Occurrence winch_happen(Room *room, const Occasion *now);
+int winch_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err);
+void winch_controls(Room *room, ControlsVisit *visit);
 
 #endif

@@ -14,6 +14,7 @@
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/commands.h"
 #include "sim/run/modes.h"
 #include "sim/run/statics.h"
 #include "sim/watch/events.h"
@@ -90,6 +91,8 @@ Sim *sim_free(Sim *s)
     machines_free(&s->machines);
     peaks_free(&s->peaks);
     envelope_free(&s->envelope);
+    closeup_free(&s->closeup);
+    around_free(s->around);
     events_free(&s->events);
     passing_free(&s->passing);
     expected_free(&s->expected);
@@ -145,7 +148,7 @@ static double next_stop(const Sim *s, double stop)
         if (room->present && room->kind->next_stop)
             stop = fmin(stop, room->kind->next_stop(room, scene, s->stage.t + 1e-9));
     }
-    return stop;
+    return fmin(stop, script_next(s));
 }
 
 /* Where the cable's front is, m along the route; NAN if it is not simulated, or in the plane. Brings the kinematics of
@@ -165,7 +168,7 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
 {
     Stage *const st = &s->stage;
     Scene *const scene = &st->scene;
-    Occasion now = {.t = st->t, .front = NAN};
+    Occasion now = {.t = st->t, .front = NAN, .travel = NAN};
     int watched = 0;
     for (int r = 0; r < scene->n_rooms; ++r) {
         const Room *const room = &scene->room[r];
@@ -174,12 +177,13 @@ static hawser_status events_watch(Sim *s, hawser_error *err)
     if (!watched) return HAWSER_OK;
     if (watched & WATCH_FRONT) now.front = front_at(st);
     now.pull = st->motion->ops->winch_pull(st->motion, st->t, st->y);
+    if (watched & WATCH_TRAVEL) now.travel = winch_motion(scene->winch, &scene->chain, &st->ws.kin, st->t).travel;
     hawser_status status = HAWSER_OK;
     for (int r = 0; r < scene->n_rooms; ++r) {
         Room *const room = &scene->room[r];
         if (!room->present || !room->kind->watches || !room->kind->watches(room)) continue;
-        for (const char *what; !status && (what = room->kind->happen(room, &now)) != NULL;)
-            status = events_add(&s->events, st->t, what, now.pull, err);
+        for (Occurrence h; !status && (h = room->kind->happen(room, &now)).what;)
+            status = sim_note(s, h.code, st->t, h.what, now.pull, err);
     }
     return status;
 }
@@ -234,23 +238,27 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
-    s->stage.scene.winch->phase.held = 0; /* the brake that held a winch of set tension is let off */
+    WinchPhase *const winch = &s->stage.scene.winch->phase;
+    if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
+    status = script_due(s, err);                    /* what is due at the very beginning */
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
         if (!status) status = events_watch(s, err);
         if (!status) peak_watch(s);
         if (!status && s->stage.scene.rod->present) rod_watch(s);
+        if (!status) status = script_due(s, err);
+        if (!status && (s->calls.step || s->calls.law || s->calls.stop)) status = sim_call(s, err);
         if (one_step) break;
     }
     return status;
 }
 
-double hawser_sim_time(const Sim *s) { return s->stage.t; }
+double hawser_sim_time(const Sim *s) { return s ? s->stage.t : NAN; }
 double hawser_sim_end_time(const Sim *s)
 {
-    return fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended);
+    return s ? fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended) : NAN;
 }
-const char *hawser_sim_title(const Sim *s) { return s->title; }
+const char *hawser_sim_title(const Sim *s) { return s ? s->title : ""; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
@@ -282,7 +290,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     return look;
 }
 
-const hawser_sample *hawser_sim_sample(Sim *s) { return look_now(s, SAMPLE_ALL); }
+const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(s, SAMPLE_ALL) : NULL; }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
@@ -290,8 +298,8 @@ static void turned_watch(Sim *s, const hawser_sample *look)
     Stage *const st = &s->stage;
     const int now = turned(&st->scene, st->motion == &st->planar.motion, &st->ws.kin) & ~s->overturned;
     hawser_error only_a_note;
-    if (now & TURNED_JOINT) events_add(&s->events, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
-    if (now & TURNED_HEAD) events_add(&s->events, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_JOINT) sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_JOINT_SAYS, look->winch_force, &only_a_note);
+    if (now & TURNED_HEAD) sim_note(s, HAWSER_EVENT_TURNED, st->t, TURNED_HEAD_SAYS, look->winch_force, &only_a_note);
     s->overturned |= now;
 }
 
@@ -304,7 +312,7 @@ static void record_now(Sim *s, SampleParts parts)
     hawser_error only_a_note;
     if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, look);
     if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
-        events_add(&s->events, look->t, s->passing.says, look->winch_force, &only_a_note);
+        sim_note(s, HAWSER_EVENT_PASSED, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
     if (s->stats.fresh) steadiness_record(&s->steadiness, &s->stage.scene, look, s->stats.dt);
     if (s->stats.fresh) machines_record(&s->machines, s->stats.dt, s->stats.steady);
@@ -317,7 +325,10 @@ static void record_now(Sim *s, SampleParts parts)
     s->record_s += clock_now() - start;
 }
 
-void hawser_sim_record(Sim *s) { record_now(s, SAMPLE_ALL); }
+void hawser_sim_record(Sim *s)
+{
+    if (s) record_now(s, SAMPLE_ALL);
+}
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
 static void integration_fill(const Sim *s, hawser_summary *out)
@@ -360,7 +371,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     return shares;
 }
 
-void hawser_sim_summary(const Sim *s, hawser_summary *out)
+static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
@@ -426,49 +437,65 @@ void hawser_sim_summary(const Sim *s, hawser_summary *out)
     out->conditions = s->condition;
 }
 
+void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
+{
+    hawser_summary whole;
+    if (!s || !out) return;
+    summary_fill(s, &whole);
+    memcpy(out, &whole, size < sizeof whole ? size : sizeof whole);
+}
+
 int hawser_sim_stations(const Sim *s, const hawser_station **out)
 {
+    if (!s || !out) return 0;
     *out = s->stats.station_out;
     return s->stats.n_stations;
 }
 
 int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 {
+    if (!s || !out) return 0;
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
 }
 
 int hawser_sim_positions(const Sim *s, const hawser_position **out)
 {
+    if (!s || !out) return 0;
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
 }
 
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 {
+    if (!s || !out) return 0;
     *out = s->modes.out;
     return s->modes.n;
 }
 
 int hawser_sim_events(const Sim *s, const hawser_event **out)
 {
+    if (!s || !out) return 0;
     *out = s->events.event;
     return s->events.n;
 }
 
 int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 {
+    if (!s || !out) return 0;
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
 }
 
 int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 {
+    if (!s || !out) return 0;
     *out = s->machines.out;
     return s->machines.n;
 }
 
 int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
+    if (!s || !out) return 0;
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
 }

@@ -5,6 +5,7 @@
 #define HAWSER_SIM_RUN_SIM_H
 
 #include "sim/expected/mesh.h"
+#include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/modes.h"
 #include "sim/run/stage.h"
@@ -16,6 +17,17 @@
 #include "sim/watch/sample.h"
 #include "sim/watch/trust.h"
 
+/* Whom a simulation calls; NULL: nobody. */
+typedef struct Calls {
+    hawser_step_function step;
+    hawser_event_function event;
+    hawser_log_function log;
+    void *step_user, *event_user, *log_user;
+    hawser_log_level log_level;
+    int law;          /* a law of force is set */
+    const char *stop; /* somebody who was called wants an end; who, in words */
+} Calls;
+
 typedef struct hawser_sim {
     Stage stage; /* scene, state, integrator */
     SampleBuffers look;
@@ -26,10 +38,14 @@ typedef struct hawser_sim {
     Machines machines;
     Peaks peaks;
     Envelope envelope; /* present if somebody has asked for it */
+    Closeup closeup;   /* the last that was asked for */
+    Around *around;    /* NULL: nobody has asked */
     Expected expected;
     BundleTerms bundle;
     ByPosition by_position;
     EventLog events;
+    Calls calls;
+    int script_done; /* rows of the case's script */
     hawser_relaxation relaxation;
     LinStats lin;                                /* what was chosen, and why */
     double build_s, relax_s, output_s, record_s; /* s; output_s is what the writer of results says it has spent */
@@ -45,6 +61,7 @@ typedef struct hawser_sim {
     /* what the interface remembers for the results (io/api) */
     char *case_name, *title; /* owned */
     int relaxed, running;    /* running: inside hawser_sim_run */
+    int inside;              /* it moves now: who is called must not have it move */
     hawser_status outcome;   /* of the last call that computed */
     char message[HAWSER_MESSAGE_MAX];
 } Sim;

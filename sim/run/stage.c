@@ -372,6 +372,30 @@ hawser_status stage_settle(Stage *st, hawser_error *err)
     return status;
 }
 
+hawser_status stage_to_space(Stage *st, const char *why, hawser_error *err)
+{
+    Motion *const planar = st->motion;
+    if (planar != &st->planar.motion) return HAWSER_OK;
+    double *const y = aligned_array_new(scene_state_size(&st->scene)), *const old = st->y;
+    if (!y) return error_memory(err);
+    event_begins(st);
+    planar->ops->unpack(planar, old, y);
+    hawser_status status = spatial_new(st, err);
+    if (!status) status = st->motion->ops->renew(st->motion, st->t, y, err);
+    if (!status && st->integrator) status = integrator_renew(&st->integrator, st->motion, st->t, y, err);
+    if (status) {
+        newton_free(&st->newton);
+        st->motion = planar;
+        free(y);
+        return status;
+    }
+    st->y = y;
+    free(old);
+    planar_free(&st->planar);
+    snprintf(st->plane_why, sizeof st->plane_why, "%s", why);
+    return st->balance ? balance_enter(st->balance, st->motion, st->t, st->y, err) : HAWSER_OK;
+}
+
 hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;

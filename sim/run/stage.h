@@ -44,6 +44,10 @@ typedef struct Stage {
 hawser_status stage_new(Stage *stage, const SceneDef *def, Team *team, hawser_error *err);
 void stage_free(Stage *stage);
 
+/* Goes on in space where the motion was planar, for what the planar equations do not know; `why` in words. Nothing
+ * moves by it; the method starts anew. Errors: MEMORY, RUN. */
+hawser_status stage_to_space(Stage *stage, const char *why, hawser_error *err);
+
 /* One step of the integrator's, not beyond `stop`, and what is due after it. Errors: MEMORY, RUN. */
 hawser_status stage_step(Stage *stage, double stop, hawser_error *err);
 /* The two parts of that. */

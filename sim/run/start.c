@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/run/sim.h"
+#include "sim/run/commands.h"
 
 static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
 
@@ -33,7 +33,7 @@ hawser_status start_grades(Sim *s, hawser_error *err)
     snprintf(s->grade_says, sizeof s->grade_says,
              "bend '%s' turns to the side on a grade of %.1f deg and leaves it at %.1f deg: it lies in one plane",
              route->piece[bend].name, before * 180 / M_PI, after * 180 / M_PI);
-    return events_add(&s->events, 0, s->grade_says, s->look.sample.winch_force, err);
+    return sim_note(s, HAWSER_EVENT_NOTE, 0, s->grade_says, s->look.sample.winch_force, err);
 }
 
 /* Whether nothing is pressed by more than all loads together could ask for, by a look at the state of now. */
@@ -63,7 +63,7 @@ static hawser_status move_out(Sim *s, const double *laid, hawser_error *err)
         *err = ended;
         return status;
     }
-    if (fits(s)) return events_add(&s->events, st->t, START_MOVED_SAYS, s->look.sample.winch_force, err);
+    if (fits(s)) return sim_note(s, HAWSER_EVENT_NOTE, st->t, START_MOVED_SAYS, s->look.sample.winch_force, err);
     memcpy(st->y, laid, (size_t)st->motion->size * sizeof *laid);
     return st->motion->ops->renew(st->motion, st->t, st->y, err);
 }

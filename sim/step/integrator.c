@@ -375,12 +375,13 @@ static hawser_status step_failed(Integrator *in, int flag, double t, hawser_erro
     CVodeGetCurrentStep(in->cvode, &step);
     N_VScale(1.0, in->good, in->state);
     vector_family_settle(&in->family);
-    return error_set(
-        err, HAWSER_ERR_RUN,
-        "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
-        "%s%s (CVODE flag %d: %s)",
-        t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
-        hint_for(in->motion->scene, i), flag, in->complaint);
+    error_set(err, HAWSER_ERR_RUN,
+              "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
+              "%s%s (CVODE flag %d: %s)",
+              t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
+              hint_for(in->motion->scene, i), flag, in->complaint);
+    error_moment(err, t, in->motion->scene->first + i);
+    return HAWSER_ERR_RUN;
 }
 
 /* solver.max_steps, if given, is used up. */
@@ -397,12 +398,13 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
     double step = 0;
     const int i = worst_segment(in);
     CVodeGetCurrentStep(in->cvode, &step);
-    return error_set(
-        err, HAWSER_ERR_RUN,
-        "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
-        "raise it or solver.accuracy, or soften what is stiff there%s",
-        in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
-        hint_for(in->motion->scene, i));
+    error_set(err, HAWSER_ERR_RUN,
+              "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
+              "raise it or solver.accuracy, or soften what is stiff there%s",
+              in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
+              hint_for(in->motion->scene, i));
+    error_moment(err, t, in->motion->scene->first + i);
+    return HAWSER_ERR_RUN;
 }
 
 /* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
@@ -513,6 +515,18 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
     if (bad < 0) return error_memory(err);
     return bad ? error_set(err, HAWSER_ERR_RUN, "no equations of motion at t = %.6g s, where the chain has changed", t)
                : HAWSER_OK;
+}
+
+hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double *y, hawser_error *err)
+{
+    Integrator *fresh;
+    const hawser_status status = integrator_new(motion, t, y, &fresh, err);
+    if (status) return status;
+    integrator_stats(*in, &fresh->before);
+    fresh->stats = fresh->before;
+    integrator_free(*in);
+    *in = fresh;
+    return HAWSER_OK;
 }
 
 void integrator_stats(const Integrator *in, IntegratorStats *stats)

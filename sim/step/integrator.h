@@ -39,6 +39,9 @@ typedef struct Reshape {
  * tells which of them is the history's state. Motion->size is the new one already. Errors: MEMORY (the integrator can
  * only be freed then), RUN. */
 hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err);
+/* The same time and motion in other equations: starts anew at (t, y) and goes on counting. Errors: as integrator_new;
+ * *in is as it was then. */
+hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double *y, hawser_error *err);
 /* The rates of the state of the last accepted step, [size], as the method has them: times *h, its length, s. They are
  * those of the collocation, which the equations of motion meet to within Newton's tolerance. Valid until the next step.
  */

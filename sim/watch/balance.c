@@ -153,17 +153,17 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
 
 /* ------------------------------------------------------------------------------------------------- the account */
 
-static const char *const WORKS[BALANCE_WORKS] = {"winch", "tail",  "lead_in", "reel",   "conveyors",
-                                                 "ends",  "loads", "motors",  "medium", "surface_edges"};
+static const char *const WORKS[BALANCE_WORKS] = {"winch", "tail",   "lead_in", "reel",          "conveyors", "ends",
+                                                 "loads", "motors", "medium",  "surface_edges", "outside"};
 static const char *const LOSSES[BALANCE_LOSSES] = {
     "joint_damping",  "bending_hysteresis", "rope_drag",       "conveyor_slip",  "roller_friction",
     "roller_damping", "surface_friction",   "surface_damping", "cable_friction", "cable_damping",
     "bearings",       "mount_damping",      "medium_drag"};
 static const char *const STORES[BALANCE_STORES] = {"motion",  "height",   "joints",         "bending",
                                                    "rollers", "surfaces", "cable_on_cable", "equipment"};
-static const char *const PUSHES[BALANCE_PUSHES] = {"winch", "tail",    "lead_in",  "reel",   "conveyors",
-                                                   "ends",  "loads",   "",         "medium", "",
-                                                   "drag",  "rollers", "surfaces", "weight"};
+static const char *const PUSHES[BALANCE_PUSHES] = {"winch",   "tail",  "lead_in", "reel",     "conveyors",
+                                                   "ends",    "loads", "",        "medium",   "",
+                                                   "outside", "drag",  "rollers", "surfaces", "weight"};
 
 /* Adds a term that is there; what most goes through, or moves, is what the residual is measured by. */
 static void term_add(hawser_balance *out, hawser_balance_kind kind, const char *name, double energy, double turnover)

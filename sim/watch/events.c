@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
 
-hawser_status events_add(EventLog *log, double t, const char *what, double pull, hawser_error *err)
+hawser_status events_add(EventLog *log, hawser_event event, hawser_error *err)
 {
     if (log->n == EVENTS_MAX) {
         ++log->missed;
@@ -19,12 +19,32 @@ hawser_status events_add(EventLog *log, double t, const char *what, double pull,
         log->event = grown;
         log->room = room;
     }
-    log->event[log->n++] = (hawser_event){t, what, pull};
+    log->event[log->n++] = event;
     return HAWSER_OK;
+}
+
+hawser_status events_say(EventLog *log, hawser_event event, hawser_error *err)
+{
+    if (log->n < EVENTS_MAX && log->n_texts == log->texts_room) {
+        const int room = 2 * log->texts_room + 8;
+        char **const grown = realloc(log->text, (size_t)room * sizeof *grown);
+        if (!grown) return error_memory(err);
+        log->text = grown;
+        log->texts_room = room;
+    }
+    if (log->n < EVENTS_MAX) {
+        char *const own = strdup(event.what);
+        if (!own) return error_memory(err);
+        log->text[log->n_texts++] = own;
+        event.what = own;
+    }
+    return events_add(log, event, err);
 }
 
 void events_free(EventLog *log)
 {
+    for (int i = 0; i < log->n_texts; ++i) free(log->text[i]);
+    free(log->text);
     free(log->event);
     memset(log, 0, sizeof *log);
 }

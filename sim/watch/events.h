@@ -11,10 +11,14 @@ typedef struct EventLog {
     int n, room;
     long missed;
     hawser_event *event; /* [n] */
+    int n_texts, texts_room;
+    char **text; /* [n_texts] of events whose words are the log's own */
 } EventLog;
 
-/* Adds an event: t (s), what (a text that outlives the log), pull (N). Errors: MEMORY. */
-hawser_status events_add(EventLog *log, double t, const char *what, double pull, hawser_error *err);
+/* Adds an event, whose text outlives the log. Errors: MEMORY. */
+hawser_status events_add(EventLog *log, hawser_event event, hawser_error *err);
+/* The same with a text that the log keeps. Errors: MEMORY. */
+hawser_status events_say(EventLog *log, hawser_event event, hawser_error *err);
 void events_free(EventLog *log);
 
 /* What has turned farther than the model can follow. A run goes on then, but its results must not be taken for good

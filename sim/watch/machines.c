@@ -88,6 +88,7 @@ void machines_record(Machines *m, double dt, int steady)
 
 double hawser_machine_figure(const hawser_machine *machine, const char *key)
 {
+    if (!machine || !key) return NAN;
     for (int k = 0; k < machine->n_now; ++k) {
         if (!strcmp(machine->now[k].key, key)) return machine->now[k].value;
     }

@@ -10,7 +10,38 @@
 
 enum { NUMBERS_MOST = 1 << 26 };
 
-static void text_set(char *to, size_t size, const char *text) { snprintf(to, size, "%s", text); }
+/* Whether bytes are UTF-8, as drawings since 2007 are. */
+static int is_utf8(const unsigned char *t)
+{
+    while (*t) {
+        const int more = *t < 0x80                 ? 0
+                         : *t >= 0xC2 && *t < 0xE0 ? 1
+                         : (*t & 0xF0) == 0xE0     ? 2
+                         : *t >= 0xF0 && *t < 0xF5 ? 3
+                                                   : -1;
+        if (more < 0) return 0;
+        ++t;
+        for (int i = 0; i < more; ++i, ++t) {
+            if ((*t & 0xC0) != 0x80) return 0;
+        }
+    }
+    return 1;
+}
+
+/* A name or layer as UTF-8; older drawings have bytes of a code page, which are taken for Latin-1. */
+static void text_set(char *to, size_t size, const char *text)
+{
+    size_t n = 0;
+    if (is_utf8((const unsigned char *)text)) {
+        snprintf(to, size, "%s", text);
+        return;
+    }
+    for (const unsigned char *t = (const unsigned char *)text; *t && n + 2 < size; ++t) {
+        if (*t >= 0x80) to[n++] = (char)(0xC0 | *t >> 6);
+        to[n++] = (char)(*t < 0x80 ? *t : 0x80 | (*t & 0x3F));
+    }
+    to[n] = 0;
+}
 
 /* ---------------------------------------------------------------------------------------------------------- entities
  */
@@ -126,6 +157,12 @@ static hawser_status entity_add(DxfStream *s, const DxfEntity *e)
         hawser_status (*add)(const SurveyInput *in, const DxfEntity *e);
     } shapes[] = {
         {"LINE", dxf_add_line}, {"ARC", dxf_add_arc}, {"LWPOLYLINE", dxf_add_lwpolyline}, {"SPLINE", dxf_add_spline}};
+    if (dxf_number(e, 67, 0) == 1) { /* frames and titles of a sheet, in its own coordinates */
+        char what[SURVEY_NAME_MAX];
+        snprintf(what, sizeof what, "%s in paper space", e->kind);
+        survey_ignore(s->in->out, what);
+        return HAWSER_OK;
+    }
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
         if (!strcmp(e->kind, shapes[i].kind)) return shapes[i].add(s->in, e);
     }
@@ -186,6 +223,22 @@ static hawser_status entities_read(DxfStream *s)
     return status ? status : more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
 }
 
+/* Of blocks nothing is read; those with names of their own may hold the line that is wanted, so it is said. */
+static hawser_status blocks_skip(DxfStream *s)
+{
+    static const char *const kinds[] = {"LINE", "ARC", "LWPOLYLINE", "POLYLINE", "SPLINE"};
+    DxfTag tag;
+    int more, begins = 0, named = 0;
+    while ((more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+        if (tag.code == 0) begins = !strcmp(tag.text, "BLOCK");
+        if (tag.code == 2 && begins) named = *tag.text != '*'; /* others are sheets, dimensions, hatches */
+        for (size_t i = 0; tag.code == 0 && named && i < sizeof kinds / sizeof *kinds; ++i) {
+            if (!strcmp(tag.text, kinds[i])) survey_ignore(s->in->out, "lines inside of blocks");
+        }
+    }
+    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+}
+
 static hawser_status section_skip(DxfStream *s)
 {
     DxfTag tag;
@@ -210,6 +263,8 @@ hawser_status dxf_read(SurveyInput *in)
             status = header_read(&s);
         else if (!strcmp(tag.text, "ENTITIES"))
             status = entities_read(&s);
+        else if (!strcmp(tag.text, "BLOCKS"))
+            status = blocks_skip(&s);
         else
             status = section_skip(&s);
     }

@@ -1,11 +1,14 @@
 /* SPLINE: a B-spline, rational or not, as points along it. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 #include "survey/dxf/dxf.h"
 
-enum { DEGREE_MOST = 15, PARTS = 16, CONTROLS_MOST = 1 << 20 };
+enum { DEGREE_MOST = 15, PARTS = 8, PARTS_MOST = 1024, CONTROLS_MOST = 1 << 20 };
+/* m, how far a chord may be beside the spline: the length is then within a millionth. */
+static const double OFF = 2e-4;
 
 /* A point with its weight: x w, y w, z w, w. */
 typedef struct Weighted {
@@ -83,18 +86,41 @@ static Vec3 spline_at(const Spline *s, int span, double u)
     return v3_scale(1 / d[p].v[3], v3(d[p].v[0], d[p].v[1], d[p].v[2]));
 }
 
+/* How many chords of a span stay within OFF of it: by the places half-way along them, each time twice as many. */
+static int chords_needed(const Spline *s, int span, double unit)
+{
+    const double from = s->knot[span], step = s->knot[span + 1] - from;
+    for (int n = PARTS;; n *= 2) {
+        double worst = 0;
+        for (int k = 0; k < n; ++k) {
+            const Vec3 a = spline_at(s, span, from + step * k / n), b = spline_at(s, span, from + step * (k + 1) / n);
+            const Vec3 middle = spline_at(s, span, from + step * (k + 0.5) / n);
+            worst = fmax(worst, v3_norm(v3_sub(middle, v3_scale(0.5, v3_add(a, b)))));
+        }
+        if (n >= PARTS_MOST || !(worst * unit > OFF)) return n;
+    }
+}
+
 static hawser_status corners_add(const SurveyInput *in, const DxfEntity *e, const Spline *s)
 {
-    const int p = s->degree, spans = s->n_controls - p;
-    DxfCorner *const corner = calloc((size_t)(PARTS * spans + 1), sizeof *corner);
+    const int p = s->degree;
+    DxfCorner *corner = NULL;
     int n = 0;
-    if (!corner) return error_memory(in->err);
-    for (int i = p; i < s->n_controls; ++i) {
+    hawser_status status = HAWSER_OK;
+    for (int i = p; i < s->n_controls && !status; ++i) {
         const double from = s->knot[i], to = s->knot[i + 1];
         if (!(to > from)) continue;
-        for (int k = n ? 1 : 0; k <= PARTS; ++k) corner[n++].at = spline_at(s, i, from + (to - from) * k / PARTS);
+        const int parts = chords_needed(s, i, in->unit);
+        DxfCorner *const wider = realloc(corner, (size_t)(n + parts + 1) * sizeof *wider);
+        if (!wider) {
+            status = error_memory(in->err);
+            continue;
+        }
+        corner = wider;
+        memset(corner + n, 0, (size_t)(parts + 1) * sizeof *corner);
+        for (int k = n ? 1 : 0; k <= parts; ++k) corner[n++].at = spline_at(s, i, from + (to - from) * k / parts);
     }
-    const hawser_status status = dxf_add_corners(in, e, n, corner, 0, 1);
+    if (!status) status = dxf_add_corners(in, e, n, corner, 0, 1);
     free(corner);
     return status;
 }
@@ -104,6 +130,7 @@ static hawser_status fits_add(const SurveyInput *in, const DxfEntity *e, const S
 {
     DxfCorner *const corner = calloc((size_t)s->n_fits + 1, sizeof *corner);
     if (!corner) return error_memory(in->err);
+    survey_ignore(in->out, "SPLINE: what is between its fit points, for it has no control points");
     for (int i = 0; i < s->n_fits; ++i) corner[i].at = s->fit[i];
     const hawser_status status = dxf_add_corners(in, e, s->n_fits, corner, 0, 1);
     free(corner);

@@ -10,21 +10,18 @@
 /* Unknowns of a piece: x, y, heading, length, k0, k1; its multipliers: two of its kind, four of the joint behind it. */
 enum { UNKNOWNS = 6, KIND = 6, JOINT = 8, TIE = 11, BLOCK = 12, HALF = 11 };
 
-/* Gauss-Legendre, four points on [-1, 1]. */
-static const double node4[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
-static const double weight4[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
-
 /* ------------------------------------------------------------------------------------------------ along a piece */
 
 /* A place on a piece: where, and the integrals of s n and s2 n up to it, n the normal to the left. */
 typedef struct Along {
-    double s, x, y, heading, curvature;
+    double s, x, y, curvature;
+    double t[2]; /* the tangent */
     double first[2], second[2];
 } Along;
 
 static Along piece_start(const PlanElement *e)
 {
-    return (Along){.x = e->x, .y = e->y, .heading = e->heading, .curvature = e->k0};
+    return (Along){.x = e->x, .y = e->y, .curvature = e->k0, .t = {cos(e->heading), sin(e->heading)}};
 }
 
 static double heading_at(const PlanElement *e, double s)
@@ -32,45 +29,68 @@ static double heading_at(const PlanElement *e, double s)
     return e->heading + s * (e->k0 + 0.5 * s * (e->k1 - e->k0) / e->length);
 }
 
-/* The same on a straight, whose integrals are powers. */
-static void go_straight(const PlanElement *e, double ds, Along *a)
+/* ds on along a straight, whose integrals are powers. */
+static void go_straight(double ds, Along *a)
 {
-    const double t[2] = {cos(e->heading), sin(e->heading)}, from = a->s, to = from + ds;
+    const double from = a->s, to = from + ds;
     const double first = 0.5 * (to * to - from * from), second = (to * to * to - from * from * from) / 3;
-    a->x += ds * t[0];
-    a->y += ds * t[1];
-    a->first[0] -= first * t[1];
-    a->first[1] += first * t[0];
-    a->second[0] -= second * t[1];
-    a->second[1] += second * t[0];
+    a->x += ds * a->t[0];
+    a->y += ds * a->t[1];
+    a->first[0] -= first * a->t[1];
+    a->first[1] += first * a->t[0];
+    a->second[0] -= second * a->t[1];
+    a->second[1] += second * a->t[0];
     a->s = to;
 }
 
-/* ds on, or back. Parts turn by less than half a radian: error below 1e-11 ds. */
+/* The direction t turned by a small angle, |angle| < 0.3: Taylor's sums, error below 1e-12. */
+static void turn_small(const double t[2], double angle, double out[2])
+{
+    const double q = angle * angle;
+    const double c = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56)));
+    const double n = angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))));
+    out[0] = t[0] * c - t[1] * n;
+    out[1] = t[1] * c + t[0] * n;
+}
+
+/* A part of length h about its middle, by a Gauss-Legendre sum of n points. */
+static void go_part(const PlanElement *e, double middle, double h, int n, Along *a)
+{
+    static const double node[3][4] = {
+        {0},
+        {-0.5773502691896257, 0.5773502691896257},
+        {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526}};
+    static const double weight[3][4] = {
+        {2}, {1, 1}, {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538}};
+    const double rate = (e->k1 - e->k0) / e->length, curvature = e->k0 + rate * middle;
+    const double angle = heading_at(e, middle), t[2] = {cos(angle), sin(angle)};
+    for (int k = 0; k < n; ++k) {
+        const double u = 0.5 * h * node[n / 2][k], s = middle + u, w = 0.5 * h * weight[n / 2][k];
+        double d[2];
+        turn_small(t, u * (curvature + 0.5 * rate * u), d);
+        a->x += w * d[0];
+        a->y += w * d[1];
+        a->first[0] -= w * s * d[1];
+        a->first[1] += w * s * d[0];
+        a->second[0] -= w * s * s * d[1];
+        a->second[1] += w * s * s * d[0];
+    }
+    turn_small(t, 0.5 * h * (curvature + 0.25 * rate * h), a->t);
+}
+
+/* ds on, or back. Parts turn by less than half a radian, and small turns need fewer points: error below 1e-11 ds. */
 static void go(const PlanElement *e, double ds, Along *a)
 {
     if (fmax(fabs(e->k0), fabs(e->k1)) * e->length < 1e-13) { /* what rounding leaves of a straight */
-        go_straight(e, ds, a);
+        go_straight(ds, a);
         return;
     }
     const double rate = (e->k1 - e->k0) / e->length;
     const double turn = fabs(ds) * fmax(fabs(a->curvature), fabs(a->curvature + ds * rate));
-    const int parts = (int)fmin(1 + 2 * turn, 1000);
+    const int parts = (int)fmin(1 + 2 * turn, 1000), n = turn < 1e-5 ? 1 : turn < 1e-2 ? 2 : 4;
     const double h = ds / parts;
-    for (int i = 0; i < parts; ++i) {
-        for (int k = 0; k < 4; ++k) {
-            const double s = a->s + (i + 0.5 * (1 + node4[k])) * h, w = 0.5 * weight4[k] * h;
-            const double angle = heading_at(e, s), c = cos(angle), n = sin(angle);
-            a->x += w * c;
-            a->y += w * n;
-            a->first[0] -= w * s * n;
-            a->first[1] += w * s * c;
-            a->second[0] -= w * s * s * n;
-            a->second[1] += w * s * s * c;
-        }
-    }
+    for (int i = 0; i < parts; ++i) go_part(e, a->s + (i + 0.5) * h, h, n, a);
     a->s += ds;
-    a->heading = heading_at(e, a->s);
     a->curvature = e->k0 + a->s * rate;
 }
 
@@ -106,11 +126,11 @@ static void row_add(Normal *q, const double row[UNKNOWNS], double weight, double
 static void go_to_foot(const PlanElement *e, const Node *p, Along *a)
 {
     for (int i = 0; i < 8; ++i) {
-        const double c = cos(a->heading), n = sin(a->heading);
-        const double along = c * (p->x - a->x) + n * (p->y - a->y), left = -n * (p->x - a->x) + c * (p->y - a->y);
+        const double x = p->x - a->x, y = p->y - a->y;
+        const double along = a->t[0] * x + a->t[1] * y, left = a->t[0] * y - a->t[1] * x;
         const double ds = along / fmax(1 - a->curvature * left, 0.3);
         go(e, fmin(fmax(ds, -a->s - e->length), 2 * e->length - a->s), a);
-        if (fabs(ds) < 1e-9) return;
+        if (fabs(ds) < 1e-6) return; /* Newton's steps: the next one would be its square */
     }
 }
 
@@ -119,11 +139,10 @@ static void end_add(const PlanElement *e, const Node *p, int last, Normal *q)
 {
     Along a = piece_start(e);
     if (last) go(e, e->length, &a);
-    const double t[2] = {cos(a.heading), sin(a.heading)};
     double row[UNKNOWNS];
-    place_row(e, &a, t, row);
+    place_row(e, &a, a.t, row);
     if (last) row[3] += 1;
-    row_add(q, row, p->weight, t[0] * (p->x - a.x) + t[1] * (p->y - a.y));
+    row_add(q, row, p->weight, a.t[0] * (p->x - a.x) + a.t[1] * (p->y - a.y));
 }
 
 /* The place of piece q that is nearest to a point: its foot, or the piece's end. */
@@ -138,12 +157,13 @@ static Along nearest_on(const PlanElement *e, const Node *p)
 
 /* While pieces do not meet yet, a place may run away along one of them: a point that is farther off than some steps
  * from point to point looks for a later piece that passes it. *q and *at become that piece and its foot. */
-static void lost_find(int n, const Piece *piece, const Node *p, double step, int *q, Along *at)
+static void lost_find(int n, const Piece *piece, const Node *p, const Node *before, int *q, Along *at)
 {
     enum { AHEAD = 6, STEPS_OFF = 4 };
-    double least = hypot(p->x - at->x, p->y - at->y);
-    if (!(least > STEPS_OFF * step)) return;
-    least *= 0.5;
+    const double off[2] = {p->x - at->x, p->y - at->y}, step[2] = {p->x - before->x, p->y - before->y};
+    const double off2 = off[0] * off[0] + off[1] * off[1], step2 = step[0] * step[0] + step[1] * step[1];
+    double least = 0.5 * sqrt(off2);
+    if (!(off2 > STEPS_OFF * STEPS_OFF * step2)) return;
     for (int i = *q + 1, last = *q + AHEAD; i < n && i <= last; ++i) {
         const Along there = nearest_on(&piece[i].e, p);
         const double away = hypot(p->x - there.x, p->y - there.y);
@@ -154,11 +174,12 @@ static void lost_find(int n, const Piece *piece, const Node *p, double step, int
     }
 }
 
-/* The feet of all nodes, in their order, and what they pull by (normal: [n] or NULL). */
+/* The feet of all nodes, in their order, and what they pull by (normal: [n]). */
 static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *foot, Normal *normal)
 {
     int q = 0;
     Along at = piece_start(&piece[0].e);
+    memset(normal, 0, (size_t)n * sizeof *normal);
     for (int i = 0; i < m; ++i) {
         go_to_foot(&piece[q].e, &node[i], &at);
         while (q + 1 < n && at.s > piece[q].e.length) {
@@ -166,19 +187,17 @@ static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *
             go_to_foot(&piece[q].e, &node[i], &at);
             if (at.s < 0) at = piece_start(&piece[q].e);
         }
-        if (i > 0) lost_find(n, piece, &node[i], hypot(node[i].x - node[i - 1].x, node[i].y - node[i - 1].y), &q, &at);
+        if (i > 0) lost_find(n, piece, &node[i], &node[i - 1], &q, &at);
         Along here = at;
         if ((q > 0 && at.s < 0) || (i == 0 && q == 0)) here = piece_start(&piece[q].e);
         if (i == m - 1 && q == n - 1) go(&piece[q].e, piece[q].e.length - here.s, &here);
-        const double left[2] = {-sin(here.heading), cos(here.heading)};
+        const double left[2] = {-here.t[1], here.t[0]};
         const double away = left[0] * (node[i].x - here.x) + left[1] * (node[i].y - here.y);
         foot[i] = (Foot){q, here.s, away};
-        if (!normal) continue;
         double row[UNKNOWNS];
         place_row(&piece[q].e, &here, left, row);
         row_add(&normal[q], row, node[i].weight, away);
     }
-    if (!normal) return;
     end_add(&piece[0].e, &node[0], 0, &normal[0]);
     end_add(&piece[n - 1].e, &node[m - 1], 1, &normal[n - 1]);
 }
@@ -215,7 +234,7 @@ static void misses_find(const Piece *p, int last, double miss[BLOCK])
     go(&p->e, p->e.length, &end);
     miss[JOINT] = end.x - p[1].e.x;
     miss[JOINT + 1] = end.y - p[1].e.y;
-    miss[JOINT + 2] = remainder(end.heading - p[1].e.heading, 2 * acos(-1));
+    miss[JOINT + 2] = remainder(heading_at(&p->e, p->e.length) - p[1].e.heading, 2 * acos(-1));
     if (chain_tied(p)) miss[TIE] = p->e.k1 - p[1].e.k0;
 }
 
@@ -233,11 +252,11 @@ static void joint_constrain(const Piece *p, int at, double *a)
 {
     Along end = piece_start(&p->e);
     go(&p->e, p->e.length, &end);
-    const double x[2] = {1, 0}, y[2] = {0, 1}, t[2] = {cos(end.heading), sin(end.heading)};
+    const double x[2] = {1, 0}, y[2] = {0, 1};
     double row[3][UNKNOWNS] = {{0}, {0}, {0, 0, 1, 0.5 * (p->e.k0 + p->e.k1), 0.5 * p->e.length, 0.5 * p->e.length}};
     place_row(&p->e, &end, x, row[0]);
     place_row(&p->e, &end, y, row[1]);
-    for (int k = 0; k < 2; ++k) row[k][3] += t[k];
+    for (int k = 0; k < 2; ++k) row[k][3] += end.t[k];
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < UNKNOWNS; ++i) constrain(a, at + JOINT + k, at + i, row[k][i]);
         constrain(a, at + JOINT + k, at + BLOCK + k, -1);
@@ -268,7 +287,7 @@ static void idle_fill(double *a, int at)
 
 /* What a refinement works with, all [n blocks]. */
 typedef struct Work {
-    Normal *normal;
+    Normal *normal, *next; /* of the place, and of one that is tried */
     double *a, *b, *price; /* price: what a metre of a miss costs, above its multiplier */
     Piece *before;
 } Work;
@@ -276,28 +295,31 @@ typedef struct Work {
 static int work_alloc(int n, Work *w)
 {
     const size_t rows = (size_t)n * BLOCK;
-    *w = (Work){malloc((size_t)n * sizeof *w->normal), malloc(rows * (3 * HALF + 1) * sizeof *w->a),
-                malloc(rows * sizeof *w->b), calloc(rows, sizeof *w->price), malloc((size_t)n * sizeof *w->before)};
-    return w->normal && w->a && w->b && w->price && w->before;
+    *w = (Work){malloc((size_t)n * sizeof *w->normal),
+                malloc((size_t)n * sizeof *w->next),
+                malloc(rows * (3 * HALF + 1) * sizeof *w->a),
+                malloc(rows * sizeof *w->b),
+                calloc(rows, sizeof *w->price),
+                malloc((size_t)n * sizeof *w->before)};
+    return w->normal && w->next && w->a && w->b && w->price && w->before;
 }
 
 static void work_free(Work *w)
 {
     free(w->normal);
+    free(w->next);
     free(w->a);
     free(w->b);
     free(w->price);
     free(w->before);
 }
 
-/* The step that Newton's equations give, in w->b; 0: there is none. */
-static int step_find(int n, const Piece *piece, double strength, Work *w)
+/* The matrix of Newton's equations, in w->a. */
+static void matrix_fill(int n, const Piece *piece, double strength, Work *w)
 {
     memset(w->a, 0, (size_t)n * BLOCK * (3 * HALF + 1) * sizeof *w->a);
     for (int q = 0; q < n; ++q) {
         const int at = q * BLOCK;
-        misses_find(&piece[q], q + 1 == n, &w->b[at]);
-        for (int i = 0; i < BLOCK; ++i) w->b[at + i] = i < UNKNOWNS ? w->normal[q].g[i] : -w->b[at + i];
         for (int i = 0; i < UNKNOWNS; ++i) {
             for (int k = 0; k < UNKNOWNS; ++k) *band_at(w->a, HALF, at + i, at + k) += w->normal[q].h[i][k];
         }
@@ -305,6 +327,17 @@ static int step_find(int n, const Piece *piece, double strength, Work *w)
         kind_constrain(&piece[q], at, w->a);
         if (q + 1 < n) joint_constrain(&piece[q], at, w->a);
         idle_fill(w->a, at);
+    }
+}
+
+/* The step that Newton's equations give, in w->b; 0: there is none. */
+static int step_find(int n, const Piece *piece, double strength, Work *w)
+{
+    matrix_fill(n, piece, strength, w);
+    for (int q = 0; q < n; ++q) {
+        double *const b = &w->b[q * BLOCK];
+        misses_find(&piece[q], q + 1 == n, b);
+        for (int i = 0; i < BLOCK; ++i) b[i] = i < UNKNOWNS ? w->normal[q].g[i] : -b[i];
     }
     return band_solve(n * BLOCK, HALF, w->a, w->b);
 }
@@ -358,37 +391,63 @@ static double misses_price(int n, const Piece *piece, const double *price)
     return sum;
 }
 
+/* One step that lowers half the squares and what is missed, stiffer until it does; then w->normal and foot are those of
+ * the new place. *change: how far it goes, m. 0: there is none, and nothing has moved. */
+static int step_try(int n, Piece *piece, int m, const Node *node, double *strength, Foot *foot, double *change, Work *w)
+{
+    const double squares = 0.5 * chain_squares(m, node, foot);
+    memcpy(w->before, piece, (size_t)n * sizeof *piece);
+    for (int tries = 0; tries < 6; ++tries, *strength *= 30) {
+        memcpy(piece, w->before, (size_t)n * sizeof *piece);
+        if (!step_find(n, piece, *strength, w)) continue;
+        for (int k = 0; k < n * BLOCK; ++k) w->price[k] = fmax(w->price[k], 2 * fabs(w->b[k]));
+        const double was = squares + misses_price(n, piece, w->price);
+        *change = step_take(n, piece, w->b);
+        if (isnan(*change) || is_wound(n, w->before, piece)) continue;
+        feet_find(n, piece, m, node, foot, w->next);
+        if (0.5 * chain_squares(m, node, foot) + misses_price(n, piece, w->price) <= was * (1 + 1e-9)) {
+            Normal *const kept = w->normal;
+            w->normal = w->next;
+            w->next = kept;
+            return 1;
+        }
+    }
+    memcpy(piece, w->before, (size_t)n * sizeof *piece);
+    feet_find(n, piece, m, node, foot, w->normal);
+    return 0;
+}
+
 hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, Foot *foot, hawser_error *err)
 {
     Work w;
     const int memory = work_alloc(n, &w);
     double strength = 1, change = INFINITY;
-    for (int i = 0; memory && i <= steps; ++i) {
-        memset(w.normal, 0, (size_t)n * sizeof *w.normal);
-        feet_find(n, piece, m, node, foot, w.normal);
-        if (i == steps || change < 1e-6) break;
-        memcpy(w.before, piece, (size_t)n * sizeof *piece);
-        const double squares = 0.5 * chain_squares(m, node, foot);
-        double was = INFINITY, is = INFINITY;
-        for (int tries = 0; tries < 6; ++tries, strength *= 30) { /* stiffer until it is better */
-            memcpy(piece, w.before, (size_t)n * sizeof *piece);
-            is = INFINITY;
-            if (!step_find(n, piece, strength, &w)) continue;
-            for (int k = 0; k < n * BLOCK; ++k) w.price[k] = fmax(w.price[k], 2 * fabs(w.b[k]));
-            was = squares + misses_price(n, piece, w.price);
-            change = step_take(n, piece, w.b);
-            if (isnan(change) || is_wound(n, w.before, piece)) continue;
-            feet_find(n, piece, m, node, foot, NULL);
-            is = 0.5 * chain_squares(m, node, foot) + misses_price(n, piece, w.price);
-            if (is <= was * (1 + 1e-9)) break;
-        }
-        if (!(is <= was * (1 + 1e-9))) {
-            memcpy(piece, w.before, (size_t)n * sizeof *piece);
-            steps = i + 1;
-        }
+    if (memory) feet_find(n, piece, m, node, foot, w.normal);
+    for (int i = 0; memory && i < steps && !(change < 1e-6); ++i) {
+        if (!step_try(n, piece, m, node, &strength, foot, &change, &w)) break;
         strength = fmax(1, strength / 30);
     }
     work_free(&w);
+    return memory ? HAWSER_OK : error_memory(err);
+}
+
+hawser_status chain_curvature_sd(int n, const Piece *piece, int q, int m, const Node *node, double sigma, double *sd,
+                                 hawser_error *err)
+{
+    const double free_steps = 1e-6; /* so little damping that it does not count */
+    Foot *const foot = malloc((size_t)m * sizeof *foot);
+    Work w;
+    const int memory = work_alloc(n, &w) && foot;
+    *sd = NAN;
+    if (memory) {
+        feet_find(n, piece, m, node, foot, w.normal);
+        matrix_fill(n, piece, free_steps, &w);
+        memset(w.b, 0, (size_t)n * BLOCK * sizeof *w.b);
+        w.b[q * BLOCK + 4] = 1;
+        if (band_solve(n * BLOCK, HALF, w.a, w.b) && w.b[q * BLOCK + 4] > 0) *sd = sigma * sqrt(w.b[q * BLOCK + 4]);
+    }
+    work_free(&w);
+    free(foot);
     return memory ? HAWSER_OK : error_memory(err);
 }
 

@@ -13,6 +13,7 @@ typedef struct Piece {
     int kept;      /* its curvature is the file's, or that of a corner's bend, and stays */
     int loose;     /* it begins with a curvature of its own even where it or the piece before is a clothoid */
     int settled;   /* no move about it has helped since something near it changed */
+    int from;      /* the node at which cuts_find began it */
     PlanElement e; /* while it is fitted not quite where the one before ends */
 } Piece;
 
@@ -37,6 +38,12 @@ int chain_tied(const Piece *p);
  * distances (FT1)-(FT4), at most `steps` times. The first and last node pull at the chain's ends. foot: [m].
  * Errors: MEMORY. */
 hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, Foot *foot, hawser_error *err);
+/* The standard deviation of the curvature of arc q, 1/m, if points scatter by sigma, m: (FT10). The chain is where it
+ * fits best. NAN: the points do not tell. Errors: MEMORY. */
+hawser_status chain_curvature_sd(int n, const Piece *piece, int q, int m, const Node *node, double sigma, double *sd,
+                                 hawser_error *err);
+/* What a chain costs that is as foot says beside its nodes: (FT6). */
+double chain_cost(int n, const Piece *piece, int m, const Node *node, double sigma, const Foot *foot);
 /* The sum of weighted squares, m2. */
 double chain_squares(int m, const Node *node, const Foot *foot);
 /* Lets every piece begin where the one before ends, exactly. */
@@ -50,9 +57,14 @@ extern const double piece_worth;
 hawser_status cuts_find(int m, const Node *node, double sigma, int clothoids, Piece **piece, int *n, hawser_error *err);
 /* Puts a small arc where one piece's heading is not the next one's; *piece is reallocated. Errors: MEMORY. */
 hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_error *err);
-/* Refines the chain, tries to do without pieces, with others and with more, and keeps what is better. foot: [m].
- * Errors: MEMORY. */
+/* Refines the chain, tries to do without pieces, with others and with more about those that are not settled, and keeps
+ * what is better. foot: [m]. Errors: MEMORY. */
 hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, double sigma, int clothoids, Foot *foot,
                             hawser_error *err);
+/* The chain through m >= 2 nodes, from nothing: cut, rounded and improved in blocks, then across their seams. A block
+ * that leaves nodes beyond the deviation is tried from other cuts. *piece is allocated. foot: [m]. Errors: INPUT (more
+ * pieces than can be fitted in a minute or two), MEMORY. */
+hawser_status chain_search(int m, const Node *node, double sigma, double deviation, int clothoids, Piece **piece,
+                           int *n, Foot *foot, hawser_error *err);
 
 #endif

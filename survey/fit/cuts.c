@@ -182,13 +182,13 @@ static Piece piece_make(const Course *c, int i, int j, PieceKind kind)
     }
     const double S = way.s;
     return (Piece){.kind = kind,
-                   .e = {c[i].x + u[0], c[i].y + u[1], c[i].heading + u[2], S, u[3], u[3] + 2 * u[4] * S, 0}};
+                   .e = {c[i].x + u[0], c[i].y + u[1], c[i].heading + u[2], S, u[3], u[3] + 2 * u[4] * S, 0, 0}};
 }
 
-/* One stretch between corners; its pieces behind the *n that are there. */
-static int stretch_cut(int m, const Node *node, double sigma, int clothoids, Piece **piece, int *n)
+/* One stretch of m nodes between corners, from node `first` of the line on; its pieces behind the *n that are there. */
+static int stretch_cut(int m, const Node *line, int first, double sigma, int clothoids, Piece **piece, int *n)
 {
-    Course *const c = course_make(m, node, sigma);
+    Course *const c = course_make(m, line + first, sigma);
     Best *const best = malloc((size_t)m * sizeof *best);
     int more = 0;
     for (int i = 0; best && i < m; ++i) best[i] = (Best){i ? INFINITY : 0, 0, PIECE_STRAIGHT};
@@ -199,7 +199,10 @@ static int stretch_cut(int m, const Node *node, double sigma, int clothoids, Pie
         *piece = wider;
         *n += more;
         int k = *n;
-        for (int j = m - 1; j > 0; j = best[j].from) wider[--k] = piece_make(c, best[j].from, j, best[j].kind);
+        for (int j = m - 1; j > 0; j = best[j].from) {
+            wider[--k] = piece_make(c, best[j].from, j, best[j].kind);
+            wider[k].from = first + best[j].from;
+        }
     }
     free(c);
     free(best);
@@ -213,7 +216,7 @@ hawser_status cuts_find(int m, const Node *node, double sigma, int clothoids, Pi
     *piece = NULL;
     for (int i = 1; i < m && fine; ++i) {
         if (i + 1 < m && !node[i].corner) continue;
-        fine = stretch_cut(i - from + 1, node + from, sigma, clothoids, piece, n);
+        fine = stretch_cut(i - from + 1, node, from, sigma, clothoids, piece, n);
         from = i;
     }
     if (!fine) {

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "survey/fit/chain.h"
 
-enum { NODES_MOST = 20000, CORNER_PARTS = 12, CURVE_PARTS = 16, CLOSE_STEPS = 60 };
+enum { NODES_MOST = 50000, CORNER_PARTS = 12, CURVE_PARTS = 16, CLOSE_STEPS = 60 };
 
 static const double PI = 3.14159265358979323846;
 
@@ -195,6 +195,33 @@ static hawser_status arcs_widen(Fitted *f, int m, const Node *node, const FitOpt
     return status;
 }
 
+static double rms_of(const Fitted *f, int n)
+{
+    double sum = 0;
+    for (int i = 0; i < n; ++i) sum += f->foot[i].away * f->foot[i].away;
+    return sqrt(sum / n);
+}
+
+/* How well the points tell each arc's curvature, in its k_sd; what stays as the file has it, or is as wide as the
+ * deviation allows, they do not tell. A few pieces on either side have all the say. foot: [m]. */
+static hawser_status radii_judge(Fitted *f, int m, const Node *node, const Foot *foot, double sigma, hawser_error *err)
+{
+    enum { ASIDE = 3 };
+    hawser_status status = HAWSER_OK;
+    for (int q = 0, from = 0; q < f->n && !status; ++q) {
+        const int a = q > ASIDE ? q - ASIDE : 0, b = q + ASIDE < f->n ? q + ASIDE : f->n - 1;
+        Piece *const p = &f->piece[q];
+        double sd;
+        while (from < m && foot[from].piece < a) ++from;
+        int to = from;
+        while (to < m && foot[to].piece <= b) ++to;
+        if (p->kind != PIECE_ARC || p->kept || to - from < 3) continue;
+        status = chain_curvature_sd(b - a + 1, f->piece + a, q - a, to - from, node + from, sigma, &sd, err);
+        p->e.k_sd = isfinite(sd) ? (float)sd : 0;
+    }
+    return status;
+}
+
 /* The chain through the line, from given pieces on if there are some (in f->piece). */
 static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
 {
@@ -208,17 +235,18 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
     if (memory) memory = (foot = malloc((size_t)full.n * sizeof *foot)) != NULL;
     if (memory) memory = (f->foot = malloc((size_t)l->n * sizeof *f->foot)) != NULL;
     hawser_status status = memory ? HAWSER_OK : error_memory(err);
-    if (!status && !f->piece) status = cuts_find(full.n, full.node, sigma, clothoids, &f->piece, &f->n, err);
-    if (!status) status = corners_round(&f->piece, &f->n, o->deviation, err);
-    if (!status) {
-        status = chain_improve(&f->piece, &f->n, full.n, full.node, sigma, clothoids, foot, err);
-    }
+    const int kept = f->piece != NULL;
+    if (!status && !kept)
+        status = chain_search(full.n, full.node, sigma, o->deviation, clothoids, &f->piece, &f->n, foot, err);
+    if (!status && kept) status = corners_round(&f->piece, &f->n, o->deviation, err);
+    if (!status && kept) status = chain_improve(&f->piece, &f->n, full.n, full.node, sigma, clothoids, foot, err);
     if (!status) status = chain_refine(f->n, f->piece, full.n, full.node, CLOSE_STEPS, foot, err);
     if (!status) status = arcs_widen(f, full.n, full.node, o, foot, err);
     if (!status) {
         chain_close(f->n, f->piece);
         status = chain_refine(f->n, f->piece, l->n, l->node, 0, f->foot, err);
     }
+    if (!status) status = radii_judge(f, l->n, l->node, f->foot, fmax(f->scatter, rms_of(f, l->n)), err);
     free(thin.node);
     free(full.node);
     free(foot);
@@ -227,13 +255,8 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
 
 static void deviations(const Fitted *f, int n, double *largest, double *rms)
 {
-    double sum = 0;
-    *largest = 0;
-    for (int i = 0; i < n; ++i) {
-        *largest = fmax(*largest, fabs(f->foot[i].away));
-        sum += f->foot[i].away * f->foot[i].away;
-    }
-    *rms = sqrt(sum / n);
+    *largest = farthest(n, f->foot);
+    *rms = rms_of(f, n);
 }
 
 /* ------------------------------------------------------------------------------------------------------- the plan */
@@ -299,10 +322,8 @@ static int pieces_kept(const Alignment *a, Vec3 origin, Fitted *f)
     for (int i = 0; f->piece && i < a->n_plan; ++i) {
         const PlanElement *const e = &a->plan[i];
         const int straight = e->k0 == 0 && e->k1 == 0;
-        f->piece[f->n] = (Piece){straight         ? PIECE_STRAIGHT
-                                 : e->k0 == e->k1 ? PIECE_ARC
-                                                  : PIECE_CLOTHOID,
-                                 !straight, 1, 0, *e};
+        const PieceKind kind = straight ? PIECE_STRAIGHT : e->k0 == e->k1 ? PIECE_ARC : PIECE_CLOTHOID;
+        f->piece[f->n] = (Piece){.kind = kind, .kept = !straight, .loose = 1, .e = *e};
         f->piece[f->n].e.x -= origin.x;
         f->piece[f->n++].e.y -= origin.y;
     }

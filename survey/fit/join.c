@@ -294,7 +294,7 @@ static int elements_take(const Alignment *from, Alignment *to)
         if (!(length > 1e-9)) continue;
         PlanElement *const e = alignment_add_plan(to);
         if (!e) return 0;
-        *e = (PlanElement){p->x, p->y, atan2(p[1].y - p->y, p[1].x - p->x), length, 0, 0, 0};
+        *e = (PlanElement){p->x, p->y, atan2(p[1].y - p->y, p[1].x - p->x), length, 0, 0, 0, 0};
     }
     return 1;
 }

@@ -76,7 +76,7 @@ static void straights_merge(Window *w)
 static void piece_shorten(Piece *p, double before, double behind)
 {
     const PlanElement from = plan_at(&p->e, before), to = plan_at(&p->e, p->e.length - behind);
-    p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0, p->e.name};
+    p->e = (PlanElement){from.x, from.y, from.heading, p->e.length - before - behind, from.k0, to.k0, p->e.name, 0};
 }
 
 /* Without piece q; its neighbours share its length. */
@@ -134,7 +134,7 @@ static int make_clothoid(Window *w, int q)
     piece_shorten(&p[-1], 0, half);
     piece_shorten(&p[1], half, 0);
     const PlanElement end = plan_at(&p[-1].e, p[-1].e.length);
-    p->e = (PlanElement){end.x, end.y, end.heading, p->e.length + 2 * half, end.k0, p[1].e.k0, 0};
+    p->e = (PlanElement){end.x, end.y, end.heading, p->e.length + 2 * half, end.k0, p[1].e.k0, 0, 0};
     return 1;
 }
 
@@ -153,7 +153,7 @@ static int put_between(Window *w, int q, PieceKind kind, double part)
     piece_shorten(before, 0, half);
     piece_shorten(behind, half, 0);
     const PlanElement end = plan_at(&before->e, before->e.length);
-    Piece p = {.kind = kind, .e = {end.x, end.y, end.heading, 2 * half, end.k0, behind->e.k0, 0}};
+    Piece p = {.kind = kind, .e = {end.x, end.y, end.heading, 2 * half, end.k0, behind->e.k0, 0, 0}};
     if (kind == PIECE_STRAIGHT) p.e.k0 = p.e.k1 = 0;
     if (kind == PIECE_ARC) p.e.k0 = p.e.k1 = 0.5 * (p.e.k0 + p.e.k1);
     behind->loose = 0;
@@ -369,6 +369,11 @@ static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *b
 
 /* ------------------------------------------------------------------------------------------------------- the search */
 
+double chain_cost(int n, const Piece *piece, int m, const Node *node, double sigma, const Foot *foot)
+{
+    return chain_squares(m, node, foot) / (sigma * sigma) + pieces_cost(n, piece);
+}
+
 static hawser_status refine(Search *s, int steps)
 {
     return chain_refine(*s->n, *s->piece, s->m, s->node, steps, s->foot, s->err);
@@ -376,7 +381,7 @@ static hawser_status refine(Search *s, int steps)
 
 static double whole_cost(const Search *s)
 {
-    return chain_squares(s->m, s->node, s->foot) / s->sigma2 + pieces_cost(*s->n, *s->piece);
+    return chain_cost(*s->n, *s->piece, s->m, s->node, sqrt(s->sigma2), s->foot);
 }
 
 /* A chain to come back to. */
@@ -482,7 +487,6 @@ hawser_status chain_improve(Piece **piece, int *n, int m, const Node *node, doub
     int better = 1;
     hawser_status status = s.trial ? refine(&s, 3 * STEPS) : error_memory(err);
     if (!status) status = keep(&s, whole_cost(&s), &best);
-    for (int i = 0; i < *n && !status; ++i) (*piece)[i].settled = 0;
     for (int i = 0; i < SWEEPS && better && !status; ++i) {
         status = sweep(&s, &better);
         if (!status && better) status = whole_settle(&s, &best, &better);
@@ -517,7 +521,7 @@ hawser_status corners_round(Piece **piece, int *n, double deviation, hawser_erro
         memmove(&p[2], &p[1], (size_t)(*n - i - 1) * sizeof *p);
         p[1] = (Piece){.kind = PIECE_ARC,
                        .kept = straights && fabs(turn) > 0.15,
-                       .e = {from.x, from.y, from.heading, radius * 2 * half, k, k, 0}};
+                       .e = {from.x, from.y, from.heading, radius * 2 * half, k, k, 0, 0}};
         ++*n;
         ++i;
     }

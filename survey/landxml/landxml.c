@@ -87,7 +87,7 @@ static void element_add(Reader *r, Vec3 start, double heading, double length, do
         fail_memory(r);
         return;
     }
-    *e = (PlanElement){start.x, start.y, heading, length, k0, k1, 0};
+    *e = (PlanElement){start.x, start.y, heading, length, k0, k1, 0, 0};
 }
 
 static void line_add(Reader *r, Vec3 from, Vec3 to)
@@ -138,7 +138,7 @@ static void spiral_add(Reader *r)
         FAIL(r, "a Spiral needs length, radiusStart and radiusEnd, none of them 0");
         return;
     }
-    const PlanElement level = {0, 0, 0, g->length, side / g->radius, side / g->radius_end, 0};
+    const PlanElement level = {0, 0, 0, g->length, side / g->radius, side / g->radius_end, 0, 0};
     const PlanElement tip = plan_at(&level, g->length);
     const double heading = atan2(end.y - start.y, end.x - start.x) - atan2(tip.y, tip.x);
     if (*g->kind && strcmp(g->kind, "clothoid")) {

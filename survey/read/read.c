@@ -34,11 +34,16 @@ static const struct {
 } readers[] = {{is_dxf, dxf_read},      {is_dwg, dwg_read},     {is_step, ifc_read},   {is_gpx, gpx_read},
                {is_json, geojson_read}, {is_xml, landxml_read}, {is_table, table_read}};
 
-/* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. */
-static void head_of(SurveyInput *in, char head[HEAD_SIZE])
+/* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. *wide: it is
+ * text of two bytes a character (UTF-16), of which the head has every other one. */
+static void head_of(SurveyInput *in, char head[HEAD_SIZE], int *wide)
 {
     char text[HEAD_SIZE] = "";
-    const size_t n = fread(text, 1, HEAD_SIZE - 1, in->file);
+    size_t n = fread(text, 1, HEAD_SIZE - 1, in->file);
+    *wide = n > 2 && (!memcmp(text, "\xFF\xFE", 2) || !memcmp(text, "\xFE\xFF", 2));
+    const size_t odd = *text == '\xFE';
+    for (size_t i = 0; *wide && i + 3 < n; i += 2) text[i / 2] = text[i + 2 + odd];
+    if (*wide) n = n / 2 - 1;
     text[n] = 0;
     const char *from = text + (strncmp(text, "\xEF\xBB\xBF", 3) ? 0 : 3);
     from += strspn(from, " \t\r\n");
@@ -102,14 +107,30 @@ static hawser_status nonsense_drop(SurveyInput *in)
     return input_error(in, "there are only %s", last);
 }
 
+/* Says where a file's own word of a length is not that of its line. 0 says nothing. */
+static void lengths_compare(Survey *s)
+{
+    const double least = 1e-3, part = 1e-6; /* rounding */
+    for (int i = 0; i < s->n; ++i) {
+        const double stated = s->alignment[i].stated_length, is = alignment_measure(&s->alignment[i]).plan_length;
+        char what[SURVEY_NAME_MAX];
+        if (!(stated > 0) || fabs(stated - is) < least + part * is) continue;
+        snprintf(what, sizeof what, "'%.40s' is %.10g m long by the file's word, but its line is %.10g m",
+                 s->alignment[i].name, stated, is);
+        survey_ignore(s, what);
+    }
+}
+
 hawser_status survey_read(const char *path, const SurveyOptions *options, Survey *out, hawser_error *err)
 {
     SurveyInput in;
     hawser_error why;
     char head[HEAD_SIZE] = "";
     *out = (Survey){0};
+    int wide = 0;
     hawser_status status = input_open(&in, path, options, out, err ? err : &why);
-    if (!status) head_of(&in, head);
+    if (!status) head_of(&in, head, &wide);
+    if (!status && wide && !is_xml(head)) status = input_error(&in, "UTF-16 text: save it as UTF-8");
     if (!status && !*head) status = input_error(&in, "the file is empty");
     for (size_t i = 0; !status && i < sizeof readers / sizeof *readers; ++i) {
         if (!readers[i].is(head)) continue;
@@ -119,6 +140,7 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
     if (!status) status = nonsense_drop(&in);
     input_close(&in);
     if (!status) names_fill(path, out);
+    if (!status) lengths_compare(out);
     if (status) survey_clear(out);
     return status;
 }

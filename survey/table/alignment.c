@@ -209,7 +209,9 @@ static hawser_status points_make(SurveyInput *in, const Table *t, Alignment *a)
         Vec3 *const p = alignment_add_point(a);
         if (!p) return error_memory(in->err);
         *p = v3(v[COLUMN_X], v[COLUMN_Y], isnan(z) ? 0 : z);
-        a->flat = a->flat || isnan(z);
+        if (isnan(z) != isnan(t->row[0].value[COLUMN_Z]))
+            return input_error(in, "a height in some rows and none in others: give all, or leave the column out");
+        a->flat = isnan(z);
     }
     return HAWSER_OK;
 }

@@ -14,6 +14,13 @@ says out "name,layer,station_m,length_m" "CENTRE,CENTRE,0,131.9999" "WALLS,WALLS
 run_hawser 0 route tunnel.dxf --layer centre --profile tunnel-profile.csv --from 10 --to 60m --reverse --json
 says out '"pieces": 3' '"fitted": true' '"horizontal_length_m": 49.9999' '"station_m": 59.9999'
 
+run_hawser 0 route tunnel.gpx
+says out "Fitted bends, +- one standard deviation" "20.00"
+run_hawser 0 route tunnel.gpx --json
+says out '"bends": [' '"radius_sd_m": 0.00'
+run_hawser 0 route tunnel.xml --json
+says out '"radius_sd_m": null'
+
 # what is written is the same line again, within 0.1 mm
 for ending in csv dxf geojson yaml; do
     run_hawser 0 route tunnel.xml -o again.$ending

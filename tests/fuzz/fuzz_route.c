@@ -1,9 +1,11 @@
 /* Files of routes: any bytes as a file, read by whichever reader takes them; its lines are joined, and a small one is
- * fitted and written. */
-#define _GNU_SOURCE /* memfd_create */
+ * fitted and written. With HAWSER_FUZZ_READER=csv, landxml, ifc, dxf, gpx or geojson other readers' files are passed
+ * over, so that each can have its time. */
+#define _GNU_SOURCE /* memfd_create, memmem */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -61,12 +63,28 @@ static void join_and_fit(const Survey *survey)
     survey_clear(&lines);
 }
 
+/* About as survey/read tells files; what is between two of them counts as a table. */
+static const char *reader_of(const char *text, size_t size)
+{
+    const size_t blank = size && strchr(" \t\r\n", *text) ? 1 : 0;
+    const char *const from = text + blank;
+    const size_t n = size - blank;
+    if (n && *from == '<') return memmem(from, n < 400 ? n : 400, "<gpx", 4) ? "gpx" : "landxml";
+    if (n && *from == '{') return "geojson";
+    if (n > 12 && !memcmp(from, "ISO-10303-21", 12)) return "ifc";
+    if (n > 18 && !memcmp(from, "AutoCAD Binary DXF", 18)) return "dxf";
+    if (n > 3 && (!memcmp(from, "0\n", 2) || !memcmp(from, "0\r", 2) || !memcmp(from, "999", 3))) return "dxf";
+    return "csv";
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     const SurveyOptions options = {.unit = NAN};
+    const char *const only = getenv("HAWSER_FUZZ_READER");
     char path[64];
     Survey survey;
     hawser_error err;
+    if (only && strcmp(only, reader_of((const char *)data, size)) != 0) return -1;
     const int fd = memfd_create("route", 0);
     FUZZ_MUST(fd >= 0 && write(fd, data, size) == (ssize_t)size);
     snprintf(path, sizeof path, "/proc/self/fd/%d", fd);

@@ -82,6 +82,15 @@ setup --web || fail "the other tests need no Chromium"
 grep -q "will be skipped" "$work/out" || fail "did not say that the page's tests are skipped"
 unset APT_EXIT
 
+MISSING="python3-cffi"
+setup && [ ! -s "$CALLS" ] || fail "Python's packages are for the Python package only"
+setup --python && grep -q "apt-get install .*python3-cffi" "$CALLS" || fail "--python did not install python3-cffi"
+APT_EXIT=100
+export APT_EXIT
+setup --python || fail "everything else needs no Python packages"
+grep -q "will be left out" "$work/out" || fail "did not say what is left out"
+unset APT_EXIT
+
 # A package that was removed but left its configuration is not installed.
 MISSING="" STATUS="deinstall ok config-files"
 export STATUS

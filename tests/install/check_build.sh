@@ -22,7 +22,7 @@ run() {
     cli web/dist cases/capstan.yaml) | (cd "$work" && tar xf -)
 unset CMAKE_GENERATOR CMAKE_BUILD_TYPE CMAKE_C_COMPILER_LAUNCHER
 cd "$work"
-run configure.log cmake -B b -G "Unix Makefiles" -DCMAKE_C_COMPILER="$compiler" -DHAWSER_TESTS=OFF \
+run configure.log cmake -B b -G "Unix Makefiles" -DCMAKE_C_COMPILER="$compiler" -DHAWSER_TESTS=OFF -DHAWSER_PYTHON=OFF \
     -DCMAKE_DISABLE_FIND_PACKAGE_Python3=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' b/CMakeCache.txt || fail "the build type is not Release when none is asked for"
 run build.log cmake --build b -j2

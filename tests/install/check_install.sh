@@ -41,8 +41,10 @@ sed -n 's/^Requires.private: //p; s/^Libs.private: //p' "$lib/pkgconfig/hawser.p
     grep -qw -e "$library" "$prefix/share/doc/hawser/NOTICE" || fail "NOTICE does not name $library"
 done
 
-# The shared library: its soname carries the major version; it exports what the header declares and nothing else.
-readelf -d "$lib/libhawser.so" | grep -qF "Library soname: [libhawser.so.${version%%.*}]" || fail "wrong soname"
+# The shared library: its soname carries the major version, below 1.0 the minor one too; it exports what the header declares and nothing else.
+so=${version%%.*}
+[ "$so" -gt 0 ] || so=${version%.*}
+readelf -d "$lib/libhawser.so" | grep -qF "Library soname: [libhawser.so.${so}]" || fail "wrong soname"
 cc -E -P -I "$prefix/include" "$prefix/include/hawser/hawser.h" | grep -o 'hawser_[a-z0-9_]* *(' | tr -d ' (' | sort -u >"$work/declared"
 nm -D --defined-only "$lib/libhawser.so" | awk '{print $NF}' | sort -u >"$work/exported"
 diff "$work/declared" "$work/exported" >"$work/symbols" || { cat "$work/symbols"; fail "exports (>) differ from header (<)"; }
@@ -56,6 +58,9 @@ echo '#include <hawser/hawser.h>' >"$work/header.c"
 cp "$work/header.c" "$work/header.cc"
 run c.log cc -std=c99 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.c"
 run cxx.log c++ -std=c++98 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.cc"
+
+run c11.log cc -std=c11 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.c"
+run cxx17.log c++ -std=c++17 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.cc"
 
 # pkg-config, shared and then, with the shared library out of the way, static.
 PKG_CONFIG_PATH=$lib/pkgconfig

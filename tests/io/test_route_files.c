@@ -117,17 +117,76 @@ static void parts_are_cut_and_turned(void **state)
 static void examples_are_pulled(void **state)
 {
     (void)state;
-    static const char *const names[] = {"landxml", "ifc", "dxf", "csv", "geojson"};
+    static const char *const names[] = {"landxml", "ifc", "dxf", "csv", "geojson", "gpx"};
     double first = 0;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 6; ++i) {
         char name[40];
         snprintf(name, sizeof name, "routes/tunnel-%s", names[i]);
         Outcome o = example_run(name, NULL);
         check_close(o.summary.pull_mean_N / o.summary.reference_total_N, 1, 0.02);
         if (i == 0) first = o.summary.pull_mean_N;
-        check_share(o.summary.pull_mean_N, first, i == 4 ? 0.01 : 1e-3);
+        check_share(o.summary.pull_mean_N, first, i >= 4 ? 0.01 : 1e-3);
         hawser_sim_free(o.sim);
     }
+}
+
+/* Arcs with their places: the file's own without an uncertainty, those of a track's points with one. */
+static void bends_are_listed(void **state)
+{
+    (void)state;
+    static const char *const files[] = {ROUTES "tunnel.xml", ROUTES "tunnel.gpx"};
+    for (int f = 0; f < 2; ++f) {
+        hawser_routes *const r = routes_of(files[f], NULL);
+        hawser_route_bend *bend;
+        hawser_error err;
+        int n;
+        assert_int_equal(hawser_routes_bends(r, 0, &n, &bend, &err), HAWSER_OK);
+        assert_int_equal(n, 2);
+        check_close(bend[0].station_m, 38, 0.1);
+        check_close(bend[0].radius_m, 20, 0.01);
+        check_close(bend[1].radius_m, 15, 0.01);
+        check_close(bend[1].turn, -14 / 15.0, 1e-3);
+        for (int i = 0; i < 2; ++i) {
+            if (f == 0) assert_true(isnan(bend[i].radius_sd_m));
+            if (f == 1) check_close(bend[i].radius_sd_m, 0.0015, 0.0014); /* points to the millimetre */
+        }
+        hawser_route_bends_free(bend);
+        assert_int_equal(hawser_routes_bends(r, 1, &n, &bend, &err), HAWSER_ERR_INPUT);
+        assert_int_equal(n, 0);
+        assert_null(bend);
+        hawser_routes_free(r);
+    }
+}
+
+/* A route of more pieces than a case can have is refused, at once. */
+static void cases_have_bounds(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/hawser-pieces-XXXXXX", text[600];
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    FILE *const to = fdopen(fd, "w");
+    fputs("length (m),angle (deg),radius (m),turn\n", to);
+    for (int i = 0; i < 30000; ++i) fputs("2,,,\n,10,5,left\n", to);
+    fclose(to);
+    snprintf(text, sizeof text,
+             "cables: {c: {d: 50 mm, mass: 4 kg/m, EA: 80 MN, GA: 10 MN, GJ: 2 kN m2, EI: 2 kN m2}}\n"
+             "chain: [{cable: c, length: 30 m}]\ndrive: {winch: {speed: 0.1 m/s}}\nrun: {duration: 10 s}\n"
+             "route: {file: %s}\n",
+             path);
+    char case_path[64];
+    snprintf(case_path, sizeof case_path, "%s.yaml", path);
+    FILE *const c = fopen(case_path, "w");
+    fputs(text, c);
+    fclose(c);
+    hawser_case *loaded = NULL;
+    hawser_error err;
+    assert_int_equal(hawser_case_load(case_path, &loaded, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_check(loaded, &err), HAWSER_ERR_INPUT);
+    hawser_case_free(loaded);
+    check_has(err.message, "has 60000 pieces, and a case's route at most 50000");
+    unlink(path);
+    unlink(case_path);
 }
 
 /* Twenty rows and fewer than fifteen lines of YAML give a verdict. */
@@ -355,6 +414,8 @@ int main(void)
         cmocka_unit_test(places_hang_together),
         cmocka_unit_test(parts_are_cut_and_turned),
         cmocka_unit_test(examples_are_pulled),
+        cmocka_unit_test(bends_are_listed),
+        cmocka_unit_test(cases_have_bounds),
         cmocka_unit_test(a_table_is_enough),
         cmocka_unit_test(a_drawing_in_a_case),
         cmocka_unit_test(large_coordinates),

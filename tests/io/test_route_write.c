@@ -6,27 +6,6 @@
 #include "tests/io/case_fixture.h"
 #include "tests/survey/survey_fixture.h"
 
-/* Transitions that change sides, arcs, a profile of grades, an arc and a parabola, far from the origin. */
-static Alignment line(int rise)
-{
-    Alignment a = {.stated_length = NAN};
-    add(&a, 40, 0, 0);
-    add(&a, 20, 0, 1 / 30.0);
-    add(&a, 25, 1 / 30.0, 1 / 30.0);
-    add(&a, 35, 1 / 30.0, -1 / 50.0);
-    add(&a, 45, -1 / 50.0, -1 / 50.0);
-    add(&a, 60, 0, 0);
-    a.plan[0] = (PlanElement){671234.5678, 6712345.6789, 2.25, 40, 0, 0, 0};
-    alignment_chain(&a);
-    const ProfileCorner corner[] = {{.station = 0, .z = 12},
-                                    {.station = 50, .z = 10, .kind = PROFILE_ARC, .radius = 300},
-                                    {.station = 110, .z = 14, .before = 15, .after = 15},
-                                    {.station = 225, .z = 9}};
-    hawser_error err;
-    if (rise) assert_int_equal(profile_from_corners(&a, 4, corner, &err), HAWSER_OK);
-    return a;
-}
-
 static SceneDef case_of(const Alignment *a)
 {
     static const char head[] = "cables: {c: {d: 50 mm, mass: 4 kg/m, EA: 80 MN, GA: 10 MN, GJ: 2 kN m2, EI: 2 kN m2, "
@@ -65,7 +44,7 @@ static void within_a_tenth_of_a_millimetre(void **state)
 {
     (void)state;
     for (int rise = 0; rise < 2; ++rise) {
-        Alignment a = line(rise);
+        Alignment a = winding_line(rise, 1, 10);
         SceneDef def = case_of(&a);
         check_below(apart(&a, &def), 1e-4);
         scene_def_clear(&def);
@@ -77,7 +56,7 @@ static void within_a_tenth_of_a_millimetre(void **state)
 static void a_fit_as_a_case(void **state)
 {
     (void)state;
-    Alignment a = line(1), points = {.stated_length = NAN}, out;
+    Alignment a = winding_line(1, 1, 10), points = {.stated_length = NAN}, out;
     const double plan = alignment_measure(&a).plan_length;
     for (double s = 0; s < plan; s += 0.5) *alignment_add_point(&points) = alignment_at(&a, s).at;
     const FitOptions options = fit_options();

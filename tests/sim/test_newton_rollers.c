@@ -64,8 +64,8 @@ static void jams_begin(Scene *scene)
 {
     const Occasion now = {.t = 0.5, .front = NAN};
     Room *const jams = room_of(scene, &JAM_ROOM);
-    for (int i = 0; i < scene->def.n_jams; ++i) check_has(JAM_ROOM.happen(jams, &now), "jams");
-    assert_null(JAM_ROOM.happen(jams, &now));
+    for (int i = 0; i < scene->def.n_jams; ++i) check_has(JAM_ROOM.happen(jams, &now).what, "jams");
+    assert_null(JAM_ROOM.happen(jams, &now).what);
 }
 
 static Rig *rig_new(const RigChoice *choice, uint64_t seed)

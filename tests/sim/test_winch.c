@@ -185,7 +185,7 @@ static void test_tension_law(void **state)
         check_at_most(slope, 0);
         check_close(slope, fd, 2e-8 * 1.5e5);
     }
-    w.tension = (Profile){.v1 = -100}; /* never pushes */
+    w.phase.tension = (Profile){.v1 = -100}; /* never pushes */
     check_close(winch_tension(&w, 3, 0, NULL), 0, 1e-12);
 }
 
@@ -258,7 +258,7 @@ static void head_nudge(Head *h, int c, double e)
     h->kin.a[2][LAST] = a.z;
 }
 
-/* (WI6), (WI7) against central differences of (WI4), at work in the band and with the brake on. */
+/* (WI6), (WI7) against central differences of (WI4), at work in the band, with the brake on and half on (K3). */
 static void test_blocks(void **state)
 {
     (void)state;
@@ -266,7 +266,11 @@ static void test_blocks(void **state)
     for (int trial = 0; trial < 20; ++trial) {
         Head h;
         BlockChain k, d;
-        head_new(&h, trial % 2, 100 + (uint64_t)trial);
+        static const int held[] = {0, HELD_FIRST, 0, HELD_TOLD}; /* the last two while a brake comes on, and goes off */
+        head_new(&h, held[trial % 4], 100 + (uint64_t)trial);
+        if (trial % 4 >= 2) h.winch.phase.hold = profile_level(0.6);
+        h.winch.slowing = 200;
+        h.winch.phase.held_at = 0.1;
         assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
         const Room room = {.kind = &WINCH_ROOM, .present = 1, .self = &h.winch};
         const Scene scene = {.chain = h.chain};

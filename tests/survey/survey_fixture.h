@@ -60,6 +60,32 @@ static __attribute__((unused)) void add(Alignment *a, double length, double k0, 
     *e = (PlanElement){.length = length, .k0 = k0, .k1 = k1};
 }
 
+/* Straights and arcs at UTM coordinates, 225 m, with clothoids that change sides or without (170 m), its first element
+ * with a name that needs care; rise: a profile of grades, an arc, and a parabola that begins 10 m before its corner and
+ * ends `behind` m behind it. */
+static __attribute__((unused)) Alignment winding_line(int rise, int clothoids, double behind)
+{
+    Alignment a = {.name = "west \"2\"", .layer = "C-LINE", .stated_length = NAN};
+    add(&a, 40, 0, 0);
+    if (clothoids) add(&a, 20, 0, 1 / 30.0);
+    add(&a, 25, 1 / 30.0, 1 / 30.0);
+    if (clothoids) add(&a, 35, 1 / 30.0, -1 / 50.0);
+    add(&a, 45, -1 / 50.0, -1 / 50.0);
+    add(&a, 60, 0, 0);
+    a.plan[0].x = 671234.5678;
+    a.plan[0].y = 6712345.6789;
+    a.plan[0].heading = 2.25;
+    a.plan[0].name = piece_names_add(&a.names, "shaft \"2\", out\\");
+    alignment_chain(&a);
+    const ProfileCorner corner[] = {{.station = 0, .z = 12},
+                                    {.station = 50, .z = 10, .kind = PROFILE_ARC, .radius = 300},
+                                    {.station = 110, .z = 14, .before = 10, .after = behind},
+                                    {.station = 300, .z = 9}};
+    hawser_error err;
+    if (rise) assert_int_equal(profile_from_corners(&a, 4, corner, &err), HAWSER_OK);
+    return a;
+}
+
 /* The alignment of a name. */
 static __attribute__((unused)) const Alignment *named(const Survey *s, const char *name)
 {

@@ -20,9 +20,9 @@ static Vec3 by_quadrature(const PlanElement *e, double s)
 static void clothoids_against_quadrature(void **state)
 {
     (void)state;
-    const PlanElement e[] = {{10, 20, 0.3, 40, 0, 1e-3, 0}, {0, 0, -2, 100, -1.0 / 300, -1e-3, 0},
-                             {0, 0, 1, 30, 0.2, -0.2, 0},   {0, 0, 0, 47.7, 0, 1.0 / 124, 0},
-                             {1, 2, 0, 500, 0.1, 0.5, 0},   {0, 0, 3, 5, -4, 4, 0}};
+    const PlanElement e[] = {{10, 20, 0.3, 40, 0, 1e-3, 0, 0}, {0, 0, -2, 100, -1.0 / 300, -1e-3, 0, 0},
+                             {0, 0, 1, 30, 0.2, -0.2, 0, 0},   {0, 0, 0, 47.7, 0, 1.0 / 124, 0, 0},
+                             {1, 2, 0, 500, 0.1, 0.5, 0, 0},   {0, 0, 3, 5, -4, 4, 0, 0}};
     for (size_t i = 0; i < sizeof e / sizeof *e; ++i) {
         for (int part = 1; part <= 4; ++part) {
             const double s = e[i].length * part / 4;
@@ -35,13 +35,13 @@ static void clothoids_against_quadrature(void **state)
 static void arcs_and_lines(void **state)
 {
     (void)state;
-    const PlanElement arc = {3, 4, 0.5, 7, 0.2, 0.2, 0}, line = {1, 1, 2, 9, 0, 0, 0};
+    const PlanElement arc = {3, 4, 0.5, 7, 0.2, 0.2, 0, 0}, line = {1, 1, 2, 9, 0, 0, 0, 0};
     const PlanElement on_arc = plan_at(&arc, 6), on_line = plan_at(&line, 6);
     check_close(on_arc.x, 3 + 5 * (sin(0.5 + 1.2) - sin(0.5)), 1e-14);
     check_close(on_arc.y, 4 - 5 * (cos(0.5 + 1.2) - cos(0.5)), 1e-14);
     check_close(on_line.x, 1 + 6 * cos(2), 1e-14);
     check_close(on_line.heading, 2, 0);
-    const PlanElement spool = {1, 2, 0.3, 1e5, -0.2, -0.2, 0}, once = plan_at(&spool, 7.5 - 1000 * 10 * acos(-1));
+    const PlanElement spool = {1, 2, 0.3, 1e5, -0.2, -0.2, 0, 0}, once = plan_at(&spool, 7.5 - 1000 * 10 * acos(-1));
     const PlanElement round = plan_at(&spool, 7.5); /* 1000 turns do not change the place */
     check_close(once.x, round.x, 1e-9);
     check_close(once.y, round.y, 1e-9);
@@ -113,7 +113,7 @@ static void reversed(void **state)
 {
     (void)state;
     Alignment a = {0};
-    *alignment_add_plan(&a) = (PlanElement){5, 6, 0.4, 30, 0, 0, 0};
+    *alignment_add_plan(&a) = (PlanElement){5, 6, 0.4, 30, 0, 0, 0, 0};
     *alignment_add_plan(&a) = (PlanElement){.length = 20, .k0 = 0, .k1 = 0.05};
     *alignment_add_plan(&a) = (PlanElement){.length = 10, .k0 = 0.05, .k1 = 0.05};
     *alignment_add_profile(&a) = (ProfileElement){PROFILE_ARC, 15, 20, 3, 0.1, -0.004};

@@ -1,42 +1,13 @@
 /* Fitting: routes that are known come back from noisy points; corners, kept arcs, radii below a limit, profiles. */
 #include <math.h>
 
+#include "core/base/worst.h"
 #include "survey/fit/fit.h"
+#include "tests/survey/noise.h"
 #include "tests/survey/survey_fixture.h"
 
 /* --------------------------------------------------------------------------------------------------------- known
  * routes */
-
-/* Numbers that look random, evenly between 0 and 1. */
-static double chance(unsigned long long *state)
-{
-    *state ^= *state << 13;
-    *state ^= *state >> 7;
-    *state ^= *state << 17;
-    return (double)(*state >> 11) / 9007199254740992.0;
-}
-
-static double normal(unsigned long long *state)
-{
-    const double u = chance(state), v = chance(state);
-    return sqrt(-2 * log(u + 1e-300)) * cos(2 * acos(-1) * v);
-}
-
-/* Points every `step` m along a line, each coordinate off by `sigma`. */
-static Alignment sampled(const Alignment *a, double step, double sigma)
-{
-    unsigned long long state = 88172645463325252ULL;
-    Alignment p = {.stated_length = NAN};
-    const double length = alignment_measure(a).plan_length;
-    const int n = (int)ceil(length / step);
-    for (int i = 0; i <= n; ++i) {
-        const Vec3 at = alignment_at(a, fmin(i * step, length)).at;
-        Vec3 *const to = alignment_add_point(&p);
-        assert_non_null(to);
-        *to = v3_add(at, v3_scale(sigma, v3(normal(&state), normal(&state), normal(&state))));
-    }
-    return p;
-}
 
 /* Ten straights with ten bends between them, or with transitions; a profile of seven grades with arcs between. */
 static Alignment known_route(int transitions)
@@ -198,6 +169,56 @@ static void long_line_is_within(void **state)
     alignment_clear(&out);
 }
 
+/* Bends of a few points each leave the search in places from which it does not go on downhill: it begins again from
+ * other cuts there. */
+static void rough_lines_are_within(void **state)
+{
+    (void)state;
+    static const unsigned long long seeds[] = {9, 20, 24};
+    for (int i = 0; i < 3; ++i) {
+        Alignment route = rough_route(seeds[i], 400), points = sampled(&route, 1, 0.01), out;
+        const FitReport r = fitted(&points, &out);
+        check_below(r.largest, 0.05);
+        check_close(r.rms, 0.01, 0.001);
+        assert_int_equal(out.n_plan, route.n_plan);
+        alignment_clear(&route);
+        alignment_clear(&points);
+        alignment_clear(&out);
+    }
+}
+
+/* Errors of curvatures over the standard deviations that the fit states have a mean square of one: 60 bends. What the
+ * file itself says has none, nor has a corner's bend. */
+static void bends_have_error_bars(void **state)
+{
+    (void)state;
+    const double step = 1, sigma = 0.01;
+    double sum = 0, worst = 0;
+    int n = 0;
+    for (unsigned long long seed = 1; seed <= 6; ++seed) {
+        Alignment route = random_route(seed, step, sigma), points = sampled(&route, step, sigma), out;
+        fitted(&points, &out);
+        assert_int_equal(out.n_plan, route.n_plan);
+        for (int i = 0; i < 20; ++i) {
+            if (i % 2 == 0) assert_true(out.plan[i].k_sd == 0);
+            if (i % 2 == 0) continue;
+            assert_true(out.plan[i].k_sd > 0);
+            const double error = (out.plan[i].k0 - route.plan[i].k0) / out.plan[i].k_sd;
+            const double alone =
+                radius_error(1 / fabs(route.plan[i].k0), fabs(route.plan[i].k0) * route.plan[i].length, step, sigma);
+            assert_true(out.plan[i].k_sd / fabs(out.plan[i].k0) > 0.8 * alone); /* straights that are not known: more */
+            sum += error * error;
+            worst = larger_of(worst, fabs(error));
+            ++n;
+        }
+        alignment_clear(&route);
+        alignment_clear(&points);
+        alignment_clear(&out);
+    }
+    check_close(sqrt(sum / n), 1, 0.25);
+    check_below(worst, 3.5);
+}
+
 /* Whatever the spacing and the noise. */
 static void spacing_and_noise(void **state)
 {
@@ -335,6 +356,7 @@ int main(void)
         cmocka_unit_test(long_line_is_within),    cmocka_unit_test(spacing_and_noise),
         cmocka_unit_test(corners_get_bends),      cmocka_unit_test(smooth_lines_stay),
         cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
+        cmocka_unit_test(rough_lines_are_within), cmocka_unit_test(bends_have_error_bars),
         cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -40,7 +40,7 @@ static void order_and_direction(void **state)
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(20, 10, 0), v3(20, 50, 0));
-    arc(&s, "c", (PlanElement){20.004, 10, -acos(0), 10 * acos(0), -0.1, -0.1, 0});
+    arc(&s, "c", (PlanElement){20.004, 10, -acos(0), 10 * acos(0), -0.1, -0.1, 0, 0});
     straight(&s, "C", v3(10, 0, 0), v3(0, 0, 0));
     straight(&s, "other", v3(20, 50, 0), v3(20, 90, 0));
     Survey to = joined(&s, "C", &j);
@@ -96,7 +96,7 @@ static void heights(void **state)
     straight(&s, "C", v3(0, 0, 1), v3(10, 0, 2));
     straight(&s, "C", v3(10, 0, 2), v3(20, 0, 2));
     straight(&s, "C", v3(10, 0, 5), v3(10, 9, 5));
-    Alignment *const a = arc(&s, "C", (PlanElement){20, 0, 0, 10, 0.1, 0.1, 0});
+    Alignment *const a = arc(&s, "C", (PlanElement){20, 0, 0, 10, 0.1, 0.1, 0, 0});
     *alignment_add_profile(a) = (ProfileElement){.length = 10, .z = 2};
     Survey to = joined(&s, NULL, &j);
     assert_int_equal(to.n, 2);
@@ -134,7 +134,7 @@ static void choosing(void **state)
     Survey s = {0};
     straight(&s, "A", v3(0, 0, 0), v3(10, 0, 0));
     straight(&s, "B", v3(0, 5, 0), v3(30, 5, 0));
-    arc(&s, "A", (PlanElement){0, 50, 0, 20, 0.05, 0.05, 0});
+    arc(&s, "A", (PlanElement){0, 50, 0, 20, 0.05, 0.05, 0, 0});
     assert_int_equal(choose_line(&s, &(ChooseOptions){0}), 1);
     assert_int_equal(choose_line(&s, &(ChooseOptions){.layer = "a"}), 2);
     assert_int_equal(choose_line(&s, &(ChooseOptions){.near_given = 1, .near_x = 4, .near_y = 1}), 0);

@@ -138,6 +138,8 @@ static void what_is_wrong(void **state)
     bad("station,elevation\n0,1\n", "two rows at least");
     bad("station,elevation\n5,1\n4,1\n", "do not rise");
     bad("station,elevation,gradient,length\n5,1,,3\n", "needs station, height, gradient");
+    bad("x,y,z\n0,0,\n10,0,3\n20,0,\n", "3: a height in some rows and none in others");
+    bad("\xFF\xFEx", "UTF-16 text: save it as UTF-8");
     bad("x,y\n1,\n", "a point needs x and y");
     bad("x,y,length\n1,1,\n", "an element needs x, y and a length");
     bad("x,y,length,radius\n0,0,1e9,1\n", "only lines with an element that turns more than 100 times");

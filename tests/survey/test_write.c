@@ -5,28 +5,6 @@
 #include "survey/write/write.h"
 #include "tests/survey/survey_fixture.h"
 
-/* Straights, clothoids that change sides, arcs at UTM coordinates; rise: a profile of grades, an arc and parabolas. */
-static Alignment line(int rise, int clothoids)
-{
-    Alignment a = {.name = "west \"2\"", .layer = "C-LINE", .stated_length = NAN};
-    add(&a, 40, 0, 0);
-    if (clothoids) add(&a, 20, 0, 1 / 30.0);
-    add(&a, 25, 1 / 30.0, 1 / 30.0);
-    if (clothoids) add(&a, 35, 1 / 30.0, -1 / 50.0);
-    add(&a, 45, -1 / 50.0, -1 / 50.0);
-    add(&a, 60, 0, 0);
-    a.plan[0] =
-        (PlanElement){671234.5678, 6712345.6789, 2.25, 40, 0, 0, piece_names_add(&a.names, "shaft \"2\", out\\")};
-    alignment_chain(&a);
-    const ProfileCorner corner[] = {{.station = 0, .z = 12},
-                                    {.station = 50, .z = 10, .kind = PROFILE_ARC, .radius = 300},
-                                    {.station = 110, .z = 14, .before = 10, .after = 20},
-                                    {.station = 300, .z = 9}};
-    hawser_error err;
-    if (rise) assert_int_equal(profile_from_corners(&a, 4, corner, &err), HAWSER_OK);
-    return a;
-}
-
 /* Writes, reads, and how far the lines are apart along their whole length. */
 static double there_and_back(const Alignment *a, const char *system, WriteFormat format, Survey *back)
 {
@@ -52,7 +30,7 @@ static void within_a_tenth_of_a_millimetre(void **state)
 {
     (void)state;
     for (int rise = 0; rise < 2; ++rise) {
-        Alignment a = line(rise, 1);
+        Alignment a = winding_line(rise, 1, 20);
         static const WriteFormat formats[] = {WRITE_ELEMENTS, WRITE_DXF, WRITE_GEOJSON};
         for (int k = 0; k < 3; ++k) {
             Survey back;
@@ -71,7 +49,7 @@ static void within_a_tenth_of_a_millimetre(void **state)
 static void by_the_projection(void **state)
 {
     (void)state;
-    Alignment a = line(1, 1);
+    Alignment a = winding_line(1, 1, 20);
     char system[SURVEY_NAME_MAX];
     map_system_write((MapOrigin){10.123456789, 59.987654321}, system);
     for (int i = 0; i < a.n_plan; ++i) {
@@ -90,7 +68,7 @@ static void by_the_projection(void **state)
 static void planners_pieces(void **state)
 {
     (void)state;
-    Alignment a = line(0, 0);
+    Alignment a = winding_line(0, 0, 20);
     a.plan[0].x = a.plan[0].y = a.plan[0].heading = 0;
     alignment_chain(&a);
     *alignment_add_profile(&a) = (ProfileElement){.length = 40, .grade = 0.05};
@@ -100,7 +78,7 @@ static void planners_pieces(void **state)
     survey_clear(&back);
     alignment_clear(&a);
     hawser_error err = {.message = ""};
-    a = line(0, 1);
+    a = winding_line(0, 1, 20);
     assert_int_equal(alignment_write(&a, "", WRITE_PIECES, "/tmp/hawser-write-none", &err), HAWSER_ERR_INPUT);
     check_has(err.message, "40.000 m from its start");
     alignment_clear(&a);
@@ -128,7 +106,7 @@ static void points(void **state)
 static void as_a_case(void **state)
 {
     (void)state;
-    Alignment a = line(1, 1);
+    Alignment a = winding_line(1, 1, 20);
     char *text = NULL;
     size_t size;
     FILE *const to = open_memstream(&text, &size);
@@ -154,7 +132,7 @@ static void endings(void **state)
     assert_int_equal(write_format("b.yaml"), WRITE_CASE);
     assert_int_equal(write_format("b.dwg"), -1);
     hawser_error err;
-    Alignment a = line(0, 1);
+    Alignment a = winding_line(0, 1, 20);
     assert_int_equal(alignment_write(&a, "", WRITE_DXF, "/nowhere/a.dxf", &err), HAWSER_ERR_OUTPUT);
     alignment_clear(&a);
 }

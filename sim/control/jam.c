@@ -68,6 +68,22 @@ static hawser_status jams_finish(Room *room, Scene *scene, hawser_error *err)
     return HAWSER_OK;
 }
 
+int seizure_command(Seizure *told, const Seizure *by, const Command *c, double t, hawser_error *err)
+{
+    const int holds = by == told && told->share.v1 > 0;
+    if (by && by != told) {
+        error_set(err, HAWSER_ERR_INPUT, "'%s' jams by the case's section 'jams', which commands leave alone", c->what);
+        return -1;
+    }
+    if (holds == (c->kind == HAWSER_JAM)) {
+        error_set(err, HAWSER_ERR_INPUT, "'%s' is %s", c->what, holds ? "jammed already" : "not jammed");
+        return -1;
+    }
+    told->share = command_ramp(&told->share, t, c->kind == HAWSER_JAM, c->ramp);
+    told->ramp = c->ramp;
+    return 1;
+}
+
 /* -------------------------------------------------------------------------------------------------- between steps */
 
 static const double ON_TIME = 1e-9; /* s: the integrator stops at an event's time up to rounding */
@@ -83,25 +99,34 @@ static void share_begin(Jam *jam, JamDoing doing, double t, double from, double 
 }
 
 /* A jam is released when it is complete, not before. */
-static const char *jam_happen(Jam *jam, const Occasion *now)
+static Occurrence jam_happen(Jam *jam, const Occasion *now)
 {
     const JamDef *const def = jam->def;
     if (jam->doing == JAM_WAITS && due(def->at, def->head_at, now)) {
         share_begin(jam, JAM_HOLDS, now->t, 0, 1);
-        return jam->says[0];
+        return (Occurrence){HAWSER_EVENT_JAM, jam->says[0]};
     }
     const int complete = jam->doing == JAM_HOLDS && now->t >= jam->seizure.share.t1 - ON_TIME;
-    if (!complete || !due(def->release, def->release_head_at, now)) return NULL;
+    if (!complete || !due(def->release, def->release_head_at, now)) return (Occurrence){0};
     share_begin(jam, JAM_IS_OVER, now->t, 1, 0);
-    return jam->says[1];
+    return (Occurrence){HAWSER_EVENT_FREE, jam->says[1]};
 }
 
-static const char *jams_happen(Room *room, const Occasion *now)
+static Occurrence jams_happen(Room *room, const Occasion *now)
 {
     const Jams *const all = room->self;
-    const char *what = NULL;
-    for (int i = 0; !what && i < all->n; ++i) what = jam_happen(&all->item[i], now);
-    return what;
+    Occurrence found = {0};
+    for (int i = 0; !found.what && i < all->n; ++i) found = jam_happen(&all->item[i], now);
+    return found;
+}
+
+static void jams_controls(Room *room, ControlsVisit *visit)
+{
+    const Jams *const all = room->self;
+    for (int i = 0; i < all->n; ++i) {
+        controls_bytes(visit, &all->item[i].doing, sizeof all->item[i].doing);
+        controls_bytes(visit, &all->item[i].seizure, sizeof all->item[i].seizure);
+    }
 }
 
 /* The pull is told with every event; the front, where a jam still waits for it. */
@@ -140,4 +165,5 @@ const RoomKind JAM_ROOM = {.name = "jams",
                            .watches = jams_watch,
                            .happen = jams_happen,
                            .next_stop = jams_next_stop,
+                           .controls = jams_controls,
                            .in_space = "something jams in mid-run, which theory does not know"};

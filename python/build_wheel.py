@@ -1,0 +1,39 @@
+"""Builds extension and wheel in a folder of their own: setuptools writes beside its sources, and they stay as they are.
+
+Usage: build_wheel.py SOURCE_DIR BUILD_DIR      (CMake runs it; BUILD_DIR/native.json says what to link: native.py)
+BUILD_DIR/package is then importable, BUILD_DIR/dist has the wheel, BUILD_DIR/build.log what was said.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+
+def copy_sources(source: pathlib.Path, package: pathlib.Path) -> None:
+    """The package's files, and the catalogue where libhawser looks for it: beside the module that it is linked into."""
+    shutil.rmtree(package, ignore_errors=True)
+    shutil.copytree(source / "python" / "hawser", package / "hawser", ignore=shutil.ignore_patterns("__pycache__"))
+    for file in (source / "python").glob("*.*"):
+        if file.suffix in (".py", ".toml"):
+            shutil.copy(file, package)
+    catalogue = package / "hawser" / "share" / "hawser" / "library"
+    catalogue.mkdir(parents=True)
+    for file in (source / "library").glob("*.yaml"):
+        shutil.copy(file, catalogue)
+
+
+def main(source: pathlib.Path, build: pathlib.Path) -> int:
+    package, wheels, log = build / "package", build / "dist", build / "build.log"
+    copy_sources(source, package)
+    shutil.copy(build / "native.json", package)
+    shutil.rmtree(wheels, ignore_errors=True)
+    command = [sys.executable, "-B", "setup.py", "-q", "build_ext", "--inplace", "bdist_wheel", "--dist-dir", str(wheels)]
+    with log.open("w", encoding="utf-8") as said:
+        failed = subprocess.run(command, cwd=package, stdout=said, stderr=subprocess.STDOUT).returncode
+    if failed:
+        print(log.read_text(encoding="utf-8"), file=sys.stderr)
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))

@@ -1,0 +1,25 @@
+"""hawser simulates how a power cable is pulled through a tunnel, a duct or over rollers, and says whether the pull is safe.
+
+    import hawser
+    result = hawser.run("case.yaml", set={"friction.mu": 0.3}, progress=True)
+    print(result.verdict, result.stations, sep="\\n")
+
+SI units throughout: m, kg, s, N, rad; the names of columns end in theirs. docs/python.md has more.
+"""
+from hawser._declared import VERSION as __version__
+from hawser._callbacks import Event, Progress, Segment
+from hawser.alignment import Route, routes
+from hawser.calculation import Theory
+from hawser.case import Case, theory
+from hawser.catalogue import library
+from hawser.certificate import Certificate, certify
+from hawser.errors import CaseError, Error, OutputError, RunError, Stopped
+from hawser.looking import Geometry
+from hawser.results import Figure, Result, Verdict, compare
+from hawser.sample import Sample
+from hawser.simulation import Relaxation, Simulation, run
+from hawser.studies import Study, study
+
+__all__ = ["Case", "CaseError", "Certificate", "Error", "Event", "Figure", "Geometry", "OutputError", "Progress", "Relaxation", "Result", "Route",
+           "RunError", "Sample", "Segment", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
+           "library", "routes", "run", "study", "theory"]

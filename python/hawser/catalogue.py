@@ -1,0 +1,22 @@
+"""The shipped catalogue of cables, ropes, rollers, ducts and friction (docs/library.md)."""
+from __future__ import annotations
+
+import json
+
+import pandas as pd
+
+from hawser._native import ffi, lib
+from hawser._tables import frame_of
+from hawser.errors import check, taken
+
+
+def library(kind: str | None = None, pattern: str | None = None) -> pd.DataFrame:
+    """The catalogue's entries with figures, ranges, marks and sources.
+
+    kind:    "cables", "ropes", "rollers", "ducts" or "friction"; None: all
+    pattern: of it those whose names hold this text; None: all
+    """
+    error, text = ffi.new("hawser_error *"), ffi.new("char **")
+    wanted = [ffi.NULL if word is None else word.encode() for word in (kind, pattern)]
+    check(lib.hawser_library(*wanted, lib.HAWSER_JSON, text, error), error)
+    return frame_of(json.loads(taken(text))["entries"])

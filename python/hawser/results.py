@@ -1,0 +1,269 @@
+"""Results: what a run has written into a folder, by Python or by `hawser run`."""
+from __future__ import annotations
+
+import functools
+import html
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+import webbrowser
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from hawser._native import ffi, lib
+from hawser._tables import frame_of, shown
+from hawser.errors import OutputError, check
+
+PLOTS = ("tension", "series", "rollers", "plan")
+# What the axes of a set of results.h5 are, by its name; all begin with the time of the state.
+AXES = {"position": ("segment", "xyz"), "quaternion": ("segment", "wxyz"), "velocity": ("segment", "xyz"),
+        "omega": ("segment", "xyz"), "tension": ("joint",), "curvature": ("joint",), "sidewall": ("joint",),
+        "contact_line_load": ("segment",), "roller_load": ("roller",), "roller_force": ("roller", "xyz"),
+        "winch_force": (), "tail_tension": (), "head_at": ()}
+
+
+class Verdict(str):
+    """One line that says whether the pull is safe and the figures are to be trusted: "NOT SAFE: 1 of 12 limits broken: ..."."""
+
+    @property
+    def word(self) -> str:
+        """"SAFE", "NOT SAFE", "NOT JUDGED" or "NOT TRUSTED"."""
+        return self.split(":")[0].split(",")[0]
+
+    @property
+    def safe(self) -> bool | None:
+        """Whether the pull is safe; None: nobody can say, as limits are missing or the run is not to be trusted."""
+        return {"SAFE": True, "NOT SAFE": False}.get(self.word)
+
+    @property
+    def trusted(self) -> bool:
+        """Whether the figures are worth judging."""
+        return self.word != "NOT TRUSTED"
+
+
+class Figure(str):
+    """A figure as the text of an SVG; notebooks show it."""
+
+    def _repr_svg_(self) -> str:
+        return str(self)
+
+
+TEXTS = ("name", "key", "value", "unit", "origin", "where", "source")  # columns that hold no numbers
+COUNTS = ("max_tension_joint", "active_contacts", "mode", "segment")  # numbers that are whole always
+
+
+def unguarded(cell: str) -> str:
+    """A text as it was before it was made harmless for spreadsheets: an apostrophe stands before =, +, - or @."""
+    return cell[1:] if cell[:1] == "'" and cell[1:2] in tuple("=+-@") else cell
+
+
+def read_csv(path: pathlib.Path) -> pd.DataFrame:
+    """A table of results; an empty cell is NaN, in a column of texts an empty text."""
+    table = pd.read_csv(path, encoding="utf-8", converters=dict.fromkeys(TEXTS, unguarded))
+    whole = [name for name in table.columns if table[name].dtype == np.int64 and name not in COUNTS]
+    return table.astype(dict.fromkeys(whole, float))
+
+
+class Result:
+    """What a run has found. Tables are pandas DataFrames with the unit in every column's name, as docs/results.md lists them;
+    each is read when it is asked for first.
+
+    folder: where the files are; a run without `out` has a folder of its own, which goes with the Result (see save)
+    """
+
+    def __init__(self, folder: str | os.PathLike[str], *, _keep: tempfile.TemporaryDirectory[str] | None = None) -> None:
+        self.folder = pathlib.Path(folder)
+        self._keep = _keep
+        if not (self.folder / "summary.json").is_file():
+            raise OutputError(f"{self.folder}: no results: there is no summary.json")
+
+    @functools.cached_property
+    def summary(self) -> dict[str, Any]:
+        """The run in numbers; what is not known is None."""
+        found: dict[str, Any] = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        return found
+
+    @property
+    def title(self) -> str:
+        """The case's title, or its file's name."""
+        return str(self.summary["title"])
+
+    @property
+    def outcome(self) -> str:
+        """"finished", "tripped", "stopped", "failed", "unfinished" or, of a run that goes on elsewhere, "running"."""
+        return str(self.summary["outcome"])
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the pull is safe, in one line; verdict.safe and verdict.trusted for programs."""
+        return Verdict(self.summary["verdict"])
+
+    @functools.cached_property
+    def series(self) -> pd.DataFrame:
+        """Over time, a row every output.interval: time_s, winch_force_N, winch_speed_m_per_s, max_tension_N and more."""
+        return read_csv(self.folder / "series.csv")
+
+    @functools.cached_property
+    def stations(self) -> pd.DataFrame:
+        """Tension along the route: s_m; paper_N and reference_N by theory; mean_N and peak_N as simulated, with what each may
+        be off by."""
+        return read_csv(self.folder / "stations.csv")
+
+    @functools.cached_property
+    def rollers(self) -> pd.DataFrame:
+        """Loads of the rollers (N): initial_N, steady_N, peak_N, rating_N."""
+        return read_csv(self.folder / "rollers.csv")
+
+    @functools.cached_property
+    def inputs(self) -> pd.DataFrame:
+        """Every key of the case: value, unit, origin ("given", "catalogue", "estimated", "default"), where, source."""
+        return read_csv(self.folder / "inputs.csv")
+
+    @functools.cached_property
+    def route(self) -> pd.DataFrame:
+        """The route and theory along it (m, N, N/m); empty of a rod."""
+        path = self.folder / "route.csv"
+        return read_csv(path) if path.exists() else pd.DataFrame()
+
+    @functools.cached_property
+    def modes(self) -> pd.DataFrame:
+        """Shapes of vibration, of a run with `analysis: modes`; empty of others."""
+        path = self.folder / "modes.csv"
+        return read_csv(path) if path.exists() else pd.DataFrame()
+
+    def _list(self, key: str) -> pd.DataFrame:
+        return frame_of(self.summary.get(key) or [])
+
+    @property
+    def limits(self) -> pd.DataFrame:
+        """Each limit of the case: name, value, limit, unit, margin (share that is left; below 0: broken), ok, where, source."""
+        return self._list("limits")
+
+    @property
+    def trust(self) -> pd.DataFrame:
+        """The conditions under which the run is worth judging: name, value, allowed, unit, holds, remedy."""
+        return self._list("trust")
+
+    @property
+    def events(self) -> pd.DataFrame:
+        """What happened: time_s, what, pull_N."""
+        return self._list("events")
+
+    @property
+    def surfaces(self) -> pd.DataFrame:
+        """Ducts, trays, floors, walls: place (m), forces (N), peak_line_load_N_per_m."""
+        return self._list("surfaces")
+
+    @property
+    def conveyors(self) -> pd.DataFrame:
+        """Forces (N), speeds and slip (m/s) of the conveyors; empty without."""
+        return self._list("conveyors")
+
+    @property
+    def motors(self) -> pd.DataFrame:
+        """Torques (N m), speeds (m/s) and power (W) of driven rollers; empty without."""
+        return self._list("motors")
+
+    @property
+    def positions(self) -> pd.DataFrame:
+        """The pull by place of the cable's front: head_m, pull_N, reference_N, error_pct."""
+        return self._list("pull_by_position")
+
+    @functools.cached_property
+    def states(self) -> Any:
+        """The sampled states: time (s), position (m), velocity (m/s), tension (N) and more, as docs/results.md lists the sets
+        of results.h5. An xarray.Dataset; without xarray a dict of numpy arrays. Needs h5py."""
+        try:
+            import h5py
+        except ImportError as missing:
+            raise ImportError("states are read with h5py, which is not there (Debian: python3-h5py)") from missing
+        with h5py.File(self.folder / "results.h5", "r") as file:
+            arrays = {name: np.asarray(file[name]) for name in ("time", *AXES) if name in file}
+            units = {name: as_text(file[name].attrs["unit"]) for name in arrays}
+            told = {name: as_text(file[name].attrs["description"]) for name in arrays}
+            names = [as_text(name) for name in file["roller_name"]] if "roller_name" in file else []
+        complete = len(arrays["time"])  # a state has a time once all of it is there
+        arrays = {name: values[:complete] for name, values in arrays.items()}
+        try:
+            import xarray
+        except ImportError:
+            return arrays
+        axes = {name: ("time", *AXES.get(name, ())) for name in arrays}
+        data = {name: (axes[name], values, {"units": units[name], "long_name": told[name]})
+                for name, values in arrays.items() if name != "time"}
+        coordinates: dict[str, Any] = {"time": ("time", arrays["time"], {"units": "s"}),
+                                       "xyz": ["x", "y", "z"], "wxyz": ["w", "x", "y", "z"]}
+        if "roller_load" in arrays:
+            coordinates["roller"] = names
+        return xarray.Dataset(data, coords=coordinates, attrs={"title": self.title})
+
+    def report(self, path: str | os.PathLike[str] | None = None, *, open: bool = False) -> pathlib.Path:
+        """Writes the whole result as one HTML page that needs no other file; open: shows it in the browser. Returns its path
+        (default: report.html in the folder)."""
+        page = pathlib.Path(path) if path is not None else self.folder / "report.html"
+        write_report([self.folder], page)
+        if open:
+            webbrowser.open(page.resolve().as_uri())
+        return page
+
+    def plot(self, name: str = "tension") -> Figure:
+        """A figure as SVG: "tension" along the route, "series" over time, "rollers" or "plan"."""
+        if name not in PLOTS:
+            raise ValueError(f"no figure {name!r}: there are {', '.join(PLOTS)}")
+        error, wanted = ffi.new("hawser_error *"), ffi.new("char[]", name.encode())
+        with tempfile.TemporaryDirectory() as scratch:
+            check(lib.hawser_plot_write(os.fsencode(self.folder), scratch.encode(), 1, ffi.new("const char *[]", [wanted]),
+                                        lib.HAWSER_SI, ffi.NULL, error), error)
+            return Figure((pathlib.Path(scratch) / f"{name}.svg").read_text(encoding="utf-8"))
+
+    def save(self, folder: str | os.PathLike[str]) -> Result:
+        """Copies the files to another folder, which must not be there yet. Returns the results there."""
+        shutil.copytree(self.folder, folder)
+        return Result(folder)
+
+    def _figures(self) -> list[tuple[str, str]]:
+        """What matters most, as people read it."""
+        pull, theory = self.summary["pull_force"], self.summary["theory"]
+        rows = [("pull, mean of the steady window", pull["steady_mean_N"]), ("pull, peak", pull["peak_N"]),
+                ("reference theory", theory["reference_total_N"])]
+        found = [(name, shown(value, "N")) for name, value in rows if value is not None]
+        if len(self.rollers) and self.rollers["peak_N"].notna().any():
+            worst = self.rollers.loc[self.rollers["peak_N"].idxmax()]
+            found.append((f"largest roller load, {worst['name']}", shown(worst["peak_N"], "N")))
+        return found
+
+    def __str__(self) -> str:
+        lines = [self.title, f"  {self.verdict}", *(f"  {name}: {value}" for name, value in self._figures())]
+        return "\n".join(lines)
+
+    def __repr__(self) -> str:
+        return f"<hawser result of {self.title!r}: {self.outcome}; {self.verdict}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><th style='text-align:left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
+                       for name, value in self._figures())
+        limits = self.limits[["name", "value", "limit", "unit", "margin", "ok", "where"]] if len(self.limits) else None
+        table = limits.to_html(index=False, float_format=lambda x: f"{x:.4g}") if limits is not None else ""
+        return (f"<h4>{html.escape(self.title)}</h4><p><b>{html.escape(self.verdict)}</b></p>"
+                f"<table>{rows}</table>{table}")
+
+
+def as_text(name: Any) -> str:
+    return name.decode("utf-8", "replace") if isinstance(name, bytes) else str(name)
+
+
+def write_report(folders: list[pathlib.Path], page: pathlib.Path) -> None:
+    """One HTML page about the results in one to six folders."""
+    error = ffi.new("hawser_error *")
+    paths = [ffi.new("char[]", os.fsencode(folder)) for folder in folders]
+    check(lib.hawser_report_write(ffi.new("const char *[]", paths), len(paths), os.fsencode(page), error), error)
+
+
+def compare(results: list[Result], path: str | os.PathLike[str]) -> pathlib.Path:
+    """Writes one HTML page that compares up to six results. Returns its path."""
+    write_report([result.folder for result in results], pathlib.Path(path))
+    return pathlib.Path(path)

@@ -1,0 +1,193 @@
+#include "sim/run/commands.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "core/base/error.h"
+#include "sim/control/forces.h"
+#include "sim/equipment/winch.h"
+
+/* ------------------------------------------------------------------------------------------------------- events */
+
+void sim_log(const Sim *s, hawser_log_level level, const char *text)
+{
+    if (s->calls.log && level <= s->calls.log_level) s->calls.log(s->calls.log_user, level, text);
+}
+
+hawser_status sim_note(Sim *s, hawser_event_code code, double t, const char *what, double pull, hawser_error *err)
+{
+    const hawser_event event = {.t = t, .what = what, .pull_N = pull, .code = code};
+    char line[512];
+    const hawser_status status = events_say(&s->events, event, err);
+    if (status) return status;
+    if (s->calls.event && s->calls.event(s->calls.event_user, s, &event)) s->calls.stop = "by an event's call-back";
+    if (!s->calls.log) return HAWSER_OK;
+    snprintf(line, sizeof line, "t = %.6g s: %s", t, what);
+    sim_log(s, code < HAWSER_EVENT_COMMAND ? HAWSER_LOG_WARNING : HAWSER_LOG_INFO, line);
+    return HAWSER_OK;
+}
+
+hawser_status sim_call(Sim *s, hawser_error *err)
+{
+    Stage *const st = &s->stage;
+    if (s->calls.step && s->calls.step(s->calls.step_user, s, st->t)) s->calls.stop = "by a step's call-back";
+    if (s->calls.law && outside_of(&st->scene)->stopped) s->calls.stop = "by a law of force";
+    if (!s->calls.stop) return HAWSER_OK;
+    const char *const by = s->calls.stop;
+    s->calls.stop = NULL;
+    outside_of(&st->scene)->stopped = 0;
+    return error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s %s", st->t, by);
+}
+
+/* ----------------------------------------------------------------------------------------------------- commands */
+
+/* "winch_speed 0.2 m/s, over 1 s" */
+static void command_text(const Command *c, char *text, size_t size)
+{
+    const CommandKind *const kind = command_kind(c->kind);
+    char of[NAME_MAX_LENGTH + 8] = "", value[48] = "";
+    if (*c->what) snprintf(of, sizeof of, " of %s", c->what);
+    if (c->kind == COMMAND_FORCE) snprintf(of, sizeof of, " on segment %d", c->segment);
+    if (kind->unit) snprintf(value, sizeof value, " %.6g%s%s", c->value, *kind->unit ? " " : "", kind->unit);
+    if (c->kind == COMMAND_FORCE) snprintf(value, sizeof value, " %.6g N", v3_norm(c->force));
+    snprintf(text, size, "command: %s%s%s, over %g s", kind->says, of, value, c->ramp);
+}
+
+/* Whether numbers are such that something can be done with them. Errors: INPUT. */
+static hawser_status command_check(const Sim *s, const Command *c, hawser_error *err)
+{
+    const CommandKind *const kind = command_kind(c->kind);
+    const double all = v3_norm(c->force) + v3_norm(c->moment) + v3_norm(c->arm);
+    if (!kind) return error_set(err, HAWSER_ERR_INPUT, "%d is no command", c->kind);
+    if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS)
+        return error_set(err, HAWSER_ERR_INPUT, "commands are for runs with 'analysis: dynamics'");
+    if (!(c->ramp >= COMMAND_RAMP_LEAST && c->ramp <= COMMAND_RAMP_MOST))
+        return error_set(err, HAWSER_ERR_INPUT, "a ramp of %g s: expected %g s to %g s", c->ramp, COMMAND_RAMP_LEAST,
+                         COMMAND_RAMP_MOST);
+    if (kind->unit && !(c->value >= kind->least && c->value <= kind->most))
+        return error_set(err, HAWSER_ERR_INPUT, "%s: %g%s%s is out of range: expected %g to %g", kind->says, c->value,
+                         *kind->unit ? " " : "", kind->unit, kind->least, kind->most);
+    if (c->kind == COMMAND_FORCE && !(all <= 1e12))
+        return error_set(err, HAWSER_ERR_INPUT, "a force, moment or arm is not finite, or too large");
+    return HAWSER_OK;
+}
+
+/* Every room that it is for. Errors: INPUT. */
+static hawser_status rooms_tell(Scene *scene, const Command *c, double t, hawser_error *err)
+{
+    int taken = 0;
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        Room *const room = &scene->room[r];
+        if (!room->kind->command || !(room->present || c->kind == COMMAND_FORCE)) continue;
+        const int answer = room->kind->command(room, scene, c, t, err);
+        if (answer < 0) return HAWSER_ERR_INPUT;
+        taken |= answer;
+    }
+    if (taken) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "%s: the case has no %s%s%s", command_kind(c->kind)->says,
+                     *c->what ? "such thing as '" : command_kind(c->kind)->thing, c->what, *c->what ? "'" : "");
+}
+
+/* The planar equations know a winch's speed, and nothing else that can be told. */
+static hawser_status motion_follow(Stage *st, const Command *c, hawser_error *err)
+{
+    char why[PLANE_WHY_MAX];
+    const int planar = st->motion == &st->planar.motion;
+    if (c->kind <= HAWSER_WINCH_RESTART) return HAWSER_OK;
+    if (!planar) return st->motion->ops->renew(st->motion, st->t, st->y, err);
+    snprintf(why, sizeof why, "in space from t = %.6g s on, for a command: %s", st->t, command_kind(c->kind)->says);
+    return stage_to_space(st, why, err);
+}
+
+hawser_status sim_command(Sim *s, const Command *c, hawser_error *err)
+{
+    Stage *const st = &s->stage;
+    char text[256];
+    hawser_status status = command_check(s, c, err);
+    if (!status) status = rooms_tell(&st->scene, c, st->t, err);
+    if (!status) status = motion_follow(st, c, err);
+    if (status) return status;
+    command_text(c, text, sizeof text);
+    const double pull = st->scene.winch->present ? st->motion->ops->winch_pull(st->motion, st->t, st->y) : 0;
+    return sim_note(s, (hawser_event_code)(HAWSER_EVENT_COMMAND + c->kind), st->t, text, pull, err);
+}
+
+/* ------------------------------------------------------------------------------------------------------- script */
+
+static const double ON_TIME = 1e-9; /* s: the integrator stops at a row's time up to rounding */
+
+double script_next(const Sim *s)
+{
+    const SceneDef *const def = &s->stage.scene.def;
+    return s->script_done < def->n_script ? def->script[s->script_done].at : INFINITY;
+}
+
+/* A place of the chain is where it was on the unstretched chain. */
+static int segment_at(const Scene *scene, double place)
+{
+    const SceneDef *const def = &scene->def;
+    double from = 0;
+    int first = 0;
+    for (int p = 0; p < def->n_pieces; from += def->pieces[p].length, first += def->pieces[p++].segments) {
+        const double share = (place - from) / def->pieces[p].length;
+        if (share < 1) return first + (int)(fmax(0, share) * def->pieces[p].segments);
+    }
+    return scene->total - 1;
+}
+
+hawser_status script_due(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    hawser_status status = HAWSER_OK;
+    while (!status && script_next(s) <= s->stage.t + ON_TIME) {
+        const ScriptDef *const row = &scene->def.script[s->script_done];
+        Command command = row->command;
+        hawser_error cause = {0};
+        if (command.kind == COMMAND_FORCE) command.segment = segment_at(scene, row->place);
+        status = sim_command(s, &command, &cause);
+        if (status)
+            error_set(err, status == HAWSER_ERR_INPUT ? HAWSER_ERR_RUN : status,
+                      "key 'drive.script.%d': at t = %.6g s: %.800s", s->script_done, s->stage.t, cause.message);
+        ++s->script_done;
+    }
+    return status == HAWSER_ERR_INPUT ? HAWSER_ERR_RUN : status;
+}
+
+/* --------------------------------------------------------------------------------------------------------- saved */
+
+/* in_space: whether the motion was, or is to be. */
+static size_t controls_go(Sim *s, ControlsVisit *visit, int *in_space)
+{
+    Scene *const scene = &s->stage.scene;
+    controls_bytes(visit, &s->script_done, sizeof s->script_done);
+    controls_bytes(visit, in_space, sizeof *in_space);
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        Room *const room = &scene->room[r];
+        if (room->kind->controls && room->self) room->kind->controls(room, visit);
+    }
+    return visit->size;
+}
+
+size_t controls_size(Sim *s)
+{
+    ControlsVisit visit = {0};
+    int in_space = 0;
+    return controls_go(s, &visit, &in_space);
+}
+
+void controls_save(Sim *s, void *to)
+{
+    ControlsVisit visit = {.at = to};
+    int in_space = s->stage.motion != &s->stage.planar.motion;
+    controls_go(s, &visit, &in_space);
+}
+
+hawser_status controls_load(Sim *s, const void *from, size_t size, hawser_error *err)
+{
+    ControlsVisit visit = {.at = (unsigned char *)(uintptr_t)from, .load = 1};
+    int in_space = 0;
+    const size_t read = controls_go(s, &visit, &in_space);
+    if (read != size)
+        return error_set(err, HAWSER_ERR_INPUT, "%zu bytes of controls where the case has %zu", size, read);
+    return in_space ? stage_to_space(&s->stage, "in space since a command asked for it", err) : HAWSER_OK;
+}

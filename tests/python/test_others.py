@@ -1,0 +1,121 @@
+"""Routes of files, the catalogue, certificates, studies."""
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import threading
+
+import hawser
+import numpy as np
+import pytest
+from conftest import DATA, ROOT
+
+
+def test_routes_of_a_drawing(tmp_path):
+    found = hawser.routes(ROOT / "cases" / "routes" / "tunnel.dxf")
+    route = next(r for r in found if r.problem is None)
+    assert route.length == pytest.approx(route.figures["length_m"], rel=1e-3)
+    s = np.linspace(0, route.length, 200)
+    places = route.at(s)
+    assert places["position"].shape == (200, 3)
+    assert np.linalg.norm(places["tangent"], axis=1) == pytest.approx(np.ones(200))
+    steps = np.linalg.norm(np.diff(places["position"], axis=0), axis=1)
+    assert steps.sum() == pytest.approx(route.length, rel=1e-3)
+    assert places["position"][0] == pytest.approx(np.array(route.figures["start_m"]), abs=1e-6)
+    assert route.at(1.0)["position"].shape == (3,)
+    least = 1 / np.linalg.norm(places["curvature"], axis=1).max()
+    assert least >= 0.99 * route.figures["least_radius_m"]
+    bends = route.bends
+    assert len(bends) > 0 and bends["radius_m"].min() == pytest.approx(route.figures["least_radius_m"])
+    assert bends["length_m"].to_numpy() == pytest.approx(np.abs(bends["turn"]) * bends["radius_m"])
+    route.write(tmp_path / "route.csv")
+    again = hawser.routes(tmp_path / "route.csv")
+    assert again[0].length == pytest.approx(route.length, rel=1e-6)
+    assert repr(again[0]).startswith("<hawser route ")
+
+
+def test_routes_by_options():
+    path = ROOT / "cases" / "routes" / "tunnel.csv"
+    forth, back = hawser.routes(path)[0], hawser.routes(path, reverse=True)[0]
+    assert back.at(0.0)["position"] == pytest.approx(forth.at(forth.length)["position"], abs=1e-3)
+    with pytest.raises(hawser.CaseError, match="no such"):
+        hawser.routes(path, name="no such line")
+    with pytest.raises(hawser.CaseError):
+        hawser.routes(ROOT / "none.dxf")
+
+
+def test_the_catalogue(program):
+    said = subprocess.run([program, "library", "--format", "json"], capture_output=True, check=True).stdout
+    whole = hawser.library()
+    assert len(whole) == len(json.loads(said)["entries"]) > 100
+    cables = hawser.library("cables", "630")
+    assert set(cables["kind"]) == {"cables"} and cables["name"].str.contains("630").all()
+    with pytest.raises(hawser.CaseError, match="no such kind|cables"):
+        hawser.library("no such kind")
+
+
+def test_a_certificate():
+    seen = []
+    certificate = hawser.certify(DATA / "certify.yaml", progress=seen.append)
+    figures = certificate.figures.set_index("name")
+    assert certificate.certified and certificate.verdict.startswith("CERTIFIED: ")
+    assert (figures["bar"] <= figures["allowed"]).all() and "pull, mean" in figures.index
+    assert len(certificate.runs) >= 3 and certificate.verdict in str(certificate)
+    assert seen and 0 <= seen[-1].done <= 1
+    with pytest.raises(hawser.Stopped):
+        hawser.certify(DATA / "certify.yaml", progress=lambda now: True)
+    with pytest.raises(hawser.CaseError, match="tolerance"):
+        hawser.certify(DATA / "certify.yaml", tolerance=2)
+
+
+STUDY = """
+title: Friction of a short pull
+case: {case}
+parameters:
+  friction: {{key: friction.mu, values: [0.1, 0.2, 0.3]}}
+grid: [friction]
+fidelity: theory
+"""
+
+
+@pytest.fixture
+def file(tmp_path, pull):
+    path = tmp_path / "study.yaml"
+    path.write_text(STUDY.format(case=pull))
+    return path
+
+
+def test_a_study(file, tmp_path):
+    seen = []
+    study = hawser.study(file, tmp_path / "out", jobs=2, progress=seen.append)
+    assert list(study.samples["friction"]) == [0.1, 0.2, 0.3]
+    force = study.samples["reference_total_N"]
+    assert force.to_numpy() == pytest.approx(3924 * np.array([0.1, 0.2, 0.3]), rel=1e-6)
+    assert study.summary["done"] == 3 and str(study) == study.answer != ""
+    assert seen[-1]["done"] == 3
+    assert list(hawser.Study(tmp_path / "out").samples["friction"]) == [0.1, 0.2, 0.3]
+
+
+def test_studies_that_are_wrong(file, tmp_path):
+    with pytest.raises(hawser.CaseError) as found:
+        file.write_text(file.read_text().replace("fidelity: theory", "fidelity: hearsay"))
+        hawser.study(file, tmp_path / "out")
+    assert (found.value.file, found.value.key) == (str(file), "fidelity") and found.value.line > 0
+    with pytest.raises(hawser.OutputError, match="no study"):
+        hawser.Study(tmp_path)
+
+
+def test_a_study_is_stopped(file, tmp_path):
+    file.write_text(file.read_text().replace("fidelity: theory", "fidelity: run").replace("[0.1, 0.2, 0.3]", str([k / 1000 for k in range(1, 400)])))
+    with pytest.raises(hawser.Stopped):
+        hawser.study(file, tmp_path / "out", progress=lambda now: now["done"] > 0)
+    done = hawser.Study(tmp_path / "out").summary["done"]
+    assert 0 < done < 399
+    timer = threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        hawser.study(file, tmp_path / "out")
+    timer.join()
+    assert hawser.Study(tmp_path / "out").summary["done"] >= done
