@@ -77,7 +77,10 @@ def slower(value, factor):
 
 
 def better(case, run, mesh, accuracy, slower_by, step):
-    """The case with all of its numerical settings made better by these factors; run: of the case itself, for its segments."""
+    """The case with all of its numerical settings made better by these factors, in one pass; run: of the case itself, for the settings
+    of its figures, which a second pass may have made better already."""
+    if slower_by != 1:
+        slower_by /= run.get("v_s_factor", 1)
     out = slower(copy.deepcopy(case), slower_by)
     if slower_by != 1:
         out.setdefault("friction", {}).setdefault("v_s", SLOW / slower_by)
@@ -90,7 +93,8 @@ def better(case, run, mesh, accuracy, slower_by, step):
         for piece in out["chain"]:
             piece["segment"] = piece.get("segment", mean) / mesh
     solver, interval = out.setdefault("solver", {}), case.get("output", {}).get("interval", 0.05)
-    solver["accuracy"] = max(1e-8, solver.get("accuracy", 1e-3) / accuracy)
+    solver["accuracy"] = max(1e-8, run.get("accuracy", solver.get("accuracy", 1e-3)) / accuracy)
+    solver["passes"] = 1
     if step != 1:
         solver["max_step"] = (solver.get("max_step") or interval) / step
     return out
@@ -126,6 +130,10 @@ def launch(program, case, seconds):
     run.update(segments=summary["segments"], steps=summary["steps"], mean=pull["steady_mean_N"], peak=pull["peak_N"],
                theory=summary["theory"]["reference_total_N"], failing={c["name"]: c["value"] for c in summary["trust"] if not c["holds"]},
                conditions={c["name"]: c["value"] for c in summary["trust"]}, verdict=summary["verdict"], bars=bars(pull))
+    passes = summary.get("passes")
+    if passes:
+        shown = passes["pass"][-1 if passes["outcome"] == "replaced" else 0]
+        run.update(passes=passes["outcome"], why=passes["why"], accuracy=shown["accuracy"], v_s_factor=shown["v_s_factor"])
     return run
 
 

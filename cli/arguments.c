@@ -27,8 +27,15 @@ enum {
     OPTION_JSON = 'j',
     OPTION_JOBS = 'K',
     OPTION_FRESH = 'N',
+    OPTION_RESUME = 'G',
     OPTION_REPORT = 'e',
     OPTION_PDF = 'P',
+    OPTION_ALIGN = 'A',
+    OPTION_SHIFT = 'H',
+    OPTION_BAND = 'B',
+    OPTION_RAW = 'w',
+    OPTION_PAGE = 'g',
+    OPTION_FMI = 'M',
     KNOWN_MAX = 20
 };
 
@@ -60,8 +67,15 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"json", no_argument, NULL, OPTION_JSON},
                                             {"jobs", required_argument, NULL, OPTION_JOBS},
                                             {"fresh", no_argument, NULL, OPTION_FRESH},
+                                            {"resume", required_argument, NULL, OPTION_RESUME},
                                             {"report", no_argument, NULL, OPTION_REPORT},
                                             {"pdf", no_argument, NULL, OPTION_PDF},
+                                            {"align", required_argument, NULL, OPTION_ALIGN},
+                                            {"shift", required_argument, NULL, OPTION_SHIFT},
+                                            {"band", required_argument, NULL, OPTION_BAND},
+                                            {"raw", no_argument, NULL, OPTION_RAW},
+                                            {"page", required_argument, NULL, OPTION_PAGE},
+                                            {"fmi", required_argument, NULL, OPTION_FMI},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -133,6 +147,16 @@ static int parse_format(const char *text, Arguments *args)
         return ARGUMENTS_GO_ON;
     }
     complain("--format %s: 'table', 'json' or 'csv' can be used", text);
+    return EXIT_USAGE;
+}
+
+/* --fmi: a version of the interface, by its first number. */
+static int parse_fmi(const char *text, Arguments *args)
+{
+    const int two = !strcmp(text, "2") || !strcmp(text, "2.0"), three = !strcmp(text, "3") || !strcmp(text, "3.0");
+    args->fmi = two ? HAWSER_FMI_2 : HAWSER_FMI_3;
+    if (two || three) return ARGUMENTS_GO_ON;
+    complain("--fmi %s: '2' or '3' can be used", text);
     return EXIT_USAGE;
 }
 
@@ -217,6 +241,39 @@ static int take_route_option(int letter, hawser_route_options *route)
     }
 }
 
+/* A number, with one of two units behind it or none. */
+static int parse_number(const char *option, const char *text, const char *unit, const char *other, double *value)
+{
+    char *end;
+    *value = strtod(text, &end);
+    const int number = end != text && isfinite(*value);
+    while (*end == ' ') ++end;
+    if (number && (!*end || !strcmp(end, unit) || !strcmp(end, other))) return ARGUMENTS_GO_ON;
+    complain("--%s %s: must be a number, as in --%s 5%s", option, text, option, unit);
+    return EXIT_USAGE;
+}
+
+/* The options of `compare`: how the log is laid beside the results. */
+static int take_compare_option(int letter, hawser_compare_options *compare)
+{
+    int status = ARGUMENTS_GO_ON;
+    if (letter == OPTION_RAW) compare->raw = 1;
+    if (letter == OPTION_PAGE) compare->page = optarg;
+    if (letter == OPTION_SHIFT) status = parse_number("shift", optarg, "m", "s", &compare->shift);
+    if (letter == OPTION_BAND) {
+        status = parse_number("band", optarg, "%", "%", &compare->band);
+        if (strchr(optarg, '%')) compare->band /= 100;
+        if (status != ARGUMENTS_GO_ON || (compare->band > 0 && compare->band <= 1)) return status;
+        complain("--band %s: must be a share up to 100%%, as in --band 10%%", optarg);
+        return EXIT_USAGE;
+    }
+    if (letter != OPTION_ALIGN) return status;
+    compare->by_start = !strcmp(optarg, "start");
+    if (compare->by_start || !strcmp(optarg, "length")) return ARGUMENTS_GO_ON;
+    complain("--align %s: 'length' or 'start' can be used", optarg);
+    return EXIT_USAGE;
+}
+
 /* There are never more settings than words on the command line, for which room was made. */
 static int add_setting(const char *key, const char *value, Arguments *args)
 {
@@ -244,6 +301,10 @@ static int take_option(const Command *command, int letter, Arguments *args)
                             OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS,  OPTION_JOIN};
     for (size_t i = 0; i < sizeof of_route / sizeof *of_route; i++) {
         if (letter == of_route[i]) return take_route_option(letter, &args->route);
+    }
+    const int of_compare[] = {OPTION_ALIGN, OPTION_SHIFT, OPTION_BAND, OPTION_RAW, OPTION_PAGE};
+    for (size_t i = 0; i < sizeof of_compare / sizeof *of_compare; i++) {
+        if (letter == of_compare[i]) return take_compare_option(letter, &args->compare);
     }
     switch (letter) {
     case OPTION_JSON:
@@ -280,10 +341,15 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_CREW:
         args->crew = optarg;
         return ARGUMENTS_GO_ON;
+    case OPTION_FMI:
+        return parse_fmi(optarg, args);
     case OPTION_JOBS:
         return parse_jobs(optarg, args);
     case OPTION_FRESH:
         args->fresh = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_RESUME:
+        args->resume = optarg;
         return ARGUMENTS_GO_ON;
     case OPTION_STRICT:
         args->strict = 1;
@@ -304,6 +370,17 @@ static int take_option(const Command *command, int letter, Arguments *args)
         printf("hawser %s\n", hawser_version());
         return finish_stdout(0);
     }
+}
+
+/* A run that is gone on with is in its folder: case, settings, and where its results are. */
+static int take_resumed(int argc, char **argv, Arguments *args)
+{
+    const char *const word = optind < argc ? argv[optind] : args->n_settings ? "--set" : args->dir ? "--output" : NULL;
+    args->dir = args->resume;
+    if (!word) return ARGUMENTS_GO_ON;
+    complain("--resume goes on with the case and the settings of the run in '%s': '%s' cannot be given with it",
+             args->resume, word);
+    return EXIT_USAGE;
 }
 
 /* What is left when the options are gone: exactly one word, the case; or none, for a command that takes no case;
@@ -329,6 +406,7 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         complain("%s takes no case file; what is '%s'?", command->name, argv[optind]);
         return EXIT_USAGE;
     }
+    if (args->resume) return take_resumed(argc, argv, args);
     if (optind + 1 == argc && argv[optind][0]) {
         args->case_path = argv[optind];
         return ARGUMENTS_GO_ON;
@@ -356,6 +434,7 @@ int arguments_parse(const Command *command, int argc, char **argv, Arguments *ar
     char letters[2 * KNOWN_MAX];
     memset(args, 0, sizeof *args);
     args->route = hawser_route_defaults();
+    args->fmi = HAWSER_FMI_3;
     args->settings = calloc((size_t)argc + 1, sizeof *args->settings);
     if (!args->settings) {
         complain("out of memory");

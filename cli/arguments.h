@@ -41,10 +41,13 @@ typedef struct Arguments {
     hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */
     int fast;
-    int jobs;                   /* 0: the library's choice */
-    int fresh;                  /* earlier samples do not count */
-    const char *crew;           /* file for the list of equipment; NULL: none */
-    hawser_route_options route; /* of the command route; its texts are parts of the command line */
+    hawser_fmi fmi;                 /* of the command fmu */
+    int jobs;                       /* 0: the library's choice */
+    int fresh;                      /* earlier samples do not count */
+    hawser_compare_options compare; /* of the command compare */
+    const char *resume;             /* folder of the run to go on with; NULL: a new one */
+    const char *crew;               /* file for the list of equipment; NULL: none */
+    hawser_route_options route;     /* of the command route; its texts are parts of the command line */
 } Arguments;
 
 typedef struct Command {

@@ -5,7 +5,7 @@
 #include "cli/arguments.h"
 
 extern const Command command_run, command_check, command_theory, command_validate, command_library, command_route,
-    command_report, command_plot, command_study;
+    command_report, command_plot, command_study, command_compare, command_fmu;
 
 /* Loads the case and applies the settings of the command line. *out is NULL on failure. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err);
@@ -20,6 +20,7 @@ typedef struct Progress {
     int live;                 /* standard error is a terminal that can rewrite its line */
     int drawn;                /* a live line stands there */
     int tenths;               /* of the run said so far */
+    int pass;                 /* of the run; 0: not begun */
     double last_t, last_wall; /* s, of the last call */
     double speed;             /* smoothed simulated seconds a second; 0: not known yet */
 } Progress;

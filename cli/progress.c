@@ -47,8 +47,8 @@ static void say_line(const Progress *p, const hawser_sample *sample, double end,
     char left[32] = "?";
     if (p->speed > 0) say_duration(left, sizeof left, (end - sample->t) / p->speed);
     const double share = end > 0 ? 100 * sample->t / end : 100;
-    snprintf(line, LINE_MAX, "t = %.2f s of %g s, %3.0f %%, %.3g x real time, step %.3g ms, %s left", sample->t, end,
-             share, p->speed, 1e3 * sample->step_size, left);
+    snprintf(line, LINE_MAX, "%st = %.2f s of %g s, %3.0f %%, %.3g x real time, step %.3g ms, %s left",
+             p->pass > 1 ? "second pass, finer: " : "", sample->t, end, share, p->speed, 1e3 * sample->step_size, left);
 }
 
 /* Cut to the terminal's width, so that it stays one line. */
@@ -63,11 +63,20 @@ static void draw_line(Progress *p, char *line)
     p->drawn = 1;
 }
 
+/* Each pass has its own clock. */
+static void pass_begin(Progress *p, int pass)
+{
+    p->pass = pass;
+    p->tenths = -1;
+    p->speed = p->last_t = p->last_wall = 0;
+}
+
 /* Live: at every call. Else: when another tenth of the run is done, so that a log stays short. */
 void progress_show(Progress *p, const hawser_sample *sample, double wall_s, double end_s)
 {
     char line[LINE_MAX];
     if (p->quiet) return;
+    if (sample->pass > p->pass) pass_begin(p, sample->pass);
     update_speed(p, sample->t, wall_s);
     const int tenths = end_s > 0 ? (int)(10 * sample->t / end_s + 1e-9) : 10;
     if (!p->live && tenths <= p->tenths) return;

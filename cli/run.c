@@ -8,6 +8,7 @@
 
 static const char help[] =
     "Usage: hawser run CASE [options]\n"
+    "       hawser run --resume DIR [options]\n"
     "\n"
     "Simulates the pull that the case file CASE describes, prints a report and writes the results. The report begins\n"
     "with the answer: SAFE or NOT SAFE by the case's limits, NOT JUDGED without them, NOT TRUSTED with reasons where "
@@ -19,6 +20,8 @@ static const char help[] =
     "                          may be given many times\n"
     "      --threads N         1 or 2; results do not depend on it\n"
     "      --linear-solver KIND  auto, block, bordered, klu, klu-full, band or dense\n"
+    "      --resume DIR        goes on with the run in DIR, whose program was killed or interrupted, from its last\n"
+    "                            checkpoint (run.checkpoint: every minute); results are those of a run that was not\n"
     "      --certify           computes the case again with finer settings until its figures hold to the\n"
     "                            tolerance, or says which do not; writes certificate.json. Costs 5 to 8 times\n"
     "                            a run, more where figures do not hold at once\n"
@@ -70,7 +73,7 @@ hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *
 static hawser_status build_sim(const Arguments *args, hawser_case **c, hawser_sim **out, hawser_error *err)
 {
     const hawser_options options = {.threads = args->threads, .pin = 1};
-    hawser_status status = load_case(args, c, err);
+    hawser_status status = args->resume ? hawser_case_resume(args->resume, c, err) : load_case(args, c, err);
     if (!status) status = hawser_sim_new(*c, &options, out, err);
     return status;
 }
@@ -141,7 +144,8 @@ static int run(const Arguments *args)
         fflush(stdout);
         interrupt_watch();
         progress_start(&progress, args->quiet);
-        status = hawser_sim_run(sim, dir, show_progress, &progress, &err);
+        status = args->resume ? hawser_sim_resume(sim, dir, show_progress, &progress, &err)
+                              : hawser_sim_run(sim, dir, show_progress, &progress, &err);
         progress_end(&progress);
         result = conclude(c, sim, args, dir, status, &err);
     }
@@ -151,4 +155,4 @@ static int run(const Arguments *args)
     return result;
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTeP", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTePG", help, run};

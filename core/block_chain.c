@@ -43,3 +43,11 @@ void block_chain_copy(BlockChain *to, const BlockChain *from)
     memcpy(to->diag, from->diag, bytes);
     memcpy(to->upper, from->upper, bytes);
 }
+
+void block_chain_checkpoint(Checkpoint *c, const char *name, BlockChain *a)
+{
+    const size_t bytes = (size_t)a->n * (size_t)(a->b * a->b) * sizeof(double);
+    checkpoint_put(c, name, a->lower, bytes);
+    checkpoint_put(c, name, a->diag, bytes);
+    checkpoint_put(c, name, a->upper, bytes);
+}

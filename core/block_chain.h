@@ -3,6 +3,7 @@
 #ifndef HAWSER_CORE_BLOCK_CHAIN_H
 #define HAWSER_CORE_BLOCK_CHAIN_H
 
+#include "core/base/checkpoint.h"
 #include "core/base/vec3.h"
 
 typedef struct BlockChain {
@@ -33,6 +34,9 @@ static inline void block6_add(double *block, int column, Vec3 force, Vec3 moment
 /* The blocks of `from`, which has the same sizes. */
 void block_chain_copy(BlockChain *to, const BlockChain *from);
 
+/* All blocks. */
+void block_chain_checkpoint(Checkpoint *c, const char *name, BlockChain *a);
+
 /* Blocks of K and D outside the three diagonals: what couples segments that are not neighbours (cable on cable). The
  * pattern is symmetric and changes with the contact candidates, never inside a step. */
 typedef struct BlockExtras {
@@ -58,6 +62,8 @@ void block_extras_free(BlockExtras *x);
  * before keep their values, new ones are zero. 0 if there is no memory (then nothing has changed). */
 int block_extras_set(BlockExtras *x, int count, BlockPair *pair);
 void block_extras_zero(BlockExtras *x);
+/* Pattern and values. */
+void block_extras_checkpoint(Checkpoint *c, BlockExtras *x);
 /* The number of block (row, col), -1 if it is not in the pattern. O(log blocks of the row). */
 int block_extras_find(const BlockExtras *x, int row, int col);
 /* y = y + s K z for vectors of 6n. */

@@ -140,3 +140,24 @@ void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *
         }
     }
 }
+
+void block_extras_checkpoint(Checkpoint *c, BlockExtras *x)
+{
+    int count = x->count;
+    CHECKPOINT(c, count);
+    if (!checkpoint_check(c, count >= 0 && count % 2 == 0, "a number of blocks is impossible")) return;
+    if (c->reading && count > 0) {
+        const int n = x->n;
+        block_extras_free(x);
+        if (!room_new(x, n, count)) checkpoint_lack(c);
+    }
+    if (c->status) return;
+    x->count = count;
+    CHECKPOINT(c, x->version);
+    checkpoint_put(c, "x->start", x->start, ((size_t)x->n + 1) * sizeof *x->start);
+    if (count == 0) return;
+    checkpoint_put(c, "x->row", x->row, (size_t)count * sizeof *x->row);
+    checkpoint_put(c, "x->col", x->col, (size_t)count * sizeof *x->col);
+    checkpoint_put(c, "x->k", x->k, (size_t)count * BLOCK * sizeof *x->k);
+    checkpoint_put(c, "x->d", x->d, (size_t)count * BLOCK * sizeof *x->d);
+}

@@ -66,6 +66,11 @@ int chain_struct_new(double **array, int count, int n)
     return ok;
 }
 
+void chain_arrays_checkpoint(Checkpoint *c, const char *name, double *const *array, int count, int n)
+{
+    for (int k = 0; k < count; ++k) checkpoint_put(c, name, array[k] - 1, (size_t)(n + 2) * sizeof(double));
+}
+
 void chain_array_fill(double *array, int n, double fill)
 {
     const int length = chain_stride(n);

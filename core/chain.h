@@ -7,6 +7,7 @@
 #ifndef HAWSER_CORE_CHAIN_H
 #define HAWSER_CORE_CHAIN_H
 
+#include "core/base/checkpoint.h"
 #include "core/base/vec3.h"
 
 /* Which frame a bushing's components are taken in. docs/model.md, "Bushing". */
@@ -100,6 +101,10 @@ void chain_array_fill(double *array, int n, double fill);
 double *aligned_array_new(int count);
 /* The largest magnitude of count numbers. */
 double chain_largest(const double *array, int count);
+/* Entries -1 .. n of chain arrays array[count]; of all arrays of a struct of nothing else. */
+void chain_arrays_checkpoint(Checkpoint *c, const char *name, double *const *array, int count, int n);
+#define chain_struct_checkpoint(c, name, s, n)                                                                         \
+    chain_arrays_checkpoint(c, name, (double *const *)(s), (int)(sizeof *(s) / sizeof(double *)), n)
 /* The length of a chain array's allocation. */
 int chain_stride(int n);
 

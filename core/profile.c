@@ -150,3 +150,13 @@ double profile_corner_before(const Profile *p, double t, double next)
     double corner;
     return profile_next_corner(p, t, &corner) && corner < next ? corner : next;
 }
+
+void profile_checkpoint(Checkpoint *c, Profile *p, const Profile *table)
+{
+    CHECKPOINT_UP_TO(c, p, Profile, time);
+    if (!c->reading || c->status) return;
+    const int is_table = p->kind == PROFILE_TABLE;
+    checkpoint_check(c, !is_table || (table->kind == PROFILE_TABLE && p->n == table->n), "a table is not the case's");
+    p->time = is_table ? table->time : NULL;
+    p->value = is_table ? table->value : NULL;
+}

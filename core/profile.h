@@ -2,6 +2,8 @@
 #ifndef HAWSER_CORE_PROFILE_H
 #define HAWSER_CORE_PROFILE_H
 
+#include "core/base/checkpoint.h"
+
 typedef enum ProfileKind { PROFILE_CONSTANT, PROFILE_STEP, PROFILE_STEP5, PROFILE_TABLE } ProfileKind;
 
 /* A value as a function of time.
@@ -32,5 +34,8 @@ double profile_integral(const Profile *p, double t);
 int profile_next_corner(const Profile *p, double t, double *corner);
 /* The first corner after t, or `next` if that comes first, s. */
 double profile_corner_before(const Profile *p, double t, double next);
+
+/* A profile that changes in a run; if it is a table, its arrays are those of `table`. */
+void profile_checkpoint(Checkpoint *c, Profile *p, const Profile *table);
 
 #endif

@@ -23,6 +23,9 @@ typedef struct LinBackend {
     /* As linsolver_factor, or LIN_UNSTABLE. */
     int (*factor)(void *self, const LinMatrix *a);
     int (*solve)(void *self, int count, double *x); /* after a factorisation that succeeded */
+    /* What goes on from factorisation to factorisation; read, it makes the factors of a again, if there are any. NULL:
+     * factors depend on the matrix alone. */
+    void (*checkpoint)(Checkpoint *c, void *self, const LinMatrix *a, int ready);
     /* Fills what the back end knows: ordering, refactors, fallbacks, pivoted, nonzeros, growth. */
     void (*stats)(const void *self, LinStats *stats);
 } LinBackend;

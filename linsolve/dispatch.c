@@ -261,3 +261,49 @@ void linsolver_stats(const LinSolver *s, LinStats *stats)
     stats->growth = backup.growth;
     stats->nonzeros = backup.nonzeros;
 }
+
+/* The pattern of where leaves were at the last factorisation is that of where they are in m. */
+static int pattern_renew(LinSolver *s, const NewtonMatrix *m)
+{
+    if (!m || !s->backend->sparse) return 1;
+    if (places_changed(s, m) && !solver_analyse_again(s, m)) return 0;
+    sparse_assembly_refresh(&s->assembly, m);
+    return 1;
+}
+
+/* A back end that does without a memory factors the same matrix once more. */
+static void factors_renew(Checkpoint *c, LinSolver *s, const LinMatrix *m)
+{
+    if (c->status || !c->reading || s->backend->checkpoint || !s->ready || s->use_backup) return;
+    const int status = s->backend->factor(s->self, m);
+    if (status < 0) checkpoint_lack(c);
+    checkpoint_check(c, status == 0, "its Newton matrix cannot be factored");
+}
+
+/* The solver for what the back end gave up on, if it has ever been needed. */
+static void backup_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a)
+{
+    int there = s->backup != NULL;
+    CHECKPOINT(c, there);
+    if (c->status || !there) return;
+    if (!s->backup)
+        s->backup = linsolver_new_newton(a, &(LinOptions){.kind = LIN_KLU, .ordering = ORDER_AMD, .threads = 1}, NULL);
+    if (s->backup) linsolver_checkpoint(c, s->backup, a, NULL);
+    if (!s->backup) checkpoint_lack(c);
+}
+
+void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, const SparseMatrix *b)
+{
+    CHECKPOINT(c, s->ready);
+    CHECKPOINT(c, s->use_backup);
+    CHECKPOINT_FROM(c, &s->stats, LinStats, analyses);
+    if (c->reading && !c->status && !pattern_renew(s, a)) checkpoint_lack(c);
+    if (c->status) return;
+    const LinMatrix m = {.newton = a,
+                         .sparse = a ? &s->assembly.a : b,
+                         .groups = a ? s->groups : b->n,
+                         .group_at = a ? s->group_at : NULL};
+    if (s->backend->checkpoint) s->backend->checkpoint(c, s->self, &m, s->ready && !s->use_backup);
+    factors_renew(c, s, &m);
+    if (a) backup_checkpoint(c, s, a);
+}

@@ -3,6 +3,7 @@
 #include <float.h>
 #include <klu.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "linsolve/backend.h"
 
@@ -17,6 +18,8 @@ typedef struct KluSolver {
     Candidate candidate;
     double growth_limit;
     double rcond; /* ratio of U's diagonal in the last full factorisation */
+    double *full; /* the values that were factored then, which have chosen the pivots; owned */
+    int again;    /* other values have been factored since, with these pivots */
     LinStats stats;
 } KluSolver;
 
@@ -31,6 +34,7 @@ static void *klu_drop(KluSolver *s)
     if (!s) return NULL;
     klu_free_numeric(&s->numeric, &s->common);
     klu_free_symbolic(&s->symbolic, &s->common);
+    free(s->full);
     free(s);
     return NULL;
 }
@@ -118,6 +122,11 @@ static int factor_full(KluSolver *s, const SparseMatrix *m)
         klu_free_numeric(&s->numeric, &s->common);
         return status;
     }
+    const size_t bytes = (size_t)m->p[m->n] * sizeof *s->full;
+    if (!s->full) s->full = malloc(bytes);
+    if (!s->full) return -1;
+    memcpy(s->full, m->x, bytes);
+    s->again = 0;
     measure_growth(s, m);
     s->rcond = s->common.rcond;
     s->stats.nonzeros = (long)s->numeric->lnz + s->numeric->unz - m->n;
@@ -173,6 +182,7 @@ static int klu_factorise(void *self, const LinMatrix *a)
     if (!s->decided) return decide(s, a);
     if (!s->numeric) return factor_full(s, m);
     ++s->stats.refactors;
+    s->again = 1;
     if (refactor_is_good(s, m)) return 0;
     ++s->stats.fallbacks;
     return factor_full(s, m);
@@ -196,6 +206,42 @@ static void klu_stats(const void *self, LinStats *stats)
     stats->growth = s->stats.growth;
 }
 
+/* The pivots of the last full factorisation, and with these the factors of now. */
+static void factors_again(Checkpoint *c, KluSolver *s, const LinMatrix *a, int ready)
+{
+    const SparseMatrix now = *a->sparse;
+    klu_free_numeric(&s->numeric, &s->common);
+    klu_free_symbolic(&s->symbolic, &s->common);
+    s->symbolic = analyse(s, a, s->candidate);
+    if (s->symbolic) s->numeric = klu_factor(now.p, now.i, s->full, s->symbolic, &s->common);
+    if (!s->numeric) {
+        checkpoint_check(c, s->symbolic && s->common.status != KLU_OUT_OF_MEMORY, "its matrix has no pivots");
+        checkpoint_lack(c);
+        return;
+    }
+    if (ready && s->again)
+        checkpoint_check(c, klu_refactor(now.p, now.i, now.x, s->symbolic, s->numeric, &s->common),
+                         "its matrix cannot be factored");
+}
+
+static void klu_checkpoint(Checkpoint *c, void *self, const LinMatrix *a, int ready)
+{
+    KluSolver *const s = self;
+    int factored = s->numeric != NULL;
+    const size_t bytes = (size_t)a->sparse->p[a->sparse->n] * sizeof *s->full;
+    CHECKPOINT(c, factored);
+    CHECKPOINT(c, s->again);
+    CHECKPOINT(c, s->decided);
+    CHECKPOINT(c, s->candidate);
+    if (c->reading && factored && !s->full) s->full = malloc(bytes);
+    if (factored && !s->full) checkpoint_lack(c);
+    if (factored) checkpoint_put(c, "s->full", s->full, bytes);
+    if (!checkpoint_check(c, (int)s->candidate >= 0 && s->candidate < CANDIDATES, "no such ordering")) return;
+    if (c->reading && factored) factors_again(c, s, a, ready);
+    CHECKPOINT(c, s->rcond);
+    CHECKPOINT_FROM(c, &s->stats, LinStats, analyses);
+}
+
 static void klu_drop_self(void *self) { klu_drop(self); }
 
 const LinBackend klu_backend = {.sparse = 1,
@@ -203,4 +249,5 @@ const LinBackend klu_backend = {.sparse = 1,
                                 .drop = klu_drop_self,
                                 .factor = klu_factorise,
                                 .solve = klu_solve_many,
+                                .checkpoint = klu_checkpoint,
                                 .stats = klu_stats};

@@ -50,6 +50,10 @@ int linsolver_solve(LinSolver *s, double *x);
 /* The same for `count` right-hand sides, one after the other in x; each comes out as linsolver_solve would give it. */
 int linsolver_solve_many(LinSolver *s, int count, double *x);
 
+/* What the solver has learned, and the factors of a (or of the sparse matrix b; the other is NULL), which has the
+ * values that were factored last: read, they are made again with the same bits. */
+void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, const SparseMatrix *b);
+
 void linsolver_stats(const LinSolver *s, LinStats *stats);
 /* "auto", "block", ... */
 const char *linsolver_kind_name(LinKind kind);

@@ -21,20 +21,20 @@ _hawser() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        _hawser_offer 'run check theory validate library route report plot study help --help --version'
+        _hawser_offer 'run check theory validate library route report plot study compare fmu help --help --version'
         return
     fi
     case ${COMP_WORDS[1]} in
-    help) _hawser_offer 'run check theory validate library route report plot study' ;;
+    help) _hawser_offer 'run check theory validate library route report plot study compare fmu' ;;
     run)
         case $previous in
-        -o|--output) _hawser_offer 'folders' ;;
+        -o|--output|--resume) _hawser_offer 'folders' ;;
         --set) _hawser_offer '' ;;
         --threads) _hawser_offer '1 2' ;;
         --linear-solver) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
         --tolerance) _hawser_offer '1% 0.5% 2%' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--output --set --threads --linear-solver --certify --tolerance --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
+        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     check)
@@ -97,6 +97,24 @@ _hawser() {
         --jobs) _hawser_offer '1 2' ;;
         --units) _hawser_offer 'si us' ;;
         *) _hawser_word '--output --jobs --fresh --units --quiet --help --version' '*.yaml' ;;
+        esac
+        ;;
+    compare)
+        case $previous in
+        --align) _hawser_offer 'length start' ;;
+        --shift) _hawser_offer '' ;;
+        --band) _hawser_offer '5% 10% 20%' ;;
+        --page) _hawser_offer 'files' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--align --shift --band --raw --page --json --units --help --version' '/' ;;
+        esac
+        ;;
+    fmu)
+        case $previous in
+        -o|--output) _hawser_offer 'files' ;;
+        --fmi) _hawser_offer '2 3' ;;
+        --set) _hawser_offer '' ;;
+        *) _hawser_word '--output --fmi --set --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     esac

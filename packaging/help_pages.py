@@ -14,7 +14,7 @@ COMMAND = re.compile(r"^  ([a-z]+) +(\S.*)$")
 # What may follow an option, by the name that its help gives to the value; beside them words, "files" or "folders".
 VALUES = {"FILE": "files", "DIR": "folders", "FORMAT": "table json csv", "UNITS": "si us", "N": "1 2",
           "KIND": "auto block bordered klu klu-full band dense", "UNIT": "mm m ft", "LENGTH": "", "STATION": "",
-          "SHARE": "1% 0.5% 2%", "KEY": "", "NAME": "", "LAYER": "", "TEXT": ""}
+          "SHARE": "1% 0.5% 2%", "P": "5% 10% 20%", "WAY": "length start", "X": "", "VERSION": "2 3", "KEY": "", "NAME": "", "LAYER": "", "TEXT": ""}
 # What a command is about, by the first word of its usage.
 SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "FILE": "*", "RESULTS": "/", "[KIND": "cables ropes rollers ducts friction",
             "[options]": ""}
@@ -23,6 +23,10 @@ SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "FILE": "*", "RESULTS": "/", "[
 class Option:
     def __init__(self, short, name, value, text):
         self.short, self.name, self.value, self.text = short, name, value, [text]
+
+    def words(self):
+        """What may follow it."""
+        return "2 3" if self.name == "--fmi" else VALUES.get(self.value, "")
 
 
 class Help:
@@ -109,7 +113,7 @@ def bash(commands, helps):
         values = {}
         for o in h.options:
             if o.value:
-                values.setdefault(VALUES[o.value], []).extend(n for n in (o.short, o.name) if n)
+                values.setdefault(o.words(), []).extend(n for n in (o.short, o.name) if n)
         arms = "".join(f"        {'|'.join(names)}) _hawser_offer '{what}' ;;\n" for what, names in values.items())
         cases.append(f"""    {h.name})
         case $previous in
@@ -169,7 +173,7 @@ def zsh(commands, helps):
     for h in helps:
         lines = []
         for o in h.options:
-            value = f":{o.value.lower()}:{zsh_action(VALUES[o.value])}" if o.value else ""
+            value = f":{o.value.lower()}:{zsh_action(o.words())}" if o.value else ""
             lines.extend(f"        '{n}[{zsh_quote(o.text[0])}]{value}'" for n in (o.short, o.name) if n)
         lines.append(f"        '*:{h.usage.split()[2].strip('[').lower()}:{zsh_action(h.subject())}'")
         cases.append(f"    {h.name})\n        _arguments \\\n" + " \\\n".join(lines) + "\n        ;;\n")

@@ -76,6 +76,17 @@ int workspace_renew(Workspace *ws, const Scene *scene, int joined)
     return 1;
 }
 
+void workspace_checkpoint(Checkpoint *c, Workspace *ws)
+{
+    const int n = ws->scene->chain.n;
+    for (int k = 0; k < 2 * SLIDERS_MAX; ++k)
+        if (ws->kin.slip[k]) chain_arrays_checkpoint(c, "kin.slip", &ws->kin.slip[k], 1, n);
+    CHECKPOINT(c, ws->rhs_evals);
+    CHECKPOINT(c, ws->refreshes);
+    CHECKPOINT(c, ws->candidates_max);
+    EACH_ROOM(room, ws->scene, checkpoint) room->kind->checkpoint(c, room, ws->scene, ws);
+}
+
 /* --------------------------------------------------------------------------------------------------- kinematics */
 
 static void rooms_pose(const Moment *m, const double *y)

@@ -59,6 +59,9 @@ void workspace_free(Workspace *ws);
  * but what is not scratch stays, and the counters. 0 if there is no memory; then nothing has changed. */
 int workspace_renew(Workspace *ws, const Scene *scene, int joined);
 
+/* What a step leaves in the workspace and in the rooms for the next one. */
+void workspace_checkpoint(Checkpoint *c, Workspace *ws);
+
 /* kin from (t, y), and the rooms' poses. */
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
 /* ydot [scene_state_size] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */

@@ -162,6 +162,10 @@ struct RoomKind {
     /* The first time after t at which it is not smooth, s; INFINITY: never. */
     double (*next_stop)(const Room *room, const Scene *scene, double t);
 
+    /* What has changed since the scene was built and does not follow from (t, y): members of its own, and what a
+     * workspace keeps from step to step. core/base/checkpoint.h */
+    void (*checkpoint)(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws);
+
     /* ---- to look at */
     /* Adds what it does to the motion at m->t, for the kinematics in the workspace, which are of now at the chain's
      * ends and of the last evaluation elsewhere. */

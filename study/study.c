@@ -5,8 +5,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
+#include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
@@ -71,7 +73,22 @@ static hawser_status tables_write(hawser_study *s, const char *dir, hawser_error
     hawser_status status = findings_make(s->study, &s->rows, &s->findings, err);
     if (!status) status = table_csv(s->study, &s->rows, dir, err);
     if (!status) status = table_h5(s->study, &s->rows, dir, err);
-    return status ? status : summary_write(s, dir, err);
+    if (!status) status = summary_write(s, dir, err);
+    return status ? status : study_page_write(s->study, &s->rows, &s->findings, dir, err);
+}
+
+/* The workers of a study that was killed end a moment after it, and hold its folder until then. */
+static hawser_status folder_lock(const char *dir, int *lock, hawser_error *err)
+{
+    static const double PATIENCE = 2; /* s */
+    const struct timespec pause = {.tv_nsec = 20000000};
+    const double start = clock_now();
+    hawser_status status = out_lock_dir(dir, lock, err);
+    while (status && clock_now() - start < PATIENCE) {
+        nanosleep(&pause, NULL);
+        status = out_lock_dir(dir, lock, err);
+    }
+    return status;
 }
 
 /* In a folder that is ours for as long as this lasts. A study that is stopped gets its tables too; the first error
@@ -84,12 +101,15 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
     int lock = -1;
     drop_rows(s);
     hawser_status status = out_make_dir(dir, e);
-    if (!status) status = out_lock_dir(dir, &lock, e);
+    if (!status) status = folder_lock(dir, &lock, e);
     if (!status) status = rows_make(s->study, &s->rows, e);
     if (!status && !o->fresh) status = store_read(s->study, dir, &s->rows, e);
     if (!status) status = store_begin(s->study, dir, o->fresh, e);
     if (!status) {
-        status = engine_run(s->study, dir, o, &s->rows, &s->efficiency, e);
+        /* pilots first: they say which of the others are run */
+        if (s->study->pilot) status = engine_run(s->study, dir, o, 1, &s->rows, &s->efficiency, e);
+        if (s->study->pilot) pilots_bands(s->study, &s->rows, s->study->close);
+        if (!status) status = engine_run(s->study, dir, o, 0, &s->rows, &s->efficiency, e);
         const hawser_status written = tables_write(s, dir, &late);
         if (written && (!status || status == HAWSER_STOPPED)) status = error_set(e, written, "%s", late.message);
     }

@@ -23,24 +23,37 @@ static int restarts_alike(const PlanDef *def)
     return 1;
 }
 
+/* One place. before[2]: what was solved for another, at speed and from rest, of which spans are taken over; it becomes
+ * this place's. */
+static hawser_status head_solve(const PlanDef *def, const DuctLoad *load, int way, double head, Pull before[2],
+                                HeadForce *out, hawser_error *err)
+{
+    const int alike = restarts_alike(def);
+    *out = (HeadForce){.head = head};
+    for (int restart = 0; restart < (alike ? 1 : 2); restart++) {
+        const PlanPullDef what = {
+            .way = way, .restart = restart, .head = head, .forces_only = 1, .like = &before[restart]};
+        Pull pull;
+        const hawser_status status = plan_pull(def, load, &what, &pull, err);
+        if (status) return status;
+        const double force = pull.end_tension + allowance(def, way);
+        if (!restart) out->tension = pull_at(&pull, head).tension;
+        if (!restart) out->force = force;
+        if (restart || alike) out->restart = force;
+        pull_clear(&before[restart]);
+        before[restart] = pull;
+    }
+    return HAWSER_OK;
+}
+
 hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, double head, HeadForce *out,
                         hawser_error *err)
 {
-    Pull pull;
-    PlanPullDef what = {.way = way, .head = head};
-    *out = (HeadForce){.head = head};
-    hawser_status status = plan_pull(def, load, &what, &pull, err);
-    if (status) return status;
-    out->tension = pull_at(&pull, head).tension;
-    out->force = out->restart = pull.end_tension + allowance(def, way);
-    pull_clear(&pull);
-    if (restarts_alike(def)) return HAWSER_OK;
-    what.restart = 1;
-    status = plan_pull(def, load, &what, &pull, err);
-    if (status) return status;
-    out->restart = pull.end_tension + allowance(def, way);
-    pull_clear(&pull);
-    return HAWSER_OK;
+    Pull solved[2] = {{0}, {0}};
+    const hawser_status status = head_solve(def, load, way, head, solved, out, err);
+    pull_clear(&solved[0]);
+    pull_clear(&solved[1]);
+    return status;
 }
 
 /* --------------------------------------------------------------------------------------------- the series */
@@ -120,25 +133,26 @@ static void peak_take(const HeadForce *f, int restart, HeadForce *peak)
 
 /* The largest between two places on both sides of a row that is larger than they are: the golden section. */
 static hawser_status peak_refine(const PlanDef *def, const DuctLoad *load, int way, int restart, double a, double b,
-                                 HeadForce *peak, hawser_error *err)
+                                 Pull before[2], HeadForce *peak, hawser_error *err)
 {
     const double share = (sqrt(5) - 1) / 2;
     HeadForce in[2];
-    hawser_status status = plan_head(def, load, way, b - share * (b - a), &in[0], err);
-    if (!status) status = plan_head(def, load, way, a + share * (b - a), &in[1], err);
+    hawser_status status = head_solve(def, load, way, b - share * (b - a), before, &in[0], err);
+    if (!status) status = head_solve(def, load, way, a + share * (b - a), before, &in[1], err);
     for (int i = 0; i < 24 && !status; i++) {
         const int right = force_of(&in[1], restart) > force_of(&in[0], restart);
         if (right) a = in[0].head;
         if (!right) b = in[1].head;
         in[!right] = in[right];
-        status = plan_head(def, load, way, right ? a + share * (b - a) : b - share * (b - a), &in[right], err);
+        status = head_solve(def, load, way, right ? a + share * (b - a) : b - share * (b - a), before, &in[right], err);
         peak_take(&in[right], restart, peak);
     }
     return status;
 }
 
 /* Both peaks: of the rows, and beside those that stand above their neighbours. */
-static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *s, hawser_error *err)
+static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int way, Pull before[2], HeadSeries *s,
+                                hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     for (int restart = 0; restart < 2 && !status; restart++) {
@@ -153,7 +167,7 @@ static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int wa
         }
         *peak = s->row[top];
         if (top == 0 || top == s->n - 1) continue;
-        status = peak_refine(def, load, way, restart, s->row[top - 1].head, s->row[top + 1].head, peak, err);
+        status = peak_refine(def, load, way, restart, s->row[top - 1].head, s->row[top + 1].head, before, peak, err);
     }
     return status;
 }
@@ -162,6 +176,7 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
                          hawser_error *err)
 {
     Places places;
+    Pull before[2] = {{0}, {0}};
     *out = (HeadSeries){0};
     hawser_status status = places_find(def, way, apart, &places, err);
     if (!status) {
@@ -169,10 +184,12 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
         if (!out->row) status = error_memory(err);
     }
     for (; !status && out->n < places.n; out->n++) {
-        status = plan_head(def, load, way, places.s[out->n], &out->row[out->n], err);
+        status = head_solve(def, load, way, places.s[out->n], before, &out->row[out->n], err);
     }
     free(places.s);
-    if (!status) status = peaks_find(def, load, way, out, err);
+    if (!status) status = peaks_find(def, load, way, before, out, err);
+    pull_clear(&before[0]);
+    pull_clear(&before[1]);
     if (status) plan_heads_free(out);
     return status;
 }

@@ -180,6 +180,8 @@ hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPull
                               .to = section.to,
                               .start_tension = section.start,
                               .restart = what->restart,
+                              .forces_only = what->forces_only,
+                              .like = what->like,
                               .n_stretches = course.n,
                               .stretch = course.stretch,
                               .n_steps = steps_collect(def, what, head, step),

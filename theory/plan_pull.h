@@ -26,8 +26,10 @@ PlanSection plan_section_at(const PlanDef *def, int way, double head);
 /* What plan_pull is asked for. */
 typedef struct PlanPullDef {
     int way, restart;
-    double head; /* m along the route: cable up to there, rope from there to the end of the section */
-    int whole;   /* the whole route, sections and all, with the cable's head at its end; `head` does not count */
+    double head;      /* m along the route: cable up to there, rope from there to the end of the section */
+    int whole;        /* the whole route, sections and all, with the cable's head at its end; `head` does not count */
+    int forces_only;  /* as a PullDef's */
+    const Pull *like; /* likewise */
 } PlanPullDef;
 
 /* Solves it. `load`: the duct's, factors 1 without one. Errors: as pull_solve. */

@@ -91,6 +91,9 @@ double span_support(const SpanLaw *p, double s, double tension)
 
 double span_rate(const SpanLaw *p, double s, double tension)
 {
+    /* a rope without weight: no frame is needed, and the same number comes out to the last bit */
+    if (p->weight == 0 && !p->separate && !p->line.route)
+        return p->mu * fabs(p->law == PULL_REFERENCE ? tension * p->line.curvature : 0);
     const SpanFrame f = span_frame(&p->line, s);
     return p->mu * sum_of_supports(p, f, tension) + p->direction * p->weight * f.tz;
 }

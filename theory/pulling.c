@@ -133,6 +133,15 @@ static void take_span(Pull *pull, const PullSpan *span)
     }
 }
 
+/* Whether a span of a pull solved before is this one, with what follows from it. */
+static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *span, const PullSpan *known)
+{
+    const SpanLaw *const law = &known->law;
+    const double mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu;
+    return known->s0 == span->s0 && known->s1 == span->s1 && known->t0 == span->t0 && law->law == def->law &&
+           law->weight == a->weight && law->mu == mu && law->separate == a->separate;
+}
+
 /* Integrates from cut to cut, in the pull's order, adding the steps between. */
 static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
 {
@@ -143,14 +152,20 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
         const double low = cut[forward ? i : n - 2 - i], high = cut[forward ? i + 1 : n - 1 - i];
         PullSpan *span = &pull->span[i];
         *span = (PullSpan){.s0 = forward ? low : high, .s1 = forward ? high : low};
+        const PullStretch *const a = stretch_at(def->n_stretches, def->stretch, low + (high - low) / 2);
+        span->t0 = steps_pass(def, span->s0, tension);
+        if (def->forces_only && def->like && i < def->like->n && span_known(def, a, span, &def->like->span[i])) {
+            *span = def->like->span[i];
+            tension = span->t1;
+            continue;
+        }
         span->piece = route_at(def->route, low + (high - low) / 2).piece;
         span->law = law_between(def, low, high);
-        const double share = stretch_at(def->n_stretches, def->stretch, low + (high - low) / 2)->share;
-        span->share = share > 0 ? share : 1;
-        span->t0 = steps_pass(def, span->s0, tension);
+        span->share = a->share > 0 ? a->share : 1;
         span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY};
-        tension = span->t1 = span_integrate(&span->law, span->s0, span->t0, span->s1, &span->extremes);
-        take_span(pull, span);
+        SpanExtremes *const extremes = def->forces_only ? NULL : &span->extremes;
+        tension = span->t1 = span_integrate(&span->law, span->s0, span->t0, span->s1, extremes);
+        if (extremes) take_span(pull, span);
     }
     pull->end_tension = steps_pass(def, def->to, tension);
     take_tension(pull, pull->span[n - 2].piece, def->to, pull->end_tension);

@@ -34,6 +34,7 @@ typedef struct PullStep {
     StepKind kind;
 } PullStep;
 
+struct Pull;
 typedef struct PullDef {
     const Route *route;
     PullLaw law;
@@ -42,7 +43,9 @@ typedef struct PullDef {
     int restart;          /* friction is static: the pull starts from rest */
     int n_stretches;      /* >= 1, by rising `from` */
     const PullStretch *stretch;
-    int n_steps; /* in any order; those outside the pull are ignored, those at its ends count */
+    int forces_only;         /* tensions at the spans' ends are all that is wanted: extremes are not looked for */
+    const struct Pull *like; /* spans that begin a pull solved before in the same way are taken over; NULL: none */
+    int n_steps;             /* in any order; those outside the pull are ignored, those at its ends count */
     const PullStep *step;
 } PullDef;
 

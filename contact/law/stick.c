@@ -67,3 +67,16 @@ void stick_accept(StickStore *store, double t, int n)
 }
 
 void stick_clock(StickStore *store, double t) { store->elapsed = t > store->since ? t - store->since : 0; }
+
+void stick_checkpoint(Checkpoint *c, StickStore *store, int rollers, int room)
+{
+    int n = store->n;
+    CHECKPOINT(c, n);
+    if (!checkpoint_check(c, n >= 0 && n < INT32_MAX / 2, "a number of contacts is impossible")) return;
+    if (c->reading && !stick_reserve(store, rollers, n > room ? n : room)) checkpoint_lack(c);
+    if (c->status) return;
+    CHECKPOINT_UP_TO(c, store, StickStore, n);
+    store->n = n;
+    checkpoint_put(c, "store->record", store->record, (size_t)n * sizeof *store->record);
+    checkpoint_put(c, "store->first", store->first, (size_t)store->n_faces * sizeof *store->first);
+}

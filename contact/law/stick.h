@@ -6,6 +6,7 @@
 #ifndef HAWSER_CONTACT_LAW_STICK_H
 #define HAWSER_CONTACT_LAW_STICK_H
 
+#include "core/base/checkpoint.h"
 #include "core/base/vec3.h"
 
 /* One contact that carried force when the last step was accepted. */
@@ -39,6 +40,8 @@ void stick_carry(StickStore *old, StickStore *now, int joined);
 
 /* A step to t has been accepted: fresh[0 .. n-1] become the records. */
 void stick_accept(StickStore *store, double t, int n);
+/* All that is remembered; `rollers` and `room` as for stick_reserve. */
+void stick_checkpoint(Checkpoint *c, StickStore *store, int rollers, int room);
 /* Evaluations that follow are at t. */
 void stick_clock(StickStore *store, double t);
 

@@ -143,3 +143,32 @@ int contact_moved_too_far(const ContactModel *model, const Chain *chain, const K
 {
     return line_moved(chain, kin, pairs->at_p, pairs->at_a, CONTACT_USABLE * model->reach);
 }
+
+/* Both lists of ranges have room for as many. */
+static void ranges_checkpoint(Checkpoint *c, ContactPairs *pairs)
+{
+    int room = pairs->ranges_allocated, near = pairs->ranges_allocated;
+    checkpoint_list(c, "pairs->range", (void **)&pairs->range, &pairs->n_ranges, &room, sizeof *pairs->range);
+    if (room > near) {
+        ContactRange *const grown = realloc(pairs->near, (size_t)room * sizeof *grown);
+        if (grown) pairs->near = grown;
+        if (!grown) checkpoint_lack(c);
+        near = room;
+    }
+    checkpoint_list(c, "pairs->near", (void **)&pairs->near, &pairs->n_near, &near, sizeof *pairs->near);
+    pairs->ranges_allocated = room;
+    checkpoint_check(c, pairs->n_near <= pairs->n_ranges, "more candidates are near than there are");
+}
+
+void contact_pairs_checkpoint(Checkpoint *c, const ContactModel *model, ContactPairs *pairs)
+{
+    ranges_checkpoint(c, pairs);
+    CHECKPOINT(c, pairs->candidates);
+    CHECKPOINT(c, pairs->active);
+    CHECKPOINT(c, pairs->tally);
+    chain_arrays_checkpoint(c, "pairs->at_p", pairs->at_p, 3, pairs->n);
+    chain_arrays_checkpoint(c, "pairs->at_a", pairs->at_a, 3, pairs->n);
+    if (c->status) return;
+    if (c->reading && !hits_reserve(pairs)) checkpoint_lack(c);
+    if (contact_sticks(model)) stick_checkpoint(c, &pairs->stick, model->n_rollers, pairs->hits_allocated);
+}

@@ -125,6 +125,9 @@ int contact_sticks(const ContactModel *model);
 void contact_accept(const ContactModel *model, const Chain *chain, const Kinematics *kin, double t,
                     ContactPairs *pairs);
 
+/* The candidates, and what sticks. */
+void contact_pairs_checkpoint(Checkpoint *c, const ContactModel *model, ContactPairs *pairs);
+
 /* One contact in detail, for tests, tools and reports. */
 typedef struct ContactDetail {
     int roller, face, element;

@@ -223,3 +223,15 @@ int self_moved_too_far(const SelfModel *model, const Chain *chain, const Kinemat
 {
     return line_moved(chain, kin, pairs->at_p, pairs->at_a, 0.75 * model->reach / 2);
 }
+
+void self_pairs_checkpoint(Checkpoint *c, const Chain *chain, SelfPairs *pairs)
+{
+    checkpoint_list(c, "pairs->range", (void **)&pairs->range, &pairs->n_ranges, &pairs->ranges_allocated,
+                    sizeof *pairs->range);
+    CHECKPOINT(c, pairs->active);
+    CHECKPOINT(c, pairs->work);
+    chain_arrays_checkpoint(c, "pairs->at_p", pairs->at_p, 3, pairs->n);
+    chain_arrays_checkpoint(c, "pairs->at_a", pairs->at_a, 3, pairs->n);
+    block_extras_checkpoint(c, &pairs->extras);
+    if (c->reading && !c->status && !hits_reserve(chain, pairs)) checkpoint_lack(c); /* and the halves */
+}

@@ -78,6 +78,9 @@ void self_forces(const SelfModel *model, const Chain *chain, const Kinematics *k
 void self_blocks(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                  SelfPairs *pairs, BlockChain *k, BlockChain *d);
 
+/* The candidates and the blocks off the diagonals. */
+void self_pairs_checkpoint(Checkpoint *c, const Chain *chain, SelfPairs *pairs);
+
 /* One pressed or nearly pressed piece, for tests and reports. */
 typedef struct SelfDetail {
     int element, foot; /* elements of the line */

@@ -57,6 +57,9 @@ void surface_clock(SurfacePairs *pairs, double t);
 void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double t,
                     SurfacePairs *pairs);
 
+/* The candidates, and what sticks; n: segments. */
+void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int n);
+
 /* Adds the derivatives of these forces to k and d, as contact_blocks does (DU11), (DU12), of elements from .. to-1
  * only. */
 void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,

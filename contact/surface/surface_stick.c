@@ -48,3 +48,18 @@ void surface_stick_accept(SurfaceStick *stick, double t)
     stick->since = t;
     stick->elapsed = 0;
 }
+
+void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int n)
+{
+    SurfaceStick *const stick = &pairs->stick;
+    checkpoint_list(c, "pairs->range", (void **)&pairs->range, &pairs->n_ranges, &pairs->ranges_allocated,
+                    sizeof *pairs->range);
+    CHECKPOINT(c, pairs->candidates);
+    CHECKPOINT(c, pairs->active);
+    CHECKPOINT(c, pairs->work);
+    CHECKPOINT_UP_TO(c, stick, SurfaceStick, n_beds);
+    for (int b = 0; b < stick->n_beds; ++b) {
+        double *const *const array = &stick->bed[b].lean[0][0];
+        if (array[0]) chain_arrays_checkpoint(c, "bed->lean", array, ARRAYS, n);
+    }
+}

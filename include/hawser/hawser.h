@@ -124,6 +124,7 @@ typedef struct hawser_sample {
     int probes;
     const hawser_probe *probe; /* [probes] */
     hawser_fields field;       /* for pictures; not of rows of series.csv alone */
+    int pass;                  /* of hawser_sim_run: 1, or 2 in the second one */
 } hawser_sample;
 
 /* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
@@ -139,8 +140,10 @@ const hawser_sample *hawser_sim_sample(hawser_sim *s);
 void hawser_sim_record(hawser_sim *s);
 
 /* Runs the case: relaxes, advances to the end, samples, writes results into directory `dir` (NULL: writes nothing).
- * `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly
- * (HAWSER_STOPPED, with what was computed written). */
+ * Where that leaves nothing open but numerical errors it is done once more with finer settings, unless solver.passes
+ * forbids it (hawser_summary, `passes`); where those results replace the first ones, all calls speak of the second pass
+ * from then on. `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly
+ * (HAWSER_STOPPED, with what was computed written; in a second pass the results are those of the first). */
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 
@@ -205,6 +208,7 @@ typedef struct hawser_summary {
     const hawser_machine *machines; /* [n_machines], as hawser_sim_machines gives them */
     const hawser_balance *balance;  /* from t = 0 until now; NULL where nothing has moved */
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
+    const hawser_passes *passes;    /* of hawser_sim_run; NULL: one was enough, or no second was wanted */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */
@@ -231,7 +235,9 @@ const char *hawser_sim_title(const hawser_sim *s);
 #endif
 
 #include "hawser/certify.h"
+#include "hawser/checkpoint.h"
 #include "hawser/control.h"
+#include "hawser/fmu.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
 #include "hawser/query.h"

@@ -43,6 +43,23 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
  * run), MEMORY. */
 hawser_status hawser_study_answer(const hawser_study *s, hawser_units units, char **text, hawser_error *err);
 
+/* ---------------------------------------------------------------------------------------------------- measured pulls
+ */
+
+typedef struct hawser_compare_options {
+    int by_start;         /* time since the pull began; 0: the winch's travel */
+    double shift;         /* s or m, added to where the log is */
+    double band;          /* share of the log's force that counts as agreement; 0: a tenth */
+    int raw;              /* spikes and drop-outs are taken as they are */
+    const char *page;     /* an HTML file with figures; NULL: none */
+    hawser_format format; /* of the text */
+} hawser_compare_options;
+/* The winch's force that a logger has written (CSV, docs/studies.md) against the run and the theory in a results
+ * folder: figures of agreement. *text is malloc'ed: hawser_text_free. options may be NULL. Errors: INPUT (files, no
+ * stretch in common), OUTPUT, MEMORY. */
+hawser_status hawser_compare(const char *results, const char *log, const hawser_compare_options *options, char **text,
+                             hawser_error *err);
+
 #ifdef __cplusplus
 }
 #endif

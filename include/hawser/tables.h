@@ -64,6 +64,28 @@ typedef struct hawser_error_bar {
     double total;    /* what is shown: "12.83 kN +- 0.02 %"; NAN: not known */
 } hawser_error_bar;
 
+/* One pass of a run: its settings, and what it found by itself. */
+typedef struct hawser_pass {
+    double accuracy;                         /* solver.accuracy */
+    int segments;                            /* of the whole chain */
+    double friction;                         /* v_s over the case's */
+    double pull_mean_N, pull_peak_N;         /* as in hawser_summary */
+    double pull_mean_bar_N, pull_peak_bar_N; /* their error bars by what this pass alone shows */
+    long steps;
+    double wall_time_s;
+} hawser_pass;
+
+/* Why a run was computed a second time with finer settings, or not (docs/limits.md, "Two passes"). */
+typedef struct hawser_passes {
+    /* "replaced": all figures are those of the second pass; "compared": of the first, with error bars from both,
+     * because the case gives settings that would have to be others; "failed", "declined": of the first alone */
+    const char *outcome;
+    char why[256];           /* what the first pass alone left open */
+    char says[512];          /* what became of it, in a sentence */
+    int n;                   /* passes that have figures, 1 or 2 */
+    const hawser_pass *pass; /* [n] */
+} hawser_passes;
+
 /* Whether energy and momentum add up over a run (docs/model.md, "Balances"): what is stored more than at t = 0 against
  * the work done less what was lost, and the change of the cable's momentum against the impulses on it; `carried` is
  * what segments brought that joined, less what those took along that left. */

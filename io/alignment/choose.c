@@ -114,14 +114,15 @@ static hawser_status pieces_join(const LinePick *pick, Survey *pieces, Survey *o
 static void names_say(const Survey *s, size_t room, char *text)
 {
     enum { SHOWN = 8 };
+    const Alignment *said[SHOWN];
     size_t used = 0;
     *text = 0;
     for (int i = 0, shown = 0; i < s->n && shown < SHOWN && used < room; ++i) {
         const Alignment *const a = &s->alignment[i];
         int met = 0;
-        for (int k = 0; k < i; ++k)
-            met |= !strcmp(s->alignment[k].name, a->name) && !strcmp(s->alignment[k].layer, a->layer);
+        for (int k = 0; k < shown; ++k) met |= !strcmp(said[k]->name, a->name) && !strcmp(said[k]->layer, a->layer);
         if (met) continue;
+        said[shown] = a;
         const int layer = *a->layer && strcmp(a->layer, a->name) != 0;
         used += (size_t)snprintf(text + used, room - used, "%s'%.40s'%s%.40s%s", shown ? ", " : "", a->name,
                                  layer ? " (layer '" : "", layer ? a->layer : "", layer ? "')" : "");
@@ -129,22 +130,34 @@ static void names_say(const Survey *s, size_t room, char *text)
     }
 }
 
+/* Of a file without a line: what is in it instead, which may be where the line is. */
+static void ignored_say(const Survey *s, size_t room, char *text)
+{
+    enum { SHOWN = 5 };
+    size_t used = 0;
+    *text = 0;
+    for (int i = 0; i < s->n_ignored && i < SHOWN && used < room; ++i) {
+        used += (size_t)snprintf(text + used, room - used, "%s%.80s", i ? ", " : "; not read: ", s->ignored[i].what);
+    }
+}
+
 hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
 {
     const SurveyOptions options = {.unit = pick->unit};
     Survey pieces;
-    char names[500];
+    char names[500], ignored[500] = "";
     hawser_status status = survey_read(pick->path, &options, &pieces, err);
     *out = (Survey){0};
     if (status) return status;
     status = pieces_join(pick, &pieces, out, err);
     if (!status && out->n == 0) {
         names_say(&pieces, sizeof names, names);
+        if (pieces.n == 0) ignored_say(&pieces, sizeof ignored, ignored);
         status =
-            error_set(err, HAWSER_ERR_INPUT, "%.200s: no line%s%.60s%s%.60s%s; there %s%s", pick->path,
+            error_set(err, HAWSER_ERR_INPUT, "%.200s: no line%s%.60s%s%.60s%s; there %s%s%s", pick->path,
                       pick->name ? " of the name '" : "", pick->name ? pick->name : "",
                       pick->layer ? (pick->name ? "' on layer '" : " on layer '") : "", pick->layer ? pick->layer : "",
-                      pick->name || pick->layer ? "'" : "", pieces.n ? "are " : "is none", names);
+                      pick->name || pick->layer ? "'" : "", pieces.n ? "are " : "is none", names, ignored);
     }
     out->mark = pieces.mark; /* handed over */
     out->n_marks = pieces.n_marks;

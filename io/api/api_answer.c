@@ -235,6 +235,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char verdict[HAWSER_VERDICT_MAX];
     Answer a = {.text = text, .size = size, .units = units};
+    s = SHOWN(s);
     hawser_sim_summary(s, &sum);
     const int n = hawser_sim_limits(s, limit), broken = hawser_limits_verdict(n, limit, verdict, sizeof verdict);
     int failed = 0;
@@ -250,5 +251,6 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
         if (n > 0 || !failed) answer_limits(&a, &s->stage.scene, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);
+    if (sum.passes) answer_line(&a, "passes", "%s: %s", sum.passes->why, sum.passes->says);
     return text;
 }

@@ -2,6 +2,7 @@
 #ifndef HAWSER_IO_API_API_HANDLES_H
 #define HAWSER_IO_API_API_HANDLES_H
 
+#include "core/base/checkpoint.h"
 #include "hawser/hawser.h"
 #include "io/results/column.h"
 #include "io/results/results.h"
@@ -25,6 +26,35 @@ hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *e
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
+
+/* ------------------------------------------------------------------------------------ one pass of a run (api_run.c) */
+
+/* One pass of a run: hawser_sim_run without a second one; err is not NULL. */
+hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+/* The same from the checkpoint in dir. */
+hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+/* Tables and summary of a run that is over once more into its folder. Errors: OUTPUT, MEMORY. */
+hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err);
+
+/* ------------------------------------------------------------------------------- checkpoints (api_checkpoint.c) */
+
+/* How far a run with results has come, beside its simulation; plain numbers. */
+typedef struct RunKept {
+    long rows, states;           /* beats so far */
+    double last_row, last_state; /* s */
+    ResultsPosition files;
+} RunKept;
+
+/* The state of now, with run's (NULL: there is none), as the bytes of a file; checkpoint_free follows either way.
+ * Errors: MEMORY, RUN. */
+hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawser_error *err);
+/* The other way; `path` is for messages. run: NULL if the file need not have it. Errors: as hawser_sim_load. */
+hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes, size_t size, RunKept *run,
+                              hawser_error *err);
+/* That of a results folder. */
+hawser_status checkpoint_read_dir(hawser_sim *s, const char *dir, RunKept *run, hawser_error *err);
+
+/* -------------------------------------------------------------------------------------------------------- theory */
 
 /* What is wanted of theory's answer. */
 typedef struct TheoryWish {

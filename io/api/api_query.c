@@ -8,6 +8,7 @@
 
 hawser_status hawser_sim_contacts(hawser_sim *s, const hawser_contact **out, int *n, hawser_error *err)
 {
+    s = SHOWN(s);
     if (!s || !out || !n) return error_argument(err, !s ? "s" : !out ? "out" : "n");
     const hawser_sample *const look = hawser_sim_sample(s);
     const hawser_status status = closeup_contacts(&s->closeup, &s->stage.scene, &s->stage.ws, look->t, err);
@@ -18,6 +19,7 @@ hawser_status hawser_sim_contacts(hawser_sim *s, const hawser_contact **out, int
 
 hawser_status hawser_sim_cable(hawser_sim *s, const hawser_cable_point **out, int *n, int *first, hawser_error *err)
 {
+    s = SHOWN(s);
     if (!s || !out || !n) return error_argument(err, !s ? "s" : !out ? "out" : "n");
     const hawser_sample *const look = hawser_sim_sample(s);
     const hawser_status status = closeup_cable(&s->closeup, &s->stage.scene, &s->stage.ws, look, err);
@@ -29,6 +31,7 @@ hawser_status hawser_sim_cable(hawser_sim *s, const hawser_cable_point **out, in
 
 hawser_status hawser_sim_watch_envelope(hawser_sim *s, hawser_error *err)
 {
+    s = SHOWN(s);
     if (!s) return error_argument(err, "s");
     envelope_free(&s->envelope);
     return envelope_new(&s->envelope, &s->stage.scene, err);
@@ -41,6 +44,7 @@ static hawser_extremes extremes_of(const Extremes *from)
 
 hawser_status hawser_sim_envelope(const hawser_sim *s, int along_route, hawser_envelope *out, hawser_error *err)
 {
+    s = SHOWN(s);
     if (!s || !out) return error_argument(err, s ? "out" : "s");
     if (!s->envelope.present)
         return error_set(err, HAWSER_ERR_INPUT, "no envelope is kept: hawser_sim_watch_envelope begins one");
@@ -56,6 +60,7 @@ hawser_status hawser_sim_envelope(const hawser_sim *s, int along_route, hawser_e
 
 hawser_status hawser_sim_geometry(hawser_sim *s, const hawser_geometry **out, hawser_error *err)
 {
+    s = SHOWN(s);
     if (!s || !out) return error_argument(err, s ? "out" : "s");
     if (!s->around) s->around = around_new(&s->stage.scene, err);
     *out = s->around ? &s->around->shown : NULL;

@@ -13,19 +13,24 @@
 #include "survey/write/write.h"
 
 /* More lines than these are a whole drawing, of which nobody wants each as a route, and a line of more pieces takes
- * minutes to fit: they are used once asked for. */
-enum { USED_AT_ONCE = 32, PIECES_AT_ONCE = LINE_PIECES_MOST, DIGITS = 13 };
+ * minutes to fit: they are used once asked for. Each line of JSON has what the whole file's ignored things are, but not
+ * a million times. */
+enum { USED_AT_ONCE = 32, IGNORED_WITH_EACH = 1000, PIECES_AT_ONCE = LINE_PIECES_MOST, DIGITS = 13 };
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 
-/* A line of the file and what became of it. */
+/* What became of a line that somebody wants as a route. */
+typedef struct RouteUse {
+    UsedLine line;        /* empty if there is a problem */
+    hawser_error problem; /* why it can be none; figures.problem is its text */
+    int built;            /* route is filled */
+    Route route;
+} RouteUse;
+
+/* A line of the file. A drawing has a million of them, of which few are ever used. */
 typedef struct RouteRow {
     hawser_route_figures figures;
-    UsedLine used;
-    int tried, built; /* used is filled, route is */
-    Route route;
-    hawser_error problem;
-    double start[3], end[3], station_end;
+    RouteUse *use; /* NULL: not tried yet */
 } RouteRow;
 
 struct hawser_routes {
@@ -81,30 +86,31 @@ static hawser_status options_take(const char *path, const hawser_route_options *
     return status;
 }
 
-/* Makes the line what will be built; what is wrong with it stays in its row. */
-static void row_use(const hawser_routes *r, int i)
+/* Makes the line what will be built; what is wrong with it stays in its row. Errors: MEMORY. */
+static hawser_status row_use(const hawser_routes *r, int i, hawser_error *err)
 {
     RouteRow *const row = &r->row[i];
-    const Alignment *const a = &r->survey.alignment[i];
-    if (row->tried) return;
-    row->tried = 1;
-    const hawser_status status = line_use(a, &r->options, &row->used, &row->problem);
-    if (status) {
-        row->figures.problem = row->problem.message;
-        return;
-    }
-    const AlignmentMeasure m = alignment_measure(&row->used.line);
+    if (row->use) return HAWSER_OK;
+    RouteUse *const use = row->use = calloc(1, sizeof *use);
+    if (!use) return error_memory(err);
+    const UsedLine *const line = &use->line;
     hawser_route_figures *const f = &row->figures;
-    f->length_m = row->used.file_length;
-    f->horizontal_length_m = row->used.file_plan;
-    f->station_m = fabs(row->used.line.station) < 1e-9 ? 0 : row->used.line.station;
+    if (line_use(&r->survey.alignment[i], &r->options, &use->line, &use->problem)) {
+        f->problem = use->problem.message;
+        return HAWSER_OK;
+    }
+    const AlignmentMeasure m = alignment_measure(&line->line);
+    f->length_m = line->file_length;
+    f->horizontal_length_m = line->file_plan;
+    f->station_m = fabs(line->line.station) < 1e-9 ? 0 : line->line.station;
     f->pieces = m.pieces;
-    f->fitted = row->used.fitted;
+    f->fitted = line->fitted;
     f->least_radius_m = m.least_radius;
-    f->deviation_max_m = row->used.deviation;
-    f->rms_m = row->used.rms;
-    v3_put(f->start_m, row->used.file_start);
-    v3_put(f->end_m, row->used.file_end);
+    f->deviation_max_m = line->deviation;
+    f->rms_m = line->rms;
+    v3_put(f->start_m, line->file_start);
+    v3_put(f->end_m, line->file_end);
+    return HAWSER_OK;
 }
 
 /* What the file's line is before anything is made of it. */
@@ -140,12 +146,12 @@ hawser_status hawser_routes_read(const char *path, const hawser_route_options *o
     for (int i = 0; i < r->survey.n && !status; ++i) row_begin(r, i);
     for (int i = 0; i < r->survey.n && r->survey.n <= USED_AT_ONCE && !status; ++i) {
         const Alignment *const a = &r->survey.alignment[i];
-        if (a->n_plan + a->n_points <= PIECES_AT_ONCE) row_use(r, i);
+        if (a->n_plan + a->n_points <= PIECES_AT_ONCE) status = row_use(r, i, err);
     }
     const LineOptions *const o = &r->options;
     const int asked = o->profile.path || !isnan(o->from) || !isnan(o->to);
     if (!status && r->survey.n == 1 && asked && r->row[0].figures.problem)
-        status = error_set(err, r->row[0].problem.status, "%.300s: %.700s", path, r->row[0].problem.message);
+        status = error_set(err, r->row[0].use->problem.status, "%.300s: %.700s", path, r->row[0].figures.problem);
     if (status)
         hawser_routes_free(r);
     else
@@ -157,8 +163,11 @@ void hawser_routes_free(hawser_routes *r)
 {
     if (!r) return;
     for (int i = 0; r->row && i < r->survey.n; ++i) {
-        alignment_clear(&r->row[i].used.line);
-        if (r->row[i].built) route_clear(&r->row[i].route);
+        RouteUse *const use = r->row[i].use;
+        if (!use) continue;
+        alignment_clear(&use->line.line);
+        if (use->built) route_clear(&use->route);
+        free(use);
     }
     free(r->row);
     survey_clear(&r->survey);
@@ -185,10 +194,10 @@ static int bend_of(const PlanElement *e, double station, hawser_route_bend *bend
 /* The arcs of a line that is used: their number, and they themselves if `bend` is not NULL. */
 static int bends_list(const RouteRow *row, hawser_route_bend *bend)
 {
-    const Alignment *const a = &row->used.line;
+    const Alignment *const a = row->use ? &row->use->line.line : NULL;
     double station = row->figures.station_m;
     int n = 0;
-    for (int i = 0; row->tried && !row->figures.problem && i < a->n_plan; station += a->plan[i].length, ++i) {
+    for (int i = 0; a && i < a->n_plan; station += a->plan[i].length, ++i) {
         hawser_route_bend one;
         if (!bend_of(&a->plan[i], station, &one)) continue;
         if (bend) bend[n] = one;
@@ -257,25 +266,59 @@ static json_t *json_line(const hawser_routes *r, int i)
     json_object_set_new(o, "deviation_rms_m", json_number(f->rms_m));
     json_object_set_new(o, "bends", json_bends(&r->row[i]));
     if (f->problem) json_object_set_new(o, "problem", json_or_null(f->problem));
-    json_object_set_new(o, "ignored", json_ignored(&r->survey));
+    if (r->survey.n <= IGNORED_WITH_EACH) json_object_set_new(o, "ignored", json_ignored(&r->survey));
     return o;
 }
 
+/* A text that grows; bad: there was no memory. */
+typedef struct Growing {
+    char *text;
+    size_t size, room;
+    int bad;
+} Growing;
+
+static void grow(Growing *g, const char *more)
+{
+    const size_t n = more ? strlen(more) : 0;
+    g->bad |= !more;
+    if (!g->bad && g->size + n >= g->room) {
+        const size_t room = g->room + g->room / 4 + n + 4096;
+        char *const wider = realloc(g->text, room);
+        g->bad = !wider;
+        if (wider) {
+            g->text = wider;
+            g->room = room;
+        }
+    }
+    if (g->bad) return;
+    memcpy(g->text + g->size, more, n + 1);
+    g->size += n;
+}
+
+/* The value, which is used up, on one line. */
+static void grow_json(Growing *g, const char *before, json_t *value)
+{
+    char *const text = value ? json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(DIGITS)) : NULL;
+    grow(g, before);
+    grow(g, text);
+    free(text);
+    json_decref(value);
+}
+
+/* A line of text for each of the file's lines, one by one: a tree of a million of them would take gigabytes. */
 static hawser_status json_write(const hawser_routes *r, char **text, hawser_error *err)
 {
-    json_t *const o = json_object(), *const list = json_array();
-    for (int i = 0; i < r->survey.n; ++i) json_array_append_new(list, json_line(r, i));
-    json_object_set_new(o, "source", json_or_null(r->path));
-    json_object_set_new(o, "system", json_or_null(*r->survey.system ? r->survey.system : NULL));
-    json_object_set_new(o, "unit", json_or_null(r->survey.unit));
-    json_object_set_new(o, "alignments", list);
-    char *const body = o ? json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(DIGITS)) : NULL;
-    json_decref(o);
-    *text = body ? realloc(body, strlen(body) + 2) : NULL;
-    if (*text)
-        strcat(*text, "\n");
-    else
-        free(body);
+    const Survey *const s = &r->survey;
+    Growing g = {0};
+    grow_json(&g, "{\n  \"source\": ", json_or_null(r->path));
+    grow_json(&g, ",\n  \"system\": ", json_or_null(*s->system ? s->system : NULL));
+    grow_json(&g, ",\n  \"unit\": ", json_or_null(s->unit));
+    grow_json(&g, ",\n  \"ignored\": ", json_ignored(s));
+    grow(&g, ",\n  \"alignments\": [");
+    for (int i = 0; i < s->n && !g.bad; ++i) grow_json(&g, i ? ",\n    " : "\n    ", json_line(r, i));
+    grow(&g, "\n  ]\n}\n");
+    if (g.bad) free(g.text);
+    *text = g.bad ? NULL : g.text;
     return *text ? HAWSER_OK : error_memory(err);
 }
 
@@ -333,7 +376,7 @@ static BendRow *bend_rows(const hawser_routes *r, int *n)
     BendRow *const rows = calloc((size_t)all + 1, sizeof *rows);
     hawser_route_bend *const bend = calloc((size_t)all + 1, sizeof *bend);
     for (int i = 0; rows && bend && i < r->survey.n; ++i) {
-        const int found = r->row[i].used.fitted ? bends_list(&r->row[i], bend) : 0;
+        const int found = r->row[i].figures.fitted ? bends_list(&r->row[i], bend) : 0;
         for (int k = 0; k < found; ++k)
             rows[(*n)++] = (BendRow){r->row[i].figures.name, bend[k], bend[k].turn * DEGREES};
     }
@@ -400,9 +443,8 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
 static hawser_status row_find(const hawser_routes *r, int i, RouteRow **row, hawser_error *err)
 {
     if (i < 0 || i >= r->survey.n) return error_set(err, HAWSER_ERR_INPUT, "no line %d: there are %d", i, r->survey.n);
-    row_use(r, i);
     *row = &r->row[i];
-    return HAWSER_OK;
+    return row_use(r, i, err);
 }
 
 /* The same of one that can be a route. */
@@ -410,7 +452,7 @@ static hawser_status row_good(const hawser_routes *r, int i, RouteRow **row, haw
 {
     const hawser_status status = row_find(r, i, row, err);
     if (status || !(*row)->figures.problem) return status;
-    return error_set(err, (*row)->problem.status, "%.300s: %.700s", r->path, (*row)->problem.message);
+    return error_set(err, (*row)->use->problem.status, "%.300s: %.700s", r->path, (*row)->figures.problem);
 }
 
 hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_figures *out, hawser_error *err)
@@ -441,11 +483,12 @@ static hawser_status row_build(const hawser_routes *r, int i, RouteRow **row, ha
 {
     RouteLine line;
     hawser_status status = row_good(r, i, row, err);
-    if (status || (*row)->built) return status;
-    status = line_route(&(*row)->used, &r->options, V3_ZERO, &line, err);
+    RouteUse *const use = status ? NULL : (*row)->use;
+    if (status || use->built) return status;
+    status = line_route(&use->line, &r->options, V3_ZERO, &line, err);
     if (!status) {
-        status = route_build(&(*row)->route, line.n, line.piece, line.start, line.heading, line.slope, err);
-        (*row)->built = !status;
+        status = route_build(&use->route, line.n, line.piece, line.start, line.heading, line.slope, err);
+        use->built = !status;
     }
     free(line.piece);
     return status;
@@ -455,7 +498,7 @@ hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, ha
 {
     RouteRow *row = NULL;
     const hawser_status status = row_build(r, i, &row, err);
-    if (!status) *length_m = row->route.length;
+    if (!status) *length_m = row->use->route.length;
     return status;
 }
 
@@ -464,7 +507,7 @@ hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route
     RouteRow *row = NULL;
     const hawser_status status = row_build(r, i, &row, err);
     if (status) return status;
-    const RoutePoint p = route_at(&row->route, s_m);
+    const RoutePoint p = route_at(&row->use->route, s_m);
     v3_put(out->position_m, p.position);
     v3_put(out->tangent, p.tangent);
     v3_put(out->curvature_per_m, p.curvature);
@@ -482,6 +525,6 @@ hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *pat
     }
     hawser_status status = i < 0 ? line_choose(&r->options.line, &r->survey, &meant, err) : HAWSER_OK;
     if (!status) status = row_good(r, i < 0 ? (int)(meant - r->survey.alignment) : i, &row, err);
-    if (!status) status = alignment_write(&row->used.line, r->survey.system, (WriteFormat)format, path, err);
+    if (!status) status = alignment_write(&row->use->line.line, r->survey.system, (WriteFormat)format, path, err);
     return status;
 }

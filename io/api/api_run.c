@@ -1,7 +1,7 @@
-/* A run from the initial state to the case's end. The integrator takes its own steps; between them this file looks
- * whether a row, a state or a word to the caller is due. What is written is a state that the integrator reached, not
- * one between two: a row belongs to the first step that ends at its time or after, and no step is longer than the time
- * between rows. */
+/* One pass of a run, from the initial state to the case's end. The integrator takes its own steps; between them this
+ * file looks whether a row, a state or a word to the caller is due. What is written is a state that the integrator
+ * reached, not one between two: a row belongs to the first step that ends at its time or after, and no step is longer
+ * than the time between rows. */
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
@@ -28,6 +28,7 @@ typedef struct Run {
     double started, last_progress; /* clock_now() */
     Beat row, state;
     double last_row, last_state; /* simulated time, s */
+    double last_kept, kept_cost; /* clock_now() of the last checkpoint, s; what it took, s */
     const hawser_sample *look;   /* the simulation's, brought up to date by each look */
 } Run;
 
@@ -66,6 +67,42 @@ static hawser_status write_due(Run *run, hawser_error *err)
     const double t = hawser_sim_time(run->s);
     const int state = beat_due(&run->state, t), row = beat_due(&run->row, t) || state;
     return row ? write_now(run, row, state, err) : HAWSER_OK;
+}
+
+/* Checkpoints are as far apart as the case says, and farther where that would be most of a run's time. */
+static const double KEPT_SHARE = 0.25;
+
+/* The run as it stands between two steps, whatever is written after it. */
+static hawser_status keep_now(Run *run, hawser_error *err)
+{
+    Checkpoint c = {0};
+    const double start = clock_now();
+    RunKept kept = {
+        .rows = run->row.count, .states = run->state.count, .last_row = run->last_row, .last_state = run->last_state};
+    hawser_status status = results_position(run->results, &kept.files, err);
+    if (!status) status = checkpoint_write(run->s, &kept, &c, err);
+    if (!status) status = results_checkpoint(run->results, c.bytes, c.size, err);
+    checkpoint_free(&c);
+    run->last_kept = clock_now();
+    run->kept_cost = run->last_kept - start;
+    run->s->output_s += run->kept_cost;
+    return status;
+}
+
+/* Nothing that is known so early is worth keeping: a run of which no step has been made begins again. */
+static hawser_status keep_due(Run *run, hawser_error *err)
+{
+    const double interval = run->s->stage.scene.def.output.checkpoint;
+    if (!run->results || !(interval > 0)) return HAWSER_OK;
+    return clock_now() - run->last_kept < fmax(interval, run->kept_cost / KEPT_SHARE) ? HAWSER_OK : keep_now(run, err);
+}
+
+/* A run that is stopped between two steps can be gone on with as one that is killed; where it cannot be kept, the stop
+ * weighs more. */
+static void keep_last(Run *run)
+{
+    hawser_error unused;
+    if (run->results && run->s->stage.scene.def.output.checkpoint > 0 && run->s->stage.t > 0) keep_now(run, &unused);
 }
 
 /* The state in which a run ends, so far as the beats have not just written it. */
@@ -107,29 +144,42 @@ static hawser_status run_relaxation(Run *run, hawser_error *err)
     return hawser_sim_relax(s, NULL, err);
 }
 
-/* From the state of now to the end of the case. */
-static hawser_status run_steps(Run *run, hawser_error *err)
+/* From a state that has its row to the end of the case. */
+static hawser_status run_on(Run *run, hawser_error *err)
 {
     Sim *sim = run->s;
-    sim->stage.ws.stop = (StopCheck){.ask = ask_progress, .user = run};
-    hawser_status status = run_relaxation(run, err);
-    if (!status) status = write_due(run, err);
-    if (!status) status = tell_progress(run, 1, err);
+    hawser_status status = tell_progress(run, 1, err);
     while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may bring the end nearer */
         sim->inside = 1;
         status = sim_advance(sim, hawser_sim_end_time(sim), 1, err);
         sim->inside = 0;
         if (!status) status = write_due(run, err);
-        if (!status) status = tell_progress(run, 0, err);
+        if (!status) status = keep_due(run, err);
+        if (status) break; /* perhaps within a step: what is kept is from before it */
+        status = tell_progress(run, 0, err);
+        if (status == HAWSER_STOPPED) keep_last(run);
     }
     /* the caller sees the end; there is nothing left to stop */
     if (!status) tell_progress(run, 1, NULL);
+    return status;
+}
+
+/* From the state of now. */
+static hawser_status run_steps(Run *run, int resumed, hawser_error *err)
+{
+    Sim *sim = run->s;
+    hawser_status status = HAWSER_OK;
+    sim->stage.ws.stop = (StopCheck){.ask = ask_progress, .user = run};
+    if (!resumed) status = run_relaxation(run, err);
+    if (!status && !resumed) status = write_due(run, err);
+    if (!status) status = run_on(run, err);
     sim->stage.ws.stop = (StopCheck){0};
     return status;
 }
 
-/* Sizes, names and wishes for the results folder. */
-static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
+/* Sizes, names and wishes for the results folder. at: where the files of a run that is resumed were; NULL: it is new.
+ */
+static hawser_status open_results(Run *run, const char *dir, const ResultsPosition *at, hawser_error *err)
 {
     hawser_sim *s = run->s;
     const OutputDef *output = &s->stage.scene.def.output;
@@ -159,26 +209,45 @@ static hawser_status open_results(Run *run, const char *dir, hawser_error *err)
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
     if (def.states > 0) def.geometry = &geometry;
     def.route = route;
-    envelope_free(&s->envelope); /* of a run before */
-    if (!status && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
-    if (!status) status = results_open(&run->results, dir, &def, summary, err);
+    if (!at) envelope_free(&s->envelope); /* of a run before */
+    if (!status && !at && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
+    if (!status) {
+        status = at ? results_resume(&run->results, dir, &def, at, summary, err)
+                    : results_open(&run->results, dir, &def, summary, err);
+    }
     geometry_free(&geometry);
     hawser_text_free(summary);
     free(route);
     return status;
 }
 
-/* The tables, whatever the outcome. */
-static hawser_status finish_tables(Run *run, hawser_error *err)
+static ResultsTables tables_of(hawser_sim *s)
 {
-    hawser_sim *s = run->s;
-    ResultsTables tables = {0};
+    hawser_summary errors;
+    hawser_sim_summary(s, &errors); /* brings the tables' error bars up to date */
+    ResultsTables tables = {.segments = s->stage.scene.total, .envelope = s->envelope.present ? &s->envelope : NULL};
     tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
-    tables.segments = run->look->segments;
-    if (s->envelope.present) tables.envelope = &s->envelope;
+    return tables;
+}
+
+/* The tables, whatever the outcome. */
+static hawser_status finish_tables(Run *run, hawser_error *err)
+{
+    const ResultsTables tables = tables_of(run->s);
     return results_finish(run->results, &tables, err);
+}
+
+hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
+{
+    const ResultsTables tables = tables_of(s);
+    char *summary;
+    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    if (status) return status;
+    status = results_again(dir, &tables, summary, err);
+    hawser_text_free(summary);
+    return status;
 }
 
 /* After the tables: it says how they went, too. */
@@ -223,36 +292,68 @@ static hawser_status weigh(hawser_sim *s, hawser_status status, hawser_status wr
     return settle(s, written, err);
 }
 
-/* Folder, steps, tables: the tables are written whatever ended the steps. The first error counts. */
-hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+/* Steps and tables: the tables are written whatever ended the steps. The first error counts. */
+static hawser_status run_all(Run *run, int resumed, hawser_error *err)
 {
-    hawser_error local = {HAWSER_OK, ""}, late = {HAWSER_OK, ""};
-    hawser_error *e = err ? err : &local;
-    if (!s) return error_argument(err, "s");
-    if (s->inside || s->running) return error_inside(err);
-    Run run = {.s = s,
-               .progress = progress,
-               .user = user,
-               .started = clock_now(),
-               .last_progress = clock_now(),
-               .last_row = -1,
-               .look = hawser_sim_sample(s)};
-    s->running = 1;
-    s->outcome = HAWSER_OK;
-    start_beats(&run, hawser_sim_time(s));
-    hawser_status status = dir ? open_results(&run, dir, e) : HAWSER_OK;
-    if (status) return settle(s, status, e);
-    status = run_steps(&run, e);
-    hawser_status written = write_last(&run, &late);
-    settle(s, status, e);
-    if (run.results) {
-        const hawser_status finished = finish_tables(&run, written ? NULL : &late);
+    hawser_sim *const s = run->s;
+    hawser_error late = {HAWSER_OK, ""};
+    hawser_status status = run_steps(run, resumed, err);
+    hawser_status written = write_last(run, &late);
+    settle(s, status, err);
+    if (run->results) {
+        const hawser_status finished = finish_tables(run, written ? NULL : &late);
         if (!written) written = finished;
     }
-    status = weigh(s, status, written, &late, e);
-    if (run.results) {
-        status = weigh(s, status, finish_summary(&run, &late), &late, e);
-        results_free(run.results);
+    status = weigh(s, status, written, &late, err);
+    if (run->results) {
+        status = weigh(s, status, finish_summary(run, &late), &late, err);
+        if (!status || status == HAWSER_ERR_RUN) results_no_checkpoint(run->results); /* there is nothing to go on to */
+        results_free(run->results);
     }
     return status;
+}
+
+static Run run_new(hawser_sim *s, hawser_progress progress, void *user)
+{
+    const double now = clock_now();
+    return (Run){.s = s,
+                 .progress = progress,
+                 .user = user,
+                 .started = now,
+                 .last_progress = now,
+                 .last_kept = now,
+                 .last_row = -1,
+                 .look = hawser_sim_sample(s)};
+}
+
+/* Its beats begin at the state of now. */
+static void run_begin(Run *run)
+{
+    run->s->running = 1;
+    run->s->outcome = HAWSER_OK;
+    start_beats(run, hawser_sim_time(run->s));
+}
+
+hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+{
+    Run run = run_new(s, progress, user);
+    run_begin(&run);
+    const hawser_status status = dir ? open_results(&run, dir, NULL, err) : HAWSER_OK;
+    return status ? settle(s, status, err) : run_all(&run, 0, err);
+}
+
+/* The simulation first: nothing is touched in the folder of a run that cannot be gone on with. */
+hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+{
+    RunKept kept;
+    hawser_status status = checkpoint_read_dir(s, dir, &kept, err);
+    if (status) return settle(s, status, err);
+    Run run = run_new(s, progress, user);
+    run_begin(&run);
+    run.row.count = kept.rows;
+    run.state.count = kept.states;
+    run.last_row = kept.last_row;
+    run.last_state = kept.last_state;
+    status = open_results(&run, dir, &kept.files, err);
+    return status ? settle(s, status, err) : run_all(&run, 1, err);
 }

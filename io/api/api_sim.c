@@ -8,6 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What a second pass would be built from, where there may be one: of a pull in time. Returns 0 without memory. */
+static int plan_keep(hawser_sim *s, const SceneDef *def)
+{
+    const int pulled = def->winch.present && !def->rod.present && def->analysis.kind == ANALYSIS_DYNAMICS;
+    if (!pulled || def->solver.passes == PASSES_ONE) return 1;
+    s->plan = calloc(1, sizeof *s->plan);
+    if (s->plan && !scene_def_copy(def, s->plan, NULL)) return 1;
+    free(s->plan);
+    s->plan = NULL;
+    return 0;
+}
+
 /* Options come from a program or a command line, so they are checked like a case. */
 hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options, size_t size, hawser_sim **out,
                                    hawser_error *err)
@@ -33,9 +45,12 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     if (s->team) team_pin(s->team, mine.pin);
     s->case_name = strdup(c->name);
     s->title = strdup(c->def.title[0] ? c->def.title : c->name);
-    if (s->case_name && s->title) return HAWSER_OK;
-    *out = sim_free(s);
-    return error_memory(err);
+    s->case_folder = c->tree->folder ? realpath(c->tree->folder, NULL) : NULL;
+    if (!s->case_folder && c->tree->folder) s->case_folder = strdup(c->tree->folder);
+    status = s->case_name && s->title && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err)
+                                                               : error_memory(err);
+    if (status) *out = sim_free(s);
+    return status;
 }
 
 void hawser_sim_free(hawser_sim *s) { sim_free(s); }
@@ -58,6 +73,7 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
 {
     hawser_error local;
     hawser_error *e = err ? err : &local;
+    s = SHOWN(s);
     if (!s) return error_argument(err, "s");
     if (s->inside) return error_inside(err);
     if (hawser_sim_time(s) > 0) {
@@ -74,6 +90,7 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
 {
     hawser_error local;
     hawser_error *e = err ? err : &local;
+    s = SHOWN(s);
     if (!s) return error_argument(err, "s");
     if (s->inside || s->running) return error_inside(err);
     if (!(t < INFINITY) || t > TIME_MOST)
@@ -97,6 +114,7 @@ static const char *outcome_name(const hawser_sim *s)
 
 int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->stage.scene.def.assumptions;
     return s->stage.scene.def.n_assumptions;
@@ -119,6 +137,7 @@ static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, c
 /* The same text that summary.json has. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
 {
+    s = SHOWN(s);
     if (!s || !text) return error_argument(err, s ? "text" : "s");
     *text = NULL;
     const Scene *const scene = &s->stage.scene;

@@ -8,6 +8,7 @@
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const planar_choices[] = {"auto", "on", "off", NULL};
+static const char *const passes_choices[] = {"auto", "1", "2", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
@@ -58,7 +59,8 @@ static SECTION(tolerances, "solver.tolerances", tolerances_keys);
 
 /* Straight into SolverDef. */
 static const CaseKey solver_keys[] = {
-    {"accuracy", KEY_NUMBER, .fallback = "1e-3", FROM(1e-12, 0.1), AT(SolverDef, accuracy)},
+    {"accuracy", KEY_ANY, .fallback = "auto", .form = "`auto` or a number", FROM(1e-12, 0.1)},
+    {"passes", KEY_CHOICE, .fallback = "auto", .choices = passes_choices, AT(SolverDef, passes)},
     {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &tolerances},
     {"max_order", KEY_INTEGER, .fallback = "2", FROM(1, 5), AT(SolverDef, max_order)},
     {"max_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, max_step)},
@@ -94,13 +96,18 @@ static hawser_status gravity_read(CaseReader *r, const CaseNode *node)
     return status;
 }
 
-/* Its table fills SolverDef itself; the threads are the linear solver's too. */
+static const double ACCURACY = 1e-3; /* of `auto`; a second pass takes less */
+
+/* Its table fills SolverDef itself, but for `accuracy: auto`; the threads are the linear solver's too. */
 static hawser_status solver_read(CaseReader *r, const CaseNode *node)
 {
     SolverDef *solver = &r->def->solver;
-    const hawser_status status = case_section_read(r, node, &case_solver, solver);
+    const CaseNode *const given = case_node_key(node, "accuracy");
+    hawser_status status = case_section_read(r, node, &case_solver, solver);
     solver->linear.threads = solver->threads;
-    return status;
+    solver->accuracy = ACCURACY;
+    if (status || !given || (given->kind == NODE_TEXT && strcmp(given->text, "auto") == 0)) return status;
+    return case_number_read(r, given, case_key_of(&case_solver, "accuracy"), &solver->accuracy);
 }
 
 /* The parts in an order in which each finds what it is checked against. */
@@ -160,7 +167,7 @@ hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
     for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++) {
         status = parts[k].read(&r, case_node_key(r.root, parts[k].key));
     }
-    if (!status) status = case_inputs_read(&r, &case_top);
+    if (!status && !tree->unlisted) status = case_inputs_read(&r, &case_top);
     route_clear(&r.route);
     units_free(r.units);
     node_free(typed);

@@ -19,6 +19,7 @@ static const CaseKey run_keys[] = {
     {"modes", KEY_INTEGER, .fallback = "6", FROM(1, 200), AT(SceneDef, analysis.modes)},
     {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE),
      AT(SceneDef, output.steady_from)},
+    {"checkpoint", KEY_NUMBER, DIM_TIME, .fallback = "60 s", FROM(0, LATE), AT(SceneDef, output.checkpoint)},
 };
 SECTION(case_run, "run", run_keys);
 

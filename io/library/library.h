@@ -50,6 +50,9 @@ hawser_status library_include(Library *library, const CaseTree *tree, hawser_err
 /* Adds the shipped files: of the folder HAWSER_LIBRARY if the environment names one, else of share/hawser/library
  * beside the program or the library that this function is in. Errors: INPUT that says where it was looked for. */
 hawser_status library_ship(Library *library, hawser_error *err);
+/* What is shipped in a place ("share/hawser/library") beside the program or the library that this function is in, or up
+ * to two folders above; malloc'ed; NULL: it is not there. */
+char *shipped_find(const char *place);
 /* The folder of the shipped files, malloc'ed; NULL if there is none. `looked` (1000 bytes): where it was looked for. */
 char *library_folder(char *looked, size_t room);
 

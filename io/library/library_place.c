@@ -21,20 +21,27 @@ static int is_folder(const char *path)
     return stat(path, &is) == 0 && S_ISDIR(is.st_mode);
 }
 
-/* PLACE beside the folder of a program or library, or up to two above it: bin, lib, lib/x86_64-linux-gnu; in a build
+/* A place beside the folder of a program or library, or up to two above it: bin, lib, lib/x86_64-linux-gnu; in a build
  * cli and tests/fuzz. Malloc'ed; NULL: not there. */
-static char *beside(const char *module)
+static char *beside(const char *module, const char *place)
 {
-    char path[PATH_MAX + sizeof PLACE + 8], *real = realpath(module, NULL);
+    char path[2 * PATH_MAX], *real = realpath(module, NULL);
     char *slash = real ? strrchr(real, '/') : NULL, *found = NULL;
     for (int up = 0; up < 3 && slash && !found; up++) {
         *slash = 0;
-        snprintf(path, sizeof path, "%s/%s", real, PLACE);
-        if (is_folder(path)) found = realpath(path, NULL);
+        if (snprintf(path, sizeof path, "%s/%s", real, place) < (int)sizeof path) found = realpath(path, NULL);
         slash = strrchr(real, '/');
     }
     free(real);
     return found;
+}
+
+char *shipped_find(const char *place)
+{
+    Dl_info module = {0};
+    char *const found =
+        dladdr((const void *)library_kinds, &module) && module.dli_fname ? beside(module.dli_fname, place) : NULL;
+    return found ? found : beside("/proc/self/exe", place);
 }
 
 char *library_folder(char *looked, size_t room)
@@ -44,12 +51,14 @@ char *library_folder(char *looked, size_t room)
         snprintf(looked, room, "the environment's HAWSER_LIBRARY, '%.800s', is not a folder", named);
         return is_folder(named) ? strdup(named) : NULL;
     }
-    Dl_info module = {0};
     char program[PATH_MAX] = "";
     const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     program[length > 0 ? length : 0] = 0;
-    char *found = dladdr((const void *)library_kinds, &module) && module.dli_fname ? beside(module.dli_fname) : NULL;
-    if (!found && *program) found = beside(program);
+    char *found = shipped_find(PLACE);
+    if (found && !is_folder(found)) {
+        free(found);
+        found = NULL;
+    }
     snprintf(looked, room, "there is no %s beside %.700s: name its folder in the environment's HAWSER_LIBRARY", PLACE,
              *program ? program : "the program");
     return found;

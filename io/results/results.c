@@ -47,13 +47,15 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
 
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
  */
-static hawser_status remove_old(const Results *r, int states, hawser_error *err)
+enum { OLD_ENDS = 4, OLD_BUT_XDMF = 8, OLD_ALL = 9 }; /* the first: what only the end of a run writes */
+static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
-    static const char *const names[] = {"modes.csv",  "certificate.json", "route.csv",   "report.html",
-                                        "report.pdf", "results.h5",       "results.xdmf"};
+    static const char *const names[OLD_ALL] = {"modes.csv",          "certificate.json", "report.html",
+                                               "report.pdf",         CHECKPOINT_FILE,    "route.csv",
+                                               "results.h5.journal", "results.h5",       "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
-    for (int k = 0; k < (states ? 6 : 7) && !s; k++) {
+    for (int k = 0; k < count && !s; k++) {
         s = out_join(path, r->dir, names[k], err);
         if (!s && unlink(path) && errno != ENOENT) s = out_error(path, errno, err);
     }
@@ -78,6 +80,17 @@ static hawser_status write_known(const Results *r, const ResultsDef *def, hawser
     return status ? status : closed;
 }
 
+/* What the end fills. */
+static hawser_status open_tables(Results *r, hawser_error *err)
+{
+    hawser_status s = HAWSER_OK;
+    for (int k = 0; k < TABLES && !s; k++) {
+        s = out_open(&r->tables[k], r->dir, tables[k].file, err);
+        if (!s) s = csv_head(&r->tables[k], tables[k].columns, err);
+    }
+    return s;
+}
+
 /* Before anything is written: two runs at once would mix their rows. The summary comes first: a folder whose run is
  * killed says "running", not what the run before had to say. */
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
@@ -85,22 +98,35 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     hawser_status s = out_make_dir(r->dir, err);
     if (!s) s = out_lock_dir(r->dir, &r->lock, err);
     if (!s) s = out_whole(r->dir, "summary.json", summary, err);
-    if (!s) s = remove_old(r, def->states > 0, err);
+    if (!s) s = remove_old(r, def->states > 0 ? OLD_BUT_XDMF : OLD_ALL, err);
     if (!s) s = write_known(r, def, err);
     if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
     if (!s) s = series_make(&r->columns, def, err);
     if (!s) s = series_head(&r->series, &r->columns, err);
-    for (int k = 0; k < TABLES && !s; k++) {
-        s = out_open(&r->tables[k], r->dir, tables[k].file, err);
-        if (!s) s = csv_head(&r->tables[k], tables[k].columns, err);
-    }
+    if (!s) s = open_tables(r, err);
     if (!s && def->states > 0) s = open_states(r, def, err);
     return s;
 }
 
-/* Nothing stays open after a failure; files that were made by then are left, empty. */
-hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
-                           hawser_error *err)
+/* The files that grow go on; the others are as they were. */
+static hawser_status resume_all(Results *r, const ResultsDef *def, const ResultsPosition *at, const char *summary,
+                                hawser_error *err)
+{
+    hawser_status s = out_lock_dir(r->dir, &r->lock, err);
+    if (!s) s = out_resume(&r->series, r->dir, "series.csv", at->series, err);
+    if (!s) s = series_make(&r->columns, def, err);
+    if (!s && def->states > 0) s = h5_resume(&r->h5, r->dir, def, at->states, err);
+    if (!s && def->states > 0) s = xdmf_resume(&r->xdmf, r->dir, def, at->xdmf, err);
+    if (!s) s = out_whole(r->dir, "summary.json", summary, err);
+    if (!s) s = remove_old(r, OLD_ENDS, err);
+    if (!s) s = open_tables(r, err);
+    r->states = at->states;
+    return s;
+}
+
+/* Nothing stays open after a failure; files that were made by then are left, empty. at: NULL for a new run. */
+static hawser_status results_begin(Results **out, const char *dir, const ResultsDef *def, const ResultsPosition *at,
+                                   const char *summary, hawser_error *err)
 {
     *out = NULL;
     if (strlen(dir) >= OUT_PATH_MAX) return error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
@@ -108,13 +134,25 @@ hawser_status results_open(Results **out, const char *dir, const ResultsDef *def
     if (!r) return error_memory(err);
     strcpy(r->dir, dir);
     r->lock = -1;
-    const hawser_status status = open_all(r, def, summary, err);
+    const hawser_status status = at ? resume_all(r, def, at, summary, err) : open_all(r, def, summary, err);
     if (status) {
         results_free(r);
         return status;
     }
     *out = r;
     return HAWSER_OK;
+}
+
+hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
+                           hawser_error *err)
+{
+    return results_begin(out, dir, def, NULL, summary, err);
+}
+
+hawser_status results_resume(Results **out, const char *dir, const ResultsDef *def, const ResultsPosition *position,
+                             const char *summary, hawser_error *err)
+{
+    return results_begin(out, dir, def, position, summary, err);
 }
 
 hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
@@ -157,6 +195,29 @@ hawser_status results_tick(Results *r, hawser_error *err)
     return clock_now() - r->last_flush < flush_interval ? HAWSER_OK : flush_all(r, err);
 }
 
+hawser_status results_position(Results *r, ResultsPosition *position, hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    hawser_status s = flush_all(r, err);
+    if (!s) s = out_sync(r->series.path, err);
+    if (!s && r->h5) s = out_sync(r->xdmf.out.path, err);
+    if (!s && r->h5) s = out_join(path, r->dir, "results.h5", err);
+    if (!s && r->h5) s = out_sync(path, err);
+    *position = (ResultsPosition){ftell(r->series.f), r->h5 ? r->xdmf.end : 0, r->states};
+    return s;
+}
+
+hawser_status results_checkpoint(Results *r, const void *bytes, size_t size, hawser_error *err)
+{
+    return out_whole_bytes(r->dir, CHECKPOINT_FILE, bytes, size, err);
+}
+
+void results_no_checkpoint(Results *r)
+{
+    char path[OUT_PATH_MAX];
+    if (!out_join(path, r->dir, CHECKPOINT_FILE, NULL)) unlink(path);
+}
+
 /* The first error of a sequence that goes on all the same; err is given only to calls before it. */
 static void keep_first(hawser_status *first, hawser_status status)
 {
@@ -196,6 +257,59 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
 hawser_status results_summary(Results *r, const char *summary, hawser_error *err)
 {
     return out_whole(r->dir, "summary.json", summary, err);
+}
+
+/* While files change, no summary says that they belong together. */
+static void summary_withdraw(const char *dir)
+{
+    char path[OUT_PATH_MAX];
+    hawser_error unused;
+    if (!out_join(path, dir, "summary.json", &unused)) unlink(path);
+}
+
+hawser_status results_again(const char *dir, const ResultsTables *t, const char *summary, hawser_error *err)
+{
+    const int n[TABLES] = {t->n_stations, t->n_rollers};
+    const void *const rows[TABLES] = {t->station, t->roller};
+    hawser_status s = HAWSER_OK;
+    summary_withdraw(dir);
+    for (int k = 0; k < TABLES && !s; k++) {
+        OutFile out;
+        s = out_open(&out, dir, tables[k].file, err);
+        if (s) break;
+        s = csv_head(&out, tables[k].columns, err);
+        if (!s) s = csv_rows(&out, tables[k].columns, n[k], rows[k], err);
+        keep_first(&s, out_close(&out, s ? NULL : err));
+    }
+    return s ? s : out_whole(dir, "summary.json", summary, err);
+}
+
+/* All that a run may write. */
+static const char *const run_files[] = {"series.csv", "stations.csv", "rollers.csv",  "inputs.csv",  "route.csv",
+                                        "modes.csv",  "results.h5",   "results.xdmf", "summary.json"};
+enum { RUN_FILES = sizeof run_files / sizeof *run_files };
+
+/* The summary comes last: what it says is there. */
+hawser_status results_replace(const char *to, const char *from, hawser_error *err)
+{
+    char old[OUT_PATH_MAX], new[OUT_PATH_MAX];
+    hawser_status s = HAWSER_OK;
+    summary_withdraw(to);
+    for (int k = 0; k < RUN_FILES && !s; k++) {
+        s = out_join(old, to, run_files[k], err);
+        if (!s) s = out_join(new, from, run_files[k], err);
+        if (!s && rename(new, old) && errno != ENOENT) s = out_error(old, errno, err);
+    }
+    if (!s) rmdir(from);
+    return s;
+}
+
+void results_remove(const char *from)
+{
+    char path[OUT_PATH_MAX];
+    for (int k = 0; k < RUN_FILES; k++)
+        if (!out_join(path, from, run_files[k], NULL)) unlink(path);
+    rmdir(from);
 }
 
 /* After results_finish only memory is left to free; without it, everything is closed as it stands. */

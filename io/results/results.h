@@ -23,6 +23,22 @@ typedef struct ResultsTables {
  * `summary`: summary.json until the end. Errors: OUTPUT, MEMORY. */
 hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
                            hawser_error *err);
+/* How far the files that grow had come when a checkpoint was made. */
+typedef struct ResultsPosition {
+    long series, xdmf; /* bytes */
+    long states;
+} ResultsPosition;
+/* Brings everything to the disk and says how far that is: a run that is resumed goes on from there. Errors: OUTPUT. */
+hawser_status results_position(Results *r, ResultsPosition *position, hawser_error *err);
+/* Opens the folder of such a run: what its files have beyond that is taken away. Arguments and errors as results_open.
+ */
+hawser_status results_resume(Results **out, const char *dir, const ResultsDef *def, const ResultsPosition *position,
+                             const char *summary, hawser_error *err);
+/* CHECKPOINT_FILE of the folder, whole and on the disk, in place of the one before; or none any more. Errors: OUTPUT,
+ * MEMORY. */
+#define CHECKPOINT_FILE "checkpoint.hawser"
+hawser_status results_checkpoint(Results *r, const void *bytes, size_t size, hawser_error *err);
+void results_no_checkpoint(Results *r);
 /* A row of series.csv. Errors: OUTPUT. */
 hawser_status results_row(Results *r, const hawser_sample *sample, hawser_error *err);
 /* A state of results.h5; nothing if no states are wanted. Errors: OUTPUT. */
@@ -36,5 +52,11 @@ hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_err
 /* summary.json for good: whole, or what stood there before. Errors: OUTPUT, MEMORY. */
 hawser_status results_summary(Results *r, const char *summary, hawser_error *err);
 Results *results_free(Results *r);
+
+/* Of folders whose runs are over. The tables and the summary once more; the results of `from`, a folder within the
+ * folder `to`, in the place of those of `to`; `from` with its results away. Errors: OUTPUT, MEMORY. */
+hawser_status results_again(const char *dir, const ResultsTables *tables, const char *summary, hawser_error *err);
+hawser_status results_replace(const char *to, const char *from, hawser_error *err);
+void results_remove(const char *from);
 
 #endif

@@ -6,7 +6,9 @@
  * program that is killed between two flushes would leave a file that points nowhere. So everything below `kept`, the
  * size at the last flush, is changed in memory only, page by page. Above it nothing is pointed to yet, and is written
  * at once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
- * superblock, which is at 0, comes at the very end. What is left is a kill within these few writes, of a page each. */
+ * superblock, which is at 0, comes at the very end. A kill within these few writes, of a page each, leaves a file
+ * between the two: so the pages are written to a journal before, which is there for no longer than that, and
+ * disk_recover does again what it says. */
 #include "io/results/results_h5.h"
 
 #include <errno.h>
@@ -15,6 +17,8 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "core/base/checkpoint.h"
 
 /* What the property list carries. */
 typedef struct DiskInfo {
@@ -39,6 +43,7 @@ typedef struct DiskFile {
     size_t pages, page_room;
     dev_t device;
     ino_t inode;
+    char journal[OUT_PATH_MAX]; /* its path; "": the file's is too long */
 } DiskFile;
 
 static const haddr_t address_max = ((haddr_t)1 << 62) - 1;
@@ -48,6 +53,79 @@ static void keep_error(const DiskFile *f)
 {
     if (!*f->error) *f->error = errno ? errno : EIO;
 }
+
+/* ------------------------------------------------------------------------------------------------------ journal */
+
+/* A journal: this, then the pages' numbers and contents. */
+typedef struct JournalHead {
+    uint64_t pages, size, hash; /* size: of the file when they are all written; hash: of them */
+} JournalHead;
+
+/* Of a file that gets its name later (results_h5.c) as of one that has it. */
+static void journal_path(char path[OUT_PATH_MAX], const char *name)
+{
+    static const char part[] = ".part";
+    const size_t length = strlen(name), end = sizeof part - 1;
+    const int late = length > end && !strcmp(name + length - end, part);
+    if (snprintf(path, OUT_PATH_MAX, "%.*s.journal", (int)(late ? length - end : length), name) >= OUT_PATH_MAX)
+        *path = 0;
+}
+
+/* The changed pages; where there is no room for them the file does without. */
+static void journal_write(const DiskFile *f)
+{
+    const size_t each = sizeof(uint64_t) + PAGE, size = sizeof(JournalHead) + f->pages * each;
+    char *const all = f->pages > 0 && *f->journal ? malloc(size) : NULL, *at = all + sizeof(JournalHead);
+    if (!all) return;
+    for (size_t k = 0; k < f->pages; k++, at += each) {
+        const uint64_t number = f->page[k].number;
+        memcpy(at, &number, sizeof number);
+        memcpy(at + sizeof number, f->page[k].bytes, PAGE);
+    }
+    const JournalHead head = {f->pages, f->allocated, checkpoint_hash(all + sizeof head, size - sizeof head)};
+    memcpy(all, &head, sizeof head);
+    const int fd = open(f->journal, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int whole = fd >= 0 && write(fd, all, size) == (ssize_t)size;
+    if (fd >= 0) close(fd);
+    if (!whole) unlink(f->journal); /* nor one that was left */
+    free(all);
+}
+
+/* Whether all of the pages got to the file. */
+static int journal_apply(int fd, const char *all, const JournalHead *head)
+{
+    const char *at = all + sizeof *head;
+    for (uint64_t k = 0; k < head->pages; k++, at += sizeof(uint64_t) + PAGE) {
+        uint64_t number;
+        memcpy(&number, at, sizeof number);
+        if (pwrite(fd, at + sizeof number, PAGE, (off_t)(number * PAGE)) != PAGE) return 0;
+    }
+    return !ftruncate(fd, (off_t)head->size);
+}
+
+/* A journal that is not whole was being written when nothing had been done to the file yet. */
+void disk_recover(const char *name)
+{
+    char path[OUT_PATH_MAX];
+    struct stat state;
+    JournalHead head = {0};
+    journal_path(path, name);
+    const int from = *path ? open(path, O_RDONLY | O_CLOEXEC) : -1;
+    if (from < 0) return;
+    const size_t size = fstat(from, &state) ? 0 : (size_t)state.st_size;
+    char *const all = size > sizeof head ? malloc(size) : NULL;
+    if (all && read(from, all, size) == (ssize_t)size) memcpy(&head, all, sizeof head);
+    close(from);
+    const int whole = head.pages > 0 && size == sizeof head + head.pages * (sizeof(uint64_t) + PAGE) &&
+                      head.hash == checkpoint_hash(all + sizeof head, size - sizeof head);
+    const int to = whole ? open(name, O_WRONLY | O_CLOEXEC) : -1;
+    const int done = !whole || (to >= 0 && journal_apply(to, all, &head));
+    if (to >= 0) close(to);
+    if (done) unlink(path);
+    free(all);
+}
+
+/* --------------------------------------------------------------------------------------------------- the driver */
 
 /* Called by HDF5, also to look whether the file can be opened at all. H5F_ACC flags are translated to open(2). */
 static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t max)
@@ -67,9 +145,10 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     *info->error = 0; /* HDF5 tries softer ways to open a file first */
     f->fd = fd;
     f->error = info->error;
-    f->size = (haddr_t)state.st_size;
+    f->size = f->kept = (haddr_t)state.st_size;
     f->device = state.st_dev;
     f->inode = state.st_ino;
+    journal_path(f->journal, name);
     return &f->base;
 }
 
@@ -240,7 +319,9 @@ static herr_t disk_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
 static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
 {
     DiskFile *f = (DiskFile *)file;
+    const int journal = f->pages > 0;
     (void)transfer, (void)closing;
+    if (journal && !*f->error) journal_write(f);
     for (size_t k = f->pages; k-- > 0;) {
         const haddr_t at = f->page[k].number * PAGE;
         write_all(f, at, at + PAGE < f->kept ? PAGE : (size_t)(f->kept - at), f->page[k].bytes);
@@ -249,6 +330,7 @@ static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
     f->pages = 0;
     fit_size(f);
     f->kept = f->size;
+    if (journal && *f->journal && !*f->error) unlink(f->journal);
     return 0;
 }
 

@@ -97,11 +97,27 @@ static int stream_seek(void *cookie, off64_t *offset, int whence)
 
 static int stream_close(void *cookie) { return close(fd_of(cookie)); }
 
-/* A stream for writing, with a buffer; NULL with errno. */
-static FILE *stream_open(const char *path, char *buffer)
+/* What is open as fd keeps its first `size` bytes, and goes on behind them; 0 with errno. */
+static int cut_to(int fd, long size)
 {
-    const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    struct stat info;
+    if (fstat(fd, &info)) return 0;
+    if (info.st_size < size) errno = ENODATA;
+    return info.st_size >= size && !ftruncate(fd, size) && lseek(fd, size, SEEK_SET) == size;
+}
+
+/* A stream for writing, with a buffer, behind the first `size` bytes of a file that is there; < 0: of a new one. NULL
+ * with errno. */
+static FILE *stream_open(const char *path, long size, char *buffer)
+{
+    const int fd = open(path, O_WRONLY | O_CLOEXEC | (size < 0 ? O_CREAT | O_TRUNC : 0), 0666);
     if (fd < 0) return NULL;
+    if (size >= 0 && !cut_to(fd, size)) {
+        const int number = errno;
+        close(fd);
+        errno = number;
+        return NULL;
+    }
     FILE *const f =
         fopencookie((void *)((size_t)fd + 1), "w",
                     (cookie_io_functions_t){.write = stream_write, .seek = stream_seek, .close = stream_close});
@@ -123,8 +139,8 @@ static int out_release(OutFile *out)
     return number;
 }
 
-/* The locale is made for each file: there is no place for a shared one. */
-hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
+/* The locale is made for each file: there is no place for a shared one. size: as stream_open. */
+static hawser_status out_begin(OutFile *out, const char *dir, const char *name, long size, hawser_error *err)
 {
     memset(out, 0, sizeof *out);
     const hawser_status status = out_join(out->path, dir, name, err);
@@ -133,11 +149,32 @@ hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_e
     out->buffer = malloc(BUFFER);
     const int room = out->c && out->buffer;
     errno = 0;
-    out->f = room ? stream_open(out->path, out->buffer) : NULL;
+    out->f = room ? stream_open(out->path, size, out->buffer) : NULL;
     if (out->f) return HAWSER_OK;
     const int number = errno;
     out_release(out);
     return !room || number == ENOMEM ? error_memory(err) : out_error(out->path, number, err);
+}
+
+hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
+{
+    return out_begin(out, dir, name, -1, err);
+}
+
+hawser_status out_resume(OutFile *out, const char *dir, const char *name, long size, hawser_error *err)
+{
+    assert(size >= 0);
+    return out_begin(out, dir, name, size, err);
+}
+
+hawser_status out_sync(const char *path, hawser_error *err)
+{
+    errno = 0;
+    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    const int ok = fd >= 0 && (!fsync(fd) || errno == EINVAL); /* where there is nothing to be written through */
+    const int number = errno;
+    if (fd >= 0) close(fd);
+    return ok ? HAWSER_OK : out_error(path, number, err);
 }
 
 /* The locale is the thread's, and only for the duration of the call. */
@@ -187,22 +224,45 @@ hawser_status out_close(OutFile *out, hawser_error *err)
     return bad || number ? out_error(out->path, number, err) : HAWSER_OK;
 }
 
-hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err)
+/* What is written under "NAME.part" gets its name. */
+static hawser_status part_name(OutFile *out, const char *path, hawser_status status, hawser_error *err)
 {
-    OutFile out;
-    char part[OUT_PATH_MAX], path[OUT_PATH_MAX];
+    const hawser_status closed = out_close(out, status ? NULL : err);
+    if (!status) status = closed;
+    if (!status && rename(out->path, path)) status = out_error(path, errno, err);
+    if (status) unlink(out->path);
+    return status;
+}
+
+static hawser_status part_open(OutFile *out, const char *dir, const char *name, char *path, hawser_error *err)
+{
+    char part[OUT_PATH_MAX];
     if (snprintf(part, sizeof part, "%s.part", name) >= (int)sizeof part) return out_error(name, ENAMETOOLONG, err);
     hawser_status status = out_join(path, dir, name, err);
     if (status) return status;
-    status = out_open(&out, dir, part, err);
-    if (status) {
-        unlink(out.path);
-        return status;
-    }
-    status = out_print(&out, err, "%s", text);
-    const hawser_status closed = out_close(&out, status ? NULL : err);
-    if (!status) status = closed;
-    if (!status && rename(out.path, path)) status = out_error(path, errno, err);
-    if (status) unlink(out.path);
+    status = out_open(out, dir, part, err);
+    if (status) unlink(out->path);
     return status;
+}
+
+hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err)
+{
+    OutFile out;
+    char path[OUT_PATH_MAX];
+    const hawser_status status = part_open(&out, dir, name, path, err);
+    return status ? status : part_name(&out, path, out_print(&out, err, "%s", text), err);
+}
+
+hawser_status out_whole_bytes(const char *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
+{
+    OutFile out;
+    char path[OUT_PATH_MAX];
+    hawser_status status = part_open(&out, dir, name, path, err);
+    if (status) return status;
+    errno = 0;
+    if (fwrite(bytes, 1, size, out.f) != size) status = out_error(out.path, errno, err);
+    if (!status) status = out_flush(&out, err);
+    if (!status) status = out_sync(out.path, err);
+    status = part_name(&out, path, status, err);
+    return status ? status : out_sync(dir, err); /* the name, too */
 }

@@ -35,6 +35,11 @@ hawser_status out_error(const char *path, int number, hawser_error *err);
 
 /* Creates dir/name or empties it. Errors: OUTPUT, MEMORY; the file is then closed. */
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);
+/* Opens dir/name to go on behind its first `size` bytes; what is there beyond is cut off. Errors: OUTPUT (it is not
+ * there, or shorter), MEMORY; the file is then closed. */
+hawser_status out_resume(OutFile *out, const char *dir, const char *name, long size, hawser_error *err);
+/* Has the system write a file to the disk, where it outlives the machine. Errors: OUTPUT. */
+hawser_status out_sync(const char *path, hawser_error *err);
 /* Appends text; errors that the system only finds later come from out_flush or out_close. */
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* A separator and a cell of CSV. */
@@ -46,6 +51,8 @@ hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */
 hawser_status out_close(OutFile *out, hawser_error *err);
 
+/* The same for bytes, and to the disk, before they have their name. */
+hawser_status out_whole_bytes(const char *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
 /* A file of one text: beside its name first ("NAME.part"), so that what stands under the name is whole at any time.
  * Errors: OUTPUT, MEMORY; what stood there before stays. */
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err);
@@ -138,6 +145,9 @@ typedef struct H5File H5File;
 
 /* Creates dir/results.h5 with everything that does not change. Errors: OUTPUT, MEMORY. */
 hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err);
+/* Opens dir/results.h5 to go on behind its first `rows` states; what was added later, also at the end, is taken away.
+ * Errors: OUTPUT, MEMORY. */
+hawser_status h5_resume(H5File **out, const char *dir, const ResultsDef *def, long rows, hawser_error *err);
 /* Adds one state. Errors: OUTPUT; the states before it stay readable. */
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err);
 /* The group "envelope", once. Errors: OUTPUT. */
@@ -161,6 +171,8 @@ typedef struct XdmfFile {
 
 /* Creates dir/results.xdmf without states. Errors: OUTPUT, MEMORY. */
 hawser_status xdmf_open(XdmfFile *x, const char *dir, const ResultsDef *def, hawser_error *err);
+/* Opens it to go on behind byte `end`, where its last state ended. Errors: OUTPUT, MEMORY. */
+hawser_status xdmf_resume(XdmfFile *x, const char *dir, const ResultsDef *def, long end, hawser_error *err);
 /* Adds states first .. first+n-1, whose frames are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err);
 hawser_status xdmf_close(XdmfFile *x, hawser_error *err);

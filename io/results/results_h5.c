@@ -130,13 +130,16 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     return ok;
 }
 
-/* A file on the driver that never fails in HDF5's eyes; < 0 if there is none. */
-static hid_t create_file(H5File *h)
+/* A file on the driver that never fails in HDF5's eyes, a new one or the one that is there; < 0 if there is none. */
+static hid_t driven_file(H5File *h, int resume)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     h->driver = disk_driver_use(access, &h->disk_error);
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-    const hid_t file = h->driver < 0 ? -1 : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    hid_t file = -1;
+    if (h->driver >= 0) {
+        file = resume ? H5Fopen(h->path, H5F_ACC_RDWR, access) : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    }
     H5Pclose(access);
     return file;
 }
@@ -144,7 +147,7 @@ static hid_t create_file(H5File *h)
 /* The empty file, with everything that does not change. */
 static int make_file(H5File *h, const ResultsDef *def)
 {
-    const hid_t file = create_file(h);
+    const hid_t file = driven_file(h, 0);
     if (file < 0) return 0;
     h->file = file;
     int ok = h5_text(file, "title", def->title) && h5_text(file, "hawser_version", hawser_version());
@@ -174,20 +177,30 @@ static int name_file(H5File *h, const char *path)
     return 1;
 }
 
-/* Flushed at once, so that a full disk shows before anything is computed; what has no name by then is taken away. */
-hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err)
+/* Sizes and memory, without a file. */
+static hawser_status h5_new(H5File **out, const char *dir, const ResultsDef *def, char *path, hawser_error *err)
 {
-    char path[OUT_PATH_MAX] = "", part[OUT_PATH_MAX] = "";
-    *out = NULL;
-    H5File *h = calloc(1, sizeof *h);
+    H5File *const h = *out = calloc(1, sizeof *h);
     if (!h) return error_memory(err);
     h->segments = def->segments;
     h->rollers = def->rollers;
     h->deflate = wants_deflate(def);
     h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
     h->set = calloc((size_t)sample_columns, sizeof *h->set);
-    hawser_status status = h->frame && h->set ? out_join(path, dir, "results.h5", err) : error_memory(err);
-    if (!status) status = out_join(part, dir, "results.h5.part", err);
+    const hawser_status status = h->frame && h->set ? out_join(path, dir, "results.h5", err) : error_memory(err);
+    if (status) h5_close(out, NULL);
+    return status;
+}
+
+/* Flushed at once, so that a full disk shows before anything is computed; what has no name by then is taken away. */
+hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err)
+{
+    char path[OUT_PATH_MAX] = "", part[OUT_PATH_MAX] = "";
+    H5File *h;
+    *out = NULL;
+    hawser_status status = h5_new(&h, dir, def, path, err);
+    if (status) return status;
+    status = out_join(part, dir, "results.h5.part", err);
     if (!status) {
         int ok = 0;
         strcpy(h->path, part);
@@ -199,6 +212,73 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
     if (status) {
         h5_close(&h, NULL);
         if (*part) unlink(part);
+        return status;
+    }
+    *out = h;
+    return HAWSER_OK;
+}
+
+/* A set that is there keeps its first rows. */
+static int set_resume(H5File *h, int k)
+{
+    hsize_t dims[3], there[3];
+    const SampleColumn *const info = &sample_column[k];
+    if (!info->set || item_count(h, info->per) == 0) return 1;
+    h->set[k] = H5Dopen2(h->file, info->set, H5P_DEFAULT);
+    if (h->set[k] < 0) return 0;
+    const int rank = set_dims(h, info, h->rows, dims);
+    const hid_t space = H5Dget_space(h->set[k]);
+    int same = H5Sget_simple_extent_ndims(space) == rank && H5Sget_simple_extent_dims(space, there, NULL) == rank;
+    H5Sclose(space);
+    for (int d = 1; d < rank; d++) same = same && there[d] == dims[d];
+    return same && there[0] >= h->rows && H5Dset_extent(h->set[k], dims) >= 0;
+}
+
+/* Frames are numbered by their states. */
+static int frames_resume(H5File *h)
+{
+    H5G_info_t info;
+    char name[FRAMES_NAME];
+    h->frames = H5Gopen2(h->file, "frames", H5P_DEFAULT);
+    if (h->frames < 0 || H5Gget_info(h->frames, &info) < 0) return 0;
+    int ok = 1;
+    for (hsize_t k = h->rows; k < info.nlinks && ok; k++) {
+        snprintf(name, sizeof name, "%06ld", (long)k);
+        ok = H5Ldelete(h->frames, name, H5P_DEFAULT) >= 0;
+    }
+    return ok;
+}
+
+static int file_resume(H5File *h)
+{
+    disk_recover(h->path);
+    h->file = driven_file(h, 1);
+    int ok = h->file >= 0 && frames_resume(h);
+    for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);
+    if (ok && H5Lexists(h->file, "envelope", H5P_DEFAULT) > 0) ok = H5Ldelete(h->file, "envelope", H5P_DEFAULT) >= 0;
+    return ok && H5Fflush(h->file, H5F_SCOPE_LOCAL) >= 0;
+}
+
+hawser_status h5_resume(H5File **out, const char *dir, const ResultsDef *def, long rows, hawser_error *err)
+{
+    char path[OUT_PATH_MAX] = "";
+    H5File *h;
+    *out = NULL;
+    hawser_status status = h5_new(&h, dir, def, path, err);
+    if (status) return status;
+    int ok = 0;
+    strcpy(h->path, path);
+    h->rows = (hsize_t)rows;
+    H5E_BEGIN_TRY { ok = file_resume(h); }
+    H5E_END_TRY
+    if (!ok && !h->disk_error) {
+        status = error_set(err, HAWSER_ERR_OUTPUT,
+                           "cannot go on with '%.700s': it has not the states of the checkpoint", path);
+    } else {
+        status = h5_result(h, ok, err);
+    }
+    if (status) {
+        h5_close(&h, NULL);
         return status;
     }
     *out = h;

@@ -19,6 +19,8 @@
  * must outlive the file. Returns a driver to be given to H5FDunregister when the file is closed (or could not be
  * opened), not before: HDF5 calls the driver's close after it has let go of the driver. < 0 on failure. */
 hid_t disk_driver_use(hid_t access, int *error);
+/* Brings a file whose program was killed within a flush to the state after it. */
+void disk_recover(const char *name);
 
 /* ------------------------------------------------------------------- results_sets.c; all return 0 if HDF5 refuses */
 

@@ -111,6 +111,17 @@ hawser_status xdmf_open(XdmfFile *x, const char *dir, const ResultsDef *def, haw
     return write_tail(x, err);
 }
 
+hawser_status xdmf_resume(XdmfFile *x, const char *dir, const ResultsDef *def, long end, hawser_error *err)
+{
+    x->segments = def->segments;
+    x->sizes = def->geometry != NULL;
+    const hawser_status status = out_resume(&x->out, dir, "results.xdmf", end, err);
+    if (status) return status;
+    setvbuf(x->out.f, NULL, _IOFBF, 1 << 16);
+    x->end = end;
+    return write_tail(x, err);
+}
+
 /* The grid of one state: cells join neighbouring centres, so that what joint 1..n-1 has is theirs. The position is
  * there once more as data, for readers that keep the first frame's points. */
 static hawser_status write_frame(XdmfFile *x, long frame, double t, hawser_error *err)

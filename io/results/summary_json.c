@@ -215,6 +215,28 @@ static const Column bar_column[] = {
 };
 static const Columns bar_columns = COLUMNS(hawser_error_bar, bar_column);
 
+/* What a second pass was made for, and what each found. */
+static const Column pass_column[] = {
+    {COLUMN("accuracy", NUMBER, hawser_pass, accuracy)},
+    {COLUMN("segments", COUNT, hawser_pass, segments)},
+    {COLUMN("v_s_factor", NUMBER, hawser_pass, friction)},
+    {COLUMN("steady_mean_N", NUMBER, hawser_pass, pull_mean_N)},
+    {COLUMN("steady_mean_bar_N", NUMBER, hawser_pass, pull_mean_bar_N)},
+    {COLUMN("peak_N", NUMBER, hawser_pass, pull_peak_N)},
+    {COLUMN("peak_bar_N", NUMBER, hawser_pass, pull_peak_bar_N)},
+    {COLUMN("steps", LONG, hawser_pass, steps)},
+    {COLUMN("wall_time_s", NUMBER, hawser_pass, wall_time_s)},
+};
+static const Columns pass_columns = COLUMNS(hawser_pass, pass_column);
+
+static const Column passes_column[] = {
+    {COLUMN("outcome", TEXT, hawser_passes, outcome)},
+    {COLUMN("why", CHARS, hawser_passes, why)},
+    {COLUMN("says", CHARS, hawser_passes, says)},
+    {LIST("pass", hawser_passes, pass, n, pass_columns)},
+};
+static const Columns passes_columns = COLUMNS(hawser_passes, passes_column);
+
 static const Column summary_column[] = {
     /* what was run, by what, and how it ended */
     {COLUMN("title", TEXT, Summary, l.title)},
@@ -278,6 +300,7 @@ static const Column summary_column[] = {
     {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
     {LIST("trust", Summary, s.conditions, s.n_conditions, condition_columns)},
     {COLUMN("verdict", CHARS, Summary, verdict)},
+    {COLUMN("passes", OBJECT, Summary, s.passes), .of = &passes_columns},
     {COLUMN("overload.trip_N", NUMBER, Summary, l.trip_N)},
     {LIST("overload.rollers", Summary, l.overload, l.n_overloads, overload_columns)},
     /* how the initial equilibrium went */

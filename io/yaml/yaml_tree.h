@@ -45,6 +45,7 @@ typedef struct CaseTree {
     CaseNode *root;             /* a map */
     struct CaseOrigin *origins; /* the names of the places that nodes point at */
     char *folder;               /* where the files that it includes are looked for; NULL: it came as a text, none are */
+    int unlisted;               /* nobody will write down its inputs: they are not listed */
 } CaseTree;
 
 /* All of a file or pipe, malloc'ed, with a NUL behind it. Errors: INPUT (not there, a device, larger than 32 MiB, a
@@ -62,6 +63,9 @@ hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, 
 CaseTree *case_tree_free(CaseTree *tree);
 /* A copy to be set apart; names of places stay those of `tree`, which must outlive it. NULL if there is no memory. */
 CaseTree *case_tree_copy(const CaseTree *tree);
+
+/* The tree as a document from which the same tree is read, malloc'ed. Errors: MEMORY. */
+hawser_status case_tree_text(const CaseTree *tree, char **text, hawser_error *err);
 
 /* Reads one YAML document of `size` bytes, with a NUL behind them. `origin` is said to be where it comes from and must
  * outlive the nodes; lines 0: it is a setting's value, and line numbers mean nothing. Errors: INPUT with the place (not

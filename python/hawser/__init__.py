@@ -17,9 +17,9 @@ from hawser.errors import CaseError, Error, OutputError, RunError, Stopped
 from hawser.looking import Geometry
 from hawser.results import Figure, Result, Verdict, compare
 from hawser.sample import Sample
-from hawser.simulation import Relaxation, Simulation, run
+from hawser.simulation import Relaxation, Simulation, resume, run
 from hawser.studies import Study, study
 
 __all__ = ["Case", "CaseError", "Certificate", "Error", "Event", "Figure", "Geometry", "OutputError", "Progress", "Relaxation", "Result", "Route",
            "RunError", "Sample", "Segment", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
-           "library", "routes", "run", "study", "theory"]
+           "library", "resume", "routes", "run", "study", "theory"]

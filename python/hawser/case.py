@@ -66,6 +66,15 @@ class Case:
             check(lib.hawser_case_folder(self._c, os.fsencode(folder), error), error)
         self.set(set or {})
 
+    @classmethod
+    def of_run(cls, folder: str | os.PathLike[str]) -> Case:
+        """The case of the run whose checkpoint is in a folder of results, with all its settings."""
+        made, error = ffi.new("hawser_case **"), ffi.new("hawser_error *")
+        check(lib.hawser_case_resume(os.fsencode(folder), made, error), error)
+        case = cls.__new__(cls)
+        case.name, case._error, case._c = os.fspath(folder), error, ffi.gc(made[0], lib.hawser_case_free)
+        return case
+
     def set(self, settings: Settings) -> Case:
         """Changes values by dotted key; later ones win. Returns the case. What runs already does not see it."""
         for key, value in settings.items():

@@ -119,24 +119,67 @@ class Simulation(Looking):
             self._run(os.fsencode(folder), progress)
         except (RunError, Stopped) as why:  # what was computed until then is written
             stopped = why
-        result = Result(folder, _keep=keep)
-        if isinstance(stopped, RunError):
-            stopped.result = result
-            raise stopped
-        return result
+        return outcome(Result(folder, _keep=keep), stopped)
+
+    def resume(self, folder: str | os.PathLike[str], *, progress: Wish = False) -> Result:
+        """Goes on with a run that was stopped or killed, from the checkpoint in its folder of results, as run() would have gone on.
+        The simulation is one of Case.of_run(folder); hawser.resume does both."""
+        def go_on(c: Any, *call: Any) -> int:
+            status: int = lib.hawser_sim_resume(c, os.fsencode(folder), *call)
+            return status
+
+        try:
+            self._go(go_on, progress)
+        except (RunError, Stopped) as why:
+            return outcome(Result(folder), why)
+        return Result(folder)
 
     def run_quietly(self, *, progress: Wish = False) -> None:
-        """The same without results on disk: the tables, the summary and the verdict of the simulation itself tell."""
+        """The same as run() without results on disk: the tables, the summary and the verdict of the simulation itself tell."""
         self._run(None, progress)
 
     def _run(self, folder: bytes | None, progress: Wish) -> None:
+        def begin(c: Any, *call: Any) -> int:
+            status: int = lib.hawser_sim_run(c, ffi.NULL if folder is None else folder, *call)
+            return status
+
+        self._go(begin, progress)
+
+    def _go(self, start: Callable[..., int], progress: Wish) -> None:
+        """A run of C's, which is started with progress function, its user, and error."""
         handle, teller = self._open, Teller(progress)
         called = Called(handle, teller.tell)
         with handle.motion as c:
-            status = lib.hawser_sim_run(c, ffi.NULL if folder is None else folder, lib.hawser_python_progress, called.user,
-                                        handle.error)
+            status = start(c, lib.hawser_python_progress, called.user, handle.error)
         teller.end()
         handle.check(status)
+
+    # ------------------------------------------------------------------------------------------------ keeping
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the whole state to a file, from which load() goes on bit for bit as if nothing had been (docs/restart.md)."""
+        handle = self._open
+        with handle as c:
+            handle.check(lib.hawser_sim_save(c, os.fsencode(path), handle.error))
+
+    def state(self) -> bytes:
+        """The same as bytes."""
+        handle, made, size = self._open, ffi.new("void **"), ffi.new("size_t *")
+        with handle as c:
+            handle.check(lib.hawser_sim_save_memory(c, made, size, handle.error))
+        try:
+            return bytes(ffi.buffer(made[0], size[0]))
+        finally:
+            lib.hawser_bytes_free(made[0])
+
+    def load(self, state: str | os.PathLike[str] | bytes) -> None:
+        """A state, from a file or as bytes, takes the place of that of now. It must be one of the same case with the same settings."""
+        handle = self._open
+        with handle.motion as c:
+            if isinstance(state, bytes):
+                handle.check(lib.hawser_sim_load_memory(c, state, len(state), handle.error))
+            else:
+                handle.check(lib.hawser_sim_load(c, os.fsencode(state), handle.error))
 
     def record(self) -> None:
         """Takes the state of now into the statistics: means of the steady window, peaks. run() does so by itself; who advances
@@ -235,6 +278,19 @@ class Simulation(Looking):
         if self._handle is None:
             return "<hawser simulation, closed>"
         return f"<hawser simulation of {self.title!r} at t = {self.time:.6g} s of {self.end_time:.6g} s>"
+
+
+def outcome(result: Result, stopped: BaseException | None) -> Result:
+    """The result, or the failure with it."""
+    if isinstance(stopped, RunError):
+        stopped.result = result
+        raise stopped
+    return result
+
+
+def resume(folder: str | os.PathLike[str], *, progress: Wish = False, threads: int = 0) -> Result:
+    """Goes on with a run that was stopped or killed, from the checkpoint in its folder of results: hawser run --resume."""
+    return Simulation(Case.of_run(folder), threads=threads).resume(folder, progress=progress)
 
 
 def run(case: Source | Case, *, set: Settings | None = None, out: str | os.PathLike[str] | None = None,

@@ -41,6 +41,7 @@ typedef struct OutputDef {
     double interval;       /* s between rows of series.csv and samples of statistics */
     double state_interval; /* s between states in results.h5; 0: none */
     double steady_from;    /* s; the steady window is steady_from .. end */
+    double checkpoint;     /* s of wall time between checkpoints; 0: none */
     int n_speed_segments;
     int *speed_segments; /* whose speeds are columns of series.csv */
     int n_load_rollers;

@@ -237,6 +237,9 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
 /* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0: docs/model.md,
  * "Certificates". */
 void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES]);
+/* The same by one level of each source for the second pass of a run, of which the rows are those of the first; slower:
+ * v_s too. */
+void scene_def_second_pass(SceneDef *def, int slower);
 /* How many times finer one level is: of time in accuracy. */
 double refinement_ratio(hawser_source source);
 /* v_s at that level of time over the case's; 1 where no friction fades at low speed. */

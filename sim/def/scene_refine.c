@@ -68,6 +68,19 @@ void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES])
     def->solver.max_steps = 0; /* a bound for the case as it is */
 }
 
+/* Rows come as they did, and segments that were named are the first of the two that they have become. */
+void scene_def_second_pass(SceneDef *def, int slower)
+{
+    const double interval = def->output.interval;
+    const int watched = def->output.n_speed_segments;
+    refine_time(def, 1);
+    refine_length(def, 1);
+    if (slower) refine_friction(def, 1);
+    def->output.interval = interval;
+    def->output.n_speed_segments = watched;
+    for (int i = 0; i < watched; ++i) def->output.speed_segments[i] *= (int)RATIO[HAWSER_LENGTH];
+}
+
 /* Any friction, belt, drag or brake that fades toward rest. */
 static int friction_fades(const SceneDef *def)
 {

@@ -9,6 +9,10 @@
  */
 typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
 
+/* Whether a whole run may be computed a second time with finer settings: where only numerical errors are left open and
+ * it does not take too long; never; however long it takes. */
+typedef enum PassesChoice { PASSES_AUTO, PASSES_ONE, PASSES_TWO } PassesChoice;
+
 typedef struct SolverDef {
     double accuracy;                                                /* one number for all tolerances */
     double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
@@ -21,6 +25,7 @@ typedef struct SolverDef {
     int relax_iterations;
     LinOptions linear;
     PlanarChoice planar;
+    PassesChoice passes;
     int threads;
 } SolverDef;
 

@@ -62,6 +62,12 @@ static int self_candidates(const Room *room, const Workspace *ws)
     return ws->self.candidates;
 }
 
+static void self_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)room;
+    self_pairs_checkpoint(c, &scene->chain, &ws->self);
+}
+
 static void self_work(const Room *room, const Moment *m, BalanceRates *out)
 {
     (void)room;
@@ -104,6 +110,7 @@ const RoomKind SELF_ROOM = {.name = "cable on cable",
                             .stale = self_stale,
                             .refresh = self_renew,
                             .candidates = self_candidates,
+                            .checkpoint = self_checkpoint,
                             .work = self_work,
                             .stock = self_stock,
                             .look = self_look,

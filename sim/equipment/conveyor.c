@@ -96,9 +96,7 @@ double conveyor_share(const Conveyor *c, double x, double *slope)
     return late ? 1 - area / whole : area / whole;
 }
 
-/* ------------------------------------------------------------------------------------------- which segments are near
- */
-
+/* ---------------------------------------------------------------------------------------- which segments are near */
 /* Distance of a segment's extent from the machine's, along its line; a segment that is far aside is as far away. */
 static double distance_of(const Conveyor *c, Vec3 p, double half)
 {
@@ -591,6 +589,7 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .watches = conveyors_watch,
                                 .happen = conveyors_happen,
                                 .next_stop = conveyors_next_stop,
+                                .checkpoint = conveyors_checkpoint,
                                 .command = conveyors_command,
                                 .controls = conveyors_controls,
                                 .work = conveyors_work,

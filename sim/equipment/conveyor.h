@@ -71,6 +71,17 @@ int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double 
 void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, const double *y, double t,
                    ConveyorRange *range);
 
+/* RoomKind.checkpoint of conveyors, whose ranges are the workspace's; who grips is among their controls. What is kept
+ * of the segments lies in one piece, lean behind x. */
+static inline void conveyors_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    ConveyorRange *const range = ws->room[room->number];
+    for (int i = 0; i < scene->def.n_conveyors; ++i) {
+        CHECKPOINT_UP_TO(c, &range[i], ConveyorRange, n);
+        checkpoint_put(c, "range[i].x", range[i].x, 2 * (size_t)range[i].n * sizeof(double));
+    }
+}
+
 /* Adds the forces on the segments of the range, the grip times `friction` (WI15)-(WI17);
  * returns what there is to say. loads may be NULL. */
 ConveyorNow conveyor_loads(const Conveyor *c, const ConveyorRange *range, const Belt *belt, const Chain *chain,

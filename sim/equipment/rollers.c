@@ -333,6 +333,19 @@ static void rollers_accept(const Room *room, const Moment *m)
     }
 }
 
+static void rollers_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene;
+    const Rollers *const all = room->self;
+    for (int p = 0; p < PARTS; ++p) {
+        contact_pairs_checkpoint(c, &ws->contact[p].model, &ws->contact[p].pairs);
+        CHECKPOINT(c, ws->contact[p].seconds);
+    }
+    if (all->equipment.n > 0)
+        checkpoint_put(c, "equipment->stood", ws->equipment->stood,
+                       2 * (size_t)all->equipment.n * sizeof *ws->equipment->stood);
+}
+
 /* The ends of what it was told. */
 static double rollers_next_stop(const Room *room, const Scene *scene, double t)
 {
@@ -439,6 +452,7 @@ const RoomKind ROLLERS_ROOM = {.name = "rollers",
                                .candidates = rollers_candidates,
                                .remembers = rollers_remember,
                                .accept = rollers_accept,
+                               .checkpoint = rollers_checkpoint,
                                .next_stop = rollers_next_stop,
                                .command = rollers_command,
                                .controls = rollers_controls,

@@ -196,6 +196,12 @@ static void surfaces_accept(const Room *room, const Moment *m)
     }
 }
 
+static void surfaces_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)room;
+    for (int p = 0; p < PARTS; ++p) surface_pairs_checkpoint(c, &ws->contact[p].surface, scene->chain.n);
+}
+
 static double surfaces_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;
@@ -275,6 +281,7 @@ const RoomKind SURFACES_ROOM = {.name = "surfaces",
                                 .candidates = surfaces_candidates,
                                 .remembers = surfaces_remember,
                                 .accept = surfaces_accept,
+                                .checkpoint = surfaces_checkpoint,
                                 .next_stop = surfaces_next_stop,
                                 .command = surfaces_command,
                                 .controls = surfaces_controls,

@@ -342,6 +342,16 @@ static const char *winch_not_planar(const Room *room, const Scene *scene)
     return w->mode == WINCH_SPEED ? NULL : "the winch pulls with a set tension";
 }
 
+/* What the winch is told, and what it does of itself, is among its controls. */
+static void winch_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)scene, (void)ws;
+    Winch *const w = room->self;
+    CHECKPOINT(c, w->origin);
+    CHECKPOINT(c, w->attitude);
+    CHECKPOINT(c, w->take_in);
+}
+
 const RoomKind WINCH_ROOM = {.name = "winch",
                              .build = winch_build,
                              .join = winch_join,
@@ -351,6 +361,7 @@ const RoomKind WINCH_ROOM = {.name = "winch",
                              .watches = winch_watches,
                              .happen = winch_happen,
                              .next_stop = winch_next_stop,
+                             .checkpoint = winch_checkpoint,
                              .command = winch_command,
                              .controls = winch_controls,
                              .work = winch_work,

@@ -186,3 +186,35 @@ hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err)
     nw->solver = linsolver_free(nw->solver);
     return solver_new(nw, err);
 }
+
+/* The matrix of the blocks and of gamma again, but for the extra blocks, which are listed: their pattern may have
+ * changed since it was formed. */
+static void matrix_again(Newton *nw)
+{
+    Split split = {.nw = nw};
+    if (nw->full) {
+        newton_full_form(nw->full, nw);
+        return;
+    }
+    both(form_job, &split);
+    if (nw->leaves) newton_leaves_form(nw);
+}
+
+void newton_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w)
+{
+    block_chain_checkpoint(c, "nw->k", &nw->k);
+    block_chain_checkpoint(c, "nw->d", &nw->d);
+    chain_arrays_checkpoint(c, "nw->inertia", nw->inertia, 9, nw->n);
+    chain_arrays_checkpoint(c, "nw->q", nw->q, 4, nw->n);
+    chain_arrays_checkpoint(c, "nw->w", nw->w, 3, nw->n);
+    CHECKPOINT(c, nw->gamma);
+    if (nw->leaves) newton_leaves_checkpoint(c, nw, w);
+    if (c->reading && !c->status) matrix_again(nw);
+    if (nw->extra) {
+        newton_extra_checkpoint(c, nw);
+    } else if (nw->full) {
+        newton_full_checkpoint(c, nw->full);
+    } else {
+        linsolver_checkpoint(c, nw->solver, &nw->matrix, NULL);
+    }
+}

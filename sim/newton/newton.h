@@ -33,4 +33,7 @@ void newton_stats(const Newton *nw, LinStats *stats);
 /* b [scene_state_size] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */
 int newton_solve(Newton *nw, double *b);
 
+/* The linearisation point, its matrix for gamma, and what its solver has learned. */
+void newton_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w);
+
 #endif

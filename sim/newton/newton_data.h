@@ -81,5 +81,6 @@ void newton_full_form(NewtonFull *f, const Newton *nw);
 int newton_full_factor(NewtonFull *f);
 int newton_full_solve(NewtonFull *f, const Newton *nw, double *b);
 const LinSolver *newton_full_solver(const NewtonFull *f);
+void newton_full_checkpoint(Checkpoint *c, NewtonFull *f);
 
 #endif

@@ -123,3 +123,46 @@ int newton_extra_factor(Newton *nw)
 void newton_extra_couple(Newton *nw) { block_extras_gemv(nw->extra->from, 1, nw->z, nw->x); }
 
 void newton_extra_stats(const NewtonExtra *extra, LinStats *stats) { counts_add(stats, &extra->retired); }
+
+/* Room for the places and blocks that were saved; 0 if there is no memory. */
+static int pattern_room(NewtonExtra *extra, int count)
+{
+    free(extra->a);
+    free(extra->block);
+    extra->a = calloc((size_t)count * BLOCK + 8, sizeof *extra->a);
+    extra->block = calloc((size_t)count + 1, sizeof *extra->block);
+    for (int e = 0; extra->a && extra->block && e < count; ++e) extra->block[e].block = extra->a + BLOCK * e;
+    extra->count = count;
+    return extra->a && extra->block;
+}
+
+void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
+{
+    NewtonExtra *const extra = nw->extra;
+    int count = extra->count;
+    CHECKPOINT(c, extra->version);
+    CHECKPOINT(c, extra->stale);
+    CHECKPOINT(c, extra->options.ordering);
+    CHECKPOINT_FROM(c, &extra->retired, LinStats, analyses);
+    CHECKPOINT(c, count);
+    if (!checkpoint_check(c, count >= 0 && count < INT32_MAX / BLOCK, "a number of blocks is impossible")) return;
+    if (c->reading && !pattern_room(extra, count)) checkpoint_lack(c);
+    for (int e = 0; !c->status && e < count; ++e) {
+        CHECKPOINT(c, extra->block[e].row);
+        CHECKPOINT(c, extra->block[e].col);
+        checkpoint_check(c,
+                         extra->block[e].row >= 0 && extra->block[e].row < nw->n && extra->block[e].col >= 0 &&
+                             extra->block[e].col < nw->n,
+                         "a block is outside of the matrix");
+    }
+    if (count > 0) checkpoint_put(c, "extra->a", extra->a, (size_t)count * BLOCK * sizeof *extra->a);
+    if (c->status) return;
+    const NewtonMatrix m = matrix_of(nw);
+    if (c->reading && !extra->stale && extra->version >= 0) {
+        LinSolver *const next = linsolver_new_newton(&m, &extra->options, NULL);
+        if (!next) checkpoint_lack(c);
+        if (next) linsolver_free(nw->solver);
+        if (next) nw->solver = next;
+    }
+    if (!extra->stale) linsolver_checkpoint(c, nw->solver, &m, NULL);
+}

@@ -35,4 +35,7 @@ void newton_extra_couple(Newton *nw);
 /* Adds the counts of solvers given up. */
 void newton_extra_stats(const NewtonExtra *extra, LinStats *stats);
 
+/* The blocks of the matrix as it is factored, and its solver. */
+void newton_extra_checkpoint(Checkpoint *c, Newton *nw);
+
 #endif

@@ -174,3 +174,5 @@ int newton_full_solve(NewtonFull *f, const Newton *nw, double *b)
 }
 
 const LinSolver *newton_full_solver(const NewtonFull *f) { return f->solver; }
+
+void newton_full_checkpoint(Checkpoint *c, NewtonFull *f) { linsolver_checkpoint(c, f->solver, NULL, &f->a); }

@@ -287,3 +287,41 @@ int newton_leaves_widen(Newton *nw, EquipmentWork *w)
     if (changed && !border_alloc(l)) return -1;
     return changed;
 }
+
+/* One roller's place and blocks; the solver's order follows from who is in the border. */
+static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, int k)
+{
+    int room = item->room;
+    CHECKPOINT(c, room);
+    CHECKPOINT(c, item->border);
+    CHECKPOINT(c, item->wide);
+    if (!checkpoint_check(c, room == ROOM || room == ROOM_WIDE, "a roller's room is impossible")) return;
+    if (c->reading && room != item->room && !(item_room(item, room) && equipment_room(w, k, room))) checkpoint_lack(c);
+    CHECKPOINT(c, item->turning);
+    CHECKPOINT(c, item->k_own);
+    CHECKPOINT(c, item->d_own);
+    CHECKPOINT(c, item->touched);
+    if (!checkpoint_check(c, item->touched >= 0 && item->touched <= item->room, "a roller touches too much")) return;
+    checkpoint_put(c, "item->touch", item->touch, (size_t)item->touched * sizeof *item->touch);
+}
+
+void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w)
+{
+    NewtonLeaves *const l = nw->leaves;
+    const int m = l->q->mounts, before = l->matrix->border;
+    if (m) chain_arrays_checkpoint(c, "mounts.q", l->mounts.q, 4, m);
+    if (m) chain_arrays_checkpoint(c, "mounts.w", l->mounts.w, 3, m);
+    for (int k = 0; !c->status && k < l->q->n; ++k) item_checkpoint(c, &l->item[k], w, k);
+    if (c->status || !c->reading) return;
+    order_fill(l, nw->n);
+    if (l->matrix->border == before) return;
+    if (!border_alloc(l)) {
+        checkpoint_lack(c);
+        return;
+    }
+    if (nw->extra || nw->full) return;
+    hawser_error unused;
+    nw->solver = linsolver_free(nw->solver);
+    nw->solver = linsolver_new_newton(&nw->matrix, &nw->options, &unused);
+    if (!nw->solver) checkpoint_lack(c);
+}

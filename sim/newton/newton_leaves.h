@@ -66,4 +66,7 @@ void newton_leaves_expand(Newton *nw, double *b);
  * makes a new solver, 0 if not, -1 without memory. */
 int newton_leaves_widen(Newton *nw, EquipmentWork *w);
 
+/* What is known of the rollers at the linearisation point, and which of them are in the border. */
+void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w);
+
 #endif

@@ -235,6 +235,17 @@ static void motion_pack(Motion *m, const double *full, double *y)
     planar_scene_unwind(&p->ps, y[PLANAR_ANGLE * p->ps.chain.stride + n - 1]);
 }
 
+static void motion_checkpoint(Checkpoint *c, Motion *m)
+{
+    Planar *const p = planar_of(m);
+    const int n = segments(p);
+    CHECKPOINT(c, p->ps.winch_angle);
+    chain_struct_checkpoint(c, "p->at", &p->at, n);
+    chain_struct_checkpoint(c, "p->near", &p->near, n);
+    CHECKPOINT_FROM(c, p, Planar, near_usable);
+    planar_newton_checkpoint(c, &p->newton);
+}
+
 static void motion_lin_stats(const Motion *m, LinStats *stats) { linsolver_stats(planar_in(m)->newton.solver, stats); }
 
 /* ------------------------------------------------------------------------------------------------------- life */
@@ -283,7 +294,8 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .relax = planar_relax,
                                   .pack = motion_pack,
                                   .unpack = motion_unpack,
-                                  .lin_stats = motion_lin_stats};
+                                  .lin_stats = motion_lin_stats,
+                                  .checkpoint = motion_checkpoint};
     const int n = scene->chain.n;
     *p = (Planar){
         .motion = {&ops, scene, PLANAR_SIZE * planar_stride(n), ws->team}, .ws = ws, .middle = halves_middle(n)};

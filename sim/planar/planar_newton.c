@@ -103,3 +103,14 @@ int planar_newton_solve(PlanarNewton *nw, double *b)
     if (!status) both(expand_job, &share);
     return status;
 }
+
+void planar_newton_checkpoint(Checkpoint *c, PlanarNewton *nw)
+{
+    const int n = nw->chain->n;
+    chain_struct_checkpoint(c, "nw->k", &nw->k, n);
+    chain_struct_checkpoint(c, "nw->d", &nw->d, n);
+    CHECKPOINT(c, nw->gamma);
+    if (c->reading && !c->status) planar_newton_form(nw, nw->gamma);
+    const NewtonMatrix m = {.chain = nw->a};
+    linsolver_checkpoint(c, nw->solver, &m, NULL);
+}

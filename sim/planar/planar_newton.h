@@ -27,4 +27,7 @@ void planar_newton_form(PlanarNewton *nw, double gamma);
 /* b [6 stride] becomes the solution of (1 - gamma J) x = b, once solver has factored a; returns as linsolver_solve. */
 int planar_newton_solve(PlanarNewton *nw, double *b);
 
+/* The linearisation point and its factors. */
+void planar_newton_checkpoint(Checkpoint *c, PlanarNewton *nw);
+
 #endif

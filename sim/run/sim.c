@@ -106,6 +106,14 @@ Sim *sim_free(Sim *s)
     free(s->condition);
     free(s->case_name);
     free(s->title);
+    free(s->case_text);
+    free(s->case_folder);
+    text_pool_free(&s->texts);
+    if (s->plan) scene_def_clear(s->plan);
+    free(s->plan);
+    other_pass_free(&s->other);
+    free(s->passes);
+    sim_free(s->second);
     free(s);
     return NULL;
 }
@@ -253,12 +261,13 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     return status;
 }
 
-double hawser_sim_time(const Sim *s) { return s ? s->stage.t : NAN; }
+double hawser_sim_time(const Sim *s) { return s ? SHOWN(s)->stage.t : NAN; }
 double hawser_sim_end_time(const Sim *s)
 {
+    s = SHOWN(s);
     return s ? fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended) : NAN;
 }
-const char *hawser_sim_title(const Sim *s) { return s ? s->title : ""; }
+const char *hawser_sim_title(const Sim *s) { return s ? SHOWN(s)->title : ""; }
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts)
 {
@@ -278,19 +287,19 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     s->look.sample.figure = s->machines.now;
     probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.probes = s->probes.n;
+    s->look.sample.pass = s->pass + 1;
     s->look.sample.probe = s->probes.out;
     if (s->stage.integrator) {
         IntegratorStats stats;
         integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
-    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
 
-const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(s, SAMPLE_ALL) : NULL; }
+const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(SHOWN(s), SAMPLE_ALL) : NULL; }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
@@ -307,10 +316,11 @@ static void record_now(Sim *s, SampleParts parts)
 {
     const hawser_sample *const look = look_now(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
     const double start = clock_now();
+    if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
     turned_watch(s, look);
     stray_record(&s->stray, &s->stage.scene, &s->stage.ws.kin, look->winch_travel, look->t);
     hawser_error only_a_note;
-    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, look);
+    if (!(look->t > 0)) passing_start(&s->passing, &s->stage.scene, &s->stage.ws.kin, look);
     if (passing_record(&s->passing, &s->stage.scene, &s->stage.ws, look->winch_travel, look->t))
         sim_note(s, HAWSER_EVENT_PASSED, look->t, s->passing.says, look->winch_force, &only_a_note);
     stats_record(&s->stats, &s->stage.scene, &s->stage.ws.kin, look);
@@ -327,7 +337,7 @@ static void record_now(Sim *s, SampleParts parts)
 
 void hawser_sim_record(Sim *s)
 {
-    if (s) record_now(s, SAMPLE_ALL);
+    if (s) record_now(SHOWN(s), SAMPLE_ALL);
 }
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
 
@@ -374,6 +384,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
+    s = SHOWN(s);
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
@@ -409,7 +420,8 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                          .events = s->events.event,
                          .n_machines = s->machines.n,
                          .machines = s->machines.out,
-                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL};
+                         .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
+                         .passes = s->passes ? &s->passes->said : NULL};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -421,10 +433,12 @@ static void summary_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
+    other_pass_bars(&s->other, &s->stats, out);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .mesh = &s->mesh,
+                              .mesh_most = other_pass_share(&s->other, out),
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,
@@ -447,6 +461,7 @@ void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
 
 int hawser_sim_stations(const Sim *s, const hawser_station **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->stats.station_out;
     return s->stats.n_stations;
@@ -454,6 +469,7 @@ int hawser_sim_stations(const Sim *s, const hawser_station **out)
 
 int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->stats.roller_out;
     return s->stats.n_rollers;
@@ -461,6 +477,7 @@ int hawser_sim_rollers(Sim *s, const hawser_roller **out)
 
 int hawser_sim_positions(const Sim *s, const hawser_position **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
@@ -468,6 +485,7 @@ int hawser_sim_positions(const Sim *s, const hawser_position **out)
 
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->modes.out;
     return s->modes.n;
@@ -475,6 +493,7 @@ int hawser_sim_modes(const Sim *s, const hawser_mode **out)
 
 int hawser_sim_events(const Sim *s, const hawser_event **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->events.event;
     return s->events.n;
@@ -482,6 +501,7 @@ int hawser_sim_events(const Sim *s, const hawser_event **out)
 
 int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->stats.surface_out;
     return s->stats.n_surfaces;
@@ -489,6 +509,7 @@ int hawser_sim_surfaces(Sim *s, const hawser_surface **out)
 
 int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     *out = s->machines.out;
     return s->machines.n;
@@ -496,6 +517,7 @@ int hawser_sim_machines(const Sim *s, const hawser_machine **out)
 
 int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
+    s = SHOWN(s);
     if (!s || !out) return 0;
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
 }

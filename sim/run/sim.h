@@ -4,67 +4,7 @@
 #ifndef HAWSER_SIM_RUN_SIM_H
 #define HAWSER_SIM_RUN_SIM_H
 
-#include "sim/expected/mesh.h"
-#include "sim/picture/closeup.h"
-#include "sim/picture/envelope.h"
-#include "sim/run/modes.h"
-#include "sim/run/stage.h"
-#include "sim/watch/events.h"
-#include "sim/watch/machines.h"
-#include "sim/watch/peaks.h"
-#include "sim/watch/position_table.h"
-#include "sim/watch/probes.h"
-#include "sim/watch/sample.h"
-#include "sim/watch/trust.h"
-
-/* Whom a simulation calls; NULL: nobody. */
-typedef struct Calls {
-    hawser_step_function step;
-    hawser_event_function event;
-    hawser_log_function log;
-    void *step_user, *event_user, *log_user;
-    hawser_log_level log_level;
-    int law;          /* a law of force is set */
-    const char *stop; /* somebody who was called wants an end; who, in words */
-} Calls;
-
-typedef struct hawser_sim {
-    Stage stage; /* scene, state, integrator */
-    SampleBuffers look;
-    Mesh mesh; /* what the places ask of segments */
-    Probes probes;
-    Modes modes;
-    Stats stats;
-    Machines machines;
-    Peaks peaks;
-    Envelope envelope; /* present if somebody has asked for it */
-    Closeup closeup;   /* the last that was asked for */
-    Around *around;    /* NULL: nobody has asked */
-    Expected expected;
-    BundleTerms bundle;
-    ByPosition by_position;
-    EventLog events;
-    Calls calls;
-    int script_done; /* rows of the case's script */
-    hawser_relaxation relaxation;
-    LinStats lin;                                /* what was chosen, and why */
-    double build_s, relax_s, output_s, record_s; /* s; output_s is what the writer of results says it has spent */
-    int threads;
-    Team *team;     /* of two, or NULL */
-    int active_max; /* contacts */
-    int overturned; /* what has turned too far, and was said */
-    Stray stray;
-    Steadiness steadiness;
-    char grade_says[512]; /* which bend loses the grade; an event has it */
-    Passing passing;
-    hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
-    /* what the interface remembers for the results (io/api) */
-    char *case_name, *title; /* owned */
-    int relaxed, running;    /* running: inside hawser_sim_run */
-    int inside;              /* it moves now: who is called must not have it move */
-    hawser_status outcome;   /* of the last call that computed */
-    char message[HAWSER_MESSAGE_MAX];
-} Sim;
+#include "sim/run/parts.h"
 
 /* Builds scene, state on the route, solver. threads: 0 takes the definition's. The definition is not needed
  * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */
@@ -84,6 +24,12 @@ hawser_status start_fit(Sim *s, hawser_error *err);
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err);
 /* See hawser_sim_advance. */
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err);
+/* Everything that the simulation keeps (sim/run/checkpoint.c). Errors: MEMORY, RUN (SUNDIALS keeps its state in a way
+ * that is not known); what is wrong with a checkpoint that is read is in c. After a failure to read it can only be
+ * freed. */
+hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);
+/* A number that another case has not. */
+uint64_t sim_identity(const Sim *s);
 /* hawser_sim_record without bringing the sample's position, quaternion, velocity and omega up to date. */
 void sim_record_row(Sim *s);
 

@@ -420,3 +420,147 @@ hawser_status stage_step(Stage *st, double stop, hawser_error *err)
     const hawser_status status = stage_integrate(st, stop, err);
     return status ? status : stage_settle(st, err);
 }
+
+/* ------------------------------------------------------------------------------------------------- checkpoints */
+
+/* Which segments are simulated, and what is made for these: nothing of what it holds counts. */
+static hawser_status window_again(Stage *st, int first, int n, hawser_error *err)
+{
+    Scene *const scene = &st->scene;
+    Team *const team = st->ws.team;
+    const StopCheck stop = st->ws.stop;
+    double *const y = aligned_array_new(st->motion->size + STATE_SIZE * (n - scene->chain.n));
+    if (!y) return error_memory(err);
+    st->integrator = integrator_free(st->integrator);
+    free(st->y);
+    st->y = y;
+    workspace_free(&st->ws);
+    if (st->whole.n > 0 && !window_open(st, first, n)) return error_memory(err);
+    if (!workspace_alloc(&st->ws, scene, team)) return error_memory(err);
+    st->ws.stop = stop;
+    if (st->motion != &st->spatial.motion) return HAWSER_OK;
+    newton_free(&st->newton);
+    return spatial_new(st, err);
+}
+
+/* A command may have brought a scene that lies in a plane into space, or the state is from before that. */
+static hawser_status motion_again(Stage *st, int planar, hawser_error *err)
+{
+    Plane plane;
+    st->integrator = integrator_free(st->integrator);
+    if (!planar) {
+        planar_free(&st->planar);
+        return spatial_new(st, err);
+    }
+    newton_free(&st->newton);
+    if (plane_find(&st->scene, &plane, st->plane_why) <= 0)
+        return error_set(err, HAWSER_ERR_RUN, "the scene does not lie in a plane any more: %s", st->plane_why);
+    const hawser_status status = planar_new(&st->planar, &st->scene, &plane, &st->ws, &st->options, err);
+    st->motion = &st->planar.motion;
+    return status;
+}
+
+/* Whether what is there has another shape than what is to be read. */
+static int window_differs(const Stage *st, int first, int n, int reel)
+{
+    const Scene *const scene = &st->scene;
+    return first != scene->first || n != scene->chain.n || reel != scene->reel->present || st->newton.leaves ||
+           st->newton.extra;
+}
+
+static void critical_checkpoint(Checkpoint *c, hawser_critical *k, int n)
+{
+    const size_t bytes = 6 * (size_t)n * sizeof *k->shape;
+    int shaped = k->shape != NULL;
+    CHECKPOINT_UP_TO(c, k, hawser_critical, kind);
+    checkpoint_text(c, "k->kind", &k->kind);
+    CHECKPOINT(c, k->unstable);
+    CHECKPOINT(c, k->at);
+    CHECKPOINT(c, k->direction);
+    CHECKPOINT(c, shaped);
+    if (c->reading && shaped) k->shape = malloc(bytes);
+    if (shaped && !k->shape) checkpoint_lack(c);
+    if (shaped) checkpoint_put(c, "k->shape", (double *)(uintptr_t)k->shape, bytes);
+}
+
+static void stability_checkpoint(Checkpoint *c, Stability *s, int n)
+{
+    int count = s->n;
+    CHECKPOINT(c, count);
+    if (!checkpoint_check(c, count >= 0 && count < INT16_MAX, "a number of loads is impossible")) return;
+    if (c->reading) {
+        critical_free(s);
+        s->critical = calloc((size_t)count + 1, sizeof *s->critical);
+        s->n = s->room = s->critical ? count : 0;
+        if (!s->critical) checkpoint_lack(c);
+    }
+    CHECKPOINT_UP_TO(c, s, Stability, n);
+    for (int k = 0; !c->status && k < count; ++k) critical_checkpoint(c, &s->critical[k], n);
+}
+
+/* Which part of the chain it is, and where. */
+static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+{
+    Scene *const scene = &st->scene;
+    const int chain = scene->chain.n, moves = st->whole.n > 0;
+    int first = scene->first, n = chain, reel = scene->reel->present, planar = st->motion == &st->planar.motion;
+    const int was = planar;
+    hawser_status status = HAWSER_OK;
+    CHECKPOINT(c, st->t);
+    CHECKPOINT(c, first);
+    CHECKPOINT(c, n);
+    CHECKPOINT(c, st->joined);
+    CHECKPOINT(c, st->left);
+    CHECKPOINT(c, reel);
+    CHECKPOINT(c, planar);
+    CHECKPOINT(c, st->plane_why);
+    const int fits = moves ? first >= 0 && n >= 2 && n <= scene->total - first : first == scene->first && n == chain;
+    if (!checkpoint_check(c, fits, "another part of the chain is simulated")) return HAWSER_OK;
+    const int differs = c->reading && (planar != was || window_differs(st, first, n, reel));
+    scene->reel->present = reel;
+    if (differs && planar != was) status = motion_again(st, planar, err);
+    if (differs && !status) status = window_again(st, first, n, err);
+    if (!status) checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
+    return status;
+}
+
+/* An integrator to be read into. What sets it up may round the state, which is put back. */
+static hawser_status steps_prepare(Stage *st, hawser_error *err)
+{
+    const size_t bytes = (size_t)st->motion->size * sizeof *st->y;
+    double *const y = malloc(bytes);
+    if (!y) return error_memory(err);
+    memcpy(y, st->y, bytes);
+    hawser_status status = HAWSER_OK;
+    if (!st->integrator) status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
+    if (!status) status = integrator_prepare(st->integrator, st->t, err);
+    memcpy(st->y, y, bytes);
+    free(y);
+    return status;
+}
+
+hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+{
+    int steps = st->integrator != NULL;
+    const char *why;
+    if (!c->reading && steps && !integrator_known(st->integrator, &why))
+        return error_set(err, HAWSER_ERR_RUN, "%s", why);
+    /* before its first step a motion asks for the candidates of the last evaluation: that of the state, both ways */
+    if (!c->reading && !steps) st->motion->ops->look(st->motion, st->t, st->y, 0);
+    hawser_status status = state_checkpoint(c, st, err);
+    CHECKPOINT(c, steps);
+    if (!status && c->reading && !c->status && steps) status = steps_prepare(st, err);
+    if (status || c->status) return status;
+    workspace_checkpoint(c, &st->ws);
+    st->motion->ops->checkpoint(c, st->motion);
+    if (steps) integrator_checkpoint(c, st->integrator);
+    if (steps) balance_checkpoint(c, &st->balance, st->motion);
+    CHECKPOINT(c, st->balance_s);
+    stability_checkpoint(c, &st->stability, st->scene.chain.n);
+    if (c->reading && !c->status && !steps) {
+        st->integrator = integrator_free(st->integrator);
+        st->balance = balance_free(st->balance);
+        st->motion->ops->look(st->motion, st->t, st->y, 0);
+    }
+    return HAWSER_OK;
+}

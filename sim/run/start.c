@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "sim/run/commands.h"
+#include "sim/run/sim.h"
 
 static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
 
@@ -42,7 +43,8 @@ static int fits(void *user)
     Sim *const s = user;
     Stage *const st = &s->stage;
     const int active = st->motion->ops->look(st->motion, st->t, st->y, 0);
-    passing_start(&s->passing, &st->scene, sample_take(&s->look, &st->scene, &st->ws, st->t, active, SAMPLE_ROW));
+    passing_start(&s->passing, &st->scene, &st->ws.kin,
+                  sample_take(&s->look, &st->scene, &st->ws, st->t, active, SAMPLE_ROW));
     return s->passing.start.force <= s->passing.start.allowed;
 }
 

@@ -16,6 +16,7 @@
 #include "core/base/worst.h"
 #include "sim/equipment/winch.h"
 #include "sim/step/contact_newton.h"
+#include "sim/step/cvode_memory.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
@@ -46,6 +47,7 @@ struct Integrator {
     double stop;            /* s, the stop time that CVODE knows */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
+    int still;              /* integrator_prepare: nothing moves, and nothing is computed */
     void *cvode;
     SUNContext context;
     VectorFamily family; /* every vector that CVODE has made */
@@ -64,6 +66,10 @@ static int call_rates(realtype t, N_Vector y, N_Vector ydot, void *user)
 {
     Integrator *const in = user;
     const double start = clock_now();
+    if (in->still) {
+        N_VConst(0, ydot);
+        return 0;
+    }
     const int bad = in->motion->ops->rates(in->motion, t, N_VGetArrayPointer(y), N_VGetArrayPointer(ydot));
     in->stats.rhs += clock_now() - start;
     return bad; /* > 0: a smaller step may do */
@@ -86,11 +92,12 @@ static int call_system(realtype t, N_Vector y, N_Vector fy, SUNMatrix a, boolean
     (void)a, (void)t1, (void)t2, (void)t3;
     Integrator *const in = user;
     const double start = clock_now();
+    *jcur = !jok;
+    if (in->still) return 0;
     if (!jok) {
         in->motion->ops->linearise(in->motion, t, N_VGetArrayPointer(y), N_VGetArrayPointer(fy));
         ++in->stats.jac_evals;
     }
-    *jcur = !jok;
     in->gamma = gamma;
     in->motion->ops->form(in->motion, gamma);
     in->stats.jacobian += clock_now() - start;
@@ -174,6 +181,7 @@ static int solver_setup(SUNLinearSolver s, SUNMatrix a)
     (void)a;
     Integrator *const in = s->content;
     const double start = clock_now();
+    if (in->still) return 0;
     const int status = in->motion->ops->factor(in->motion);
     in->stats.factor += clock_now() - start;
     return status;
@@ -185,6 +193,7 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
     Integrator *const in = s->content;
     const double start = clock_now();
     if (x != b) vector_take(x, b); /* CVODE goes on by copying x to b */
+    if (in->still) return 0;
     const int status = in->motion->ops->solve(in->motion, N_VGetArrayPointer(x));
     in->stats.solve += clock_now() - start;
     return status;
@@ -547,4 +556,49 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
     stats->lin_setups += before->lin_setups;
     stats->error_fails += before->error_fails;
     stats->newton_fails += before->newton_fails;
+}
+
+/* ------------------------------------------------------------------------------------------------- checkpoints */
+
+int integrator_known(const Integrator *in, const char **why) { return cvode_memory_known(in->cvode, why); }
+
+hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err)
+{
+    const char *why;
+    double reached;
+    long steps = 0;
+    CVodeGetNumSteps(in->cvode, &steps);
+    if (steps > 0) return HAWSER_OK;
+    in->still = 1;
+    int flag = CVodeSetInitStep(in->cvode, 1);
+    if (flag == CV_SUCCESS) flag = CVode(in->cvode, t + 1, in->state, &reached, CV_ONE_STEP);
+    in->still = 0;
+    vector_family_settle(&in->family);
+    if (flag < 0) return error_set(err, HAWSER_ERR_RUN, "the integrator cannot be set up: %s", in->complaint);
+    return integrator_known(in, &why) ? HAWSER_OK : error_set(err, HAWSER_ERR_RUN, "%s", why);
+}
+
+void integrator_checkpoint(Checkpoint *c, Integrator *in)
+{
+    N_Vector history[CVODE_HISTORY_MAX];
+    const size_t bytes = (size_t)in->motion->size * sizeof(double);
+    vector_family_settle(&in->family);
+    CHECKPOINT(c, in->way);
+    CHECKPOINT(c, in->speed);
+    CHECKPOINT(c, in->speed_at);
+    CHECKPOINT(c, in->tension_most);
+    CHECKPOINT(c, in->scale);
+    CHECKPOINT(c, in->stop);
+    CHECKPOINT(c, in->gamma);
+    CHECKPOINT(c, in->newton.rate);
+    CHECKPOINT(c, in->stalled);
+    CHECKPOINT(c, in->stats);
+    CHECKPOINT(c, in->before);
+    cvode_memory_checkpoint(c, in->cvode);
+    if (c->status) return;
+    const int n = cvode_memory_history(in->cvode, history);
+    for (int k = 0; k < n; ++k) checkpoint_put(c, "history", NV_DATA_S(history[k]), bytes);
+    if (!c->reading || c->status) return;
+    state_keep(in);
+    in->weighted = NULL;
 }

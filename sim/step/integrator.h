@@ -48,4 +48,12 @@ hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double
 const double *integrator_rates(Integrator *in, double *h);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 
+/* Gets one ready to be read from a checkpoint: a fresh one is set up by its first step, which is made from t with all
+ * rates zero and moves y by rounding alone. Errors: RUN (a SUNDIALS whose state is not known). */
+hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err);
+/* Whether its state can be saved; *why says why not. */
+int integrator_known(const Integrator *in, const char **why);
+/* Steps, orders and history; y, the workspace and the motion's own are not its. */
+void integrator_checkpoint(Checkpoint *c, Integrator *in);
+
 #endif

@@ -70,6 +70,8 @@ typedef struct MotionOps {
     void (*unpack)(const Motion *m, const double *y, double *full);
     /* What is being solved with, and how it went. */
     void (*lin_stats)(const Motion *m, LinStats *stats);
+    /* What is kept between steps beside y and the workspace: Newton's matrix, above all. */
+    void (*checkpoint)(Checkpoint *c, Motion *m);
 } MotionOps;
 
 struct Motion {

@@ -185,6 +185,11 @@ static void spatial_unpack(const Motion *m, const double *y, double *full)
 
 static void spatial_lin_stats(const Motion *m, LinStats *stats) { newton_stats(((const Spatial *)m)->newton, stats); }
 
+static void spatial_checkpoint(Checkpoint *c, Motion *m)
+{
+    newton_checkpoint(c, spatial_of(m)->newton, spatial_of(m)->ws->equipment);
+}
+
 Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newton)
 {
     static const MotionOps ops = {.rates = spatial_rates,
@@ -212,7 +217,8 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .relax = spatial_relax,
                                   .pack = spatial_pack,
                                   .unpack = spatial_unpack,
-                                  .lin_stats = spatial_lin_stats};
+                                  .lin_stats = spatial_lin_stats,
+                                  .checkpoint = spatial_checkpoint};
     *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene), ws->team}, .ws = ws, .newton = newton};
     return &s->motion;
 }

@@ -73,13 +73,17 @@ static void past_begin(Balance *b, const Motion *motion, const double *y)
     b->tolerated = fmax(b->tolerated, mass * speed * speed / 2);
 }
 
+/* Empty books; NULL if there is no memory. */
+static Balance *balance_empty(const Motion *motion)
+{
+    Balance *const b = calloc(1, sizeof *b);
+    return b && room_renew(b, motion) ? b : balance_free(b);
+}
+
 hawser_status balance_new(Motion *motion, double t, const double *y, Balance **out, hawser_error *err)
 {
-    Balance *const b = *out = calloc(1, sizeof *b);
-    if (!b || !room_renew(b, motion)) {
-        *out = balance_free(b);
-        return error_memory(err);
-    }
+    Balance *const b = *out = balance_empty(motion);
+    if (!b) return error_memory(err);
     b->t = t;
     stock_at(b, motion, t, y, &b->first);
     b->weight = b->first.weight;
@@ -276,4 +280,23 @@ const hawser_balance *balance_close(Balance *b, Motion *motion, double t, const 
     energy_close(b, &b->out);
     momentum_close(b, &b->out);
     return &b->out;
+}
+
+void balance_checkpoint(Checkpoint *c, Balance **books, const Motion *motion)
+{
+    if (c->reading && !*books) *books = balance_empty(motion);
+    Balance *const b = *books;
+    if (!b || !room_renew(b, motion)) {
+        checkpoint_lack(c);
+        return;
+    }
+    CHECKPOINT_UP_TO(c, b, Balance, past);
+    checkpoint_put(c, "b->past", b->past, (size_t)motion_past(motion) * sizeof *b->past);
+    CHECKPOINT(c, b->opened);
+    CHECKPOINT(c, b->at_window);
+    CHECKPOINT(c, b->stored_at_window);
+    CHECKPOINT(c, b->weight);
+    CHECKPOINT(c, b->first);
+    CHECKPOINT(c, b->here);
+    CHECKPOINT(c, b->carried_momentum);
 }

@@ -16,6 +16,7 @@ static const double SLACK = 0.065;     /* rad, by which a segment hangs off the 
 static const double SIDEWAYS = 0.1;    /* of what rollers that spin would hold (EB13) */
 static const double LEVEL = 1e-3;      /* of a bend: what is less to the side is none */
 static const double ENDS = 0.2;        /* of a segment, whose weight a clamp carries and no surface */
+static const double JERK = 0.03;       /* of what a peak stands above the mean (EB21) */
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 static const double TOLERANCES = 3;      /* of a step, that a peak may be off by */
 
@@ -158,7 +159,7 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double passes = fmax(WAVER_OF_PEAK * waver(figure, shares), shares->placed);
     const double hits = fmax(shares->stands_out * size, fmin(size, shares->start - size));
     const double rough = fmax(shares->rough * sqrt(figure->rough_at_peak), hits);
-    const double jerk = shares->slack * fmax(0, size - fmax(mean, shares->at_rest));
+    const double stands = fmax(0, size - fmax(mean, shares->at_rest)), jerk = (shares->slack + JERK) * stands;
     return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size + jerk,
                shares->friction * size + loose);
 }

@@ -45,14 +45,16 @@ static int nearest_segment(const Chain *chain, const Kinematics *kin, double lon
 
 /* Where a segment passes a roller's axis: how far from it, on which side, seen from the tail. */
 typedef struct Crossing {
-    double away; /* m; INFINITY: it does not */
+    double away;   /* m; INFINITY: it does not */
+    double across; /* m from the roller's middle, along its axis */
     int side;
 } Crossing;
 
-/* Of a straight piece of half length `half` about p, along the unit vector a. */
-static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller)
+/* Of a straight piece of half length `half` about p, along the unit vector a, up to `reach` from the roller's middle.
+ */
+static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller, double reach)
 {
-    const Crossing none = {INFINITY, 0};
+    const Crossing none = {INFINITY, 0, 0};
     const Vec3 from = v3_sub(p, roller->centre);
     const Vec3 flat = v3_reject(from, roller->axis), run = v3_reject(a, roller->axis);
     const double square = v3_dot(run, run);
@@ -60,18 +62,19 @@ static Crossing piece_crossing(Vec3 p, Vec3 a, double half, const Shape *roller)
     const double u = -v3_dot(flat, run) / square;
     if (!(fabs(u) <= half)) return none;
     const double across = v3_dot(v3_axpy(from, u, a), roller->axis);
-    if (fabs(across) > roller->half_width) return none;
+    if (fabs(across) > reach) return none;
     const Vec3 at = v3_axpy(flat, u, run);
-    return (Crossing){v3_norm(at), v3_dot(at, v3_cross(roller->axis, run)) < 0 ? -1 : 1};
+    return (Crossing){v3_norm(at), across, v3_dot(at, v3_cross(roller->axis, run)) < 0 ? -1 : 1};
 }
 
 /* The nearest of the crossings of the segment that is nearest and of its neighbours. */
-static Crossing chain_crossing(const Chain *chain, const Kinematics *kin, double longest, const Shape *roller)
+static Crossing chain_crossing(const Chain *chain, const Kinematics *kin, double longest, const Shape *roller,
+                               double reach)
 {
     const int nearest = nearest_segment(chain, kin, longest, roller->centre);
-    Crossing best = {INFINITY, 0};
+    Crossing best = {INFINITY, 0, 0};
     for (int i = nearest > 0 ? nearest - 1 : 0; i <= nearest + 1 && i < chain->n; ++i) {
-        const Crossing here = piece_crossing(v3_load(kin->p, i), v3_load(kin->a, i), chain->half[i], roller);
+        const Crossing here = piece_crossing(v3_load(kin->p, i), v3_load(kin->a, i), chain->half[i], roller, reach);
         if (here.away < best.away) best = here;
     }
     return best;
@@ -84,15 +87,22 @@ static double near_of(const Shape *roller, double cable) { return 2 * (roller->r
 static Crossing route_crossing(const Route *route, const Shape *roller, double cable)
 {
     const double near = near_of(roller, cable) + roller->half_width, piece = (roller->radius + cable) / 4;
-    Crossing best = {INFINITY, 0};
+    Crossing best = {INFINITY, 0, 0};
     for (double s = 0; s < route->length;) {
         const RoutePoint at = route_at(route, s);
         const double away = v3_norm(v3_sub(at.position, roller->centre));
-        const Crossing here = piece_crossing(at.position, at.tangent, piece, roller);
+        const Crossing here = piece_crossing(at.position, at.tangent, piece, roller, roller->half_width);
         if (here.away < best.away) best = here;
         s += fmax(piece, away - near);
     }
     return best;
+}
+
+static double longest_segment(const Chain *chain)
+{
+    double longest = 0;
+    for (int i = 0; i < chain->n; ++i) longest = fmax(longest, 2 * chain->half[i]);
+    return longest;
 }
 
 static int has_sides(const Shape *shape) { return shape->kind != SHAPE_BOX && shape->kind != SHAPE_BELL; }
@@ -135,17 +145,15 @@ static int note(Passing *p, int body, const char *what, const char *name, double
 static int rollers_look(Passing *p, const Scene *scene, const Workspace *ws, double t)
 {
     const Chain *const chain = &scene->chain;
-    const double cable = thickest(chain);
-    double longest = 0;
+    const double cable = thickest(chain), longest = longest_segment(chain);
     int new = 0;
-    for (int i = 0; i < chain->n; ++i) longest = fmax(longest, 2 * chain->half[i]);
     for (int part = 0; part < PARTS; ++part) {
         const ContactPart *const half = &ws->contact[part];
         for (int k = 0; k < half->model.n_rollers; ++k) {
             const Shape *const shape = &half->model.roller[k].shape;
             if (!has_sides(shape)) continue;
             const int r = half->first + k;
-            const Crossing now = chain_crossing(chain, &ws->kin, longest, shape);
+            const Crossing now = chain_crossing(chain, &ws->kin, longest, shape, shape->half_width);
             if (!p->side[r] && now.away < near_of(shape, cable)) p->side[r] = (signed char)now.side;
             if (p->side[r] && now.side && now.side != p->side[r])
                 new |= note(p, r, "roller", scene->def.rollers[r].name, t);
@@ -266,7 +274,31 @@ static void start_worst(Misfit *start, double force, double exponent, const char
     *start = (Misfit){.force = force, .allowed = start->allowed, .exponent = exponent, .name = name};
 }
 
-void passing_start(Passing *p, const Scene *scene, const hawser_sample *look)
+/* Whether a roller carries the cable without holding it sideways: flat, and level. */
+static int is_open(const Shape *roller, Vec3 gravity)
+{
+    const double level = 0.5; /* cosine between axis and plumb line */
+    return roller->kind == SHAPE_CYLINDER && fabs(v3_dot(roller->axis, gravity)) < level * v3_norm(gravity);
+}
+
+/* How far out on flat rollers the chain lies: the worst of them, ones that it lies beside included. */
+static Edge edge_look(const Scene *scene, const Kinematics *kin)
+{
+    const Chain *const chain = &scene->chain;
+    const double longest = longest_segment(chain), cable = thickest(chain);
+    Edge worst = {.share = 0};
+    for (int r = 0; r < scene->contact.n_rollers && !scene->rod->present; ++r) {
+        const Shape *const shape = &scene->contact.roller[r].shape;
+        if (!is_open(shape, scene->def.gravity)) continue;
+        const Crossing here = chain_crossing(chain, kin, longest, shape, 2 * shape->half_width);
+        const double share = fabs(here.across) / shape->half_width;
+        if (here.away > near_of(shape, cable) || !(share > worst.share)) continue;
+        worst = (Edge){.share = share, .across = fabs(here.across), .name = scene->def.rollers[r].name};
+    }
+    return worst;
+}
+
+void passing_start(Passing *p, const Scene *scene, const Kinematics *kin, const hawser_sample *look)
 {
     const SceneDef *const def = &scene->def;
     p->start = (Misfit){.allowed = all_loads(scene)};
@@ -274,7 +306,8 @@ void passing_start(Passing *p, const Scene *scene, const hawser_sample *look)
         start_worst(&p->start, look->roller_load[r], def->impact.e, def->rollers[r].name);
     for (int k = 0; k < look->surfaces; ++k)
         start_worst(&p->start, look->surface_normal[k], def->line_impact.e, def->surfaces[k].name);
-    for (int i = 0; i < scene->chain.n; ++i) p->start.longest = fmax(p->start.longest, 2 * scene->chain.half[i]);
+    p->start.longest = longest_segment(&scene->chain);
+    p->edge = edge_look(scene, kin);
 }
 
 double misfit_segment(const Misfit *start)

@@ -16,6 +16,13 @@ typedef struct Misfit {
     const char *name;      /* of the roller or surface */
 } Misfit;
 
+/* A flat roller near whose edge the chain lies at t = 0. */
+typedef struct Edge {
+    double share;  /* of the half of its width; 0: there is none */
+    double across; /* m from its middle */
+    const char *name;
+} Edge;
+
 typedef struct Passing {
     signed char
         *side;   /* [rollers] of the line, seen along it: the route's, or the cable's when it came near; 0: neither */
@@ -25,6 +32,7 @@ typedef struct Passing {
     double due;  /* s, when to look next */
     char says[PASSING_SAYS_MAX]; /* of the first of them */
     Misfit start;
+    Edge edge;
 } Passing;
 
 /* Errors: MEMORY. passing_free may follow either way. */
@@ -36,8 +44,8 @@ void passing_free(Passing *passing);
 int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
 /* The same if it is time: a few times a run and at its end. */
 int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
-/* Keeps the sample of t = 0. */
-void passing_start(Passing *passing, const Scene *scene, const hawser_sample *look);
+/* Keeps the sample of t = 0, and where on its rollers the chain lies then. */
+void passing_start(Passing *passing, const Scene *scene, const Kinematics *kin, const hawser_sample *look);
 /* The length of segments, m, with which the chain would not be pressed by more than is allowed (E8): theirs, or less.
  */
 double misfit_segment(const Misfit *start);

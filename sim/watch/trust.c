@@ -20,6 +20,7 @@ static const double DRIFT = 0.05;  /* of the mean pull, from the window's first 
 static const double PUSHED = 0.01; /* of the largest pull, that the cable may push the winch with in the mean */
 static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */
 static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
+static const double EDGE = 0.7;    /* of half a roller's width, that the cable may lie off its middle at rest */
 static const double SPIKE = 0.2;   /* of the largest pull, above the rows beside it */
 enum { LOOKS = 16 };               /* at the cable's place in a run */
 
@@ -165,8 +166,8 @@ static void add_mesh(List *list, const TrustFacts *f)
 {
     int worst;
     char where[96];
-    const double error =
-        mesh_given(f->mesh, &f->scene->def, fmin(f->figures->pull_mean_N, f->figures->reference_total_N), &worst);
+    const double pull = fmin(f->figures->pull_mean_N, f->figures->reference_total_N);
+    const double error = fmin(mesh_given(f->mesh, &f->scene->def, pull, &worst), f->mesh_most);
     if (worst < 0) return;
     const MeshPlace *const place = &f->mesh->place[worst];
     mesh_describe(place, sizeof where, where);
@@ -369,6 +370,12 @@ static void add_places(List *list, const TrustFacts *f)
             "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
             "or less there",
             start->name, 1e3 * misfit_segment(start));
+    }
+    if (f->passing->edge.share > 0 && scene->def.solver.relax && scene->winch->present) {
+        add(list, "edge", "1", f->passing->edge.share, EDGE,
+            "the cable comes to rest %.3g m beside the middle of roller '%s', where it is chance whether it slips off: "
+            "put guides there, or set solver.relax to false",
+            f->passing->edge.across, f->passing->edge.name);
     }
     add(list, "orientation", "1", f->turned, 0, "%s",
         f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"

@@ -64,6 +64,7 @@ typedef struct TrustFacts {
     const Scene *scene;
     double t, end; /* s, reached and asked for */
     const Mesh *mesh;
+    double mesh_most; /* share of the pull that it adds at most by what two passes show; INFINITY: not known */
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
     const hawser_summary *figures; /* with their error bars */

@@ -4,8 +4,8 @@
 #define HAWSER_STUDY_ENGINE_ENGINE_H
 
 #include "hawser/hawser.h"
+#include "study/maths/fit.h"
 #include "study/plan/study.h"
-#include "theory/limits.h"
 
 /* How a sample ended. */
 typedef enum RowState { ROW_OPEN, ROW_DONE, ROW_REFUSED, ROW_FAILED, ROW_TIME, ROW_MEMORY, ROW_DIED } RowState;
@@ -33,23 +33,29 @@ typedef struct Row {
     int32_t pad;
     double margin[LIMIT_KINDS]; /* of the last answer; NAN: not judged */
     double seconds;             /* of processor time */
+    double theory[LIMIT_KINDS]; /* margins of theory where a run has answered too and is trusted; else NAN */
     char reason[REASON_MAX];    /* why there is no answer, or "" */
 } Row;
 
 /* All rows of a study, by sample. */
 typedef struct Rows {
     long n;
-    int n_quantities;
+    int width;     /* values of a row: quantities, and of a study that searches the point */
     Row *row;      /* [n]; ROW_OPEN: not computed yet */
-    double *value; /* [n * n_quantities]; NAN: not known */
+    double *value; /* [n * width]; NAN: not known */
 } Rows;
 
 /* ROW_OPEN everywhere. Errors: MEMORY. */
 hawser_status rows_make(const Study *s, Rows *rows, hawser_error *err);
 void rows_free(Rows *rows);
 
-/* Computes sample i: fills row and value[n_quantities]. What goes wrong is in the row. */
-void sample_evaluate(const Study *s, long i, Row *row, double *value);
+/* How many values a row has. */
+int row_width(const Study *s);
+/* The point x[n_parameters] of a row that is there. */
+void row_point(const Study *s, const Rows *rows, long i, double *x);
+
+/* Computes sample i at its point x[n_parameters]: fills row and value[row_width]. What goes wrong is in the row. */
+void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *value);
 /* Whether the quantities are in the answers to the middle of all parameters, as far as that shows without a run.
  * Errors: INPUT with file and line, MEMORY. */
 hawser_status quantities_check(const Study *s, hawser_error *err);
@@ -65,15 +71,35 @@ hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_err
 /* Worker k's file to append to; < 0 with errno. */
 int store_open(const char *dir, int k);
 /* Appends a row in one write; 0 or errno. */
-int store_append(int fd, const Row *row, const double *value, int n_quantities);
+int store_append(int fd, const Row *row, const double *value, int width);
 /* Cuts off a row that its worker did not finish writing; 0 or errno. */
-int store_mend(int fd, int n_quantities);
+int store_mend(int fd, int width);
+/* Worker k's rows, with those that came since the folder was read. Errors: OUTPUT. */
+hawser_status store_take(const char *dir, int k, Rows *rows, hawser_error *err);
+
+/* --------------------------------------------------------------------------------------------------------- searches */
+
+/* What a search makes of a row that is there: the value that is to be least, and by how much each constraint is broken,
+ * as a share of its bound, broken[aim_constraints], not above 0 where it is kept. NAN: the row has no value. */
+int aim_constraints(const Study *s);
+double aim_value(const Study *s, const Row *row, const double *value, const double *x, double *broken);
+/* The search that computes a sample of its own with this, and gets it back: fills row and value. Returns 0: enough. */
+typedef int (*SampleAsk)(void *user, long i, const double *x, Row *row, double *value);
+/* Search c, from its beginning. Samples that `known` has are not asked for again. Returns 0 without memory; what stands
+ * in `known` may turn out to be another search's: *other. */
+int search_samples(const Study *s, long c, const Rows *known, SampleAsk ask, void *user, int *other);
+/* The fit of a calibration likewise; ask NULL: as far as `known` goes. */
+int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, int *other, FitResult *result);
 
 /* --------------------------------------------------------------------------------------------------------- workers */
 
-/* Computes what is open on `jobs` processes. Errors: OUTPUT, MEMORY, STOPPED; rows that were written are in `rows` in
- * any case. *efficiency: processor time of samples over wall time and workers; NAN if nothing was open. */
-hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, Rows *rows,
+/* (ES3): of each limit the band about 0 within which theory is not relied on, by the pilots that are there; beyond 1e3
+ * nothing is. */
+void pilots_bands(const Study *s, const Rows *rows, double band[LIMIT_KINDS]);
+/* Computes what is open on `jobs` processes, with `pilots` of these samples alone. Errors: OUTPUT, MEMORY, STOPPED;
+ * rows that were written are in `rows` in any case. *efficiency: processor time of samples over wall time and workers;
+ * NAN if nothing was open. */
+hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, int pilots, Rows *rows,
                          double *efficiency, hawser_error *err);
 
 #endif

@@ -145,6 +145,12 @@ static void wish_make(const Study *s, Wanted *w)
     strcpy(w->name[n], "limits");
     w->table[n] = w->name[n];
     n++;
+    if (s->kind == STUDY_CALIBRATE) {
+        w->wish.forward_only = 0;
+        strcpy(w->name[n], "heads");
+        w->table[n] = w->name[n];
+        n++;
+    }
     for (int q = 0; q < s->n_quantities; q++) {
         const char *const path = s->quantity[q].path;
         const size_t length = strcspn(path, ".");
@@ -161,6 +167,32 @@ static void wish_make(const Study *s, Wanted *w)
     w->table[n] = NULL;
 }
 
+/* Theory's force at the places of the log's points, between those that it lists; NAN where it has none. */
+static void heads_take(const Measured *m, const json_t *heads, double *force)
+{
+    size_t i;
+    json_t *head;
+    double last_at = NAN, last[2] = {NAN, NAN};
+    int k = 0;
+    json_array_foreach((json_t *)(size_t)heads, i, head)
+    {
+        const char *const direction = json_string_value(json_object_get(head, "direction"));
+        if (!direction || strcmp(direction, "forward") != 0) continue;
+        const double at = number_of(json_object_get(head, "head_m")),
+                     now[2] = {number_of(json_object_get(head, "force_N")),
+                               number_of(json_object_get(head, "restart_N"))};
+        for (; k < m->n && m->point[k].at <= at; k++) {
+            const int of = m->point[k].restart;
+            const double share = at > last_at ? (m->point[k].at - last_at) / (at - last_at) : 1;
+            force[k] = last[of] + share * (now[of] - last[of]);
+            if (m->point[k].at == at) force[k] = now[of];
+        }
+        last_at = at;
+        last[0] = now[0];
+        last[1] = now[1];
+    }
+}
+
 static hawser_status by_theory(const Study *s, hawser_case *c, Row *row, double *value, hawser_error *err)
 {
     Wanted wanted;
@@ -170,6 +202,7 @@ static hawser_status by_theory(const Study *s, hawser_case *c, Row *row, double 
     if (status) return status;
     look(s, answer, BY_THEORY, value);
     judge(answer, "verdict_forward", 1, row);
+    heads_take(&s->measured, json_object_get(answer, "heads"), value + s->n_quantities + s->n_parameters);
     row->answered = BY_THEORY;
     row->theory_verdict = row->verdict;
     json_decref(answer);
@@ -205,11 +238,32 @@ static hawser_status by_run(const Study *s, hawser_case *c, Row *row, double *va
     return status;
 }
 
+/* A margin and a half of the largest difference. Where no pilot has both answers, or one breaks a limit that theory
+ * says nothing about, everything is run. */
+void pilots_bands(const Study *s, const Rows *rows, double band[LIMIT_KINDS])
+{
+    static const double SAFELY = 1.5, ALL = 1e6;
+    int known = 0, all = 0;
+    for (int k = 0; k < LIMIT_KINDS; k++) band[k] = 0;
+    for (long i = 0; i < rows->n; i++) {
+        const Row *const row = &rows->row[i];
+        if (row->state != ROW_DONE || row->answered != BY_RUN || !study_is_pilot(s, i)) continue;
+        for (int k = 0; k < LIMIT_KINDS; k++) {
+            const double off = SAFELY * fabs(row->margin[k] - row->theory[k]);
+            known |= !isnan(off);
+            all |= isnan(row->theory[k]) && row->margin[k] < 0;
+            if (off > band[k]) band[k] = off;
+        }
+    }
+    for (int k = 0; k < LIMIT_KINDS && (all || !known); k++) band[k] = ALL;
+}
+
 /* Whether theory cannot be relied on to tell: a margin of a limit is within `close` of 0. */
 static int is_close(const Study *s, const Row *row)
 {
+    if (study_is_pilot(s, row->sample)) return 1;
     for (int k = 0; k < LIMIT_KINDS; k++) {
-        if (fabs(row->margin[k]) <= s->close) return 1;
+        if (fabs(row->margin[k]) <= s->close[k]) return 1;
     }
     return 0;
 }
@@ -224,38 +278,38 @@ static double processor_time(void)
 }
 
 /* Nothing is known yet. */
-static void row_begin(const Study *s, long i, Row *row, double *value)
+static void row_begin(const Study *s, long i, const double *x, Row *row, double *value)
 {
     memset(row, 0, sizeof *row); /* what lies between the members is written too */
     row->sample = i;
     row->limited_by = -1;
-    for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = NAN;
+    for (int k = 0; k < LIMIT_KINDS; k++) row->margin[k] = row->theory[k] = NAN;
     for (int q = 0; q < s->n_quantities; q++) value[q] = NAN;
+    if (!study_searches(s)) return;
+    memcpy(value + s->n_quantities, x, (size_t)s->n_parameters * sizeof *x);
+    for (int k = 0; k < s->measured.n; k++) value[s->n_quantities + s->n_parameters + k] = NAN;
 }
 
-/* An answer that came before what failed does not count: its verdict might be the better one. */
-static void row_fail(const Study *s, long i, hawser_status status, const hawser_error *err, Row *row, double *value)
-{
-    row_begin(s, i, row, value);
-    row->state = status == HAWSER_ERR_INPUT ? ROW_REFUSED : status == HAWSER_ERR_MEMORY ? ROW_MEMORY : ROW_FAILED;
-    snprintf(row->reason, sizeof row->reason, "%.*s", REASON_MAX - 1, err->message);
-}
-
-void sample_evaluate(const Study *s, long i, Row *row, double *value)
+void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *value)
 {
     const double start = processor_time();
-    double x[PARAMETERS_MAX];
     hawser_error err = {HAWSER_OK, ""};
     hawser_case *c = NULL;
-    row_begin(s, i, row, value);
-    study_point(s, i, x);
+    row_begin(s, i, x, row, value);
     hawser_status status = study_case(s, x, &c, &err);
     if (!status && s->fidelity != BY_RUN) status = by_theory(s, c, row, value, &err);
     const int run = s->fidelity == BY_RUN || (s->fidelity == BY_BOTH && is_close(s, row));
+    double theory[LIMIT_KINDS];
+    memcpy(theory, row->margin, sizeof theory);
     if (!status && run) status = by_run(s, c, row, value, &err);
+    if (!status && run && row->verdict != VERDICT_NOT_TRUSTED) memcpy(row->theory, theory, sizeof theory);
     hawser_case_free(c);
     row->state = ROW_DONE;
-    if (status) row_fail(s, i, status, &err, row, value);
+    if (status) { /* an answer that came before does not count: its verdict might be the better one */
+        row_begin(s, i, x, row, value);
+        row->state = status == HAWSER_ERR_INPUT ? ROW_REFUSED : status == HAWSER_ERR_MEMORY ? ROW_MEMORY : ROW_FAILED;
+        snprintf(row->reason, sizeof row->reason, "%.*s", REASON_MAX - 1, err.message);
+    }
     row->seconds = processor_time() - start;
 }
 

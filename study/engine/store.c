@@ -14,7 +14,7 @@
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
 
-enum { STORE_FORMAT = 1, FILES_MAX = 1024, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
+enum { STORE_FORMAT = 2, FILES_MAX = 1024, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
 
 /* ------------------------------------------------------------------------------------------------------- identity */
 
@@ -44,13 +44,30 @@ static Hash hash_node(Hash h, const CaseNode *node)
 
 static Hash hash_parameter(Hash h, const Parameter *p)
 {
-    const double law[] = {p->law.kind, p->law.a, p->law.b, p->law.c, p->law.low, p->law.high, p->chosen, p->n_choices};
+    const double law[] = {p->law.kind, p->law.a,  p->law.b,     p->law.c, p->law.low,
+                          p->law.high, p->chosen, p->n_choices, p->whole, p->start};
     h = hash_text(hash_text(h, p->name), p->unit);
     for (int k = 0; k < p->n_keys; k++) h = hash_text(h, p->key[k]);
     h = hash_bytes(h, law, sizeof law);
     for (int k = 0; k < p->n_choices; k++) {
         h = hash_text(h, p->choice[k]);
         if (p->weight) h = hash_number(h, p->weight[k]);
+    }
+    return h;
+}
+
+static Hash hash_aim(Hash h, const Aim *a)
+{
+    const double plain[] = {a->most, a->limits, a->method, a->searches, a->tolerance, (double)a->evaluations};
+    h = hash_bytes(h, plain, sizeof plain);
+    for (int k = 0; k < a->n_terms; k++) {
+        const double one[] = {a->term[k].of.parameter, a->term[k].of.quantity, a->term[k].weight};
+        h = hash_bytes(h, one, sizeof one);
+    }
+    for (int k = 0; k < a->n_constraints; k++) {
+        const Constraint *const c = &a->constraint[k];
+        const double one[] = {c->of.parameter, c->of.quantity, c->least, c->most};
+        h = hash_bytes(h, one, sizeof one);
     }
     return h;
 }
@@ -66,20 +83,22 @@ static hawser_status identity(const Study *s, Hash *out, hawser_error *err)
     Hash h = hash_text(hash_text(HASH_BEGIN, hawser_version()), built); /* a base that is no case by itself: nothing */
     hawser_text_free(built);
     h = hash_node(h, s->base->tree->root);
+    char version[32];
     const int whole = s->kind != STUDY_MONTE_CARLO || s->points == POINTS_LATIN;
-    const double plain[] = {s->kind,
-                            s->fidelity,
-                            s->close,
-                            (double)s->seed,
-                            s->kind == STUDY_MONTE_CARLO ? s->points : 0,
-                            STORE_FORMAT,
-                            sizeof(Row),
-                            whole ? (double)s->samples : 0};
+    const double plain[] = {s->kind,          s->fidelity,     s->pilot ? 0 : s->close[0],
+                            (double)s->pilot, (double)s->seed, s->kind == STUDY_MONTE_CARLO ? s->points : 0,
+                            STORE_FORMAT,     sizeof(Row),     whole ? (double)s->samples : 0};
     h = hash_bytes(h, plain, sizeof plain);
     for (int j = 0; j < s->n_parameters; j++) h = hash_parameter(h, &s->parameter[j]);
     const size_t d = (size_t)s->n_parameters;
     if (s->factor) h = hash_bytes(h, s->factor, d * d * sizeof *s->factor);
     for (int q = 0; q < s->n_quantities; q++) h = hash_number(hash_text(h, s->quantity[q].path), s->quantity[q].of);
+    for (int k = 0; k < s->measured.n; k++) {
+        const LogPoint *const p = &s->measured.point[k];
+        const double one[] = {p->at, p->force, p->restart, s->measured.weight[k]};
+        h = hash_bytes(h, one, sizeof one);
+    }
+    if (study_searches(s)) h = hash_text(hash_aim(h, &s->aim), search_version(version));
     *out = h;
     return HAWSER_OK;
 }
@@ -111,10 +130,22 @@ static hawser_status worker_path(char path[OUT_PATH_MAX], const char *dir, int k
 
 /* ------------------------------------------------------------------------------------------------------------ rows */
 
+int row_width(const Study *s) { return s->n_quantities + (study_searches(s) ? s->n_parameters : 0) + s->measured.n; }
+
+void row_point(const Study *s, const Rows *rows, long i, double *x)
+{
+    const size_t q = (size_t)s->n_quantities, d = (size_t)s->n_parameters;
+    if (study_searches(s)) {
+        memcpy(x, rows->value + (size_t)i * (size_t)rows->width + q, d * sizeof *x);
+    } else {
+        study_point(s, i, x);
+    }
+}
+
 hawser_status rows_make(const Study *s, Rows *rows, hawser_error *err)
 {
-    const size_t n = (size_t)s->samples, q = (size_t)s->n_quantities;
-    *rows = (Rows){s->samples, s->n_quantities, calloc(n, sizeof *rows->row), malloc((n * q + 1) * sizeof(double))};
+    const size_t n = (size_t)s->samples, q = (size_t)row_width(s);
+    *rows = (Rows){s->samples, (int)q, calloc(n, sizeof *rows->row), malloc((n * q + 1) * sizeof(double))};
     if (rows->row && rows->value) return HAWSER_OK;
     rows_free(rows);
     return error_memory(err);
@@ -127,10 +158,7 @@ void rows_free(Rows *rows)
     *rows = (Rows){0};
 }
 
-static size_t record_size(int n_quantities)
-{
-    return sizeof(Row) + (size_t)n_quantities * sizeof(double) + sizeof(Hash);
-}
+static size_t record_size(int width) { return sizeof(Row) + (size_t)width * sizeof(double) + sizeof(Hash); }
 
 int store_open(const char *dir, int k)
 {
@@ -142,9 +170,9 @@ int store_open(const char *dir, int k)
     return open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
 }
 
-int store_append(int fd, const Row *row, const double *value, int n_quantities)
+int store_append(int fd, const Row *row, const double *value, int width)
 {
-    const size_t values = (size_t)n_quantities * sizeof *value, size = record_size(n_quantities);
+    const size_t values = (size_t)width * sizeof *value, size = record_size(width);
     char record[RECORD_MAX];
     if (size > sizeof record) return EFBIG;
     memcpy(record, row, sizeof *row);
@@ -172,26 +200,27 @@ static void record_take(const char *record, Rows *rows)
     Row *const to = &rows->row[row.sample];
     if (to->state == ROW_DONE || (to->state != ROW_OPEN && row.state != ROW_DONE)) return;
     *to = row;
-    const size_t q = (size_t)rows->n_quantities;
+    const size_t q = (size_t)rows->width;
     memcpy(rows->value + (size_t)row.sample * q, record + sizeof row, q * sizeof *rows->value);
 }
 
-/* All sound records of a file. */
-static void records_take(int fd, Rows *rows)
-{
-    char record[RECORD_MAX];
-    const size_t size = record_size(rows->n_quantities);
-    for (off_t at = 0; pread(fd, record, size, at) == (ssize_t)size; at += (off_t)size) {
-        if (record_is_sound(record, size)) record_take(record, rows);
-    }
-}
-
-int store_mend(int fd, int n_quantities)
+int store_mend(int fd, int width)
 {
     struct stat info;
     if (fstat(fd, &info)) return errno;
-    const off_t cut = info.st_size % (off_t)record_size(n_quantities);
+    const off_t cut = info.st_size % (off_t)record_size(width);
     return cut && ftruncate(fd, info.st_size - cut) ? errno : 0;
+}
+
+/* All sound records of a file; one that is cut off in its end is removed. 0 or errno. */
+static int records_take(int fd, Rows *rows)
+{
+    char record[RECORD_MAX];
+    const size_t size = record_size(rows->width);
+    for (off_t at = 0; pread(fd, record, size, at) == (ssize_t)size; at += (off_t)size) {
+        if (record_is_sound(record, size)) record_take(record, rows);
+    }
+    return store_mend(fd, rows->width);
 }
 
 /* ----------------------------------------------------------------------------------------------------- the folder */
@@ -230,11 +259,18 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
         const int fd = open(path, O_RDWR | O_CLOEXEC);
         if (fd < 0) continue; /* a worker that was killed before it made its own, or there were fewer */
         records_take(fd, rows);
-        const int number = store_mend(fd, rows->n_quantities);
+        const int number = store_mend(fd, rows->width);
         close(fd);
         if (number) return out_error(path, number, err);
     }
     return HAWSER_OK;
+}
+
+hawser_status store_take(const char *dir, int k, Rows *rows, hawser_error *err)
+{
+    const int fd = store_open(dir, k), number = fd < 0 ? errno : records_take(fd, rows);
+    if (fd >= 0) close(fd);
+    return number ? out_error(dir, number, err) : HAWSER_OK;
 }
 
 /* A small file, whole and on the disk when this returns, or what was there before. */

@@ -23,11 +23,13 @@
 
 /* s: between looks at the workers, between words to the caller, between syncs of a worker's file. */
 static const double LOOK = 0.01, TELL = 0.25, SYNC = 1;
-enum { JOBS_MAX = 1024, WORKER_OUTPUT = 4, IDLE_DEATHS_MAX = 10 };
+enum { JOBS_MAX = 1024, WORKER_OUTPUT = 4, WORKER_MEMORY = 5, WORKER_OTHER = 6, IDLE_DEATHS_MAX = 10 };
 
 /* What a worker and the parent tell each other. */
 typedef struct Slot {
+    _Atomic long unit;                   /* a search that is on its way; -1: none */
     _Atomic long sample;                 /* being computed; -1: none */
+    double point[PARAMETERS_MAX];        /* where that is */
     _Atomic long done, failed, not_safe; /* in this start of the study */
     _Atomic double since;                /* clock_now() when it was begun */
     _Atomic double busy;                 /* s of wall time with samples */
@@ -35,7 +37,7 @@ typedef struct Slot {
 } Slot;
 
 typedef struct Board {
-    _Atomic long next; /* of `open` */
+    _Atomic long next; /* of the units */
     Slot slot[];       /* [jobs] */
 } Board;
 
@@ -43,7 +45,9 @@ typedef struct Engine {
     const Study *study;
     const char *dir;
     int jobs;
-    long n_open, *open; /* [n_open] samples to be computed */
+    Rows *rows;
+    long n_open, *open; /* [n_open] samples to be computed; of a study that searches nothing */
+    long units;         /* samples that are open, or searches */
     Board *board;
     size_t board_size;
     pid_t pid[JOBS_MAX], parent; /* 0: this worker is over */
@@ -72,33 +76,72 @@ static void count_row(Slot *slot, const Row *row)
     if (row->verdict == VERDICT_NOT_SAFE) slot->not_safe++;
 }
 
-/* Sample after sample until there are no more. */
+/* A worker at work. */
+typedef struct Worker {
+    const Engine *engine;
+    Slot *slot;
+    int fd, number; /* its file; errno of what went wrong */
+    double synced;
+} Worker;
+
+/* Computes sample i at x and writes its row. Returns 0 if that cannot be done. */
+static int sample_compute(void *user, long i, const double *x, Row *row, double *value)
+{
+    Worker *const w = user;
+    Slot *const slot = w->slot;
+    const Study *const s = w->engine->study;
+    const double start = clock_now();
+    memcpy(slot->point, x, (size_t)s->n_parameters * sizeof *x);
+    slot->since = start;
+    slot->sample = i;
+    sample_evaluate(s, i, x, row, value);
+    w->number = store_append(w->fd, row, value, row_width(s));
+    const double now = clock_now();
+    slot->busy = slot->busy + now - start;
+    if (w->number) return 0;
+    count_row(slot, row);
+    slot->sample = -1;
+    if (now - w->synced < SYNC) return 1;
+    fdatasync(w->fd);
+    w->synced = now;
+    return 1;
+}
+
+/* A sample, or a search with all of its samples that are open. */
+static void unit_compute(Worker *w, long unit, double *value)
+{
+    const Engine *const e = w->engine;
+    double x[PARAMETERS_MAX];
+    Row row;
+    int other = 0;
+    if (!study_searches(e->study)) {
+        study_point(e->study, e->open[unit], x);
+        sample_compute(w, e->open[unit], x, &row, value);
+        return;
+    }
+    w->slot->unit = unit;
+    FitResult fit;
+    const int ok = e->study->kind == STUDY_CALIBRATE
+                       ? fit_samples(e->study, e->rows, sample_compute, w, &other, &fit)
+                       : search_samples(e->study, unit, e->rows, sample_compute, w, &other);
+    if (!ok) _exit(WORKER_MEMORY);
+    if (other) _exit(WORKER_OTHER);
+    if (!w->number) w->slot->unit = -1;
+}
+
+/* Unit after unit until there are no more; first that which a worker before left unfinished. */
 static _Noreturn void work(const Engine *e, int k)
 {
     Slot *const slot = &e->board->slot[k];
-    double *const value = malloc(((size_t)e->study->n_quantities + 1) * sizeof *value);
-    const int fd = value ? store_open(e->dir, k) : -1;
-    int number = fd < 0 ? value ? errno : ENOMEM : store_mend(fd, e->study->n_quantities);
-    double synced = clock_now();
-    for (long at; !number && (at = atomic_fetch_add(&e->board->next, 1)) < e->n_open;) {
-        Row row;
-        const double start = clock_now();
-        slot->since = start;
-        slot->sample = e->open[at];
-        sample_evaluate(e->study, e->open[at], &row, value);
-        number = store_append(fd, &row, value, e->study->n_quantities);
-        const double now = clock_now();
-        slot->busy = slot->busy + now - start;
-        if (number) break;
-        count_row(slot, &row);
-        slot->sample = -1;
-        if (now - synced < SYNC) continue;
-        fdatasync(fd);
-        synced = now;
-    }
-    if (!number && fdatasync(fd) && errno != EINVAL) number = errno; /* pipes and the like know no sync */
-    slot->number = number;
-    _exit(number ? WORKER_OUTPUT : 0);
+    const int width = row_width(e->study);
+    double *const value = malloc(((size_t)width + 1) * sizeof *value);
+    Worker w = {.engine = e, .slot = slot, .fd = value ? store_open(e->dir, k) : -1, .synced = clock_now()};
+    w.number = w.fd < 0 ? value ? errno : ENOMEM : store_mend(w.fd, width);
+    if (!w.number && slot->unit >= 0) unit_compute(&w, slot->unit, value);
+    for (long at; !w.number && (at = atomic_fetch_add(&e->board->next, 1)) < e->units;) unit_compute(&w, at, value);
+    if (!w.number && fdatasync(w.fd) && errno != EINVAL) w.number = errno; /* pipes and the like know no sync */
+    slot->number = w.number;
+    _exit(w.number ? WORKER_OUTPUT : 0);
 }
 
 /* ------------------------------------------------------------------------------------------------------ in the parent
@@ -123,17 +166,18 @@ static hawser_status worker_start(Engine *e, int k, hawser_error *err)
 static int row_for(const Engine *e, int k, int wait_status)
 {
     Slot *const slot = &e->board->slot[k];
-    const int q = e->study->n_quantities;
-    double *const value = malloc(((size_t)q + 1) * sizeof *value);
+    const int q = e->study->n_quantities, width = row_width(e->study);
+    double *const value = malloc(((size_t)width + 1) * sizeof *value);
     const int fd = value ? store_open(e->dir, k) : -1;
-    int number = fd < 0 ? value ? errno : ENOMEM : store_mend(fd, q);
+    int number = fd < 0 ? value ? errno : ENOMEM : store_mend(fd, width);
     Row row;
     memset(&row, 0, sizeof row);
     row.sample = slot->sample;
     row.state = e->killed[k] ? ROW_TIME : ROW_DIED;
     row.limited_by = -1;
-    for (int i = 0; i < LIMIT_KINDS; i++) row.margin[i] = NAN;
-    for (int i = 0; i < q && value; i++) value[i] = NAN;
+    for (int i = 0; i < LIMIT_KINDS; i++) row.margin[i] = row.theory[i] = NAN;
+    for (int i = 0; i < width && value; i++)
+        value[i] = i < q || i >= q + e->study->n_parameters ? NAN : slot->point[i - q];
     if (e->killed[k]) {
         snprintf(row.reason, sizeof row.reason, "took longer than %g s", e->study->time_limit);
     } else if (WIFSIGNALED(wait_status)) {
@@ -142,7 +186,7 @@ static int row_for(const Engine *e, int k, int wait_status)
     } else {
         snprintf(row.reason, sizeof row.reason, "its process ended with status %d", WEXITSTATUS(wait_status));
     }
-    if (!number) number = store_append(fd, &row, value, q);
+    if (!number) number = store_append(fd, &row, value, width);
     if (!number) count_row(slot, &row);
     if (fd >= 0) close(fd);
     free(value);
@@ -163,9 +207,18 @@ static hawser_status worker_over(Engine *e, int k, int wait_status, hawser_error
         return out_error(name, number, err);
     }
     if (fine) return HAWSER_OK;
+    if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == WORKER_MEMORY) return error_memory(err);
+    if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == WORKER_OTHER) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "the search does not meet the samples in '%.400s' again, which another machine has computed: "
+                         "take another folder, or begin anew with --fresh",
+                         e->dir);
+    }
     if (slot->sample < 0 && ++e->idle_deaths > IDLE_DEATHS_MAX)
         return error_set(err, HAWSER_ERR_MEMORY, "workers end before they begin: is 'memory' too small?");
-    return e->board->next >= e->n_open ? HAWSER_OK : worker_start(e, k, err);
+    if (slot->unit < 0) return e->board->next >= e->units ? HAWSER_OK : worker_start(e, k, err);
+    const hawser_status status = store_take(e->dir, k, e->rows, err);
+    return status ? status : worker_start(e, k, err);
 }
 
 /* One look at all workers. *running: how many there are afterwards. */
@@ -240,17 +293,19 @@ static hawser_status wait_all(Engine *e, const hawser_study_options *options, co
 }
 
 /* Which samples are open, and what the others were. */
-static hawser_status open_find(Engine *e, const Rows *rows, hawser_study_state *before, hawser_error *err)
+static hawser_status open_find(Engine *e, int pilots, Rows *rows, hawser_study_state *before, hawser_error *err)
 {
     e->open = malloc(((size_t)rows->n + 1) * sizeof *e->open);
     if (!e->open) return error_memory(err);
+    e->rows = rows;
     for (long i = 0; i < rows->n; i++) {
         const Row *const row = &rows->row[i];
-        if (row->state == ROW_OPEN) e->open[e->n_open++] = i;
+        if (row->state == ROW_OPEN && (!pilots || study_is_pilot(e->study, i))) e->open[e->n_open++] = i;
         before->done += row->state != ROW_OPEN;
         before->failed += row->state > ROW_DONE;
         before->not_safe += row->verdict == VERDICT_NOT_SAFE;
     }
+    e->units = study_searches(e->study) ? e->study->blocks : e->n_open;
     return HAWSER_OK;
 }
 
@@ -258,34 +313,35 @@ static hawser_status board_make(Engine *e, hawser_error *err)
 {
     e->board_size = sizeof(Board) + (size_t)e->jobs * sizeof(Slot);
     e->board = mmap(NULL, e->board_size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (e->board != MAP_FAILED) return HAWSER_OK;
-    e->board = NULL;
-    return error_memory(err);
+    if (e->board == MAP_FAILED) e->board = NULL;
+    if (!e->board) return error_memory(err);
+    for (int k = 0; k < e->jobs; k++) e->board->slot[k].unit = -1;
+    return HAWSER_OK;
 }
 
-static int jobs_of(const hawser_study_options *options, long n_open)
+static int jobs_of(const hawser_study_options *options, long units)
 {
     long jobs = options->jobs > 0 ? options->jobs : sysconf(_SC_NPROCESSORS_ONLN);
     jobs = jobs < 1 ? 1 : jobs > JOBS_MAX ? JOBS_MAX : jobs;
-    return (int)(jobs > n_open ? n_open : jobs);
+    return (int)(jobs > units ? units : jobs);
 }
 
-hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, Rows *rows,
+hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, int pilots, Rows *rows,
                          double *efficiency, hawser_error *err)
 {
     Engine e = {.study = s, .dir = dir, .parent = getpid()};
     hawser_study_state before = {.samples = rows->n};
     *efficiency = NAN;
-    hawser_status status = open_find(&e, rows, &before, err);
-    before.jobs = e.jobs = status ? 0 : jobs_of(options, e.n_open);
-    if (!status && e.n_open > 0) status = board_make(&e, err);
+    hawser_status status = open_find(&e, pilots, rows, &before, err);
+    before.jobs = e.jobs = status ? 0 : jobs_of(options, e.units);
+    if (!status && e.units > 0) status = board_make(&e, err);
     const double start = clock_now();
     for (int k = 0; k < e.jobs && !status; k++) status = worker_start(&e, k, err);
     if (status) workers_end(&e);
-    if (!status && e.n_open > 0) status = wait_all(&e, options, &before, err);
+    if (!status && e.units > 0) status = wait_all(&e, options, &before, err);
     double busy = 0;
     for (int k = 0; k < e.jobs && e.board; k++) busy += e.board->slot[k].busy;
-    if (e.n_open > 0) *efficiency = busy / ((clock_now() - start) * e.jobs);
+    if (busy > 0) *efficiency = busy / ((clock_now() - start) * e.jobs);
     if (e.board) munmap(e.board, e.board_size);
     free(e.open);
     hawser_error late;

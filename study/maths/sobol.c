@@ -1,7 +1,7 @@
 /* Sobol's sequence. The first dimension is van der Corput's; those that follow go by primitive polynomials and initial
  * direction numbers of S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections",
  * SIAM J. Sci. Comput. 30 (2008) 2635-2654: the first 64 dimensions of their file new-joe-kuo-6.21201
- * (web.maths.unsw.edu.au/~fkuo/sobol, under a BSD licence, see NOTICE). */
+ * (web.maths.unsw.edu.au/~fkuo/sobol; copyright and licence: NOTICE). */
 #include <assert.h>
 
 #include "study/maths/points.h"

@@ -4,10 +4,21 @@
 #define HAWSER_STUDY_PLAN_STUDY_H
 
 #include "io/schema/case_schema.h"
+#include "study/log/log.h"
 #include "study/maths/distribution.h"
 #include "study/maths/points.h"
+#include "study/maths/search.h"
+#include "theory/limits.h"
 
-typedef enum StudyKind { STUDY_GRID, STUDY_LIST, STUDY_MONTE_CARLO, STUDY_MORRIS, STUDY_SOBOL } StudyKind;
+typedef enum StudyKind {
+    STUDY_GRID,
+    STUDY_LIST,
+    STUDY_MONTE_CARLO,
+    STUDY_MORRIS,
+    STUDY_SOBOL,
+    STUDY_OPTIMISE,
+    STUDY_CALIBRATE
+} StudyKind;
 /* By what a sample is answered: the pulling calculation, a simulation, or the first and, near a limit, the second. */
 typedef enum Fidelity { BY_THEORY, BY_RUN, BY_BOTH } Fidelity;
 
@@ -22,6 +33,8 @@ typedef struct Parameter {
     char unit[UNIT_MAX]; /* of all its numbers, as the case takes it; "": bare */
     int chosen;          /* by choices, not by the law */
     Distribution law;
+    int whole;    /* of a range: whole numbers, or the numbers of choices */
+    double start; /* of a range: where a search begins */
     int n_choices;
     char **choice;  /* [n_choices] owned; NULL: the base case's own value */
     double *number; /* [n_choices] owned, in `unit`; NAN: no number, or in another unit */
@@ -35,6 +48,46 @@ typedef struct Quantity {
     Fidelity of; /* BY_THEORY or BY_RUN: in whose answer */
 } Quantity;
 
+/* What a search asks of: a parameter, or a quantity; the other is -1. */
+typedef struct Asked {
+    int parameter, quantity;
+} Asked;
+
+/* A term of what is sought. */
+typedef struct Term {
+    Asked of;
+    double weight;
+} Term;
+
+/* A constraint: infinite ends do not bind. */
+typedef struct Constraint {
+    Asked of;
+    double least, most;
+} Constraint;
+
+/* What is sought, and how. Sample i is point i % evaluations of search i / evaluations. */
+typedef struct Aim {
+    int n_terms;
+    Term *term;       /* [n_terms] their weighted sum is sought */
+    const char *name; /* of the sum, owned: "reference_total_N", "2 rollers + conveyors" */
+    int most;         /* the largest is sought, not the least */
+    int limits;       /* limits must hold */
+    int n_constraints;
+    Constraint *constraint; /* [n_constraints] */
+    SearchMethod method;
+    int searches;
+    long evaluations; /* of each */
+    double tolerance;
+} Aim;
+
+/* What a calibration is held against: forces by the place of the cable's head along the route. */
+typedef struct Measured {
+    int n;
+    LogPoint *point; /* [n] by rising place */
+    double *weight;  /* [n] of a residual */
+    long lost, starts;
+} Measured;
+
 typedef struct Study {
     CaseTree *tree;
     char *path; /* of the file */
@@ -42,7 +95,8 @@ typedef struct Study {
     hawser_case *base; /* with what the study sets */
     StudyKind kind;
     Fidelity fidelity;
-    double close; /* BY_BOTH: a run is made where the smallest margin of theory is within this of 0 */
+    double close[LIMIT_KINDS]; /* BY_BOTH: a run is made where a margin of theory is within this of 0 */
+    long pilot; /* BY_BOTH: so many samples are run anyway, and say what `close` is; 0: the study says it */
     uint64_t seed;
     PointKind points;
     long samples; /* rows of the study in all */
@@ -52,6 +106,8 @@ typedef struct Study {
     double *factor;       /* [n_parameters^2], of the correlations; NULL: there are none */
     int n_quantities;
     Quantity *quantity; /* [n_quantities] */
+    Aim aim;            /* STUDY_OPTIMISE */
+    Measured measured;  /* STUDY_CALIBRATE */
     double time_limit;  /* s of wall time for a sample; 0: none */
     long memory;        /* MiB of address space of a worker; 0: no limit */
 } Study;
@@ -66,10 +122,17 @@ hawser_status list_read(Study *s, const CaseNode *file, const char *path, hawser
 /* Number and unit of a text: 1, or 0 if no decimal number begins it or the unit is too long. */
 int value_split(const Units *units, const char *text, double *value, char unit[UNIT_MAX]);
 
-/* Sample i, 0 <= i < samples: x[n_parameters], each a number in the parameter's unit or the number of a choice. */
+/* Whether a sample's point follows from what came of others, so that the sample itself says where it was. */
+int study_searches(const Study *s);
+/* Sample i, 0 <= i < samples, of a study that does not search: x[n_parameters], each a number in the parameter's unit
+ * or the number of a choice. */
 void study_point(const Study *s, long i, double *x);
 /* What stands for every parameter in the middle: the median of its law, its first choice. */
 void study_middle(const Study *s, double *x);
+/* The box of a study that searches; x[3 * n_parameters], whole[n_parameters]: where it stands. */
+SearchBox study_box(const Study *s, double *x, unsigned char *whole);
+/* Whether sample i is run whatever theory says of it. */
+int study_is_pilot(const Study *s, long i);
 /* The value as the case takes it, in `text`; NULL: the base case's own. */
 const char *parameter_text(const Parameter *p, double x, char text[SETTING_MAX]);
 /* The value as a number in the parameter's unit; NAN: it is none. */

@@ -9,9 +9,9 @@ enum { STUDY_TEXT_MAX = 1024 };
 /* What the tables fill. */
 typedef struct StudyRecord {
     char title[256], base[STUDY_TEXT_MAX], list[STUDY_TEXT_MAX];
-    int fidelity, points, method;
-    double close, time_limit;
-    long samples, memory, seed;
+    int fidelity, points, method, limits, starts, raw;
+    double close, time_limit, tolerance, at_least, at_most, speed, head, from, to;
+    long pilot, samples, memory, seed, searches, evaluations;
 } StudyRecord;
 
 /* A law's numbers, with units of the user's: in the order a, b, c, low, high of a Distribution. */
@@ -24,12 +24,19 @@ typedef struct LawKeys {
 enum { STUDY_LAWS = 4 };
 extern const LawKeys study_laws[STUDY_LAWS];
 
-extern const CaseSection study_parameter, study_discrete, study_steps, study_list_section, study_monte_carlo,
-    study_correlation, study_sensitivity;
+extern const CaseSection study_parameter, study_discrete, study_steps, study_range, study_whole, study_list_section,
+    study_monte_carlo, study_correlation, study_sensitivity, study_optimise, study_constraint, study_calibrate;
 
 /* One parameter's section into *p: a grid wants choices, a list has them in its columns, else a law is wanted. Errors:
  * INPUT, MEMORY. */
 hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKind kind, Parameter *p);
+/* What is sought into s->aim, once parameters and quantities are known; adds quantities that it asks for. Errors:
+ * INPUT, MEMORY. */
+hawser_status aim_read(const CaseReader *r, const CaseNode *section, Study *s);
+/* The log into s->measured, once parameters are known. Errors: INPUT, MEMORY. */
+hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study *s);
+/* A path beside the study's file, malloc'ed; NULL without memory. */
+char *path_beside(const Study *s, const char *path);
 /* The correlations into s->factor. Errors: INPUT, MEMORY. */
 hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study *s);
 

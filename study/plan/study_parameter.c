@@ -157,6 +157,28 @@ static hawser_status steps_read(const CaseReader *r, const CaseNode *node, Param
     return HAWSER_OK;
 }
 
+/* A side of a search's box: numbers, or whole numbers, and where it begins. */
+static hawser_status range_read(const CaseReader *r, const CaseNode *node, int whole, Parameter *p)
+{
+    Distribution *const law = &p->law;
+    char nothing;
+    *law = (Distribution){.kind = LAW_UNIFORM};
+    p->whole = whole;
+    hawser_status status = case_section_read(r, node, whole ? &study_whole : &study_range, &nothing);
+    if (!status) status = value_read(r, case_node_key(node, "from"), p, &law->a);
+    if (!status) status = value_read(r, case_node_key(node, "to"), p, &law->b);
+    if (!status) status = law_check(r, node, law);
+    p->start = whole ? floor((law->a + law->b) / 2) : (law->a + law->b) / 2;
+    const CaseNode *const start = case_node_key(node, "start");
+    if (!status && start) status = value_read(r, start, p, &p->start);
+    if (status) return status;
+    if (whole && (floor(law->a) != law->a || floor(law->b) != law->b || floor(p->start) != p->start))
+        return case_key_error(r->err, node, NULL, "expected whole numbers");
+    if (p->start < law->a || p->start > law->b)
+        return case_value_error(r->err, start, " is not between 'from' and 'to'");
+    return HAWSER_OK;
+}
+
 /* The case's keys that it stands for: its name, a key or several. */
 static hawser_status keys_read(const CaseReader *r, const CaseNode *node, Parameter *p)
 {
@@ -177,7 +199,8 @@ static hawser_status keys_read(const CaseReader *r, const CaseNode *node, Parame
 static hawser_status form_read(const CaseReader *r, const CaseNode *node, StudyKind kind, Parameter *p)
 {
     static const char *const wanted[] = {"give one of values, steps (in a grid)", "its values are in the list's file",
-                                         "give one of uniform, normal, lognormal, triangular, discrete"};
+                                         "give one of uniform, normal, lognormal, triangular, discrete",
+                                         "give one of range, whole, values (of a search)"};
     const CaseNode *form = NULL;
     int n = 0;
     for (const CaseNode *one = node->first; one; one = one->next) {
@@ -186,9 +209,18 @@ static hawser_status form_read(const CaseReader *r, const CaseNode *node, StudyK
         n++;
     }
     const char *const name = form ? form->key : "";
+    const int search = kind >= STUDY_OPTIMISE, whole = strcmp(name, "whole") == 0;
     const int by_choice = strcmp(name, "values") == 0 || strcmp(name, "steps") == 0;
-    const int fits = kind == STUDY_LIST ? n == 0 : n == 1 && by_choice == (kind == STUDY_GRID);
-    if (!fits) return case_key_error(r->err, node, NULL, "%s", wanted[kind < STUDY_MONTE_CARLO ? (int)kind : 2]);
+    const int by_range = whole || strcmp(name, "range") == 0;
+    const int fits = kind == STUDY_LIST   ? n == 0
+                     : n != 1             ? 0
+                     : kind == STUDY_GRID ? by_choice
+                     : search             ? by_choice || by_range
+                                          : !by_choice && !by_range;
+    if (!fits) {
+        return case_key_error(r->err, node, NULL, "%s", wanted[search ? 3 : kind < STUDY_MONTE_CARLO ? (int)kind : 2]);
+    }
+    if (by_range) return range_read(r, form, whole, p);
     if (strcmp(name, "values") == 0) return choices_read(r, form, p);
     if (strcmp(name, "steps") == 0) return steps_read(r, form, p);
     if (strcmp(name, "discrete") == 0) return discrete_read(r, form, p);
@@ -205,7 +237,12 @@ hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKin
     *p = (Parameter){.node = node, .name = node->key};
     hawser_status status = case_section_read(r, node, &study_parameter, &nothing);
     if (!status) status = keys_read(r, node, p);
-    return status ? status : form_read(r, node, kind, p);
+    if (!status) status = form_read(r, node, kind, p);
+    if (!p->chosen || kind < STUDY_OPTIMISE) return status;
+    p->whole = 1; /* which of them, from the first: neighbours should be alike */
+    p->law = (Distribution){.kind = LAW_UNIFORM, .a = 0, .b = p->n_choices - 1};
+    p->start = (double)((p->n_choices - 1) / 2);
+    return status;
 }
 
 /* The parameter that a node names; -1 with a message. */

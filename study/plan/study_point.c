@@ -1,4 +1,5 @@
 /* What sample i is: its point, and the case with it. */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,10 +28,20 @@ static void grid_point(const Study *s, long i, double *x)
     }
 }
 
+int study_searches(const Study *s) { return s->kind == STUDY_OPTIMISE || s->kind == STUDY_CALIBRATE; }
+
+/* Drawn points are spread from the first on, and stay pilots when a study is made longer; others are taken evenly. */
+int study_is_pilot(const Study *s, long i)
+{
+    if (s->kind == STUDY_MONTE_CARLO || s->samples <= s->pilot) return i < s->pilot;
+    return s->pilot > 0 && i * s->pilot / s->samples != (i - 1) * s->pilot / s->samples;
+}
+
 void study_point(const Study *s, long i, double *x)
 {
     const int d = s->n_parameters;
     double scratch[PARAMETERS_MAX];
+    assert(!study_searches(s));
     if (s->kind == STUDY_GRID) {
         grid_point(s, i, x);
         return;
@@ -52,7 +63,8 @@ void study_middle(const Study *s, double *x)
 {
     const int choices = s->kind == STUDY_GRID || s->kind == STUDY_LIST;
     for (int j = 0; j < s->n_parameters; j++) {
-        x[j] = choices ? 0 : distribution_quantile(&s->parameter[j].law, 0.5);
+        const Parameter *const p = &s->parameter[j];
+        x[j] = choices ? 0 : study_searches(s) ? p->start : distribution_quantile(&p->law, 0.5);
     }
 }
 
@@ -79,6 +91,7 @@ hawser_status study_case(const Study *s, const double *x, hawser_case **out, haw
 {
     char text[SETTING_MAX];
     hawser_status status = case_copy(s->base, out, err);
+    if (!status) (*out)->tree->unlisted = 1; /* a fifth of a theory sample's time */
     for (int j = 0; j < s->n_parameters && !status; j++) {
         const Parameter *const p = &s->parameter[j];
         const char *const value = parameter_text(p, x[j], text);

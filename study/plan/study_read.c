@@ -7,28 +7,32 @@
 #include "core/base/error.h"
 #include "study/plan/study_keys.h"
 
-/* The ways to go about it, in the order of StudyKind; a sensitivity says which. */
-static const char *const ways[] = {"grid", "list", "monte-carlo", "sensitivity"};
-enum { WAYS = 4 };
+/* The ways to go about it; a sensitivity says which. */
+static const struct {
+    const char *name;
+    StudyKind kind;
+} ways[] = {{"grid", STUDY_GRID},          {"list", STUDY_LIST},         {"monte-carlo", STUDY_MONTE_CARLO},
+            {"sensitivity", STUDY_MORRIS}, {"optimise", STUDY_OPTIMISE}, {"calibrate", STUDY_CALIBRATE}};
+enum { WAYS = sizeof ways / sizeof *ways };
 
 /* Which one the file has: one. */
 static hawser_status kind_find(const CaseReader *r, Study *s, const CaseNode **way)
 {
     int n = 0;
     for (int k = 0; k < WAYS; k++) {
-        const CaseNode *const found = case_node_key(r->root, ways[k]);
+        const CaseNode *const found = case_node_key(r->root, ways[k].name);
         if (!found) continue;
         *way = found;
-        s->kind = (StudyKind)k;
+        s->kind = ways[k].kind;
         n++;
     }
     if (n == 1) return HAWSER_OK;
-    return case_key_error(r->err, n ? *way : r->root, NULL, "%s: give one of grid, list, monte-carlo, sensitivity",
+    return case_key_error(r->err, n ? *way : r->root, NULL,
+                          "%s: give one of grid, list, monte-carlo, sensitivity, optimise, calibrate",
                           n ? "there is another way to go about it beside it" : "nothing says how to vary");
 }
 
-/* A path beside the study's file, malloc'ed. */
-static char *path_beside(const Study *s, const char *path)
+char *path_beside(const Study *s, const char *path)
 {
     char *const full = malloc(strlen(s->tree->folder) + strlen(path) + 2);
     if (full && *path == '/') strcpy(full, path);
@@ -109,6 +113,7 @@ static hawser_status way_read(const CaseReader *r, const CaseNode *way, Study *s
     StudyRecord record = {.samples = 0};
     hawser_status status = HAWSER_OK;
     if (s->kind == STUDY_GRID) return grid_read(r, way, s);
+    if (study_searches(s)) return HAWSER_OK; /* which ask for quantities too: aim_read, measured_read */
     if (s->kind == STUDY_LIST) {
         status = case_section_read(r, way, &study_list_section, &record);
         char *const path = status ? NULL : path_beside(s, record.list);
@@ -117,7 +122,7 @@ static hawser_status way_read(const CaseReader *r, const CaseNode *way, Study *s
         s->blocks = s->samples;
         return status;
     }
-    const int indices = s->kind == STUDY_MORRIS; /* the place of `sensitivity` in `ways` */
+    const int indices = s->kind == STUDY_MORRIS;
     status = case_section_read(r, way, indices ? &study_sensitivity : &study_monte_carlo, &record);
     if (status) return status;
     if (indices) s->kind = record.method ? STUDY_SOBOL : STUDY_MORRIS;
@@ -159,7 +164,10 @@ static hawser_status quantities_read(const CaseReader *r, Study *s)
 {
     static const char *const answers[] = {"theory", "run", NULL};
     const CaseNode *const node = case_node_key(r->root, "quantities");
-    int n = 4;
+    int n = 4; /* what nobody asks for */
+    const CaseNode *const search = case_node_key(r->root, "optimise");
+    for (const CaseNode *part = search ? search->first : NULL; part; part = part->next)
+        n += 1 + part->count; /* what a search adds */
     for (const CaseNode *part = node ? node->first : NULL; part; part = part->next) n += 1 + part->count;
     s->quantity = calloc((size_t)n, sizeof *s->quantity);
     if (!s->quantity) return error_memory(r->err);
@@ -219,15 +227,22 @@ static hawser_status study_fill(const CaseReader *r, Study *s)
     hawser_status status = case_section_read(r, r->root, &study_top, &record);
     if (status) return status;
     strcpy(s->title, record.title);
-    s->fidelity = (Fidelity)record.fidelity;
-    s->close = record.close;
+    s->fidelity = record.fidelity > BY_BOTH ? BY_BOTH : (Fidelity)record.fidelity;
+    s->pilot = record.fidelity > BY_BOTH ? record.pilot : 0;
+    for (int k = 0; k < LIMIT_KINDS; k++) s->close[k] = record.close;
     s->time_limit = record.time_limit;
     s->memory = record.memory;
     status = kind_find(r, s, &way);
+    if (!status && s->pilot && study_searches(s)) {
+        status = case_key_error(r->err, case_node_key(r->root, "fidelity"), NULL,
+                                "a search has no pilots: give 'theory', 'run' or 'both'");
+    }
     if (!status) status = base_load(r, record.base, s);
     if (!status) status = parameters_read(r, s);
     if (!status) status = way_read(r, way, s);
     if (!status) status = quantities_read(r, s);
+    if (!status && s->kind == STUDY_OPTIMISE) status = aim_read(r, way, s);
+    if (!status && s->kind == STUDY_CALIBRATE) status = measured_read(r, way, s);
     return status ? status : middle_check(r, s);
 }
 
@@ -264,6 +279,11 @@ Study *study_free(Study *s)
     free(s->parameter);
     free(s->factor);
     free(s->quantity);
+    free(s->aim.constraint);
+    free(s->aim.term);
+    free(s->measured.point);
+    free(s->measured.weight);
+    free((char *)(size_t)s->aim.name);
     hawser_case_free(s->base);
     case_tree_free(s->tree);
     free(s->path);

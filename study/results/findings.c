@@ -18,6 +18,7 @@ static Share share_in(const Study *s, long hits, long n)
 
 static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 {
+    for (int k = 0; k < LIMIT_KINDS; k++) f->off[k] = NAN;
     for (long i = 0; i < rows->n; i++) {
         const Row *const row = &rows->row[i];
         f->by_state[row->state]++;
@@ -25,6 +26,10 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
         f->by_verdict[row->verdict]++;
         if (s->fidelity != BY_BOTH || row->answered != BY_RUN) continue;
         f->runs++;
+        for (int k = 0; k < LIMIT_KINDS; k++) {
+            const double off = fabs(row->margin[k] - row->theory[k]);
+            if (!isnan(off)) f->off[k] = isnan(f->off[k]) ? off : fmax(f->off[k], off);
+        }
         f->changed += row->verdict != row->theory_verdict;
     }
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
@@ -38,7 +43,8 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
     for (int k = 0; k < LIMIT_KINDS; k++) {
-        LimitRow row = {.name = limits_name((LimitKind)k)};
+        LimitRow row = {.name = limits_name((LimitKind)k), .band = NAN, .off = f->off[k]};
+        if (s->fidelity == BY_BOTH) row.band = s->close[k];
         int n = 0;
         for (long i = 0; i < rows->n; i++) {
             const Row *const r = &rows->row[i];
@@ -63,7 +69,7 @@ static void values_of(const Rows *rows, int q, double *x)
 {
     for (long i = 0; i < rows->n; i++) {
         const int known = rows->row[i].state == ROW_DONE;
-        x[i] = known ? rows->value[i * rows->n_quantities + q] : NAN;
+        x[i] = known ? rows->value[i * rows->width + q] : NAN;
     }
 }
 
@@ -137,15 +143,17 @@ static hawser_status effects_find(const Study *s, const Rows *rows, double *x, F
     return HAWSER_OK;
 }
 
-/* "count = 18, speed = 6 m/min" */
-static void variant_say(const Study *s, long i, char text[VARIANT_TEXT_MAX])
+void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX])
 {
     double x[PARAMETERS_MAX];
     char value[SETTING_MAX];
     int n = 0;
-    study_point(s, i, x);
+    row_point(s, rows, i, x);
     for (int j = 0; j < s->n_parameters && n < VARIANT_TEXT_MAX; j++) {
-        const char *const to = parameter_text(&s->parameter[j], x[j], value);
+        const Parameter *const p = &s->parameter[j];
+        const char *to = value;
+        if (p->chosen) to = parameter_text(p, x[j], value);
+        if (!p->chosen) snprintf(value, sizeof value, "%.6g%s%s", x[j], *p->unit ? " " : "", p->unit);
         n += snprintf(text + n, (size_t)(VARIANT_TEXT_MAX - n), "%s%s = %s", j ? ", " : "", s->parameter[j].name,
                       to ? to : "as it is");
     }
@@ -163,8 +171,8 @@ static void variants_list(const Study *s, const Rows *rows, Findings *f)
                            .verdict = row_verdicts[row->verdict],
                            .limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by),
                            .margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by],
-                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->n_quantities] : NAN};
-        variant_say(s, i, to->values);
+                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->width] : NAN};
+        point_say(s, rows, i, to->values);
         f->n_variants++;
     }
 }
@@ -193,6 +201,9 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
         variants_list(s, rows, out);
         lost_find(rows, out);
         status = effects_find(s, rows, x, out, err);
+        if (!status) status = responses_find(s, rows, out, err);
+        if (!status && s->kind == STUDY_OPTIMISE) status = designs_find(s, rows, out, err);
+        if (!status && s->kind == STUDY_CALIBRATE) status = calibration_find(s, rows, out, err);
     }
     free(x);
     if (status) findings_free(out);
@@ -203,5 +214,9 @@ void findings_free(Findings *f)
 {
     free(f->quantity);
     free(f->effect);
+    free(f->search);
+    free(f->fitted);
+    free(f->tornado);
+    free(f->response);
     *f = (Findings){.quantity = NULL};
 }

@@ -23,6 +23,7 @@ typedef struct LimitRow {
     long judged, broken, binds; /* binds: has the least margin of a sample that is not safe */
     Share share;                /* % */
     double least, median;       /* margins */
+    double band, off; /* with theory and runs: where runs are made, what the two differ by at most; else NAN */
 } LimitRow;
 
 /* The estimate by the first n samples. */
@@ -51,6 +52,47 @@ typedef struct VariantRow {
     double quantity; /* the first */
 } VariantRow;
 
+/* One of the best points of a search. */
+enum { DESIGNS_MAX = 10 };
+typedef struct DesignRow {
+    long sample, search;
+    char values[VARIANT_TEXT_MAX];
+    double value;      /* of what is sought */
+    double broken;     /* the sum of what limits and constraints are broken by, (SR1) */
+    const char *keeps; /* "yes" where that is 0 */
+    const char *verdict, *limited_by;
+    double margin; /* the least */
+} DesignRow;
+
+/* One search. */
+typedef struct SearchRow {
+    long search, evaluations, best; /* best: the sample; -1: none has a value */
+    double value, broken;           /* of that */
+    const char *ended;
+} SearchRow;
+
+/* A parameter as a log says it, with its 95 % interval in its own unit. */
+typedef struct FittedRow {
+    const char *name, *unit, *said, *with; /* with: the parameter that it is most correlated to; NULL: none */
+    double value, half, low, high, correlation;
+} FittedRow;
+enum { WARNINGS_MAX = 12, WARNING_MAX = 200 };
+
+/* The first quantity as one parameter goes from its lowest to its highest tenth, and as it goes through its range. */
+typedef struct TornadoRow {
+    const char *name;
+    long n;
+    double low, high, swing, mean; /* means there, their distance, the mean of all */
+    double rank;                   /* correlation of ranks (ES4) */
+} TornadoRow;
+enum { RESPONSE_PARTS = 10 };
+typedef struct ResponseRow {
+    int parameter;
+    const char *name, *unit;
+    double at, mean, low, high; /* in the parameter's unit; the quantity's mean, 5 % and 95 % */
+    long n;
+} ResponseRow;
+
 /* A sample without an answer. */
 typedef struct LostRow {
     long sample;
@@ -59,8 +101,10 @@ typedef struct LostRow {
 
 typedef struct Findings {
     long by_state[ROW_DIED + 1], by_verdict[VERDICT_NOT_TRUSTED + 1];
-    long runs, changed; /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
-    Share not_safe;     /* among those that are safe or not safe; of 1 */
+    long runs, changed;      /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
+    double off[LIMIT_KINDS]; /* of BY_BOTH: what theory and a run differ by in a margin, at most; NAN: no sample has
+                                both */
+    Share not_safe;          /* among those that are safe or not safe; of 1 */
     double least_share, most_share; /* if all others were safe, if none were; of 1 */
     int n_quantities, n_limits, n_variants, n_convergence, n_effects, n_lost;
     QuantityRow *quantity;            /* owned, as what follows */
@@ -68,13 +112,39 @@ typedef struct Findings {
     VariantRow variant[VARIANTS_MAX]; /* [n_variants] of a study that has no more */
     ConvergenceRow convergence[64];
     EffectRow *effect;
+    int n_tornado, n_responses;
+    TornadoRow *tornado;   /* owned; the widest first */
+    ResponseRow *response; /* owned; parameter by parameter */
+    int n_searches, n_designs;
+    SearchRow *search;             /* owned */
+    DesignRow design[DESIGNS_MAX]; /* the best first */
+    FitResult fit;                 /* of a calibration */
+    long fit_sample;               /* the sample at the fit; -1: none */
+    double fit_rms_pct;
+    int n_fitted, n_warnings;
+    FittedRow *fitted; /* owned */
+    char warning[WARNINGS_MAX][WARNING_MAX];
     LostRow lost[10]; /* the first ones */
 } Findings;
 
 /* Errors: MEMORY. The texts are the study's and the rows'. */
 hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, hawser_error *err);
 void findings_free(Findings *f);
+/* The searches and designs of a study that searches. Errors: MEMORY. */
+hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
+/* The fit of a calibration, as far as its samples are there. Errors: MEMORY. */
+hawser_status calibration_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
+/* "count = 18, speed = 6 m/min": the point of a row that is there, as far as there is room. */
+void point_say(const Study *s, const Rows *rows, long i, char text[VARIANT_TEXT_MAX]);
 /* The findings as text for people, or as JSON: malloc'ed. Errors: MEMORY. */
+enum { ANSWER_MAX = 4096, TABLES_MAX = 12 };
+/* Its parts: the lines for people, and the tables that have rows; returns how many. */
+void findings_answer(const Study *s, const Findings *f, char answer[ANSWER_MAX]);
+int findings_tables(const Study *s, const Findings *f, Table table[TABLES_MAX]);
+/* dir/study.html. Errors: OUTPUT, MEMORY. */
+hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, hawser_error *err);
+/* Tornado and response curves. Errors: MEMORY. */
+hawser_status responses_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
 hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err);
 
 /* "mu", "tension_kN": a parameter's column. */

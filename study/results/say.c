@@ -1,4 +1,5 @@
 /* The findings as a document: one answer, one list of tables, for people and for programs. */
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -46,6 +47,8 @@ static const Column limit_columns[] = {
     {COLUMN("binds", LONG, LimitRow, binds), .label = "is the worst"},
     PLAIN("least_margin", "least margin", LimitRow, least, 3),
     PLAIN("median_margin", "median", LimitRow, median, 3),
+    PLAIN("band", "run within", LimitRow, band, 3),
+    PLAIN("theory_off_by", "theory is off by", LimitRow, off, 3),
 };
 
 static const Column variant_columns[] = {
@@ -86,6 +89,56 @@ static const Column morris_columns[] = {
     {COLUMN("steps", LONG, EffectRow, n), .label = "steps"},
 };
 
+static const Column search_columns[] = {
+    {COLUMN("search", LONG, SearchRow, search), .label = "search"},
+    {COLUMN("evaluations", LONG, SearchRow, evaluations), .label = "evaluations"},
+    PLAIN("value", "best", SearchRow, value, -1),
+    PLAIN("broken", "broken by", SearchRow, broken, 4),
+    {COLUMN("sample", LONG, SearchRow, best), .label = "sample"},
+    {COLUMN("ended", TEXT, SearchRow, ended), .label = "ended"},
+};
+
+static const Column fitted_columns[] = {
+    {COLUMN("parameter", TEXT, FittedRow, name), .label = "parameter"},
+    {COLUMN("unit", TEXT, FittedRow, unit), .label = "unit"},
+    PLAIN("value", "value", FittedRow, value, -1),
+    PLAIN("half", "+-", FittedRow, half, -1),
+    PLAIN("low", "from", FittedRow, low, -1),
+    PLAIN("high", "to", FittedRow, high, -1),
+    PLAIN("correlation", "correlation", FittedRow, correlation, 3),
+    {COLUMN("with", TEXT, FittedRow, with), .label = "with"},
+    {COLUMN("said", TEXT, FittedRow, said), .label = ""},
+};
+
+static const Column design_columns[] = {
+    {COLUMN("sample", LONG, DesignRow, sample), .label = "sample"},
+    {COLUMN("values", CHARS, DesignRow, values), .label = "with"},
+    PLAIN("value", "is", DesignRow, value, -1),
+    {COLUMN("keeps", TEXT, DesignRow, keeps), .label = "keeps all"},
+    PLAIN("broken", "broken by", DesignRow, broken, 4),
+    {COLUMN("verdict", TEXT, DesignRow, verdict), .label = "verdict"},
+    {COLUMN("limited_by", TEXT, DesignRow, limited_by), .label = "limited by"},
+    PLAIN("least_margin", "margin", DesignRow, margin, 3),
+};
+
+static const Column tornado_columns[] = {
+    {COLUMN("parameter", TEXT, TornadoRow, name), .label = "parameter"},
+    PLAIN("low", "at its lowest tenth", TornadoRow, low, -1),
+    PLAIN("high", "at its highest", TornadoRow, high, -1),
+    PLAIN("swing", "swing", TornadoRow, swing, -1),
+    PLAIN("rank_correlation", "rank correlation", TornadoRow, rank, 3),
+};
+
+static const Column response_columns[] = {
+    {COLUMN("parameter", TEXT, ResponseRow, name), .label = "parameter"},
+    PLAIN("at", "at", ResponseRow, at, -1),
+    {COLUMN("unit", TEXT, ResponseRow, unit), .label = "unit"},
+    PLAIN("mean", "mean", ResponseRow, mean, -1),
+    PLAIN("p5", "5 %", ResponseRow, low, -1),
+    PLAIN("p95", "95 %", ResponseRow, high, -1),
+    {COLUMN("samples", LONG, ResponseRow, n), .label = "samples"},
+};
+
 static const Column lost_columns[] = {
     {COLUMN("sample", LONG, LostRow, sample), .label = "sample"},
     {COLUMN("state", TEXT, LostRow, state), .label = "state"},
@@ -93,8 +146,6 @@ static const Column lost_columns[] = {
 };
 
 /* ------------------------------------------------------------------------------------------------------ the answer */
-
-enum { ANSWER_MAX = 2048 };
 
 /* Lines one after the other, cut where there is no more room. */
 typedef struct Lines {
@@ -127,11 +178,57 @@ static void say_limited(Lines *l, const Findings *f)
     }
 }
 
+/* The best design, or that there is none. */
+static void say_design(Lines *l, const Study *s, const Findings *f)
+{
+    const char *const what = s->aim.most ? "MOST" : "LEAST", *const unit = unit_of_key(s->aim.name);
+    const DesignRow *const d = f->design;
+    if (f->n_designs == 0) {
+        line(l, "NO DESIGN: no sample has an answer with %s\n", s->aim.name);
+    } else if (d->broken > 0) {
+        line(l, "NO DESIGN was found that keeps all limits and constraints; the closest has %s\n", d->values);
+    } else {
+        line(l, "%s %s = %.6g%s%s, with %s\n", what, s->aim.name, d->value, *unit ? " " : "", unit, d->values);
+    }
+}
+
+/* The parameters that fit best, and what to beware of. */
+static void say_fit(Lines *l, const Study *s, const Findings *f)
+{
+    const FitResult *const x = &f->fit;
+    line(l, "%s: RMS %.3g N, %.2g %% of the log's force, after %d evaluations\n",
+         x->done ? "FITTED" : "NOT FITTED, no least was reached", x->rms, f->fit_rms_pct, x->evaluations);
+    line(l, "  log      %d parts, %ld starts in it; %ld readings were left out as lost, drop-outs or spikes\n",
+         s->measured.n, s->measured.starts, s->measured.lost);
+    if (x->done) {
+        line(l, "  errors   neighbouring residuals correlate by %.2f: they count as %.0f independent ones\n", x->lag,
+             x->effective);
+    }
+    for (int k = 0; k < f->n_warnings; k++) line(l, "  beware   %s\n", f->warning[k]);
+}
+
+/* How it was sought. */
+static void say_search(Lines *l, const Study *s, const Findings *f)
+{
+    static const char *const how[] = {"", "linear models (COBYLA)", "evolution (ISRES), then neighbours",
+                                      "every point of the box"};
+    const long there = s->samples - f->by_state[ROW_OPEN];
+    int best = 0;
+    for (int k = 0; k < f->n_searches && f->n_designs > 0; k++)
+        best += f->search[k].broken == f->design->broken &&
+                fabs(f->search[k].value - f->design->value) <= 1e-3 * fabs(f->design->value);
+    line(l, "  sought   by %s, %d of %d searches ended there; %ld evaluations of at most %ld\n", how[s->aim.method],
+         best, s->aim.searches, there, s->samples);
+}
+
 /* The probability of points that are drawn, the number of variants. */
 static void say_answer(Lines *l, const Study *s, const Findings *f)
 {
     const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
     const Share p = share_percent(f->not_safe);
+    if (s->kind == STUDY_OPTIMISE) say_design(l, s, f);
+    if (s->kind == STUDY_CALIBRATE) say_fit(l, s, f);
+    if (study_searches(s)) return;
     if (judged == 0) {
         line(l, f->by_verdict[VERDICT_NOT_JUDGED] ? "NOT JUDGED: no sample could be judged by limits"
                                                   : "NO ANSWER: no sample is safe or not safe");
@@ -144,18 +241,37 @@ static void say_answer(Lines *l, const Study *s, const Findings *f)
     line(l, "\n");
 }
 
+/* How far theory was relied on, and whether that was right. */
+static void say_runs(Lines *l, const Study *s, const Findings *f)
+{
+    const int all = s->close[0] > 1e3;
+    if (s->pilot) line(l, "  pilots   %ld samples with both", s->pilot < s->samples ? s->pilot : s->samples);
+    if (s->pilot && all) line(l, ": theory says nothing of what limits these pulls, and all are run");
+    for (int k = 0, n = 0; k < LIMIT_KINDS && s->pilot && !all; k++) {
+        if (s->close[k] < 0.005) continue;
+        line(l, "%s%s %.2g", n ? ", " : "; near a limit is within: ", limits_name((LimitKind)k), s->close[k]);
+        n++;
+    }
+    line(l, s->pilot ? "\n  runs     %ld" : "  runs     %ld", f->runs);
+    if (!s->pilot) line(l, ", where theory's margin is within %.3g of 0", s->close[0]);
+    line(l, "; %ld changed the verdict\n", f->changed);
+    for (int k = 0; k < LIMIT_KINDS; k++) {
+        if (!(f->off[k] > s->close[k])) continue;
+        line(l, "  beware   theory's margin of %s was off by %.3g, more than the band of %.3g: %s\n",
+             limits_name((LimitKind)k), f->off[k], s->close[k], s->pilot ? "take more pilots" : "raise 'close'");
+    }
+}
+
 /* What the answer rests on, and what it leaves out. */
 static void say_rest(Lines *l, const Study *s, const Findings *f)
 {
     static const char *const by[] = {"theory", "runs", "theory, and runs near a limit"};
     const long there = s->samples - f->by_state[ROW_OPEN],
                judged = f->by_verdict[VERDICT_NOT_SAFE] + f->by_verdict[VERDICT_SAFE];
+    if (s->kind == STUDY_OPTIMISE) say_search(l, s, f);
     line(l, "  samples  %ld of %ld, by %s\n", there, s->samples, by[s->fidelity]);
-    if (s->fidelity == BY_BOTH) {
-        line(l, "  runs     %ld, where theory's margin is within %.3g of 0; %ld changed the verdict\n", f->runs,
-             s->close, f->changed);
-    }
-    if (judged == there || there == 0) return;
+    if (s->fidelity == BY_BOTH) say_runs(l, s, f);
+    if (judged == there || there == 0 || study_searches(s)) return;
     line(l, "  open     %ld NOT TRUSTED, %ld NOT JUDGED, %ld without an answer", f->by_verdict[VERDICT_NOT_TRUSTED],
          f->by_verdict[VERDICT_NOT_JUDGED] + f->by_verdict[VERDICT_NONE], there - f->by_state[ROW_DONE]);
     if (judged > 0)
@@ -168,7 +284,7 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
 
 static int facts_list(const Study *s, const Findings *f, Fact *fact)
 {
-    static const char *const kinds[] = {"grid", "list", "monte-carlo", "morris", "sobol"};
+    static const char *const kinds[] = {"grid", "list", "monte-carlo", "morris", "sobol", "optimise", "calibrate"};
     static const char *const fidelities[] = {"theory", "run", "both"};
     const Share p = share_percent(f->not_safe);
     int n = 0;
@@ -194,6 +310,14 @@ static int facts_list(const Study *s, const Findings *f, Fact *fact)
     fact[n++] = (Fact){"not_safe_least_pct", NULL, "%", cell_number(100 * f->least_share)};
     fact[n++] = (Fact){"not_safe_most_pct", NULL, "%", cell_number(100 * f->most_share)};
     fact[n++] = (Fact){"runs", NULL, "", cell_number((double)f->runs)};
+    fact[n++] = (Fact){"pilots", NULL, "", cell_number((double)s->pilot)};
+    if (s->kind == STUDY_CALIBRATE) {
+        fact[n++] = (Fact){"fitted", NULL, "", cell_number(f->fit.done)};
+        fact[n++] = (Fact){"rms_N", NULL, "N", cell_number(f->fit.rms)};
+        fact[n++] = (Fact){"lag_correlation", NULL, "", cell_number(f->fit.lag)};
+        fact[n++] = (Fact){"independent_residuals", NULL, "", cell_number(f->fit.effective)};
+        fact[n++] = (Fact){"least_singular_value", NULL, "", cell_number(f->fit.least_singular)};
+    }
     fact[n++] = (Fact){"verdicts_changed_by_runs", NULL, "", cell_number((double)f->changed)};
     return n;
 }
@@ -205,38 +329,62 @@ static void table_add(Table *table, int *n, const char *key, const char *heading
     if (rows > 0) table[(*n)++] = (Table){key, heading, columns, rows, row};
 }
 
-static int tables_list(const Study *s, const Findings *f, Table *table)
+int findings_tables(const Study *s, const Findings *f, Table table[TABLES_MAX])
 {
     int n = 0;
     const Columns sobol = COLUMNS(EffectRow, sobol_columns), morris = COLUMNS(EffectRow, morris_columns);
     table_add(table, &n, "variants", "Variants", (Columns)COLUMNS(VariantRow, variant_columns), f->n_variants,
               f->variant);
-    table_add(table, &n, "quantities", "Quantities", (Columns)COLUMNS(QuantityRow, quantity_columns), f->n_quantities,
-              f->quantity);
-    table_add(table, &n, "limits", "Limits", (Columns)COLUMNS(LimitRow, limit_columns), f->n_limits, f->limit);
+    table_add(table, &n, "parameters", "Parameters, with 95 % intervals", (Columns)COLUMNS(FittedRow, fitted_columns),
+              f->n_fitted, f->fitted);
+    if (s->kind == STUDY_OPTIMISE) {
+        table_add(table, &n, "designs", "The best designs", (Columns)COLUMNS(DesignRow, design_columns), f->n_designs,
+                  f->design);
+        table_add(table, &n, "searches", "Searches", (Columns)COLUMNS(SearchRow, search_columns), f->n_searches,
+                  f->search);
+    }
+    /* points of a search are no sample of anything */
+    const int shares = !study_searches(s);
+    table_add(table, &n, "quantities", "Quantities", (Columns)COLUMNS(QuantityRow, quantity_columns),
+              shares ? f->n_quantities : 0, f->quantity);
+    table_add(table, &n, "limits", "Limits", (Columns)COLUMNS(LimitRow, limit_columns), shares ? f->n_limits : 0,
+              f->limit);
     table_add(table, &n, "sensitivity",
               s->kind == STUDY_SOBOL ? "Shares of the variance (Sobol's indices) with 95 % intervals"
                                      : "Elementary effects (Morris), over the whole range of each parameter",
               s->kind == STUDY_SOBOL ? sobol : morris, f->n_effects, f->effect);
+    const int swings = s->kind == STUDY_MONTE_CARLO || s->kind == STUDY_GRID || s->kind == STUDY_LIST;
+    table_add(table, &n, "tornado", "What the first quantity does from a parameter's lowest to its highest tenth",
+              (Columns)COLUMNS(TornadoRow, tornado_columns), swings ? f->n_tornado : 0, f->tornado);
     table_add(table, &n, "convergence", "The estimate by the first samples",
               (Columns)COLUMNS(ConvergenceRow, convergence_columns), f->n_convergence, f->convergence);
     table_add(table, &n, "lost", "Samples without an answer (the first ones)", (Columns)COLUMNS(LostRow, lost_columns),
               f->n_lost, f->lost);
+    table_add(table, &n, "responses", "The first quantity along each parameter",
+              (Columns)COLUMNS(ResponseRow, response_columns), swings ? f->n_responses : 0, f->response);
     return n;
+}
+
+void findings_answer(const Study *s, const Findings *f, char answer[ANSWER_MAX])
+{
+    Lines lines = {answer, 0};
+    *answer = 0;
+    say_answer(&lines, s, f);
+    say_rest(&lines, s, f);
 }
 
 hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err)
 {
     char answer[ANSWER_MAX];
-    Fact fact[32];
-    Table table[8];
-    Lines lines = {answer, 0};
-    *answer = 0;
-    say_answer(&lines, s, f);
-    say_rest(&lines, s, f);
+    Fact fact[40];
+    Table table[TABLES_MAX];
+    findings_answer(s, f, answer);
+    int tables = findings_tables(s, f, table);
+    /* curves are for figures and programs */
+    if (format != HAWSER_JSON && tables > 0 && strcmp(table[tables - 1].key, "responses") == 0) tables--;
     const Document doc = {.title = *s->title ? s->title : s->path,
                           .n_facts = facts_list(s, f, fact),
-                          .n_tables = tables_list(s, f, table),
+                          .n_tables = tables,
                           .fact = fact,
                           .table = table,
                           .answer = answer};

@@ -100,7 +100,7 @@ static Cell cell_of(const Study *s, const Rows *rows, const Row *row, const doub
     case OF_STATE:
         return cell_text(row_states[row->state]);
     case OF_QUANTITY:
-        return cell_number(rows->value[row->sample * rows->n_quantities + k]);
+        return cell_number(rows->value[row->sample * rows->width + k]);
     case OF_MARGIN:
         return cell_number(row->margin[k]);
     default:
@@ -128,7 +128,7 @@ static hawser_status csv_row(const Study *s, const Rows *rows, long i, const int
                              hawser_error *err)
 {
     double x[PARAMETERS_MAX];
-    study_point(s, i, x);
+    row_point(s, rows, i, x);
     hawser_status status = out_print(out, err, "%ld", i);
     for (int of = 0, c = 0; of < COLUMN_OFS; of++) {
         for (int k = 0; k < columns_of(s, (ColumnOf)of) && !status; k++, c++) {
@@ -195,23 +195,26 @@ typedef struct Kept {
 } Kept;
 enum { COLUMN_TEXT_SIZE = REASON_MAX };
 
+/* The rows' cells of a column; texts are as long as the longest of them. */
 static int set_of_column(hid_t file, const Study *s, const Rows *rows, const Kept *kept, ColumnOf of, int k)
 {
     char name[COLUMN_NAME_MAX], set[COLUMN_NAME_MAX];
     const int text = column_is_text(s, of, k);
+    size_t size = 1;
     snprintf(set, sizeof set, "%s", column_name(s, of, k, name));
     for (char *c = set; *c; c++) *c = *c == '/' ? '|' : *c; /* which would be a group */
-    for (long i = 0; i < kept->n; i++) {
-        double x[PARAMETERS_MAX];
-        if (of == OF_PARAMETER) study_point(s, kept->sample[i], x);
-        const Cell cell = cell_of(s, rows, &rows->row[kept->sample[i]], x, of, k);
-        if (text) {
-            snprintf(kept->text + i * COLUMN_TEXT_SIZE, COLUMN_TEXT_SIZE, "%s", cell.text);
-        } else {
-            kept->number[i] = cell.value;
+    for (int pass = !text; pass < 2; pass++) {
+        for (long i = 0; i < kept->n; i++) {
+            double x[PARAMETERS_MAX];
+            if (of == OF_PARAMETER) row_point(s, rows, kept->sample[i], x);
+            const Cell cell = cell_of(s, rows, &rows->row[kept->sample[i]], x, of, k);
+            if (!text) kept->number[i] = cell.value;
+            if (text && pass) snprintf(kept->text + (size_t)i * size, size, "%s", cell.text);
+            if (text && !pass && strlen(cell.text) >= size) size = strlen(cell.text) + 1;
+            if (size > COLUMN_TEXT_SIZE) size = COLUMN_TEXT_SIZE;
         }
     }
-    return set_write(file, set, kept->n, text ? COLUMN_TEXT_SIZE : 0, text ? (void *)kept->text : kept->number);
+    return set_write(file, set, kept->n, text ? size : 0, text ? (void *)kept->text : kept->number);
 }
 
 static int sets_write(hid_t file, const Study *s, const Rows *rows, const Kept *kept)

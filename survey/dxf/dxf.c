@@ -85,7 +85,7 @@ static hawser_status entity_read(DxfStream *s, const DxfTag *begin, DxfEntity *e
 static hawser_status polyline_read(DxfStream *s, const DxfEntity *head)
 {
     enum { CLOSED = 1, SPACE = 8, MESHES = 16 | 64, FRAME = 16 };
-    const int flags = (int)dxf_number(head, 70, 0), space = (flags & SPACE) != 0;
+    const int flags = dxf_flags(head), space = (flags & SPACE) != 0;
     DxfCorner *corner = NULL;
     DxfEntity vertex = {0};
     DxfTag tag;
@@ -97,7 +97,7 @@ static hawser_status polyline_read(DxfStream *s, const DxfEntity *head)
             break;
         }
         status = entity_read(s, &tag, &vertex);
-        if (status || ((int)dxf_number(&vertex, 70, 0) & FRAME) || n >= SURVEY_MOST) continue;
+        if (status || (dxf_flags(&vertex) & FRAME) || n >= SURVEY_MOST) continue;
         if ((n & (n - 1)) == 0) {
             DxfCorner *const wider = realloc(corner, (n ? 2 * (size_t)n : 1) * sizeof *wider);
             if (!wider)

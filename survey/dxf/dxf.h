@@ -45,6 +45,8 @@ typedef struct DxfEntity {
 
 /* The first number of a code, or what else. */
 double dxf_number(const DxfEntity *e, int code, double otherwise);
+/* Its flags, group 70; 0 if that is missing or no number of 16 bits. */
+int dxf_flags(const DxfEntity *e);
 
 /* Coordinates of an entity's own system, whose z-axis is `axis`, in the world's, metres. */
 typedef struct DxfSystem {

@@ -16,6 +16,12 @@ double dxf_number(const DxfEntity *e, int code, double otherwise)
     return otherwise;
 }
 
+int dxf_flags(const DxfEntity *e)
+{
+    const double value = dxf_number(e, 70, 0);
+    return value >= 0 && value < 65536 ? (int)value : 0;
+}
+
 /* The axes of an entity's own system: AutoCAD's rule of the arbitrary axis. */
 DxfSystem dxf_system(const SurveyInput *in, const DxfEntity *e)
 {
@@ -169,7 +175,7 @@ hawser_status dxf_add_lwpolyline(const SurveyInput *in, const DxfEntity *e)
         if (n && v->code == 20) corner[n - 1].at.y = v->value;
         if (n && v->code == 42) corner[n - 1].bulge = v->value;
     }
-    const hawser_status status = dxf_add_corners(in, e, n, corner, (int)dxf_number(e, 70, 0) & 1, 0);
+    const hawser_status status = dxf_add_corners(in, e, n, corner, dxf_flags(e) & 1, 0);
     free(corner);
     return status;
 }

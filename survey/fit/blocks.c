@@ -12,8 +12,10 @@
 enum { BLOCK_PIECES = 24, BLOCK_SLACK = 8, SEAM_ASIDE = 4 };
 /* How often a line's blocks are tried again, beside once for every second of them. */
 enum { RETRIES = 10 };
-/* Beyond these pieces it is not a line but a maze, on which the search would take minutes. */
-enum { PIECES_MOST = 1500 };
+/* Beyond these pieces it is not a line but a maze, on which the search would take minutes; so it is beyond fewer of
+ * them where a piece has hardly more nodes than unknowns, as in a zigzag or where the scatter is larger than the
+ * deviation. A survey has some 30 nodes a piece, the straight of a drawn line 12. */
+enum { PIECES_MOST = 1500, MAZE_PIECES = 400, MAZE_NODES = 6 };
 
 /* A chain of a part of the line. */
 typedef struct Part {
@@ -133,6 +135,21 @@ static hawser_status blocks_fit(const Stretch *all, int n_cuts, const Piece *cut
     return status;
 }
 
+static hawser_status maze_refuse(int m, int n_cuts, hawser_error *err)
+{
+    if (n_cuts > PIECES_MOST)
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "a line that falls into %d straights and bends, of which at most %d can be fitted: give its "
+                         "corners a radius instead, or split the file",
+                         n_cuts, PIECES_MOST);
+    if (n_cuts > MAZE_PIECES && m < MAZE_NODES * n_cuts)
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "a line that turns at nearly every point: %d straights and bends over %d points, which no "
+                         "fit can tell apart: a larger tolerance, a radius for its corners, or fewer points",
+                         n_cuts, m);
+    return HAWSER_OK;
+}
+
 hawser_status chain_search(int m, const Node *node, double sigma, double deviation, int clothoids, Piece **piece,
                            int *n, Foot *foot, hawser_error *err)
 {
@@ -142,12 +159,7 @@ hawser_status chain_search(int m, const Node *node, double sigma, double deviati
     *piece = NULL;
     *n = 0;
     hawser_status status = cuts_find(m, node, sigma, clothoids, &cut, &n_cuts, err);
-    if (!status && n_cuts > PIECES_MOST) {
-        status = error_set(err, HAWSER_ERR_INPUT,
-                           "a line that falls into %d straights and bends, of which at most %d can be fitted: give its "
-                           "corners a radius instead, or split the file",
-                           n_cuts, PIECES_MOST);
-    }
+    if (!status) status = maze_refuse(m, n_cuts, err);
     if (!status) status = blocks_fit(&all, n_cuts, cut, piece, n);
     if (!status && n_cuts >= 2 * BLOCK_PIECES) status = chain_improve(piece, n, m, node, sigma, clothoids, foot, err);
     free(cut);

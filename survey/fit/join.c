@@ -332,29 +332,41 @@ static int line_make(const Net *net, int n, Survey *to)
     return fine;
 }
 
-/* A line with its length in plan. */
+/* A line by its length in plan. */
 typedef struct Long {
     double length;
-    Alignment line;
+    int line;
 } Long;
 
 static int by_length(const void *a, const void *b)
 {
-    const double x = ((const Long *)a)->length, y = ((const Long *)b)->length;
-    return (x < y) - (x > y);
+    const Long *const x = a, *const y = b;
+    return x->length != y->length ? (x->length < y->length) - (x->length > y->length) : x->line - y->line;
 }
 
-/* The lines from `from` on, the longest first. 0: no memory. */
+/* The lines from `from` on, the longest first: each cycle of places is gone around once, so that no second copy of a
+ * million lines is needed. 0: no memory. */
 static int lines_sort(Survey *s, int from)
 {
     const int n = s->n - from;
-    Long *const list = malloc((size_t)(n + 1) * sizeof *list);
+    if (n < 2) return 1;
+    Alignment *const line = s->alignment + from;
+    Long *const list = malloc((size_t)n * sizeof *list);
     if (!list) return 0;
-    for (int i = 0; i < n; ++i) {
-        list[i] = (Long){alignment_measure(&s->alignment[from + i]).plan_length, s->alignment[from + i]};
-    }
+    for (int i = 0; i < n; ++i) list[i] = (Long){alignment_measure(&line[i]).plan_length, i};
     qsort(list, (size_t)n, sizeof *list, by_length);
-    for (int i = 0; i < n; ++i) s->alignment[from + i] = list[i].line;
+    for (int i = 0; i < n; ++i) {
+        if (list[i].line == i) continue;
+        const Alignment first = line[i];
+        int to = i;
+        for (int of = list[to].line; of != i; of = list[to].line) {
+            line[to] = line[of];
+            list[to].line = to;
+            to = of;
+        }
+        line[to] = first;
+        list[to].line = to;
+    }
     free(list);
     return 1;
 }

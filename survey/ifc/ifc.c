@@ -135,9 +135,16 @@ static void element_place(PlanElement *e, Vec3 origin, double angle)
     e->heading += angle;
 }
 
-static void alignment_place(const IfcFile *file, Alignment *a, Vec3 origin, double angle)
+/* An alignment in plan alone lies level, at the height of its placement. Errors: MEMORY. */
+static hawser_status alignment_place(const IfcFile *file, Alignment *a, Vec3 origin, double angle)
 {
     const Vec3 at = v3_scale(file->step.in->unit, origin);
+    if (at.z != 0 && a->n_plan > 0 && a->n_profile == 0) {
+        const double length = alignment_measure(a).plan_length;
+        ProfileElement *const level = alignment_add_profile(a);
+        if (!level) return error_memory(file->step.in->err);
+        level->length = length;
+    }
     for (int i = 0; i < a->n_plan; ++i) element_place(&a->plan[i], at, angle);
     for (int i = 0; i < a->n_profile; ++i) a->profile[i].z += at.z;
     for (int i = 0; i < a->n_points; ++i) {
@@ -145,6 +152,7 @@ static void alignment_place(const IfcFile *file, Alignment *a, Vec3 origin, doub
         element_place(&e, at, angle);
         a->point[i] = v3(e.x, e.y, a->point[i].z + at.z);
     }
+    return HAWSER_OK;
 }
 
 /* IfcLocalPlacement(PlacementRelTo, RelativePlacement), one within the other. */
@@ -160,7 +168,7 @@ static hawser_status placement_apply(const IfcFile *file, long id, Alignment *a)
         if (status || strcmp(e.name, "IFCLOCALPLACEMENT")) break;
         status = ifc_axes(file, step_reference(&e, 1), &origin, &x_axis, &tilted);
         if (!status && tilted) survey_ignore(file->step.in->out, "placements that are not upright");
-        if (!status && !tilted) alignment_place(file, a, origin, atan2(x_axis.y, x_axis.x));
+        if (!status && !tilted) status = alignment_place(file, a, origin, atan2(x_axis.y, x_axis.x));
         id = step_reference(&e, 0);
     }
     step_entity_free(&e);

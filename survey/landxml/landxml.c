@@ -125,6 +125,10 @@ static void curve_add(Reader *r)
     const double from = atan2(start.y - centre.y, start.x - centre.x), to = atan2(end.y - centre.y, end.x - centre.x);
     double turn = side * (to - from);
     turn -= 2 * acos(-1) * floor(turn / (2 * acos(-1)));
+    if (hypot(end.x - start.x, end.y - start.y) < 1e-6) { /* once around, or not at all */
+        turn = g->length > acos(-1) * radius ? 2 * acos(-1) : 0;
+        if (turn == 0) survey_ignore(r->in->out, "a Curve of no length: Start and End are one place");
+    }
     element_add(r, start, from + side * acos(0), radius * turn, side / radius, side / radius);
 }
 
@@ -159,6 +163,8 @@ static int next_number(Reader *r, char **text, double *value)
     return 0;
 }
 
+static const char *const lost_heights = "heights of Start, End and PntList3D: only those of a Profile are read";
+
 /* The straights between the points of a PntList: `size` numbers each, northing before easting. */
 static void list_add(Reader *r, int size)
 {
@@ -168,6 +174,7 @@ static void list_add(Reader *r, int size)
     char *text = r->text;
     for (int i = 0; text && next_number(r, &text, &value[i % size]); ++i) {
         if (i % size < size - 1) continue;
+        if (value[2] != 0) survey_ignore(r->in->out, lost_heights);
         const Vec3 at = v3_scale(r->in->unit, v3(value[1], value[0], 0));
         if (before.known) line_add(r, before.at, at);
         before = (PointOf){at, 1};
@@ -196,6 +203,7 @@ static void geometry_begin(Reader *r, const char **attributes)
 static void geometry_end(Reader *r, const char *name)
 {
     const PointOf *const have = r->geometry.have;
+    if (have[POINT_START].at.z != 0 || have[POINT_END].at.z != 0) survey_ignore(r->in->out, lost_heights);
     if (!have[POINT_START].known || !have[POINT_END].known) {
         FAIL(r, "a %s without Start or End", name);
     } else if (!strcmp(name, "Curve")) {

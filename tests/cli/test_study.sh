@@ -23,6 +23,23 @@ run_hawser 0 study "$source/cases/studies/spacing.yaml" --units us
 says out "2 of 4 variants are NOT SAFE, limited by roller_steady in 2" "count = 18" "count = 48" "lbf" "Results in results/spacing/"
 exists results/spacing/samples.csv
 
+# a measured pull: fitted, and laid beside a run
+run_hawser 0 study "$source/cases/studies/calibrate.yaml" -o fitted
+says out "FITTED: RMS" "friction.mu" "Results in fitted/"
+exists fitted/study.html
+run_hawser 0 run "$source/cases/huangjiahu.yaml" --quiet --set run.duration=25s --set output.states=0 -o pulled
+run_hawser 0 compare pulled "$source/cases/studies/pull.csv" --page pulled.html --band 30%
+says out "The run pulls" "Force from column 'winch pull [kN]'" "within 30 %"
+exists pulled.html
+run_hawser 0 compare pulled "$source/cases/studies/pull.csv" --align start --json
+says out '"aligned_by": "start"'
+run_hawser 2 compare pulled
+says err "compare needs a folder with results and a log"
+run_hawser 2 compare pulled "$source/cases/studies/pull.csv" --align end
+says err "--align end: 'length' or 'start' can be used"
+run_hawser 2 compare pulled "$source/cases/studies/friction.yaml"
+says err "no row names a force and a time or a length"
+
 # stopped by a signal: the rows so far are kept, and it goes on
 sed "s|\.\./|$source/cases/|; s/samples: 1024/samples: 20000/" "$source/cases/studies/friction.yaml" >"$work/long.yaml"
 what="hawser study, then SIGTERM"

@@ -39,10 +39,11 @@ class Scene:
             except subprocess.TimeoutExpired:
                 return None, "", "", {}, 0
             files = {}
-            if self.writes and os.path.isdir(os.path.join(folder, "out")):
-                for name in os.listdir(os.path.join(folder, "out")):
-                    with open(os.path.join(folder, "out", name), "rb") as f:
-                        files[name] = f.read()
+            out = os.path.join(folder, "out")
+            for where, _, names in os.walk(out):
+                for name in names:
+                    with open(os.path.join(where, name), "rb") as f:
+                        files[os.path.relpath(os.path.join(where, name), out)] = f.read()
             calls = 0
             if os.path.exists(count):
                 with open(count, encoding="ascii") as f:

@@ -166,6 +166,7 @@ static void wrong_any(const Site *site, Coverage *coverage)
         {"along",
          {"7", "[7]", "[[1]]", "{a: 1}", "[{from: 1}, {}]", "''", "{spacing: 1, count: 2}", "{}", "[~]", "nan"}},
         {"law", {"stik", "true", "7", "[7]", "{a: 1}", "", "''", "Stick", "stick adams", "nan"}},
+        {"accuracy", {"aut", "5 kg", "nan", "inf", "0", "-1", "[1]", "{a: 1}", "", "1"}},
         {"segment", {"aut", "5 kg", "nan", "inf", "0", "-1", "[1]", "{a: 1}", "", "500 mn"}},
         {"where", {"bend", "true", "7", "[7]", "[[1, 2, 3]]", "[[2, 1]]", "[[1, nan]]", "{a: 1}", "", "[[1, 5 kg]]"}},
         {"hold_down",

@@ -91,7 +91,7 @@ static void the_fitting_length(void **state)
     double fitting[2];
     for (int k = 0; k < 2; k++) {
         Sim *const sim = sim_of(data_text("passing-guides"), k ? half : whole);
-        passing_start(&sim->passing, &sim->stage.scene, hawser_sim_sample(sim));
+        passing_start(&sim->passing, &sim->stage.scene, &sim->stage.ws.kin, hawser_sim_sample(sim));
         const Misfit *const start = &sim->passing.start;
         check_above(start->force, 5 * start->allowed);
         check_has(start->name, "left");
@@ -103,7 +103,7 @@ static void the_fitting_length(void **state)
     snprintf(length, sizeof length, "%g m", fitting[1]);
     const char *const fits[] = {"solver.relax", "true", "chain.0.segment", length, NULL};
     Sim *const sim = sim_of(data_text("passing-guides"), fits);
-    passing_start(&sim->passing, &sim->stage.scene, hawser_sim_sample(sim));
+    passing_start(&sim->passing, &sim->stage.scene, &sim->stage.ws.kin, hawser_sim_sample(sim));
     check_between(sim->passing.start.force, 0.2 * sim->passing.start.allowed, sim->passing.start.allowed);
     hawser_sim_free(sim);
 }

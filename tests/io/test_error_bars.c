@@ -155,7 +155,8 @@ static void a_peak_between_rows(void **state)
     const hawser_summary all = pulled("trust", dense), few = pulled("trust", sparse);
     check_above(all.pull_peak_N, 6000);
     check_at_most(fabs(few.pull_peak_N - all.pull_peak_N), few.pull_peak_error.total);
-    check_at_most(few.pull_peak_error.total, 0.02 * few.pull_peak_N);
+    const double stands = few.pull_peak_N - few.pull_mean_N; /* (EB21) */
+    check_at_most(few.pull_peak_error.total, 0.02 * few.pull_peak_N + 0.03 * stands);
 }
 
 /* A force of one step alone is none: 5 counts when the next step still holds it, and what does then is what both held.
@@ -198,7 +199,7 @@ static void what_is_not_steady(void **state)
 static void a_start_in_a_wall(void **state)
 {
     (void)state;
-    const char *const pressed[] = {"solver.relax", "false", "chain.0.segment", "250 mm", NULL};
+    const char *const pressed[] = {"solver.relax", "false", "chain.0.segment", "250 mm", "solver.passes", "1", NULL};
     const hawser_summary run = pulled("trust-duct", pressed);
     check_at_most(1110 - run.pull_peak_N, run.pull_peak_error.mesh);
     check_at_most(run.pull_peak_error.mesh, 1.2 * (1111 - run.pull_peak_N));

@@ -181,7 +181,7 @@ static void inputs_are_listed(void **state)
                  strcmp(origin, "given") == 0 && where && strncmp(where, "pull.yaml:", 10) == 0;
         given += strcmp(key, "chain.0.length") == 0 && strcmp(value, "10 m") == 0;
         given += strcmp(key, "output.speeds_of") == 0 && strcmp(value, "[0, 19]") == 0;
-        defaults += strcmp(key, "solver.accuracy") == 0 && strcmp(value, "1e-3") == 0 && strcmp(origin, "default") == 0;
+        defaults += strcmp(key, "solver.accuracy") == 0 && strcmp(value, "auto") == 0 && strcmp(origin, "default") == 0;
         defaults += strcmp(key, "gravity") == 0 && strcmp(value, "9.81 m/s2") == 0;
         if (strcmp(origin, "default") == 0) assert_null(where);
     }

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "core/base/worst.h"
@@ -29,6 +31,12 @@ static hawser_route_place place(hawser_routes *r, int i, double s)
 }
 
 static double apart(const double a[3], const double b[3]) { return v3_norm(v3_sub(v3_get(a), v3_get(b))); }
+
+#ifdef __SANITIZE_ADDRESS__
+enum { UNDER_SANITIZERS = 1 };
+#else
+enum { UNDER_SANITIZERS = 0 };
+#endif
 
 /* LandXML, IFC, a table, and a drawing in plan with a table of heights: within 5 mm along the whole length. */
 static void formats_agree(void **state)
@@ -306,6 +314,42 @@ static void both_lines_are_named(void **state)
     rmdir(folder);
 }
 
+/* A drawing of 100 000 lines that do not meet, on two layers: what is known of each line takes 1 kB, not errors and
+ * fits that nobody asked for. Read by a child, whose largest memory is its own. */
+static void many_lines_in_little_memory(void **state)
+{
+    (void)state;
+    enum { LINES = 100000 };
+    char path[] = "/tmp/hawser-route-XXXXXX";
+    FILE *const f = fdopen(mkstemp(path), "w");
+    assert_non_null(f);
+    fputs("0\nSECTION\n2\nENTITIES\n", f);
+    for (int i = 0; i < LINES; ++i)
+        fprintf(f, "0\nLINE\n8\n%c\n10\n%d\n20\n%d\n11\n%d.5\n21\n%d\n", "AB"[i % 2], i % 300 * 9, i / 300 * 9,
+                i % 300 * 9, i / 300 * 9);
+    fputs("0\nENDSEC\n0\nEOF\n", f);
+    fclose(f);
+    const pid_t child = fork();
+    if (child == 0) {
+        struct rusage at_first, now;
+        hawser_routes *r = NULL;
+        hawser_error err;
+        char *text = NULL;
+        getrusage(RUSAGE_SELF, &at_first);
+        const hawser_status status = hawser_routes_read(path, NULL, &r, &err);
+        const int all = !status && hawser_routes_count(r) == LINES;
+        const int said = all && hawser_routes_describe(r, HAWSER_JSON, &text, &err) == HAWSER_OK;
+        getrusage(RUSAGE_SELF, &now);
+        const long most = UNDER_SANITIZERS ? 2000 * 1024L : 200 * 1024L; /* kB; they keep what is freed */
+        _exit(!said ? 1 : now.ru_maxrss - at_first.ru_maxrss < most ? 0 : 2);
+    }
+    int how = -1;
+    assert_int_equal(waitpid(child, &how, 0), child);
+    unlink(path);
+    assert_true(WIFEXITED(how));
+    assert_int_equal(WEXITSTATUS(how), 0);
+}
+
 /* ------------------------------------------------------------------------------------------- the real files */
 
 /* The path of a real file; the test is skipped without it. */
@@ -421,6 +465,7 @@ int main(void)
         cmocka_unit_test(large_coordinates),
         cmocka_unit_test(wrong_cases),
         cmocka_unit_test(both_lines_are_named),
+        cmocka_unit_test(many_lines_in_little_memory),
         cmocka_unit_test(shared_figures),
         cmocka_unit_test(shared_tables_agree),
         cmocka_unit_test(shared_files_are_pulled),

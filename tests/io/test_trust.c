@@ -8,8 +8,7 @@
  *   several cables, of which a run pulls one        here, several_cables
  *   cables that jam, or fill their duct             here, three_cables_jam; theory/test_limits
  *   segments too long for bends, ducts, hold-downs  here, coarse_in_a_duct; io/test_mesh, long_segments_jam
- *   a bend to the side on a grade levels the route  said, by an event and by `hawser check`: core/test_route,
- *                                                   bends_on_slopes; cli/test_case.sh; no helix yet
+ *   a bend to the side on a grade levels the route  io/test_route_runs, bends_keep_their_grade
  *   a conveyor that grips the rope                  io/test_grips, belts_wait_for_the_cable
  *   a stiff grip at the default accuracy            here, energy_lost; io/test_grips, a_shared_pull
  *   energy that does not add up, and peaks of jolts here, a_jolt_at_the_start, a_spike_between_rows
@@ -19,7 +18,7 @@
  *   a run that fails before its steady window       here, not_to_the_end; cli/test_run.sh
  *   results in place of closed descriptors          cli/test_output.sh
  *   two runs in one folder, results of an older one cli/test_output.sh
- *   results.h5 of a run that was killed             not cured: one kill in three leaves it unreadable
+ *   results.h5 of a run that was killed             cli/test_crash.sh
  *   no memory for the integrator's vectors          sim/test_allocation, test_history
  *   a case that begins with a byte order mark       io/test_case_tree, byte_order_mark
  *   a floor that the cable falls through            io/test_case_passing, a_floor_holds
@@ -45,6 +44,11 @@
  *   rollers that spin and let the cable creep aside here, it_creeps_aside
  *   peaks of breaking loose                         here, it_breaks_loose
  *   belts that share a pull by lengths alone        io/test_grips, a_shared_pull
+ *   a rope that slides to its rollers' edge         here, it_slides_to_the_edge
+ *   rollers that spin, Newton fails in most steps   not cured (63 % of the steps of one): it ends in seconds and is not
+ *                                                   trusted, for it finds no rest
+ *   what error bars are blind for                   io/test_passes, what_bars_do_not_see
+ *   ends that are led, a hold-down's gap, tips      io/test_closed_forms
  */
 #include "tests/io/case_fixture.h"
 
@@ -304,8 +308,9 @@ static void it_begins_anywhere(void **state)
 static void a_slack_rope(void **state)
 {
     (void)state;
-    expect_failing(data_text("trust-slack"), NULL, HAWSER_OK, "numerical_peak peak", "a shorter chain.segment");
-    Judged j = judge(data_text("trust-slack"), NULL, HAWSER_OK);
+    const char *const once[] = {"solver.passes", "1", NULL};
+    expect_failing(data_text("trust-slack"), once, HAWSER_OK, "numerical_peak peak", "a shorter chain.segment");
+    Judged j = judge(data_text("trust-slack"), once, HAWSER_OK);
     check_at_most(fabs(j.sum.pull_peak_N - 1908), j.sum.pull_peak_error.total);
     hawser_sim_free(j.sim);
 }
@@ -357,27 +362,57 @@ static void it_creeps_aside(void **state)
 static void it_breaks_loose(void **state)
 {
     (void)state;
-    expect_failing(data_text("trust-breaks-loose"), NULL, HAWSER_OK, "numerical_peak", "friction.v_s far below");
-    Judged j = judge(data_text("trust-breaks-loose"), NULL, HAWSER_OK);
+    const char *const once[] = {"solver.passes", "1", NULL};
+    expect_failing(data_text("trust-breaks-loose"), once, HAWSER_OK, "numerical_peak", "friction.v_s far below");
+    Judged j = judge(data_text("trust-breaks-loose"), once, HAWSER_OK);
     const double falls = 0.333 / 0.252 - 1, above = j.sum.pull_peak_N - j.sum.pull_mean_N;
     check_share(j.sum.pull_peak_error.friction, fmin(falls * j.sum.pull_mean_N, above), 1e-6);
+    hawser_sim_free(j.sim);
+}
+
+/* Rest is found without friction: a rope behind a bend slides outward over flat rollers until it is at their edge, and
+ * the mesh decides whether it slips off. Guides behind the bend hold it. */
+static void it_slides_to_the_edge(void **state)
+{
+    (void)state;
+    Judged j = judge(data_text("trust-edge"), NULL, HAWSER_OK);
+    const hawser_condition *edge = NULL;
+    for (int i = 0; i < j.sum.n_conditions; i++)
+        if (!strcmp(j.sum.conditions[i].name, "edge")) edge = &j.sum.conditions[i];
+    assert_non_null(edge);
+    check_close(edge->value, 0.81, 0.05);
+    assert_false(edge->holds);
+    check_has(edge->remedy, "roller 'R5'");
+    check_has(edge->remedy, "put guides there");
     hawser_sim_free(j.sim);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_run),          cmocka_unit_test(nothing_holds_it),
-        cmocka_unit_test(not_to_the_end),      cmocka_unit_test(slower_than_friction),
-        cmocka_unit_test(energy_lost),         cmocka_unit_test(several_cables),
-        cmocka_unit_test(coarse_in_a_duct),    cmocka_unit_test(a_shaft_without_a_brake),
-        cmocka_unit_test(three_cables_jam),    cmocka_unit_test(still_in_the_ramp),
-        cmocka_unit_test(a_jolt_at_the_start), cmocka_unit_test(a_spike_between_rows),
-        cmocka_unit_test(an_old_matrix),       cmocka_unit_test(a_winch_that_is_pushed),
-        cmocka_unit_test(a_winch_that_stands), cmocka_unit_test(joints_in_step),
-        cmocka_unit_test(it_begins_anywhere),  cmocka_unit_test(it_falls_and_hits),
-        cmocka_unit_test(it_cuts_corners),     cmocka_unit_test(a_slack_rope),
-        cmocka_unit_test(it_creeps_aside),     cmocka_unit_test(it_breaks_loose),
+        cmocka_unit_test(a_good_run),
+        cmocka_unit_test(nothing_holds_it),
+        cmocka_unit_test(not_to_the_end),
+        cmocka_unit_test(slower_than_friction),
+        cmocka_unit_test(energy_lost),
+        cmocka_unit_test(several_cables),
+        cmocka_unit_test(coarse_in_a_duct),
+        cmocka_unit_test(a_shaft_without_a_brake),
+        cmocka_unit_test(three_cables_jam),
+        cmocka_unit_test(still_in_the_ramp),
+        cmocka_unit_test(a_jolt_at_the_start),
+        cmocka_unit_test(a_spike_between_rows),
+        cmocka_unit_test(an_old_matrix),
+        cmocka_unit_test(a_winch_that_is_pushed),
+        cmocka_unit_test(a_winch_that_stands),
+        cmocka_unit_test(joints_in_step),
+        cmocka_unit_test(it_begins_anywhere),
+        cmocka_unit_test(it_falls_and_hits),
+        cmocka_unit_test(it_cuts_corners),
+        cmocka_unit_test(a_slack_rope),
+        cmocka_unit_test(it_creeps_aside),
+        cmocka_unit_test(it_breaks_loose),
+        cmocka_unit_test(it_slides_to_the_edge),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,6 @@ import json
 import os
 import signal
 import subprocess
-import threading
 
 import hawser
 import numpy as np
@@ -113,9 +112,11 @@ def test_a_study_is_stopped(file, tmp_path):
         hawser.study(file, tmp_path / "out", progress=lambda now: now["done"] > 0)
     done = hawser.Study(tmp_path / "out").summary["done"]
     assert 0 < done < 399
-    timer = threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
+
+    def press(now):
+        if now["done"] > done:
+            os.kill(os.getpid(), signal.SIGINT)
+
     with pytest.raises(KeyboardInterrupt):
-        hawser.study(file, tmp_path / "out")
-    timer.join()
+        hawser.study(file, tmp_path / "out", progress=press)
     assert hawser.Study(tmp_path / "out").summary["done"] >= done

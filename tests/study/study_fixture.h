@@ -89,11 +89,11 @@ static inline char *file_text(const char *dir, const char *name, size_t *size)
     return text;
 }
 
-/* Three files, byte by byte. */
+/* The results, byte by byte. */
 static inline void expect_alike(const char *one, const char *other)
 {
-    const char *const names[] = {"samples.csv", "summary.json", "study.h5"};
-    for (int k = 0; k < 3; k++) {
+    const char *const names[] = {"samples.csv", "summary.json", "study.h5", "study.html"};
+    for (int k = 0; k < 4; k++) {
         size_t n, m;
         char *const a = file_text(one, names[k], &n), *const b = file_text(other, names[k], &m);
         if (n != m || memcmp(a, b, n) != 0) fail_msg("%s/%s and %s/%s differ", one, names[k], other, names[k]);

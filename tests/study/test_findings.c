@@ -139,6 +139,88 @@ static void theory_and_runs(void **state)
     clear(s, &rows, &f);
 }
 
+/* A pull in proportion to friction, uniform from 0.1 to 0.4, with a parameter that does nothing: the tenths lie at
+ * 0.115 and 0.385, ten parts at 0.115, 0.145 ...; the page shows it. */
+static void tornado_and_responses(void **state)
+{
+    (void)state;
+    study_compute("parameters:\n"
+                  "  cables.power.EI: {uniform: {from: 5 kN m2, to: 20 kN m2}}\n"
+                  "  friction.mu: {uniform: {from: 0.1, to: 0.4}}\n"
+                  "monte-carlo: {samples: 256}\nquantities: [reference_total_N]\n",
+                  "swings", 2);
+    Study *s;
+    Rows rows;
+    Findings f = findings_in("swings", &s, &rows);
+    double x[2];
+    row_point(s, &rows, 0, x);
+    const double slope = rows.value[0] / x[1];
+    assert_int_equal(f.n_tornado, 2);
+    assert_string_equal(f.tornado[0].name, "friction.mu");
+    check_close(f.tornado[0].low, slope * 0.115, slope * 0.001);
+    check_close(f.tornado[0].high, slope * 0.385, slope * 0.001);
+    check_share(f.tornado[0].rank, 1, 1e-12);
+    check_at_most(fabs(f.tornado[1].rank), 0.1);
+    assert_int_equal(f.n_responses, 20);
+    for (int k = 0; k < 10; k++) {
+        const ResponseRow *const r = &f.response[10 + k];
+        check_close(r->at, 0.115 + 0.03 * k, 0.001);
+        check_share(r->mean, slope * r->at, 1e-9);
+        check_between(r->high - r->low, slope * 0.024, slope * 0.03);
+    }
+    size_t size;
+    char *const page = file_text("swings", "study.html", &size);
+    check_has(page, "<title>Tornado: mean from the lowest to the highest tenth (blue: it rises)</title>");
+    check_has(page, "<title>reference_total_N over friction.mu</title>");
+    check_has(page, "How the probability settles");
+    free(page);
+    clear(s, &rows, &f);
+}
+
+/* Pilots find the band themselves: the verdicts are those of a study that runs everything, by fewer runs. */
+static void pilots_find_the_band(void **state)
+{
+    (void)state;
+    static const char lines[] = "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\n"
+                                "set: {route.pieces.row.straight: 12.2 m, run.duration: 3 s, run.steady_from: 2 s, "
+                                "limits.winch_capacity: 600 N, limits.alpha: 2, limits.conductor: \"{material: copper, "
+                                "area: 800 mm2}\"}\n"
+                                "parameters: {friction.mu: {uniform: {from: 0.05, to: 0.6}}}\n"
+                                "monte-carlo: {samples: 32}\n";
+    char text[1000];
+    Study *s[2];
+    Rows rows[2];
+    Findings f[2];
+    static const char *const by[] = {"fidelity: auto\npilot: 6\n", "fidelity: run\n"}, *const dir[] = {"auto", "all"};
+    for (int k = 0; k < 2; k++) {
+        snprintf(text, sizeof text, "%s%s", lines, by[k]);
+        hawser_study *const run = study_open(file_write("study.yaml", text));
+        assert_int_equal(hawser_study_run(run, path_of(dir[k]), NULL, NULL), HAWSER_OK);
+        hawser_study_free(run);
+        f[k] = findings_in(dir[k], &s[k], &rows[k]);
+    }
+    double band[LIMIT_KINDS], most = 0;
+    pilots_bands(s[0], &rows[0], band);
+    for (int i = 0; i < 6; i++)
+        most = fmax(most, fabs(rows[0].row[i].theory[LIMIT_WINCH] - rows[0].row[i].margin[LIMIT_WINCH]));
+    check_share(band[LIMIT_WINCH], 1.5 * most, 1e-12);
+    check_equal(band[LIMIT_SPEED], 0);
+    for (int i = 0; i < 32; i++) assert_int_equal(rows[0].row[i].verdict, rows[1].row[i].verdict);
+    check_between((double)f[0].runs, 6, 26);
+    check_at_most(f[0].off[LIMIT_WINCH], band[LIMIT_WINCH]);
+    for (int i = 0; i < 6; i++) rows[0].row[i].answered = BY_THEORY;
+    pilots_bands(s[0], &rows[0], band);
+    check_at_least(band[LIMIT_PULL], 1e3); /* no pilot says anything: all are run */
+    rows[0].row[2].answered = BY_RUN;
+    pilots_bands(s[0], &rows[0], band);
+    check_at_most(band[LIMIT_PULL], 1);
+    rows[0].row[2].theory[LIMIT_ALPHA] = NAN;
+    rows[0].row[2].margin[LIMIT_ALPHA] = -0.1; /* broken, and theory does not see it */
+    pilots_bands(s[0], &rows[0], band);
+    check_at_least(band[LIMIT_PULL], 1e3);
+    for (int k = 0; k < 2; k++) clear(s[k], &rows[k], &f[k]);
+}
+
 /* The pull W mu with independent factors: variances of a product. mass 18..22, mu 0.1..0.3; the third does nothing. */
 static void indices_of_a_pull(void **state)
 {
@@ -165,7 +247,9 @@ static void indices_of_a_pull(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(eq_10_is_exact), cmocka_unit_test(probability_of_a_limit),
-                                       cmocka_unit_test(theory_and_runs), cmocka_unit_test(indices_of_a_pull)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(eq_10_is_exact),        cmocka_unit_test(probability_of_a_limit),
+        cmocka_unit_test(theory_and_runs),       cmocka_unit_test(pilots_find_the_band),
+        cmocka_unit_test(tornado_and_responses), cmocka_unit_test(indices_of_a_pull)};
     return cmocka_run_group_tests(tests, folder_make, folder_remove);
 }

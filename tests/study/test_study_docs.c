@@ -20,6 +20,7 @@ static void allowed_cell(const CaseKey *key, char *cell)
     char text[CASE_RANGE_MAX + CASE_FORM_MAX];
     size_t n = 0;
     if (key->min < key->max) snprintf(cell, CELL_MAX, "%s", case_range_text(key, text));
+    if (key->kind == KEY_FLAG) snprintf(cell, CELL_MAX, "`true` or `false`");
     if (key->kind == KEY_TEXT) snprintf(cell, CELL_MAX, "at most %zu characters", key->size - 1);
     if (key->section) snprintf(cell, CELL_MAX, "section `%s`", key->section->path);
     if (!key->section && key->form) snprintf(cell, CELL_MAX, "%s", key->form);

@@ -347,6 +347,13 @@ static void what_is_wrong(void **state)
     assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "steeper than 80 deg");
     alignment_clear(&a);
+    a = (Alignment){.stated_length = NAN,
+                    .flat = 1}; /* every point a metre on, up to 0.5 m beside: the fit took minutes */
+    unsigned long long seed = 88172645463325252ULL;
+    for (int i = 0; i < 5000; ++i) *alignment_add_point(&a) = v3(i, chance(&seed) - 0.5, 0);
+    assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "turns at nearly every point");
+    alignment_clear(&a);
 }
 
 int main(void)

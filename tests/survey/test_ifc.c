@@ -112,6 +112,27 @@ static void units_and_placement(void **state)
     survey_clear(&s);
 }
 
+/* An alignment in plan alone lies at the height of its placements. */
+static void level_at_its_placement(void **state)
+{
+    (void)state;
+    Survey s;
+    const char *const text = IFC(
+        "IFC4X3", "#1=IFCALIGNMENT('a',$,'a',$,$,#20,$,$);\n#2=IFCALIGNMENTHORIZONTAL('b',$,$,$,$,$,$);\n"
+                  "#3=IFCALIGNMENTSEGMENT('c',$,$,$,$,$,$,#4);\n"
+                  "#4=IFCALIGNMENTHORIZONTALSEGMENT($,$,#5,0.,0.,0.,50.,$,.LINE.);\n#5=IFCCARTESIANPOINT((1.,2.));\n"
+                  "#6=IFCRELNESTS('d',$,$,$,#1,(#2));\n#7=IFCRELNESTS('e',$,$,$,#2,(#3));\n"
+                  "#20=IFCLOCALPLACEMENT(#23,#21);\n#21=IFCAXIS2PLACEMENT3D(#22,$,$);\n"
+                  "#22=IFCCARTESIANPOINT((0.,0.,12.5));\n#23=IFCLOCALPLACEMENT($,#24);\n"
+                  "#24=IFCAXIS2PLACEMENT3D(#25,$,$);\n#25=IFCCARTESIANPOINT((0.,0.,100.));\n");
+    assert_string_equal(read_text(text, &s), "");
+    const AlignmentMeasure m = alignment_measure(&s.alignment[0]);
+    check_vec(m.start, v3(1, 2, 112.5), 1e-12);
+    check_vec(m.end, v3(51, 2, 112.5), 1e-12);
+    check_close(m.length, 50, 1e-12);
+    survey_clear(&s);
+}
+
 /* 4x1's curves: an arc to the right, a transition, a crest. And a polyline in space. */
 static void older_schema_and_polyline(void **state)
 {
@@ -176,6 +197,7 @@ int main(void)
                                        cmocka_unit_test(atoms),
                                        cmocka_unit_test(by_curves),
                                        cmocka_unit_test(units_and_placement),
+                                       cmocka_unit_test(level_at_its_placement),
                                        cmocka_unit_test(older_schema_and_polyline),
                                        cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);

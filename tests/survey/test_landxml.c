@@ -87,10 +87,33 @@ static void all_elements(void **state)
     assert_int_equal(a->n_profile, 4);
     check_close(a->profile[1].station, 40 * ft, 1e-12);
     check_close(a->profile[3].grade, -0.1, 1e-12);
-    assert_int_equal(s.n_ignored,
-                     4); /* bloss, a second profile, the ground; the alignment's length is not its line's */
-    check_has(s.ignored[3].what, "by the file's word, but its line is");
+    /* q's height, bloss, a second profile, the ground; the alignment's length is not its line's */
+    assert_int_equal(s.n_ignored, 5);
+    check_has(s.ignored[4].what, "by the file's word, but its line is");
     check_has(s.unit, "foot");
+    survey_clear(&s);
+}
+
+/* Heights without a profile are said, and a curve that goes nowhere; one whose length is a full turn goes around. */
+static void what_is_left_out(void **state)
+{
+    (void)state;
+    Survey s;
+    const char *const text =
+        XML(METRIC, ALIGNMENT("<Line><Start>0 0 5</Start><End>0 10 6</End></Line>"
+                              "<Curve rot=\"ccw\" radius=\"9\" length=\"0\"><Start>0 10</Start><End>0 10</End>"
+                              "<Center>9 10</Center></Curve>"
+                              "<Curve rot=\"ccw\" radius=\"9\" length=\"56.55\"><Start>0 10</Start><End>0 10</End>"
+                              "<Center>9 10</Center></Curve>",
+                              ""));
+    assert_string_equal(read_text(text, &s), "");
+    assert_int_equal(s.alignment[0].n_plan, 2);
+    check_close(s.alignment[0].plan[1].length, 9 * 4 * acos(0), 1e-9);
+    assert_int_equal(s.n_ignored, 3); /* the alignment's length too */
+    check_has(s.ignored[0].what, "heights of Start, End");
+    assert_int_equal(s.ignored[0].times, 1);
+    check_has(s.ignored[1].what, "a Curve of no length");
+    assert_int_equal(s.ignored[1].times, 1);
     survey_clear(&s);
 }
 
@@ -119,6 +142,7 @@ static void what_is_wrong(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tramway), cmocka_unit_test(railway),
-                                       cmocka_unit_test(all_elements), cmocka_unit_test(what_is_wrong)};
+                                       cmocka_unit_test(all_elements), cmocka_unit_test(what_is_left_out),
+                                       cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -98,6 +98,11 @@ static void the_last_place_is_the_pull(void **state)
             check_at_least(s.restart_peak.restart, s.row[i].restart);
             ends += s.row[i].head == route.piece[3].s0 || s.row[i].head == 50;
             if (i > 0) check_below(fabs(s.row[i].head - s.row[i - 1].head), 5.001);
+            /* what is taken over from another place of the head is what it would have been */
+            const HeadForce alone = head_at(&def, k, s.row[i].head);
+            check_equal(alone.force, s.row[i].force);
+            check_equal(alone.restart, s.row[i].restart);
+            check_equal(alone.tension, s.row[i].tension);
             /* the cable's tension does not know what is ahead */
             check_share(s.row[i].tension, pull_at(&plan.way[k].pull, s.row[i].head).tension, 1e-9);
         }

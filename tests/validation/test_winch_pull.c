@@ -1,6 +1,8 @@
 /* Winches at work on a level row of rollers: a set tension against closed forms, a trip with its restart. */
 #include "tests/support/rig.h"
 
+#include <stdio.h>
+
 static const RowChoice ROW = {.segments = 40, .pitch = 1, .mu = 0.2};
 
 static Sim *started(SceneDef *def, double duration, int threads)
@@ -113,7 +115,10 @@ typedef struct TripRun {
     double first_peak, peak, restart_peak, last; /* N: of the start, of all, from the restart on, at the end */
     double speed;                                /* m/s, at the end */
     int n;
-    hawser_event event[8];
+    struct {
+        double t, pull_N;
+        char what[80];
+    } event[8];
 } TripRun;
 
 static TripRun trip_run(double limit, int threads)
@@ -137,7 +142,11 @@ static TripRun trip_run(double limit, int threads)
     const hawser_event *event;
     out.n = hawser_sim_events(s, &event);
     assert_in_range(out.n, 0, 8);
-    if (out.n > 0) memcpy(out.event, event, (size_t)out.n * sizeof *event);
+    for (int i = 0; i < out.n; ++i) {
+        out.event[i].t = event[i].t;
+        out.event[i].pull_N = event[i].pull_N;
+        snprintf(out.event[i].what, sizeof out.event[i].what, "%s", event[i].what);
+    }
     sim_free(s);
     return out;
 }

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/refinement.h"
 #include "core/base/worst.h"
-#include "io/api/certify.h"
+#include "io/certify/certify.h"
 
 enum { RUNS_MAX = 32, ROUND_MAX = HAWSER_SOURCES + 2, SAID_MAX = 3 };
 static const double TOLERANCE = 0.01, EFFORT = 60;
@@ -386,12 +386,14 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
 {
     hawser_summary sum;
     *out = NULL;
+    const SceneDef *const finer = run->second ? run->second->plan : NULL; /* settings of the figures that are judged */
+    run = SHOWN(run);
     Certifier *const z = calloc(1, sizeof *z);
     hawser_certificate *const certificate = calloc(1, sizeof *certificate);
     hawser_status status = z && certificate ? case_ensure_read(c, err) : error_memory(err);
     if (!status) status = options_fill(options, &z->options, err);
     if (!status) {
-        z->def = &c->def;
+        z->def = finer ? finer : &c->def;
         z->out = certificate;
         certificate->tolerance = z->options.tolerance;
         status = begin(z, run, err);

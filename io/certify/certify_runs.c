@@ -8,7 +8,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
-#include "io/api/certify.h"
+#include "io/certify/certify.h"
 
 enum { THREADS_MAX = 2 };
 static const double TELL = 0.2;         /* s between two words to the caller */

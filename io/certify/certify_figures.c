@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "io/api/certify.h"
+#include "io/certify/certify.h"
 
 /* The least coefficient that a floor reckons with: cables without friction weigh something too. */
 static const double LEAST_MU = 0.01;

@@ -1,0 +1,102 @@
+/* What an FMU of a case shows: its variables, in the order of their value references. They follow from the case alone,
+ * so that the archive's description and the library inside it, which reads the case again, have the same. docs/fmi.md
+ * lists them. */
+#ifndef HAWSER_FMI_MODEL_VARIABLES_H
+#define HAWSER_FMI_MODEL_VARIABLES_H
+
+#include <stddef.h>
+
+#include "hawser/hawser.h"
+
+typedef enum VariableType {
+    VARIABLE_REAL,
+    VARIABLE_INTEGER,
+    VARIABLE_BOOLEAN,
+    VARIABLE_TEXT,
+    VARIABLE_VERDICT
+} VariableType;
+typedef enum VariableRole { ROLE_TIME, ROLE_PARAMETER, ROLE_TUNABLE, ROLE_INPUT, ROLE_OUTPUT } VariableRole;
+
+/* Where an output's value comes from. */
+typedef enum OutputFrom {
+    FROM_SAMPLE,     /* a double of hawser_sample, `at` bytes from its beginning */
+    FROM_CONTACTS,   /* segments that touch something */
+    FROM_ROLLER,     /* the load of roller `item`; -1: the largest of all */
+    FROM_NORMAL,     /* of surface `item` */
+    FROM_FRICTION,   /* likewise */
+    FROM_LINE_LOAD,  /* likewise */
+    FROM_FIGURE,     /* figure `item` of the machines */
+    FROM_PROBE,      /* a double of probe `item`, `at` bytes from its beginning */
+    FROM_PULL_MEAN,  /* of the steady window so far */
+    FROM_PULL_PEAK,  /* of the run so far */
+    FROM_MARGIN,     /* of limit `item` */
+    FROM_WORST,      /* the least margin of those that are judged */
+    FROM_BROKEN,     /* how many limits are */
+    FROM_EVENTS,     /* how many there were */
+    FROM_EVENT_TEXT, /* the last of them in words */
+    FROM_VERDICT,
+    FROM_VERDICT_TEXT
+} OutputFrom;
+
+/* What an input is told to. */
+typedef enum InputTo {
+    TO_COMMAND, /* `command`, with `what`, when the value has changed */
+    TO_BRAKE,   /* the winch's brake: on, and off again */
+    TO_PAUSE,   /* likewise */
+    TO_JAM      /* jams and frees `what` */
+} InputTo;
+
+typedef struct Variable {
+    char *name;        /* owned; of parameters the case's key */
+    char *description; /* owned */
+    VariableType type;
+    VariableRole role;
+    const char *unit;    /* of unit_rows; NULL: none */
+    double start;        /* of all but outputs; of booleans 0 or 1 */
+    double least, most;  /* of inputs; NAN: any */
+    const char *written; /* of a parameter: its unit as a case writes it, "N m" */
+    InputTo to;
+    hawser_control command;
+    char *what; /* owned; NULL: none */
+    OutputFrom from;
+    int item;
+    size_t at;
+} Variable;
+
+typedef struct Variables {
+    int n, room;
+    Variable *row; /* [n] owned; row i has the value reference i, the first is the time */
+} Variables;
+
+/* Makes the list. `s` is a simulation of the case as it is. Errors: MEMORY. */
+hawser_status variables_make(hawser_case *c, hawser_sim *s, Variables *out, hawser_error *err);
+void variables_free(Variables *v);
+
+/* Parts of it. */
+hawser_status variables_add_parameters(Variables *v, hawser_case *c, hawser_error *err);
+hawser_status variables_add_inputs(Variables *v, const hawser_case *c, hawser_error *err);
+hawser_status variables_add_outputs(Variables *v, const hawser_case *c, hawser_sim *s, hawser_error *err);
+/* A copy of the row with a name, made from a format, that nobody has yet, and with its description. Errors: MEMORY. */
+hawser_status variable_add(Variables *v, const Variable *row, const char *description, hawser_error *err,
+                           const char *name, ...) __attribute__((format(printf, 5, 6)));
+
+/* A unit by its name in a description, as powers of kg, m, s and rad. */
+typedef struct UnitRow {
+    const char *name;
+    int kg, m, s, rad;
+} UnitRow;
+extern const UnitRow unit_rows[];
+enum { UNIT_ROWS = 25 };
+/* The name of a unit as hawser writes it, "N m", or NULL of a pure number or one that is not in the list. */
+const char *unit_name(const char *written);
+
+/* The values of the type of VARIABLE_VERDICT, from 1 on. */
+enum { VERDICT_SAFE = 1, VERDICT_NOT_SAFE, VERDICT_NOT_JUDGED, VERDICT_NOT_TRUSTED, VERDICTS = 4 };
+extern const char *const verdict_names[VERDICTS];
+
+/* A number that changes with the case's text or with any name, type, role or start of the list: 36 characters in the
+ * form of a GUID without braces, and a NUL. */
+enum { TOKEN_SIZE = 37 };
+void variables_token(const Variables *v, const char *case_text, char token[TOKEN_SIZE]);
+
+#endif

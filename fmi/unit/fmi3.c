@@ -1,0 +1,241 @@
+/* Version 3.0 of the interface: each call checks what the standard asks of it and passes it on to the unit. */
+#include "fmi/standard/fmi3.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "fmi/unit/unit.h"
+
+/* What an importer holds. */
+typedef struct Instance3 {
+    Unit *unit;
+    fmi3LogMessageCallback log;
+    fmi3InstanceEnvironment environment;
+} Instance3;
+
+static void say3(void *host, Outcome outcome, const char *category, const char *text)
+{
+    const Instance3 *const c = host;
+    if (c->log) c->log(c->environment, (fmi3Status)outcome, category, text);
+}
+
+/* The unit, if it is in one of the phases; NULL otherwise, or for no instance. */
+static Unit *unit_in(fmi3Instance c, unsigned phases, const char *call)
+{
+    Unit *const u = c ? ((Instance3 *)c)->unit : NULL;
+    return u && !unit_expect(u, phases, call) ? u : NULL;
+}
+
+enum {
+    EARLY = PHASE_INSTANTIATED | PHASE_INITIALIZING,
+    LATE = PHASE_STEPPING | PHASE_OVER,
+    ANY = EARLY | LATE | PHASE_FAILED
+};
+
+const char *fmi3GetVersion(void) { return "3.0"; }
+
+fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t n, const fmi3String category[])
+{
+    Unit *const u = unit_in(c, ANY, "fmi3SetDebugLogging");
+    (void)n, (void)category;
+    if (!u) return fmi3Error;
+    u->logging = on;
+    return fmi3OK;
+}
+
+/* Events, early returns and intermediate values are denied by the description: whoever asks for them gets nothing. */
+fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                         fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean early_return,
+                                         const fmi3ValueReference intermediate[], size_t n_intermediate,
+                                         fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
+                                         fmi3IntermediateUpdateCallback update)
+{
+    (void)visible, (void)early_return, (void)intermediate, (void)update;
+    Instance3 *const c = calloc(1, sizeof *c);
+    if (!c) return NULL;
+    c->log = log;
+    c->environment = environment;
+    char *const folder = address_folder(resources);
+    const char *const wrong = !name || !*name      ? "an instance needs a name"
+                              : !folder            ? "the path of the resources is not that of a folder"
+                              : event_mode         ? "there is no event mode"
+                              : n_intermediate > 0 ? "there are no intermediate values"
+                                                   : NULL;
+    if (wrong) say3(c, FAILED, "logStatusError", wrong);
+    if (!wrong) c->unit = unit_new(folder, token, logging, say3, c);
+    free(folder);
+    if (c->unit) return c;
+    free(c);
+    return NULL;
+}
+
+fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                          fmi3Boolean logging, fmi3InstanceEnvironment environment,
+                                          fmi3LogMessageCallback log)
+{
+    (void)name, (void)token, (void)resources, (void)visible, (void)logging;
+    if (log) log(environment, fmi3Error, "logStatusError", "only co-simulation is possible");
+    return NULL;
+}
+
+fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources,
+                                               fmi3Boolean visible, fmi3Boolean logging,
+                                               fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
+                                               fmi3ClockUpdateCallback clock, fmi3LockPreemptionCallback lock,
+                                               fmi3UnlockPreemptionCallback unlock)
+{
+    (void)clock, (void)lock, (void)unlock;
+    return fmi3InstantiateModelExchange(name, token, resources, visible, logging, environment, log);
+}
+
+void fmi3FreeInstance(fmi3Instance instance)
+{
+    Instance3 *const c = instance;
+    if (!c) return;
+    unit_free(c->unit);
+    free(c);
+}
+
+/* The case's own accuracy is a parameter; a tolerance of the importer's is not looked at. */
+fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean has_tolerance, fmi3Float64 tolerance,
+                                       fmi3Float64 start, fmi3Boolean has_stop, fmi3Float64 stop)
+{
+    Unit *const u = unit_in(c, PHASE_INSTANTIATED, "fmi3EnterInitializationMode");
+    (void)has_tolerance, (void)tolerance;
+    if (!u) return fmi3Error;
+    const Outcome outcome = unit_set_times(u, start, has_stop, stop);
+    return (fmi3Status)(outcome ? outcome : unit_begin(u));
+}
+
+fmi3Status fmi3ExitInitializationMode(fmi3Instance c)
+{
+    Unit *const u = unit_in(c, PHASE_INITIALIZING, "fmi3ExitInitializationMode");
+    return u ? (fmi3Status)unit_settle(u) : fmi3Error;
+}
+
+fmi3Status fmi3Terminate(fmi3Instance c)
+{
+    Unit *const u = unit_in(c, PHASE_STEPPING, "fmi3Terminate");
+    return u ? (fmi3Status)unit_end(u) : fmi3Error;
+}
+
+fmi3Status fmi3Reset(fmi3Instance c)
+{
+    Unit *const u = unit_in(c, ANY, "fmi3Reset");
+    return u ? (fmi3Status)unit_reset(u) : fmi3Error;
+}
+
+fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 now, fmi3Float64 step, fmi3Boolean no_state_before,
+                      fmi3Boolean *event_needed, fmi3Boolean *terminate, fmi3Boolean *early_return,
+                      fmi3Float64 *reached)
+{
+    Unit *const u = unit_in(c, PHASE_STEPPING, "fmi3DoStep");
+    int over = 0;
+    (void)no_state_before;
+    const fmi3Status status = u ? (fmi3Status)unit_step(u, now, step, &over) : fmi3Error;
+    if (event_needed) *event_needed = false;
+    if (terminate) *terminate = over != 0;
+    if (early_return) *early_return = false;
+    if (reached) *reached = u ? unit_time(u) : now;
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------------- values */
+
+static fmi3Status worse(fmi3Status a, Outcome b) { return (int)b > (int)a ? (fmi3Status)b : a; }
+
+/* All variables are scalars: as many values as references. */
+static Unit *unit_for_values(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const void *value,
+                             size_t n_values, unsigned phases, const char *call)
+{
+    Unit *const u = unit_in(c, phases, call);
+    if (!u || (n == n_values && (n == 0 || (vr && value)))) return u;
+    unit_say(u, FAILED, "%s: %zu values for %zu variables", call, n_values, n);
+    return NULL;
+}
+
+/* The types that variables have, and what stands between C's and the unit's. */
+#define GET_AND_SET(NAME, TYPE, OF_VALUE, TO_VALUE)                                                                    \
+    fmi3Status fmi3Get##NAME(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3##NAME value[],              \
+                             size_t n_values)                                                                          \
+    {                                                                                                                  \
+        Unit *const u = unit_for_values(c, vr, n, (const void *)value, n_values, EARLY | LATE, "fmi3Get" #NAME);       \
+        fmi3Status status = u ? fmi3OK : fmi3Error;                                                                    \
+        for (size_t i = 0; i < n && status < fmi3Error; ++i) {                                                         \
+            double number = 0;                                                                                         \
+            const char *text = "";                                                                                     \
+            status = worse(status, unit_get(u, vr[i], TYPE, &number, &text));                                          \
+            value[i] = OF_VALUE;                                                                                       \
+            (void)number, (void)text;                                                                                  \
+        }                                                                                                              \
+        return status;                                                                                                 \
+    }                                                                                                                  \
+    fmi3Status fmi3Set##NAME(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const fmi3##NAME value[],        \
+                             size_t n_values)                                                                          \
+    {                                                                                                                  \
+        Unit *const u =                                                                                                \
+            unit_for_values(c, vr, n, (const void *)value, n_values, EARLY | PHASE_STEPPING, "fmi3Set" #NAME);         \
+        fmi3Status status = u ? fmi3OK : fmi3Error;                                                                    \
+        for (size_t i = 0; i < n && status < fmi3Error; ++i)                                                           \
+            status = worse(status, unit_set(u, vr[i], TYPE, TO_VALUE));                                                \
+        return status;                                                                                                 \
+    }
+GET_AND_SET(Float64, VARIABLE_REAL, number, value[i])
+GET_AND_SET(Int32, VARIABLE_INTEGER, (fmi3Int32)number, (double)value[i])
+GET_AND_SET(Int64, VARIABLE_VERDICT, (fmi3Int64)number, (double)value[i])
+GET_AND_SET(Boolean, VARIABLE_BOOLEAN, number > 0.5, value[i] ? 1 : 0)
+GET_AND_SET(String, VARIABLE_TEXT, text, 0)
+
+/* ------------------------------------------------------------------------------------------------------- states */
+
+fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *state)
+{
+    Unit *const u = unit_in(c, EARLY | LATE, "fmi3GetFMUState");
+    UnitState *made = NULL;
+    if (!u || !state) return fmi3Error;
+    const Outcome outcome = unit_save(u, &made);
+    if (outcome) return (fmi3Status)outcome;
+    free(*state); /* one that is given is overwritten */
+    *state = made;
+    return fmi3OK;
+}
+
+fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState state)
+{
+    Unit *const u = unit_in(c, ANY, "fmi3SetFMUState");
+    return u && state ? (fmi3Status)unit_load(u, state) : fmi3Error;
+}
+
+fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state)
+{
+    if (!c) return fmi3Error;
+    if (state) free(*state);
+    if (state) *state = NULL;
+    return fmi3OK;
+}
+
+fmi3Status fmi3SerializedFMUStateSize(fmi3Instance c, fmi3FMUState state, size_t *size)
+{
+    if (!c || !state || !size) return fmi3Error;
+    *size = ((const UnitState *)state)->size;
+    return fmi3OK;
+}
+
+fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte to[], size_t size)
+{
+    if (!c || !state || !to || size < ((const UnitState *)state)->size) return fmi3Error;
+    memcpy(to, ((const UnitState *)state)->byte, ((const UnitState *)state)->size);
+    return fmi3OK;
+}
+
+fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte from[], size_t size, fmi3FMUState *state)
+{
+    Unit *const u = unit_in(c, EARLY | LATE, "fmi3DeserializeFMUState");
+    UnitState *made = NULL;
+    if (!u || !from || !state) return fmi3Error;
+    const Outcome outcome = unit_state_of(u, from, size, &made);
+    if (outcome) return (fmi3Status)outcome;
+    free(*state);
+    *state = made;
+    return fmi3OK;
+}

@@ -1,0 +1,86 @@
+/* An instance's state as bytes: where it is in its life, its values, and the simulation's checkpoint. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "fmi/unit/unit.h"
+
+/* What stands before values and checkpoint; all of it is written, padding included. */
+typedef struct StateHead {
+    char token[TOKEN_SIZE + 3]; /* whose state it is */
+    int phase, variables;
+    long rows;
+    double start, stop;
+    size_t checkpoint; /* bytes of it; 0: the simulation stands at the start, or is not there */
+} StateHead;
+
+static size_t values_size(const Unit *u) { return 2 * (size_t)u->model.variables.n * sizeof(double); }
+
+Outcome unit_save(Unit *u, UnitState **state)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    void *checkpoint = NULL;
+    StateHead head;
+    memset(&head, 0, sizeof head);
+    memcpy(head.token, u->model.token, TOKEN_SIZE);
+    head.phase = (int)u->phase;
+    head.variables = u->model.variables.n;
+    head.rows = u->rows;
+    head.start = u->start;
+    head.stop = u->stop;
+    if (u->phase & (PHASE_STEPPING | PHASE_OVER) && hawser_sim_save_memory(u->sim, &checkpoint, &head.checkpoint, &err))
+        return unit_say(u, REFUSED, "%s", err.message);
+    const size_t size = sizeof head + values_size(u) + head.checkpoint;
+    UnitState *const made = malloc(sizeof *made + size);
+    if (made) {
+        made->size = size;
+        memcpy(made->byte, &head, sizeof head);
+        memcpy(made->byte + sizeof head, u->value, values_size(u)); /* what was told stands behind them */
+        if (checkpoint) memcpy(made->byte + sizeof head + values_size(u), checkpoint, head.checkpoint);
+    }
+    hawser_bytes_free(checkpoint);
+    *state = made;
+    return made ? GOES_WELL : unit_say(u, FAILED, "out of memory");
+}
+
+/* Whether bytes can be a state of this FMU; *head is filled then. */
+static int head_read(const Unit *u, const void *bytes, size_t size, StateHead *head)
+{
+    if (size < sizeof *head) return 0;
+    memcpy(head, bytes, sizeof *head);
+    return memcmp(head->token, u->model.token, TOKEN_SIZE) == 0 && head->variables == u->model.variables.n &&
+           size - sizeof *head >= values_size(u) && size - sizeof *head - values_size(u) == head->checkpoint &&
+           (head->phase == PHASE_INSTANTIATED || head->phase == PHASE_INITIALIZING || head->phase == PHASE_STEPPING ||
+            head->phase == PHASE_OVER);
+}
+
+Outcome unit_load(Unit *u, const UnitState *state)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    StateHead head;
+    if (!head_read(u, state->byte, state->size, &head)) return unit_say(u, FAILED, "this is no state of this FMU");
+    memcpy(u->value, state->byte + sizeof head, values_size(u));
+    Outcome outcome = unit_rebuild(u, head.checkpoint == 0);
+    if (outcome) return outcome;
+    if (head.checkpoint &&
+        hawser_sim_load_memory(u->sim, state->byte + sizeof head + values_size(u), head.checkpoint, &err))
+        return unit_say(u, FAILED, "%s", err.message);
+    u->relaxed = head.checkpoint > 0;
+    u->phase = (Phase)head.phase;
+    u->rows = head.rows;
+    u->start = head.start;
+    u->stop = head.stop;
+    u->look = (Look){0};
+    return GOES_WELL;
+}
+
+Outcome unit_state_of(Unit *u, const void *bytes, size_t size, UnitState **state)
+{
+    StateHead head;
+    if (!head_read(u, bytes, size, &head)) return unit_say(u, REFUSED, "these bytes are no state of this FMU");
+    UnitState *const made = malloc(sizeof *made + size);
+    if (!made) return unit_say(u, FAILED, "out of memory");
+    made->size = size;
+    memcpy(made->byte, bytes, size);
+    *state = made;
+    return GOES_WELL;
+}

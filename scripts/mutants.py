@@ -1,0 +1,358 @@
+"""Tests of the tests: small mistakes are put into the code, and some test has to fail.
+
+All mistakes of a sample are compiled in at once, each behind a switch that the environment sets, so that one build does.
+A first run of every test tells which mistakes it reaches; each mistake is then tried with those tests alone.
+
+Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree with N mistakes in build/mutants, built
+       mutants.py run    [--jobs J] [--minutes M]                     tries them; goes on where it was stopped
+       mutants.py report                                              shares by folder, and what survived
+Needs python3-clang-14 (installed by scripts/setup.sh --mutants); run it with /usr/bin/python3.
+"""
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+WORK = ROOT / "build" / "mutants"
+TREE, BUILD, MISTAKES, RESULTS = WORK / "tree", WORK / "build", WORK / "mistakes.json", WORK / "results.jsonl"
+FOLDERS = ["core", "contact", "linsolve", "theory"]
+LABELS = ["core", "contact", "linsolve", "theory", "sim", "study", "io"]
+OTHER = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/", "/": "*",
+         "&&": "||", "||": "&&", "+=": "-=", "-=": "+="}
+DEEPEST = 2  # mistakes within one another: each doubles the text it stands in
+
+SWITCH_H = """#ifndef HAWSER_MISTAKE_H
+#define HAWSER_MISTAKE_H
+extern int hawser_mistake;                 /* the one that is made; -1: none */
+extern unsigned char *hawser_mistakes_met; /* NULL, or a place for each */
+static inline int mistake_(int k)
+{
+    if (hawser_mistakes_met) hawser_mistakes_met[k] = 1;
+    return hawser_mistake == k;
+}
+#endif
+"""
+SWITCH_C = """#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+int hawser_mistake = -1;
+unsigned char *hawser_mistakes_met = NULL;
+__attribute__((constructor)) static void mistakes_begin(void)
+{
+    const char *const which = getenv("HAWSER_MISTAKE"), *const met = getenv("HAWSER_MISTAKES_MET");
+    if (which) hawser_mistake = atoi(which);
+    const int file = met ? open(met, O_RDWR) : -1;
+    if (file < 0) return;
+    void *const at = mmap(NULL, (size_t)%d, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (at != MAP_FAILED) hawser_mistakes_met = at;
+}
+"""
+
+
+# ------------------------------------------------------------------------------------------------ finding places
+
+
+class Place:
+    """Where a mistake can be made: what[start:end] of a file becomes write(inside), a function of its parts' text."""
+
+    def __init__(self, kind, start, end, parts, say):
+        self.kind, self.start, self.end, self.parts, self.say, self.number = kind, start, end, parts, say, None
+
+    def write(self, text, parts):
+        k = f"mistake_({self.number})"
+        if self.kind == "statement":
+            return f"if (!{k}) {parts[0]}"
+        if self.kind == "operator":
+            left, operator, right = parts
+            return f"({k} ? (({left}) {OTHER[operator]} ({right})) : ({left} {operator} {right}))"
+        if self.kind == "sign":
+            return f"({k} ? ({parts[0]}) : ({text[self.start]}({parts[0]})))"
+        return f"({k} ? ({parts[0]}) + 1 : ({parts[0]}))"  # a number
+
+
+class Finder:
+    """The places of one source file, from clang's tree of it."""
+
+    def __init__(self, path, flags):
+        from clang import cindex
+        self.kinds, self.path, self.text, self.places = cindex.CursorKind, path, path.read_text(), []
+        unit = cindex.Index.create().parse(str(path), args=flags, options=0)
+        for cursor in unit.cursor.get_children():
+            where = cursor.location.file
+            if where and pathlib.Path(where.name) == path and cursor.kind == self.kinds.FUNCTION_DECL:
+                for child in cursor.get_children():
+                    if child.kind == self.kinds.COMPOUND_STMT:
+                        self.visit(child)
+
+    @staticmethod
+    def span(cursor):
+        return cursor.extent.start.offset, cursor.extent.end.offset
+
+    def visit(self, cursor):
+        kinds, children = self.kinds, list(cursor.get_children())
+        if cursor.kind == kinds.VAR_DECL:
+            if cursor.storage_class.name == "STATIC":
+                return
+            children = children[-1:] if "=" in self.text[slice(*self.span(cursor))] and children else []
+        if cursor.kind == kinds.CASE_STMT:
+            children = children[1:]
+        if cursor.kind == kinds.CALL_EXPR and cursor.spelling.startswith("__builtin"):
+            return
+        if cursor.kind.name in ("CXX_UNARY_EXPR", "STATIC_ASSERT"):
+            return
+        self.take(cursor, children)
+        for child in children:
+            if cursor.kind == kinds.COMPOUND_STMT:
+                self.take_statement(child)
+            self.visit(child)
+
+    def take(self, cursor, children):
+        kinds = self.kinds
+        if cursor.kind in (kinds.BINARY_OPERATOR, kinds.COMPOUND_ASSIGNMENT_OPERATOR) and len(children) == 2:
+            self.take_operator(cursor, *children)
+        elif cursor.kind == kinds.UNARY_OPERATOR and len(children) == 1:
+            self.take_sign(cursor, children[0])
+        elif cursor.kind in (kinds.INTEGER_LITERAL, kinds.FLOATING_LITERAL):
+            start, end = self.span(cursor)
+            written = self.text[start:end]
+            before, after = self.text[:start].rstrip()[-1:], self.text[end:].lstrip()
+            if re.fullmatch(r"[0-9][0-9a-zA-Z.+-]*", written) and not (before == "[" and re.match(r"\]\s*=[^=]", after)):
+                self.places.append(Place("number", start, end, [(start, end)], f"{written} -> {written} + 1"))
+
+    def take_operator(self, cursor, left, right):
+        (start, end), (l0, l1), (r0, r1) = self.span(cursor), self.span(left), self.span(right)
+        if not (start == l0 < l1 < r0 < r1 == end):
+            return  # a macro's
+        operator = re.sub(r"/\*.*?\*/", "", self.text[l1:r0], flags=re.S).strip()
+        pointers = [c.type.get_canonical().kind.name in ("POINTER", "CONSTANTARRAY", "INCOMPLETEARRAY") for c in (left, right)]
+        if operator not in OTHER or (operator in "+-*/" and any(pointers)):
+            return
+        self.places.append(Place("operator", start, end, [(l0, l1), operator, (r0, r1)], f"{operator} -> {OTHER[operator]}"))
+
+    def take_sign(self, cursor, child):
+        (start, end), (c0, c1) = self.span(cursor), self.span(child)
+        if c1 == end and self.text[start] in "-!" and self.text[start + 1:c0].strip() == "":
+            self.places.append(Place("sign", start, end, [(c0, c1)], f"'{self.text[start]}' dropped"))
+
+    def take_statement(self, child):
+        kinds = self.kinds
+        (start, end) = self.span(child)
+        semicolon = re.match(r"\s*;", self.text[end:])
+        assigns = child.kind in (kinds.BINARY_OPERATOR, kinds.COMPOUND_ASSIGNMENT_OPERATOR)
+        if semicolon and end > start and (assigns or child.kind == kinds.CALL_EXPR) and self.text[start:start + 1].isidentifier() \
+                and not self.text[start:end].startswith(("assert", "free", "va_")):
+            self.places.append(Place("statement", start, end + semicolon.end(), [(start, end + semicolon.end())], "left out"))
+
+
+# ------------------------------------------------------------------------------------------------ writing them in
+
+
+def render(text, start, end, places):
+    """text[start:end] with the places in it switched; places: sorted by start, then by the longer."""
+    out, at = [], start
+    while places:
+        place = places[0]
+        inside = [p for p in places[1:] if p.end <= place.end]
+        places = places[1 + len(inside):]
+        parts = [p if isinstance(p, str) else render(text, *p, [q for q in inside if p[0] <= q.start and q.end <= p[1]])
+                 for p in place.parts]
+        out += [text[at:place.start], place.write(text, parts)]
+        at = place.end
+    return "".join(out) + text[at:end]
+
+
+def nested(places):
+    """Those that are not too deep within one another."""
+    kept, open_ends = [], []
+    for place in sorted(places, key=lambda p: (p.start, -p.end)):
+        open_ends = [e for e in open_ends if e > place.start]
+        if len(open_ends) < DEEPEST:
+            kept.append(place)
+            open_ends.append(place.end)
+    return kept
+
+
+def flags_of(path, commands):
+    """Compiler flags of a source file; of a header, those of a file of its folder."""
+    best = commands.get(path) or next((c for p, c in sorted(commands.items()) if p.parent == path.parent), None) \
+        or next(iter(commands.values()))
+    return [w for w in best.split() if w.startswith(("-I", "-D", "-isystem", "-m")) or w.startswith("/usr/include")] + ["-xc", "-std=gnu17"]
+
+
+def find_all(folders):
+    database = json.loads((BUILD / "compile_commands.json").read_text())
+    commands = {pathlib.Path(e["file"]): e["command"].replace("\\\"", "\"") for e in database}
+    places = {}
+    for folder in folders:
+        for path in sorted([*(TREE / folder).rglob("*.c"), *(TREE / folder).rglob("*_lanes.h")]):
+            found = nested(Finder(path, flags_of(path, commands)).places)
+            if found:
+                places[path] = found
+    return places
+
+
+def configure():
+    subprocess.run(["cmake", "-S", TREE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DHAWSER_BENCH=OFF",
+                    "-DCMAKE_C_FLAGS_RELWITHDEBINFO=-O1 -w -include " + str(WORK / "mistake.h"),
+                    "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], check=True, stdout=subprocess.DEVNULL)
+
+
+def write_tree(chosen, texts):
+    for path, text in texts.items():
+        places = sorted((p for p in chosen.get(path, []) if p.number is not None), key=lambda p: (p.start, -p.end))
+        path.write_text(render(text, 0, len(text), places))
+
+
+def build_without(chosen, texts):
+    """Builds; what does not compile is no mistake that anybody could make, and is dropped with its line."""
+    for _ in range(40):
+        done = subprocess.run(["cmake", "--build", BUILD, "-j2", "--", "-k", "0"], capture_output=True, text=True)
+        if done.returncode == 0:
+            return
+        bad = {(pathlib.Path(m[1]), int(m[2])) for m in re.finditer(r"^(/\S+?):(\d+):\d+: error", done.stdout, re.M)}
+        dropped = 0
+        for path, line in bad:
+            for place in chosen.get(path, []):
+                lines = range(texts[path].count("\n", 0, place.start) + 1, texts[path].count("\n", 0, place.end) + 2)
+                if place.number is not None and line in lines:
+                    place.number = None
+                    dropped += 1
+        if not dropped:
+            print(done.stdout[-3000:])
+            raise SystemExit("the tree does not build, and not because of a mistake")
+        print(f"{dropped} places do not compile and are dropped")
+        write_tree(chosen, texts)
+    raise SystemExit("the tree does not build")
+
+
+def make(args):
+    shutil.rmtree(WORK, ignore_errors=True)
+    TREE.mkdir(parents=True)
+    archive = subprocess.run(["git", "-C", ROOT, "archive", "HEAD"], check=True, capture_output=True).stdout
+    subprocess.run(["tar", "-C", TREE, "-xf", "-"], input=archive, check=True)
+    (WORK / "mistake.h").write_text(SWITCH_H)
+    (TREE / "core" / "base" / "mistake.c").write_text(SWITCH_C % args.count)
+    configure()
+    places = find_all(args.folders)
+    everything = [(path, place) for path, found in places.items() for place in found]
+    random.Random(args.seed).shuffle(everything)
+    print(f"{len(everything)} places in {len(places)} files; {min(args.count, len(everything))} are taken")
+    chosen = collections.defaultdict(list)
+    for number, (path, place) in enumerate(everything[:args.count]):
+        place.number = number
+        chosen[path].append(place)
+    texts = {path: path.read_text() for path in chosen}
+    write_tree(chosen, texts)
+    build_without(chosen, texts)
+    mistakes = [{"number": p.number, "file": str(path.relative_to(TREE)), "line": texts[path].count("\n", 0, p.start) + 1,
+                 "kind": p.kind, "say": p.say, "text": texts[path][p.start:p.end].split("\n")[0][:100]}
+                for path, found in chosen.items() for p in found if p.number is not None]
+    MISTAKES.write_text(json.dumps(mistakes, indent=0))
+    print(f"{len(mistakes)} mistakes are built in {BUILD}")
+
+
+# ------------------------------------------------------------------------------------------------ trying them
+
+
+def tests_of_build():
+    listed = json.loads(subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], check=True, capture_output=True,
+                                       text=True).stdout)
+    tests = []
+    for test in listed["tests"]:
+        properties = {p["name"]: p["value"] for p in test["properties"]}
+        labels = properties.get("LABELS", [])
+        if "command" in test and any(l in LABELS for l in labels) and "long" not in labels:
+            tests.append({"name": test["name"], "command": test["command"], "folder": labels[0],
+                          "cwd": properties.get("WORKING_DIRECTORY", str(BUILD))})
+    return tests
+
+
+def attempt(test, environment, limit):
+    """Whether the test passes with this environment, and how long it took, s."""
+    start = time.monotonic()
+    try:
+        done = subprocess.run(["nice", *test["command"]], cwd=test["cwd"], env={**os.environ, **environment}, timeout=limit,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        passed = done.returncode == 0
+    except subprocess.TimeoutExpired:
+        passed = False
+    return passed, time.monotonic() - start
+
+
+def reached(tests, count):
+    """Times of the tests that pass without a mistake, and the mistakes that each meets."""
+    met_file, kept = WORK / "met", []
+    for test in tests:
+        met_file.write_bytes(bytes(count))
+        passed, test["seconds"] = attempt(test, {"HAWSER_MISTAKES_MET": str(met_file)}, 300)
+        if passed and test["seconds"] < 30:
+            test["meets"] = {k for k, byte in enumerate(met_file.read_bytes()) if byte}
+            kept.append(test)
+        else:
+            print(f"{test['name']}: left out ({'takes too long' if passed else 'fails without a mistake'})")
+    return kept
+
+
+def try_one(mistake, tests):
+    folder = mistake["file"].split("/")[0]
+    meeting = sorted((t for t in tests if mistake["number"] in t["meets"]), key=lambda t: (t["folder"] != folder, t["seconds"]))
+    for test in meeting:
+        passed, _ = attempt(test, {"HAWSER_MISTAKE": str(mistake["number"])}, 10 * test["seconds"] + 5)
+        if not passed:
+            return {**mistake, "outcome": "killed", "by": test["name"]}
+    return {**mistake, "outcome": "survived" if meeting else "not met"}
+
+
+def run(args):
+    mistakes = json.loads(MISTAKES.read_text())
+    known = {json.loads(line)["number"] for line in RESULTS.read_text().splitlines()} if RESULTS.exists() else set()
+    tests = reached(tests_of_build(), max(m["number"] for m in mistakes) + 1)
+    end = time.monotonic() + 60 * args.minutes
+    todo = [m for m in sorted(mistakes, key=lambda m: m["number"]) if m["number"] not in known]
+    print(f"{len(tests)} tests, {len(todo)} mistakes to try")
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool, RESULTS.open("a") as file:
+        def guarded(mistake):
+            return try_one(mistake, tests) if time.monotonic() < end else None
+        for result in pool.map(guarded, todo):
+            if result:
+                file.write(json.dumps(result) + "\n")
+                file.flush()
+    report(args)
+
+
+def report(_):
+    results = [json.loads(line) for line in RESULTS.read_text().splitlines()]
+    print("| folder | tried | killed | survived | not met | killed of those met |\n|---|---|---|---|---|---|")
+    for folder in sorted({r["file"].split("/")[0] for r in results}) + [""]:
+        of = [r["outcome"] for r in results if r["file"].startswith(folder)]
+        killed, survived = of.count("killed"), of.count("survived")
+        share = 100 * killed / max(1, killed + survived)
+        print(f"| {folder or 'all'} | {len(of)} | {killed} | {survived} | {of.count('not met')} | {share:.1f} % |")
+    for r in sorted(results, key=lambda r: (r["file"], r["line"])):
+        if r["outcome"] != "killed":
+            print(f"{r['file']}:{r['line']}: {r['outcome']}: {r['say']}: {r['text']}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("what", choices=["make", "run", "report"])
+    parser.add_argument("--count", type=int, default=2000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--folders", nargs="*", default=FOLDERS)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--minutes", type=float, default=600)
+    args = parser.parse_args()
+    {"make": make, "run": run, "report": report}[args.what](args)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,188 @@
+#include "sim/step/cvode_memory.h"
+
+#include <cvode/cvode.h>
+#include <stdint.h>
+#include <string.h>
+#include <sundials/sundials_types.h>
+#include <sundials/sundials_version.h>
+
+/* Places are of 64-bit machines with doubles and 64-bit indices, in bytes. Of CVODE's own structure: */
+enum {
+    AT_HISTORY = 96, /* pointers to its 13 vectors */
+    AT_ORDER = 288,  /* int: of the next step's prediction */
+    AT_NEXT_ORDER = 296,
+    AT_NEXT_STEP = 336,
+    AT_TIME = 360,
+    AT_GAMMA = 648,
+    AT_STEPS = 856, /* long, as all counts */
+    AT_RATES = 864,
+    AT_STEP_FAILS = 872,
+    AT_ITERATIONS = 880,
+    AT_NEWTON_FAILS = 888,
+    AT_ERROR_FAILS = 896,
+    AT_SETUPS = 904,
+    AT_LINEAR = 1040, /* pointer to what its linear solver keeps */
+    AT_LAST_ORDER = 1064,
+    AT_FIRST_STEP = 1080,
+    AT_LAST_STEP = 1088,
+    AT_TOO_MUCH = 1112,  /* factor by which the tolerance should be larger */
+    AT_KEPT = 1124,      /* int: the vector that holds the last correction, for a higher order */
+    AT_PROJECTION = 1528 /* pointer to what its projection keeps; NULL: there is none */
+};
+/* Of the linear solver's, and of the projection's: */
+enum { AT_JACOBIANS = 136, AT_PROJECTIONS = 64 };
+
+/* Bytes from .. to-1 of a structure: numbers alone, no pointers. */
+typedef struct Stretch {
+    int from, to;
+} Stretch;
+static const Stretch own[] = {{272, 976},    /* stop time, orders, steps, times, coefficients, limits, counts */
+                              {1000, 1004},  /* how the last iteration ended */
+                              {1048, 1128},  /* when a matrix is due; what the last step was made with */
+                              {1184, 1400},  /* limits of stability, where they are looked for */
+                              {1536, 1648}}; /* whether and how the projection changes the history */
+static const Stretch linear[] = {{32, 36}, {128, 216}};            /* when a matrix was made, counts */
+static const Stretch projection[] = {{8, 12}, {16, 36}, {64, 80}}; /* when it was done, counts */
+enum {
+    OWN = sizeof own / sizeof *own,
+    LINEAR = sizeof linear / sizeof *linear,
+    PROJECTION = sizeof projection / sizeof *projection
+};
+
+static void *pointer_at(const void *memory, int at)
+{
+    void *p;
+    memcpy(&p, (const char *)memory + at, sizeof p);
+    return p;
+}
+
+static int int_is(const void *memory, int at, int value)
+{
+    return !memcmp((const char *)memory + at, &value, sizeof value);
+}
+
+static int long_is(const void *memory, int at, long value)
+{
+    return !memcmp((const char *)memory + at, &value, sizeof value);
+}
+
+static int real_is(const void *memory, int at, realtype value)
+{
+    return !memcmp((const char *)memory + at, &value, sizeof value);
+}
+
+/* ------------------------------------------------------------------------------------------- asked of CVODE */
+
+static int counts_are(void *cvode)
+{
+    static const struct {
+        int (*get)(void *, long *);
+        int at;
+    } count[] = {{CVodeGetNumSteps, AT_STEPS},
+                 {CVodeGetNumRhsEvals, AT_RATES},
+                 {CVodeGetNumStepSolveFails, AT_STEP_FAILS},
+                 {CVodeGetNumNonlinSolvIters, AT_ITERATIONS},
+                 {CVodeGetNumNonlinSolvConvFails, AT_NEWTON_FAILS},
+                 {CVodeGetNumErrTestFails, AT_ERROR_FAILS},
+                 {CVodeGetNumLinSolvSetups, AT_SETUPS}};
+    int ok = 1;
+    for (size_t k = 0; k < sizeof count / sizeof *count; ++k) {
+        long value = -1;
+        ok = ok && count[k].get(cvode, &value) == CV_SUCCESS && long_is(cvode, count[k].at, value);
+    }
+    return ok;
+}
+
+static int reals_are(void *cvode)
+{
+    static const struct {
+        int (*get)(void *, realtype *);
+        int at;
+    } real[] = {{CVodeGetCurrentTime, AT_TIME},   {CVodeGetCurrentStep, AT_NEXT_STEP},
+                {CVodeGetLastStep, AT_LAST_STEP}, {CVodeGetActualInitStep, AT_FIRST_STEP},
+                {CVodeGetCurrentGamma, AT_GAMMA}, {CVodeGetTolScaleFactor, AT_TOO_MUCH}};
+    int ok = 1;
+    for (size_t k = 0; k < sizeof real / sizeof *real; ++k) {
+        realtype value = -1;
+        ok = ok && real[k].get(cvode, &value) == CV_SUCCESS && real_is(cvode, real[k].at, value);
+    }
+    return ok;
+}
+
+static int orders_are(void *cvode)
+{
+    int last = -1, next = -1;
+    return CVodeGetLastOrder(cvode, &last) == CV_SUCCESS && CVodeGetCurrentOrder(cvode, &next) == CV_SUCCESS &&
+           int_is(cvode, AT_LAST_ORDER, last) && int_is(cvode, AT_NEXT_ORDER, next);
+}
+
+/* The state and the rates of the history. */
+static int history_is(void *cvode)
+{
+    realtype t, gamma, rl1;
+    N_Vector predicted = NULL, now, rates, first = NULL;
+    void *user;
+    const int flag = CVodeGetNonlinearSystemData(cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
+    return flag == CV_SUCCESS && predicted && pointer_at(cvode, AT_HISTORY) == (void *)predicted &&
+           pointer_at(cvode, AT_HISTORY + (int)sizeof(void *)) == (void *)first;
+}
+
+static int parts_are(void *cvode)
+{
+    long jacobians = -1, projections = -1;
+    const void *const solver = pointer_at(cvode, AT_LINEAR), *const projects = pointer_at(cvode, AT_PROJECTION);
+    const int ok =
+        solver && CVodeGetNumJacEvals(cvode, &jacobians) == CV_SUCCESS && long_is(solver, AT_JACOBIANS, jacobians);
+    if (!ok || !projects) return ok;
+    return CVodeGetNumProjEvals(cvode, &projections) == CV_SUCCESS && long_is(projects, AT_PROJECTIONS, projections);
+}
+
+static int version_is(void)
+{
+    int major = 0, minor = 0, patch = 0;
+    char label[32];
+    return SUNDIALSGetVersionNumber(&major, &minor, &patch, label, sizeof label) == 0 && major == 6 && minor == 4 &&
+           sizeof(void *) == 8 && sizeof(realtype) == 8 && sizeof(sunindextype) == 8 && sizeof(long) == 8;
+}
+
+int cvode_memory_known(void *cvode, const char **why)
+{
+    const char *unused, **const out = why ? why : &unused;
+    *out = "this version of SUNDIALS keeps its integrator's state in another way: 6.4 is known";
+    if (!version_is()) return 0;
+    *out = "SUNDIALS does not keep its integrator's state where this program looks for it";
+    return history_is(cvode) && counts_are(cvode) && reals_are(cvode) && orders_are(cvode) && parts_are(cvode);
+}
+
+/* ---------------------------------------------------------------------------------------------- both ways */
+
+static void stretches(Checkpoint *c, const char *name, void *memory, int n, const Stretch *stretch)
+{
+    for (int k = 0; k < n; ++k)
+        checkpoint_put(c, name, (char *)memory + stretch[k].from, (size_t)(stretch[k].to - stretch[k].from));
+}
+
+void cvode_memory_checkpoint(Checkpoint *c, void *cvode)
+{
+    int order = 0, projects = pointer_at(cvode, AT_PROJECTION) != NULL;
+    const int had = projects;
+    CHECKPOINT(c, projects);
+    if (!checkpoint_check(c, projects == had, "it was integrated with other constraints")) return;
+    stretches(c, "cvode", cvode, OWN, own);
+    stretches(c, "cvode's linear solver", pointer_at(cvode, AT_LINEAR), LINEAR, linear);
+    if (projects) stretches(c, "cvode's projection", pointer_at(cvode, AT_PROJECTION), PROJECTION, projection);
+    memcpy(&order, (char *)cvode + AT_ORDER, sizeof order);
+    checkpoint_check(c, order >= 1 && order < CVODE_HISTORY_MAX, "its order of integration is impossible");
+}
+
+int cvode_memory_history(void *cvode, N_Vector history[CVODE_HISTORY_MAX])
+{
+    int order, kept, n = 0;
+    memcpy(&order, (char *)cvode + AT_ORDER, sizeof order);
+    memcpy(&kept, (char *)cvode + AT_KEPT, sizeof kept);
+    for (int k = 0; k < CVODE_HISTORY_MAX; ++k) {
+        N_Vector v = pointer_at(cvode, AT_HISTORY + k * (int)sizeof(void *));
+        if (v && (k <= order || k == kept)) history[n++] = v;
+    }
+    return n;
+}

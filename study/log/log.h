@@ -1,0 +1,51 @@
+/* A measured pull: the winch's force over time or length, as a logger wrote it, and what of it can be relied on.
+ * docs/studies.md, "Measured pulls"; docs/model/96-measured-pulls.md. */
+#ifndef HAWSER_STUDY_LOG_LOG_H
+#define HAWSER_STUDY_LOG_LOG_H
+
+#include "hawser/hawser.h"
+
+/* What a reading is good for. */
+typedef enum LogUse {
+    LOG_MOVING,  /* a pull at speed */
+    LOG_RESTART, /* the largest force of a start: what it takes to break away */
+    LOG_AT_REST, /* the winch stands, or is only just moving */
+    LOG_LOST,    /* no number, or time that does not go on */
+    LOG_DROPPED, /* a drop-out: no force in the midst of a pull */
+    LOG_SPIKE,   /* far off its neighbours */
+    LOG_USES
+} LogUse;
+
+enum { LOG_NOTES = 6, LOG_NOTE_MAX = 200 };
+
+typedef struct PullLog {
+    long n;
+    int has_time, has_length, has_speed;   /* columns that the file has */
+    double *time, *length, *speed, *force; /* [n] s, m, m/s, N; NAN: not known */
+    unsigned char *use;                    /* [n] a LogUse */
+    long count[LOG_USES];
+    long starts; /* behind a rest */
+    int n_notes;
+    char note[LOG_NOTES][LOG_NOTE_MAX]; /* sentences: which columns were taken, what was assumed */
+} PullLog;
+
+/* Reads a CSV file: the first row in which a force and a time or length are recognised names the columns. Nothing is
+ * judged yet. Errors: INPUT with file and line (no such row, a force without a unit, no readings), MEMORY. */
+hawser_status log_read(const char *path, PullLog *log, hawser_error *err);
+void log_free(PullLog *log);
+/* Says what each reading is good for, (LO1)-(LO3), and fills lengths that the file does not have: from speed and time,
+ * or from `speed` (m/s; NAN: not known) and the time that it moved. raw: spikes and drop-outs are taken as they are.
+ * Errors: INPUT (nothing moves), MEMORY. */
+hawser_status log_judge(PullLog *log, double speed, int raw, hawser_error *err);
+
+/* Means of readings at speed over equal parts of an axis, and starts one by one. */
+typedef struct LogPoint {
+    double at, force; /* where, by the axis; N */
+    int restart;      /* a start; else a mean of `readings` */
+    long readings;
+} LogPoint;
+/* axis[n]: where each reading is, NAN: nowhere. Points between from and to, at most `bins` and the starts; by rising
+ * place. Returns how many, -1 without memory; *point is the caller's. */
+int log_points(const PullLog *log, const double *axis, double from, double to, int bins, LogPoint **point);
+
+#endif

@@ -1,0 +1,360 @@
+/* Checkpoints: what is saved, read into a new simulation and saved again is the same bytes, and so is what both come to
+ * afterwards; what is no checkpoint of the case is refused before anything changes. */
+#include "core/base/checkpoint.h"
+#include "tests/support/check.h"
+#include "tests/support/data.h"
+
+#include <hawser/hawser.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------------------------------------------ scenes */
+
+/* A case of cases/ or tests/data, when to look, and what is set. Times are such that something has happened before, and
+ * something happens in the steps that follow. */
+typedef struct Scene {
+    const char *path;
+    double at; /* s */
+    const char *key, *value;
+} Scene;
+
+static const Scene scenes[] = {
+    {"cases/huangjiahu.yaml", 2, NULL, NULL},
+    {"cases/huangjiahu.yaml", 2, "solver.planar", "off"},
+    {"cases/huangjiahu.yaml", 1, "solver.linear_solver", "klu"},
+    {"cases/straight.yaml", 3, "solver.linear_solver", "dense"},
+    {"cases/winch-trip.yaml", 7, NULL, NULL},
+    {"cases/winch-tension.yaml", 5, NULL, NULL},
+    {"cases/reel.yaml", 12, NULL, NULL},
+    {"cases/take-in.yaml", 8, NULL, NULL},
+    {"cases/conveyors.yaml", 6, NULL, NULL},
+    {"cases/jam.yaml", 12, NULL, NULL},
+    {"cases/bending-hysteresis.yaml", 4, NULL, NULL},
+    {"cases/slope-stick.yaml", 30, NULL, NULL},
+    {"cases/capstan.yaml", 1, NULL, NULL},
+    {"cases/crossing.yaml", 0.3, NULL, NULL},
+    {"cases/drum-contact.yaml", 0.5, NULL, NULL},
+    {"cases/rollers-spinning.yaml", 2, NULL, NULL},
+    {"cases/rollers-mounted.yaml", 2, NULL, NULL},
+    {"cases/rollers-mounted.yaml", 2, "solver.linear_solver", "klu"},
+    {"cases/rollers-motorised.yaml", 4, NULL, NULL},
+    {"cases/rollers-v-groove.yaml", 2, NULL, NULL},
+    {"cases/duct-bends.yaml", 3, NULL, NULL},
+    {"cases/tray.yaml", 2, NULL, NULL},
+    {"cases/towed-in-water.yaml", 2, NULL, NULL},
+    {"cases/rod-cantilever.yaml", 0.3, NULL, NULL},
+    {"cases/rod-rollup.yaml", 0.5, NULL, NULL},
+    {"cases/rod-modes.yaml", 1, NULL, NULL},
+    {"tests/data/rod-column.yaml", 0.6, NULL, NULL},
+    {"tests/data/reel-payout.yaml", 2, NULL, NULL},
+    {"tests/data/passing-floor.yaml", 0.5, NULL, NULL},
+};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+/* Under the sanitizers, where they take ten times as long, some of them. */
+#ifdef __SANITIZE_ADDRESS__
+enum { STRIDE = 4 };
+#else
+enum { STRIDE = 1 };
+#endif
+
+static hawser_case *case_of(const Scene *scene)
+{
+    char path[512];
+    hawser_case *c = NULL;
+    hawser_error err = {HAWSER_OK, ""};
+    snprintf(path, sizeof path, "%s/%s", HAWSER_SOURCE_DIR, scene->path);
+    if (hawser_case_load(path, &c, &err)) fail_msg("%s", err.message);
+    if (scene->key && hawser_case_set(c, scene->key, scene->value, &err)) fail_msg("%s", err.message);
+    return c;
+}
+
+static hawser_sim *sim_of(const Scene *scene, int threads)
+{
+    hawser_case *const c = case_of(scene);
+    hawser_sim *s = NULL;
+    hawser_error err = {HAWSER_OK, ""};
+    const hawser_options options = {.threads = threads};
+    if (hawser_sim_new(c, &options, &s, &err)) fail_msg("%s: %s", scene->path, err.message);
+    hawser_case_free(c);
+    return s;
+}
+
+/* A step, and what a run would do with it now and then. */
+static void step(hawser_sim *s, const Scene *scene, int number)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    if (hawser_sim_advance(s, hawser_sim_end_time(s), 1, &err)) fail_msg("%s: %s", scene->path, err.message);
+    if (number % 5 == 0) hawser_sim_record(s);
+}
+
+/* From the beginning to the scene's time, by steps of the integrator's own, so that nothing of what follows depends on
+ * where it is looked. */
+static void go_to_scene(hawser_sim *s, const Scene *scene)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    if (hawser_sim_relax(s, NULL, &err)) fail_msg("%s: %s", scene->path, err.message);
+    hawser_sim_record(s);
+    for (int k = 1; hawser_sim_time(s) < scene->at; ++k) step(s, scene, k);
+}
+
+/* ------------------------------------------------------------------------------------------------------- bytes */
+
+typedef struct Bytes {
+    void *at;
+    size_t size;
+} Bytes;
+
+static Bytes save(hawser_sim *s)
+{
+    Bytes b;
+    hawser_error err = {HAWSER_OK, ""};
+    if (hawser_sim_save_memory(s, &b.at, &b.size, &err)) fail_msg("%s", err.message);
+    return b;
+}
+
+static void load(hawser_sim *s, Bytes b)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    if (hawser_sim_load_memory(s, b.at, b.size, &err)) fail_msg("%s", err.message);
+}
+
+/* Pieces that tell how long something took, and what of commands has places in memory in it. */
+static int is_clock(uint64_t name)
+{
+    static const char *const clocks[] = {"head",          "controls",   "in->stats",   "ws->contact[p].seconds",
+                                         "st->balance_s", "s->relax_s", "s->output_s", "s->record_s"};
+    for (size_t k = 0; k < sizeof clocks / sizeof *clocks; ++k)
+        if (name == checkpoint_hash(clocks[k], strlen(clocks[k]))) return 1;
+    return 0;
+}
+
+/* The number of the first piece in which two checkpoints differ but for clocks; -1: none. */
+static int first_difference(Bytes a, Bytes b)
+{
+    const unsigned char *p = a.at, *q = b.at, *const end = p + a.size;
+    if (a.size != b.size) return 0;
+    for (int k = 1; p < end; ++k) {
+        uint64_t head[2], other[2];
+        memcpy(head, p, sizeof head);
+        memcpy(other, q, sizeof other);
+        const size_t size = sizeof head + (head[1] + 7) / 8 * 8;
+        if (memcmp(head, other, sizeof head) != 0) return k;
+        if (!is_clock(head[0]) && memcmp(p, q, size) != 0) return k;
+        p += size, q += size;
+    }
+    return -1;
+}
+
+/* ------------------------------------------------------------------------------------------------------- tests */
+
+static void check_scene(const Scene *scene)
+{
+    hawser_sim *const one = sim_of(scene, 1), *const two = sim_of(scene, 2);
+    go_to_scene(one, scene);
+    const Bytes then = save(one);
+    load(two, then);
+    const Bytes again = save(two);
+    if (first_difference(then, again) >= 0)
+        fail_msg("%s: piece %d changes when it is read and written", scene->path, first_difference(then, again));
+    for (int k = 1; k <= 60 && hawser_sim_time(one) < hawser_sim_end_time(one); ++k) {
+        step(one, scene, k);
+        if (k == 7) hawser_sim_sample(one); /* to look changes nothing */
+        step(two, scene, k);
+        check_equal(hawser_sim_time(one), hawser_sim_time(two));
+    }
+    const Bytes here = save(one), there = save(two);
+    const int differs = first_difference(here, there);
+    if (differs >= 0) fail_msg("%s: piece %d differs after 60 steps", scene->path, differs);
+    /* back, in a simulation that has gone on: another window, another matrix */
+    load(two, then);
+    const Bytes back = save(two);
+    if (first_difference(then, back) >= 0)
+        fail_msg("%s: piece %d is not what it was", scene->path, first_difference(then, back));
+    const Bytes all[] = {then, again, here, there, back};
+    for (int k = 0; k < 5; ++k) hawser_bytes_free(all[k].at);
+    hawser_sim_free(one);
+    hawser_sim_free(two);
+}
+
+static void test_every_kind_of_scene(void **state)
+{
+    (void)state;
+    for (int k = 0; k < SCENES; k += STRIDE) check_scene(&scenes[k]);
+}
+
+/* Before anything has moved, and after the relaxation alone. */
+static void test_from_the_start(void **state)
+{
+    (void)state;
+    for (int relaxed = 0; relaxed < 2; ++relaxed) {
+        hawser_sim *const one = sim_of(&scenes[0], 1), *const two = sim_of(&scenes[0], 1);
+        if (relaxed) assert_int_equal(hawser_sim_relax(one, NULL, NULL), HAWSER_OK);
+        hawser_sim_record(one);
+        const Bytes then = save(one);
+        load(two, then);
+        for (int k = 1; k <= 20; ++k) {
+            step(one, &scenes[0], k);
+            step(two, &scenes[0], k);
+        }
+        const Bytes here = save(one), there = save(two);
+        assert_int_equal(first_difference(here, there), -1);
+        hawser_bytes_free(then.at);
+        hawser_bytes_free(here.at);
+        hawser_bytes_free(there.at);
+        hawser_sim_free(one);
+        hawser_sim_free(two);
+    }
+}
+
+static void test_a_file(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/hawser-checkpoint-XXXXXX";
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    hawser_error err = {HAWSER_OK, ""};
+    hawser_sim *const one = sim_of(&scenes[0], 1), *const two = sim_of(&scenes[0], 1);
+    go_to_scene(one, &scenes[0]);
+    assert_int_equal(hawser_sim_save(one, path, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_load(two, path, &err), HAWSER_OK);
+    const Bytes here = save(one), there = save(two);
+    assert_int_equal(here.size, there.size);
+    assert_memory_equal(here.at, there.at, here.size);
+    hawser_bytes_free(here.at);
+    hawser_bytes_free(there.at);
+    assert_int_equal(hawser_sim_save(one, "/no/such/folder/file", &err), HAWSER_ERR_OUTPUT);
+    check_has(err.message, "/no/such/folder");
+    assert_int_equal(hawser_sim_load(two, "/no/such/file", &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "/no/such/file");
+    assert_int_equal(hawser_sim_load(two, "/tmp", &err), HAWSER_ERR_INPUT);
+    hawser_sim_free(one);
+    hawser_sim_free(two);
+    remove(path);
+}
+
+/* ----------------------------------------------------------------------------------------------- wrong ones */
+
+static void refused(hawser_sim *s, const void *bytes, size_t size, const char *why)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    assert_int_equal(hawser_sim_load_memory(s, bytes, size, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, why);
+}
+
+static void test_what_is_not_whole(void **state)
+{
+    (void)state;
+    hawser_sim *const s = sim_of(&scenes[0], 1);
+    go_to_scene(s, &scenes[0]);
+    const Bytes good = save(s);
+    unsigned char *const bytes = malloc(good.size + 16);
+    memset(bytes, 0, good.size + 16);
+    memcpy(bytes, good.at, good.size);
+    for (size_t size = 0; size < good.size; size += 1 + good.size / 97)
+        refused(s, bytes, size, size < 64 ? "not a checkpoint" : "damaged");
+    refused(s, bytes, good.size + 16, "damaged");
+    uint64_t random = 1;
+    for (int k = 0; k < 200; ++k) {
+        random = random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        const size_t at = (size_t)(random >> 20) % good.size;
+        hawser_error err = {HAWSER_OK, ""};
+        bytes[at] ^= (unsigned char)(1u << (random >> 61));
+        assert_int_equal(hawser_sim_load_memory(s, bytes, good.size, &err), HAWSER_ERR_INPUT);
+        bytes[at] = ((unsigned char *)good.at)[at];
+    }
+    refused(s, "", 0, "not a checkpoint");
+    refused(s, "winch: {speed: 3}\n and more text than the head of a checkpoint has, so that all of that is read", 96,
+            "not a checkpoint");
+    load(s, good); /* nothing has changed */
+    const Bytes same = save(s);
+    assert_memory_equal(good.at, same.at, good.size);
+    free(bytes);
+    hawser_bytes_free(good.at);
+    hawser_bytes_free(same.at);
+    hawser_sim_free(s);
+}
+
+/* The head: 16 bytes of its piece, 16 of magic, then format, size and hash of what follows. */
+enum { FORMAT_AT = 32, HASH_AT = 48, BODY_AT = 56 };
+
+static void hash_again(unsigned char *bytes, size_t size)
+{
+    const uint64_t hash = checkpoint_hash(bytes + BODY_AT, size - BODY_AT);
+    memcpy(bytes + HASH_AT, &hash, sizeof hash);
+}
+
+/* What is whole but of something else. */
+static void test_what_is_of_another(void **state)
+{
+    (void)state;
+    hawser_sim *const s = sim_of(&scenes[0], 1), *const other = sim_of(&scenes[3], 1);
+    go_to_scene(s, &scenes[0]);
+    const Bytes good = save(s);
+    refused(other, good.at, good.size, "another case");
+    const Scene faster = {scenes[0].path, 0, "drive.winch.speed", "7 m/min"};
+    hawser_sim *const set = sim_of(&faster, 1);
+    refused(set, good.at, good.size, "other settings");
+    const Scene often = {scenes[0].path, 0, "run.checkpoint", "1 s"};
+    hawser_sim *const same = sim_of(&often, 1);
+    load(same, good); /* how often checkpoints are made makes no other case */
+    unsigned char *const bytes = good.at;
+    bytes[FORMAT_AT] = 77;
+    refused(s, bytes, good.size, "another version of hawser: format 77");
+    bytes[FORMAT_AT] = 1;
+    /* the first piece is the version's text */
+    bytes[BODY_AT + 16] ^= 1;
+    hash_again(bytes, good.size);
+    refused(s, bytes, good.size, "is a checkpoint of hawser");
+    hawser_bytes_free(good.at);
+    hawser_sim_free(s);
+    hawser_sim_free(other);
+    hawser_sim_free(set);
+    hawser_sim_free(same);
+}
+
+/* Pieces that are shorter, longer or called otherwise than they should be, in a file whose hash is right. */
+static void test_wrong_pieces(void **state)
+{
+    (void)state;
+    const Scene *const scene = &scenes[6];
+    hawser_sim *s = sim_of(scene, 1);
+    go_to_scene(s, scene);
+    const Bytes good = save(s);
+    unsigned char *const bytes = good.at;
+    int number = 0;
+    for (size_t at = BODY_AT; at < good.size; ++number) {
+        uint64_t head[2], wrong[2];
+        memcpy(head, bytes + at, sizeof head);
+        memcpy(wrong, head, sizeof wrong);
+        wrong[number % 2] += number % 4 < 2 ? 8 : UINT64_C(1) << 62;
+        memcpy(bytes + at, wrong, sizeof wrong);
+        hash_again(bytes, good.size);
+        if (number % 7 == 0) {
+            hawser_error err = {HAWSER_OK, ""};
+            assert_int_equal(hawser_sim_load_memory(s, bytes, good.size, &err), HAWSER_ERR_INPUT);
+        }
+        memcpy(bytes + at, head, sizeof head);
+        at += sizeof head + (head[1] + 7) / 8 * 8;
+    }
+    assert_true(number > 100);
+    hash_again(bytes, good.size);
+    hawser_sim_free(s);
+    s = sim_of(scene, 1);
+    load(s, good);
+    hawser_sim_free(s);
+    hawser_bytes_free(good.at);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_kind_of_scene),
+        cmocka_unit_test(test_from_the_start),
+        cmocka_unit_test(test_a_file),
+        cmocka_unit_test(test_what_is_not_whole),
+        cmocka_unit_test(test_what_is_of_another),
+        cmocka_unit_test(test_wrong_pieces),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,239 @@
+/* The second pass of a run: it is made where numbers alone are open, its figures take the place of the first's where
+ * the case leaves the settings open, and where it does not both together say what the first is off by. */
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "sim/run/sim.h"
+#include "tests/io/case_fixture.h"
+
+static const char *const once[] = {"solver.passes", "1", NULL};
+
+static hawser_summary summary_of(const hawser_sim *s)
+{
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    return sum;
+}
+
+static const hawser_condition *condition_called(const hawser_summary *sum, const char *name)
+{
+    for (int i = 0; i < sum->n_conditions; i++)
+        if (!strcmp(sum->conditions[i].name, name)) return &sum->conditions[i];
+    return NULL;
+}
+
+/* A slack rope is drawn tight: 2125 N with 42 segments, of which the bar says 12 %; 1951 N with 84, 1908 N with 168.
+ * The handle speaks of the second pass, which is the run with these settings. */
+static void it_replaces(void **state)
+{
+    (void)state;
+    hawser_sim *const first = run_of(data_text("trust-slack"), once), *const both =
+                                                                          run_of(data_text("trust-slack"), NULL);
+    const hawser_summary a = summary_of(first), b = summary_of(both);
+    assert_null(a.passes);
+    assert_non_null(b.passes);
+    assert_string_equal(b.passes->outcome, "replaced");
+    assert_int_equal(b.passes->n, 2);
+    assert_int_equal(a.segments, 42);
+    assert_int_equal(b.segments, 84);
+    check_equal(b.passes->pass[0].pull_peak_N, a.pull_peak_N);
+    check_equal(b.passes->pass[0].pull_peak_bar_N, a.pull_peak_error.total);
+    check_equal(b.passes->pass[1].pull_peak_N, b.pull_peak_N);
+    check_equal(b.passes->pass[1].accuracy, 2.5e-4);
+    check_equal(b.passes->pass[1].friction, 0.5);
+    check_close(a.pull_peak_N, 2125, 5);
+    check_close(b.pull_peak_N, 1951, 5);
+    check_at_most(b.pull_peak_N - 1908, b.pull_peak_error.total);
+    check_has(b.passes->why, "the peak may be off by 12 %");
+    check_has(b.passes->says, "all figures are those of the second pass");
+    check_equal(hawser_sim_time(both), 8);
+    assert_int_equal(hawser_sim_sample(both)->segments, 84);
+    assert_int_equal(hawser_sim_sample(both)->pass, 2);
+    hawser_sim_free(first);
+    hawser_sim_free(both);
+}
+
+/* The case gives the length of its segments: its own figures stay, to the last bit, and the bars become what both
+ * passes say (EB20), 23 % of the peak before. */
+static void it_compares(void **state)
+{
+    (void)state;
+    hawser_sim *const first = run_of(data_text("passing-guides"), once), *const both =
+                                                                             run_of(data_text("passing-guides"), NULL);
+    const hawser_summary a = summary_of(first), b = summary_of(both);
+    assert_non_null(b.passes);
+    assert_string_equal(b.passes->outcome, "compared");
+    check_has(b.passes->says, "as the case gives chain.0.segment");
+    assert_int_equal(b.segments, a.segments);
+    check_equal(b.pull_mean_N, a.pull_mean_N);
+    check_equal(b.pull_peak_N, a.pull_peak_N);
+    const double apart = fabs(b.passes->pass[1].pull_peak_N - a.pull_peak_N), own = a.pull_peak_error.total;
+    check_share(b.pull_peak_error.total, fmax(2 * apart, own / 4), 1e-9);
+    assert_false(condition_called(&a, "numerical_peak")->holds);
+    assert_true(condition_called(&b, "numerical_peak")->holds);
+    hawser_sim_free(first);
+    hawser_sim_free(both);
+}
+
+/* A run that is trusted, one that fails for another reason, one of which friction alone leaves too much open, and one
+ * that its caller steps have one pass. */
+static void one_is_enough(void **state)
+{
+    (void)state;
+    const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}", NULL};
+    hawser_sim *const good = run_of(data_text("trust"), NULL), *const spiked = run_of(data_text("trust"), snap),
+                      *const loose = run_of(data_text("trust-breaks-loose"), NULL),
+                      *const stepped = sim_of(data_text("trust-slack"), NULL);
+    const hawser_summary spike = summary_of(spiked);
+    assert_null(summary_of(good).passes);
+    assert_false(condition_called(&spike, "peak")->holds);
+    assert_false(condition_called(&spike, "numerical_peak")->holds);
+    assert_null(spike.passes);
+    assert_null(summary_of(loose).passes);
+    assert_int_equal(hawser_sim_advance(stepped, 0.1, 0, NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(stepped, NULL, NULL, NULL, NULL), HAWSER_OK);
+    assert_null(summary_of(stepped).passes);
+    assert_int_equal(summary_of(stepped).segments, 42);
+    hawser_sim_free(good);
+    hawser_sim_free(spiked);
+    hawser_sim_free(loose);
+    hawser_sim_free(stepped);
+}
+
+/* What bars are known to see too little of is looked at twice, though all conditions hold. */
+static void what_bars_do_not_see(void **state)
+{
+    (void)state;
+    const char *const falls[] = {"solver.relax", "false", NULL};
+    hawser_sim *const rests = run_of(data_text("trust"), NULL), *const thrown = run_of(data_text("trust"), falls);
+    assert_null(summary_of(rests).passes);
+    const hawser_summary sum = summary_of(thrown);
+    assert_non_null(sum.passes);
+    check_has(sum.passes->why, "did not come to rest first");
+    hawser_sim_free(rests);
+    hawser_sim_free(thrown);
+}
+
+static int stop_second(void *user, const hawser_sample *sample, double wall_s, double end_s)
+{
+    (void)user, (void)wall_s, (void)end_s;
+    return sample->pass == 2;
+}
+
+static int is_there(const char *dir, const char *name)
+{
+    char path[256];
+    struct stat info;
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    return stat(path, &info) == 0;
+}
+
+/* Lines of a file of the folder. */
+static int lines_in(const char *dir, const char *name)
+{
+    char path[256];
+    int n = 0;
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    FILE *const f = fopen(path, "r");
+    assert_non_null(f);
+    for (int c; (c = getc(f)) != EOF;) n += c == '\n';
+    fclose(f);
+    return n;
+}
+
+static void folder_remove(const char *dir)
+{
+    static const char *const names[] = {"summary.json", "series.csv", "stations.csv", "rollers.csv",
+                                        "inputs.csv",   "route.csv",  "results.h5",   "results.xdmf"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        char path[256];
+        snprintf(path, sizeof path, "%s/%s", dir, names[k]);
+        unlink(path);
+    }
+    assert_int_equal(rmdir(dir), 0); /* nothing else is left there */
+}
+
+/* The results folder has the second pass's files, once; its summary says so. */
+static void the_folder_is_the_seconds(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/hawser-passes-XXXXXX", *summary;
+    assert_non_null(mkdtemp(dir));
+    hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
+    assert_int_equal(hawser_sim_run(s, dir, NULL, NULL, NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_summary_json(s, &summary, NULL), HAWSER_OK);
+    check_has(summary, "\"outcome\": \"replaced\"");
+    check_has(summary, "\"segments\": 84");
+    hawser_text_free(summary);
+    assert_true(is_there(dir, "summary.json") && is_there(dir, "series.csv") && is_there(dir, "stations.csv"));
+    assert_false(is_there(dir, "second-pass"));
+    assert_int_equal(lines_in(dir, "series.csv"), 1 + 161); /* a head, and rows every 50 ms of 8 s */
+    hawser_sim_free(s);
+    folder_remove(dir);
+}
+
+/* Stopped in the second pass: the first one's results stand. */
+static void stopped_in_the_second(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/hawser-passes-XXXXXX";
+    hawser_error err = {0};
+    assert_non_null(mkdtemp(dir));
+    hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
+    assert_int_equal(hawser_sim_run(s, dir, stop_second, NULL, &err), HAWSER_STOPPED);
+    check_has(err.message, "the results are those of the first");
+    const hawser_summary sum = summary_of(s);
+    assert_string_equal(sum.passes->outcome, "failed");
+    assert_int_equal(sum.passes->n, 1);
+    assert_int_equal(sum.segments, 42);
+    check_close(sum.pull_peak_N, 2125, 5);
+    check_equal(hawser_sim_time(s), 8);
+    assert_false(is_there(dir, "second-pass"));
+    assert_int_equal(lines_in(dir, "series.csv"), 1 + 161);
+    hawser_sim_free(s);
+    folder_remove(dir);
+}
+
+/* Of a figure whose own bar is b and that is d from the other pass's (EB19), (EB20): where both agree the bar falls to
+ * a quarter, where they differ it lies between what errors of second and of first order would be. */
+static void bars_by_two_passes(void **state)
+{
+    (void)state;
+    static const struct {
+        int finer;
+        double bar, apart, expected;
+    } row[] = {{0, 40, 1, 10}, {0, 40, 20, 20}, {0, 10, 6, 6},  {0, 4, 6, 4},    {0, 1, 6, 2},
+               {1, 40, 1, 10}, {1, 40, 8, 16},  {1, 10, 8, 16}, {1, 40, 30, 60}, {1, 1, 0, 0.25}};
+    const Stats none = {0};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        const OtherPass other = {
+            .present = 1, .finer = row[k].finer, .mean = 1000 + row[k].apart, .peak = 1000 - row[k].apart};
+        hawser_summary sum = {.pull_mean_N = 1000,
+                              .pull_peak_N = 1000,
+                              .pull_mean_error = {0, row[k].bar, 0, row[k].bar},
+                              .pull_peak_error = {row[k].bar / 2, row[k].bar / 2, 100, row[k].bar + 100}};
+        other_pass_bars(&other, &none, &sum);
+        check_share(sum.pull_mean_error.total, row[k].expected, 1e-12);
+        check_share(sum.pull_peak_error.mesh, row[k].expected / 2, 1e-12);
+        check_equal(sum.pull_peak_error.friction, 100); /* of which passes say nothing */
+        check_share(sum.pull_peak_error.total, row[k].expected + 100, 1e-12);
+    }
+    /* a second pass that is not sound itself makes nothing narrower */
+    const OtherPass unsound = {.present = 1, .finer = 1, .unsound = 1, .mean = 1010, .peak = 1001};
+    hawser_summary sum = {
+        .pull_mean_N = 1000, .pull_peak_N = 1000, .pull_mean_error = {0, 8, 0, 8}, .pull_peak_error = {0, 8, 0, 8}};
+    other_pass_bars(&unsound, &none, &sum);
+    check_share(sum.pull_mean_error.total, 20, 1e-12);
+    check_share(sum.pull_peak_error.total, 8, 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_replaces),          cmocka_unit_test(it_compares),
+        cmocka_unit_test(one_is_enough),        cmocka_unit_test(the_folder_is_the_seconds),
+        cmocka_unit_test(what_bars_do_not_see), cmocka_unit_test(stopped_in_the_second),
+        cmocka_unit_test(bars_by_two_passes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,226 @@
+/* Logs made of theory with noise, drop-outs and a pause give the parameters back within their intervals; what a log
+ * cannot tell is said; and a calibration that was killed goes on. */
+#include <jansson.h>
+#include <math.h>
+
+#include "io/api/api_handles.h"
+#include "study/maths/points.h"
+#include "tests/study/study_fixture.h"
+
+#define CASE HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml"
+
+/* Theory's force by the head's place. */
+typedef struct Truth {
+    int n;
+    double at[400], force[400], restart[400];
+} Truth;
+
+static Truth truth_of(const char *const (*set)[2], int n)
+{
+    static const char *const heads[] = {"heads", NULL};
+    const TheoryWish wish = {.table = heads, .no_inverse = 1};
+    Truth t = {0};
+    hawser_case *c;
+    hawser_error err;
+    json_t *answer, *row;
+    size_t i;
+    if (hawser_case_load(CASE, &c, &err)) fail_msg("%s", err.message);
+    for (int k = 0; k < n; k++) {
+        if (hawser_case_set(c, set[k][0], set[k][1], &err)) fail_msg("%s", err.message);
+    }
+    if (case_theory_values(c, &wish, &answer, &err)) fail_msg("%s", err.message);
+    json_array_foreach(json_object_get(answer, "heads"), i, row)
+    {
+        if (strcmp(json_string_value(json_object_get(row, "direction")), "forward") != 0) continue;
+        t.at[t.n] = json_number_value(json_object_get(row, "head_m"));
+        t.force[t.n] = json_number_value(json_object_get(row, "force_N"));
+        t.restart[t.n++] = json_number_value(json_object_get(row, "restart_N"));
+    }
+    json_decref(answer);
+    hawser_case_free(c);
+    return t;
+}
+
+static double between(const Truth *t, const double *force, double at)
+{
+    int k = 1;
+    while (k < t->n - 1 && t->at[k] < at) k++;
+    const double width = t->at[k] - t->at[k - 1];
+    return width > 0 ? force[k - 1] + (force[k] - force[k - 1]) * (at - t->at[k - 1]) / width : force[k];
+}
+
+static double noise(uint64_t seed, uint64_t i)
+{
+    const double u = random_uniform(seed, RANDOM_POINT, i, 0), v = random_uniform(seed, RANDOM_POINT, i, 1);
+    return sqrt(-2 * log(u)) * cos(2 * M_PI * v);
+}
+
+/* Two readings a metre and more: noise of 150 N, one in fifty without force, one in fifty empty, a rest at 25 m. */
+static void log_make(const Truth *t, uint64_t seed)
+{
+    FILE *const f = fopen(path_of("pull.csv"), "w");
+    double time = 0;
+    assert_non_null(f);
+    fprintf(f, "time [s];winch pull [kN];length [m]\n");
+    for (uint64_t i = 0; i < 580; i++) {
+        const double at = 0.1 * (double)i, luck = random_uniform(seed, RANDOM_TAIL, i, 0);
+        if (i == 250) {
+            for (int k = 0; k < 40; k++, time++) fprintf(f, "%.0f;2.1;%.2f\n", time, at);
+            fprintf(f, "%.0f;%.4f;%.2f\n", time++, between(t, t->restart, at) / 1000, at + 0.02);
+        }
+        const double force = luck < 0.02 ? 0 : between(t, t->force, at) / 1000 + 0.15 * noise(seed, i);
+        if (luck > 0.98) fprintf(f, "%.0f;;%.2f\n", time++, at + 0.03);
+        if (luck <= 0.98) fprintf(f, "%.0f;%.4f;%.2f\n", time++, force, at + 0.03);
+    }
+    fclose(f);
+}
+
+static Findings calibrate(const char *lines, const char *dir, Study **s, Rows *rows)
+{
+    char text[2000];
+    hawser_error err;
+    Findings f;
+    snprintf(text, sizeof text, "case: " CASE "\n%s", lines);
+    hawser_study *const study = study_open(file_write("study.yaml", text));
+    const hawser_study_options options = {.jobs = 1, .fresh = 1};
+    if (hawser_study_run(study, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+    hawser_study_free(study);
+    rows_of(dir, s, rows);
+    assert_int_equal(findings_make(*s, rows, &f, &err), HAWSER_OK);
+    return f;
+}
+
+static void clear(Study *s, Rows *rows, Findings *f)
+{
+    findings_free(f);
+    rows_free(rows);
+    study_free(s);
+}
+
+/* 40 logs: each interval of friction and back tension has the truth inside as often as 95 % may miss. */
+static void intervals_cover(void **state)
+{
+    (void)state;
+    static const char *const set[][2] = {{"friction.mu", "0.17"}, {"drive.tail.tension", "6.2 kN"}};
+    const Truth t = truth_of(set, 2);
+    int inside[2] = {0};
+    for (uint64_t seed = 1; seed <= 40; seed++) {
+        Study *s;
+        Rows rows;
+        log_make(&t, seed);
+        Findings f = calibrate("parameters:\n  friction.mu: {range: {from: 0.05, to: 0.5}}\n"
+                               "  tail: {key: drive.tail.tension, range: {from: 2 kN, to: 12 kN}}\n"
+                               "calibrate: {log: pull.csv, head: -0.03 m, from: 0 m}\n",
+                               "cover", &s, &rows);
+        assert_true(f.fit.done);
+        assert_int_equal(f.n_warnings, 0);
+        check_at_most(f.fit.half[0], 0.006);
+        check_at_most(f.fit.half[1], 0.1);
+        inside[0] += fabs(f.fit.x[0] - 0.17) <= f.fit.half[0];
+        inside[1] += fabs(f.fit.x[1] - 6.2) <= f.fit.half[1];
+        clear(s, &rows, &f);
+    }
+    for (int j = 0; j < 2; j++) check_at_least(inside[j], 34); /* fewer once in 300 */
+}
+
+/* Friction on two stretches, each its own, and what it takes to break away. */
+static void stretches_and_dry_start(void **state)
+{
+    (void)state;
+    static const char *const set[][2] = {
+        {"theory.stretches", "[{from: 0 m, to: 30 m, mu: 0.12, mu_s: 0.21}, {from: 30 m, to: 58.5 m, mu: 0.2}]"}};
+    const Truth t = truth_of(set, 1);
+    Study *s;
+    Rows rows;
+    log_make(&t, 3);
+    Findings f =
+        calibrate("set: {theory.stretches: \"[{from: 0 m, to: 30 m, mu: 0.1, mu_s: 0.1}, {from: 30 m, to: 58.5 m, "
+                  "mu: 0.1}]\"}\n"
+                  "parameters:\n"
+                  "  first: {key: theory.stretches.0.mu, range: {from: 0.05, to: 0.5}}\n"
+                  "  dry: {key: theory.stretches.0.mu_s, range: {from: 0.05, to: 0.6}}\n"
+                  "  second: {key: theory.stretches.1.mu, range: {from: 0.05, to: 0.5}}\n"
+                  "calibrate: {log: pull.csv, head: -0.03 m, from: 0 m, starts: true}\n",
+                  "stretches", &s, &rows);
+    const double truth[3] = {0.12, 0.21, 0.2};
+    assert_true(f.fit.done);
+    for (int j = 0; j < 3; j++) check_at_most(fabs(f.fit.x[j] - truth[j]), f.fit.half[j]);
+    check_at_most(f.fit.half[0], 0.01);
+    check_at_most(f.fit.half[2], 0.02);
+    clear(s, &rows, &f);
+}
+
+/* The drag of the rope adds the same force everywhere as... nothing else does quite; rope weight and its friction are
+ * one product. */
+static void not_told_apart(void **state)
+{
+    (void)state;
+    static const char *const set[][2] = {{"theory.rope_mass", "6 kg/m"}, {"theory.rope_mu", "0.3"}};
+    const Truth t = truth_of(set, 2);
+    Study *s;
+    Rows rows;
+    log_make(&t, 5);
+    Findings f = calibrate("set: {theory.rope_mass: 4 kg/m, theory.rope_mu: 0.2}\n"
+                           "parameters:\n"
+                           "  rope: {key: theory.rope_mass, range: {from: 0.5 kg/m, to: 20 kg/m}}\n"
+                           "  drag: {key: drive.rope_drag.force, range: {from: 0 N, to: 6000 N}}\n"
+                           "  tail: {key: drive.tail.tension, range: {from: 2 kN, to: 12 kN}}\n"
+                           "  reel: {key: theory.feed, range: {from: 0 N, to: 3000 N}}\n"
+                           "calibrate: {log: pull.csv, head: -0.03 m, from: 0 m}\n",
+                           "twins", &s, &rows);
+    assert_true(f.fit.done);
+    int said = 0;
+    for (int k = 0; k < f.n_warnings; k++) said |= strstr(f.warning[k], "tail and reel cannot be told apart") != NULL;
+    assert_true(said);
+    clear(s, &rows, &f);
+}
+
+/* Twice the same, by one worker or four, whole or from the samples of a start before. */
+static void goes_on(void **state)
+{
+    (void)state;
+    static const char *const set[][2] = {{"friction.mu", "0.17"}};
+    const Truth t = truth_of(set, 1);
+    const char *const text = "case: " CASE "\nparameters: {friction.mu: {range: {from: 0.05, to: 0.5}}}\n"
+                             "calibrate: {log: pull.csv}\n";
+    hawser_error err;
+    log_make(&t, 8);
+    for (int k = 0; k < 3; k++) {
+        hawser_study *const s = study_open(file_write("study.yaml", text));
+        const hawser_study_options options = {.jobs = k == 1 ? 4 : 1};
+        const char *const dir = k == 0 ? "whole" : "again";
+        if (hawser_study_run(s, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+        hawser_study_free(s);
+        expect_alike("whole", dir);
+        char path[200];
+        snprintf(path, sizeof path, "%s/workers/worker-0.rows", path_of(dir));
+        if (k == 1) assert_int_equal(truncate(path, 3000), 0);
+    }
+}
+
+static void refused(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        {"calibrate: {log: nowhere.csv}\n", "nowhere.csv"},
+        {"fidelity: run\ncalibrate: {log: pull.csv}\n", "a calibration goes by theory"},
+        {"calibrate: {log: pull.csv, from: 500 m}\n", "the log has no lengths within 'from' and 'to'"},
+    };
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+        char text[600];
+        hawser_study *s;
+        hawser_error err = {HAWSER_OK, ""};
+        snprintf(text, sizeof text, "case: " CASE "\nparameters: {friction.mu: {range: {from: 0.1, to: 0.4}}}\n%s",
+                 wrong[k][0]);
+        assert_int_equal(hawser_study_load(file_write("study.yaml", text), &s, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, wrong[k][1]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(intervals_cover), cmocka_unit_test(stretches_and_dry_start),
+                                       cmocka_unit_test(not_told_apart), cmocka_unit_test(goes_on),
+                                       cmocka_unit_test(refused)};
+    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+}
