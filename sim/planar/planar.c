@@ -165,12 +165,6 @@ static void motion_weights(const Motion *m, double *weight)
     }
 }
 
-static void motion_lighten(const Motion *m, double *weight)
-{
-    const int stride = planar_in(m)->ps.chain.stride;
-    scales_lighten(m->scene, stride, PLANAR_SIZE - PLANAR_V, weight + PLANAR_V * stride);
-}
-
 static double window_square(const void *owner, int from, int to, const double *x, const double *w)
 {
     return planar_sim_kernels()->window_square(owner, from, to, x, w);
@@ -276,7 +270,6 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .factor = motion_factor,
                                   .solve = motion_solve,
                                   .weights = motion_weights,
-                                  .lighten = motion_lighten,
                                   .norm = motion_norm,
                                   .surge = motion_surge,
                                   .tightest = motion_tightest,

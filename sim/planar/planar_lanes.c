@@ -150,20 +150,22 @@ static void kernel_form(PlanarNewton *nw, int from, int to)
 /* --------------------------------------------------------------------------------------- norm, and into space */
 
 /* The lanes from i on, if the chain reaches so far; what pads it is zero. */
-LANE_INLINE Lane lane_square(int stride, const double *x, const double *w, int i)
+LANE_INLINE Lane lane_square(int stride, const double *x, const Lane w[PLANAR_SIZE], int i)
 {
     Lane sum = lane_set(0);
     for (int c = 0; c < PLANAR_SIZE && i < stride; ++c) {
-        const Lane a = lane_load(x + c * stride + i) * lane_load(w + c * stride + i);
+        const Lane a = lane_load(x + c * stride + i) * w[c];
         sum += a * a;
     }
     return sum;
 }
 
-static double kernel_window_square(const PlanarChain *chain, int first, int last, const double *x, const double *w)
+static double kernel_window_square(const PlanarChain *chain, int first, int last, const double *x, const double *weight)
 {
     _Static_assert((int)SCALES_WINDOW == 2 * (int)LANES, "a window is two lanes");
     double largest = 0;
+    Lane w[PLANAR_SIZE];
+    for (int c = 0; c < PLANAR_SIZE; ++c) w[c] = lane_set(weight[c * chain->stride]);
     for (int from = first; from < last; from += SCALES_WINDOW) {
         const int count = from + SCALES_WINDOW < last ? SCALES_WINDOW : last - from;
         const Lane sum = lane_square(chain->stride, x, w, from) + lane_square(chain->stride, x, w, from + LANES);

@@ -68,8 +68,8 @@ typedef struct PlanarSimKernels {
     /* Block rows from..to-1 of A. */
     void (*form)(PlanarNewton *nw, int from, int to);
     /* Largest over the windows of 16 segments in from..to-1 (from: a window's first) of the sum of (x w)^2 over the
-     * window's six entries each, divided by 13 times the window's segments (PL18). A NaN in x gives a
-     * NaN. */
+     * window's six entries each, divided by 13 times the window's segments (PL18); w is one number an array, of which
+     * the first is read. A NaN in x gives a NaN. */
     double (*window_square)(const PlanarChain *chain, int from, int to, const double *x, const double *w);
     /* Kinematics in space of all segments and the head's ghost (PL17). */
     void (*lift)(const Plane *plane, const PlanarChain *chain, const PlanarKinematics *from, Kinematics *to);

@@ -9,8 +9,10 @@
 static const double SHARE = 0.3;
 static const double GRAVITY = 9.81;    /* m/s2, of a metre of cable, which is the least that is judged */
 static const double LOAD_WEIGHTS = 20; /* of the heaviest segment: what a load is large against */
-/* The share of the scale that the accuracy 10^-3 allows is 10^-3 itself. */
-static const double ALLOWED = 0.1, POWER = 2.0 / 3;
+/* The share of the scale that the accuracy 10^-3 allows is twice 10^-3. */
+static const double ALLOWED = 0.2, POWER = 2.0 / 3;
+/* How many times smaller noise is than what is judged. */
+static const double NOISE_UNDER = 10;
 
 Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, const double *v, int turns,
                const double *w)
@@ -43,20 +45,30 @@ static double quickest(const Chain *chain)
     return least < INFINITY ? sqrt(least) : 0;
 }
 
-ForceScale force_scale(const Scene *scene, double now, double most)
+/* The time in which what the iteration leaves in all velocities, one way, is a tenth of the allowed tension (N24), s.
+ */
+static double noisy(const Scene *scene, double left, double tension)
+{
+    double mass = 0;
+    for (int i = 0; i < scene->chain.n; ++i) mass += scene->chain.mass[i];
+    return NOISE_UNDER * (mass - scene->weight.weightless) * left / tension;
+}
+
+ForceScale force_scale(const Scene *scene, double now, double most, double left)
 {
     double metre = 0; /* kg */
     for (int i = 0; i + 1 < scene->chain.n; ++i) metre = fmax(metre, scene->chain.mass[i] / (2 * scene->chain.half[i]));
     const double tension = fmax(fmax(now, GRAVITY * metre), SHARE * fmax(most, scene->expected_pull));
-    const double weight = GRAVITY * scales_heaviest(scene);
-    return (ForceScale){.tension = tension,
-                        .load = fmax(SHARE * tension, fmin(tension, LOAD_WEIGHTS * weight)),
-                        .quick = quickest(&scene->chain)};
+    if (!(tension > 0)) return (ForceScale){0};
+    const double load = fmax(SHARE * tension, fmin(tension, LOAD_WEIGHTS * GRAVITY * scales_heaviest(scene)));
+    const double share = ALLOWED * pow(scene->def.solver.accuracy, POWER);
+    return (ForceScale){.tension = share * tension,
+                        .load = share * load,
+                        .quick = fmax(quickest(&scene->chain), noisy(scene, left, share * tension))};
 }
 
-double force_error(const Surge *surge, const ForceScale *scale, double gamma, double accuracy)
+double force_error(const Surge *surge, const ForceScale *scale, double gamma)
 {
-    if (!(scale->tension > 0)) return 0; /* a single segment */
-    const double allowed = ALLOWED * pow(accuracy, POWER) * fmax(gamma, scale->quick);
-    return fmax(surge->chain / (allowed * scale->tension), surge->segment / (allowed * scale->load));
+    if (!(scale->tension > 0)) return 0;
+    return fmax(surge->chain / scale->tension, surge->segment / scale->load) / fmax(gamma, scale->quick);
 }

@@ -19,14 +19,15 @@ Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, con
 
 /* What errors of forces are compared with. */
 typedef struct ForceScale {
-    double tension, load; /* N */
-    double quick;         /* s: what is over sooner is motion within a segment and its joint (N23) */
+    double tension, load; /* N, that the accuracy allows (N21), (N22) */
+    double quick;         /* s: what is over sooner is motion within a segment and its joint, or noise (N23), (N24) */
 } ForceScale;
 
-/* (N22): now, most: the chain's largest tension, now and so far, N. */
-ForceScale force_scale(const Scene *scene, double now, double most);
+/* now, most: the chain's largest tension, now and so far, N; left: what Newton's iteration may leave in a velocity,
+ * m/s. Nothing is allowed, and nothing is judged, in a chain of a single segment. */
+ForceScale force_scale(const Scene *scene, double now, double most, double left);
 
-/* The errors as multiples of what the accuracy allows, with what the method makes of a rate's error: gamma, s (N21). */
-double force_error(const Surge *surge, const ForceScale *scale, double gamma, double accuracy);
+/* The errors as multiples of what is allowed, with what the method makes of a rate's error: gamma, s (N21). */
+double force_error(const Surge *surge, const ForceScale *scale, double gamma);
 
 #endif

@@ -37,11 +37,12 @@ static const double GAMMA_CHANGE = 0.005;
 struct Integrator {
     Motion *motion;
     double *y;
-    double *weight;         /* [2 size] 1 / absolute tolerance; the same as errors are judged with (N24) */
+    double *weight;         /* [size] 1 / absolute tolerance */
     const double *weighted; /* CVODE's array that holds them already; NULL: none does */
     double way;             /* m, that a step may move the chain by; INFINITY: any */
     double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
     double tension_most;    /* N, of the chain so far */
+    double left;            /* m/s, that Newton's iteration may leave in a velocity */
     ForceScale scale;       /* what errors of forces are measured with */
     long fails_before;      /* errors that were refused before this step */
     double stop;            /* s, the stop time that CVODE knows */
@@ -132,30 +133,34 @@ static double call_norm(const void *owner, const double *x, const double *w)
     const Motion *const motion = in->motion;
     double gamma = 0;
     long fails = 0;
-    if (in->newton.solving) return motion->ops->norm(motion, x, w);
-    const double state = motion->ops->norm(motion, x, in->weight + motion->size);
+    const double state = motion->ops->norm(motion, x, w);
+    if (in->newton.solving) return state;
     N_Vector past = history_state(in);
     if (!past || x == NV_DATA_S(past)) return state; /* CVODE asks whether rounding is below the tolerances */
     if (CVodeGetCurrentGamma(in->cvode, &gamma) != CV_SUCCESS || !(gamma > 0)) return state;
     CVodeGetNumErrTestFails(in->cvode, &fails);
     if (fails - in->fails_before >= REFUSED_MOST) return state;
     const Surge surge = motion->ops->surge(motion, x);
-    return larger_of(state, force_error(&surge, &in->scale, gamma, motion->scene->def.solver.accuracy));
+    return larger_of(state, force_error(&surge, &in->scale, gamma));
 }
 
 /* Weights for a motion of now; 0 if there is no memory. */
 static int weights_renew(Integrator *in)
 {
-    const size_t size = (size_t)in->motion->size;
-    double *const weight = malloc(2 * size * sizeof *weight);
+    double *const weight = malloc((size_t)in->motion->size * sizeof *weight);
     if (!weight) return 0;
     free(in->weight);
     in->weight = weight;
     in->weighted = NULL;
     in->motion->ops->weights(in->motion, weight);
-    memcpy(weight + size, weight, size * sizeof *weight);
-    in->motion->ops->lighten(in->motion, weight + size);
     return 1;
+}
+
+/* (N13), and (N16) where something grips. */
+static double newton_share(const Scene *scene)
+{
+    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
+    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
 }
 
 /* What errors of forces are measured against from here on. */
@@ -163,7 +168,7 @@ static void scale_renew(Integrator *in, double t)
 {
     const double tension = in->motion->ops->tightest(in->motion, t, in->y);
     in->tension_most = fmax(in->tension_most, tension);
-    in->scale = force_scale(in->motion->scene, tension, in->tension_most);
+    in->scale = force_scale(in->motion->scene, tension, in->tension_most, in->left);
 }
 
 static void call_complaint(int code, const char *module, const char *function, char *message, void *user)
@@ -209,13 +214,6 @@ static int solvers_attach(Integrator *in)
 }
 
 /* ------------------------------------------------------------------------------------------------- life */
-
-/* (N13), and (N16) where something grips. */
-static double newton_share(const Scene *scene)
-{
-    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
-    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
-}
 
 static int cvode_set(Integrator *in)
 {
@@ -292,7 +290,12 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1, .speed_at = -1};
+    *in = (Integrator){.motion = motion,
+                       .y = y,
+                       .way = stride_most(motion->scene),
+                       .left = newton_share(motion->scene) * scales_tolerances(motion->scene).velocity,
+                       .stop = -1,
+                       .speed_at = -1};
     const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
     if (status) *out = integrator_free(in);
     return status;

@@ -28,9 +28,8 @@ typedef struct MotionOps {
     int (*solve)(Motion *m, double *b);
     /* weight = 1 / absolute tolerance of every entry. */
     void (*weights)(const Motion *m, double *weight);
-    /* Of those weights, the chain's velocities' for the error test: smaller where a segment is light (N24). */
-    void (*lighten)(const Motion *m, double *weight);
-    /* The norm of x weighted by w, which are those weights, in which errors are judged (N11). */
+    /* The norm of x weighted by w, which are those weights, in which errors are judged (N11): one number a component
+     * of the chain, of which the first segment's are read. */
     double (*norm)(const Motion *m, const double *x, const double *w);
     /* What errors x of y are in momentum, with the axes of the last evaluation (N21). */
     Surge (*surge)(const Motion *m, const double *x);

@@ -7,8 +7,6 @@
 #include "sim/step/vector_kernels.h"
 
 static const double LENGTH = 0.01, TURN = 0.1; /* m, rad: physical scales of the errors */
-/* How much smaller the weight of a light segment's velocities may be. */
-static const double LIGHTEST = 0.5;
 
 /* Tolerances are accuracy times these (N10); a case may give its own instead. */
 static double chosen(double given, double otherwise) { return given > 0 ? given : otherwise; }
@@ -30,15 +28,6 @@ double scales_heaviest(const Scene *scene)
     for (int i = 0; i < chain->n; ++i)
         heaviest = fmax(heaviest, chain->mass[i] - (i + 1 < chain->n ? 0 : scene->weight.weightless));
     return heaviest;
-}
-
-void scales_lighten(const Scene *scene, int pitch, int components, double *weight)
-{
-    const double heaviest = scales_heaviest(scene);
-    for (int i = 0; i < scene->chain.n; ++i) {
-        const double light = fmax(sqrt(fmin(scene->chain.mass[i] / heaviest, 1)), LIGHTEST);
-        for (int c = 0; c < components; ++c) weight[c * pitch + i] *= light;
-    }
 }
 
 void scales_weights(const Scene *scene, double *weight)

@@ -18,9 +18,6 @@ Tolerances scales_tolerances(const Scene *scene);
 
 /* The mass of the heaviest segment, without a drum that moves with it, kg. */
 double scales_heaviest(const Scene *scene);
-/* Makes the weights of the chain's velocities, `components` arrays `pitch` apart, smaller where a segment is lighter
- * than the heaviest (N24). */
-void scales_lighten(const Scene *scene, int pitch, int components, double *weight);
 /* weight [scene_state_size] = 1 / absolute tolerance of every component of the state. */
 void scales_weights(const Scene *scene, double *weight);
 
@@ -28,8 +25,8 @@ void scales_weights(const Scene *scene, double *weight);
  */
 enum { SCALES_WINDOW = 16 };
 double scales_norm(int n, const double *x, const double *weight);
-/* The same of a chain of n segments by `square`, which has the largest square over its windows. team: NULL, or who does
- * it for long chains. */
+/* The same for weights that are one number a component, those of scales_weights, of which only the first is read: sqrt
+ * of the largest square over the windows of a chain of n segments. team: NULL, or who does it for long chains. */
 typedef double WindowSquare(const void *owner, int from, int to, const double *x, const double *weight);
 double scales_chain_norm(Team *team, int n, WindowSquare *square, const void *owner, const double *x,
                          const double *weight);

@@ -35,15 +35,9 @@ static int spatial_solve(Motion *m, double *b) { return newton_solve(spatial_of(
 
 static void spatial_weights(const Motion *m, double *weight) { scales_weights(m->scene, weight); }
 
-static void spatial_lighten(const Motion *m, double *weight)
-{
-    const int n = m->scene->chain.n;
-    scales_lighten(m->scene, n, STATE_SIZE - STATE_V, weight + STATE_V * n);
-}
-
 static double window_square(const void *owner, int from, int to, const double *x, const double *w)
 {
-    return vector_kernels()->window_square(((const Chain *)owner)->n, from, to, x, w);
+    return vector_kernels()->window_square_even(((const Chain *)owner)->n, from, to, x, w);
 }
 
 static double spatial_norm(const Motion *m, const double *x, const double *w)
@@ -198,7 +192,6 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .factor = spatial_factor,
                                   .solve = spatial_solve,
                                   .weights = spatial_weights,
-                                  .lighten = spatial_lighten,
                                   .norm = spatial_norm,
                                   .surge = spatial_surge,
                                   .tightest = spatial_tightest,

@@ -14,6 +14,8 @@ typedef struct VectorKernels {
     /* Largest over the windows of 16 segments in from..to-1 (from: a window's first) of the sum of (x w)^2 over the
      * window's entries, divided by their number; x and w are 13 arrays of n (N11). A NaN in x or w gives a NaN. */
     double (*window_square)(int n, int from, int to, const double *x, const double *w);
+    /* The same where each of the 13 arrays of w holds one number throughout: only its first entry is read. */
+    double (*window_square_even)(int n, int from, int to, const double *x, const double *w);
     /* Largest over the n entries of sum of v[c]^2, c < dims, + half^2 times the sum of w[c]^2, c < turns: v[c] begins
      * at v + c pitch, w[c] likewise. What is not a number counts for nothing. */
     double (*largest_square)(int n, int pitch, int dims, const double *v, int turns, const double *w,

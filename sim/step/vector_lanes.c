@@ -35,15 +35,17 @@ static void kernel_combination(int count, int terms, const double *a, double *co
     }
 }
 
-/* Sum of squares of x w over segments from..to-1, all 13 components; whole windows go through two lanes. */
-LANE_INLINE double window_sum(int n, const double *x, const double *w, int from, int to)
+/* Sum of squares of x w over segments from..to-1, all 13 components; whole windows go through two lanes. even: all
+ * segments have the weights of segment 0. */
+LANE_INLINE double window_sum(int n, const double *x, const double *w, int from, int to, int even)
 {
     double total = 0;
     if (to - from == 2 * LANES) {
         Lane low = lane_set(0), high = lane_set(0);
         for (int c = 0; c < STATE_SIZE; ++c) {
-            const double *const xc = x + c * n + from, *const wc = w + c * n + from;
-            const Lane a = lane_load(xc) * lane_load(wc), b = lane_load(xc + LANES) * lane_load(wc + LANES);
+            const double *const xc = x + c * n + from, *const wc = w + c * n + (even ? 0 : from);
+            const Lane wa = even ? lane_set(*wc) : lane_load(wc), wb = even ? wa : lane_load(wc + LANES);
+            const Lane a = lane_load(xc) * wa, b = lane_load(xc + LANES) * wb;
             low += a * a;
             high += b * b;
         }
@@ -52,24 +54,35 @@ LANE_INLINE double window_sum(int n, const double *x, const double *w, int from,
         return total;
     }
     for (int c = 0; c < STATE_SIZE; ++c) {
+        const double *const wc = w + c * n;
         for (int i = from; i < to; ++i) {
-            const double xi = x[c * n + i], wi = w[c * n + i];
+            const double xi = x[c * n + i], wi = wc[even ? 0 : i];
             total += xi * wi * xi * wi;
         }
     }
     return total;
 }
 
-static double kernel_window_square(int n, int first, int last, const double *x, const double *w)
+LANE_INLINE double windows_largest(int n, int first, int last, const double *x, const double *w, int even)
 {
     _Static_assert((int)SCALES_WINDOW == 2 * (int)LANES, "a window is two lanes");
     double largest = 0;
     for (int from = first; from < last; from += SCALES_WINDOW) {
         const int to = from + SCALES_WINDOW < last ? from + SCALES_WINDOW : last;
-        const double mean = window_sum(n, x, w, from, to) / (STATE_SIZE * (to - from));
+        const double mean = window_sum(n, x, w, from, to, even) / (STATE_SIZE * (to - from));
         if (mean > largest || isnan(mean)) largest = mean; /* a NaN stays: nothing is larger */
     }
     return largest;
+}
+
+static double kernel_window_square(int n, int from, int to, const double *x, const double *w)
+{
+    return windows_largest(n, from, to, x, w, 0);
+}
+
+static double kernel_window_square_even(int n, int from, int to, const double *x, const double *w)
+{
+    return windows_largest(n, from, to, x, w, 1);
 }
 
 /* Entries i..i+count-1 of kernel_largest_square's sums; a whole lane when count is LANES. */
@@ -151,6 +164,6 @@ static void kernel_project(int n, const double *y, double *correction, double *e
     if (i < n) project_at(n, y, correction, error, i, n - i);
 }
 
-const VectorKernels ISA_NAME(vector_kernels) = {kernel_linear_sum,    kernel_scale,          kernel_combination,
-                                                kernel_window_square, kernel_largest_square, kernel_all_finite,
-                                                kernel_project};
+const VectorKernels ISA_NAME(vector_kernels) = {
+    kernel_linear_sum,         kernel_scale,          kernel_combination, kernel_window_square,
+    kernel_window_square_even, kernel_largest_square, kernel_all_finite,  kernel_project};
