@@ -12,7 +12,7 @@ static const double LOAD_WEIGHTS = 20; /* of the heaviest segment: what a load i
 /* The share of the scale that the accuracy 10^-3 allows is twice 10^-3. */
 static const double ALLOWED = 0.2, POWER = 2.0 / 3;
 /* How many times smaller noise is than what is judged. */
-static const double NOISE_UNDER = 10;
+static const double NOISE_UNDER = 20;
 
 Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, const double *v, int turns,
                const double *w)
@@ -45,30 +45,25 @@ static double quickest(const Chain *chain)
     return least < INFINITY ? sqrt(least) : 0;
 }
 
-/* The time in which what the iteration leaves in all velocities, one way, is a tenth of the allowed tension (N24), s.
- */
-static double noisy(const Scene *scene, double left, double tension)
-{
-    double mass = 0;
-    for (int i = 0; i < scene->chain.n; ++i) mass += scene->chain.mass[i];
-    return NOISE_UNDER * (mass - scene->weight.weightless) * left / tension;
-}
-
 ForceScale force_scale(const Scene *scene, double now, double most, double left)
 {
-    double metre = 0; /* kg */
+    const double heaviest = scales_heaviest(scene);
+    double metre = 0, mass = -scene->weight.weightless; /* kg */
+    for (int i = 0; i < scene->chain.n; ++i) mass += scene->chain.mass[i];
     for (int i = 0; i + 1 < scene->chain.n; ++i) metre = fmax(metre, scene->chain.mass[i] / (2 * scene->chain.half[i]));
     const double tension = fmax(fmax(now, GRAVITY * metre), SHARE * fmax(most, scene->expected_pull));
     if (!(tension > 0)) return (ForceScale){0};
-    const double load = fmax(SHARE * tension, fmin(tension, LOAD_WEIGHTS * GRAVITY * scales_heaviest(scene)));
+    const double load = fmax(SHARE * tension, fmin(tension, LOAD_WEIGHTS * GRAVITY * heaviest));
     const double share = ALLOWED * pow(scene->def.solver.accuracy, POWER);
-    return (ForceScale){.tension = share * tension,
-                        .load = share * load,
-                        .quick = fmax(quickest(&scene->chain), noisy(scene, left, share * tension))};
+    const Surge noise = {mass * left, sqrt(STATE_SIZE * SCALES_WINDOW) * heaviest * left};
+    return (ForceScale){
+        .tension = share * tension, .load = share * load, .quick = quickest(&scene->chain), .noise = noise};
 }
 
 double force_error(const Surge *surge, const ForceScale *scale, double gamma)
 {
     if (!(scale->tension > 0)) return 0;
-    return fmax(surge->chain / scale->tension, surge->segment / scale->load) / fmax(gamma, scale->quick);
+    const double time = fmax(gamma, scale->quick);
+    return fmax(surge->chain / fmax(time * scale->tension, NOISE_UNDER * scale->noise.chain),
+                surge->segment / fmax(time * scale->load, NOISE_UNDER * scale->noise.segment));
 }

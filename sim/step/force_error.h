@@ -20,7 +20,8 @@ Surge surge_of(const Chain *chain, int dims, double *const *axis, int pitch, con
 /* What errors of forces are compared with. */
 typedef struct ForceScale {
     double tension, load; /* N, that the accuracy allows (N21), (N22) */
-    double quick;         /* s: what is over sooner is motion within a segment and its joint, or noise (N23), (N24) */
+    double quick;         /* s: what is over sooner is motion within a segment and its joint (N23) */
+    Surge noise;          /* what the iteration may leave, and is not judged (N24) */
 } ForceScale;
 
 /* now, most: the chain's largest tension, now and so far, N; left: what Newton's iteration may leave in a velocity,
