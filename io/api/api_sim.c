@@ -2,6 +2,7 @@
  * sim/run/sim.c. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "sim/expected/cost.h"
 #include "sim/run/commands.h"
 
 #include <math.h>
@@ -39,7 +40,8 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
                          "%.200s: key 'run.duration': missing: without a winch that sets a speed nothing says how long",
                          c->name);
     }
-    status = sim_new(&c->def, threads, out, err);
+    status = cost_check(&c->def, err);
+    if (!status) status = sim_new(&c->def, threads, out, err);
     if (status) return case_name_error(c, status, err);
     hawser_sim *const s = *out; /* the case may be gone soon */
     if (s->team) team_pin(s->team, mine.pin);
@@ -145,6 +147,7 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     hawser_summary summary;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     Overload *overload;
+    hawser_sim_summary(s, &summary);
     SummaryLabels labels = {.title = s->title,
                             .case_name = s->case_name,
                             .outcome = outcome_name(s),
@@ -155,7 +158,7 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
                             .roller = s->stats.roller_out,
                             .n_assumptions = scene->def.n_assumptions,
                             .assumption = scene->def.assumptions,
-                            .n_limits = peaks_judge(&s->peaks, &s->stats, scene, &s->expected, limit),
+                            .n_limits = sim_limits(s, &summary, limit),
                             .limit = limit,
                             .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),
                             .trip_N = limits->present ? limits_trip(limits, scene->def.bundle.shape.thickest,
@@ -167,7 +170,6 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     labels.overload = overload;
     labels.n_remedies = remedies_find(scene, labels.n_limits, limit, remedy);
     labels.remedy = (const char(*)[REMEDY_MAX])remedy;
-    hawser_sim_summary(s, &summary);
     const hawser_status status = summary_json(&summary, &labels, text, err);
     free(overload);
     return status;

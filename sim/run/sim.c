@@ -367,6 +367,10 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->balance = balance_close(s->stage.balance, s->stage.motion, s->stage.t, s->stage.y);
 }
 
+static int came_to_rest(const Sim *s) { return s->stage.scene.def.solver.relax && s->relaxation.reached; }
+
+double sim_jolt(const Sim *s) { return steadiness_jolt(&s->steadiness, came_to_rest(s)); }
+
 /* What the error bars of the summary's figures share. */
 static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 {
@@ -374,17 +378,22 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
     ErrorShares shares =
         error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
-    const Unsettled refused = steadiness_refused(&s->steadiness, scene->def.solver.relax && s->relaxation.reached);
+    const Unsettled refused = steadiness_refused(&s->steadiness, came_to_rest(s));
     shares.drift = refused.drift;
     shares.stands_out = refused.stands_out;
     shares.start = scene->def.solver.relax ? 0 : s->passing.start.force;
     return shares;
 }
 
+int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
+{
+    const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
+    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
+}
+
 static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
-    s = SHOWN(s);
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
@@ -433,7 +442,9 @@ static void summary_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
-    other_pass_bars(&s->other, &s->stats, out);
+    other_pass_bars(&s->other, &s->stats, sim_jolt(s), out);
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int limits = sim_limits(s, out, limit);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
@@ -442,6 +453,8 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,
+                              .n_limits = limits,
+                              .limit = limit,
                               .turned = s->overturned | s->stage.stability.turned,
                               .unstable = out->unstable,
                               .stray = s->stray,
@@ -455,7 +468,7 @@ void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
 {
     hawser_summary whole;
     if (!s || !out) return;
-    summary_fill(s, &whole);
+    summary_fill(SHOWN(s), &whole);
     memcpy(out, &whole, size < sizeof whole ? size : sizeof whole);
 }
 
@@ -519,5 +532,7 @@ int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
     s = SHOWN(s);
     if (!s || !out) return 0;
-    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
+    hawser_summary figures;
+    summary_fill(s, &figures);
+    return sim_limits(s, &figures, out);
 }

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "sim/step/sundials.h"
+
 /* A matrix that leaves more than SLOW of every correction is made anew if it would need more than LEFT iterations: a
  * new one costs about four of them (N18). */
 static const double SLOW = 0.2;
@@ -203,9 +205,9 @@ static int get_failures(SUNNonlinearSolver shell, long *count)
 int contact_newton_new(ContactNewton *newton, N_Vector like)
 {
     *newton = (ContactNewton){.shell = SUNNonlinSolNewEmpty(like->sunctx),
-                              .r = N_VClone(like),
-                              .step = N_VClone(like),
-                              .next = N_VClone(like),
+                              .r = vector_clone(like),
+                              .step = vector_clone(like),
+                              .next = vector_clone(like),
                               .rate = 1};
     if (!newton->shell || !newton->r || !newton->step || !newton->next) return 0;
     struct _generic_SUNNonlinearSolver_Ops *const ops = newton->shell->ops;

@@ -51,6 +51,10 @@ double steadiness_drift(const Steadiness *s);
  * the cable came to rest first, and what is between two rows is not asked. */
 double steadiness_spike(const Steadiness *s, int rests, double *at);
 
+/* The largest pull of the first moments, N, where it can be a jolt: NAN of a chain that begins at rest and is set in
+ * motion gently. */
+double steadiness_jolt(const Steadiness *s, int rests);
+
 /* What the conditions on steadiness refuse, shares; 0 where they hold. Its use: (EB16), (EB17). */
 typedef struct Unsettled {
     double drift; /* of the mean, between the window's halves */
@@ -68,8 +72,10 @@ typedef struct TrustFacts {
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
     const hawser_summary *figures; /* with their error bars */
-    int turned;                    /* sim/watch/events.h */
-    int unstable;                  /* motions that grow from an equilibrium of statics; -1: not counted */
+    int n_limits;                  /* what the case allows, against these figures; 0: it does not say */
+    const hawser_limit *limit;
+    int turned;   /* sim/watch/events.h */
+    int unstable; /* motions that grow from an equilibrium of statics; -1: not counted */
     Stray stray;
     const Steadiness *steadiness;
     const Passing *passing;
