@@ -23,13 +23,6 @@ double *chain_array_new(int n, double fill)
     return block + FRONT;
 }
 
-double chain_largest(const double *array, int count)
-{
-    double largest = 0;
-    for (int i = 0; i < count; ++i) largest = fmax(largest, fabs(array[i]));
-    return largest;
-}
-
 double *aligned_array_new(int count)
 {
     const size_t bytes = ((size_t)count * sizeof(double) / ALIGNMENT + 2) * ALIGNMENT;

@@ -99,8 +99,6 @@ void chain_array_fill(double *array, int n, double fill);
 /* Plain zeros, at the start of a cache line, so that no vector of a loop over all of them crosses one, and readable a
  * vector beyond their end; free() frees it. */
 double *aligned_array_new(int count);
-/* The largest magnitude of count numbers. */
-double chain_largest(const double *array, int count);
 /* Entries -1 .. n of chain arrays array[count]; of all arrays of a struct of nothing else. */
 void chain_arrays_checkpoint(Checkpoint *c, const char *name, double *const *array, int count, int n);
 #define chain_struct_checkpoint(c, name, s, n)                                                                         \

@@ -52,7 +52,6 @@ struct Scene {
     int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
     double cable_weight;  /* N/m, of the piece before the eye: of all cables together */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
-    double expected_pull; /* N, by theory, if the run has one (sim/run/sim.c); 0 */
     double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */
     Route route;
     Weight weight;

@@ -176,21 +176,6 @@ static double motion_norm(const Motion *m, const double *x, const double *w)
     return scales_chain_norm(m->team, chain->n, window_square, chain, x, w);
 }
 
-static Surge motion_surge(const Motion *m, const double *x)
-{
-    const Planar *const p = planar_in(m);
-    const int stride = p->ps.chain.stride;
-    return surge_of(&m->scene->chain, 2, p->kin.a, stride, x + PLANAR_V * stride, 1, x + PLANAR_W * stride);
-}
-
-static double motion_tightest(Motion *m, double t, const double *y)
-{
-    Planar *const p = planar_of(m);
-    planar_place(p, t, y);
-    planar_kernels()->tension(&p->ps.chain, &p->kin, 0, segments(p) + 1, p->ws->law[0]);
-    return chain_largest(p->ws->law[0], segments(p) + 1);
-}
-
 static double motion_speed(const Motion *m, const double *y)
 {
     const int stride = planar_in(m)->ps.chain.stride;
@@ -271,8 +256,6 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .solve = motion_solve,
                                   .weights = motion_weights,
                                   .norm = motion_norm,
-                                  .surge = motion_surge,
-                                  .tightest = motion_tightest,
                                   .speed = motion_speed,
                                   .accept = planar_accept,
                                   .renew = motion_renew,

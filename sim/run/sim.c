@@ -53,7 +53,6 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     }
     if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
-    if (!status) s->stage.scene.expected_pull = fmax(s->expected.reference_total, 0);
     if (!status) status = trip_set(s, err);
     if (!status) status = start_check(s, err);
     if (!status) status = start_grades(s, err);

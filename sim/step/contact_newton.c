@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "sim/step/sundials.h"
 
 /* A matrix that leaves more than SLOW of every correction is made anew if it would need more than LEFT iterations: a
  * new one costs about four of them (N18). */
@@ -158,9 +157,7 @@ static int solve_step(SUNNonlinearSolver shell, N_Vector predicted, N_Vector e, 
     (void)predicted;
     ContactNewton *const c = shell->content;
     Attempt a = {.c = c, .e = e, .weight = weight, .tolerance = tolerance, .cvode = cvode};
-    c->solving = 1;
     const int status = iterate(&a, setup);
-    c->solving = 0;
     return status;
 }
 
@@ -205,9 +202,9 @@ static int get_failures(SUNNonlinearSolver shell, long *count)
 int contact_newton_new(ContactNewton *newton, N_Vector like)
 {
     *newton = (ContactNewton){.shell = SUNNonlinSolNewEmpty(like->sunctx),
-                              .r = vector_clone(like),
-                              .step = vector_clone(like),
-                              .next = vector_clone(like),
+                              .r = N_VClone(like),
+                              .step = N_VClone(like),
+                              .next = N_VClone(like),
                               .rate = 1};
     if (!newton->shell || !newton->r || !newton->step || !newton->next) return 0;
     struct _generic_SUNNonlinearSolver_Ops *const ops = newton->shell->ops;

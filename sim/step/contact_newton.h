@@ -21,9 +21,9 @@ typedef struct ContactNewton {
     N_Vector step, next; /* the correction that was made last, and the one after it */
     double rate;         /* of convergence with the matrix of now, as CVODE reckons it: R of (N17) */
     int fresh;           /* the matrix is that of where the last correction began */
-    int solving;         /* inside of one solution: norms are of its corrections */
-    long iterations;     /* corrections tried; CVODE adds them up */
-    long failures;       /* 1: it was given up */
+
+    long iterations; /* corrections tried; CVODE adds them up */
+    long failures;   /* 1: it was given up */
 } ContactNewton;
 
 /* For vectors like `like`. 0 if there is no memory; contact_newton_free may follow either way. */

@@ -13,14 +13,13 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
-#include "core/base/worst.h"
 #include "sim/equipment/winch.h"
 #include "sim/step/contact_newton.h"
 #include "sim/step/cvode_memory.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
-enum { STALLED_MOST = 20, REFUSED_MOST = 3 };
+enum { STALLED_MOST = 20 };
 /* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
  * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
  * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
@@ -41,10 +40,6 @@ struct Integrator {
     const double *weighted; /* CVODE's array that holds them already; NULL: none does */
     double way;             /* m, that a step may move the chain by; INFINITY: any */
     double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
-    double tension_most;    /* N, of the chain so far */
-    double left;            /* m/s, that Newton's iteration may leave in a velocity */
-    ForceScale scale;       /* what errors of forces are measured with */
-    long fails_before;      /* errors that were refused before this step */
     double stop;            /* s, the stop time that CVODE knows */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
@@ -114,61 +109,10 @@ static int call_projection(realtype t, N_Vector y, N_Vector correction, realtype
     return 0;
 }
 
-/* The vector of CVODE's history (Nordsieck's array: the state and its scaled derivatives) that is the state: CVODE
- * predicts in place, and tells where. NULL if it does not. */
-static N_Vector history_state(const Integrator *in)
-{
-    realtype t, gamma, rl1;
-    N_Vector predicted = NULL, now, rates, first;
-    void *user;
-    const int flag = CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
-    return flag == CV_SUCCESS ? predicted : NULL;
-}
-
-/* Of Newton's corrections and of the state itself by the state alone, of errors by the forces as well (N21). What jumps
- * makes an error in force that no step is short enough for: after three that were refused the state alone decides. */
 static double call_norm(const void *owner, const double *x, const double *w)
 {
-    const Integrator *const in = owner;
-    const Motion *const motion = in->motion;
-    double gamma = 0;
-    long fails = 0;
-    const double state = motion->ops->norm(motion, x, w);
-    if (in->newton.solving) return state;
-    N_Vector past = history_state(in);
-    if (!past || x == NV_DATA_S(past)) return state; /* CVODE asks whether rounding is below the tolerances */
-    if (CVodeGetCurrentGamma(in->cvode, &gamma) != CV_SUCCESS || !(gamma > 0)) return state;
-    CVodeGetNumErrTestFails(in->cvode, &fails);
-    if (fails - in->fails_before >= REFUSED_MOST) return state;
-    const Surge surge = motion->ops->surge(motion, x);
-    return larger_of(state, force_error(&surge, &in->scale, gamma));
-}
-
-/* Weights for a motion of now; 0 if there is no memory. */
-static int weights_renew(Integrator *in)
-{
-    double *const weight = malloc((size_t)in->motion->size * sizeof *weight);
-    if (!weight) return 0;
-    free(in->weight);
-    in->weight = weight;
-    in->weighted = NULL;
-    in->motion->ops->weights(in->motion, weight);
-    return 1;
-}
-
-/* (N13), and (N16) where something grips. */
-static double newton_share(const Scene *scene)
-{
-    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
-    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
-}
-
-/* What errors of forces are measured against from here on. */
-static void scale_renew(Integrator *in, double t)
-{
-    const double tension = in->motion->ops->tightest(in->motion, t, in->y);
-    in->tension_most = fmax(in->tension_most, tension);
-    in->scale = force_scale(in->motion->scene, tension, in->tension_most, in->left);
+    const Motion *const motion = owner;
+    return motion->ops->norm(motion, x, w);
 }
 
 static void call_complaint(int code, const char *module, const char *function, char *message, void *user)
@@ -215,6 +159,13 @@ static int solvers_attach(Integrator *in)
 
 /* ------------------------------------------------------------------------------------------------- life */
 
+/* (N13), and (N16) where something grips. */
+static double newton_share(const Scene *scene)
+{
+    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
+    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
+}
+
 static int cvode_set(Integrator *in)
 {
     const SolverDef *const def = &in->motion->scene->def.solver;
@@ -237,6 +188,17 @@ static void state_keep(Integrator *in)
 {
     N_VScale(1.0, in->state, in->good);
     vector_family_settle(&in->family); /* from here on numbers are looked at */
+}
+
+/* The vector of CVODE's history (Nordsieck's array: the state and its scaled derivatives) that is the state: CVODE
+ * predicts in place, and tells where. NULL if it does not. */
+static N_Vector history_state(const Integrator *in)
+{
+    realtype t, gamma, rl1;
+    N_Vector predicted = NULL, now, rates, first;
+    void *user;
+    const int flag = CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
+    return flag == CV_SUCCESS ? predicted : NULL;
 }
 
 /* Whether reshaping can rely on history_state: when CVODE starts, that vector is a copy of the state and none of ours.
@@ -278,15 +240,16 @@ static int cvode_new(Integrator *in, double t)
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
-    if (!weights_renew(in) || !memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
+    in->weight = malloc((size_t)length * sizeof(double));
+    if (!in->weight || !memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
+    in->motion->ops->weights(in->motion, in->weight);
     in->family.queue.team = in->motion->team;
-    in->state = vector_wrap(length, in->y, call_norm, in, &in->family, in->context);
+    in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
     if (!in->state || !vector_family_stock(in->state, VECTORS_MOST)) return 0;
     if (!cvode_new(in, t)) return 0;
     in->good = vector_clone(in->state);
     if (!in->good) return 0;
     state_keep(in);
-    scale_renew(in, t);
     const int set = cvode_set(in);
     vector_family_unstock(&in->family);
     return set;
@@ -298,12 +261,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     Integrator *in = calloc(1, sizeof *in);
     *out = in;
     if (!in) return error_memory(err);
-    *in = (Integrator){.motion = motion,
-                       .y = y,
-                       .way = stride_most(motion->scene),
-                       .left = newton_share(motion->scene) * scales_tolerances(motion->scene).velocity,
-                       .stop = -1,
-                       .speed_at = -1};
+    *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1, .speed_at = -1};
     const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
     if (status) *out = integrator_free(in);
     return status;
@@ -455,14 +413,12 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     }
     const double start = clock_now();
     double reached = *t;
-    CVodeGetNumErrTestFails(in->cvode, &in->fails_before);
     const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
     if (flag < 0) return step_failed(in, flag, *t, err);
     in->stalled = reached > *t ? 0 : in->stalled + 1;
     if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
     state_keep(in);
-    scale_renew(in, reached);
     const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
@@ -485,9 +441,14 @@ static void call_map(const void *user, N_Vector which, const double *from, doubl
 /* What is kept beside CVODE's vectors; 0 if there is no memory. */
 static int arrays_renew(Integrator *in, const Reshape *reshape)
 {
-    if (!weights_renew(in)) return 0;
+    double *const weight = malloc((size_t)reshape->size * sizeof(double));
+    if (!weight) return 0;
+    free(in->weight);
+    in->weight = weight;
+    in->weighted = NULL;
     in->y = reshape->y;
     state_keep(in);
+    in->motion->ops->weights(in->motion, weight);
     return 1;
 }
 
@@ -598,8 +559,6 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
     CHECKPOINT(c, in->way);
     CHECKPOINT(c, in->speed);
     CHECKPOINT(c, in->speed_at);
-    CHECKPOINT(c, in->tension_most);
-    CHECKPOINT(c, in->scale);
     CHECKPOINT(c, in->stop);
     CHECKPOINT(c, in->gamma);
     CHECKPOINT(c, in->newton.rate);

@@ -10,7 +10,6 @@
 #include "core/body.h"
 #include "sim/balance_data.h"
 #include "sim/scene.h"
-#include "sim/step/force_error.h"
 
 typedef struct Motion Motion;
 
@@ -31,10 +30,6 @@ typedef struct MotionOps {
     /* The norm of x weighted by w, which are those weights, in which errors are judged (N11): one number a component
      * of the chain, of which the first segment's are read. */
     double (*norm)(const Motion *m, const double *x, const double *w);
-    /* What errors x of y are in momentum, with the axes of the last evaluation (N21). */
-    Surge (*surge)(const Motion *m, const double *x);
-    /* The largest tension of the chain at (t, y), whose kinematics it leaves in the workspace, N. */
-    double (*tightest)(Motion *m, double t, const double *y);
     /* Largest speed of a point of the chain, m/s: stride_speed. */
     double (*speed)(const Motion *m, const double *y);
     /* Correction of y to what its constraints ask for (unit quaternions) and projection of its error (NULL: none).

@@ -21,15 +21,6 @@ Tolerances scales_tolerances(const Scene *scene)
                         .omega = chosen(s->atol_omega, s->accuracy * speed * TURN / LENGTH)};
 }
 
-double scales_heaviest(const Scene *scene)
-{
-    const Chain *const chain = &scene->chain;
-    double heaviest = 0;
-    for (int i = 0; i < chain->n; ++i)
-        heaviest = fmax(heaviest, chain->mass[i] - (i + 1 < chain->n ? 0 : scene->weight.weightless));
-    return heaviest;
-}
-
 void scales_weights(const Scene *scene, double *weight)
 {
     const Tolerances tol = scales_tolerances(scene);

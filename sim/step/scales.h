@@ -16,8 +16,6 @@ typedef struct Tolerances {
 } Tolerances;
 Tolerances scales_tolerances(const Scene *scene);
 
-/* The mass of the heaviest segment, without a drum that moves with it, kg. */
-double scales_heaviest(const Scene *scene);
 /* weight [scene_state_size] = 1 / absolute tolerance of every component of the state. */
 void scales_weights(const Scene *scene, double *weight);
 

@@ -49,28 +49,6 @@ static double spatial_norm(const Motion *m, const double *x, const double *w)
     return larger_of(chain, beside);
 }
 
-static void spatial_glance(Motion *m)
-{
-    Workspace *const ws = spatial_of(m)->ws;
-    bushing_kernels()->law(&m->scene->chain, &ws->kin, 0, m->scene->chain.n + 1, ws->law);
-}
-
-static Surge spatial_surge(const Motion *m, const double *x)
-{
-    const int n = m->scene->chain.n;
-    double *const *const axis = spatial_of((Motion *)m)->ws->kin.a;
-    return surge_of(&m->scene->chain, 3, axis, n, x + STATE_V * n, 3, x + STATE_W * n);
-}
-
-static double spatial_tightest(Motion *m, double t, const double *y)
-{
-    Spatial *const s = spatial_of(m);
-    dynamics_kinematics(m->scene, s->ws, t, y);
-    scene_ghosts(m->scene, t, &s->ws->kin);
-    spatial_glance(m);
-    return chain_largest(s->ws->law[0], m->scene->chain.n + 1);
-}
-
 static double spatial_speed(const Motion *m, const double *y)
 {
     const Chain *const chain = &m->scene->chain;
@@ -136,6 +114,12 @@ static int spatial_look(Motion *m, double t, const double *y, int on_chain)
     return dynamics_look(m->scene, spatial_of(m)->ws, t, y);
 }
 
+static void spatial_glance(Motion *m)
+{
+    Workspace *const ws = spatial_of(m)->ws;
+    bushing_kernels()->law(&m->scene->chain, &ws->kin, 0, m->scene->chain.n + 1, ws->law);
+}
+
 static double spatial_winch_pull(Motion *m, double t, const double *y)
 {
     return winch_pull_at(m->scene, spatial_of(m)->ws, t, y);
@@ -193,8 +177,6 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .solve = spatial_solve,
                                   .weights = spatial_weights,
                                   .norm = spatial_norm,
-                                  .surge = spatial_surge,
-                                  .tightest = spatial_tightest,
                                   .speed = spatial_speed,
                                   .project = spatial_project,
                                   .accept = spatial_accept,

@@ -74,7 +74,7 @@ run_hawser 0 run pull.yaml -o unsettled --set run.duration='800 ms' --set run.st
 says out "from 0.4 s to 0.8 s" "not settled when the run ended"
 # reasons, one a line; the verdict names the first and counts the others
 run_hawser 3 run pull.yaml -o few --set solver.max_steps=10
-says out "NOT TRUSTED, for 4 reasons" "  finished       the run ended at" "  steady_window  the steady window was never" \
+says out "NOT TRUSTED, for 3 reasons" "  finished       the run ended at" "  steady_window  the steady window was never" \
     "no mean: its window begins at 1.5 s, the run ended at 0."
 grep -q "Steady pull from" "$work/out" && fail "$what: a steady pull of a window that was never reached"
 grep -q '"steady_mean_N": null' "$work/few/summary.json" || fail "$what: a mean of a window that was never reached"

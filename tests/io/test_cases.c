@@ -62,31 +62,6 @@ static void test_huangjiahu_real_stiffness(void **state)
     hawser_sim_free(o.sim);
 }
 
-/* What is judged is forces: the largest pull over V grooves and the largest load of guide rollers, which last for
- * milliseconds, are those of an accuracy a hundred times higher (1 % and 5 % off where only velocities are judged). */
-static void test_peaks_converged(void **state)
-{
-    (void)state;
-    const char *const usual[] = {"run.duration", "10 s", NULL};
-    const char *const tight[] = {"run.duration", "10 s", "solver.accuracy", "1e-5", NULL};
-    Outcome groove = example_run("rollers-v-groove", usual), groove_tight = example_run("rollers-v-groove", tight);
-    check_share(groove.summary.pull_peak_N, groove_tight.summary.pull_peak_N, 2e-3);
-    hawser_sim_free(groove.sim);
-    hawser_sim_free(groove_tight.sim);
-    Outcome guides = example_run("guide-rollers", usual), guides_tight = example_run("guide-rollers", tight);
-    const hawser_roller *r, *r_tight;
-    double largest = 0, largest_tight = 0;
-    const int n = hawser_sim_rollers(guides.sim, &r);
-    assert_int_equal(hawser_sim_rollers(guides_tight.sim, &r_tight), n);
-    for (int i = 0; i < n; ++i) {
-        largest = fmax(largest, r[i].peak_N);
-        largest_tight = fmax(largest_tight, r_tight[i].peak_N);
-    }
-    check_share(largest, largest_tight, 1e-2);
-    hawser_sim_free(guides.sim);
-    hawser_sim_free(guides_tight.sim);
-}
-
 /* The pull is mu W g L; the smooth line's ripple is at least ten times smaller than the capsules'. */
 static void test_straight(void **state)
 {
@@ -241,7 +216,6 @@ int main(void)
         cmocka_unit_test(test_three_in_a_duct),
         cmocka_unit_test(test_huangjiahu_converged),
         cmocka_unit_test(test_huangjiahu_real_stiffness),
-        cmocka_unit_test(test_peaks_converged),
         cmocka_unit_test(test_straight),
         cmocka_unit_test(test_winches),
         cmocka_unit_test(test_duct_bends),
