@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-
 /* A matrix that leaves more than SLOW of every correction is made anew if it would need more than LEFT iterations: a
  * new one costs about four of them (N18). */
 static const double SLOW = 0.2;

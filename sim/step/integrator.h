@@ -1,5 +1,5 @@
-/* CVODE (BDF) on the equations of motion: this, with sim/step/sundials.h and contact_newton.h, is all that knows SUNDIALS.
- * docs/model.md, "Integration". */
+/* CVODE (BDF) on the equations of motion: this, with sim/step/sundials.h and contact_newton.h, is all that knows
+ * SUNDIALS. docs/model.md, "Integration". */
 #ifndef HAWSER_SIM_STEP_INTEGRATOR_H
 #define HAWSER_SIM_STEP_INTEGRATOR_H
 
