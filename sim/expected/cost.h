@@ -1,5 +1,5 @@
-/* What a run is going to cost, before anything of it is made: memory, disk and time. docs/reliability.md has how far these
- * are from what was measured. */
+/* What a run is going to cost, before anything of it is made: memory, disk and time. docs/reliability.md has how far
+ * these are from what was measured. */
 #ifndef HAWSER_SIM_EXPECTED_COST_H
 #define HAWSER_SIM_EXPECTED_COST_H
 

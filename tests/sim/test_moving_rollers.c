@@ -343,8 +343,8 @@ static void test_objectivity(void **state)
     }
 }
 
-/* The bearing's law: odd in the speed, the whole of it from `speed` on, three halves of the slope at rest; the journal's
- * friction grows with the load. Derivatives by differences. */
+/* The bearing's law: odd in the speed, the whole of it from `speed` on, three halves of the slope at rest; the
+ * journal's friction grows with the load. Derivatives by differences. */
 static void test_bearing(void **state)
 {
     (void)state;
@@ -372,10 +372,14 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bearing),
-        cmocka_unit_test(test_slows_down), cmocka_unit_test(test_cable_drives_roller),
-        cmocka_unit_test(test_deflection), cmocka_unit_test(test_frequencies),
-        cmocka_unit_test(test_gyroscope),  cmocka_unit_test(test_at_rest_as_fixed),
-        cmocka_unit_test(test_threads),    cmocka_unit_test(test_objectivity),
+        cmocka_unit_test(test_slows_down),
+        cmocka_unit_test(test_cable_drives_roller),
+        cmocka_unit_test(test_deflection),
+        cmocka_unit_test(test_frequencies),
+        cmocka_unit_test(test_gyroscope),
+        cmocka_unit_test(test_at_rest_as_fixed),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_objectivity),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
