@@ -134,7 +134,7 @@ static void nothing_holds_it(void **state)
 static void not_to_the_end(void **state)
 {
     (void)state;
-    const char *const few[] = {"solver.max_steps", "10", NULL};
+    const char *const few[] = {"solver.max_steps", "40", NULL};
     expect_failing(data_text("trust"), few, HAWSER_ERR_RUN, "finished steady_window", "of no steady pull");
 }
 
