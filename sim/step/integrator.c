@@ -41,6 +41,7 @@ struct Integrator {
     double way;             /* m, that a step may move the chain by; INFINITY: any */
     double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
     double stop;            /* s, the stop time that CVODE knows */
+    double bound;           /* s, that a step may take, 0: any (integrator_bound) */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
     int still;              /* integrator_prepare: nothing moves, and nothing is computed */
@@ -166,6 +167,14 @@ static double newton_share(const Scene *scene)
     return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
 }
 
+/* s; 0: as long as it likes. */
+static double longest_step(const Integrator *in)
+{
+    const SceneDef *const def = &in->motion->scene->def;
+    const double given = def->solver.max_step > 0 ? def->solver.max_step : def->output.interval;
+    return in->bound > 0 ? fmin(in->bound, given) : given;
+}
+
 static int cvode_set(Integrator *in)
 {
     const SolverDef *const def = &in->motion->scene->def.solver;
@@ -177,7 +186,7 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetNonlinConvCoef(c, newton_share(in->motion->scene));
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
-    const double longest = def->max_step > 0 ? def->max_step : in->motion->scene->def.output.interval;
+    const double longest = longest_step(in);
     if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
     if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
     return !bad && solvers_attach(in);
@@ -386,11 +395,22 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
     return HAWSER_ERR_RUN;
 }
 
+/* The same if the step would be longer than it may be. One that has been cut stays so: CVODE knows the bound as the
+ * longest that it may grow to, to within rounding. */
+static double bounded_end(Integrator *in, double t, double stop)
+{
+    static const double ROUNDING = 1e-6;
+    if (!(in->bound > 0)) return stop;
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    return step > (1 + ROUNDING) * in->bound ? fmin(stop, t + in->bound) : stop;
+}
+
 /* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
  * first step CVODE says 0 for its length, and what is at rest then will move by little in it. */
 static double stride_end(Integrator *in, double t, double stop)
 {
-    if (!(in->way < INFINITY)) return stop;
+    if (!(in->way < INFINITY)) return bounded_end(in, t, stop);
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
     const double speed = in->motion->ops->speed(in->motion, in->y), since = t - in->speed_at;
@@ -400,7 +420,7 @@ static double stride_end(Integrator *in, double t, double stop)
     in->speed = speed;
     in->speed_at = t;
     if (!(step > 0) && speed > 0) step = INFINITY;
-    return step > longest && t + longest > t ? fmin(stop, t + longest) : stop;
+    return bounded_end(in, t, step > longest && t + longest > t ? fmin(stop, t + longest) : stop);
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
@@ -422,6 +442,13 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
+}
+
+void integrator_bound(Integrator *in, double longest)
+{
+    if (in->bound <= longest && in->bound >= longest) return;
+    in->bound = longest;
+    CVodeSetMaxStep(in->cvode, longest_step(in));
 }
 
 /* ---------------------------------------------------------------------------------------------- a new shape */
@@ -560,6 +587,7 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
     CHECKPOINT(c, in->speed);
     CHECKPOINT(c, in->speed_at);
     CHECKPOINT(c, in->stop);
+    CHECKPOINT(c, in->bound);
     CHECKPOINT(c, in->gamma);
     CHECKPOINT(c, in->newton.rate);
     CHECKPOINT(c, in->stalled);
@@ -570,6 +598,7 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
     const int n = cvode_memory_history(in->cvode, history);
     for (int k = 0; k < n; ++k) checkpoint_put(c, "history", NV_DATA_S(history[k]), bytes);
     if (!c->reading || c->status) return;
+    CVodeSetMaxStep(in->cvode, longest_step(in));
     state_keep(in);
     in->weighted = NULL;
 }

@@ -171,7 +171,7 @@ static void a_step_alone_is_no_peak(void **state)
     const Scene scene = {0};
     TimeMean none = {0};
     for (int k = 0; k < 7; k++) {
-        assert_int_equal(stats_step(&stats, &scene, pull[k], &(double){0}, NULL), held[k]);
+        assert_int_equal(stats_step(&stats, &scene, k, pull[k], &(double){0}, NULL), held[k]);
         if (!held[k]) continue;
         const hawser_sample look = {.winch_force = pull[k]};
         stats_peak(&stats, &scene, NULL, &look);
