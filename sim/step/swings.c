@@ -80,7 +80,4 @@ void swings_step(Swings *s, const Scene *scene, double t, double pull)
     if (++s->steps > SWINGS_STEPS && longest > 0 && h > 0) bound_set(s, solver, longest, h);
 }
 
-double swings_rise(const Swings *s)
-{
-    return (s->downward > 0 ? s->top : s->pull[SWINGS_STEPS - 1]) - s->bottom;
-}
+double swings_rise(const Swings *s) { return (s->downward > 0 ? s->top : s->pull[SWINGS_STEPS - 1]) - s->bottom; }

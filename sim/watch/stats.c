@@ -465,8 +465,8 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start = shares->faded =
-        shares->blow = 0;                         /* of the pull alone */
+    shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start = shares->faded = shares->blow =
+        0;                                        /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);
