@@ -1,5 +1,5 @@
 /* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
- * docs/model.md, "Error bars" (EB19), (EB20), (EB24), (EB25); what a user needs to know of it is in docs/limits.md. */
+ * docs/model.md, "Error bars" (EB19), (EB20), (EB27), (EB28); what a user needs to know of it is in docs/limits.md. */
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -38,6 +38,21 @@ static double pinch_error(const MeshPlace *p, double h)
     return corners + 0.17 * p->mu * pow(p->impact.k, 1 / e) * pow(p->tension, -1 / e) * excess;
 }
 
+/* A straight segment askew between the two rollers of a pair is thicker for them than the bend's line: what presses it
+ * rubs on both sides, until it would rather turn (ME13). */
+static double askew_error(const MeshPlace *p, double h)
+{
+    enum { PLACES = 16 }; /* of a pair along half a segment */
+    const double most = h / (2 * p->radius), lambda2 = p->bending_length * p->bending_length;
+    const double turns = 0.75 * p->tension * (h + 2 * lambda2 / h) / p->reach;
+    double sum = 0;
+    for (int i = 0; i < PLACES; ++i) {
+        const double angle = most * (i + 0.5) / PLACES, depth = p->reach * angle * angle / 2 - p->play;
+        if (depth > 0) sum += fmin(p->impact.k * pow(depth, p->impact.e), turns);
+    }
+    return 2 * p->mu * p->pairs * sum / PLACES / p->tension;
+}
+
 /* Over rollers on one side: the turn at one of them is that of a joint or two, not spread by the bending stiffness
  * (ME5). */
 static double roller_error(const MeshPlace *p, double h)
@@ -78,7 +93,8 @@ double mesh_error(const MeshPlace *p, double h)
     if (p->rod_length > 0) return rod_error(p, h);
     if (p->wrapped > 0) return wrap_error(p, h);
     const int both = !isnan(p->room);
-    if (p->pitch > 0) return bend_error(p, h) + roller_error(p, h) + (both ? pinch_error(p, h) : 0);
+    const double askew = p->pairs > 0 ? askew_error(p, h) : 0;
+    if (p->pitch > 0) return askew + bend_error(p, h) + roller_error(p, h) + (both ? pinch_error(p, h) : 0);
     return bend_error(p, h) + (both ? jam_error(p, h) : 0);
 }
 
@@ -245,7 +261,7 @@ static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, Me
 {
     enum { CARRIERS, GUIDES, PAIRS, ROWS };
     Row row[ROWS] = {{0}};
-    double room = INFINITY, before = NAN, gap_before = NAN;
+    double room = INFINITY, before = NAN, gap_before = NAN, reach = 0;
     for (int i = 0; i < w->def->n_rollers; ++i) {
         const RollerDef *const r = &w->def->rollers[i];
         if (!(r->s >= leg->s0 && r->s <= leg->s0 + leg->length)) continue;
@@ -255,6 +271,7 @@ static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, Me
         if (fabs(before - r->s) < 1e-6) {
             row_add(&row[PAIRS], r->s);
             room = fmin(room, fmax(0, (gap + gap_before) / 2));
+            reach = fmax(reach, shape.radius + radius);
         }
         before = r->s;
         gap_before = gap;
@@ -263,6 +280,10 @@ static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, Me
     const Row *const by = row[PAIRS].places > 1 ? &row[PAIRS] : row[GUIDES].places > 1 ? &row[GUIDES] : &row[CARRIERS];
     p->pitch = by->places > 1 ? (by->last - by->first) / (by->places - 1) : short_bend_pitch(w->def, leg);
     if (by == &row[PAIRS]) p->room = room;
+    if (w->def->geometry != GEOMETRY_CYLINDER) return;
+    p->pairs = row[PAIRS].places;
+    p->reach = reach;
+    p->play = room;
 }
 
 /* By how much of a leg's middle the cable turns at a roller: weight and tension press together or apart (ME5). */

@@ -15,6 +15,8 @@ typedef struct MeshPlace {
     double length;         /* m, of the bend */
     double room;           /* m, from the cable in the middle to either side; NAN: it is held on one side alone */
     double pitch;          /* m between rollers; 0: it is held everywhere */
+    int pairs;             /* of rollers on both sides, which hold straight segments (ME13); 0 of a smooth line */
+    double reach, play;    /* m, of those: a roller's radius and the cable's; room to either side, the least */
     double wrapped;        /* round one drum or wheel, and nothing else counts: share in (h/R)^2; 0: not so */
     double turn;           /* rad, by which it turns at one roller */
     double tension;        /* N, by the pulling theory at the bend's end */
@@ -36,7 +38,7 @@ typedef struct Mesh {
 hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err);
 void mesh_free(Mesh *mesh);
 
-/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10). */
+/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10)-(ME13). */
 double mesh_error(const MeshPlace *place, double h);
 /* Share by which the sag between rollers `pitch` m apart comes out too small (ME9); bending_length as above. */
 double mesh_sag_error(double h, double pitch, double bending_length);

@@ -71,7 +71,7 @@ static int is_first_of_three(const OtherPasses *o) { return o->finer && o->n > 1
 /* By what figure i of this pass differs from that of the finest other one. */
 static double apart(const OtherPasses *o, int i, double value) { return fabs(o->other[0].value[i] - value); }
 
-/* What it may be off by at most, by all passes (EB19), (EB20), (EB24), (EB25); NAN: they cannot be compared. */
+/* What it may be off by at most, by all passes (EB19), (EB20), (EB27), (EB28); NAN: they cannot be compared. */
 static double most_of(const OtherPasses *o, int i, double value)
 {
     const double difference = apart(o, i, value);

@@ -1,5 +1,5 @@
 /* What the passes of one run say of each other: each is a level finer in time and length than the one before
- * (docs/model.md, "Error bars", (EB19), (EB20), (EB24), (EB25)), so that the difference of a figure measures its error.
+ * (docs/model.md, "Error bars", (EB19), (EB20), (EB27), (EB28)), so that the difference of a figure measures its error.
  */
 #ifndef HAWSER_SIM_RUN_PASSES_H
 #define HAWSER_SIM_RUN_PASSES_H

@@ -212,7 +212,8 @@ static void peak_watch(Sim *s)
     if (!st->scene.winch->present) return;
     const double start = clock_now(), pull = st->motion->ops->winch_pull(st->motion, st->t, st->y);
     st->motion->ops->glance(st->motion);
-    const int due = stats_step(&s->stats, &st->scene, pull, st->ws.law[0], st->ws.on_roller);
+    const int due = stats_step(&s->stats, &st->scene, st->t, pull, st->ws.law[0], st->ws.on_roller);
+    integrator_bound(st->integrator, s->stats.swings.bound);
     s->record_s += clock_now() - start;
     if (!due) return;
     const hawser_sample *const look = look_now(s, SAMPLE_ROW);

@@ -14,6 +14,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
+#include "sim/step/contact_newton.h"
 #include "sim/step/cvode_memory.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
@@ -31,9 +32,6 @@ static const double GRIP_LEFT = 0.01;
  * poor one. Steps that grow by a few per cent are rare (up to the longest that is allowed): a matrix for each costs
  * nothing. */
 static const double GAMMA_CHANGE = 0.005;
-/* Iterations before a step is taken back for a new matrix (CVODE's default: 3, made for a convergence a hundred times
- * looser). */
-enum { ITERATIONS_MOST = 4 };
 
 struct Integrator {
     Motion *motion;
@@ -43,6 +41,7 @@ struct Integrator {
     double way;             /* m, that a step may move the chain by; INFINITY: any */
     double speed, speed_at; /* m/s, the chain's before the last step; s, when that was, < 0: there was none */
     double stop;            /* s, the stop time that CVODE knows */
+    double bound;           /* s, that a step may take, 0: any (integrator_bound) */
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
     int still;              /* integrator_prepare: nothing moves, and nothing is computed */
@@ -52,6 +51,7 @@ struct Integrator {
     N_Vector state;
     N_Vector good; /* the state of the last good step */
     CustomLinear linear;
+    ContactNewton newton;
     IntegratorStats stats;
     IntegratorStats before; /* counts of CVODE's from before it was started anew */
     char complaint[256];    /* what CVODE said last */
@@ -149,11 +149,13 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
     return status;
 }
 
-static int linear_attach(Integrator *in)
+static int solvers_attach(Integrator *in)
 {
     if (!custom_linear_new(&in->linear, in, solver_setup, solver_solve, in->context)) return 0;
+    if (!contact_newton_new(&in->newton, in->state)) return 0;
     return CVodeSetLinearSolver(in->cvode, in->linear.solver, in->linear.matrix) == CV_SUCCESS &&
-           CVodeSetLinSysFn(in->cvode, call_system) == CV_SUCCESS;
+           CVodeSetLinSysFn(in->cvode, call_system) == CV_SUCCESS &&
+           CVodeSetNonlinearSolver(in->cvode, in->newton.shell) == CV_SUCCESS;
 }
 
 /* ------------------------------------------------------------------------------------------------- life */
@@ -165,6 +167,14 @@ static double newton_share(const Scene *scene)
     return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
 }
 
+/* s; 0: as long as it likes. */
+static double longest_step(const Integrator *in)
+{
+    const SceneDef *const def = &in->motion->scene->def;
+    const double given = def->solver.max_step > 0 ? def->solver.max_step : def->output.interval;
+    return in->bound > 0 ? fmin(in->bound, given) : given;
+}
+
 static int cvode_set(Integrator *in)
 {
     const SolverDef *const def = &in->motion->scene->def.solver;
@@ -174,13 +184,12 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
     bad |= CVodeSetNonlinConvCoef(c, newton_share(in->motion->scene));
-    bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
-    const double longest = def->max_step > 0 ? def->max_step : in->motion->scene->def.output.interval;
+    const double longest = longest_step(in);
     if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
     if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
-    return !bad && linear_attach(in);
+    return !bad && solvers_attach(in);
 }
 
 /* The state of now is one that can be gone back to. */
@@ -271,6 +280,7 @@ Integrator *integrator_free(Integrator *in)
 {
     if (!in) return NULL;
     if (in->cvode) CVodeFree(&in->cvode);
+    contact_newton_free(&in->newton);
     custom_linear_free(&in->linear);
     vector_family_unstock(&in->family);
     if (in->good) N_VDestroy(in->good);
@@ -385,11 +395,22 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
     return HAWSER_ERR_RUN;
 }
 
+/* The same if the step would be longer than it may be. One that has been cut stays so: CVODE knows the bound as the
+ * longest that it may grow to, to within rounding. */
+static double bounded_end(Integrator *in, double t, double stop)
+{
+    static const double ROUNDING = 1e-6;
+    if (!(in->bound > 0)) return stop;
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    return step > (1 + ROUNDING) * in->bound ? fmin(stop, t + in->bound) : stop;
+}
+
 /* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
  * first step CVODE says 0 for its length, and what is at rest then will move by little in it. */
 static double stride_end(Integrator *in, double t, double stop)
 {
-    if (!(in->way < INFINITY)) return stop;
+    if (!(in->way < INFINITY)) return bounded_end(in, t, stop);
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
     const double speed = in->motion->ops->speed(in->motion, in->y), since = t - in->speed_at;
@@ -399,7 +420,7 @@ static double stride_end(Integrator *in, double t, double stop)
     in->speed = speed;
     in->speed_at = t;
     if (!(step > 0) && speed > 0) step = INFINITY;
-    return step > longest && t + longest > t ? fmin(stop, t + longest) : stop;
+    return bounded_end(in, t, step > longest && t + longest > t ? fmin(stop, t + longest) : stop);
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
@@ -421,6 +442,13 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
     const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
+}
+
+void integrator_bound(Integrator *in, double longest)
+{
+    if (in->bound <= longest && in->bound >= longest) return;
+    in->bound = longest;
+    CVodeSetMaxStep(in->cvode, longest_step(in));
 }
 
 /* ---------------------------------------------------------------------------------------------- a new shape */
@@ -559,7 +587,9 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
     CHECKPOINT(c, in->speed);
     CHECKPOINT(c, in->speed_at);
     CHECKPOINT(c, in->stop);
+    CHECKPOINT(c, in->bound);
     CHECKPOINT(c, in->gamma);
+    CHECKPOINT(c, in->newton.rate);
     CHECKPOINT(c, in->stalled);
     CHECKPOINT(c, in->stats);
     CHECKPOINT(c, in->before);
@@ -568,6 +598,7 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
     const int n = cvode_memory_history(in->cvode, history);
     for (int k = 0; k < n; ++k) checkpoint_put(c, "history", NV_DATA_S(history[k]), bytes);
     if (!c->reading || c->status) return;
+    CVodeSetMaxStep(in->cvode, longest_step(in));
     state_keep(in);
     in->weighted = NULL;
 }

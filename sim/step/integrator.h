@@ -1,5 +1,5 @@
-/* CVODE (BDF) on the equations of motion: this, with sim/step/sundials.h, is all that knows SUNDIALS. docs/model.md,
- * "Integration". */
+/* CVODE (BDF) on the equations of motion: this, with sim/step/sundials.h and contact_newton.h, is all that knows
+ * SUNDIALS. docs/model.md, "Integration". */
 #ifndef HAWSER_SIM_STEP_INTEGRATOR_H
 #define HAWSER_SIM_STEP_INTEGRATOR_H
 
@@ -20,6 +20,8 @@ Integrator *integrator_free(Integrator *in);
 /* Takes one step, but not beyond `stop` (s). On failure y and *t hold the last good step and err says when, where
  * and what to try (HAWSER_ERR_RUN). */
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err);
+/* No step is longer than that from now on, s; 0: than the case lets it be. */
+void integrator_bound(Integrator *in, double longest);
 
 /* A change of the state vector between two steps: entries come and go, and the motion that remains goes on smoothly. */
 typedef struct Reshape {

@@ -158,7 +158,7 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     if (!figure->started) return bar(NAN, NAN, NAN);
     const double passes = fmax(WAVER_OF_PEAK * waver(figure, shares), shares->placed);
     const double hits = fmax(shares->stands_out * size, fmin(size, shares->start - size));
-    const double rough = fmax(shares->rough * sqrt(figure->rough_at_peak), hits);
+    const double rough = fmax(shares->rough * sqrt(figure->rough_at_peak), fmax(hits, shares->blow));
     const double stands = fmax(0, size - fmax(mean, shares->at_rest)), jerk = (shares->slack + JERK) * stands;
     const double time = fmax(SHARPNESS * figure->sharpness, shares->faded);
     return bar(time + shares->step * size, fmax(passes, rough) + shares->mesh * size + jerk,

@@ -274,7 +274,11 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     stats->placed = fabs(here);
     stats->peak_speed = slowest(scene, sample);
     stats->peak_travel = sample->winch_travel;
-    stats->faded = stats->fades;
+    stats->faded = stats->swings.fades;
+    stats->rise = swings_rise(&stats->swings);
+    stats->steepest = stats->swings.steepest;
+    stats->risen_from = stats->swings.bottom;
+    stats->in_window = sample->t > stats->steady_from;
 }
 
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
@@ -344,26 +348,12 @@ static void step_values(const Stats *stats, const Scene *scene, double pull, con
     for (int r = 0; r < stats->n_rollers; ++r) *value++ = v3_norm(on_roller[r]);
 }
 
-/* What a method of second order takes of a swing that falls in n steps, half of its period: pi^4/4n^3 of it (EB23). */
-static void swing_record(Stats *stats, double pull)
-{
-    static const double HALF = M_PI * M_PI * M_PI * M_PI / 4;
-    if (pull < stats->step_pull) {
-        if (stats->downward++ == 0) stats->top = stats->step_pull;
-        const double n = stats->downward;
-        stats->fades = fmax(stats->fades, fmin(1, HALF / (n * n * n)) * (stats->top - pull));
-    } else {
-        stats->downward = 0;
-    }
-    stats->step_pull = pull;
-}
-
-int stats_step(Stats *stats, const Scene *scene, double pull, const double *tension, const Vec3 *on_roller)
+int stats_step(Stats *stats, const Scene *scene, double t, double pull, const double *tension, const Vec3 *on_roller)
 {
     double *const before = stats->now, *const now = stats->before, load = 0;
     const int n = watched_count(stats), first_roller = n - stats->n_rollers;
     int due = 0;
-    swing_record(stats, pull);
+    swings_step(&stats->swings, scene, t, pull);
     step_values(stats, scene, pull, tension, on_roller, now);
     stats->before = before;
     stats->now = now;
@@ -448,6 +438,20 @@ static double sideways(const Stats *stats, const Scene *scene)
     return sum;
 }
 
+/* N of the largest pull: what it rose by while a wave runs through a segment and back, the longest of the chain's: one
+ * along the cable, or in the steady window, where something is met that pushes it aside, one across it (EB26). */
+static double blow_of(const Stats *stats, const SceneDef *def)
+{
+    double longest = 0; /* s */
+    for (int k = 0; k < def->n_pieces; ++k) {
+        const ChainPieceDef *const p = &def->pieces[k];
+        const CableDef *const cable = &def->cables[p->cable];
+        const double holds = stats->in_window ? fmin(cable->ea, fmax(stats->risen_from, 0)) : cable->ea;
+        longest = fmax(longest, p->length / p->segments * sqrt(cable->mass / holds));
+    }
+    return stats->rise > 0 ? fmin(stats->rise, 2 * longest * stats->steepest) : 0;
+}
+
 void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, hawser_summary *out)
 {
     shares->passed = stats->passed;
@@ -457,10 +461,11 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->slack = slack_share(scene, stats->peak_travel, stats->at_rest);
     shares->at_rest = stats->at_rest;
     shares->faded = stats->faded;
+    shares->blow = blow_of(stats, &scene->def);
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start = shares->faded =
+    shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start = shares->faded = shares->blow =
         0;                                        /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];

@@ -5,6 +5,7 @@
 
 #include "hawser/hawser.h"
 #include "sim/scene.h"
+#include "sim/step/swings.h"
 #include "sim/time_mean.h"
 #include "sim/watch/error_bars.h"
 
@@ -33,11 +34,11 @@ typedef struct Stats {
     double placed;    /* N, of the pull when it was largest: what the places of joints over rollers made of it (EB11) */
     double peak_travel, at_rest; /* m, of the winch up to then; N, of the pull at first */
     double peak_speed;           /* m/s, of the slowest segment when the pull was largest */
-    /* a swing of the pull that steps follow: N at its last top, N of the last step, steps downward since; N: the most
-     * that the method takes of such a swing, and of those before the largest pull (EB23) */
-    double top, step_pull;
-    int downward;
-    double fades, faded;
+    Swings swings;               /* of the pull */
+    /* up to the largest pull: N, the most that the method takes of a swing (EB23); N and N/s, the rise to it, N where
+     * that began, and whether the window had (EB26) */
+    double faded, rise, steepest, risen_from;
+    int in_window;
     double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */
@@ -59,10 +60,10 @@ void stats_free(Stats *stats);
 /* Takes a sample in, of which it reads no positions and attitudes: those are
  * kin's. The tables station_out, roller_out and surface_out are up to date afterwards. */
 void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
-/* A step has ended with this pull, N; tension [joints simulated] and on_roller [rollers] are about those of its end.
- * Whether one of these has been held for two steps, falls now and is a peak that no sample has seen (EB14): then
+/* A step has ended at t with this pull, N; tension [joints simulated] and on_roller [rollers] are about those of its
+ * end. Whether one of these has been held for two steps, falls now and is a peak that no sample has seen (EB14): then
  * stats_peak is to be told what a look at the step's end finds, and returns the pull that both steps held, N. */
-int stats_step(Stats *stats, const Scene *scene, double pull, const double *tension, const Vec3 *on_roller);
+int stats_step(Stats *stats, const Scene *scene, double t, double pull, const double *tension, const Vec3 *on_roller);
 double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 /* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. */
 double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j);

@@ -36,7 +36,7 @@ static OtherPasses beside(int finer, double mean, double peak, double bar)
     return o;
 }
 
-/* A slack rope is drawn tight: 2125 N with 42 segments, of which the bar says 12 %; 1951 N with 84, 1908 N with 168.
+/* A slack rope is drawn tight: 2125 N with 42 segments, of which the bar says 13 %; 1951 N with 84, 1908 N with 168.
  * The handle speaks of the second pass, which is the run with these settings. */
 static void it_replaces(void **state)
 {
@@ -58,7 +58,7 @@ static void it_replaces(void **state)
     check_close(a.pull_peak_N, 2125, 5);
     check_close(b.pull_peak_N, 1951, 5);
     check_at_most(b.pull_peak_N - 1908, b.pull_peak_error.total);
-    check_has(b.passes->why, "the peak may be off by 12 %");
+    check_has(b.passes->why, "the peak may be off by 13 %");
     check_has(b.passes->says, "all figures are those of the second pass");
     check_equal(hawser_sim_time(both), 8);
     assert_int_equal(hawser_sim_sample(both)->segments, 84);
@@ -144,29 +144,37 @@ static void a_jolt_that_may_be_the_peak(void **state)
     hawser_sim_free(thrown);
 }
 
-/* A reel swings on its cable, and long steps take the swing: 632 N +- 35 N was trusted, and 706 N is true. The first
- * pass's bar holds that now, and those of the second and the third, which come nearer. */
+/* A reel swings on its cable by 100 N, and steps of 16 to 48 ms took all but 10 N of it: 618 to 652 N, trusted at four
+ * of these six accuracies, where 706 N is true. What they leave of it shortens them now (EB25). */
 static void a_swing_that_steps_take(void **state)
 {
     (void)state;
-    hawser_sim *const first = run_of(data_text("trust-swings"), once),
-                      *const both = run_of(data_text("trust-swings"), twice),
-                      *const all = run_of(data_text("trust-swings"), NULL);
-    const hawser_summary a = summary_of(first), b = summary_of(both), c = summary_of(all);
-    check_close(a.pull_peak_N, 632.5, 1);
-    check_at_most(706 - a.pull_peak_N, a.pull_peak_error.total);
-    check_at_most(60, a.pull_peak_error.time);
+    static const char *const accuracy[] = {"2e-3", "1.4e-3", "1e-3", "7e-4", "5e-4", "2.5e-4"};
+    for (size_t k = 0; k < sizeof accuracy / sizeof *accuracy; k++) {
+        const char *const given[] = {"solver.accuracy", accuracy[k], NULL};
+        hawser_sim *const s = run_of(data_text("trust-swings"), given);
+        const hawser_summary sum = summary_of(s);
+        check_at_most(fabs(706 - sum.pull_peak_N), 0.06 * 706);
+        check_at_most(706 - sum.pull_peak_N, sum.pull_peak_error.total);
+        hawser_sim_free(s);
+    }
+}
+
+/* A tip that meets a roller (EB26): 548 N +- 208 N and 708 N +- 160 N with segments of half the length, 774 N of a
+ * quarter. Joints that hit a duct's bend in the steady window: 88.5 kN, 75.8 kN on halves. The first was trusted with
+ * 7.7 %, the second with 6.2 %. */
+static void blows_that_the_mesh_makes(void **state)
+{
+    (void)state;
+    hawser_sim *const tip = run_of(data_text("trust-tip"), twice), *const mouth =
+                                                                       run_of(data_text("trust-mouth"), once);
+    const hawser_summary a = summary_of(tip), b = summary_of(mouth);
     assert_false(condition_called(&a, "numerical_peak")->holds);
-    assert_string_equal(b.passes->outcome, "replaced");
-    check_close(b.pull_peak_N, 655, 2);
-    check_at_most(706 - b.pull_peak_N, b.pull_peak_error.total);
-    check_at_most(b.pull_peak_error.total, 2 * (706 - b.pull_peak_N));
-    check_close(c.pull_peak_N, 679.5, 2);
-    check_at_most(706 - c.pull_peak_N, c.pull_peak_error.total);
-    check_at_most(c.pull_peak_error.total, 2.5 * (706 - c.pull_peak_N));
-    hawser_sim_free(all);
-    hawser_sim_free(first);
-    hawser_sim_free(both);
+    check_at_most(774 - a.pull_peak_N, a.pull_peak_error.total);
+    assert_false(condition_called(&b, "numerical_peak")->holds);
+    check_at_most(b.pull_peak_N - 75.8e3, b.pull_peak_error.total);
+    hawser_sim_free(tip);
+    hawser_sim_free(mouth);
 }
 
 /* What steps take of swings falls slowly: two passes that are near each other say less of it (EB23). */
@@ -407,7 +415,7 @@ static void too_long_is_declined(void **state)
     assert_int_equal(sum.passes->n, 1);
     assert_int_equal(sum.segments, 42);
     assert_false(condition_called(&sum, "numerical_peak")->holds);
-    check_has(sum.passes->why, "the peak may be off by 12 %");
+    check_has(sum.passes->why, "the peak may be off by 13 %");
     check_has(sum.passes->says, "set solver.passes to 2");
     double about; /* 3.1 times the first's, in two digits */
     assert_int_equal(sscanf(strstr(sum.passes->says, "in about "), "in about %lf s:", &about), 1);
@@ -459,8 +467,8 @@ static void bars_by_two_passes(void **state)
 }
 
 /* The last of three falls to a sixteenth of its own bar where all agree, and no lower than a third of what the two
- * before differ by (EB24); the first is off by what it differs by from the last, and what that one may be off by
- * (EB25). */
+ * before differ by (EB27); the first is off by what it differs by from the last, and what that one may be off by
+ * (EB28). */
 static void bars_by_three_passes(void **state)
 {
     (void)state;
@@ -626,6 +634,7 @@ int main(void)
         cmocka_unit_test(what_bars_do_not_see),
         cmocka_unit_test(a_jolt_that_may_be_the_peak),
         cmocka_unit_test(a_swing_that_steps_take),
+        cmocka_unit_test(blows_that_the_mesh_makes),
         cmocka_unit_test(swings_fall_slowly),
         cmocka_unit_test(stopped_in_the_second),
         cmocka_unit_test(too_long_is_declined),

@@ -45,6 +45,9 @@
  *   peaks of breaking loose                         here, it_breaks_loose
  *   belts that share a pull by lengths alone        io/test_grips, a_shared_pull
  *   a rope that slides to its rollers' edge         here, it_slides_to_the_edge
+ *   a tip or joint that hits within a segment's wave io/test_passes, blows_that_the_mesh_makes
+ *   segments askew between the rollers of a pair    io/test_mesh, askew_between_rollers
+ *   a swing that steps do not follow                io/test_passes, a_swing_that_steps_take
  *   rollers that spin, Newton fails in most steps   not cured (63 % of the steps of one): it ends in seconds and is not
  *                                                   trusted, for it finds no rest
  *   what error bars are blind for                   io/test_passes, what_bars_do_not_see
@@ -130,11 +133,12 @@ static void nothing_holds_it(void **state)
     free(text);
 }
 
-/* A run that failed early spoke of a mean over a window that it never saw. */
+/* A run that failed early spoke of a mean over a window that it never saw. It fails at 0.3 s; 20 steps end at 0.17 s,
+ * and the books of a start are open by 2 % until then. */
 static void not_to_the_end(void **state)
 {
     (void)state;
-    const char *const few[] = {"solver.max_steps", "10", NULL};
+    const char *const few[] = {"solver.max_steps", "40", NULL};
     expect_failing(data_text("trust"), few, HAWSER_ERR_RUN, "finished steady_window", "of no steady pull");
 }
 

@@ -1,0 +1,26 @@
+/* What steps in time make of a pull that swings, and how long they may be then. docs/model.md, "Error bars". */
+#ifndef HAWSER_SIM_STEP_SWINGS_H
+#define HAWSER_SIM_STEP_SWINGS_H
+
+#include "sim/scene.h"
+
+enum { SWINGS_STEPS = 4 }; /* whose third difference is taken */
+
+typedef struct Swings {
+    double t[SWINGS_STEPS], pull[SWINGS_STEPS]; /* s, N: of the last steps, the latest last */
+    int steps;                                  /* that were seen */
+    int downward;                               /* steps in a row in which the pull has fallen */
+    double top, bottom;                         /* N: where it began to fall, and to rise, last */
+    double fades;                               /* N: the most that the method takes of a fall so far (EB23) */
+    double steepest;                            /* N/s: of the last rise (EB26) */
+    double largest;                             /* N, of all steps */
+    double third;                               /* N/s^3: the third derivative, as it fades from its tops (EB25) */
+    double bound;                               /* s: the longest step (EB25); 0: none is asked for */
+} Swings;
+
+/* Takes in the pull at the end of a step, N at t. */
+void swings_step(Swings *swings, const Scene *scene, double t, double pull);
+/* N: by how much the last rise went up. */
+double swings_rise(const Swings *swings);
+
+#endif
