@@ -62,6 +62,14 @@ static Preface preface_of(const hawser_sim *s)
                      .text = s->case_text};
 }
 
+void run_identity(const hawser_sim *s, char run[SUM_SIZE])
+{
+    const Preface p = preface_of(s);
+    const uint64_t all[] = {p.inputs, p.scene, checkpoint_hash(p.version, strlen(p.version)),
+                            checkpoint_hash(p.kernels, strlen(p.kernels))};
+    sum_text(run, checkpoint_hash(all, sizeof all));
+}
+
 static void preface_checkpoint(Checkpoint *c, Preface *p)
 {
     checkpoint_text(c, "version", &p->version);

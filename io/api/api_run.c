@@ -5,6 +5,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "io/results/results_file.h"
 #include "sim/picture/geometry.h"
 
 #include <math.h>
@@ -194,7 +195,10 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
 {
     hawser_sim *s = run->s;
     const OutputDef *output = &s->stage.scene.def.output;
+    char identity[SUM_SIZE];
+    run_identity(s, identity);
     ResultsDef def = {.title = s->title,
+                      .run = identity,
                       .origin = {s->stage.scene.def.route_origin.x, s->stage.scene.def.route_origin.y,
                                  s->stage.scene.def.route_origin.z},
                       .segments = run->look->segments,
@@ -217,7 +221,7 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
     char *summary = NULL;
     run->dir = dir;
     hawser_status status = along_rows(s, &route, &def.n_route, err);
-    if (!status) status = hawser_sim_summary_json(s, &summary, err);
+    if (!status) status = sim_summary_text(s, NULL, &summary, err);
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
     if (def.states > 0) def.geometry = &geometry;
     def.route = route;
@@ -255,9 +259,10 @@ hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
 {
     const ResultsTables tables = tables_of(s);
     char *summary;
-    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    hawser_status status = results_again(dir, &tables, err);
+    if (!status) status = sim_summary_text(s, dir, &summary, err);
     if (status) return status;
-    status = results_again(dir, &tables, summary, err);
+    status = out_whole(dir, "summary.json", summary, err);
     hawser_text_free(summary);
     return status;
 }
@@ -266,7 +271,7 @@ hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
 static hawser_status finish_summary(Run *run, hawser_error *err)
 {
     char *summary;
-    hawser_status status = hawser_sim_summary_json(run->s, &summary, err);
+    hawser_status status = sim_summary_text(run->s, run->dir, &summary, err);
     if (status) return status;
     status = results_summary(run->results, summary, run->s->outcome == HAWSER_OK, err);
     hawser_text_free(summary);

@@ -238,11 +238,20 @@ static const Column passes_column[] = {
 };
 static const Columns passes_columns = COLUMNS(hawser_passes, passes_column);
 
+static const Column file_column[] = {
+    {COLUMN("file", CHARS, FileSum, file)},
+    {COLUMN("bytes", LONG, FileSum, bytes)},
+    {COLUMN("sum", CHARS, FileSum, sum)},
+};
+static const Columns file_columns = COLUMNS(FileSum, file_column);
+
 static const Column summary_column[] = {
     /* what was run, by what, and how it ended */
     {COLUMN("title", TEXT, Summary, l.title)},
     {COLUMN("case", TEXT, Summary, l.case_name)},
     {COLUMN("version", TEXT, Summary, version)},
+    {COLUMN("run", TEXT, Summary, l.run)},
+    {LIST("files", Summary, l.file, l.n_files, file_columns)},
     {COLUMN("outcome", TEXT, Summary, l.outcome)},
     {COLUMN("message", TEXT, Summary, l.message)},
     {COLUMN("origin_m", VECTOR, Summary, s.origin_m)},
