@@ -230,6 +230,21 @@ static const Column pass_column[] = {
 };
 static const Columns pass_columns = COLUMNS(hawser_pass, pass_column);
 
+static const Column hold_column[] = {
+    {COLUMN("from_s", NUMBER, hawser_hold, from_s)},
+    {COLUMN("to_s", NUMBER, hawser_hold, to_s)},
+    {COLUMN("step_s", NUMBER, hawser_hold, step_s)},
+    {COLUMN("steps", LONG, hawser_hold, steps)},
+    {COLUMN("error_test_fails", LONG, hawser_hold, error_fails)},
+    {COLUMN("newton_fails", LONG, hawser_hold, newton_fails)},
+    {COLUMN("strides", LONG, hawser_hold, strides)},
+    {COLUMN("cause", CHARS, hawser_hold, cause)},
+    {COLUMN("segment", COUNT, hawser_hold, segment)},
+    {COLUMN("where", CHARS, hawser_hold, where)},
+    {COLUMN("says", CHARS, hawser_hold, says)},
+};
+static const Columns hold_columns = COLUMNS(hawser_hold, hold_column);
+
 static const Column passes_column[] = {
     {COLUMN("outcome", TEXT, hawser_passes, outcome)},
     {COLUMN("why", CHARS, hawser_passes, why)},
@@ -274,6 +289,7 @@ static const Column summary_column[] = {
     {COLUMN("error_test_fails", LONG, Summary, s.error_test_fails)},
     {COLUMN("newton_fails", LONG, Summary, s.newton_fails)},
     {COLUMN("contact_refreshes", LONG, Summary, s.contact_refreshes)},
+    {COLUMN("slowest", OBJECT, Summary, s.slowest), .of = &hold_columns},
     {COLUMN("linear_solver", TEXT, Summary, s.linear_solver)},
     {COLUMN("linear_solver_why", TEXT, Summary, s.linear_solver_why)},
     {COLUMN("ordering", TEXT, Summary, s.ordering)},

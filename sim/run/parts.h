@@ -15,6 +15,7 @@
 #include "sim/watch/position_table.h"
 #include "sim/watch/probes.h"
 #include "sim/watch/sample.h"
+#include "sim/watch/stall.h"
 #include "sim/watch/trust.h"
 
 /* Whom a simulation calls; NULL: nobody. */
@@ -55,6 +56,7 @@ typedef struct hawser_sim {
     int overturned; /* what has turned too far, and was said */
     Stray stray;
     Steadiness steadiness;
+    Stall stall;
     char grade_says[512]; /* which bend loses the grade; an event has it */
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */
