@@ -85,18 +85,6 @@ typedef struct hawser_probe {
 } hawser_probe;
 
 /* One look at the simulation. Arrays belong to the simulation and are overwritten by the next sample. */
-/* What held a run up over some steps in a row: why they were no longer, and where. */
-enum { HAWSER_WHERE_MAX = 64, HAWSER_HOLD_MAX = 320 };
-typedef struct hawser_hold {
-    double from_s, to_s;                            /* s of simulated time */
-    double step_s;                                  /* s, mean step */
-    long steps, error_fails, newton_fails, strides; /* strides: steps cut so that nothing moves too far in one */
-    char cause[16];                                 /* "newton", "error test", "stride", "longest step", "accuracy" */
-    int segment;                                    /* where the local error is largest; of "stride": the fastest */
-    char where[HAWSER_WHERE_MAX];                   /* the contact there that carries force; "": none */
-    char says[HAWSER_HOLD_MAX];                     /* all of that in a sentence */
-} hawser_hold;
-
 typedef struct hawser_sample {
     double t;     /* s */
     int segments; /* of the whole chain */
@@ -137,8 +125,7 @@ typedef struct hawser_sample {
     const hawser_probe *probe; /* [probes] */
     hawser_fields field;       /* for pictures; not of rows of series.csv alone */
     int pass;                  /* of hawser_sim_run: 1, or 2 in the second one */
-    const char *held_up; /* of hawser_sim_run: what holds it up, if it goes on so slowly that it would take an hour
-                          * or more; NULL: nothing does. Good during the call of the progress function only */
+    const char *held_up;       /* in the progress function only: what makes the run slow; NULL: nothing does */
 } hawser_sample;
 
 /* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond

@@ -9,13 +9,13 @@
 #include "sim/run/modes.h"
 #include "sim/run/passes.h"
 #include "sim/run/stage.h"
+#include "sim/step/stall.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
 #include "sim/watch/peaks.h"
 #include "sim/watch/position_table.h"
 #include "sim/watch/probes.h"
 #include "sim/watch/sample.h"
-#include "sim/watch/stall.h"
 #include "sim/watch/trust.h"
 
 /* Whom a simulation calls; NULL: nobody. */

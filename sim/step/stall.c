@@ -1,4 +1,4 @@
-#include "sim/watch/stall.h"
+#include "sim/step/stall.h"
 
 #include <math.h>
 #include <stdio.h>
