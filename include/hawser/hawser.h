@@ -128,9 +128,8 @@ typedef struct hawser_sample {
     const char *held_up;       /* in the progress function only: what makes the run slow; NULL: nothing does */
 } hawser_sample;
 
-/* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
- * t. Returns HAWSER_ERR_RUN with when, where and what to try if the integration fails; the state of the last good step
- * is kept. */
+/* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, not beyond t. Returns
+ * HAWSER_ERR_RUN with when, where and what to try if the integration fails; the last good step's state is kept. */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err);
 double hawser_sim_time(const hawser_sim *s);
 /* The case's duration; earlier once a winch that tripped has ended the run. */
