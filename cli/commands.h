@@ -22,6 +22,7 @@ typedef struct Progress {
     int tenths;               /* of the run said so far */
     int pass;                 /* of the run; 0: not begun */
     double last_t, last_wall; /* s, of the last call */
+    double next_held;         /* s, when what holds the run up may be said again */
     double speed;             /* smoothed simulated seconds a second; 0: not known yet */
 } Progress;
 

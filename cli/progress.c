@@ -8,7 +8,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-enum { LINE_MAX = 256 };
+enum { LINE_MAX = 256, HELD_INTERVAL = 60 };
 
 /* A terminal that cannot go back to its line's start ("dumb", as in editors) gets plain lines too. */
 void progress_start(Progress *p, int quiet)
@@ -69,7 +69,23 @@ static void pass_begin(Progress *p, int pass)
 {
     p->pass = pass;
     p->tenths = -1;
-    p->speed = p->last_t = p->last_wall = 0;
+    p->speed = p->last_t = p->last_wall = p->next_held = 0;
+}
+
+/* The report that follows starts on a clean line. */
+void progress_end(Progress *p)
+{
+    if (p->drawn) fputs("\r\033[K", stderr);
+    p->drawn = 0;
+}
+
+/* Once a minute, on a line of its own. */
+static void say_held_up(Progress *p, const char *why, double wall)
+{
+    if (!why || wall < p->next_held) return;
+    progress_end(p);
+    fprintf(stderr, "held up: %s\n", why);
+    p->next_held = wall + HELD_INTERVAL;
 }
 
 /* Live: at every call. Else: when another tenth of the run is done, so that a log stays short. */
@@ -79,6 +95,7 @@ void progress_show(Progress *p, const hawser_sample *sample, double wall_s, doub
     if (p->quiet) return;
     if (sample->pass > p->pass) pass_begin(p, sample->pass);
     update_speed(p, sample->t, wall_s);
+    say_held_up(p, sample->held_up, wall_s);
     const int tenths = end_s > 0 ? (int)(10 * sample->t / end_s + 1e-9) : 10;
     if (!p->live && tenths <= p->tenths) return;
     p->tenths = tenths;
@@ -120,11 +137,4 @@ void progress_study(Progress *p, const hawser_study_state *state)
         fprintf(stderr, "%s\n", line);
     }
     p->tenths = tenths;
-}
-
-/* The report that follows starts on a clean line. */
-void progress_end(Progress *p)
-{
-    if (p->drawn) fputs("\r\033[K", stderr);
-    p->drawn = 0;
 }

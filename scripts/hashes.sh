@@ -28,7 +28,7 @@ command -v h5dump >/dev/null || {
 # The data of a file of results, without its name and the version that wrote it.
 content() {
     case $1 in
-    *.h5) h5dump -m '%.17g' "$1" | grep -v -e '^HDF5' -e '^ *(0): "[0-9.]*"$' ;;
+    *.h5) h5dump -m '%.17g' "$1" | grep -v -e '^HDF5' -e '^ *(0): "[0-9a-f.]*"$' ;;
     *) cat "$1" ;;
     esac
 }

@@ -125,11 +125,11 @@ typedef struct hawser_sample {
     const hawser_probe *probe; /* [probes] */
     hawser_fields field;       /* for pictures; not of rows of series.csv alone */
     int pass;                  /* of hawser_sim_run: 1; 2 and 3 in finer ones */
+    const char *held_up;       /* in the progress function only: what makes the run slow; NULL: nothing does */
 } hawser_sample;
 
-/* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, which does not go beyond
- * t. Returns HAWSER_ERR_RUN with when, where and what to try if the integration fails; the state of the last good step
- * is kept. */
+/* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, not beyond t. Returns
+ * HAWSER_ERR_RUN with when, where and what to try if the integration fails; the last good step's state is kept. */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err);
 double hawser_sim_time(const hawser_sim *s);
 /* The case's duration; earlier once a winch that tripped has ended the run. */
@@ -209,6 +209,7 @@ typedef struct hawser_summary {
     const hawser_balance *balance;  /* from t = 0 until now; NULL where nothing has moved */
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
     const hawser_passes *passes;    /* of hawser_sim_run; NULL: one was enough, or no other was wanted */
+    const hawser_hold *slowest;     /* where its steps were shortest, over 500 in a row; NULL: there were fewer */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */

@@ -25,6 +25,10 @@ hawser_status hawser_report_write(const char *const *folders, size_t n, const ch
 hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, const char *const *names,
                                 hawser_units units, int *drawn, hawser_error *err);
 
+/* Whether the files in a results folder are of one run and as it has written them; summary.json says what these are.
+ * Errors: INPUT (no results; which file is not the run's), MEMORY. */
+hawser_status hawser_results_check(const char *folder, hawser_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -222,6 +222,18 @@ typedef struct hawser_surface {
     double line_load_error;   /* N/m, what line_load_N_per_m may be off by */
 } hawser_surface;
 
+/* What held a run up over some steps in a row: why they were no longer, and where. */
+enum { HAWSER_WHERE_MAX = 64, HAWSER_HOLD_MAX = 320 };
+typedef struct hawser_hold {
+    double from_s, to_s;                            /* s of simulated time */
+    double step_s;                                  /* s, mean step */
+    long steps, error_fails, newton_fails, strides; /* strides: steps cut so that nothing moves too far in one */
+    char cause[16];                                 /* "newton", "error test", "stride", "longest step", "accuracy" */
+    int segment;                                    /* where the local error is largest; of "stride": the fastest */
+    char where[HAWSER_WHERE_MAX];                   /* the contact there that carries force; "": none */
+    char says[HAWSER_HOLD_MAX];                     /* all of that in a sentence */
+} hawser_hold;
+
 #ifdef __cplusplus
 }
 #endif

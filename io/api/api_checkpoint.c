@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FORMAT = 2 };
+enum { FORMAT = 3 };
 
 typedef struct FileHead {
     char magic[16];
@@ -60,6 +60,14 @@ static Preface preface_of(const hawser_sim *s)
                      .name = s->case_name,
                      .folder = s->case_folder,
                      .text = s->case_text};
+}
+
+void run_identity(const hawser_sim *s, char run[SUM_SIZE])
+{
+    const Preface p = preface_of(s);
+    const uint64_t all[] = {p.inputs, p.scene, checkpoint_hash(p.version, strlen(p.version)),
+                            checkpoint_hash(p.kernels, strlen(p.kernels))};
+    sum_text(run, checkpoint_hash(all, sizeof all));
 }
 
 static void preface_checkpoint(Checkpoint *c, Preface *p)

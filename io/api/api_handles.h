@@ -40,7 +40,14 @@ hawser_status pass_keep(hawser_sim *s, const char *dir, hawser_error *err);
 /* Tables and summary of a run that is over once more into its folder. Errors: OUTPUT, MEMORY. */
 hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err);
 
+/* The text of summary.json; errors: MEMORY. dir: the folder whose files are whole, with their sums then, or NULL;
+ * errors: OUTPUT too. */
+hawser_status sim_summary_text(const hawser_sim *s, const char *dir, char **text, hawser_error *err);
+
 /* ------------------------------------------------------------------------------- checkpoints (api_checkpoint.c) */
+
+/* What a run is, beside its state: the same of runs of one case by one program and one kind of machine. */
+void run_identity(const hawser_sim *s, char run[SUM_SIZE]);
 
 /* How far a run with results has come, beside its simulation; plain numbers. */
 typedef struct RunKept {

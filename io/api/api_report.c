@@ -52,6 +52,15 @@ static hawser_status report_make(const char *const *dirs, size_t n, const char *
     return status;
 }
 
+hawser_status hawser_results_check(const char *dir, hawser_error *err)
+{
+    Folder folder;
+    if (!dir) return error_argument(err, "folder");
+    const hawser_status status = folder_open(dir, &folder, err);
+    folder_clear(&folder);
+    return status;
+}
+
 hawser_status hawser_report_write(const char *const *folders, size_t n, const char *path, hawser_error *err)
 {
     locale_t before;

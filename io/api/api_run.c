@@ -5,14 +5,20 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "io/results/results_file.h"
 #include "sim/picture/geometry.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Wall time between two calls of the caller's progress function, s. */
 static const double progress_interval = 0.25;
+
+/* What holds a run up is asked every so often, s of wall time: if it would take an hour more at its present rate, or a
+ * minute with steps that are a small share of those that it has made before. */
+static const double slow_interval = 2, slow_hours = 3600, slow_minutes = 60, slow_share = 1.0 / 30;
 
 /* Something that happens at 0, interval, 2 interval ... of simulated time; interval 0: never. */
 typedef struct Beat {
@@ -28,9 +34,12 @@ typedef struct Run {
     void *user;
     double started, last_progress; /* clock_now() */
     Beat row, state;
-    double last_row, last_state; /* simulated time, s */
-    double last_kept, kept_cost; /* clock_now() of the last checkpoint, s; what it took, s */
-    const hawser_sample *look;   /* the simulation's, brought up to date by each look */
+    double last_row, last_state;        /* simulated time, s */
+    double last_kept, kept_cost;        /* clock_now() of the last checkpoint, s; what it took, s */
+    const hawser_sample *look;          /* the simulation's, brought up to date by each look */
+    StallFrom slow_from;                /* where the present stretch of slow_interval began */
+    double slow_wall;                   /* clock_now() then; 0: none has */
+    char held_up[HAWSER_HOLD_MAX + 64]; /* "": nothing does */
 } Run;
 
 /* Counted, not summed: the thousandth beat is not late by rounding. */
@@ -125,6 +134,26 @@ static hawser_status write_last(Run *run, hawser_error *err)
     return row || state ? write_now(run, row, state, err) : HAWSER_OK;
 }
 
+/* Asks what holds the run up, if anything does. */
+static void slow_look(Run *run, double wall)
+{
+    Sim *const sim = run->s;
+    hawser_hold hold;
+    if (!sim->stage.integrator || (run->slow_wall > 0 && wall - run->slow_wall < slow_interval)) return;
+    const double t = hawser_sim_time(sim), gone = t - run->slow_from.t, spent = wall - run->slow_wall;
+    const double left = (hawser_sim_end_time(sim) - t) * spent / gone; /* s of wall time */
+    const StallFrom from = run->slow_from, now = stall_from(sim->stage.integrator, t);
+    const double step = gone / fmax(1, (double)(now.steps - from.steps));
+    const int begun = run->slow_wall > 0 && now.steps > from.steps && gone >= 0;
+    const int slow = left > slow_hours || (left > slow_minutes && step < slow_share * sim->stall.longest);
+    run->slow_from = now;
+    run->slow_wall = wall;
+    *run->held_up = 0;
+    if (!begun || !slow) return;
+    sim_held_up(sim, &from, &hold);
+    snprintf(run->held_up, sizeof run->held_up, "%s; at this rate it takes another %.3g h", hold.says, left / 3600);
+}
+
 /* Tells the caller every quarter of a second (or now); STOPPED if he wants no more. */
 static hawser_status tell_progress(Run *run, int now, hawser_error *err)
 {
@@ -132,7 +161,11 @@ static hawser_status tell_progress(Run *run, int now, hawser_error *err)
     if (!run->progress || (!now && wall - run->last_progress < progress_interval)) return HAWSER_OK;
     run->last_progress = wall;
     Sim *sim = run->s;
-    const int stop = run->progress(run->user, hawser_sim_sample(sim), wall - run->started, hawser_sim_end_time(sim));
+    slow_look(run, wall);
+    hawser_sim_sample(sim);
+    sim->look.sample.held_up = *run->held_up ? run->held_up : NULL;
+    const int stop = run->progress(run->user, run->look, wall - run->started, hawser_sim_end_time(sim));
+    sim->look.sample.held_up = NULL;
     return stop ? error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s", hawser_sim_time(sim)) : HAWSER_OK;
 }
 
@@ -194,7 +227,10 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
 {
     hawser_sim *s = run->s;
     const OutputDef *output = &s->stage.scene.def.output;
+    char identity[SUM_SIZE];
+    run_identity(s, identity);
     ResultsDef def = {.title = s->title,
+                      .run = identity,
                       .origin = {s->stage.scene.def.route_origin.x, s->stage.scene.def.route_origin.y,
                                  s->stage.scene.def.route_origin.z},
                       .segments = run->look->segments,
@@ -217,7 +253,7 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
     char *summary = NULL;
     run->dir = dir;
     hawser_status status = along_rows(s, &route, &def.n_route, err);
-    if (!status) status = hawser_sim_summary_json(s, &summary, err);
+    if (!status) status = sim_summary_text(s, NULL, &summary, err);
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
     if (def.states > 0) def.geometry = &geometry;
     def.route = route;
@@ -255,9 +291,10 @@ hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
 {
     const ResultsTables tables = tables_of(s);
     char *summary;
-    hawser_status status = hawser_sim_summary_json(s, &summary, err);
+    hawser_status status = results_again(dir, &tables, err);
+    if (!status) status = sim_summary_text(s, dir, &summary, err);
     if (status) return status;
-    status = results_again(dir, &tables, summary, err);
+    status = out_whole(dir, "summary.json", summary, err);
     hawser_text_free(summary);
     return status;
 }
@@ -266,7 +303,7 @@ hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
 static hawser_status finish_summary(Run *run, hawser_error *err)
 {
     char *summary;
-    hawser_status status = hawser_sim_summary_json(run->s, &summary, err);
+    hawser_status status = sim_summary_text(run->s, run->dir, &summary, err);
     if (status) return status;
     status = results_summary(run->results, summary, run->s->outcome == HAWSER_OK, err);
     hawser_text_free(summary);

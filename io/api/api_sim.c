@@ -2,6 +2,7 @@
  * sim/run/sim.c. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "io/results/results_file.h"
 #include "sim/expected/cost.h"
 #include "sim/run/commands.h"
 
@@ -136,12 +137,16 @@ static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, c
     return found;
 }
 
-/* The same text that summary.json has. */
-hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
+hawser_status sim_summary_text(const hawser_sim *s, const char *dir, char **text, hawser_error *err)
 {
-    s = SHOWN(s);
-    if (!s || !text) return error_argument(err, s ? "text" : "s");
+    FileSum file[FILE_SUMS_MAX];
+    char run[SUM_SIZE];
+    int n_files = 0;
     *text = NULL;
+    const hawser_status summed = dir ? folder_sums(dir, &n_files, file, err) : HAWSER_OK;
+    if (summed == HAWSER_ERR_INPUT && err) err->status = HAWSER_ERR_OUTPUT;
+    if (summed) return summed == HAWSER_ERR_INPUT ? HAWSER_ERR_OUTPUT : summed;
+    run_identity(s, run);
     const Scene *const scene = &s->stage.scene;
     const LimitsDef *const limits = &scene->def.limits;
     hawser_summary summary;
@@ -150,6 +155,9 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     hawser_sim_summary(s, &summary);
     SummaryLabels labels = {.title = s->title,
                             .case_name = s->case_name,
+                            .run = run,
+                            .n_files = n_files,
+                            .file = file,
                             .outcome = outcome_name(s),
                             .message = s->outcome ? s->message : "",
                             .n_surfaces = s->stats.n_surfaces,
@@ -173,4 +181,11 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     const hawser_status status = summary_json(&summary, &labels, text, err);
     free(overload);
     return status;
+}
+
+hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err)
+{
+    s = SHOWN(s);
+    if (!s || !text) return error_argument(err, s ? "text" : "s");
+    return sim_summary_text(s, NULL, text, err);
 }

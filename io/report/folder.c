@@ -1,6 +1,7 @@
 #include "io/report/folder.h"
 
 #include "core/base/error.h"
+#include "io/results/results_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -109,10 +110,16 @@ static hawser_status summary_read(Folder *folder, hawser_error *err)
     return status;
 }
 
-hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err)
+hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err)
 {
     *folder = (Folder){.dir = dir};
-    hawser_status status = summary_read(folder, err);
+    const hawser_status status = summary_read(folder, err);
+    return status ? status : belong_check(dir, folder->summary, err);
+}
+
+hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err)
+{
+    hawser_status status = folder_open(dir, folder, err);
     if (!status) status = table_read(folder, "stations.csv", &folder->stations, err);
     if (!status) status = table_read(folder, "rollers.csv", &folder->rollers, err);
     if (!status) status = table_read(folder, "series.csv", &folder->series, err);

@@ -17,10 +17,13 @@ typedef struct Folder {
     char note[FOLDER_NOTES_MAX][FOLDER_NOTE_MAX]; /* sentences: what is not there or cannot be read */
 } Folder;
 
-/* Errors: INPUT (no such folder, no summary.json or one that is none), MEMORY. A file beside it that is not there or
+/* Errors: INPUT (no such folder, no summary.json or one that is none, files of another
+ * run), MEMORY. A file beside it that is not there or
  * that cannot be read is a note. Give it back with folder_clear, also after an error. */
 hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err);
 void folder_clear(Folder *folder);
+/* The summary alone, and whether the files beside it belong to it. Arguments and errors as folder_read. */
+hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err);
 void folder_say(Folder *folder, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* dir/name, malloc'ed; NULL without memory. */

@@ -9,10 +9,13 @@
 
 /* Numbers that one set may bring into memory. */
 static const double numbers_most = 3e8;
+/* HDF5 does not survive an allocation that fails: what it may take to open a file or a set, bytes. */
+enum { ROOM = 4 << 20 };
 
 hid_t states_open(const char *path)
 {
     hid_t file = -1;
+    if (!memory_room(ROOM)) return -1;
     H5E_BEGIN_TRY
     {
         const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
@@ -28,6 +31,7 @@ hid_t states_open(const char *path)
 static hid_t set_open(hid_t parent, const char *name, int rank, hsize_t *dims)
 {
     hid_t set = -1;
+    if (!memory_room(ROOM)) return -1;
     H5E_BEGIN_TRY { set = H5Lexists(parent, name, H5P_DEFAULT) > 0 ? H5Dopen2(parent, name, H5P_DEFAULT) : -1; }
     H5E_END_TRY
     if (set < 0) return -1;

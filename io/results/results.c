@@ -27,10 +27,11 @@ static const struct {
 } tables[TABLES] = {{"stations.csv", &station_columns}, {"rollers.csv", &roller_columns}};
 
 /* All that a run may write, and what is made of it; the summary comes last. */
-enum { RUN_FILES = 9, FOLDER_FILES = 12 };
+enum { RUN_FILES = 9, FOLDER_FILES = 13 };
 static const char *const folder_files[FOLDER_FILES] = {
-    "certificate.json", "report.html", "report.pdf", "series.csv", "stations.csv", "rollers.csv",
-    "inputs.csv",       "route.csv",   "modes.csv",  "results.h5", "results.xdmf", "summary.json"};
+    "sensitivities.json", "certificate.json", "report.html", "report.pdf", "series.csv",
+    "stations.csv",       "rollers.csv",      "inputs.csv",  "route.csv",  "modes.csv",
+    "results.h5",         "results.xdmf",     "summary.json"};
 static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FILES;
 
 /* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
@@ -66,12 +67,12 @@ static void file_remove(const char *dir, const char *name)
 
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
  */
-enum { OLD_ENDS = 4, OLD_BUT_XDMF = 8, OLD_ALL = 9 }; /* the first: what only the end of a run writes */
+enum { OLD_ENDS = 5, OLD_BUT_XDMF = 9, OLD_ALL = 10 }; /* the first: what only the end of a run writes */
 static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
-    static const char *const names[OLD_ALL] = {"modes.csv",          "certificate.json", "report.html",
-                                               "report.pdf",         CHECKPOINT_FILE,    "route.csv",
-                                               "results.h5.journal", "results.h5",       "results.xdmf"};
+    static const char *const names[OLD_ALL] = {
+        "modes.csv",     "certificate.json", "sensitivities.json", "report.html", "report.pdf",
+        CHECKPOINT_FILE, "route.csv",        "results.h5.journal", "results.h5",  "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {
@@ -297,6 +298,14 @@ static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_erro
     return status ? status : closed;
 }
 
+/* The states say of which series they are, now that it is whole. */
+static hawser_status states_tie(Results *r, hawser_error *err)
+{
+    FileSum series;
+    const hawser_status status = file_sum(r->dir, "series.csv", &series, err);
+    return status ? status : h5_series(r->h5, series.sum, err);
+}
+
 /* A full disk may still have room for the small tables, so every file gets its chance. */
 hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
 {
@@ -304,9 +313,10 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     const void *const rows[TABLES] = {t->station, t->roller};
     hawser_status s = flush_all(r, err);
     if (r->h5 && t->envelope) keep_first(&s, h5_envelope(r->h5, t->envelope, s ? NULL : err));
+    keep_first(&s, out_close(&r->series, s ? NULL : err));
+    if (!s && r->h5) keep_first(&s, states_tie(r, err));
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
-    keep_first(&s, out_close(&r->series, s ? NULL : err));
     for (int k = 0; k < TABLES; k++) {
         keep_first(&s, csv_rows(&r->tables[k], tables[k].columns, n[k], rows[k], s ? NULL : err));
         keep_first(&s, out_close(&r->tables[k], s ? NULL : err));
@@ -332,11 +342,12 @@ hawser_status results_summary(Results *r, const char *summary, int whole, hawser
 /* While files change, no summary says that they belong together, and no page or certificate what they say. */
 static void summary_withdraw(const char *dir)
 {
-    static const char *const names[] = {"summary.json", "certificate.json", "report.html", "report.pdf"};
+    static const char *const names[] = {"summary.json", "certificate.json", "sensitivities.json", "report.html",
+                                        "report.pdf"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) file_remove(dir, names[k]);
 }
 
-hawser_status results_again(const char *dir, const ResultsTables *t, const char *summary, hawser_error *err)
+hawser_status results_again(const char *dir, const ResultsTables *t, hawser_error *err)
 {
     const int n[TABLES] = {t->n_stations, t->n_rollers};
     const void *const rows[TABLES] = {t->station, t->roller};
@@ -351,7 +362,7 @@ hawser_status results_again(const char *dir, const ResultsTables *t, const char 
         keep_first(&s, out_close(&out, s ? NULL : err));
         if (!s) s = out_sync(out.path, err);
     }
-    return s ? s : out_whole(dir, "summary.json", summary, err);
+    return s;
 }
 
 /* The summary comes last: what it says is there. The case is the same: what `to` says of it, with the lines of the file

@@ -55,11 +55,10 @@ hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_err
 hawser_status results_summary(Results *r, const char *summary, int whole, hawser_error *err);
 Results *results_free(Results *r);
 
-/* Of folders whose runs are over. The tables and the summary once more, without what had been made of them; the results
- * of `from`, a folder within the folder `to`, of the same case, in the place of those of `to` (what has been moved
- * already is there);
- * `from` with all that a run leaves away. Errors: OUTPUT, MEMORY. */
-hawser_status results_again(const char *dir, const ResultsTables *tables, const char *summary, hawser_error *err);
+/* Of folders whose runs are over. The tables once more, without the summary, which is to follow, and what had been made
+ * of them; the results of `from`, a folder within the folder `to`, of the same case, in the place of those of `to`
+ * (what has been moved already is there); `from` with all that a run leaves away. Errors: OUTPUT, MEMORY. */
+hawser_status results_again(const char *dir, const ResultsTables *tables, hawser_error *err);
 hawser_status results_replace(const char *to, const char *from, hawser_error *err);
 void results_remove(const char *from);
 

@@ -20,6 +20,7 @@ typedef struct AlongRow {
  * open. */
 typedef struct ResultsDef {
     const char *title; /* the case's */
+    const char *run;   /* the run's identity; NULL: none */
     double origin[3];  /* m, of all coordinates; zero: not said */
     int segments;
     int rollers;
@@ -44,9 +45,20 @@ typedef struct ResultsDef {
 
 enum { REMEDY_MAX = 256 };
 
+/* A file as it stands in a folder: its bytes (< 0: it is not there) and a sum of them all, as 16 hexadecimal digits. */
+enum { SUM_SIZE = 17, FILE_SUMS_MAX = 7 };
+typedef struct FileSum {
+    char file[16];
+    long bytes;
+    char sum[SUM_SIZE];
+} FileSum;
+
 /* What the summary says beside the figures. */
 typedef struct SummaryLabels {
     const char *title, *case_name;
+    const char *run;     /* its identity */
+    int n_files;         /* 0: the files are not whole yet, or there are none */
+    const FileSum *file; /* [n_files] */
     const char *outcome; /* "running", "finished", "tripped", "stopped", "failed" */
     const char *message; /* why it did not finish; "" otherwise */
     int n_surfaces;

@@ -4,6 +4,7 @@
 #define HAWSER_IO_RESULTS_RESULTS_FILE_H
 
 #include <locale.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include "io/results/column.h"
@@ -56,6 +57,21 @@ hawser_status out_whole_bytes(const char *dir, const char *name, const void *byt
 /* A file of one text: beside its name first ("NAME.part"), so that what stands under the name is whole at any time.
  * Errors: OUTPUT, MEMORY; what stood there before stays. */
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err);
+
+/* ------------------------------------------------------------------------------------------------- what belongs
+ * together */
+
+/* The text files of a run beside its summary. */
+extern const char *const sum_files[FILE_SUMS_MAX];
+void sum_text(char text[SUM_SIZE], uint64_t sum);
+/* A file of a folder. Errors: INPUT (it cannot be read), MEMORY. */
+hawser_status file_sum(const char *dir, const char *name, FileSum *sum, hawser_error *err);
+/* The n text files of a run that are in a folder. Errors: as file_sum. */
+hawser_status folder_sums(const char *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
+/* Whether the files of a folder are those of its summary; that of an older hawser is not asked. Errors: INPUT (which
+ * file is not), MEMORY. */
+struct json_t;
+hawser_status belong_check(const char *dir, const struct json_t *summary, hawser_error *err);
 
 /* -------------------------------------------------------------------------------------------------------- CSV */
 
@@ -152,6 +168,8 @@ hawser_status h5_resume(H5File **out, const char *dir, const ResultsDef *def, lo
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err);
 /* The group "envelope", once. Errors: OUTPUT. */
 hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err);
+/* The series that the states belong to, by its sum, when that is whole. Errors: OUTPUT. */
+hawser_status h5_series(H5File *h, const char *sum, hawser_error *err);
 /* After this, readers see every state. Errors: OUTPUT. */
 hawser_status h5_flush(H5File *h, hawser_error *err);
 /* Closes *file and sets it to NULL (NULL is fine). Errors: OUTPUT. */

@@ -163,6 +163,7 @@ static int make_file(H5File *h, const ResultsDef *def)
     if (file < 0) return 0;
     h->file = file;
     int ok = h5_text(file, "title", def->title) && h5_text(file, "hawser_version", hawser_version());
+    if (def->run) ok = ok && h5_text(file, "run", def->run);
     if (fabs(def->origin[0]) + fabs(def->origin[1]) + fabs(def->origin[2]) > 0) {
         char text[96];
         snprintf(text, sizeof text, "%.10g %.10g %.10g", def->origin[0], def->origin[1], def->origin[2]);
@@ -266,13 +267,14 @@ static int frames_resume(H5File *h)
     return ok;
 }
 
-static int file_resume(H5File *h)
+static int file_resume(H5File *h, const char *run)
 {
     disk_recover(h->path);
     h->file = driven_file(h, 1);
-    int ok = h->file >= 0 && frames_resume(h);
+    int ok = h->file >= 0 && states_belong(h->file, run, NULL) && frames_resume(h);
     for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);
     if (ok && H5Lexists(h->file, "envelope", H5P_DEFAULT) > 0) ok = H5Ldelete(h->file, "envelope", H5P_DEFAULT) >= 0;
+    if (ok && H5Aexists(h->file, "series") > 0) ok = H5Adelete(h->file, "series") >= 0;
     return ok && H5Fflush(h->file, H5F_SCOPE_LOCAL) >= 0;
 }
 
@@ -286,7 +288,7 @@ hawser_status h5_resume(H5File **out, const char *dir, const ResultsDef *def, lo
     int ok = 0;
     strcpy(h->path, path);
     h->rows = (hsize_t)rows;
-    H5E_BEGIN_TRY { ok = file_resume(h); }
+    H5E_BEGIN_TRY { ok = file_resume(h, def->run); }
     H5E_END_TRY
     if (!ok && !h->disk_error) {
         status = error_set(err, HAWSER_ERR_OUTPUT,
@@ -371,6 +373,16 @@ hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err
     const hawser_status room = h5_room(h, err);
     if (room) return room;
     H5E_BEGIN_TRY { ok = h5_fixed(h->file, "", envelope_sets, envelope_set, envelope); }
+    H5E_END_TRY
+    return h5_result(h, ok, err);
+}
+
+hawser_status h5_series(H5File *h, const char *sum, hawser_error *err)
+{
+    int ok = 0;
+    const hawser_status room = h5_room(h, err);
+    if (room) return room;
+    H5E_BEGIN_TRY { ok = h5_text(h->file, "series", sum); }
     H5E_END_TRY
     return h5_result(h, ok, err);
 }

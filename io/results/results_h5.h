@@ -27,6 +27,8 @@ void disk_recover(const char *name);
 /* Attributes of an object. */
 int h5_text(hid_t object, const char *name, const char *text);
 int h5_numbers(hid_t object, const char *name, int n, const double *values);
+/* Whether a file says that it is of this run and of a series with this sum; NULL: not asked for (belong.c). */
+int states_belong(hid_t file, const char *run, const char *series);
 /* A whole set that does not grow, written from what the machine has as `type`; groups on its path are made. */
 int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
            const void *values);

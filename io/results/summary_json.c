@@ -230,6 +230,21 @@ static const Column pass_column[] = {
 };
 static const Columns pass_columns = COLUMNS(hawser_pass, pass_column);
 
+static const Column hold_column[] = {
+    {COLUMN("from_s", NUMBER, hawser_hold, from_s)},
+    {COLUMN("to_s", NUMBER, hawser_hold, to_s)},
+    {COLUMN("step_s", NUMBER, hawser_hold, step_s)},
+    {COLUMN("steps", LONG, hawser_hold, steps)},
+    {COLUMN("error_test_fails", LONG, hawser_hold, error_fails)},
+    {COLUMN("newton_fails", LONG, hawser_hold, newton_fails)},
+    {COLUMN("strides", LONG, hawser_hold, strides)},
+    {COLUMN("cause", CHARS, hawser_hold, cause)},
+    {COLUMN("segment", COUNT, hawser_hold, segment)},
+    {COLUMN("where", CHARS, hawser_hold, where)},
+    {COLUMN("says", CHARS, hawser_hold, says)},
+};
+static const Columns hold_columns = COLUMNS(hawser_hold, hold_column);
+
 static const Column passes_column[] = {
     {COLUMN("outcome", TEXT, hawser_passes, outcome)},
     {COLUMN("why", CHARS, hawser_passes, why)},
@@ -238,11 +253,20 @@ static const Column passes_column[] = {
 };
 static const Columns passes_columns = COLUMNS(hawser_passes, passes_column);
 
+static const Column file_column[] = {
+    {COLUMN("file", CHARS, FileSum, file)},
+    {COLUMN("bytes", LONG, FileSum, bytes)},
+    {COLUMN("sum", CHARS, FileSum, sum)},
+};
+static const Columns file_columns = COLUMNS(FileSum, file_column);
+
 static const Column summary_column[] = {
     /* what was run, by what, and how it ended */
     {COLUMN("title", TEXT, Summary, l.title)},
     {COLUMN("case", TEXT, Summary, l.case_name)},
     {COLUMN("version", TEXT, Summary, version)},
+    {COLUMN("run", TEXT, Summary, l.run)},
+    {LIST("files", Summary, l.file, l.n_files, file_columns)},
     {COLUMN("outcome", TEXT, Summary, l.outcome)},
     {COLUMN("message", TEXT, Summary, l.message)},
     {COLUMN("origin_m", VECTOR, Summary, s.origin_m)},
@@ -265,6 +289,7 @@ static const Column summary_column[] = {
     {COLUMN("error_test_fails", LONG, Summary, s.error_test_fails)},
     {COLUMN("newton_fails", LONG, Summary, s.newton_fails)},
     {COLUMN("contact_refreshes", LONG, Summary, s.contact_refreshes)},
+    {COLUMN("slowest", OBJECT, Summary, s.slowest), .of = &hold_columns},
     {COLUMN("linear_solver", TEXT, Summary, s.linear_solver)},
     {COLUMN("linear_solver_why", TEXT, Summary, s.linear_solver_why)},
     {COLUMN("ordering", TEXT, Summary, s.ordering)},

@@ -72,7 +72,7 @@ class Result:
     """What a run has found. Tables are pandas DataFrames with the unit in every column's name, as docs/results.md lists them;
     each is read when it is asked for first.
 
-    folder: where the files are; a run without `out` has a folder of its own, which goes with the Result (see save)
+    folder: where the files are, all of one run (else CaseError); a run without `out` has a folder of its own, which goes with the Result (see save)
     """
 
     def __init__(self, folder: str | os.PathLike[str], *, _keep: tempfile.TemporaryDirectory[str] | None = None) -> None:
@@ -80,6 +80,8 @@ class Result:
         self._keep = _keep
         if not (self.folder / "summary.json").is_file():
             raise OutputError(f"{self.folder}: no results: there is no summary.json")
+        error = ffi.new("hawser_error *")
+        check(lib.hawser_results_check(os.fsencode(self.folder), error), error)
 
     @functools.cached_property
     def summary(self) -> dict[str, Any]:

@@ -80,6 +80,11 @@ class Sample:
         return self._c
 
     @property
+    def held_up(self) -> str | None:
+        """What makes a run slow, in a sentence, in the function that is told of its progress; None: nothing does."""
+        return text_of(self._now().held_up) or None
+
+    @property
     def machines(self) -> dict[str, dict[str, float]]:
         """What conveyors, motors and the like show now: {name: {figure with its unit: value}}."""
         c = self._now()

@@ -177,6 +177,7 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     modes_checkpoint(c, &s->modes, scene->chain.n);
     CHECKPOINT(c, s->stray);
     CHECKPOINT(c, s->steadiness);
+    CHECKPOINT(c, s->stall);
     CHECKPOINT(c, s->relaxation);
     CHECKPOINT(c, s->active_max);
     CHECKPOINT(c, s->overturned);

@@ -9,6 +9,7 @@
 #include "sim/run/modes.h"
 #include "sim/run/passes.h"
 #include "sim/run/stage.h"
+#include "sim/step/stall.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
 #include "sim/watch/peaks.h"
@@ -55,6 +56,7 @@ typedef struct hawser_sim {
     int overturned; /* what has turned too far, and was said */
     Stray stray;
     Steadiness steadiness;
+    Stall stall;
     char grade_says[512]; /* which bend loses the grade; an event has it */
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */

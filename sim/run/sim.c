@@ -223,6 +223,31 @@ static void peak_watch(Sim *s)
     peaks_record(&s->peaks, &st->scene, &st->ws.kin, &held);
 }
 
+void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out)
+{
+    stall_say(from, s->stage.integrator, &s->stage.scene, look_now(s, SAMPLE_ALL), s->stats.roller_out,
+              s->stats.surface_out, out);
+}
+
+/* The window whose steps were shortest stays in mind. */
+static void stall_watch(Sim *s)
+{
+    const double t = s->stage.t;
+    if (!stall_step(&s->stall, s->stage.integrator, t)) return;
+    sim_held_up(s, &s->stall.from, &s->stall.slowest);
+    stall_begin(&s->stall, s->stage.integrator, t);
+}
+
+/* A failed step: what had held up the ones before it goes with the message. */
+static void failure_explain(Sim *s, hawser_error *err)
+{
+    hawser_hold hold;
+    if (!err || !s->stage.integrator || s->stall.left == 0) return;
+    sim_held_up(s, &s->stall.from, &hold);
+    const size_t used = strlen(err->message);
+    snprintf(err->message + used, sizeof err->message - used, "; before it %s", hold.says);
+}
+
 /* Load steps in place of time steps. */
 static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -251,6 +276,8 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
     status = script_due(s, err);                    /* what is due at the very beginning */
     while (s->stage.t < t && !status) {
         status = stage_step(&s->stage, next_stop(s, t), err);
+        if (status == HAWSER_ERR_RUN) failure_explain(s, err);
+        if (!status) stall_watch(s);
         if (!status) status = events_watch(s, err);
         if (!status) peak_watch(s);
         if (!status && s->stage.scene.rod->present) rod_watch(s);
@@ -431,7 +458,8 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .n_machines = s->machines.n,
                          .machines = s->machines.out,
                          .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
-                         .passes = s->passes ? &s->passes->said : NULL};
+                         .passes = s->passes ? &s->passes->said : NULL,
+                         .slowest = s->stall.slowest.steps > 0 ? &s->stall.slowest : NULL};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);

@@ -37,5 +37,7 @@ uint64_t sim_identity(const Sim *s);
 int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out);
 /* hawser_sim_record without bringing the sample's position, quaternion, velocity and omega up to date. */
 void sim_record_row(Sim *s);
+/* What has held the integrator up since then; it has made steps. */
+void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out);
 
 #endif

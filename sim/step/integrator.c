@@ -305,8 +305,7 @@ const double *integrator_rates(Integrator *in, double *h)
 
 /* ------------------------------------------------------------------------------------------------ stepping */
 
-/* The segment whose weighted local error is largest: where to look when a step fails. */
-static int worst_segment(Integrator *in)
+int integrator_worst(Integrator *in)
 {
     N_Vector error = vector_clone(in->state);
     int worst = 0;
@@ -357,7 +356,7 @@ static const char *advice_for(int flag)
 
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
-    const int i = worst_segment(in);
+    const int i = integrator_worst(in);
     const Vec3 p = in->motion->ops->place(in->motion, N_VGetArrayPointer(in->good), i);
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
@@ -384,7 +383,7 @@ static int steps_spent(const Integrator *in)
 static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
 {
     double step = 0;
-    const int i = worst_segment(in);
+    const int i = integrator_worst(in);
     CVodeGetCurrentStep(in->cvode, &step);
     error_set(err, HAWSER_ERR_RUN,
               "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
@@ -420,7 +419,9 @@ static double stride_end(Integrator *in, double t, double stop)
     in->speed = speed;
     in->speed_at = t;
     if (!(step > 0) && speed > 0) step = INFINITY;
-    return bounded_end(in, t, step > longest && t + longest > t ? fmin(stop, t + longest) : stop);
+    if (!(step > longest) || !(t + longest > t) || !(t + longest < stop)) return bounded_end(in, t, stop);
+    ++in->stats.strides;
+    return bounded_end(in, t, t + longest);
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)

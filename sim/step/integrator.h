@@ -9,6 +9,7 @@ typedef struct Integrator Integrator;
 
 typedef struct IntegratorStats {
     long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_fails, newton_fails;
+    long strides;                               /* steps that (N14) has cut */
     double rhs, jacobian, factor, solve, total; /* s */
     double last_step;                           /* s */
 } IntegratorStats;
@@ -48,6 +49,8 @@ hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double
  */
 const double *integrator_rates(Integrator *in, double *h);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
+/* The segment whose weighted local error is largest, of those simulated. Takes memory for a state. */
+int integrator_worst(Integrator *in);
 
 /* Gets one ready to be read from a checkpoint: a fresh one is set up by its first step, which is made from t with all
  * rates zero and moves y by rounding alone. Errors: RUN (a SUNDIALS whose state is not known). */

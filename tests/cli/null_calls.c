@@ -224,6 +224,7 @@ static void others(void)
     REFUSED("folders", hawser_report_write, NULL, 1, "x.html");
     REFUSED("folders", hawser_report_write, folder, 2, "x.html");
     REFUSED("path", hawser_report_write, folder, 1, NULL);
+    REFUSED("folder", hawser_results_check, NULL);
     REFUSED("folder", hawser_plot_write, NULL, ".", 0, NULL, HAWSER_SI, NULL);
     REFUSED("dir", hawser_plot_write, ".", NULL, 0, NULL, HAWSER_SI, NULL);
     REFUSED("names", hawser_plot_write, ".", ".", 1, NULL, HAWSER_SI, NULL);

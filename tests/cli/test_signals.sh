@@ -41,4 +41,18 @@ wait $pid
 status=$?
 [ $status = 130 ] || fail "$what: exit status $status, not 130"
 says err "stopped on the way to equilibrium"
+# a run that would take for ever says what holds it up, on standard error, while it goes on
+what="hawser run with steps of a millionth of a second"
+(cd "$work" && exec env --default-signal=INT "$hawser" run pull.yaml -o held --set run.duration='100000 s' \
+    --set solver.max_step='1 us' >out 2>err) &
+pid=$!
+tries=0
+while ! grep -q "held up" "$work/err" && [ $tries -lt 1200 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+kill -INT $pid
+wait $pid
+says err "held up: steps of 1e-06 s" "no step may be longer than 1e-06 s (solver.max_step" "at segment" "it takes another"
+grep -q '"cause": "longest step"' "$work/held/summary.json" || fail "$what: summary.json does not say what held it up"
 finish

@@ -57,6 +57,17 @@ what="hawser check into a pipe that is closed after a line"
 (cd "$work" && { "$hawser" theory pull.yaml 2>err; echo $? >status; } | head -1 >out)
 [ "$(cat "$work/status")" -lt 128 ] || fail "$what: status $(cat "$work/status")"
 
+# files of two runs in one folder
+run_hawser 0 run pull.yaml -o other --set friction.mu=0.31 $short
+cp -r "$work/plain" "$work/mixed"
+cp "$work/other/series.csv" "$work/mixed/series.csv"
+printf 'time_s,pull_N\n0,0\n1,10\n2,20\n' >"$work/log.csv"
+for call in "report mixed -o mixed.html" "plot mixed tension" "compare mixed log.csv"; do
+    run_hawser 2 $call
+    says err "series.csv' does not belong to the summary beside it: it is of another run"
+done
+missing mixed.html
+
 # links to links: as many as the system follows
 cd "$work"
 ln -s pull.yaml link-0

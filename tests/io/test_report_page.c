@@ -267,13 +267,22 @@ static void missing_files_are_notes(void **state)
     unlink(in_dir("results.h5"));
     unlink(in_dir("inputs.csv"));
     write_all(in_dir("stations.csv"), "name,s_m\n\"open\n");
-    json_t *const all = report_on(dir), *const run = first_run(all);
-    assert_true(json_is_null(json_object_get(run, "stations")));
-    assert_true(json_is_null(json_object_get(run, "inputs")));
-    assert_null(json_object_get(run, "states"));
-    assert_int_equal(json_array_size(json_object_get(run, "notes")), 2);
-    check_has(json_string_value(json_array_get(json_object_get(run, "notes"), 0)), "a quote is not closed");
-    check_has(json_string_value(json_array_get(json_object_get(run, "notes"), 1)), "no 3-D view");
+    const char *const folder = dir;
+    hawser_error err = {0};
+    assert_int_equal(hawser_report_write(&folder, 1, in_dir("page.html"), &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "stations.csv' does not belong to the summary");
+    /* as an older hawser wrote it, which did not say what belongs together */
+    char *const summary = read_all(in_dir("summary.json")), *const run = strstr(summary, "\"run\"");
+    memcpy(run, "\"ran\"", 5);
+    write_all(in_dir("summary.json"), summary);
+    free(summary);
+    json_t *const all = report_on(dir), *const said = first_run(all);
+    assert_true(json_is_null(json_object_get(said, "stations")));
+    assert_true(json_is_null(json_object_get(said, "inputs")));
+    assert_null(json_object_get(said, "states"));
+    assert_int_equal(json_array_size(json_object_get(said, "notes")), 2);
+    check_has(json_string_value(json_array_get(json_object_get(said, "notes"), 0)), "a quote is not closed");
+    check_has(json_string_value(json_array_get(json_object_get(said, "notes"), 1)), "no 3-D view");
     json_decref(all);
 }
 

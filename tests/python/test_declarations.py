@@ -29,7 +29,7 @@ NOT_WRAPPED = {
     "hawser_routes_describe": "Route has the figures",
 }
 # Members of a sample that Python has under another name.
-ELSEWHERE = {"machines", "machine", "figures", "figure", "probes", "probe", "field", "pass"}
+ELSEWHERE = {"machines", "machine", "figures", "figure", "probes", "probe", "field", "pass", "held_up"}
 
 
 def used() -> str:

@@ -271,11 +271,13 @@ static void brake_on_a_slope(void **state)
     check_share(brake.brake, loss, 1e-8);
     check_close(brake.where, 60, 1e-9);
     check_share(brake.peak, loss + 40, 1e-8);
+    check_share(brake.max_tension, loss, 1e-8); /* at the brake */
     check_close(brake.force, 40, 1e-4);
     /* up it there is none */
     assert_int_equal(plan_brake(&def, &SINGLE, PLAN_BACKWARD, &brake, NULL), HAWSER_OK);
     check_close(brake.brake, 0, 0);
     check_share(brake.force, WEIGHT * 60 * (sin(1.2) + MU * cos(1.2)) + 40, 1e-9);
+    check_share(brake.max_tension, brake.force - 40, 1e-9); /* at the head */
     route_clear(&route);
 }
 

@@ -1,0 +1,103 @@
+/* Whether the files of a folder are of one run. A table of CSV has no place for a run's identity that its readers would
+ * pass over, so that the summary has the sums of all tables; results.h5 has the run's identity and the sum of the
+ * series.
+ */
+#include "core/base/error.h"
+#include "io/results/results_h5.h"
+
+#include <jansson.h>
+#include <string.h>
+#include <unistd.h>
+
+/* What HDF5 may take to open a file and read two attributes, bytes. */
+enum { ROOM = 4 << 20 };
+
+/* What the summary says of a file; NULL: nothing. */
+static const json_t *said_of(const json_t *files, const char *name)
+{
+    size_t k;
+    json_t *file;
+    json_array_foreach(files, k, file)
+    {
+        const char *const said = json_string_value(json_object_get(file, "file"));
+        if (said && !strcmp(said, name)) return file;
+    }
+    return NULL;
+}
+
+/* A table that is there is the one that the run has written. */
+static hawser_status table_check(const char *dir, const json_t *files, const char *name, hawser_error *err)
+{
+    FileSum sum;
+    const hawser_status status = file_sum(dir, name, &sum, err);
+    if (status || sum.bytes < 0) return status;
+    const json_t *const said = said_of(files, name);
+    const char *const wanted = json_string_value(json_object_get(said, "sum"));
+    if (wanted && !strcmp(wanted, sum.sum)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "'%.500s/%s' does not belong to the summary beside it: %s", dir, name,
+                     said ? "it is of another run, or was changed after this one"
+                          : "this run has written no such file");
+}
+
+/* A text attribute of a file of HDF5, "" if it has none. */
+static void attribute_read(hid_t file, const char *name, char text[SUM_SIZE])
+{
+    *text = 0;
+    if (H5Aexists(file, name) <= 0) return;
+    const hid_t a = H5Aopen(file, name, H5P_DEFAULT), type = H5Aget_type(a);
+    if (H5Tget_class(type) == H5T_STRING && !H5Tis_variable_str(type) && H5Tget_size(type) <= SUM_SIZE) {
+        char value[SUM_SIZE] = "";
+        if (H5Aread(a, type, value) >= 0) memcpy(text, value, SUM_SIZE - 1);
+        text[SUM_SIZE - 1] = 0;
+    }
+    H5Tclose(type);
+    H5Aclose(a);
+}
+
+int states_belong(hid_t file, const char *run, const char *series)
+{
+    char has_run[SUM_SIZE], has_series[SUM_SIZE];
+    H5E_BEGIN_TRY
+    {
+        attribute_read(file, "run", has_run);
+        attribute_read(file, "series", has_series);
+    }
+    H5E_END_TRY
+    return (!run || !*run || !strcmp(run, has_run)) && (!series || !strcmp(series, has_series));
+}
+
+/* The states are those of the run; those of one that has ended are those of its series, too. */
+static hawser_status states_check(const char *dir, const char *run, const char *series, hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    hid_t file = -1;
+    const hawser_status status = out_join(path, dir, "results.h5", err);
+    if (status || access(path, R_OK)) return status;
+    if (!memory_room(ROOM)) return error_memory(err);
+    H5E_BEGIN_TRY
+    {
+        const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+        H5Pset_file_locking(access, 0, 1);
+        file = H5Fopen(path, H5F_ACC_RDONLY, access);
+        H5Pclose(access);
+    }
+    H5E_END_TRY
+    if (file < 0) return HAWSER_OK; /* being written, or damaged: who reads it says so */
+    const int belongs = states_belong(file, run, series);
+    H5Fclose(file);
+    if (belongs) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "'%.600s' does not belong to the summary beside it: it is of another run",
+                     path);
+}
+
+hawser_status belong_check(const char *dir, const json_t *summary, hawser_error *err)
+{
+    const json_t *const files = json_object_get(summary, "files");
+    const char *const run = json_string_value(json_object_get(summary, "run"));
+    hawser_status status = HAWSER_OK;
+    if (!run) return HAWSER_OK; /* of a hawser that did not say it yet */
+    for (int k = 0; k < FILE_SUMS_MAX && !status && json_is_array(files); k++)
+        status = table_check(dir, files, sum_files[k], err);
+    if (status) return status;
+    return states_check(dir, run, json_string_value(json_object_get(said_of(files, "series.csv"), "sum")), err);
+}

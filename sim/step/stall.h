@@ -1,0 +1,36 @@
+/* What holds a run up: why its steps are short, and where. Looked at over windows of so many steps, so that it is the
+ * same of every run of a case, whatever the clock says. */
+#ifndef HAWSER_SIM_STEP_STALL_H
+#define HAWSER_SIM_STEP_STALL_H
+
+#include "hawser/hawser.h"
+#include "sim/scene.h"
+#include "sim/step/integrator.h"
+
+enum { STALL_STEPS = 500 };
+
+/* Since when: the integrator's counts and the time then. */
+typedef struct StallFrom {
+    long steps, error_fails, newton_fails, strides;
+    double t; /* s */
+} StallFrom;
+
+typedef struct Stall {
+    int left;            /* steps of this window that are still to come; 0: none has begun */
+    StallFrom from;      /* where the window began */
+    double longest;      /* s, mean step of the window with the longest steps */
+    hawser_hold slowest; /* of the windows so far; steps 0: none */
+} Stall;
+
+StallFrom stall_from(const Integrator *in, double t);
+/* What has held the steps up since then. sample: of now, with all segments; roller, surface: names, [sample->rollers],
+ * [sample->surfaces]. */
+void stall_say(const StallFrom *from, Integrator *in, const Scene *scene, const hawser_sample *sample,
+               const hawser_roller *roller, const hawser_surface *surface, hawser_hold *out);
+/* After each step. Whether a window has ended whose steps were at most half as long as those of the slowest one, which
+ * is to be asked for then: stall_say from stall->from, and stall_begin. */
+int stall_step(Stall *stall, const Integrator *in, double t);
+/* The window that begins now. */
+void stall_begin(Stall *stall, const Integrator *in, double t);
+
+#endif

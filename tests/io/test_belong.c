@@ -1,0 +1,182 @@
+/* Files of two runs in one folder: none of them is taken for another's, and who reads the folder says which is not. */
+#define _GNU_SOURCE /* nftw */
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "hawser/hawser.h"
+#include "tests/support/check.h"
+#include "tests/support/data.h"
+
+static char dir[64];
+
+static int remove_entry(const char *path, const struct stat *info, int flag, struct FTW *at)
+{
+    (void)info, (void)flag, (void)at;
+    return remove(path);
+}
+static int folder_new(void **state)
+{
+    (void)state;
+    strcpy(dir, "/tmp/hawser_belong_XXXXXX");
+    return mkdtemp(dir) ? 0 : -1;
+}
+static int folder_remove(void **state)
+{
+    (void)state;
+    return nftw(dir, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+/* A folder within the scratch folder, or a file in it; good for four calls. */
+static const char *in(const char *folder, const char *name)
+{
+    static char path[4][256];
+    static int next;
+    char *const to = path[next++ % 4];
+    snprintf(to, sizeof path[0], "%s/%s%s%s", dir, folder, name ? "/" : "", name ? name : "");
+    return to;
+}
+
+static int stop_first(void *user, const hawser_sample *sample, double wall, double end)
+{
+    (void)user, (void)sample, (void)wall, (void)end;
+    return 1;
+}
+
+/* The short pull with a setting (key NULL: none). stop: at once. */
+static void run_into(const char *folder, const char *key, const char *value, int stop)
+{
+    hawser_case *c = NULL;
+    hawser_sim *s = NULL;
+    hawser_error err = {0};
+    if (hawser_case_parse(data_text("cli-pull"), "pull.yaml", &c, &err)) fail_msg("%s", err.message);
+    if (key && hawser_case_set(c, key, value, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_sim_run(s, in(folder, NULL), stop ? stop_first : NULL, NULL, &err),
+                     stop ? HAWSER_STOPPED : HAWSER_OK);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
+static void copy(const char *from, const char *to)
+{
+    static char bytes[1 << 22];
+    FILE *const a = fopen(from, "rb"), *const b = fopen(to, "wb");
+    assert_true(a && b);
+    const size_t n = fread(bytes, 1, sizeof bytes, a);
+    assert_true(n > 0 && n < sizeof bytes);
+    assert_int_equal(fwrite(bytes, 1, n, b), n);
+    fclose(a);
+    assert_int_equal(fclose(b), 0);
+}
+
+static void run_of(const char *folder, char run[17])
+{
+    char text[1024];
+    FILE *const f = fopen(in(folder, "summary.json"), "r");
+    assert_non_null(f);
+    text[fread(text, 1, sizeof text - 1, f)] = 0;
+    fclose(f);
+    const char *const at = strstr(text, "\"run\": \"");
+    assert_non_null(at);
+    assert_int_equal(sscanf(at + 8, "%16[0-9a-f]", run), 1);
+    assert_int_equal(strlen(run), 16);
+}
+
+static void expect_refused(const char *file)
+{
+    hawser_error err = {0};
+    char path[256];
+    snprintf(path, sizeof path, "%s' does not belong to the summary beside it", file);
+    assert_int_equal(hawser_results_check(in("a", NULL), &err), HAWSER_ERR_INPUT);
+    check_has(err.message, path);
+    const char *const folder = in("a", NULL);
+    int drawn = 0;
+    assert_int_equal(hawser_report_write(&folder, 1, in("page.html", NULL), &err), HAWSER_ERR_INPUT);
+    check_has(err.message, path);
+    assert_int_equal(access(in("page.html", NULL), F_OK), -1);
+    assert_int_equal(hawser_plot_write(in("a", NULL), in("plots", NULL), 0, NULL, HAWSER_SI, &drawn, &err),
+                     HAWSER_ERR_INPUT);
+    check_has(err.message, path);
+}
+
+/* Two runs with another friction: each file of the one in the folder of the other. */
+static void a_file_of_another_run_is_refused(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"series.csv", "stations.csv", "rollers.csv",
+                                        "inputs.csv", "route.csv",    "results.h5"};
+    hawser_error err = {0};
+    char one[17], other[17];
+    run_into("a", NULL, NULL, 0);
+    run_into("b", "friction.mu", "0.31", 0);
+    run_of("a", one);
+    run_of("b", other);
+    assert_string_not_equal(one, other);
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        copy(in("a", files[k]), in("kept", NULL));
+        copy(in("b", files[k]), in("a", files[k]));
+        expect_refused(files[k]);
+        copy(in("kept", NULL), in("a", files[k]));
+        if (hawser_results_check(in("a", NULL), &err)) fail_msg("%s", err.message);
+    }
+    copy(in("b", "summary.json"), in("a", "summary.json"));
+    expect_refused("series.csv");
+}
+
+/* A table that this run has not, and one that is cut off by a row. */
+static void a_file_too_many_or_cut_off_is_refused(void **state)
+{
+    (void)state;
+    hawser_error err = {0};
+    run_into("a", NULL, NULL, 0);
+    copy(in("a", "rollers.csv"), in("a", "modes.csv"));
+    expect_refused("modes.csv");
+    unlink(in("a", "modes.csv"));
+    struct stat info;
+    assert_int_equal(stat(in("a", "series.csv"), &info), 0);
+    assert_int_equal(truncate(in("a", "series.csv"), info.st_size - 1), 0);
+    expect_refused("series.csv");
+    unlink(in("a", "series.csv")); /* what is missing is none of another run */
+    if (hawser_results_check(in("a", NULL), &err)) fail_msg("%s", err.message);
+}
+
+/* The same case has the same identity; what was stopped has another series, and its states are not these. */
+static void states_of_another_series_are_refused(void **state)
+{
+    (void)state;
+    hawser_error err = {0};
+    char one[17], other[17];
+    run_into("a", NULL, NULL, 0);
+    run_into("b", NULL, NULL, 1);
+    run_of("a", one);
+    run_of("b", other);
+    assert_string_equal(one, other);
+    if (hawser_results_check(in("b", NULL), &err)) fail_msg("%s", err.message);
+    copy(in("b", "results.h5"), in("a", "results.h5"));
+    expect_refused("results.h5");
+}
+
+/* Its figures may not stand beside those of a later run that has not asked for any. */
+static void sensitivities_go_with_their_run(void **state)
+{
+    (void)state;
+    run_into("a", NULL, NULL, 0);
+    copy(in("a", "summary.json"), in("a", "sensitivities.json"));
+    run_into("a", "friction.mu", "0.31", 0);
+    assert_int_equal(access(in("a", "sensitivities.json"), F_OK), -1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_file_of_another_run_is_refused, folder_new, folder_remove),
+        cmocka_unit_test_setup_teardown(a_file_too_many_or_cut_off_is_refused, folder_new, folder_remove),
+        cmocka_unit_test_setup_teardown(states_of_another_series_are_refused, folder_new, folder_remove),
+        cmocka_unit_test_setup_teardown(sensitivities_go_with_their_run, folder_new, folder_remove),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

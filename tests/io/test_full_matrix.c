@@ -1,0 +1,79 @@
+/* The reduction of Newton's matrix to the velocities against the whole system, 13 unknowns a segment: the same pull to
+ * within the tolerance of the steps. */
+#include "hawser/hawser.h"
+#include "tests/support/check.h"
+#include "tests/support/data.h"
+
+#include <math.h>
+#include <string.h>
+
+static hawser_summary pulled(const char *solver, hawser_sim **s)
+{
+    static const char *const set[][2] = {{"solver.accuracy", "1e-6"}, {"solver.planar", "off"}, {"output.states", "0"}};
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    hawser_summary sum;
+    if (hawser_case_parse(data_text("short-pull"), "short-pull", &c, &err)) fail_msg("%s", err.message);
+    for (size_t k = 0; k < sizeof set / sizeof *set; k++)
+        if (hawser_case_set(c, set[k][0], set[k][1], &err)) fail_msg("%s", err.message);
+    if (hawser_case_set(c, "solver.linear_solver", solver, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_new(c, NULL, s, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_run(*s, NULL, NULL, NULL, &err)) fail_msg("%s: %s", solver, err.message);
+    hawser_sim_summary(*s, &sum);
+    hawser_case_free(c);
+    return sum;
+}
+
+static void the_whole_system_pulls_the_same(void **state)
+{
+    (void)state;
+    hawser_sim *whole, *reduced;
+    const hawser_summary a = pulled("klu-full", &whole), b = pulled("klu", &reduced);
+    assert_string_equal(a.linear_solver, "klu-full");
+    check_above(a.pull_mean_error.time + b.pull_mean_error.time, fabs(a.pull_mean_N - b.pull_mean_N));
+    check_share(a.pull_mean_N, b.pull_mean_N, 2e-5);
+    check_share(a.pull_peak_N, b.pull_peak_N, 1e-4);
+    check_close((double)a.steps, (double)b.steps, 0.05 * (double)b.steps);
+    hawser_sim_free(whole);
+    hawser_sim_free(reduced);
+}
+
+/* Its matrix goes with a checkpoint: what is gone on with is the same, bit for bit. */
+static void a_checkpoint_holds_the_whole_system(void **state)
+{
+    (void)state;
+    hawser_sim *first;
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    double at[2];
+    (void)pulled("klu-full", &first);
+    hawser_sim_free(first);
+    if (hawser_case_parse(data_text("short-pull"), "short-pull", &c, &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_case_set(c, "solver.linear_solver", "klu-full", &err), HAWSER_OK);
+    hawser_sim *sim[2];
+    void *bytes = NULL;
+    size_t size = 0;
+    for (int k = 0; k < 2; k++) assert_int_equal(hawser_sim_new(c, NULL, &sim[k], &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_relax(sim[0], NULL, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_advance(sim[0], 0.7, 0, &err), HAWSER_OK);
+    if (hawser_sim_save_memory(sim[0], &bytes, &size, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_load_memory(sim[1], bytes, size, &err)) fail_msg("%s", err.message);
+    for (int k = 0; k < 2; k++) {
+        assert_int_equal(hawser_sim_advance(sim[k], 1.1, 0, &err), HAWSER_OK);
+        at[k] = hawser_sim_sample(sim[k])->winch_force;
+        hawser_sim_free(sim[k]);
+    }
+    check_close(at[0], at[1], 0);
+    check_above(at[0], 1);
+    hawser_bytes_free(bytes);
+    hawser_case_free(c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_whole_system_pulls_the_same),
+        cmocka_unit_test(a_checkpoint_holds_the_whole_system),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

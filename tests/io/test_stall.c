@@ -1,0 +1,100 @@
+/* What holds a run up: why its steps are short and where, in the summary, in the message of a failure, and as the run
+ * goes on. */
+#include "hawser/hawser.h"
+#include "tests/support/check.h"
+#include "tests/support/data.h"
+
+#include <string.h>
+
+typedef struct Set {
+    const char *key, *value;
+} Set;
+
+static hawser_sim *sim_with(const char *name, int n, const Set *set)
+{
+    hawser_case *c = NULL;
+    hawser_sim *s = NULL;
+    hawser_error err = {0};
+    if (hawser_case_parse(data_text(name), name, &c, &err)) fail_msg("%s", err.message);
+    for (int k = 0; k < n; k++)
+        if (hawser_case_set(c, set[k].key, set[k].value, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return s;
+}
+
+static hawser_hold slowest_of(const char *name, int n, const Set *set)
+{
+    hawser_sim *const s = sim_with(name, n, set);
+    hawser_error err = {0};
+    hawser_summary sum;
+    if (hawser_sim_run(s, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_summary(s, &sum);
+    assert_non_null(sum.slowest);
+    const hawser_hold hold = *sum.slowest;
+    print_message("%s\n", hold.says);
+    assert_int_equal(hold.steps, 500);
+    check_close(hold.step_s, (hold.to_s - hold.from_s) / 500, 1e-12);
+    assert_true(hold.segment >= 0 && hold.segment < sum.segments);
+    check_has(hold.says, " at segment ");
+    hawser_sim_free(s);
+    return hold;
+}
+
+static void the_longest_step_that_is_allowed(void **state)
+{
+    (void)state;
+    const Set set[] = {{"solver.max_step", "1 ms"}};
+    const hawser_hold hold = slowest_of("short-pull", 1, set);
+    assert_string_equal(hold.cause, "longest step");
+    check_above(1.001e-3, hold.step_s);
+    assert_int_equal(hold.strides, 0);
+    check_has(hold.says, "solver.max_step");
+}
+
+/* An accuracy that nobody asks for: the error test alone keeps steps short; on rollers that carry something. */
+static void accuracy(void **state)
+{
+    (void)state;
+    const Set set[] = {{"solver.accuracy", "1e-8"}};
+    const hawser_hold hold = slowest_of("short-pull", 1, set);
+    assert_true(!strcmp(hold.cause, "accuracy") || !strcmp(hold.cause, "error test"));
+    assert_true(hold.where[0] == 'R' || !hold.where[0]);
+}
+
+static void few_steps_are_no_window(void **state)
+{
+    (void)state;
+    hawser_error err = {0};
+    hawser_summary sum;
+    hawser_sim *const s = sim_with("short-pull", 0, NULL);
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_OK);
+    hawser_sim_summary(s, &sum);
+    check_above(500, (double)sum.steps);
+    assert_null(sum.slowest);
+    hawser_sim_free(s);
+}
+
+static void a_failure_says_what_held_up_before_it(void **state)
+{
+    (void)state;
+    hawser_error err = {0};
+    const Set set[] = {{"solver.max_step", "1 ms"}, {"solver.max_steps", "700"}};
+    hawser_sim *const s = sim_with("short-pull", 2, set);
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
+    check_has(err.message, "solver.max_steps = 700 is used up");
+    check_has(err.message, "; before it steps of 0.001 s");
+    check_has(err.message, "no step may be longer than 0.001 s");
+    hawser_sim_free(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_longest_step_that_is_allowed),
+        cmocka_unit_test(accuracy),
+        cmocka_unit_test(few_steps_are_no_window),
+        cmocka_unit_test(a_failure_says_what_held_up_before_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
