@@ -66,7 +66,8 @@ static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
 static hawser_status write_due(Run *run, hawser_error *err)
 {
     const double t = hawser_sim_time(run->s);
-    const int state = beat_due(&run->state, t), row = beat_due(&run->row, t) || state;
+    const int placed = run->s->stage.scene.def.analysis.kind == ANALYSIS_POSITIONS; /* every position is a row */
+    const int state = beat_due(&run->state, t), row = beat_due(&run->row, t) || state || placed;
     return row ? write_now(run, row, state, err) : HAWSER_OK;
 }
 
