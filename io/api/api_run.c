@@ -242,6 +242,8 @@ static ResultsTables tables_of(hawser_sim *s)
     tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
+    tables.n_places = hawser_sim_places(s, &tables.place);
+    tables.place_station = s->positions.station;
     return tables;
 }
 

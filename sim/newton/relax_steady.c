@@ -12,7 +12,7 @@
 
 /* The step that stands for infinity: inertia is then 1e-10 of a spring of 1 N/m and 1 kg. */
 static const double DT_STEADY = 1e5; /* s */
-enum { NEWTON_ITERATIONS = 40 };
+enum { NEWTON_ITERATIONS = 25 };
 
 /* The relaxation's parts come first: what they are handed is this. */
 typedef struct Steady {

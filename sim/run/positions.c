@@ -119,7 +119,8 @@ static hawser_status list_even(Positions *p, const Scene *scene, double end, haw
     const double to = isnan(def->to) ? head_at(scene, end) : def->to, way = to - from;
     double longest = 0;
     for (int i = 0; i < scene->chain.n; ++i) longest = fmax(longest, 2 * scene->chain.half[i]);
-    const double step = isnan(def->step) ? fmax(longest, way / POSITIONS_MOST) : def->step;
+    const double usual = longest * ceil(way / POSITIONS_MOST / longest - 1e-9); /* whole segments: (PO8) */
+    const double step = isnan(def->step) ? fmax(longest, usual) : def->step;
     if (!(way >= 0)) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "key 'run.positions': nothing lies between 'from', %.6g m, and 'to', %.6g m", from, to);
@@ -360,14 +361,14 @@ static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation
     hawser_status status = st->motion->ops->renew(st->motion, st->t, st->y, err);
     if (!status && fresh) status = st->motion->ops->relax(st->motion, st->t, st->y, out, err);
     if (!status && fresh) spins_start(st, speed);
-    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, 0, st->y, out, err);
+    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, fresh, st->y, out, err);
     return status;
 }
 
 hawser_status positions_advance(Positions *p, Stage *st, double t, hawser_relaxation *out, hawser_error *err)
 {
-    double back = p->lie.n > 0 ? tail_back(st) : 0;
     hawser_status status = HAWSER_OK;
+    double back = p->back;
     int fresh = p->lie.n == 0, behind = 1;
     if (!at_speed(&st->scene, t)) {
         return error_set(err, HAWSER_ERR_RUN, "the winch is not at a constant speed at t = %.6g s: no steady motion",
@@ -381,9 +382,11 @@ hawser_status positions_advance(Positions *p, Stage *st, double t, hawser_relaxa
             continue;
         }
         if (status || !out->reached) break;
-        const double lag = tail_back(st);
-        behind = st->scene.reel->present && fabs(lag - back) > BEHIND * st->scene.chain.half[0];
-        back = lag;
+        p->back = tail_back(st);
+        behind = st->scene.reel->present && fabs(p->back - back) > BEHIND * st->scene.chain.half[0];
+        back = p->back;
+        fresh = 0;
+        status = lie_keep(&p->lie, st, winch_travel(st->scene.winch, t), err);
     }
     if (!status && !out->reached) {
         status = error_set(err, HAWSER_ERR_RUN,
@@ -391,7 +394,7 @@ hawser_status positions_advance(Positions *p, Stage *st, double t, hawser_relaxa
                            "(aim: %.3g N): 'analysis: dynamics' may show why",
                            head_at(&st->scene, t), out->residual_N, out->segment, out->tolerance_N);
     }
-    return status ? status : lie_keep(&p->lie, st, winch_travel(st->scene.winch, t), err);
+    return status;
 }
 
 /* ------------------------------------------------------------------------------------------- what was found */

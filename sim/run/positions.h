@@ -21,6 +21,7 @@ typedef struct Positions {
     int worst;           /* place with the largest pull; -1: none yet */
     double push_share;   /* the largest compression over the largest tension of the same place */
     Lie lie;
+    double back;         /* m, by which its tail was behind where it was laid */
     Vec3 origin;         /* of the winch as it was built */
     Quat attitude;
 } Positions;

@@ -422,6 +422,12 @@ int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
 }
 
+/* Whether equilibria of loads that come in by steps are found, whose stability is counted. */
+static int is_stepped(const Scene *scene)
+{
+    return scene->def.analysis.kind == ANALYSIS_STATIC || scene->def.analysis.kind == ANALYSIS_MODES;
+}
+
 /* All of the summary but the conditions. */
 static void figures_fill(const Sim *s, hawser_summary *out)
 {
@@ -452,7 +458,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .analysis = analyses[scene->def.analysis.kind],
                          .n_modes = s->modes.n,
                          .modes = s->modes.out,
-                         .unstable = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? -1 : s->stage.stability.unstable,
+                         .unstable = is_stepped(scene) ? s->stage.stability.unstable : -1,
                          .n_critical = s->stage.stability.n,
                          .critical = s->stage.stability.critical,
                          .n_probes = s->probes.n,
@@ -462,7 +468,10 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .n_machines = s->machines.n,
                          .machines = s->machines.out,
                          .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
-                         .passes = s->passes ? &s->passes->said : NULL};
+                         .passes = s->passes ? &s->passes->said : NULL,
+                         .n_places = s->positions.done,
+                         .places = s->positions.out,
+                         .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst]};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -494,6 +503,7 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .limit = limit,
                               .turned = s->overturned | s->stage.stability.turned,
                               .unstable = out->unstable,
+                              .push_share = s->positions.push_share,
                               .stray = s->stray,
                               .steadiness = &s->steadiness,
                               .passing = &s->passing};
@@ -531,6 +541,14 @@ int hawser_sim_positions(const Sim *s, const hawser_position **out)
     if (!s || !out) return 0;
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
+}
+
+int hawser_sim_places(const Sim *s, const hawser_place **out)
+{
+    s = SHOWN(s);
+    if (!s || !out) return 0;
+    *out = s->positions.out;
+    return s->positions.done;
 }
 
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)
