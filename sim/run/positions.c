@@ -75,7 +75,7 @@ static const char *unknown(const Stage *st)
     for (int r = 0; r < scene->n_rooms; ++r) {
         const Room *const room = &scene->room[r];
         if (room->present && room->kind->remembers && room->kind->remembers(room, &st->ws))
-            return "friction that sticks depends on the way: 'contact.friction: slide'";
+            return "friction that sticks depends on the way: use 'friction.law: adams'";
     }
     for (int i = 0; i < def->n_conveyors; ++i) {
         const ConveyorDef *const c = &def->conveyors[i];
