@@ -214,7 +214,8 @@ typedef struct hawser_summary {
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
     const hawser_passes *passes;    /* of hawser_sim_run; NULL: one was enough, or no second was wanted */
     int n_places;
-    const hawser_place *places, *worst_place; /* [n_places], as hawser_sim_places gives them; of the largest pull, or NULL */
+    const hawser_place *places,
+        *worst_place; /* [n_places], as hawser_sim_places gives them; of the largest pull, or NULL */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */

@@ -29,8 +29,8 @@ static const struct {
 /* All that a run may write, and what is made of it; the summary comes last. */
 enum { RUN_FILES = 10, FOLDER_FILES = 13 };
 static const char *const folder_files[FOLDER_FILES] = {
-    "certificate.json", "report.html", "report.pdf", "series.csv", "stations.csv", "rollers.csv",
-    "inputs.csv",       "route.csv",   "modes.csv",  "positions.csv", "results.h5", "results.xdmf", "summary.json"};
+    "certificate.json", "report.html", "report.pdf",    "series.csv", "stations.csv", "rollers.csv", "inputs.csv",
+    "route.csv",        "modes.csv",   "positions.csv", "results.h5", "results.xdmf", "summary.json"};
 static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FILES;
 
 /* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
@@ -69,9 +69,9 @@ static void file_remove(const char *dir, const char *name)
 enum { OLD_ENDS = 5, OLD_BUT_XDMF = 9, OLD_ALL = 10 }; /* the first: what only the end of a run writes */
 static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
-    static const char *const names[OLD_ALL] = {"positions.csv", "modes.csv",          "certificate.json", "report.html",
-                                               "report.pdf",         CHECKPOINT_FILE,    "route.csv",
-                                               "results.h5.journal", "results.h5",       "results.xdmf"};
+    static const char *const names[OLD_ALL] = {
+        "positions.csv", "modes.csv", "certificate.json",   "report.html", "report.pdf",
+        CHECKPOINT_FILE, "route.csv", "results.h5.journal", "results.h5",  "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {

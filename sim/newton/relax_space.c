@@ -143,8 +143,7 @@ void space_end(Relaxation *r)
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
                                    hawser_relaxation *out, hawser_error *err)
 {
-    static const RelaxOps ops = {space_residual, space_step,    space_move_scale,
-                                 space_move,     space_refresh, space_soften};
+    static const RelaxOps ops = {space_residual, space_step, space_move_scale, space_move, space_refresh, space_soften};
     Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
     *out = (hawser_relaxation){0};
     hawser_status status = space_begin(&r) ? HAWSER_OK : error_memory(err);

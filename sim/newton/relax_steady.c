@@ -26,8 +26,8 @@ void steady_field(const Chain *chain, double speed, double *y)
     for (int i = 0; i < n; ++i) {
         const int before = i > 0 ? i - 1 : i, after = i + 1 < n ? i + 1 : i;
         const Vec3 ahead = v3(1, 0, 0), axis = quat_rotate(state_attitude(y, n, i), ahead);
-        const Vec3 turned = v3_sub(quat_rotate(state_attitude(y, n, after), ahead),
-                                   quat_rotate(state_attitude(y, n, before), ahead));
+        const Vec3 turned =
+            v3_sub(quat_rotate(state_attitude(y, n, after), ahead), quat_rotate(state_attitude(y, n, before), ahead));
         double way = 0; /* from the centre of `before` to that of `after` */
         for (int k = before; k < after; ++k) way += chain->half[k] + chain->half[k + 1];
         const Vec3 v = v3_scale(speed, axis), w = v3_scale(speed / way, v3_cross(axis, turned));

@@ -14,9 +14,9 @@
 #include "sim/watch/sample.h"
 #include "sim/watch/stats.h"
 
-enum { POSITIONS_MOST = 200 }; /* where the case does not say how far apart */
+enum { POSITIONS_MOST = 200 };       /* where the case does not say how far apart */
 static const double AT_SPEED = 1e-6; /* share of the speed by which it may change within a second */
-static const double BEHIND = 0.5;    /* share of half a segment by which the tail may lie behind its place at the drum */
+static const double BEHIND = 0.5; /* share of half a segment by which the tail may lie behind its place at the drum */
 
 /* ------------------------------------------------------------------------------------------- where and when */
 
@@ -169,6 +169,7 @@ hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
     if (status) return status;
     scene->def.duration = p->time[p->n - 1];
     scene->def.output.steady_from = p->time[0];
+    scene->def.output.checkpoint = 0; /* they are found in seconds again */
     Chain *const both[] = {&scene->chain, &st->whole};
     for (int k = 0; k < 2; ++k) { /* (PO3) */
         for (int c = 0; both[k]->n > 0 && c < 6; ++c)
@@ -436,8 +437,8 @@ static int room_for(Positions *p)
     return 1;
 }
 
-hawser_status positions_record(Positions *p, const Stage *st, const hawser_sample *look,
-                               const hawser_relaxation *found, hawser_error *err)
+hawser_status positions_record(Positions *p, const Stage *st, const hawser_sample *look, const hawser_relaxation *found,
+                               hawser_error *err)
 {
     const Scene *const scene = &st->scene;
     if (!room_for(p)) return error_memory(err);

@@ -16,14 +16,14 @@ static const double DAMPED = 0.01;                       /* of what moves, by th
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
-static const double DRIFT = 0.05;  /* of the mean pull, from the window's first half to its second */
-static const double PUSHED = 0.01; /* of the largest pull, that the cable may push the winch with in the mean */
+static const double DRIFT = 0.05;        /* of the mean pull, from the window's first half to its second */
+static const double PUSHED = 0.01;       /* of the largest pull, that the cable may push the winch with in the mean */
 static const double PUSHED_ALONG = 0.01; /* of the largest tension of a position */
-static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */
-static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
-static const double EDGE = 0.7;    /* of half a roller's width, that the cable may lie off its middle at rest */
-static const double SPIKE = 0.2;   /* of the largest pull, above the rows beside it */
-enum { LOOKS = 16 };               /* at the cable's place in a run */
+static const double LENGTH = 1e-4;       /* m: nobody knows where a cable lies, and no mesh, to less */
+static const double SHARED = 0.02;       /* of the pull, that so much may move from a belt to the winch */
+static const double EDGE = 0.7;          /* of half a roller's width, that the cable may lie off its middle at rest */
+static const double SPIKE = 0.2;         /* of the largest pull, above the rows beside it */
+enum { LOOKS = 16 };                     /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {

@@ -16,8 +16,8 @@ static void test_straight(void **state)
     const hawser_place *place;
     hawser_summary sum;
     /* a winch that carries none of the weight */
-    hawser_sim *const sim = positions_of(data_with("short-pull", "duration: 2 s", "duration: 20 s"),
-                                         "drive.winch.grip", "axial", "[13 m, 12.5 m, 13.7 m]");
+    hawser_sim *const sim = positions_of(data_with("short-pull", "duration: 2 s", "duration: 20 s"), "drive.winch.grip",
+                                         "axial", "[13 m, 12.5 m, 13.7 m]");
     const int n = hawser_sim_places(sim, &place);
     hawser_sim_summary(sim, &sum);
     assert_int_equal(n, 3);
@@ -46,7 +46,8 @@ static void test_bend(void **state)
     double pull[3];
     for (int k = 0; k < 3; ++k) {
         const hawser_place *place;
-        hawser_sim *const sim = positions_of(data_text("positions-bend"), "chain.0.segment", segment[k], "{step: 350 mm}");
+        hawser_sim *const sim =
+            positions_of(data_text("positions-bend"), "chain.0.segment", segment[k], "{step: 350 mm}");
         const int n = hawser_sim_places(sim, &place);
         check_at_least(n, 3);
         double mean = 0;
@@ -99,7 +100,8 @@ static void run_compare(const char *rope, double mean_most, double each_most)
         row[rows][0] = look->head_at;
         row[rows++][1] = look->winch_force;
     }
-    hawser_sim *const sim = positions_of(data_text("positions"), "cables.rope.d", rope, "{from: 6 m, to: 18 m, step: 1 m}");
+    hawser_sim *const sim =
+        positions_of(data_text("positions"), "cables.rope.d", rope, "{from: 6 m, to: 18 m, step: 1 m}");
     const int n = hawser_sim_places(sim, &place);
     assert_int_equal(n, 13);
     double mean = 0, most = 0;
