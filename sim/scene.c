@@ -4,16 +4,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-static Quat first_attitude(const Scene *scene, Vec3 axis)
+/* Untwisted on the route at s (m). */
+static Quat first_attitude(const Scene *scene, Vec3 axis, double s)
 {
-    const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, scene->joint_s[0]), axis));
+    const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, s), axis));
     return quat_from_axes(axis, left, v3_cross(axis, left));
 }
 
-/* Where joint j is at the start. */
-static Vec3 joint_start(const Scene *scene, int j)
+/* Where joint j is when the chain has moved on by `travel`. */
+static Vec3 joint_place(const Scene *scene, int j, double travel)
 {
-    return j < scene->joints_off ? scene->joint_start[j] : route_at(&scene->route, scene->joint_s[j]).position;
+    return j < scene->joints_off ? scene->joint_start[j] : route_at(&scene->route, scene->joint_s[j] + travel).position;
+}
+
+void scene_lay(const Scene *scene, double travel, int first, int n, double *y)
+{
+    memset(y, 0, (size_t)(STATE_SIZE * n) * sizeof *y);
+    Quat q = {1, 0, 0, 0};
+    Vec3 before = v3(0, 0, 0);
+    for (int i = 0; i < n; ++i) {
+        const Vec3 a = joint_place(scene, first + i, travel), b = joint_place(scene, first + i + 1, travel);
+        const Vec3 axis = v3_unit(v3_sub(b, a)), centre = v3_scale(0.5, v3_add(a, b));
+        q = i == 0 ? first_attitude(scene, axis, scene->joint_s[first] + travel) : quat_carry(q, before, axis);
+        before = axis;
+        const double value[7] = {centre.x, centre.y, centre.z, q.w, q.x, q.y, q.z};
+        for (int c = 0; c < 7; ++c) y[c * n + i] = value[c];
+    }
 }
 
 void scene_initial_chain(const Scene *scene, double *y)
@@ -21,18 +37,8 @@ void scene_initial_chain(const Scene *scene, double *y)
     const int n = scene->total;
     if (scene->start) {
         memcpy(y, scene->start, (size_t)(STATE_SIZE * n) * sizeof *y);
-        return;
-    }
-    memset(y, 0, (size_t)(STATE_SIZE * n) * sizeof *y);
-    Quat q = {1, 0, 0, 0};
-    Vec3 before = v3(0, 0, 0);
-    for (int i = 0; i < n; ++i) {
-        const Vec3 a = joint_start(scene, i), b = joint_start(scene, i + 1);
-        const Vec3 axis = v3_unit(v3_sub(b, a)), centre = v3_scale(0.5, v3_add(a, b));
-        q = i == 0 ? first_attitude(scene, axis) : quat_carry(q, before, axis);
-        before = axis;
-        const double value[7] = {centre.x, centre.y, centre.z, q.w, q.x, q.y, q.z};
-        for (int c = 0; c < 7; ++c) y[c * n + i] = value[c];
+    } else {
+        scene_lay(scene, 0, 0, n, y);
     }
 }
 

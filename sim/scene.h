@@ -85,7 +85,10 @@ int scene_state_size(const Scene *scene);
 /* Writes the initial state of the whole chain, 13 total numbers (core/state.h): it lies on the route at rest, its
  * joints closed, but for what begins elsewhere. */
 void scene_initial_chain(const Scene *scene, double *y);
-/* The same, set moving if the case says so, and the rooms' own part behind it. */
+/* Lays segments first..first+n-1 along the route, at rest and with their joints closed, where they are when the chain
+ * has moved on by `travel` (m) since t = 0, into y [13 n]. */
+void scene_lay(const Scene *scene, double travel, int first, int n, double *y);
+/* The initial state of the whole chain, set moving if the case says so, and the rooms' own part behind it. */
 void scene_initial_state(const Scene *scene, double *y);
 /* Sets the simulated chain, at rest in the state y in space, moving as the case says that it does at t = 0. */
 void scene_launch(const Scene *scene, double *y);

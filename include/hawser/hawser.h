@@ -152,6 +152,10 @@ int hawser_sim_machines(const hawser_sim *s, const hawser_machine **out);
 /* The figure of that key (now or of the run); NAN: the machine has none. */
 double hawser_machine_figure(const hawser_machine *machine, const char *key);
 
+/* The positions of a run with `analysis: positions` so far, by the front's way; *out stays the simulation's and is good
+ * until it advances again. Returns how many. */
+int hawser_sim_places(const hawser_sim *s, const hawser_place **out);
+
 /* The modes, by rising omega squared; none before the run's end. *out stays the simulation's. Returns how many. */
 int hawser_sim_modes(const hawser_sim *s, const hawser_mode **out);
 /* The events so far, by time; *out stays the simulation's and is good until it advances again. Returns how many. */
@@ -194,7 +198,7 @@ typedef struct hawser_summary {
     int n_events;
     const hawser_event *events; /* [n_events], as hawser_sim_events gives them */
     int rod;                    /* 1: a rod, not a pull: pull, theory, stations and speeds say nothing */
-    const char *analysis;       /* "dynamics", "static" or "modes" */
+    const char *analysis;       /* "dynamics", "static", "modes" or "positions" */
     int n_modes;
     const hawser_mode *modes; /* [n_modes], as hawser_sim_modes gives them */
     int unstable;             /* motions that grow from the last equilibrium; -1: not counted */
@@ -210,6 +214,9 @@ typedef struct hawser_summary {
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
     const hawser_passes *passes;    /* of hawser_sim_run; NULL: one was enough, or no other was wanted */
     const hawser_hold *slowest;     /* where its steps were shortest, over 500 in a row; NULL: there were fewer */
+    int n_places;
+    const hawser_place *places,
+        *worst_place; /* [n_places], as hawser_sim_places gives them; of the largest pull, or NULL */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */

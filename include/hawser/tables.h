@@ -140,6 +140,22 @@ typedef struct hawser_position {
     double error_pct;   /* 100 (pull - reference) / reference */
 } hawser_position;
 
+/* Steady motion with the cable's front at one place of the route, of a run with `analysis: positions`. */
+typedef struct hawser_place {
+    double head_m;                          /* m along the route, of the front */
+    double time_s;                          /* when the winch has hauled it there */
+    double pull_N;                          /* of the winch */
+    double reference_N;                     /* by the reference theory; NAN: it has none */
+    double front_N;                         /* tension at the front */
+    double tension_N, tension_at_m;         /* the largest of cable and rope, and where */
+    double push_N, push_at_m;               /* the largest compression, 0: none; and where */
+    double roller_N;                        /* the largest load on a roller */
+    const char *roller;                     /* which; lives as long as the simulation; NULL: none is loaded */
+    double sidewall_N_per_m, sidewall_at_m; /* the largest, T/R of the route's bends; where */
+    double residual_N, tolerance_N;         /* what is left unbalanced, at one segment; what is allowed of it */
+    int iterations;                         /* of Newton's method */
+} hawser_place;
+
 /* A condition under which a run is worth judging (docs/limits.md, "Trust"). */
 enum { HAWSER_CONDITIONS_MAX = 32 };
 typedef struct hawser_condition {

@@ -212,6 +212,25 @@ static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_li
     }
 }
 
+/* Where the pull is largest, and what is largest there. */
+static void place_lines(Answer *a, const hawser_summary *s)
+{
+    char pull[HAWSER_SHOWN_MAX], at[HAWSER_SHOWN_MAX], what[HAWSER_SHOWN_MAX], last[HAWSER_SHOWN_MAX];
+    const hawser_place *const p = s->worst_place;
+    if (!p) return;
+    answer_line(a, "position", "worst with the front at %s: %s, of %d between %s and %s",
+                hawser_show(p->head_m, "m", a->units, at), hawser_show(p->pull_N, "N", a->units, pull), s->n_places,
+                hawser_show(s->places[0].head_m, "m", a->units, what),
+                hawser_show(s->places[s->n_places - 1].head_m, "m", a->units, last));
+    if (p->sidewall_N_per_m > 0)
+        answer_line(a, "", "sidewall pressure there up to %s, at %s",
+                    hawser_show(p->sidewall_N_per_m, "N/m", a->units, what),
+                    hawser_show(p->sidewall_at_m, "m", a->units, at));
+    if (p->roller)
+        answer_line(a, "", "roller load there up to %s, on %s", hawser_show(p->roller_N, "N", a->units, what),
+                    p->roller);
+}
+
 /* Why the figures are not to be trusted, one reason a line; or that they are. */
 static void trust_lines(Answer *a, const hawser_summary *s)
 {
@@ -246,6 +265,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     }
     answer_verdict(&a, verdict);
     if (failed) trust_lines(&a, &sum);
+    place_lines(&a, &sum);
     if (!sum.rod) {
         pull_line(&a, &sum, n, limit);
         if (n > 0 || !failed) answer_limits(&a, &s->stage.scene, n, limit);

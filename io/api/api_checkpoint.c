@@ -134,6 +134,8 @@ hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawse
 {
     FileHead head;
     const size_t head_end = 2 * sizeof(uint64_t) + sizeof head; /* a piece has a head of its own */
+    if (s->positions.n > 0)
+        return error_set(err, HAWSER_ERR_RUN, "positions are not kept: each is found anew in a fraction of a second");
     *c = checkpoint_new(0);
     hawser_status status = pieces_write(s, run, c, err);
     if (status) return status;

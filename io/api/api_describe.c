@@ -201,6 +201,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
 {
     const SceneDef *def = d->def;
     const hawser_summary *s = &d->summary;
+    static const char *const analyses[] = {"dynamics", "static", "modes", "positions"};
+    const int placed = def->analysis.kind == ANALYSIS_POSITIONS;
     const double end = def->duration;
     const int turns = def->winch.present && def->winch.mode == WINCH_SPEED;
     const int pulls = def->winch.present && def->winch.mode == WINCH_TENSION;
@@ -235,12 +237,13 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"cables", "cables pulled together", "", cell_number(def->bundle.shape.cables)},
         {"paper_total_N", "winch force, paper's formulas", "N", cell_number(s->paper_total_N)},
         {"reference_total_N", "winch force, reference", "N", cell_number(s->reference_total_N)},
-        {"duration_s", "to be simulated", "s", cell_number(end)},
+        {"analysis", "analysis", "", cell_text(analyses[def->analysis.kind])},
+        {"duration_s", placed ? "the winch has pulled for" : "to be simulated", "s", cell_number(end)},
         {"steady_from_s", "steady window from", "s", cell_number(def->output.steady_from)},
         {"linear_solver", "linear solver", "", cell_text(s->linear_solver)},
         {"memory_MB", "memory at most, about", "MB", cell_number(cost.memory / 1e6)},
         {"disk_MB", "results, about", "MB", cell_number(cost.disk / 1e6)},
-        {"time_s", "computing, about", "s", cell_number(cost.time)},
+        {"time_s", "computing, about", "s", cell_number(placed ? NAN : cost.time)},
     };
     const Table all[] = {
         {"chain", "Cable and rope, from the tail to the winch", COLUMNS(PieceRow, piece_column), def->n_pieces,

@@ -75,7 +75,8 @@ static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
 static hawser_status write_due(Run *run, hawser_error *err)
 {
     const double t = hawser_sim_time(run->s);
-    const int state = beat_due(&run->state, t), row = beat_due(&run->row, t) || state;
+    const int placed = run->s->stage.scene.def.analysis.kind == ANALYSIS_POSITIONS; /* every position is a row */
+    const int state = beat_due(&run->state, t), row = beat_due(&run->row, t) || state || placed;
     return row ? write_now(run, row, state, err) : HAWSER_OK;
 }
 
@@ -277,6 +278,8 @@ static ResultsTables tables_of(hawser_sim *s)
     tables.n_stations = hawser_sim_stations(s, &tables.station);
     tables.n_rollers = hawser_sim_rollers(s, &tables.roller);
     tables.n_modes = hawser_sim_modes(s, &tables.mode);
+    tables.n_places = hawser_sim_places(s, &tables.place);
+    tables.place_station = s->positions.station;
     return tables;
 }
 

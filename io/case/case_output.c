@@ -203,7 +203,7 @@ hawser_status case_output_read(CaseReader *r, const CaseNode *node)
     hawser_status status = case_section_read(r, node, &case_output, out);
     if (!status) status = interval_check(r, node, "interval", out->interval);
     if (!status) status = interval_check(r, node, "states", out->state_interval);
-    if (def->analysis.kind != ANALYSIS_DYNAMICS) {
+    if (case_load_steps(def)) {
         out->interval = fmin(out->interval, def->duration / def->analysis.load_steps);
     }
     if (!status) status = stations_read(r, case_node_key(node, "stations"));

@@ -53,6 +53,11 @@ hawser_status case_rod_loads_read(const CaseReader *r, const CaseNode *node);
 hawser_status case_route_read(CaseReader *r, const CaseNode *node);
 /* What goes with a pull only, or with a rod only. */
 hawser_status case_rod_check(CaseReader *r, const CaseNode *node);
+/* Whether loads come in by steps in place of time. */
+static inline int case_load_steps(const SceneDef *def)
+{
+    return def->analysis.kind == ANALYSIS_STATIC || def->analysis.kind == ANALYSIS_MODES;
+}
 /* A bend's plane: a word, or the angle of its centre about the tangent (core/route.h). */
 hawser_status case_plane_read(const CaseReader *r, const CaseNode *node, double *plane);
 hawser_status case_lead_in_read(CaseReader *r, const CaseNode *node);

@@ -147,8 +147,11 @@ hawser_status case_rod_check(CaseReader *r, const CaseNode *node)
         if (given && paths[k][1]) given = case_node_key(given, paths[k][1]);
         if (given) return case_key_error(r->err, given, NULL, "not allowed beside 'rod', which has no route");
     }
+    if (node && r->def->analysis.kind == ANALYSIS_POSITIONS)
+        return case_key_error(r->err, case_node_key(case_node_key(r->root, "run"), "analysis"), NULL,
+                              "a 'rod' has no positions: expected dynamics, static or modes");
     if (node) return bending_check(r);
-    if (r->def->analysis.kind == ANALYSIS_DYNAMICS) return HAWSER_OK;
+    if (!case_load_steps(r->def)) return HAWSER_OK;
     return case_key_error(r->err, case_node_key(case_node_key(r->root, "run"), "analysis"), NULL,
-                          "only a 'rod' can be analysed so: expected dynamics");
+                          "only a 'rod' can be analysed so: expected dynamics or positions");
 }

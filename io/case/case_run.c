@@ -1,12 +1,23 @@
 /* What is asked of a run and for how long, and the lists of what is asked of theory. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "io/case/case_parts.h"
 #include "sim/expected/cost.h"
 
-static const char *const analyses[] = {"dynamics", "static", "modes", NULL};
+static const char *const analyses[] = {"dynamics", "static", "modes", "positions", NULL};
 static const char *const stabilities[] = {"follow", "report", "ignore", NULL};
+
+static const CaseKey positions_keys[] = {
+    {"from", KEY_NUMBER, DIM_LENGTH, .otherwise = "where the winch has come to its speed", FROM(0, LONG),
+     AT(PositionsDef, from)},
+    {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "where the front is at the end of `duration`", FROM(0, LONG),
+     AT(PositionsDef, to)},
+    {"step", KEY_NUMBER, DIM_LENGTH, .otherwise = "so that there are 200, but not below the longest segment",
+     ABOVE(0, LONG), AT(PositionsDef, step)},
+};
+static SECTION(case_positions, "run.positions", positions_keys);
 
 /* What belongs to which analysis keys_check says. */
 static const CaseKey run_keys[] = {
@@ -18,6 +29,8 @@ static const CaseKey run_keys[] = {
     {"tolerance", KEY_NUMBER, .fallback = "1e-10", ABOVE(0, 0.1), AT(SceneDef, analysis.tolerance)},
     {"stability", KEY_CHOICE, .fallback = "follow", .choices = stabilities, AT(SceneDef, analysis.stability)},
     {"modes", KEY_INTEGER, .fallback = "6", FROM(1, 200), AT(SceneDef, analysis.modes)},
+    {"positions", KEY_ANY, .otherwise = "the whole pull", .form = "section `run.positions`, or a list of places",
+     .section = &case_positions},
     {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE),
      AT(SceneDef, output.steady_from)},
     {"checkpoint", KEY_NUMBER, DIM_TIME, .fallback = "60 s", FROM(0, LATE), AT(SceneDef, output.checkpoint)},
@@ -36,14 +49,33 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *node, Analy
     return HAWSER_OK;
 }
 
+/* A list of places of the front, or evenly spaced ones. */
+static hawser_status positions_read(const CaseReader *r, const CaseNode *node)
+{
+    PositionsDef *const p = &r->def->analysis.positions;
+    const CaseKey place = {.name = "positions", .kind = KEY_NUMBER, .dimension = DIM_LENGTH, FROM(0, LONG)};
+    *p = (PositionsDef){.from = NAN, .to = NAN, .step = NAN};
+    if (node && r->def->analysis.kind != ANALYSIS_POSITIONS)
+        return case_key_error(r->err, node, NULL, "only with 'analysis: positions'");
+    if (!node || node->kind != NODE_LIST) return case_section_read(r, node, &case_positions, p);
+    if (node->count == 0) return case_key_error(r->err, node, NULL, "an empty list: give places of the front");
+    p->at = calloc((size_t)node->count, sizeof *p->at);
+    if (!p->at) return error_memory(r->err);
+    hawser_status status = HAWSER_OK;
+    for (const CaseNode *item = node->first; !status && item; item = item->next)
+        status = case_number_read(r, item, &place, &p->at[p->n++]);
+    return status;
+}
+
 /* How long a rod's loads take nothing but the case can say. */
 hawser_status case_run_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
     hawser_status status = case_section_read(r, node, &case_run, def);
     if (!status) status = keys_check(r, node, def->analysis.kind);
+    if (!status) status = positions_read(r, case_node_key(node, "positions"));
     if (status || !isnan(def->duration)) return status;
-    if (def->analysis.kind != ANALYSIS_DYNAMICS) def->duration = 1;
+    if (case_load_steps(def)) def->duration = 1;
     if (def->analysis.kind == ANALYSIS_DYNAMICS && case_node_key(r->root, "rod")) {
         return case_key_error(r->err, node ? node : r->root, node ? "duration" : "run.duration", "missing");
     }

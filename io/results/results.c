@@ -27,11 +27,11 @@ static const struct {
 } tables[TABLES] = {{"stations.csv", &station_columns}, {"rollers.csv", &roller_columns}};
 
 /* All that a run may write, and what is made of it; the summary comes last. */
-enum { RUN_FILES = 9, FOLDER_FILES = 13 };
+enum { RUN_FILES = 10, FOLDER_FILES = 14 };
 static const char *const folder_files[FOLDER_FILES] = {
-    "sensitivities.json", "certificate.json", "report.html", "report.pdf", "series.csv",
-    "stations.csv",       "rollers.csv",      "inputs.csv",  "route.csv",  "modes.csv",
-    "results.h5",         "results.xdmf",     "summary.json"};
+    "sensitivities.json", "certificate.json", "report.html",  "report.pdf",  "series.csv",
+    "stations.csv",       "rollers.csv",      "inputs.csv",   "route.csv",   "modes.csv",
+    "positions.csv",      "results.h5",       "results.xdmf", "summary.json"};
 static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FILES;
 
 /* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
@@ -67,12 +67,12 @@ static void file_remove(const char *dir, const char *name)
 
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
  */
-enum { OLD_ENDS = 5, OLD_BUT_XDMF = 9, OLD_ALL = 10 }; /* the first: what only the end of a run writes */
+enum { OLD_ENDS = 6, OLD_BUT_XDMF = 10, OLD_ALL = 11 }; /* the first: what only the end of a run writes */
 static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
     static const char *const names[OLD_ALL] = {
-        "modes.csv",     "certificate.json", "sensitivities.json", "report.html", "report.pdf",
-        CHECKPOINT_FILE, "route.csv",        "results.h5.journal", "results.h5",  "results.xdmf"};
+        "positions.csv", "modes.csv", "certificate.json",   "sensitivities.json", "report.html", "report.pdf",
+        CHECKPOINT_FILE, "route.csv", "results.h5.journal", "results.h5",         "results.xdmf"};
     char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {
@@ -306,6 +306,18 @@ static hawser_status states_tie(Results *r, hawser_error *err)
     return status ? status : h5_series(r->h5, series.sum, err);
 }
 
+/* Only where there are positions. */
+static hawser_status write_places(Results *r, const ResultsTables *t, hawser_error *err)
+{
+    OutFile out;
+    if (t->n_places == 0) return HAWSER_OK;
+    hawser_status status = out_open(&out, r->dir, "positions.csv", err);
+    if (status) return status;
+    status = places_write(&out, t->n_places, t->place, t->n_stations, t->station, t->place_station, err);
+    const hawser_status closed = out_close(&out, status ? NULL : err);
+    return status ? status : closed;
+}
+
 /* A full disk may still have room for the small tables, so every file gets its chance. */
 hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *err)
 {
@@ -322,6 +334,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
         keep_first(&s, out_close(&r->tables[k], s ? NULL : err));
     }
     keep_first(&s, write_modes(r, t, s ? NULL : err));
+    keep_first(&s, write_places(r, t, s ? NULL : err));
     return s;
 }
 

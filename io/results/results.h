@@ -17,6 +17,9 @@ typedef struct ResultsTables {
     int n_modes, segments;
     const hawser_mode *mode;  /* [n_modes], of `segments` segments; none: no modes.csv */
     const Envelope *envelope; /* NULL: none */
+    int n_places;
+    const hawser_place *place;   /* [n_places]; none: no positions.csv */
+    const double *place_station; /* [n_places][n_stations] N */
 } ResultsTables;
 
 /* Makes the folder and opens all its files, so that what cannot be written shows before anything is computed.

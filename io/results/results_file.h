@@ -76,7 +76,7 @@ hawser_status belong_check(const char *dir, const struct json_t *summary, hawser
 /* -------------------------------------------------------------------------------------------------------- CSV */
 
 /* Of summary.json, stations.csv, rollers.csv, modes.csv. */
-extern const Columns summary_columns, station_columns, roller_columns, shape_columns, route_columns;
+extern const Columns summary_columns, station_columns, roller_columns, shape_columns, route_columns, place_columns;
 
 /* The columns' names, flushed, so that a table that cannot be written is noticed before the run; and n rows. All errors
  * here: OUTPUT. */
@@ -84,6 +84,9 @@ hawser_status csv_head(OutFile *out, const Columns *columns, hawser_error *err);
 hawser_status csv_rows(OutFile *out, const Columns *columns, int n, const void *rows, hawser_error *err);
 /* inputs.csv with its head. */
 hawser_status inputs_write(OutFile *out, int n, const char *inputs, hawser_error *err);
+/* positions.csv with its head: a row for each position, behind the columns of it the tensions at the stations. */
+hawser_status places_write(OutFile *out, int n, const hawser_place *place, int n_stations,
+                           const hawser_station *station, const double *tension, hawser_error *err);
 /* modes.csv with its head: a row for each mode and segment. */
 hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err);
 

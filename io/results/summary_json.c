@@ -90,6 +90,12 @@ static const Column position_column[] = {
     {COLUMN("reference_N", NUMBER, hawser_position, reference_N)},
     {COLUMN("error_pct", NUMBER, hawser_position, error_pct)},
 };
+/* Of other analyses there is no such list. */
+static int is_place(const void *row)
+{
+    (void)row;
+    return 1;
+}
 static const Columns position_columns = COLUMNS(hawser_position, position_column);
 
 /* Frequencies; the shapes are in modes.csv. */
@@ -318,6 +324,8 @@ static const Column summary_column[] = {
     {LIST("modes", Summary, s.modes, s.n_modes, mode_columns)},
     {LIST("critical_loads", Summary, s.critical, s.n_critical, critical_columns)},
     {LIST("events", Summary, s.events, s.n_events, event_columns)},
+    {LIST("positions", Summary, s.places, s.n_places, place_columns), .keep = is_place},
+    {COLUMN("worst_position", OBJECT, Summary, s.worst_place), .of = &place_columns},
     {LIST("pull_by_position", Summary, s.positions, s.n_positions, position_columns)},
     {COLUMN("bundle", OBJECT, Summary, s.bundle), .of = &bundle_columns},
     {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},

@@ -5,6 +5,7 @@
 #include "sim/def/scene_def.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Of the theory, with its sign: positive when the simulation is above. */
@@ -162,6 +163,58 @@ hawser_status inputs_write(OutFile *out, int n, const char *inputs, hawser_error
             inputs += strlen(inputs) + 1;
         }
         status = csv_rows(out, &input_columns, 1, &row, err);
+    }
+    return status;
+}
+
+static double place_error(const void *row)
+{
+    const hawser_place *const p = row;
+    return error_percent(p->pull_N, p->reference_N);
+}
+
+/* One that nothing pushes has no place where it is. */
+static const Column place_column[] = {
+    {COLUMN("head_m", NUMBER, hawser_place, head_m)},
+    {COLUMN("time_s", NUMBER, hawser_place, time_s)},
+    {COLUMN("pull_N", NUMBER, hawser_place, pull_N)},
+    {COLUMN("reference_N", NUMBER, hawser_place, reference_N)},
+    {.key = "error_pct", .number = place_error},
+    {COLUMN("front_N", NUMBER, hawser_place, front_N)},
+    {COLUMN("max_tension_N", NUMBER, hawser_place, tension_N)},
+    {COLUMN("max_tension_at_m", NUMBER, hawser_place, tension_at_m)},
+    {COLUMN("push_N", NUMBER, hawser_place, push_N)},
+    {COLUMN("push_at_m", NUMBER, hawser_place, push_at_m)},
+    {COLUMN("max_roller_N", NUMBER, hawser_place, roller_N)},
+    {COLUMN("max_roller", TEXT, hawser_place, roller)},
+    {COLUMN("max_sidewall_N_per_m", NUMBER, hawser_place, sidewall_N_per_m)},
+    {COLUMN("max_sidewall_at_m", NUMBER, hawser_place, sidewall_at_m)},
+    {COLUMN("residual_N", NUMBER, hawser_place, residual_N), .digits = 4},
+    {COLUMN("tolerance_N", NUMBER, hawser_place, tolerance_N), .digits = 4},
+    {COLUMN("iterations", COUNT, hawser_place, iterations)},
+};
+const Columns place_columns = COLUMNS(hawser_place, place_column);
+
+hawser_status places_write(OutFile *out, int n, const hawser_place *place, int n_stations,
+                           const hawser_station *station, const double *tension, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    char name[128];
+    for (int k = 0; k < place_columns.n && !status; k++)
+        status = out_cell(out, k ? "," : "", cell_text(place_column[k].key), 0, err);
+    for (int k = 0; k < n_stations && !status; k++) {
+        snprintf(name, sizeof name, "tension_%s_N", station[k].name);
+        status = out_cell(out, ",", cell_text(name), 0, err);
+    }
+    if (!status) status = out_print(out, err, "\n");
+    for (int i = 0; i < n && !status; i++) {
+        for (int k = 0; k < place_columns.n && !status; k++) {
+            const Column *const c = &place_column[k];
+            status = out_cell(out, k ? "," : "", column_cell(c, &place[i]), c->digits, err);
+        }
+        for (int k = 0; k < n_stations && !status; k++)
+            status = out_cell(out, ",", cell_number(tension[i * n_stations + k]), 0, err);
+        if (!status) status = out_end_row(out, err);
     }
     return status;
 }

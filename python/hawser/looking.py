@@ -100,6 +100,11 @@ class Looking:
         return self._table(lib.hawser_sim_positions, "hawser_position")
 
     @property
+    def places(self) -> pd.DataFrame:
+        """Steady motion by place of the front, of a run with `analysis: positions`; columns as positions.csv, SI."""
+        return self._table(lib.hawser_sim_places, "hawser_place")
+
+    @property
     def modes(self) -> pd.DataFrame:
         """Vibrations: frequency_Hz, growth_per_s, omega_squared (1/s2); none before the end of a run with `analysis: modes`."""
         return self._table(lib.hawser_sim_modes, "hawser_mode")

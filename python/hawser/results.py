@@ -132,6 +132,12 @@ class Result:
         return read_csv(path) if path.exists() else pd.DataFrame()
 
     @functools.cached_property
+    def places(self) -> pd.DataFrame:
+        """Steady motion by place of the front, of a run with `analysis: positions`; empty of others."""
+        path = self.folder / "positions.csv"
+        return read_csv(path) if path.exists() else pd.DataFrame()
+
+    @functools.cached_property
     def modes(self) -> pd.DataFrame:
         """Shapes of vibration, of a run with `analysis: modes`; empty of others."""
         path = self.folder / "modes.csv"

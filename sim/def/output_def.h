@@ -10,10 +10,17 @@
 
 enum { PROBE_NAME_MAX = 64 };
 
-typedef enum AnalysisKind { ANALYSIS_DYNAMICS, ANALYSIS_STATIC, ANALYSIS_MODES } AnalysisKind;
+typedef enum AnalysisKind { ANALYSIS_DYNAMICS, ANALYSIS_STATIC, ANALYSIS_MODES, ANALYSIS_POSITIONS } AnalysisKind;
 
 /* What is done about equilibria that are not stable: to go on with a stable one, to say so, nothing. */
 typedef enum StabilityChoice { STABILITY_FOLLOW, STABILITY_REPORT, STABILITY_IGNORE } StabilityChoice;
+
+/* Which positions of the cable's front are wanted, m along the route: a list, or evenly spaced ones. */
+typedef struct PositionsDef {
+    double from, to, step; /* NAN: the first at full speed; that of the run's end; sim/run/positions.h */
+    int n;
+    double *at; /* [n] owned; NULL: evenly spaced */
+} PositionsDef;
 
 /* What is asked about the scene. */
 typedef struct AnalysisDef {
@@ -22,6 +29,7 @@ typedef struct AnalysisDef {
     int load_steps;   /* static and modes: equilibria on the way to the end of the run */
     double tolerance; /* unbalanced force as a share of the largest force */
     int modes;        /* how many are wanted */
+    PositionsDef positions;
 } AnalysisDef;
 
 /* A place of the chain whose motion and forces are wanted. */

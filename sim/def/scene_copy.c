@@ -31,6 +31,7 @@ static const OwnedArray owned[] = {
     OWNED(output.speed_segments, output.n_speed_segments),
     OWNED(output.load_rollers, output.n_load_rollers),
     OWNED(output.probes, output.n_probes),
+    OWNED(analysis.positions.at, analysis.positions.n),
     OWNED(drawn, n_drawn),
     OWNED(assumptions, n_assumptions),
     OWNED(inputs, inputs_size),

@@ -11,7 +11,7 @@ double space_residual(void *self, int *where)
     const Chain *const chain = &r->scene->chain;
     const int n = chain->n;
     double largest = 0;
-    dynamics_rates(r->scene, r->ws, r->t, r->y, 0.0, r->rate);
+    dynamics_rates(r->scene, r->ws, r->t, r->y, r->friction, r->rate);
     for (int i = 0; i < n; ++i) {
         const Vec3 a = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
         const Vec3 spin = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
@@ -29,9 +29,9 @@ double space_residual(void *self, int *where)
 
 void space_blocks(Relaxation *r)
 {
-    dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, 0.0, &r->newton->k, &r->newton->d);
+    dynamics_blocks(r->scene, r->ws, r->t, r->y, r->rate, r->friction, &r->newton->k, &r->newton->d);
     newton_point(r->newton, r->scene, &r->ws->kin, r->y);
-    newton_point_equipment(r->newton, r->ws->equipment, r->y, 0.0);
+    newton_point_equipment(r->newton, r->ws->equipment, r->y, r->friction);
 }
 
 int space_solve(Relaxation *r, double dt)
@@ -55,8 +55,7 @@ int space_step(void *self, double dt)
     return space_solve(r, dt);
 }
 
-/* What a move of dt times the velocities found is shortened by (E2). */
-static double move_scale(void *self, double dt)
+double space_move_scale(void *self, double dt)
 {
     const Relaxation *const r = self;
     const int n = r->scene->chain.n;
@@ -103,7 +102,7 @@ hawser_status space_refresh(void *self, int always, hawser_error *err)
     return status ? status : dynamics_refresh(r->scene, r->ws, r->t, r->y, always, err);
 }
 
-static void soften(void *self, double share)
+void space_soften(void *self, double share)
 {
     Relaxation *const r = self;
     dynamics_soften(r->scene, r->ws, share);
@@ -144,7 +143,7 @@ void space_end(Relaxation *r)
 hawser_status relax_to_equilibrium(const Scene *scene, Workspace *ws, Newton *newton, double t, double *y,
                                    hawser_relaxation *out, hawser_error *err)
 {
-    static const RelaxOps ops = {space_residual, space_step, move_scale, space_move, space_refresh, soften};
+    static const RelaxOps ops = {space_residual, space_step, space_move_scale, space_move, space_refresh, space_soften};
     Relaxation r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y};
     *out = (hawser_relaxation){0};
     hawser_status status = space_begin(&r) ? HAWSER_OK : error_memory(err);

@@ -18,9 +18,10 @@ typedef struct Relaxation {
     Newton *newton;
     double t;
     double *y;
-    int size;      /* of y */
-    double *rate;  /* [size] */
-    double *start; /* [3 n] positions before */
+    double friction; /* scales every friction and drag force: 0 of a rest, 1 of steady motion */
+    int size;        /* of y */
+    double *rate;    /* [size] */
+    double *start;   /* [3 n] positions before */
 } Relaxation;
 
 /* Puts y to rest and takes memory; 0 if there is none. space_end may follow either way. */
@@ -36,10 +37,14 @@ int space_step(void *self, double dt);
 /* Its parts: K and D of y; then, once newton_form has made the matrix for dt, its factors and the velocities. */
 void space_blocks(Relaxation *r);
 int space_solve(Relaxation *r, double dt);
+/* What a move of dt times the velocities found is shortened by (E2). */
+double space_move_scale(void *self, double dt);
 /* Moves the state by dt times the velocities found. */
 void space_move(void *self, double dt);
 /* New contact candidates where things have moved too far, or always. Errors: MEMORY. */
 hawser_status space_refresh(void *self, int always, hawser_error *err);
+/* Gives the contacts `share` of their stiffness. */
+void space_soften(void *self, double share);
 /* The largest way of a centre from `from` [3 n], or from the origin (NULL), m. */
 double space_farthest(const Relaxation *r, const double *from);
 

@@ -8,6 +8,7 @@
 #include "sim/picture/envelope.h"
 #include "sim/run/modes.h"
 #include "sim/run/passes.h"
+#include "sim/run/positions.h"
 #include "sim/run/stage.h"
 #include "sim/step/stall.h"
 #include "sim/watch/events.h"
@@ -35,6 +36,7 @@ typedef struct hawser_sim {
     Mesh mesh; /* what the places ask of segments */
     Probes probes;
     Modes modes;
+    Positions positions; /* n 0 of other analyses */
     Stats stats;
     Machines machines;
     Peaks peaks;

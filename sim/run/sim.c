@@ -42,7 +42,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
     if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
-    status = mesh_find(&scene->def, &scene->route, &s->mesh, err);
+    status = positions_new(&s->positions, &s->stage, err);
+    if (!status) status = mesh_find(&scene->def, &scene->route, &s->mesh, err);
     if (!status) status = passing_new(&s->passing, scene, err);
     if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
@@ -100,6 +101,7 @@ Sim *sim_free(Sim *s)
     sample_free(&s->look);
     probes_free(&s->probes);
     modes_free(&s->modes);
+    positions_free(&s->positions);
     stage_free(&s->stage);
     team_free(s->team);
     free(s->condition);
@@ -117,11 +119,40 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
+static const hawser_sample *look_now(Sim *s, SampleParts parts);
+
 /* Relaxation begins at rest; the motion that the case begins with comes after it. */
 static void chain_stop(Stage *st)
 {
     const size_t n = (size_t)st->scene.chain.n;
     if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
+}
+
+/* The worst equilibrium so far is the run's. */
+static void relaxation_take(Sim *s, const hawser_relaxation *found)
+{
+    hawser_relaxation *const worst = &s->relaxation;
+    const int iterations = worst->iterations + found->iterations;
+    const double before = worst->tolerance_N > 0 ? worst->residual_N / worst->tolerance_N : -1;
+    if (!(found->residual_N / found->tolerance_N <= before)) *worst = *found;
+    worst->iterations = iterations;
+}
+
+/* Positions in place of time steps: each is found by itself, whatever came before. */
+static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_error *err)
+{
+    const double start = clock_now();
+    hawser_status status = HAWSER_OK;
+    while (s->stage.t < t && !status) {
+        hawser_relaxation found = {0};
+        status = positions_advance(&s->positions, &s->stage, positions_next(&s->positions, s->stage.t, t), &found, err);
+        if (!status || status == HAWSER_ERR_RUN) relaxation_take(s, &found);
+        if (!status) passing_look(&s->passing, &s->stage.scene, &s->stage.ws, 0, s->stage.t);
+        if (!status) status = positions_record(&s->positions, &s->stage, look_now(s, SAMPLE_ROW), &found, err);
+        if (one_step) break;
+    }
+    s->relax_s += clock_now() - start;
+    return status;
 }
 
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
@@ -137,6 +168,8 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
                                                                            : scene->def.analysis.tolerance;
         s->relaxation = (hawser_relaxation){0};
         status = statics_settle(&s->stage, share, &s->relaxation, err);
+    } else if (scene->def.analysis.kind == ANALYSIS_POSITIONS) {
+        status = s->positions.done > 0 ? HAWSER_OK : advance_positions(s, s->positions.time[0], 1, err);
     } else {
         status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
     }
@@ -203,8 +236,6 @@ static void rod_watch(Sim *s)
     st->stability.turned |= turned(&st->scene, 0, &st->ws.kin) & TURNED_JOINT;
 }
 
-static const hawser_sample *look_now(Sim *s, SampleParts parts);
-
 /* Peaks between two rows are peaks of the run as well (EB14). */
 static void peak_watch(Sim *s)
 {
@@ -270,6 +301,7 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
+    if (s->stage.scene.def.analysis.kind == ANALYSIS_POSITIONS) return advance_positions(s, t, one_step, err);
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
     WinchPhase *const winch = &s->stage.scene.winch->phase;
     if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
@@ -418,10 +450,16 @@ int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
 }
 
+/* Whether equilibria of loads that come in by steps are found, whose stability is counted. */
+static int is_stepped(const Scene *scene)
+{
+    return scene->def.analysis.kind == ANALYSIS_STATIC || scene->def.analysis.kind == ANALYSIS_MODES;
+}
+
 /* All of the summary but the conditions. */
 static void figures_fill(const Sim *s, hawser_summary *out)
 {
-    static const char *const analyses[] = {"dynamics", "static", "modes"};
+    static const char *const analyses[] = {"dynamics", "static", "modes", "positions"};
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
@@ -448,7 +486,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .analysis = analyses[scene->def.analysis.kind],
                          .n_modes = s->modes.n,
                          .modes = s->modes.out,
-                         .unstable = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? -1 : s->stage.stability.unstable,
+                         .unstable = is_stepped(scene) ? s->stage.stability.unstable : -1,
                          .n_critical = s->stage.stability.n,
                          .critical = s->stage.stability.critical,
                          .n_probes = s->probes.n,
@@ -459,7 +497,10 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .machines = s->machines.out,
                          .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
                          .passes = s->passes ? &s->passes->said : NULL,
-                         .slowest = s->stall.slowest.steps > 0 ? &s->stall.slowest : NULL};
+                         .slowest = s->stall.slowest.steps > 0 ? &s->stall.slowest : NULL,
+                         .n_places = s->positions.done,
+                         .places = s->positions.out,
+                         .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst]};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
@@ -491,6 +532,7 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .limit = limit,
                               .turned = s->overturned | s->stage.stability.turned,
                               .unstable = out->unstable,
+                              .push_share = s->positions.push_share,
                               .stray = s->stray,
                               .steadiness = &s->steadiness,
                               .passing = &s->passing};
@@ -528,6 +570,14 @@ int hawser_sim_positions(const Sim *s, const hawser_position **out)
     if (!s || !out) return 0;
     *out = s->by_position.out;
     return by_position_table(&s->by_position);
+}
+
+int hawser_sim_places(const Sim *s, const hawser_place **out)
+{
+    s = SHOWN(s);
+    if (!s || !out) return 0;
+    *out = s->positions.out;
+    return s->positions.done;
 }
 
 int hawser_sim_modes(const Sim *s, const hawser_mode **out)

@@ -147,9 +147,11 @@ static hawser_status spatial_new(Stage *st, hawser_error *err)
 static hawser_status motion_new(Stage *st, hawser_error *err)
 {
     const Scene *const scene = &st->scene;
-    const PlanarChoice choice = scene->def.solver.planar;
+    const int placed = scene->def.analysis.kind == ANALYSIS_POSITIONS;
+    const PlanarChoice choice = placed ? PLANAR_OFF : scene->def.solver.planar;
     Plane plane;
-    if (choice == PLANAR_OFF) snprintf(st->plane_why, sizeof st->plane_why, "solver.planar is off");
+    if (choice == PLANAR_OFF)
+        snprintf(st->plane_why, sizeof st->plane_why, placed ? "positions are found in space" : "solver.planar is off");
     const int flat = choice == PLANAR_OFF ? 0 : plane_find(scene, &plane, st->plane_why);
     if (flat < 0) return error_memory(err);
     if (flat) {
@@ -423,8 +425,7 @@ hawser_status stage_step(Stage *st, double stop, hawser_error *err)
 
 /* ------------------------------------------------------------------------------------------------- checkpoints */
 
-/* Which segments are simulated, and what is made for these: nothing of what it holds counts. */
-static hawser_status window_again(Stage *st, int first, int n, hawser_error *err)
+hawser_status stage_window(Stage *st, int first, int n, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     Team *const team = st->ws.team;
@@ -519,7 +520,7 @@ static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *er
     const int differs = c->reading && (planar != was || window_differs(st, first, n, reel));
     scene->reel->present = reel;
     if (differs && planar != was) status = motion_again(st, planar, err);
-    if (differs && !status) status = window_again(st, first, n, err);
+    if (differs && !status) status = stage_window(st, first, n, err);
     if (!status) checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
     return status;
 }

@@ -54,6 +54,10 @@ hawser_status stage_step(Stage *stage, double stop, hawser_error *err);
 hawser_status stage_integrate(Stage *stage, double stop, hawser_error *err);
 hawser_status stage_settle(Stage *stage, hawser_error *err);
 
+/* Segments first..first+n-1 of the whole chain become what is simulated (of a chain that never changes: all of it),
+ * with all that is made for them; the state keeps its size alone. Errors: MEMORY, RUN. */
+hawser_status stage_window(Stage *stage, int first, int n, hawser_error *err);
+
 /* Everything that the stage's steps go on from. Read into a stage of the same case at any time of its run: what is made
  * for another window is made anew. Errors: MEMORY, RUN (with the integrator's state); of the checkpoint's own: in c. */
 hawser_status stage_checkpoint(Checkpoint *c, Stage *stage, hawser_error *err);

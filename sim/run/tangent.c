@@ -30,6 +30,7 @@ struct Tangent {
 static const char *unknown_part(const Stage *st)
 {
     const Scene *const s = &st->scene;
+    if (s->def.analysis.kind == ANALYSIS_POSITIONS) return "positions";
     if (s->def.rod.present) return "a rod";
     if (s->reel->present || s->winch->take_in.present) return "a reel or a winch that takes in";
     if (s->winch->mode != WINCH_SPEED) return "a winch of set tension";

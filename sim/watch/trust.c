@@ -16,13 +16,14 @@ static const double DAMPED = 0.01;                       /* of what moves, by th
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
-static const double DRIFT = 0.05;  /* of the mean pull, from the window's first half to its second */
-static const double PUSHED = 0.01; /* of the largest pull, that the cable may push the winch with in the mean */
-static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */
-static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
-static const double EDGE = 0.7;    /* of half a roller's width, that the cable may lie off its middle at rest */
-static const double SPIKE = 0.2;   /* of the largest pull, above the rows beside it */
-enum { LOOKS = 16 };               /* at the cable's place in a run */
+static const double DRIFT = 0.05;        /* of the mean pull, from the window's first half to its second */
+static const double PUSHED = 0.01;       /* of the largest pull, that the cable may push the winch with in the mean */
+static const double PUSHED_ALONG = 0.01; /* of the largest tension of a position */
+static const double LENGTH = 1e-4;       /* m: nobody knows where a cable lies, and no mesh, to less */
+static const double SHARED = 0.02;       /* of the pull, that so much may move from a belt to the winch */
+static const double EDGE = 0.7;          /* of half a roller's width, that the cable may lie off its middle at rest */
+static const double SPIKE = 0.2;         /* of the largest pull, above the rows beside it */
+enum { LOOKS = 16 };                     /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -336,6 +337,21 @@ static void add_steadiness(List *list, const TrustFacts *f)
         100 * spike, at);
 }
 
+/* Positions: each has its equilibrium, and one that is pulled: what is pushed may buckle, and stands then where nothing
+ * here knows. */
+static void add_places_found(List *list, const TrustFacts *f)
+{
+    const hawser_relaxation *const worst = f->relaxation;
+    add(list, "equilibrium", "N", worst->residual_N, worst->tolerance_N,
+        "a position has no steady motion that could be found (segment %d is the worst): 'analysis: dynamics' may show "
+        "why",
+        worst->segment);
+    add(list, "taut", "1", f->push_share, PUSHED_ALONG,
+        "the cable is pushed with %.2g %% of the largest tension at a position: it may buckle there, or run away: give "
+        "it a back tension or a brake, or see 'analysis: dynamics'",
+        100 * f->push_share);
+}
+
 /* Where the cable or rod begins: at rest, and on a rest that it would keep. */
 static void add_rest(List *list, const TrustFacts *f)
 {
@@ -377,7 +393,7 @@ static void add_places(List *list, const TrustFacts *f)
 {
     const Scene *const scene = f->scene;
     const Misfit *const start = &f->passing->start;
-    if (scene->def.analysis.kind == ANALYSIS_DYNAMICS && !scene->rod->present) {
+    if (!scene->rod->present) {
         add(list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
             f->stray.farthest, f->stray.at);
@@ -405,6 +421,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
 {
     const Scene *const scene = f->scene;
     const int dynamic = scene->def.analysis.kind == ANALYSIS_DYNAMICS;
+    const int placed = scene->def.analysis.kind == ANALYSIS_POSITIONS;
     List list = {out, 0};
     add(&list, "finished", "s", fmax(0, f->end - f->t), 1e-9 * f->end,
         "the run ended at %.4g s of %.4g s: its figures are of no steady pull", f->t, f->end);
@@ -413,11 +430,13 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }
-    add_rest(&list, f);
+    if (placed) add_places_found(&list, f);
+    if (!placed) add_rest(&list, f);
     if (f->balance) add_books(&list, f);
     add_places(&list, f);
     add_mesh(&list, f);
     add_friction_speed(&list, scene);
+    if (placed) add_decided(&list, f);
     if (!dynamic) return list.n;
     if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
     add_decided(&list, f);

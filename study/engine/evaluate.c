@@ -336,8 +336,9 @@ void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *
 /* Where nothing is yet before a run: balances, modes, loads that are critical. */
 static int comes_later(const char *path)
 {
-    static const char *const late[] = {"balance", "modes",    "critical_loads", "events",   "pull_by_position",
-                                       "bundle",  "surfaces", "moving_rollers", "overload", "trust"};
+    static const char *const late[] = {"balance",          "modes",  "critical_loads", "events",
+                                       "pull_by_position", "bundle", "surfaces",       "moving_rollers",
+                                       "overload",         "trust",  "positions",      "worst_position"};
     for (size_t k = 0; k < sizeof late / sizeof *late; k++) {
         const size_t n = strlen(late[k]);
         if (strncmp(path, late[k], n) == 0 && (!path[n] || path[n] == '.')) return 1;

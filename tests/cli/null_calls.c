@@ -145,6 +145,7 @@ static void tables(void)
     EMPTY(hawser_sim_modes, const hawser_mode);
     EMPTY(hawser_sim_events, const hawser_event);
     EMPTY(hawser_sim_positions, const hawser_position);
+    EMPTY(hawser_sim_places, const hawser_place);
     EMPTY(hawser_sim_stations, const hawser_station);
     EMPTY(hawser_sim_rollers, const hawser_roller);
     EMPTY(hawser_sim_surfaces, const hawser_surface);

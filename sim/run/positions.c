@@ -1,0 +1,470 @@
+#include "sim/run/positions.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/equipment/conveyor.h"
+#include "sim/equipment/drum.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/rod.h"
+#include "sim/equipment/winch.h"
+#include "sim/newton/relax_steady.h"
+#include "sim/watch/sample.h"
+#include "sim/watch/stats.h"
+
+enum { POSITIONS_MOST = 200 };       /* where the case does not say how far apart */
+static const double AT_SPEED = 1e-6; /* share of the speed by which it may change within a second */
+static const double BEHIND = 0.5; /* share of half a segment by which the tail may lie behind its place at the drum */
+
+/* ------------------------------------------------------------------------------------------- where and when */
+
+/* The front's place at time t. */
+static double head_at(const Scene *scene, double t)
+{
+    return scene->joint_s[scene->eye] + winch_travel(scene->winch, t);
+}
+
+/* Whether the winch runs at a constant speed from t on. */
+static int at_speed(const Scene *scene, double t)
+{
+    const Profile *const speed = &scene->winch->phase.speed;
+    return profile_value(speed, t) > 0 && fabs(profile_rate(speed, t)) <= AT_SPEED * scene->largest_speed;
+}
+
+/* The first time from which on it does, s; INFINITY: never before `end`. */
+static double first_at_speed(const Scene *scene, double end)
+{
+    double t = 0;
+    while (t <= end && !at_speed(scene, t)) {
+        if (!profile_next_corner(&scene->winch->phase.speed, t, &t)) return INFINITY;
+    }
+    return t <= end ? t : INFINITY;
+}
+
+/* When the winch has hauled the front to s, by bisection; between 0 and `end`. */
+static double time_of(const Scene *scene, double s, double end)
+{
+    double early = 0, late = end;
+    for (int k = 0; k < 200 && late - early > 1e-15 * end; ++k) {
+        const double middle = early + (late - early) / 2;
+        if (head_at(scene, middle) < s) {
+            early = middle;
+        } else {
+            late = middle;
+        }
+    }
+    return late;
+}
+
+/* What steady motion knows nothing of, in words; NULL: there is nothing of it. */
+static const char *unknown(const Stage *st)
+{
+    const Scene *const scene = &st->scene;
+    const SceneDef *const def = &scene->def;
+    if (scene->rod->present) return "a rod is not pulled: 'analysis: static' has its equilibria";
+    if (!scene->winch->present || scene->winch->mode != WINCH_SPEED) return "it needs a winch with a speed";
+    if (def->n_jams > 0) return "what jams stops at a time: 'analysis: dynamics' has that";
+    if (def->n_script > 0) return "a script changes things at times: 'analysis: dynamics' has that";
+    if (scene->start || def->launch.present) return "the chain begins off its route: use 'analysis: dynamics'";
+    if (def->medium.density > 0) return "nothing in air or water is steady at once: use 'analysis: dynamics'";
+    if (scene->chain.sliders.count > 0 || st->whole.sliders.count > 0)
+        return "bending that keeps some of it depends on the way: use 'analysis: dynamics'";
+    if (!def->solver.relax) return "it begins with an equilibrium: 'solver.relax' must be true";
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->remembers && room->kind->remembers(room, &st->ws))
+            return "friction that sticks depends on the way: use 'friction.law: adams'";
+    }
+    for (int i = 0; i < def->n_conveyors; ++i) {
+        const ConveyorDef *const c = &def->conveyors[i];
+        if (c->sync && fabs(c->factor - 1) * scene->largest_speed <= 2 * c->v_d)
+            return "a belt that runs with the cable pushes by what lengths decide: use 'analysis: dynamics'";
+    }
+    return NULL;
+}
+
+static hawser_status list_alloc(Positions *p, int n, hawser_error *err)
+{
+    p->n = n;
+    p->time = calloc((size_t)n, sizeof *p->time);
+    return p->time ? HAWSER_OK : error_memory(err);
+}
+
+/* A position that the winch passes at a constant speed. */
+static hawser_status place_check(const Scene *scene, double s, double end, double *t, hawser_error *err)
+{
+    const double begins = first_at_speed(scene, end), first = head_at(scene, begins), last = head_at(scene, end);
+    const double slack = 1e-9 * fmax(1, last);
+    if (s > last + slack) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "key 'run.positions': %.6g m is never reached: at the end, %.6g s, the front is at %.6g m "
+                         "('run.duration' says when that is)",
+                         s, end, last);
+    }
+    *t = s < first ? 0 : fmax(begins, fmin(end, time_of(scene, s, end)));
+    if (s >= first - slack && at_speed(scene, *t)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "key 'run.positions': the winch is not at its speed with the front at %.6g m: there is no steady "
+                     "motion before %.6g m, nor where the speed changes",
+                     s, first);
+}
+
+/* Evenly from the first to the last; so many that none is farther from the next than `step`. */
+static hawser_status list_even(Positions *p, const Scene *scene, double end, hawser_error *err)
+{
+    const PositionsDef *const def = &scene->def.analysis.positions;
+    const double from = isnan(def->from) ? head_at(scene, first_at_speed(scene, end)) : def->from;
+    const double to = isnan(def->to) ? head_at(scene, end) : def->to, way = to - from;
+    double longest = 0;
+    for (int i = 0; i < scene->chain.n; ++i) longest = fmax(longest, 2 * scene->chain.half[i]);
+    const double usual = longest * ceil(way / POSITIONS_MOST / longest - 1e-9); /* whole segments: (PO8) */
+    const double step = isnan(def->step) ? fmax(longest, usual) : def->step;
+    if (!(way >= 0)) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "key 'run.positions': nothing lies between 'from', %.6g m, and 'to', %.6g m", from, to);
+    }
+    const int parts = (int)fmin(1e6, ceil(way / step - 1e-9));
+    hawser_status status = list_alloc(p, parts + 1, err);
+    for (int k = 0; !status && k <= parts; ++k) {
+        const double s = k == parts ? to : from + k * step;
+        status = place_check(scene, s, end, &p->time[k], err);
+    }
+    return status;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static hawser_status list_given(Positions *p, const Scene *scene, double end, hawser_error *err)
+{
+    const PositionsDef *const def = &scene->def.analysis.positions;
+    hawser_status status = list_alloc(p, def->n, err);
+    for (int k = 0; !status && k < p->n; ++k) status = place_check(scene, def->at[k], end, &p->time[k], err);
+    if (!status) qsort(p->time, (size_t)p->n, sizeof *p->time, by_size);
+    return status;
+}
+
+hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
+{
+    Scene *const scene = &st->scene;
+    const double end = scene->def.duration;
+    *p = (Positions){.worst = -1};
+    if (scene->def.analysis.kind != ANALYSIS_POSITIONS) return HAWSER_OK;
+    const char *const why = unknown(st);
+    if (why) return error_set(err, HAWSER_ERR_INPUT, "key 'run.analysis': positions: %s", why);
+    if (isinf(first_at_speed(scene, end))) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "key 'run.analysis': positions: the winch has no constant speed within %g s", end);
+    }
+    p->origin = scene->winch->origin;
+    p->attitude = scene->winch->attitude;
+    p->n_stations = scene->def.n_stations;
+    const hawser_status status =
+        scene->def.analysis.positions.n > 0 ? list_given(p, scene, end, err) : list_even(p, scene, end, err);
+    if (status) return status;
+    scene->def.duration = p->time[p->n - 1];
+    scene->def.output.steady_from = p->time[0];
+    scene->def.output.checkpoint = 0; /* they are found in seconds again */
+    Chain *const both[] = {&scene->chain, &st->whole};
+    for (int k = 0; k < 2; ++k) { /* (PO3) */
+        for (int c = 0; both[k]->n > 0 && c < 6; ++c)
+            memset(both[k]->damping[c], 0, ((size_t)both[k]->n + 1) * sizeof(double));
+    }
+    return HAWSER_OK;
+}
+
+void positions_free(Positions *p)
+{
+    free(p->time);
+    free(p->out);
+    free(p->station);
+    free(p->lie.s);
+    free(p->lie.shift);
+    free(p->lie.turn);
+    memset(p, 0, sizeof *p);
+}
+
+double positions_next(const Positions *p, double t, double end)
+{
+    for (int k = 0; k < p->n; ++k) {
+        if (p->time[k] > t) return fmin(p->time[k], end);
+    }
+    return end;
+}
+
+/* ------------------------------------------------------------------------------------------- where the chain lies */
+
+static double centre_at(const Scene *scene, int i, double travel)
+{
+    const double *const s = scene->joint_s + scene->first + i;
+    return (s[0] + s[1]) / 2 + travel;
+}
+
+/* What is kept of a position for the next one: where its segments are against where they were laid. */
+static hawser_status lie_keep(Lie *lie, const Stage *st, double travel, hawser_error *err)
+{
+    const Scene *const scene = &st->scene;
+    const int n = scene->chain.n;
+    const size_t room = (size_t)n;
+    double *const laid = malloc(STATE_SIZE * room * sizeof *laid);
+    double *const s = realloc(lie->s, room * sizeof *s);
+    if (s) lie->s = s;
+    Vec3 *const shift = realloc(lie->shift, room * sizeof *shift);
+    if (shift) lie->shift = shift;
+    Vec3 *const turn = realloc(lie->turn, room * sizeof *turn);
+    if (turn) lie->turn = turn;
+    lie->n = 0;
+    if (laid && s && shift && turn) {
+        scene_lay(scene, travel, scene->first, n, laid);
+        for (int i = 0; i < n; ++i) {
+            const Quat from = state_attitude(laid, n, i), to = state_attitude(st->y, n, i);
+            lie->s[i] = centre_at(scene, i, travel);
+            lie->shift[i] = v3_sub(state_vector(st->y, n, STATE_P, i), state_vector(laid, n, STATE_P, i));
+            lie->turn[i] = quat_log(quat_mul(to, quat_conj(from)));
+        }
+        lie->n = n;
+    }
+    free(laid);
+    return lie->n > 0 ? HAWSER_OK : error_memory(err);
+}
+
+/* The laid chain in the state is moved to where the last position's lay, place by place of the route (PO8). */
+static void lie_apply(const Lie *lie, Stage *st, double travel)
+{
+    const Scene *const scene = &st->scene;
+    const int n = scene->chain.n;
+    double *const y = st->y;
+    for (int i = 0, k = 0; i < n && lie->n > 1; ++i) {
+        const double s = centre_at(scene, i, travel);
+        while (k + 2 < lie->n && lie->s[k + 1] <= s) ++k;
+        const double u = fmin(1, fmax(0, (s - lie->s[k]) / (lie->s[k + 1] - lie->s[k])));
+        const Vec3 shift = v3_axpy(v3_scale(1 - u, lie->shift[k]), u, lie->shift[k + 1]);
+        const Vec3 turn = v3_axpy(v3_scale(1 - u, lie->turn[k]), u, lie->turn[k + 1]);
+        const Quat q = quat_unit(quat_mul(quat_exp(turn), state_attitude(y, n, i)));
+        const double add[3] = {shift.x, shift.y, shift.z}, turned[4] = {q.w, q.x, q.y, q.z};
+        for (int c = 0; c < 3; ++c) y[(STATE_P + c) * n + i] += add[c];
+        for (int c = 0; c < 4; ++c) y[(STATE_Q + c) * n + i] = turned[c];
+    }
+}
+
+/* The window when the chain has moved on by `travel`: from the first segment whose rear end is not behind the drum,
+ * which stretched cable lies `back` (m) behind, to the last whose rear end is before the winch. */
+static void window_at(const Stage *st, double travel, double back, int *first, int *n)
+{
+    const Scene *const scene = &st->scene;
+    const double drum = -scene->def.reel.distance;
+    int from = 0, end = scene->total;
+    if (scene->def.reel.model == REEL_PAYOUT)
+        while (from + 2 < scene->total && scene->joint_s[from] + travel - back < drum - 1e-9) ++from;
+    if (scene->winch->take_in.present)
+        while (end > from + 2 && scene->joint_s[end - 1] + travel >= winch_place(scene) - 1e-9) --end;
+    *first = from;
+    *n = end - from;
+}
+
+/* The winch holds the head's front end; where it takes the rope in, by the segment that has passed it last (RL16). */
+static void winch_put(const Positions *p, Stage *st, double travel)
+{
+    const Scene *const scene = &st->scene;
+    Winch *const w = scene->winch;
+    const int taken = scene->first + scene->chain.n;
+    double row[STATE_SIZE];
+    w->origin = p->origin;
+    w->attitude = p->attitude;
+    if (!w->take_in.present || taken >= scene->total) return;
+    scene_lay(scene, travel, taken, 1, row);
+    w->origin = v3_axpy(state_vector(row, 1, STATE_P, 0), -travel, w->direction);
+    w->attitude = state_attitude(row, 1, 0);
+    winch_take_in(w, st->t, V3_ZERO, V3_ZERO);
+}
+
+/* The chain of time t laid along its route, with the moving rollers as they are. */
+static hawser_status lay(const Positions *p, Stage *st, double t, double back, hawser_error *err)
+{
+    Scene *const scene = &st->scene;
+    const double travel = winch_travel(scene->winch, t);
+    const int own = scene_state_size(scene) - STATE_SIZE * scene->chain.n;
+    double *const kept = malloc(((size_t)own + 1) * sizeof *kept);
+    if (!kept) return error_memory(err);
+    memcpy(kept, st->y + STATE_SIZE * scene->chain.n, (size_t)own * sizeof *kept);
+    int first, n;
+    window_at(st, travel, back, &first, &n);
+    scene->reel->present = scene->def.reel.model == REEL_PAYOUT &&
+                           scene->joint_s[0] + travel - back < -scene->def.reel.distance + 2 * st->whole.half[0];
+    hawser_status status = HAWSER_OK;
+    if (first != scene->first || n != scene->chain.n || (st->whole.n > 0 && st->t <= 0))
+        status = stage_window(st, first, n, err);
+    if (!status) {
+        scene_lay(scene, travel, first, n, st->y);
+        memcpy(st->y + STATE_SIZE * n, kept, (size_t)own * sizeof *kept);
+        st->t = t;
+        winch_put(p, st, travel);
+    }
+    free(kept);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------- one position */
+
+/* How far the tail is behind where it was laid, m. */
+static double tail_back(const Stage *st)
+{
+    const Scene *const scene = &st->scene;
+    const RoutePoint at = route_at(&scene->route, centre_at(scene, 0, winch_travel(scene->winch, st->t)));
+    return v3_dot(v3_sub(at.position, state_vector(st->y, scene->chain.n, STATE_P, 0)), at.tangent);
+}
+
+/* The segment of the state that is nearest to a place. */
+static int nearest(const Stage *st, Vec3 place)
+{
+    const int n = st->scene.chain.n;
+    double least = INFINITY;
+    int found = 0;
+    for (int i = 0; i < n; ++i) {
+        const double away = v3_norm(v3_sub(state_vector(st->y, n, STATE_P, i), place));
+        if (away < least) {
+            least = away;
+            found = i;
+        }
+    }
+    return found;
+}
+
+/* Rollers that spin begin at the surface speed of the cable: one that stands would have to be sped up through friction
+ * that does not depend on its speed (PO7). */
+static void spins_start(Stage *st, double speed)
+{
+    const Scene *const scene = &st->scene;
+    const Equipment *const q = scene->equipment;
+    const int n = scene->chain.n;
+    for (int k = 0; k < q->n; ++k) {
+        if (q->item[k].spin < 0) continue;
+        const Shape *const shape = &scene->rollers[q->item[k].roller].shape;
+        const int i = nearest(st, shape->centre);
+        const Vec3 axis = quat_rotate(state_attitude(st->y, n, i), v3(1, 0, 0));
+        const Vec3 out = v3_reject(v3_sub(state_vector(st->y, n, STATE_P, i), shape->centre), axis);
+        const double side = v3_dot(v3_cross(shape->axis, out), axis) < 0 ? -1 : 1;
+        st->y[STATE_SIZE * n + q->item[k].spin] = side * speed / shape->radius;
+    }
+}
+
+/* Steady motion from the laid chain: from the last position's shape, or from a rest without friction. */
+static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation *out, hawser_error *err)
+{
+    Scene *const scene = &st->scene;
+    const double speed = winch_speed(scene->winch, st->t), travel = winch_travel(scene->winch, st->t);
+    if (!fresh) lie_apply(&p->lie, st, travel);
+    hawser_status status = st->motion->ops->renew(st->motion, st->t, st->y, err);
+    if (!status && fresh) status = st->motion->ops->relax(st->motion, st->t, st->y, out, err);
+    if (!status && fresh) spins_start(st, speed);
+    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, fresh, st->y, out, err);
+    return status;
+}
+
+hawser_status positions_advance(Positions *p, Stage *st, double t, hawser_relaxation *out, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    double back = p->back;
+    int fresh = p->lie.n == 0, behind = 1;
+    if (!at_speed(&st->scene, t)) {
+        return error_set(err, HAWSER_ERR_RUN, "the winch is not at a constant speed at t = %.6g s: no steady motion",
+                         t);
+    }
+    for (int tries = 0; !status && behind && tries < 4; ++tries) {
+        status = lay(p, st, t, back, err);
+        if (!status) status = solve(p, st, fresh, out, err);
+        if (!status && !out->reached && !fresh) {
+            fresh = 1;
+            continue;
+        }
+        if (status || !out->reached) break;
+        p->back = tail_back(st);
+        behind = st->scene.reel->present && fabs(p->back - back) > BEHIND * st->scene.chain.half[0];
+        back = p->back;
+        fresh = 0;
+        status = lie_keep(&p->lie, st, winch_travel(st->scene.winch, t), err);
+    }
+    if (!status && !out->reached) {
+        status = error_set(err, HAWSER_ERR_RUN,
+                           "no steady motion was found with the front at %.6g m: %.3g N stay unbalanced at segment %d "
+                           "(aim: %.3g N): 'analysis: dynamics' may show why",
+                           head_at(&st->scene, t), out->residual_N, out->segment, out->tolerance_N);
+    }
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------- what was found */
+
+/* The largest tension and push, and the largest sidewall pressure of the cable. */
+static void place_chain(const Scene *scene, const hawser_sample *look, hawser_place *out)
+{
+    const int eye = scene->eye - scene->first;
+    const double *const tension = look->tension + scene->first;
+    for (int j = 0; j <= scene->chain.n; ++j) {
+        const double s = sample_joint_place(scene, look, j);
+        if (j == eye) out->front_N = tension[j];
+        if (tension[j] > out->tension_N) {
+            out->tension_N = tension[j];
+            out->tension_at_m = s;
+        }
+        if (-tension[j] > out->push_N) {
+            out->push_N = -tension[j];
+            out->push_at_m = s;
+        }
+        const double wall = j <= eye ? sidewall_at(scene, s, tension[j]) : 0;
+        if (wall > out->sidewall_N_per_m) {
+            out->sidewall_N_per_m = wall;
+            out->sidewall_at_m = s;
+        }
+    }
+}
+
+static int room_for(Positions *p)
+{
+    if (p->done < p->room) return 1;
+    const size_t room = p->room > 0 ? 2 * (size_t)p->room : (size_t)(p->n > 8 ? p->n : 8);
+    hawser_place *const out = realloc(p->out, room * sizeof *out);
+    if (out) p->out = out;
+    double *const station = realloc(p->station, (room * (size_t)p->n_stations + 1) * sizeof *station);
+    if (station) p->station = station;
+    if (!out || !station) return 0;
+    p->room = (int)room;
+    return 1;
+}
+
+hawser_status positions_record(Positions *p, const Stage *st, const hawser_sample *look, const hawser_relaxation *found,
+                               hawser_error *err)
+{
+    const Scene *const scene = &st->scene;
+    if (!room_for(p)) return error_memory(err);
+    hawser_place *const out = &p->out[p->done];
+    *out = (hawser_place){.head_m = head_at(scene, st->t),
+                          .time_s = st->t,
+                          .pull_N = look->winch_force,
+                          .reference_N = look->reference,
+                          .front_N = NAN,
+                          .tension_at_m = NAN,
+                          .push_at_m = NAN,
+                          .sidewall_at_m = NAN,
+                          .residual_N = found->residual_N,
+                          .tolerance_N = found->tolerance_N,
+                          .iterations = found->iterations};
+    place_chain(scene, look, out);
+    for (int r = 0; r < look->rollers; ++r) {
+        if (!(look->roller_load[r] > out->roller_N)) continue;
+        out->roller_N = look->roller_load[r];
+        out->roller = scene->def.rollers[r].name;
+    }
+    double *const station = p->station + (size_t)p->done * (size_t)p->n_stations;
+    for (int k = 0; k < p->n_stations; ++k)
+        station[k] = stats_tension_at(scene, &st->ws.kin, look, scene->def.stations[k].s);
+    if (p->worst < 0 || out->pull_N > p->out[p->worst].pull_N) p->worst = p->done;
+    if (out->tension_N > 0) p->push_share = fmax(p->push_share, out->push_N / out->tension_N);
+    ++p->done;
+    return HAWSER_OK;
+}

@@ -1,0 +1,43 @@
+/* Steady motion of a pull at positions of the cable's front, without the motion that leads there: at each the chain is
+ * laid along the route and brought to equilibrium with friction fully developed. docs/model/44-positions.md. */
+#ifndef HAWSER_SIM_RUN_POSITIONS_H
+#define HAWSER_SIM_RUN_POSITIONS_H
+
+#include "sim/run/stage.h"
+
+/* How the last position's chain lies beside the route, from which the next one's begins (PO8). */
+typedef struct Lie {
+    int n;
+    double *s;          /* [n] m along the route, of segments' centres as they would be laid, rising */
+    Vec3 *shift, *turn; /* [n] m, rad: from there */
+} Lie;
+
+typedef struct Positions {
+    int n, done;       /* wanted; found so far, by the sim's calls */
+    double *time;      /* [n] s, when the winch has hauled the front there, rising */
+    hawser_place *out; /* [room] by time */
+    double *station;   /* [room][n_stations] N; NAN where there is no cable */
+    int room, n_stations;
+    int worst;         /* place with the largest pull; -1: none yet */
+    double push_share; /* the largest compression over the largest tension of the same place */
+    Lie lie;
+    double back; /* m, by which its tail was behind where it was laid */
+    Vec3 origin; /* of the winch as it was built */
+    Quat attitude;
+} Positions;
+
+/* Which positions there are, and whether each can be in steady motion; sets the scene's duration and steady window to
+ * theirs. Nothing of another analysis. Errors: INPUT with the key to change, MEMORY. positions_free may follow. */
+hawser_status positions_new(Positions *p, Stage *stage, hawser_error *err);
+void positions_free(Positions *p);
+/* The first position's time after t, or `end` if that comes first. */
+double positions_next(const Positions *p, double t, double end);
+
+/* Lays the chain as it lies at time t and finds its steady motion; the stage is then at t. Errors: MEMORY, STOPPED;
+ * RUN: there is no steady motion there, or it was not found. */
+hawser_status positions_advance(Positions *p, Stage *stage, double t, hawser_relaxation *out, hawser_error *err);
+/* Takes in what was found, with the sample of it. Errors: MEMORY. */
+hawser_status positions_record(Positions *p, const Stage *stage, const hawser_sample *look,
+                               const hawser_relaxation *found, hawser_error *err);
+
+#endif
