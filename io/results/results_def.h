@@ -46,7 +46,7 @@ typedef struct ResultsDef {
 enum { REMEDY_MAX = 256 };
 
 /* A file as it stands in a folder: its bytes (< 0: it is not there) and a sum of them all, as 16 hexadecimal digits. */
-enum { SUM_SIZE = 17, FILE_SUMS_MAX = 7 };
+enum { SUM_SIZE = 17, FILE_SUMS_MAX = 8 };
 typedef struct FileSum {
     char file[16];
     long bytes;

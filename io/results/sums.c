@@ -11,8 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-const char *const sum_files[FILE_SUMS_MAX] = {"series.csv", "stations.csv", "rollers.csv", "inputs.csv",
-                                              "route.csv",  "modes.csv",    "results.xdmf"};
+const char *const sum_files[FILE_SUMS_MAX] = {"series.csv", "stations.csv", "rollers.csv",   "inputs.csv",
+                                              "route.csv",  "modes.csv",    "positions.csv", "results.xdmf"};
 
 /* Bytes that are summed at a time. */
 enum { BLOCK = 1 << 18 };
