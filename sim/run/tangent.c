@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/modes.h"
 
 /* The scene with one parameter less and more. */
 typedef struct Pair {
@@ -14,6 +15,9 @@ typedef struct Pair {
     double *now, *before;  /* [size] dy/dp at the last two steps */
     double *slope, *rates; /* [figures] at the last step; [size] scratch */
 } Pair;
+
+/* s, at most: the step that stands for infinity in the matrix of an equilibrium (RD8), (RD23). */
+static const double LONG = 1e5;
 
 struct Tangent {
     Stage base;
@@ -127,6 +131,93 @@ Tangent *tangent_free(Tangent *g)
     return NULL;
 }
 
+/* ------------------------------------------------------------------------------------------------------- the start */
+
+/* Of the search for rest, (E1): rates and blocks without friction. 0, or other than 0 if not finite. */
+static int rest_rates(Stage *st, double t, const double *y, double *rates)
+{
+    if (st->motion == &st->planar.motion) return planar_evaluate(&st->planar, t, y, 0, rates);
+    dynamics_rates(&st->scene, &st->ws, t, y, 0, rates);
+    return 0;
+}
+
+static void rest_linearise(Stage *st, double t, const double *y, const double *rates)
+{
+    if (st->motion == &st->planar.motion) {
+        planar_blocks(&st->planar, t, y, 0);
+        return;
+    }
+    dynamics_blocks(&st->scene, &st->ws, t, y, rates, 0, &st->newton.k, &st->newton.d);
+    newton_point(&st->newton, &st->scene, &st->ws.kin, y);
+    newton_point_equipment(&st->newton, st->ws.equipment, y, 0);
+}
+
+/* How many entries of y are places and attitudes of the chain: they come first, its speeds behind them. *speeds: how
+ * many those are. */
+static size_t places(const Stage *st, size_t *speeds)
+{
+    const int planar = st->motion == &st->planar.motion;
+    const size_t pitch = (size_t)(planar ? planar_stride(st->scene.chain.n) : st->scene.chain.n);
+    const size_t from = planar ? PLANAR_V : STATE_V, to = planar ? PLANAR_SIZE : STATE_SIZE;
+    *speeds = (to - from) * pitch;
+    return from * pitch;
+}
+
+/* gamma f_p at rest, which may be of any size: both scenes without friction, with contacts of there. */
+static hawser_status rest_pushes(Tangent *g, Pair *p, double t, const double *rest, double gamma, double *b,
+                                 hawser_error *err)
+{
+    hawser_status status = p->less.motion->ops->renew(p->less.motion, t, rest, err);
+    if (!status) status = p->more.motion->ops->renew(p->more.motion, t, rest, err);
+    if (status) return status;
+    if (rest_rates(&p->less, t, rest, g->shifted) || rest_rates(&p->more, t, rest, p->rates))
+        return error_set(err, HAWSER_ERR_RUN, "the run's start has no finite rates");
+    for (int i = 0; i < g->size; ++i) b[i] = gamma * (p->rates[i] - g->shifted[i]) / (2 * p->half);
+    return HAWSER_OK;
+}
+
+/* dy/dp of the equilibrium that the run begins from, (SN13): one solution with the statics' matrix for each parameter.
+ * Only places follow from it. */
+static hawser_status relaxed_slopes(Tangent *g, double t, const double *y, hawser_error *err)
+{
+    Motion *const m = g->base.motion;
+    const double infinite = fmin(LONG, 1 / sqrt(modes_rounding(&g->base.scene.chain, 0)));
+    double *const rest = aligned_array_new(g->size);
+    size_t speeds;
+    const size_t where = places(&g->base, &speeds);
+    if (!rest) return error_memory(err);
+    memcpy(rest, y, (size_t)g->size * sizeof *rest);
+    memset(rest + where, 0, speeds * sizeof *rest);
+    hawser_status status = m->ops->renew(m, t, rest, err);
+    int singular = !status && rest_rates(&g->base, t, rest, g->rates);
+    if (!status && !singular) {
+        rest_linearise(&g->base, t, rest, g->rates);
+        m->ops->form(m, infinite);
+        singular = m->ops->factor(m);
+    }
+    for (int k = 0; k < g->n && !status && !singular; ++k) {
+        Pair *const p = &g->pair[k];
+        status = rest_pushes(g, p, t, rest, infinite, p->before, err);
+        if (!status) singular = m->ops->solve(m, p->before);
+        if (!status && !singular) memcpy(p->now, p->before, where * sizeof *rest);
+    }
+    free(rest);
+    if (!status && singular) status = error_set(err, HAWSER_ERR_RUN, "the matrix of the run's start is singular");
+    return status ? status : m->ops->renew(m, t, y, err);
+}
+
+/* dy/dp where the run begins: as the chain is laid and launched, and of an equilibrium what moves that. */
+static hawser_status start_slopes(Tangent *g, double t, const double *y, hawser_error *err)
+{
+    for (int k = 0; k < g->n; ++k) {
+        Pair *const p = &g->pair[k];
+        for (int i = 0; i < g->size; ++i) p->now[i] = (p->more.y[i] - p->less.y[i]) / (2 * p->half);
+    }
+    return g->base.scene.def.solver.relax ? relaxed_slopes(g, t, y, err) : HAWSER_OK;
+}
+
+/* --------------------------------------------------------------------------------------------------------- the steps */
+
 /* Its rates at (t, y), with contact candidates of there. */
 static hawser_status rates_at(Stage *st, double t, const double *y, double *rates, hawser_error *err)
 {
@@ -218,6 +309,7 @@ hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *
     hawser_status status = rates_at(&g->base, t, y, g->rates, err);
     const double h = t - g->t, before = g->h;
     if (status || !g->begun || !(h > 0)) {
+        if (!status && !g->begun) status = start_slopes(g, t, y, err);
         g->begun = 1;
         g->t = t;
         return status;
@@ -236,3 +328,5 @@ hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *
 }
 
 const TangentFigures *tangent_figures(const Tangent *g) { return &g->figures; }
+
+const double *tangent_slope(const Tangent *g, int k) { return g->pair[k].now; }

@@ -20,10 +20,12 @@ hawser_status tangent_new(const SceneDef *base, int n, const SceneDef *less, con
                           double from, Tangent **out, hawser_error *err);
 Tangent *tangent_free(Tangent *g);
 /* The run has begun or made a step: it is at (t, y) [motion->size]; y is that of a stage of the base. The first call
- * says where it begins: that state is held whatever the parameters are. Errors: RUN (a matrix that is singular),
+ * says where it begins, which depends on the parameters too (SN13). Errors: RUN (a matrix that is singular),
  * MEMORY.
  */
 hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *err);
 const TangentFigures *tangent_figures(const Tangent *g);
+/* dy/dp of parameter k now [motion->size]. */
+const double *tangent_slope(const Tangent *g, int k);
 
 #endif
