@@ -26,12 +26,10 @@ struct Tangent {
     double t, h, from;
     double *rates, *shifted, *look[2]; /* [size], [size], [figures] scratch */
     double *value;                     /* [figures] at the last step */
-    int *at_station;                   /* [stations] the segment that is nearest */
     TangentFigures figures;
 };
 
-/* What keeps something from step to step beside (t, y), or changes the state's length: NULL, or its name. */
-static const char *unknown_part(const Stage *st)
+const char *tangent_unknown(const Stage *st)
 {
     const Scene *const s = &st->scene;
     if (s->def.rod.present) return "a rod";
@@ -48,6 +46,55 @@ static const char *unknown_part(const Stage *st)
     return NULL;
 }
 
+/* ---------------------------------------------------------------------------------------------------------- figures */
+
+int tangent_figures_make(const Stage *st, int parameters, TangentFigures *f)
+{
+    *f = (TangentFigures){.stations = st->scene.def.n_stations, .rollers = st->scene.def.n_rollers};
+    f->n = 1 + f->stations + f->rollers;
+    f->value = calloc((size_t)f->n, sizeof(double));
+    f->slope = calloc((size_t)f->n * (size_t)parameters + 1, sizeof(double));
+    f->at_station = calloc((size_t)f->stations + 1, sizeof(int));
+    return f->value && f->slope && f->at_station;
+}
+
+void tangent_figures_free(TangentFigures *f)
+{
+    free(f->value);
+    free(f->slope);
+    free(f->at_station);
+}
+
+void tangent_figures_look(const TangentFigures *f, Stage *st, double t, const double *y, double *figure)
+{
+    const MotionOps *const ops = st->motion->ops;
+    ops->look(st->motion, t, y, 1);
+    for (int i = 0; i < f->stations; ++i) figure[1 + i] = st->ws.law[0][f->at_station[i]];
+    for (int i = 0; i < f->rollers; ++i) figure[1 + f->stations + i] = v3_norm(st->ws.on_roller[i]);
+    figure[0] = ops->winch_pull(st->motion, t, y);
+}
+
+int tangent_nearest(const Stage *st, const double *y, Vec3 at)
+{
+    int nearest = 0;
+    double least = INFINITY;
+    for (int k = 0; k < st->scene.chain.n; ++k) {
+        const double away = v3_norm(v3_sub(st->motion->ops->place(st->motion, y, k), at));
+        if (away >= least) continue;
+        least = away;
+        nearest = k;
+    }
+    return nearest;
+}
+
+void tangent_stations_find(const Stage *st, const double *y, TangentFigures *f)
+{
+    for (int i = 0; i < f->stations; ++i)
+        f->at_station[i] = tangent_nearest(st, y, route_at(&st->scene.route, st->scene.def.stations[i].s).position);
+}
+
+/* ------------------------------------------------------------------------------------------------------------- life */
+
 static hawser_status stage_make(const SceneDef *def, Stage *st, int size, hawser_error *err)
 {
     const hawser_status status = stage_new(st, def, NULL, err);
@@ -57,21 +104,15 @@ static hawser_status stage_make(const SceneDef *def, Stage *st, int size, hawser
 
 static hawser_status arrays_make(Tangent *g, hawser_error *err)
 {
-    const Scene *const s = &g->base.scene;
     TangentFigures *const f = &g->figures;
-    f->stations = s->def.n_stations;
-    f->rollers = s->def.n_rollers;
-    f->n = 1 + f->stations + f->rollers;
-    const size_t m = (size_t)f->n, n = (size_t)g->n;
-    f->value = calloc(m, sizeof(double));
-    f->slope = calloc(m * n + 1, sizeof(double));
+    const int made = tangent_figures_make(&g->base, g->n, f);
+    const size_t m = (size_t)f->n;
     g->value = calloc(m, sizeof(double));
     g->look[0] = calloc(m, sizeof(double));
     g->look[1] = calloc(m, sizeof(double));
-    g->at_station = calloc((size_t)f->stations + 1, sizeof(int));
     g->rates = aligned_array_new(g->size);
     g->shifted = aligned_array_new(g->size);
-    int fine = f->value && f->slope && g->value && g->look[0] && g->look[1] && g->at_station && g->rates && g->shifted;
+    int fine = made && g->value && g->look[0] && g->look[1] && g->rates && g->shifted;
     for (int k = 0; k < g->n; ++k) {
         Pair *const p = &g->pair[k];
         p->now = aligned_array_new(g->size);
@@ -92,7 +133,7 @@ hawser_status tangent_new(const SceneDef *base, int n, const SceneDef *less, con
     g->from = from;
     g->pair = calloc((size_t)n + 1, sizeof *g->pair);
     hawser_status status = g->pair ? stage_make(base, &g->base, 0, err) : error_memory(err);
-    const char *const unknown = status ? NULL : unknown_part(&g->base);
+    const char *const unknown = status ? NULL : tangent_unknown(&g->base);
     if (unknown) status = error_set(err, HAWSER_ERR_INPUT, "sensitivities of a run with %s are not known", unknown);
     g->size = status ? 0 : g->base.motion->size;
     for (; g->n < n && !status; ++g->n) {
@@ -124,9 +165,7 @@ Tangent *tangent_free(Tangent *g)
     free(g->look[0]);
     free(g->look[1]);
     free(g->value);
-    free(g->at_station);
-    free(g->figures.value);
-    free(g->figures.slope);
+    tangent_figures_free(&g->figures);
     free(g);
     return NULL;
 }
@@ -248,31 +287,6 @@ static hawser_status pair_step(Tangent *g, Pair *p, double t, const double *y, d
     return HAWSER_OK;
 }
 
-/* The figures of (t, y). */
-static void figures_look(const Tangent *g, Stage *st, double t, const double *y, double *figure)
-{
-    const MotionOps *const ops = st->motion->ops;
-    ops->look(st->motion, t, y, 1);
-    for (int i = 0; i < g->figures.stations; ++i) figure[1 + i] = st->ws.law[0][g->at_station[i]];
-    for (int i = 0; i < g->figures.rollers; ++i) figure[1 + g->figures.stations + i] = v3_norm(st->ws.on_roller[i]);
-    figure[0] = ops->winch_pull(st->motion, t, y);
-}
-
-/* Which segment passes each station. */
-static void stations_find(Tangent *g, const double *y)
-{
-    const Scene *const s = &g->base.scene;
-    for (int i = 0; i < g->figures.stations; ++i) {
-        const Vec3 at = route_at(&s->route, s->def.stations[i].s).position;
-        double least = INFINITY;
-        for (int k = 0; k < s->chain.n; ++k) {
-            const double away = v3_norm(v3_sub(g->base.motion->ops->place(g->base.motion, y, k), at));
-            if (away >= least) continue;
-            least = away;
-            g->at_station[i] = k;
-        }
-    }
-}
 
 /* (SN12) */
 static void pair_look(Tangent *g, Pair *p, double t, const double *y)
@@ -280,7 +294,7 @@ static void pair_look(Tangent *g, Pair *p, double t, const double *y)
     for (int side = 0; side < 2; ++side) {
         const double by = side ? p->half : -p->half;
         for (int i = 0; i < g->size; ++i) g->shifted[i] = y[i] + by * p->now[i];
-        figures_look(g, side ? &p->more : &p->less, t, g->shifted, g->look[side]);
+        tangent_figures_look(&g->figures, side ? &p->more : &p->less, t, g->shifted, g->look[side]);
     }
     for (int i = 0; i < g->figures.n; ++i) p->slope[i] = (g->look[1][i] - g->look[0][i]) / (2 * p->half);
 }
@@ -292,8 +306,8 @@ static void figures_take(Tangent *g, double t, const double *y)
     const double h = fmin(g->h, t - g->from);
     if (!(h > 0)) return;
     const double share = h / (f->seconds + h);
-    stations_find(g, y);
-    figures_look(g, &g->base, t, y, g->value);
+    tangent_stations_find(&g->base, y, f);
+    tangent_figures_look(f, &g->base, t, y, g->value);
     for (int i = 0; i < f->n; ++i) f->value[i] += share * (g->value[i] - f->value[i]);
     for (int k = 0; k < g->n; ++k) {
         double *const slope = f->slope + (size_t)k * (size_t)f->n;

@@ -3,7 +3,7 @@
 #ifndef HAWSER_STUDY_ENGINE_ENGINE_H
 #define HAWSER_STUDY_ENGINE_ENGINE_H
 
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 #include "study/maths/fit.h"
 #include "study/plan/study.h"
 
