@@ -229,7 +229,8 @@ typedef struct Keys {
 /* What computes, watches or judges a pull is no part of it. */
 static int is_mechanics(const char *section)
 {
-    static const char *const other[] = {"title", "include", "run", "solver", "output", "limits", "theory", "analysis", "view"};
+    static const char *const other[] = {"title",  "include", "run",      "solver", "output",
+                                        "limits", "theory",  "analysis", "view"};
     for (size_t k = 0; k < sizeof other / sizeof *other; k++) {
         if (strcmp(section, other[k]) == 0) return 0;
     }
@@ -355,7 +356,8 @@ hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const
         const Fact when = {"at_s", "the position of", "s", cell_number(sim->stage.t)};
         const Scene *const scene = &sim->stage.scene;
         status = slopes_write(c, scene, &v, f, slope, when, POSITION_TITLE, format, text, err);
-        if (!status && json) status = slopes_write(c, scene, &v, f, slope, when, POSITION_TITLE, HAWSER_JSON, json, err);
+        if (!status && json)
+            status = slopes_write(c, scene, &v, f, slope, when, POSITION_TITLE, HAWSER_JSON, json, err);
     }
     free(slope);
     free(key);

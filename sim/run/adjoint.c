@@ -9,8 +9,8 @@
 
 /* s, at most: the step that stands for infinity in the matrix of an equilibrium (RD8), (RD23). */
 static const double LONG = 1e5;
-/* How far a segment is moved (m) and turned (rad) to see what a figure makes of it: tensions are all but linear and of a
- * stiff cable, loads of rollers curved. */
+/* How far a segment is moved (m) and turned (rad) to see what a figure makes of it: tensions are all but linear and of
+ * a stiff cable, loads of rollers curved. */
 static const double FOR_TENSION[2] = {1e-4, 1e-4}, FOR_LOAD[2] = {4e-7, 1e-6};
 /* Every so many-th segment is moved at once: what a figure makes of it comes from the one that is nearest to it. */
 enum { APART = 64 };
@@ -98,8 +98,7 @@ static void figures_slopes(Position *p, int from, int to, const double by[2])
             }
             for (int f = from; f < to; ++f) {
                 double *const of = p->weight + (size_t)f * 6 * (size_t)n;
-                of[6 * nearest_of(n, first, p->at[f]) + c] =
-                    (8 * (g[2][f] - g[1][f]) - (g[3][f] - g[0][f])) / (12 * h);
+                of[6 * nearest_of(n, first, p->at[f]) + c] = (8 * (g[2][f] - g[1][f]) - (g[3][f] - g[0][f])) / (12 * h);
             }
         }
     }
@@ -152,7 +151,8 @@ static hawser_status weights_solve(Position *p, hawser_error *err)
     memcpy(p->right, p->weight, (size_t)m * (size_t)n * sizeof *p->right);
     int singular = !status && (linsolver_factor(solver, &a) || linsolver_solve_many(solver, m, p->weight));
     if (!status && !singular) {
-        for (int f = 0; f < m; ++f) stiffness_add(&st->newton.k, p->weight + (size_t)f * (size_t)n, p->right + (size_t)f * (size_t)n);
+        for (int f = 0; f < m; ++f)
+            stiffness_add(&st->newton.k, p->weight + (size_t)f * (size_t)n, p->right + (size_t)f * (size_t)n);
         singular = linsolver_solve_many(solver, m, p->right);
         for (size_t i = 0; i < (size_t)m * (size_t)n; ++i) p->weight[i] += p->right[i];
     }
@@ -179,7 +179,8 @@ hawser_status position_new(const SceneDef *base, double t, const double *y, Posi
     p->t = t;
     hawser_status status = stage_at(base, t, y, &p->st, err);
     const char *const unknown = status ? NULL : unknown_part(&p->st);
-    if (unknown) status = error_set(err, HAWSER_ERR_INPUT, "sensitivities of a position with %s are not known", unknown);
+    if (unknown)
+        status = error_set(err, HAWSER_ERR_INPUT, "sensitivities of a position with %s are not known", unknown);
     if (!status) {
         const int size = p->st.motion->size, made = tangent_figures_make(&p->st, 0, &p->figures);
         const size_t m = (size_t)p->figures.n;
@@ -258,8 +259,8 @@ hawser_status position_by(Position *p, const SceneDef *less, const SceneDef *mor
         }
         for (int c = 0; c < 3; ++c) {
             force[6 * i + c] = nw->mass[i] * by[c];
-            force[6 * i + 3 + c] = nw->inertia[3 * c][i] * by[3] + nw->inertia[3 * c + 1][i] * by[4] +
-                                   nw->inertia[3 * c + 2][i] * by[5];
+            force[6 * i + 3 + c] =
+                nw->inertia[3 * c][i] * by[3] + nw->inertia[3 * c + 1][i] * by[4] + nw->inertia[3 * c + 2][i] * by[5];
         }
     }
     for (int f = 0; f < p->figures.n; ++f) {

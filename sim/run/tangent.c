@@ -255,7 +255,8 @@ static hawser_status start_slopes(Tangent *g, double t, const double *y, hawser_
     return g->base.scene.def.solver.relax ? relaxed_slopes(g, t, y, err) : HAWSER_OK;
 }
 
-/* --------------------------------------------------------------------------------------------------------- the steps */
+/* --------------------------------------------------------------------------------------------------------- the steps
+ */
 
 /* Its rates at (t, y), with contact candidates of there. */
 static hawser_status rates_at(Stage *st, double t, const double *y, double *rates, hawser_error *err)
@@ -286,7 +287,6 @@ static hawser_status pair_step(Tangent *g, Pair *p, double t, const double *y, d
     p->now = b;
     return HAWSER_OK;
 }
-
 
 /* (SN12) */
 static void pair_look(Tangent *g, Pair *p, double t, const double *y)

@@ -11,7 +11,7 @@
 #include "sim/run/tangent.h"
 #include "tests/study/study_fixture.h"
 
-#define FLAT HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml"
+#define FLAT   HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml"
 #define TUNNEL HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml"
 
 static hawser_case *case_of(const char *file, const char *key, double value, const char *unit)

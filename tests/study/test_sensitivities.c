@@ -156,8 +156,8 @@ static double start_difference(const char *file, const char *key, double value, 
 static void the_start_follows(void **state)
 {
     (void)state;
-    static const char flat[] = HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml", space[] = HAWSER_SOURCE_DIR
-        "/cases/huangjiahu.yaml";
+    static const char flat[] = HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml",
+                      space[] = HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml";
     check_at_most(start_difference(flat, "cables.power.mass", 20, "kg/m"), 1e-5);
     check_at_most(start_difference(flat, "cables.power.EI", 10, "kN m2"), 1e-5);
     check_at_most(start_difference(space, "cables.power.density", 7801, "kg/m3"), 4e-5);
@@ -186,6 +186,7 @@ static void refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(the_start_follows), cmocka_unit_test(refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(the_start_follows),
+                                       cmocka_unit_test(refused)};
     return cmocka_run_group_tests(tests, folder_make, folder_remove);
 }
