@@ -192,6 +192,8 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
 {
     if (!c || !keys || !text) return error_argument(err, !c ? "c" : !keys ? "keys" : "text");
     const hawser_options one = {.threads = 1};
+    hawser_error local;
+    if (!err) err = &local;
     Varied v = {.n = n, .key = keys};
     Tangent *g = NULL;
     hawser_sim *sim = NULL;
@@ -331,6 +333,8 @@ hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const
                                                  char **json, hawser_error *err)
 {
     if (!c || (!keys && n > 0) || !text) return error_argument(err, !c ? "c" : !text ? "text" : "keys");
+    hawser_error local;
+    if (!err) err = &local;
     hawser_sim *sim = NULL;
     Position *at = NULL;
     Keys every = {0};
