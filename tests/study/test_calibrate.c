@@ -203,25 +203,25 @@ static void goes_on(void **state)
 #define HILL_CASE HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml"
 
 /* A short pull from the level up a hill: friction and mass each do something else along it. */
-static const char *const hill[][2] = {
-    {"route.pieces", "[{straight: 12 m, name: row}, {bend: 35 deg, radius: 9 m, plane: up}, {straight: 8 m}]"},
-    {"drive.winch.speed", "30 m/min"},
-    {"run.duration", "13 s"},
-    {"run.steady_from", "2 s"}};
+static const char HILL[] = "[{straight: 12 m, name: row}, {bend: 35 deg, radius: 9 m, plane: up}, {straight: 8 m}]",
+                  LEVEL[] = "[{straight: 25 m, name: row}]";
+static const char *const pull[][2] = {
+    {"drive.winch.speed", "30 m/min"}, {"run.duration", "13 s"}, {"run.steady_from", "2 s"}};
 
 /* The run's force with these values, every 10 ms, by the place of the cable's head. */
-static Truth run_truth(const char *mu, const char *mass)
+static Truth run_truth(const char *route, const char *mu, const char *mass)
 {
     Truth t = {0};
     hawser_case *c;
     hawser_sim *sim;
     hawser_error err;
     if (hawser_case_load(HILL_CASE, &c, &err)) fail_msg("%s", err.message);
-    for (size_t k = 0; k < sizeof hill / sizeof *hill; k++) {
-        if (hawser_case_set(c, hill[k][0], hill[k][1], &err)) fail_msg("%s", err.message);
+    for (size_t k = 0; k < sizeof pull / sizeof *pull; k++) {
+        if (hawser_case_set(c, pull[k][0], pull[k][1], &err)) fail_msg("%s", err.message);
     }
-    if (hawser_case_set(c, "friction.mu", mu, &err) || hawser_case_set(c, "cables.power.mass", mass, &err) ||
-        hawser_sim_new(c, NULL, &sim, &err) || hawser_sim_relax(sim, NULL, &err))
+    if (hawser_case_set(c, "route.pieces", route, &err) || hawser_case_set(c, "friction.mu", mu, &err) ||
+        hawser_case_set(c, "cables.power.mass", mass, &err) || hawser_sim_new(c, NULL, &sim, &err) ||
+        hawser_sim_relax(sim, NULL, &err))
         fail_msg("%s", err.message);
     for (double time = 0.01; time < 12.99; time += 0.01) {
         if (hawser_sim_advance(sim, time, 0, &err)) fail_msg("%s", err.message);
@@ -251,13 +251,13 @@ static void run_log(const Truth *t, uint64_t seed)
     fclose(f);
 }
 
-static Findings calibrate_hill(const char *lines, const char *dir, Study **s, Rows *rows)
+static Findings calibrate_runs(const char *route, const char *lines, const char *dir, Study **s, Rows *rows)
 {
     char text[2000];
     hawser_error err;
     Findings f;
-    snprintf(text, sizeof text, "case: " HILL_CASE "\nset:\n  %s: \"%s\"\n  %s: %s\n  %s: %s\n  %s: %s\n%s", hill[0][0],
-             hill[0][1], hill[1][0], hill[1][1], hill[2][0], hill[2][1], hill[3][0], hill[3][1], lines);
+    snprintf(text, sizeof text, "case: " HILL_CASE "\nset:\n  route.pieces: \"%s\"\n  %s: %s\n  %s: %s\n  %s: %s\n%s",
+             route, pull[0][0], pull[0][1], pull[1][0], pull[1][1], pull[2][0], pull[2][1], lines);
     hawser_study *const study = study_open(file_write("study.yaml", text));
     const hawser_study_options options = {.jobs = 1, .fresh = 1};
     if (hawser_study_run(study, path_of(dir), &options, &err)) fail_msg("%s", err.message);
@@ -275,7 +275,7 @@ static Findings fit_hill(const char *fidelity, Study **s, Rows *rows)
              "  mass: {key: cables.power.mass, range: {from: 10 kg/m, to: 40 kg/m}}\n"
              "calibrate: {log: pull.csv, head: 12 m, parts: 40}\n",
              fidelity);
-    return calibrate_hill(text, fidelity, s, rows);
+    return calibrate_runs(HILL, text, fidelity, s, rows);
 }
 
 /* Logs that a run has made, with noise, drop-outs and a rest, give friction and mass back within their intervals, as
@@ -283,7 +283,7 @@ static Findings fit_hill(const char *fidelity, Study **s, Rows *rows)
 static void runs_give_them_back(void **state)
 {
     (void)state;
-    const Truth t = run_truth("0.23", "21 kg/m");
+    const Truth t = run_truth(HILL, "0.23", "21 kg/m");
     int inside[2] = {0};
     Study *s;
     Rows rows;
@@ -314,11 +314,12 @@ static void runs_give_them_back(void **state)
 static void runs_cannot_tell(void **state)
 {
     (void)state;
-    const Truth t = run_truth("0.23", "21 kg/m");
+    const Truth t = run_truth(LEVEL, "0.23", "21 kg/m");
     Study *s;
     Rows rows;
     run_log(&t, 5);
-    Findings f = calibrate_hill("fidelity: run\nparameters:\n"
+    Findings f = calibrate_runs(LEVEL,
+                                "fidelity: run\nparameters:\n"
                                 "  reel: {key: drive.tail.tension, range: {from: 1 N, to: 900 N}}\n"
                                 "  drag: {key: drive.rope_drag.force, range: {from: 1 N, to: 900 N}}\n"
                                 "calibrate: {log: pull.csv, head: 12 m, parts: 20}\n",
@@ -327,7 +328,8 @@ static void runs_cannot_tell(void **state)
     for (int k = 0; k < f.n_warnings; k++) said |= strstr(f.warning[k], "reel") && strstr(f.warning[k], "drag");
     assert_true(said);
     clear(s, &rows, &f);
-    f = calibrate_hill("fidelity: run\nparameters: {friction.mu: {range: {from: 0.1, to: 0.5}}}\n"
+    f = calibrate_runs(LEVEL,
+                       "fidelity: run\nparameters: {friction.mu: {range: {from: 0.1, to: 0.5}}}\n"
                        "calibrate: {log: pull.csv, head: 30 m}\n",
                        "beyond", &s, &rows);
     assert_false(f.fit.done);
