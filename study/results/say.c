@@ -238,8 +238,8 @@ static void say_answer(Lines *l, const Study *s, const Findings *f)
         line(l, f->by_verdict[VERDICT_NOT_JUDGED] ? "NOT JUDGED: no sample could be judged by limits"
                                                   : "NO ANSWER: no sample is safe or not safe");
     } else if (s->kind == STUDY_MONTE_CARLO) {
-        line(l, "P(NOT SAFE) %s %.3g %% (%.3g-%.3g %% with 95 %% confidence)", f->held ? "is at least" : "=", p.value,
-             p.low, p.high);
+        line(l, "P(NOT SAFE) %s %.3g %% (%.*g-%.*g %% with 95 %% confidence)", f->held ? "is at least" : "=", p.value,
+             p.low < 99.5 ? 2 : 3, p.low, p.high < 99.5 ? 2 : 3, p.high);
     } else {
         line(l, "%ld of %ld %s are NOT SAFE", bad, judged + f->held,
              s->kind < STUDY_MONTE_CARLO ? "variants" : "samples");
