@@ -1,6 +1,6 @@
 /* The commands that print a text of the library's: about a case, without simulating it, or about the library itself. */
 #include "cli/commands.h"
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /* hawser report: results as one page. The page's program is in the library; here are the words around it. */
 #include "cli/commands.h"
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 
 #include <assert.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* The command that everything is for. It drives the library's run and adds what a terminal needs: progress, an orderly
  * end on Ctrl-C, a report, an exit status. */
 #include "cli/commands.h"
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,8 +28,8 @@ static const char help[] =
     "                            a run, more where figures do not hold at once\n"
     "      --tolerance SHARE   that of --certify, which it implies (default: 1%)\n"
     "      --sensitivities KEYS  computes the run once more with what its pull, tensions at stations and roller loads\n"
-    "                            change by with each of these keys, as in friction.mu,drive.tail.tension; also as\n"
-    "                            sensitivities.json\n"
+    "                            change by with each of these keys, as in friction.mu,drive.tail.tension; `all`:\n"
+    "                            the position at its end by every number of the case; also as sensitivities.json\n"
     "      --report            writes DIR/report.html: the whole result as one page with figures and the pull in 3-D\n"
     "      --pdf               prints that page to DIR/report.pdf, by an installed Chromium; implies --report\n"
     "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
@@ -124,9 +124,19 @@ static hawser_status sensitivities(hawser_case *c, const Arguments *args, const 
     const char *key[KEYS_MAX];
     char path[4096], *text = NULL, *json = NULL;
     size_t n = 0;
-    for (char *at = strtok(args->sensitive, ","); at && n < KEYS_MAX; at = strtok(NULL, ",")) key[n++] = at;
+    const int every = strcmp(args->sensitive, "all") == 0;
+    for (char *at = every ? NULL : strtok(args->sensitive, ","); at; at = strtok(NULL, ",")) {
+        if (n == KEYS_MAX) {
+            *err = (hawser_error){HAWSER_ERR_INPUT, ""};
+            snprintf(err->message, sizeof err->message, "--sensitivities: more than %d keys", KEYS_MAX);
+            return HAWSER_ERR_INPUT;
+        }
+        key[n++] = at;
+    }
     const hawser_format shown = args->units == HAWSER_US ? HAWSER_TABLE_US : HAWSER_TABLE;
-    hawser_status status = hawser_case_run_sensitivities(c, n, key, shown, sensitivities_stop, NULL, &text, &json, err);
+    hawser_status status =
+        every ? hawser_case_position_sensitivities(c, 0, NULL, shown, sensitivities_stop, NULL, &text, &json, err)
+              : hawser_case_run_sensitivities(c, n, key, shown, sensitivities_stop, NULL, &text, &json, err);
     snprintf(path, sizeof path, "%.4000s/sensitivities.json", dir);
     FILE *const f = status ? NULL : fopen(path, "w");
     const int written = f && fputs(json, f) >= 0;

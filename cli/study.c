@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "cli/commands.h"
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 
 static const char help[] =
     "Usage: hawser study STUDY [options]\n"

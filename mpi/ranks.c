@@ -4,7 +4,7 @@
 #include <mpi.h>
 #include <stdlib.h>
 
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 
 enum { TAG = 1, WAITING_MAX = 64 };
 

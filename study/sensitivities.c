@@ -1,12 +1,13 @@
-/* A run with the derivatives of its figures: `hawser run --sensitivities`. The case is read three times a parameter, as
- * it is and with a little less and more of it; sim/run/tangent.h does the rest. */
+/* A run with the derivatives of its figures, `hawser run --sensitivities`, and those of the position that it ends at by
+ * every number of the case. The case is read three times a parameter, as it is and with a little less and more of it;
+ * sim/run/tangent.h does the rest. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/error.h"
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 #include "io/api/api_handles.h"
 #include "io/results/column.h"
 #include "io/yaml/units.h"
@@ -16,6 +17,9 @@
 /* Half of the difference that stands for a derivative of the equations' right-hand side by a parameter, as a share of
  * it: the state's part is exact, and so is every figure to the second order of this. */
 static const double SHARE = 1e-5;
+
+static const char RUN_TITLE[] = "What a run's figures change by",
+                  POSITION_TITLE[] = "What the figures of a position change by";
 
 /* Parameters of a run: as the case has them, and the definitions with less and more. */
 typedef struct Varied {
@@ -153,8 +157,10 @@ static int is_shown(const TangentFigures *f, int i)
     return i <= f->stations || i == most;
 }
 
+/* slope[v->n][f->n]. */
 static hawser_status slopes_write(const hawser_case *c, const Scene *scene, const Varied *v, const TangentFigures *f,
-                                  hawser_format format, char **text, hawser_error *err)
+                                  const double *slopes, Fact fact, const char *title, hawser_format format, char **text,
+                                  hawser_error *err)
 {
     SlopeRow *const row = calloc(v->n * (size_t)f->n + 1, sizeof *row);
     int n = 0;
@@ -162,19 +168,17 @@ static hawser_status slopes_write(const hawser_case *c, const Scene *scene, cons
     for (int i = 0; i < f->n; i++) {
         if ((format == HAWSER_TABLE || format == HAWSER_TABLE_US) && !is_shown(f, i)) continue;
         for (size_t k = 0; k < v->n; k++) {
-            const double slope = f->slope[k * (size_t)f->n + (size_t)i];
+            const double slope = slopes[k * (size_t)f->n + (size_t)i];
             row[n] = (SlopeRow){.key = v->key[k], .unit = v->unit[k], .value = f->value[i], .slope = slope};
             row[n].share = slope * v->value[k] / f->value[i];
             figure_name(scene, f, i, row[n++].figure);
         }
     }
-    const Fact fact[] = {{"mean_over_s", "means over the last", "s", cell_number(f->seconds)}};
-    const Table table[] = {
-        {"sensitivities", "What a run's figures change by", COLUMNS(SlopeRow, slope_column), n, row}};
+    const Table table[] = {{"sensitivities", title, COLUMNS(SlopeRow, slope_column), n, row}};
     const Document doc = {.title = c->def.title[0] ? c->def.title : c->name,
                           .n_facts = 1,
                           .n_tables = 1,
-                          .fact = fact,
+                          .fact = &fact,
                           .table = table,
                           .csv = table};
     const hawser_status status = document_write(&doc, format, text, err);
@@ -188,6 +192,8 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
 {
     if (!c || !keys || !text) return error_argument(err, !c ? "c" : !keys ? "keys" : "text");
     const hawser_options one = {.threads = 1};
+    hawser_error local;
+    if (!err) err = &local;
     Varied v = {.n = n, .key = keys};
     Tangent *g = NULL;
     hawser_sim *sim = NULL;
@@ -201,10 +207,168 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
     }
     if (!status) status = hawser_sim_new(c, &one, &sim, err);
     if (!status) status = run_along(sim, g, stop, user, err);
-    if (!status) status = slopes_write(c, &sim->stage.scene, &v, tangent_figures(g), format, text, err);
-    if (!status && json) status = slopes_write(c, &sim->stage.scene, &v, tangent_figures(g), HAWSER_JSON, json, err);
+    if (!status) {
+        const TangentFigures *const f = tangent_figures(g);
+        const Fact mean = {"mean_over_s", "means over the last", "s", cell_number(f->seconds)};
+        const Scene *const scene = &sim->stage.scene;
+        status = slopes_write(c, scene, &v, f, f->slope, mean, RUN_TITLE, format, text, err);
+        if (!status && json) status = slopes_write(c, scene, &v, f, f->slope, mean, RUN_TITLE, HAWSER_JSON, json, err);
+    }
     hawser_sim_free(sim);
     tangent_free(g);
     varied_free(&v);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------- at one position */
+
+/* Keys of the case, owned. */
+typedef struct Keys {
+    size_t n, room;
+    char **key;
+} Keys;
+
+/* What computes, watches or judges a pull is no part of it. */
+static int is_mechanics(const char *section)
+{
+    static const char *const other[] = {"title",  "include", "run",      "solver", "output",
+                                        "limits", "theory",  "analysis", "view"};
+    for (size_t k = 0; k < sizeof other / sizeof *other; k++) {
+        if (strcmp(section, other[k]) == 0) return 0;
+    }
+    return 1;
+}
+
+/* Every number below a node whose path is `path`, other than 0. Returns 0 without memory. */
+static int numbers_find(const CaseNode *node, const Units *units, const char *path, Keys *keys)
+{
+    char here[512], unit[UNIT_MAX];
+    double value;
+    int item = 0;
+    if (node->kind == NODE_TEXT && value_split(units, node->text, &value, unit) && value != 0) {
+        if (keys->n == keys->room) {
+            char **const more = realloc(keys->key, (2 * keys->room + 16) * sizeof *more);
+            if (!more) return 0;
+            keys->key = more;
+            keys->room = 2 * keys->room + 16;
+        }
+        keys->key[keys->n] = strdup(path);
+        return keys->key[keys->n++] != NULL;
+    }
+    for (const CaseNode *part = node->first; part; part = part->next, item++) {
+        char number[16];
+        snprintf(number, sizeof number, "%d", item);
+        const char *const name = node->kind == NODE_LIST ? number : part->key;
+        if (!*path && !is_mechanics(name)) continue;
+        if (snprintf(here, sizeof here, "%s%s%s", path, *path ? "." : "", name) >= (int)sizeof here) continue;
+        if (!numbers_find(part, units, here, keys)) return 0;
+    }
+    return 1;
+}
+
+static void keys_free(Keys *keys)
+{
+    for (size_t k = 0; k < keys->n; k++) free(keys->key[k]);
+    free(keys->key);
+}
+
+/* One parameter's slopes [figures]. What the case or the position does not take of it is an error. */
+static hawser_status position_slope(const hawser_case *c, Position *at, const char *const *key, Varied *to, size_t k,
+                                    double *slope, hawser_error *err)
+{
+    Varied one = {.n = 1, .key = key};
+    hawser_status status = varied_make(c, &one, err);
+    if (!status) status = position_by(at, &one.less_def[0], &one.more_def[0], one.half[0], slope, err);
+    if (!status) {
+        to->value[k] = one.value[0];
+        memcpy(to->unit[k], one.unit[0], UNIT_MAX);
+    }
+    varied_free(&one);
+    return status;
+}
+
+/* Of all keys, or of every number that the case has; of the latter those that cannot be varied a little, such as how
+ * many of something there are, are left out. v->key[n] becomes those that are there. */
+static hawser_status position_slopes(const hawser_case *c, Position *at, int every, const char **key, Varied *v,
+                                     double *slope, int (*stop)(void *), void *user, hawser_error *err)
+{
+    const size_t figures = (size_t)position_figures(at)->n, n = v->n;
+    hawser_status status = HAWSER_OK;
+    v->n = 0;
+    for (size_t k = 0; k < n && !status; k++) {
+        status = position_slope(c, at, &key[k], v, v->n, slope + v->n * figures, err);
+        if (status == HAWSER_ERR_INPUT && every) {
+            status = HAWSER_OK;
+            continue;
+        }
+        key[v->n++] = key[k];
+        if (!status && stop && stop(user)) status = error_set(err, HAWSER_STOPPED, "stopped at %s", key[k]);
+    }
+    return status;
+}
+
+/* The run to its end, and that position. */
+static hawser_status position_find(hawser_case *c, int (*stop)(void *), void *user, hawser_sim **sim, Position **at,
+                                   hawser_error *err)
+{
+    const hawser_options one = {.threads = 1};
+    hawser_status status = hawser_sim_new(c, &one, sim, err);
+    if (!status && c->def.solver.relax) status = sim_relax(*sim, NULL, err);
+    while (!status && (*sim)->stage.t < c->def.duration) {
+        status = sim_advance(*sim, c->def.duration, 1, err);
+        if (!status && stop && stop(user)) status = error_set(err, HAWSER_STOPPED, "stopped at %g s", (*sim)->stage.t);
+    }
+    if (status) return status;
+    const Stage *const st = &(*sim)->stage;
+    double *const full = aligned_array_new(scene_state_size(&st->scene));
+    if (!full) return error_memory(err);
+    st->motion->ops->unpack(st->motion, st->y, full);
+    status = case_name_error(c, position_new(&c->def, st->t, full, at, err), err);
+    free(full);
+    return status;
+}
+
+hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const char *const *keys,
+                                                 hawser_format format, int (*stop)(void *user), void *user, char **text,
+                                                 char **json, hawser_error *err)
+{
+    if (!c || (!keys && n > 0) || !text) return error_argument(err, !c ? "c" : !text ? "text" : "keys");
+    hawser_error local;
+    if (!err) err = &local;
+    hawser_sim *sim = NULL;
+    Position *at = NULL;
+    Keys every = {0};
+    Units *const units = units_new();
+    *text = NULL;
+    if (json) *json = NULL;
+    hawser_status status = units ? case_ensure_read(c, err) : error_memory(err);
+    if (!status && n == 0 && !numbers_find(c->tree->root, units, "", &every)) status = error_memory(err);
+    Varied v = {.n = n > 0 ? n : every.n};
+    const size_t room = v.n + 1;
+    const char **const key = calloc(room, sizeof *key);
+    v.value = calloc(room, sizeof *v.value);
+    v.unit = calloc(room, sizeof *v.unit);
+    v.key = key;
+    if (!status && (!key || !v.value || !v.unit)) status = error_memory(err);
+    for (size_t k = 0; k < v.n && key; k++) key[k] = n > 0 ? keys[k] : every.key[k];
+    if (!status) status = position_find(c, stop, user, &sim, &at, err);
+    const TangentFigures *const f = status ? NULL : position_figures(at);
+    double *const slope = f ? calloc(room * (size_t)f->n, sizeof *slope) : NULL;
+    if (!status && !slope) status = error_memory(err);
+    if (!status) status = position_slopes(c, at, n == 0, key, &v, slope, stop, user, err);
+    if (!status) {
+        const Fact when = {"at_s", "the position of", "s", cell_number(sim->stage.t)};
+        const Scene *const scene = &sim->stage.scene;
+        status = slopes_write(c, scene, &v, f, slope, when, POSITION_TITLE, format, text, err);
+        if (!status && json)
+            status = slopes_write(c, scene, &v, f, slope, when, POSITION_TITLE, HAWSER_JSON, json, err);
+    }
+    free(slope);
+    free(key);
+    varied_free(&v);
+    position_free(at);
+    hawser_sim_free(sim);
+    keys_free(&every);
+    units_free(units);
     return status;
 }

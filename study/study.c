@@ -1,5 +1,5 @@
 /* The public interface of studies. */
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 
 #include <limits.h>
 #include <math.h>

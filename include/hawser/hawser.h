@@ -252,6 +252,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 #include "hawser/report.h"
 #include "hawser/route.h"
 #include "hawser/study.h"
+#include "hawser/sweep.h"
 #include "hawser/validate.h"
 
 #endif

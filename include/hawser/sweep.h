@@ -1,12 +1,14 @@
-/* For the few programs that need it, beside hawser/hawser.h, which does not include it: studies on clusters and their
- * pages, and derivatives of theory and runs. docs/studies.md, "On a cluster"; docs/model/92-sensitivities.md. */
+/* Studies on clusters and their pages, and derivatives of theory and runs: a part of hawser/hawser.h. docs/studies.md,
+ * "On a cluster"; docs/model/92-sensitivities.md. */
 #ifndef HAWSER_SWEEP_H
 #define HAWSER_SWEEP_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "hawser/hawser.h"
+#include "hawser/shown.h"
+#include "hawser/status.h"
+#include "hawser/study.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -71,6 +73,12 @@ hawser_status hawser_case_sensitivities(hawser_case *c, hawser_format format, ch
 hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char *const *keys, hawser_format format,
                                             int (*stop)(void *user), void *user, char **text, char **json,
                                             hawser_error *err);
+/* The figures of one position, that which the run ends at, by each of n dotted keys of the case, or with n = 0 by every
+ * number in it that can be a little less or more: one solution for each figure, however many keys there are
+ * (docs/model/92-sensitivities.md, "Changes of a position"). All else as above. */
+hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const char *const *keys,
+                                                 hawser_format format, int (*stop)(void *user), void *user, char **text,
+                                                 char **json, hawser_error *err);
 
 #ifdef __cplusplus
 }

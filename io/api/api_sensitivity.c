@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 #include "io/api/api_handles.h"
 #include "theory/change/plan_change.h"
 

@@ -109,6 +109,21 @@ class Case:
         return Theory(json.loads(self._text(lib.hawser_case_theory, lib.HAWSER_JSON)),
                       self._text(lib.hawser_case_theory, lib.HAWSER_TABLE))
 
+    def sensitivities(self, *keys: str) -> Theory:
+        """Derivatives of figures, with all tables under their names: without keys those of the pulling calculation; by dotted keys those
+        of a run, which this computes; with "all" those of the position that the run ends at, by every number of the case."""
+        from hawser.calculation import Theory
+
+        if not keys:
+            return Theory(json.loads(self._text(lib.hawser_case_sensitivities, lib.HAWSER_JSON)),
+                          self._text(lib.hawser_case_sensitivities, lib.HAWSER_TABLE))
+        names = [] if keys == ("all",) else [ffi.new("char[]", key.encode()) for key in keys]
+        compute = lib.hawser_case_run_sensitivities if names else lib.hawser_case_position_sensitivities
+        text, data = ffi.new("char **"), ffi.new("char **")
+        check(compute(self._c, len(names), ffi.new("char *[]", names), lib.HAWSER_TABLE, ffi.NULL, ffi.NULL, text, data, self._error),
+              self._error)
+        return Theory(json.loads(taken(data)), taken(text))
+
     def fmu(self, path: str | os.PathLike[str], *, version: int = 3) -> pathlib.Path:
         """Writes the case as a mock-up unit (docs/fmi.md) for programs that simulate it together with other models. version: of FMI,
         3 or 2. Returns the path."""

@@ -45,6 +45,12 @@ class Study:
         found: dict[str, Any] = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
         return found
 
+    def report(self, path: str | os.PathLike[str]) -> pathlib.Path:
+        """Makes the page with its figures anew, as far as samples have come; also while others compute. Returns the path."""
+        error = ffi.new("hawser_error *")
+        check(lib.hawser_study_report(os.fsencode(self.folder), os.fsencode(path), error), error)
+        return pathlib.Path(path)
+
     def __str__(self) -> str:
         return self.answer or f"<hawser study in {self.folder}>"
 

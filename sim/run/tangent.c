@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/modes.h"
 
 /* The scene with one parameter less and more. */
 typedef struct Pair {
@@ -15,6 +16,9 @@ typedef struct Pair {
     double *slope, *rates; /* [figures] at the last step; [size] scratch */
 } Pair;
 
+/* s, at most: the step that stands for infinity in the matrix of an equilibrium (RD8), (RD23). */
+static const double LONG = 1e5;
+
 struct Tangent {
     Stage base;
     int n, size, begun;
@@ -22,12 +26,10 @@ struct Tangent {
     double t, h, from;
     double *rates, *shifted, *look[2]; /* [size], [size], [figures] scratch */
     double *value;                     /* [figures] at the last step */
-    int *at_station;                   /* [stations] the segment that is nearest */
     TangentFigures figures;
 };
 
-/* What keeps something from step to step beside (t, y), or changes the state's length: NULL, or its name. */
-static const char *unknown_part(const Stage *st)
+const char *tangent_unknown(const Stage *st)
 {
     const Scene *const s = &st->scene;
     if (s->def.analysis.kind == ANALYSIS_POSITIONS) return "positions";
@@ -45,6 +47,55 @@ static const char *unknown_part(const Stage *st)
     return NULL;
 }
 
+/* ---------------------------------------------------------------------------------------------------------- figures */
+
+int tangent_figures_make(const Stage *st, int parameters, TangentFigures *f)
+{
+    *f = (TangentFigures){.stations = st->scene.def.n_stations, .rollers = st->scene.def.n_rollers};
+    f->n = 1 + f->stations + f->rollers;
+    f->value = calloc((size_t)f->n, sizeof(double));
+    f->slope = calloc((size_t)f->n * (size_t)parameters + 1, sizeof(double));
+    f->at_station = calloc((size_t)f->stations + 1, sizeof(int));
+    return f->value && f->slope && f->at_station;
+}
+
+void tangent_figures_free(TangentFigures *f)
+{
+    free(f->value);
+    free(f->slope);
+    free(f->at_station);
+}
+
+void tangent_figures_look(const TangentFigures *f, Stage *st, double t, const double *y, double *figure)
+{
+    const MotionOps *const ops = st->motion->ops;
+    ops->look(st->motion, t, y, 1);
+    for (int i = 0; i < f->stations; ++i) figure[1 + i] = st->ws.law[0][f->at_station[i]];
+    for (int i = 0; i < f->rollers; ++i) figure[1 + f->stations + i] = v3_norm(st->ws.on_roller[i]);
+    figure[0] = ops->winch_pull(st->motion, t, y);
+}
+
+int tangent_nearest(const Stage *st, const double *y, Vec3 at)
+{
+    int nearest = 0;
+    double least = INFINITY;
+    for (int k = 0; k < st->scene.chain.n; ++k) {
+        const double away = v3_norm(v3_sub(st->motion->ops->place(st->motion, y, k), at));
+        if (away >= least) continue;
+        least = away;
+        nearest = k;
+    }
+    return nearest;
+}
+
+void tangent_stations_find(const Stage *st, const double *y, TangentFigures *f)
+{
+    for (int i = 0; i < f->stations; ++i)
+        f->at_station[i] = tangent_nearest(st, y, route_at(&st->scene.route, st->scene.def.stations[i].s).position);
+}
+
+/* ------------------------------------------------------------------------------------------------------------- life */
+
 static hawser_status stage_make(const SceneDef *def, Stage *st, int size, hawser_error *err)
 {
     const hawser_status status = stage_new(st, def, NULL, err);
@@ -54,21 +105,15 @@ static hawser_status stage_make(const SceneDef *def, Stage *st, int size, hawser
 
 static hawser_status arrays_make(Tangent *g, hawser_error *err)
 {
-    const Scene *const s = &g->base.scene;
     TangentFigures *const f = &g->figures;
-    f->stations = s->def.n_stations;
-    f->rollers = s->def.n_rollers;
-    f->n = 1 + f->stations + f->rollers;
-    const size_t m = (size_t)f->n, n = (size_t)g->n;
-    f->value = calloc(m, sizeof(double));
-    f->slope = calloc(m * n + 1, sizeof(double));
+    const int made = tangent_figures_make(&g->base, g->n, f);
+    const size_t m = (size_t)f->n;
     g->value = calloc(m, sizeof(double));
     g->look[0] = calloc(m, sizeof(double));
     g->look[1] = calloc(m, sizeof(double));
-    g->at_station = calloc((size_t)f->stations + 1, sizeof(int));
     g->rates = aligned_array_new(g->size);
     g->shifted = aligned_array_new(g->size);
-    int fine = f->value && f->slope && g->value && g->look[0] && g->look[1] && g->at_station && g->rates && g->shifted;
+    int fine = made && g->value && g->look[0] && g->look[1] && g->rates && g->shifted;
     for (int k = 0; k < g->n; ++k) {
         Pair *const p = &g->pair[k];
         p->now = aligned_array_new(g->size);
@@ -89,7 +134,7 @@ hawser_status tangent_new(const SceneDef *base, int n, const SceneDef *less, con
     g->from = from;
     g->pair = calloc((size_t)n + 1, sizeof *g->pair);
     hawser_status status = g->pair ? stage_make(base, &g->base, 0, err) : error_memory(err);
-    const char *const unknown = status ? NULL : unknown_part(&g->base);
+    const char *const unknown = status ? NULL : tangent_unknown(&g->base);
     if (unknown) status = error_set(err, HAWSER_ERR_INPUT, "sensitivities of a run with %s are not known", unknown);
     g->size = status ? 0 : g->base.motion->size;
     for (; g->n < n && !status; ++g->n) {
@@ -121,12 +166,98 @@ Tangent *tangent_free(Tangent *g)
     free(g->look[0]);
     free(g->look[1]);
     free(g->value);
-    free(g->at_station);
-    free(g->figures.value);
-    free(g->figures.slope);
+    tangent_figures_free(&g->figures);
     free(g);
     return NULL;
 }
+
+/* ------------------------------------------------------------------------------------------------------- the start */
+
+/* Of the search for rest, (E1): rates and blocks without friction. 0, or other than 0 if not finite. */
+static int rest_rates(Stage *st, double t, const double *y, double *rates)
+{
+    if (st->motion == &st->planar.motion) return planar_evaluate(&st->planar, t, y, 0, rates);
+    dynamics_rates(&st->scene, &st->ws, t, y, 0, rates);
+    return 0;
+}
+
+static void rest_linearise(Stage *st, double t, const double *y, const double *rates)
+{
+    if (st->motion == &st->planar.motion) {
+        planar_blocks(&st->planar, t, y, 0);
+        return;
+    }
+    dynamics_blocks(&st->scene, &st->ws, t, y, rates, 0, &st->newton.k, &st->newton.d);
+    newton_point(&st->newton, &st->scene, &st->ws.kin, y);
+    newton_point_equipment(&st->newton, st->ws.equipment, y, 0);
+}
+
+/* How many entries of y are places and attitudes of the chain: they come first, its speeds behind them. *speeds: how
+ * many those are. */
+static size_t places(const Stage *st, size_t *speeds)
+{
+    const int planar = st->motion == &st->planar.motion;
+    const size_t pitch = (size_t)(planar ? planar_stride(st->scene.chain.n) : st->scene.chain.n);
+    const size_t from = planar ? PLANAR_V : STATE_V, to = planar ? PLANAR_SIZE : STATE_SIZE;
+    *speeds = (to - from) * pitch;
+    return from * pitch;
+}
+
+/* gamma f_p at rest, which may be of any size: both scenes without friction, with contacts of there. */
+static hawser_status rest_pushes(Tangent *g, Pair *p, double t, const double *rest, double gamma, double *b,
+                                 hawser_error *err)
+{
+    hawser_status status = p->less.motion->ops->renew(p->less.motion, t, rest, err);
+    if (!status) status = p->more.motion->ops->renew(p->more.motion, t, rest, err);
+    if (status) return status;
+    if (rest_rates(&p->less, t, rest, g->shifted) || rest_rates(&p->more, t, rest, p->rates))
+        return error_set(err, HAWSER_ERR_RUN, "the run's start has no finite rates");
+    for (int i = 0; i < g->size; ++i) b[i] = gamma * (p->rates[i] - g->shifted[i]) / (2 * p->half);
+    return HAWSER_OK;
+}
+
+/* dy/dp of the equilibrium that the run begins from, (SN13): one solution with the statics' matrix for each parameter.
+ * Only places follow from it. */
+static hawser_status relaxed_slopes(Tangent *g, double t, const double *y, hawser_error *err)
+{
+    Motion *const m = g->base.motion;
+    const double infinite = fmin(LONG, 1 / sqrt(modes_rounding(&g->base.scene.chain, 0)));
+    double *const rest = aligned_array_new(g->size);
+    size_t speeds;
+    const size_t where = places(&g->base, &speeds);
+    if (!rest) return error_memory(err);
+    memcpy(rest, y, (size_t)g->size * sizeof *rest);
+    memset(rest + where, 0, speeds * sizeof *rest);
+    hawser_status status = m->ops->renew(m, t, rest, err);
+    int singular = !status && rest_rates(&g->base, t, rest, g->rates);
+    if (!status && !singular) {
+        rest_linearise(&g->base, t, rest, g->rates);
+        m->ops->form(m, infinite);
+        singular = m->ops->factor(m);
+    }
+    for (int k = 0; k < g->n && !status && !singular; ++k) {
+        Pair *const p = &g->pair[k];
+        status = rest_pushes(g, p, t, rest, infinite, p->before, err);
+        if (!status) singular = m->ops->solve(m, p->before);
+        if (!status && !singular) memcpy(p->now, p->before, where * sizeof *rest);
+    }
+    free(rest);
+    if (!status && singular) status = error_set(err, HAWSER_ERR_RUN, "the matrix of the run's start is singular");
+    return status ? status : m->ops->renew(m, t, y, err);
+}
+
+/* dy/dp where the run begins: as the chain is laid and launched, and of an equilibrium what moves that. */
+static hawser_status start_slopes(Tangent *g, double t, const double *y, hawser_error *err)
+{
+    for (int k = 0; k < g->n; ++k) {
+        Pair *const p = &g->pair[k];
+        for (int i = 0; i < g->size; ++i) p->now[i] = (p->more.y[i] - p->less.y[i]) / (2 * p->half);
+    }
+    return g->base.scene.def.solver.relax ? relaxed_slopes(g, t, y, err) : HAWSER_OK;
+}
+
+/* --------------------------------------------------------------------------------------------------------- the steps
+ */
 
 /* Its rates at (t, y), with contact candidates of there. */
 static hawser_status rates_at(Stage *st, double t, const double *y, double *rates, hawser_error *err)
@@ -158,39 +289,13 @@ static hawser_status pair_step(Tangent *g, Pair *p, double t, const double *y, d
     return HAWSER_OK;
 }
 
-/* The figures of (t, y). */
-static void figures_look(const Tangent *g, Stage *st, double t, const double *y, double *figure)
-{
-    const MotionOps *const ops = st->motion->ops;
-    ops->look(st->motion, t, y, 1);
-    for (int i = 0; i < g->figures.stations; ++i) figure[1 + i] = st->ws.law[0][g->at_station[i]];
-    for (int i = 0; i < g->figures.rollers; ++i) figure[1 + g->figures.stations + i] = v3_norm(st->ws.on_roller[i]);
-    figure[0] = ops->winch_pull(st->motion, t, y);
-}
-
-/* Which segment passes each station. */
-static void stations_find(Tangent *g, const double *y)
-{
-    const Scene *const s = &g->base.scene;
-    for (int i = 0; i < g->figures.stations; ++i) {
-        const Vec3 at = route_at(&s->route, s->def.stations[i].s).position;
-        double least = INFINITY;
-        for (int k = 0; k < s->chain.n; ++k) {
-            const double away = v3_norm(v3_sub(g->base.motion->ops->place(g->base.motion, y, k), at));
-            if (away >= least) continue;
-            least = away;
-            g->at_station[i] = k;
-        }
-    }
-}
-
 /* (SN12) */
 static void pair_look(Tangent *g, Pair *p, double t, const double *y)
 {
     for (int side = 0; side < 2; ++side) {
         const double by = side ? p->half : -p->half;
         for (int i = 0; i < g->size; ++i) g->shifted[i] = y[i] + by * p->now[i];
-        figures_look(g, side ? &p->more : &p->less, t, g->shifted, g->look[side]);
+        tangent_figures_look(&g->figures, side ? &p->more : &p->less, t, g->shifted, g->look[side]);
     }
     for (int i = 0; i < g->figures.n; ++i) p->slope[i] = (g->look[1][i] - g->look[0][i]) / (2 * p->half);
 }
@@ -202,8 +307,8 @@ static void figures_take(Tangent *g, double t, const double *y)
     const double h = fmin(g->h, t - g->from);
     if (!(h > 0)) return;
     const double share = h / (f->seconds + h);
-    stations_find(g, y);
-    figures_look(g, &g->base, t, y, g->value);
+    tangent_stations_find(&g->base, y, f);
+    tangent_figures_look(f, &g->base, t, y, g->value);
     for (int i = 0; i < f->n; ++i) f->value[i] += share * (g->value[i] - f->value[i]);
     for (int k = 0; k < g->n; ++k) {
         double *const slope = f->slope + (size_t)k * (size_t)f->n;
@@ -219,6 +324,7 @@ hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *
     hawser_status status = rates_at(&g->base, t, y, g->rates, err);
     const double h = t - g->t, before = g->h;
     if (status || !g->begun || !(h > 0)) {
+        if (!status && !g->begun) status = start_slopes(g, t, y, err);
         g->begun = 1;
         g->t = t;
         return status;
@@ -237,3 +343,5 @@ hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *
 }
 
 const TangentFigures *tangent_figures(const Tangent *g) { return &g->figures; }
+
+const double *tangent_slope(const Tangent *g, int k) { return g->pair[k].now; }

@@ -10,7 +10,21 @@ typedef struct TangentFigures {
     int n, stations, rollers; /* n = 1 + stations + rollers */
     double *value, *slope;    /* [n], [parameters * n]: means over the time since `from`, and their derivatives */
     double seconds;           /* of that time so far */
+    int *at_station;          /* [stations] the segment that passes it */
 } TangentFigures;
+
+/* What keeps something from step to step beside (t, y), or changes the state's length: NULL, or its name. */
+const char *tangent_unknown(const Stage *st);
+/* Zeros for a stage's scene; 0 without memory: free it either way. */
+int tangent_figures_make(const Stage *st, int parameters, TangentFigures *f);
+void tangent_figures_free(TangentFigures *f);
+/* Which segments pass the stations in y; the figures [f->n] of (t, y). */
+void tangent_stations_find(const Stage *st, const double *y, TangentFigures *f);
+void tangent_figures_look(const TangentFigures *f, Stage *st, double t, const double *y, double *figure);
+/* The segment whose centre is nearest to a point. */
+int tangent_nearest(const Stage *st, const double *y, Vec3 at);
+
+/* ----------------------------------------------------------------------------------------------------- along a run */
 
 typedef struct Tangent Tangent;
 
@@ -20,10 +34,29 @@ hawser_status tangent_new(const SceneDef *base, int n, const SceneDef *less, con
                           double from, Tangent **out, hawser_error *err);
 Tangent *tangent_free(Tangent *g);
 /* The run has begun or made a step: it is at (t, y) [motion->size]; y is that of a stage of the base. The first call
- * says where it begins: that state is held whatever the parameters are. Errors: RUN (a matrix that is singular),
+ * says where it begins, which depends on the parameters too (SN13). Errors: RUN (a matrix that is singular),
  * MEMORY.
  */
 hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *err);
 const TangentFigures *tangent_figures(const Tangent *g);
+/* dy/dp of parameter k now [motion->size]. */
+const double *tangent_slope(const Tangent *g, int k);
+
+/* ------------------------------------------------------------------------------------------------- at one position */
+
+/* What the figures of a steady position change by with any parameter: by one solution with the transposed matrix for
+ * each figure, and none for a parameter (SN14)-(SN17). */
+typedef struct Position Position;
+
+/* The position y [scene_state_size] (core/state.h) of the base at time t. Errors: INPUT (the scene has what this does
+ * not know), RUN (a singular matrix), MEMORY; *out is NULL then. */
+hawser_status position_new(const SceneDef *base, double t, const double *y, Position **out, hawser_error *err);
+Position *position_free(Position *p);
+/* The figures there; slope is NULL. */
+const TangentFigures *position_figures(const Position *p);
+/* slope [figures] by a parameter, of which the case has `half` less and more. Errors: INPUT (it changes the number of
+ * segments), RUN, MEMORY. */
+hawser_status position_by(Position *p, const SceneDef *less, const SceneDef *more, double half, double *slope,
+                          hawser_error *err);
 
 #endif

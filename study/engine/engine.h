@@ -3,7 +3,7 @@
 #ifndef HAWSER_STUDY_ENGINE_ENGINE_H
 #define HAWSER_STUDY_ENGINE_ENGINE_H
 
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 #include "study/maths/fit.h"
 #include "study/plan/study.h"
 
@@ -54,6 +54,21 @@ int row_width(const Study *s);
 /* The point x[n_parameters] of a row that is there. */
 void row_point(const Study *s, const Rows *rows, long i, double *x);
 
+/* A run's winch force by the place of the cable's head. */
+typedef struct CurvePoint {
+    double at, force, area; /* m along the route; N; N m: its integral from the first point on */
+} CurvePoint;
+typedef struct RunCurve {
+    double time; /* s, of the last step */
+    int n, room;
+    CurvePoint *point; /* [n] by rising place */
+} RunCurve;
+/* Follows a simulation that is about to run. */
+void curve_begin(RunCurve *c, hawser_sim *sim);
+void curve_free(RunCurve *c);
+/* The run's forces at the log's points, force[m->n]. Returns 0, and `why`, where the run has not been. */
+int curve_take(const RunCurve *c, const Measured *m, double *force, char *why, size_t size);
+
 /* Computes sample i at its point x[n_parameters]: fills row and value[row_width]. What goes wrong is in the row. */
 void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *value);
 /* Whether the quantities are in the answers to the middle of all parameters, as far as that shows without a run.
@@ -98,7 +113,8 @@ typedef int (*SampleAsk)(void *user, long i, const double *x, Row *row, double *
 /* Search c, from its beginning. Samples that `known` has are not asked for again. Returns 0 without memory; what stands
  * in `known` may turn out to be another search's: *other. */
 int search_samples(const Study *s, long c, const Rows *known, SampleAsk ask, void *user, int *other);
-/* The fit of a calibration likewise; ask NULL: as far as `known` goes. */
+/* The fit of a calibration likewise; ask NULL: as far as `known` goes. With both fidelities the first half of the
+ * samples is theory's fit, and the second that of runs, which begins where theory's has ended. */
 int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, int *other, FitResult *result);
 
 /* --------------------------------------------------------------------------------------------------------- workers */

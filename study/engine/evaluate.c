@@ -242,8 +242,19 @@ static hawser_status by_run(const Study *s, hawser_case *c, Row *row, double *va
 {
     const hawser_options one = {.threads = 1};
     hawser_sim *sim = NULL;
-    hawser_status status = hawser_sim_new(c, &one, &sim, err);
+    RunCurve curve = {0};
+    char why[REASON_MAX];
+    hawser_status status = case_ensure_read(c, err);
+    /* a second pass that one sample needs and another does not would be a leap of the force that is fitted */
+    if (!status && s->measured.n > 0 && c->def.solver.passes == PASSES_AUTO)
+        status = hawser_case_set(c, "solver.passes", "1", err);
+    if (!status) status = hawser_sim_new(c, &one, &sim, err);
+    if (!status && s->measured.n > 0) curve_begin(&curve, sim);
     if (!status) status = hawser_sim_run(sim, NULL, NULL, NULL, err);
+    if (!status && s->measured.n > 0 &&
+        !curve_take(&curve, &s->measured, value + s->n_quantities + s->n_parameters, why, sizeof why))
+        status = error_set(err, HAWSER_ERR_RUN, "%s", why);
+    curve_free(&curve);
     json_t *const answer = status ? NULL : summary_of(sim, err);
     if (!status && !answer) status = err->status;
     if (answer) {
@@ -315,8 +326,9 @@ void sample_evaluate(const Study *s, long i, const double *x, Row *row, double *
     hawser_case *c = NULL;
     row_begin(s, i, x, row, value);
     hawser_status status = study_case(s, x, &c, &err);
-    if (!status && s->fidelity != BY_RUN) status = by_theory(s, c, row, value, &err);
-    const int run = s->fidelity == BY_RUN || (s->fidelity == BY_BOTH && is_close(s, row));
+    const Fidelity by = study_fidelity(s, i);
+    if (!status && by != BY_RUN) status = by_theory(s, c, row, value, &err);
+    const int run = by == BY_RUN || (by == BY_BOTH && is_close(s, row));
     double theory[LIMIT_KINDS];
     memcpy(theory, row->margin, sizeof theory);
     if (!status && run) status = by_run(s, c, row, value, &err);
@@ -377,7 +389,7 @@ static hawser_status theory_check(const Study *s, hawser_case *c, hawser_error *
     judge(answer, "verdict_forward", 1, &row);
     status = paths_check(s, answer, BY_THEORY, err);
     json_decref(answer);
-    if (status || s->fidelity != BY_BOTH || row.limited_by >= 0) return status;
+    if (status || s->fidelity != BY_BOTH || s->kind == STUDY_CALIBRATE || row.limited_by >= 0) return status;
     return case_key_error(err, case_node_key(s->tree->root, "fidelity"), NULL,
                           "with 'both' a run is made near a limit, and the case has none that theory can judge: give "
                           "it a section 'limits'");

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 #include "io/library/library.h"
 
 /* MPI loads parts of itself, which look for its functions among those that everybody sees. */

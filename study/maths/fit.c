@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the ranges: steps of differences, and where it ends. Damping of the first step, and where it gives up. */
-static const double DIFFERENCE = 1e-3, SMALL = 1e-7, DAMPING = 1e-3, DAMPING_MAX = 1e8;
+/* Damping of the first step, and where it gives up. */
+static const double DAMPING = 1e-3, DAMPING_MAX = 1e8;
 
 /* A fit on its way, over the unit cube u = (x - from)/(to - from). */
 typedef struct Fit {
@@ -56,7 +56,7 @@ static int jacobian(Fit *f)
     double u[FIT_MAX];
     for (int j = 0; j < n; j++) {
         double *const column = f->J + (size_t)j * (size_t)m;
-        const double up = fmin(f->u[j] + DIFFERENCE, 1), down = fmax(f->u[j] - DIFFERENCE, 0);
+        const double up = fmin(f->u[j] + f->plan->difference, 1), down = fmax(f->u[j] - f->plan->difference, 0);
         memcpy(u, f->u, sizeof u);
         u[j] = up;
         const double above = up > f->u[j] ? cost_at(f, u, column) : f->cost;
@@ -160,7 +160,7 @@ static int descend(Fit *f)
         columns_turn(f);
         while (!better && damping < DAMPING_MAX && !f->over) {
             const double size = step_make(f, damping, u);
-            if (size < SMALL) return 1;
+            if (size < f->plan->small) return 1;
             const double cost = cost_at(f, u, f->other);
             better = cost < f->cost;
             damping = better ? damping * 0.2 : damping * 5;

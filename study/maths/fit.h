@@ -9,6 +9,7 @@ typedef struct FitPlan {
     int n, m;                        /* parameters, at most FIT_MAX; residuals, more than parameters */
     const double *from, *to, *start; /* [n] bounds, where it begins */
     int evaluations;                 /* at most */
+    double difference, small;        /* shares of each range: the step of differences; where it ends */
 } FitPlan;
 
 /* Residuals r[m] at x[n], all finite, in the order along the data. Returns 1; 0: there are none at x; -1: enough. */

@@ -86,6 +86,7 @@ typedef struct Measured {
     LogPoint *point; /* [n] by rising place */
     double *weight;  /* [n] of a residual */
     long lost, starts;
+    double width; /* m: of the parts that readings are averaged over */
 } Measured;
 
 typedef struct Study {
@@ -131,6 +132,8 @@ void study_point(const Study *s, long i, double *x);
 void study_middle(const Study *s, double *x);
 /* The box of a study that searches; x[3 * n_parameters], whole[n_parameters]: where it stands. */
 SearchBox study_box(const Study *s, double *x, unsigned char *whole);
+/* By what sample i is answered: with both, a calibration's first half by theory, the second by runs. */
+Fidelity study_fidelity(const Study *s, long i);
 /* Whether sample i is run whatever theory says of it. */
 int study_is_pilot(const Study *s, long i);
 /* The value as the case takes it, in `text`; NULL: the base case's own. */

@@ -42,8 +42,9 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
             return case_key_error(r->err, s->parameter[j].node, NULL, "give a range: a fit wants numbers");
     }
     if (s->n_parameters > FIT_MAX) return case_key_error(r->err, section, NULL, "more than %d parameters", FIT_MAX);
-    if (s->fidelity != BY_THEORY)
-        return case_key_error(r->err, case_node_key(r->root, "fidelity"), NULL, "a calibration goes by theory");
+    if (s->fidelity != BY_THEORY && record.starts)
+        return case_key_error(r->err, case_node_key(section, "starts"), NULL,
+                              "a run does not rest where the log does: starts are fitted with 'fidelity: theory'");
     char *const path = path_beside(s, record.list);
     status = path ? log_read(path, &log, r->err) : error_memory(r->err);
     if (!status) status = log_judge(&log, record.speed, record.raw, r->err);
@@ -61,6 +62,7 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
     }
     if (!status) {
         m->n = log_points(&log, log.length, from, to, (int)record.samples, &m->point);
+        m->width = (to - from) / (double)record.samples;
         m->lost = log.count[LOG_LOST] + log.count[LOG_DROPPED] + log.count[LOG_SPIKE];
         m->starts = log.starts;
         status = m->n < 0 ? error_memory(r->err) : points_weigh(m, record.starts, r->err);
@@ -71,6 +73,7 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
     log_free(&log);
     free(path);
     s->blocks = 1;
-    s->samples = record.evaluations;
+    s->aim.evaluations = record.evaluations;
+    s->samples = s->fidelity == BY_BOTH ? 2 * record.evaluations : record.evaluations;
     return status;
 }

@@ -28,6 +28,12 @@ static void grid_point(const Study *s, long i, double *x)
     }
 }
 
+Fidelity study_fidelity(const Study *s, long i)
+{
+    if (s->kind != STUDY_CALIBRATE || s->fidelity != BY_BOTH) return s->fidelity;
+    return i < s->aim.evaluations ? BY_THEORY : BY_RUN;
+}
+
 int study_searches(const Study *s) { return s->kind == STUDY_OPTIMISE || s->kind == STUDY_CALIBRATE; }
 
 /* Drawn points are spread from the first on, and stay pilots when a study is made longer; others are taken evenly. */

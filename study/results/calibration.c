@@ -58,7 +58,8 @@ hawser_status calibration_find(const Study *s, const Rows *rows, Findings *f, ha
         }
     }
     f->fit_sample = -1; /* the sample of the best point: its curve is that of the fit */
-    for (long i = 0; i < rows->n && rows->row[i].state != ROW_OPEN; i++) {
+    for (long i = 0; i < rows->n; i++) {
+        if (rows->row[i].state == ROW_OPEN) continue;
         double at[PARAMETERS_MAX];
         int same = 1;
         row_point(s, rows, i, at);

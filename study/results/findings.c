@@ -16,6 +16,13 @@ static Share share_in(const Study *s, long hits, long n)
     return s->kind == STUDY_MONTE_CARLO ? share : (Share){share.value, NAN, NAN};
 }
 
+/* Not judged as a whole, but none of the limits that could be judged is broken: left out, what is judged would be what
+ * is broken. */
+static int holds_open(const Row *row)
+{
+    return row->state == ROW_DONE && row->verdict == VERDICT_NOT_JUDGED && row->limited_by >= 0;
+}
+
 static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
 {
     for (int k = 0; k < LIMIT_KINDS; k++) f->off[k] = NAN;
@@ -32,7 +39,8 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
         }
         f->changed += row->verdict != row->theory_verdict;
     }
-    const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE];
+    for (long i = 0; i < rows->n; i++) f->held += holds_open(&rows->row[i]);
+    const long bad = f->by_verdict[VERDICT_NOT_SAFE], judged = bad + f->by_verdict[VERDICT_SAFE] + f->held;
     const double there = (double)(rows->n - f->by_state[ROW_OPEN]);
     f->not_safe = share_in(s, bad, judged);
     f->least_share = (double)bad / there;
@@ -103,6 +111,7 @@ static void convergence_find(const Study *s, const Rows *rows, double *x, Findin
             const Row *const row = &rows->row[at];
             bad += row->state == ROW_DONE && row->verdict == VERDICT_NOT_SAFE;
             judged += row->state == ROW_DONE && (row->verdict == VERDICT_NOT_SAFE || row->verdict == VERDICT_SAFE);
+            judged += holds_open(row);
         }
         const Spread spread = s->n_quantities > 0 ? spread_of((int)at, x) : spread_of(0, NULL);
         f->convergence[f->n_convergence++] =

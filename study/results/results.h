@@ -104,7 +104,8 @@ typedef struct Findings {
     long runs, changed;      /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
     double off[LIMIT_KINDS]; /* of BY_BOTH: what theory and a run differ by in a margin, at most; NAN: no sample has
                                 both */
-    Share not_safe;          /* among those that are safe or not safe; of 1 */
+    long held;               /* not judged, but none of the limits that could be judged is broken */
+    Share not_safe;          /* among those that are safe, not safe or held; of 1 */
     double least_share, most_share; /* if all others were safe, if none were; of 1 */
     int n_quantities, n_limits, n_variants, n_convergence, n_effects, n_lost;
     QuantityRow *quantity;            /* owned, as what follows */

@@ -187,6 +187,11 @@ static void say_design(Lines *l, const Study *s, const Findings *f)
         line(l, "NO DESIGN: no sample has an answer with %s\n", s->aim.name);
     } else if (d->broken > 0) {
         line(l, "NO DESIGN was found that keeps all limits and constraints; the closest has %s\n", d->values);
+        if (f->held > 0 && s->aim.limits)
+            line(l,
+                 "  beware   %ld samples break no limit that could be judged, but not all could be: give the case its "
+                 "limits, or optimise 'limits: false'\n",
+                 f->held);
     } else {
         line(l, "%s %s = %.6g%s%s, with %s\n", what, s->aim.name, d->value, *unit ? " " : "", unit, d->values);
     }
@@ -233,12 +238,19 @@ static void say_answer(Lines *l, const Study *s, const Findings *f)
         line(l, f->by_verdict[VERDICT_NOT_JUDGED] ? "NOT JUDGED: no sample could be judged by limits"
                                                   : "NO ANSWER: no sample is safe or not safe");
     } else if (s->kind == STUDY_MONTE_CARLO) {
-        line(l, "P(NOT SAFE) = %.3g %% (%.2g-%.2g %% with 95 %% confidence)", p.value, p.low, p.high);
+        line(l, "P(NOT SAFE) %s %.3g %% (%.*g-%.*g %% with 95 %% confidence)", f->held ? "is at least" : "=", p.value,
+             p.low < 99.5 ? 2 : 3, p.low, p.high < 99.5 ? 2 : 3, p.high);
     } else {
-        line(l, "%ld of %ld %s are NOT SAFE", bad, judged, s->kind < STUDY_MONTE_CARLO ? "variants" : "samples");
+        line(l, "%ld of %ld %s are NOT SAFE", bad, judged + f->held,
+             s->kind < STUDY_MONTE_CARLO ? "variants" : "samples");
     }
     say_limited(l, f);
     line(l, "\n");
+    if (judged > 0 && f->held > 0)
+        line(l,
+             "  beware   %ld of these break no limit that could be judged, but not all could be: give the case its "
+             "limits\n",
+             f->held);
 }
 
 /* How far theory was relied on, and whether that was right. */

@@ -10,6 +10,7 @@
 #include "hawser/hawser.h"
 #include "hawser/report.h"
 #include "hawser/study.h"
+#include "hawser/sweep.h"
 #include "hawser/validate.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
@@ -208,7 +209,7 @@ static void routes(void)
 
 static void others(void)
 {
-    static const char *const folder[] = {"nowhere", NULL};
+    static const char *const folder[] = {"nowhere", NULL}, *const key[] = {"friction.mu"};
     const hawser_certificate nothing = {.tolerance = 0.01};
     hawser_certificate *certificate;
     hawser_study *study;
@@ -233,7 +234,21 @@ static void others(void)
     REFUSED("out", hawser_study_load, "x.yaml", NULL);
     REFUSED("s", hawser_study_run, NULL, ".", NULL);
     REFUSED("s", hawser_study_answer, NULL, HAWSER_SI, &text);
+    REFUSED("s", hawser_study_run_on, NULL, ".", NULL, NULL);
+    REFUSED("s", hawser_study_task, NULL, ".", 0, NULL);
+    REFUSED("dir", hawser_study_report, NULL, "x.html");
+    REFUSED("page", hawser_study_report, ".", NULL);
     hawser_study_free(NULL);
+    REFUSED("ranks", hawser_ranks_open, NULL);
+    hawser_ranks_close(NULL);
+    REFUSED("c", hawser_case_sensitivities, NULL, HAWSER_TABLE, &text);
+    REFUSED("text", hawser_case_sensitivities, c, HAWSER_TABLE, NULL);
+    REFUSED("c", hawser_case_run_sensitivities, NULL, 1, key, HAWSER_TABLE, NULL, NULL, &text, NULL);
+    REFUSED("keys", hawser_case_run_sensitivities, c, 1, NULL, HAWSER_TABLE, NULL, NULL, &text, NULL);
+    REFUSED("text", hawser_case_run_sensitivities, c, 1, key, HAWSER_TABLE, NULL, NULL, NULL, NULL);
+    REFUSED("c", hawser_case_position_sensitivities, NULL, 1, key, HAWSER_TABLE, NULL, NULL, &text, NULL);
+    REFUSED("keys", hawser_case_position_sensitivities, c, 1, NULL, HAWSER_TABLE, NULL, NULL, &text, NULL);
+    REFUSED("text", hawser_case_position_sensitivities, c, 1, key, HAWSER_TABLE, NULL, NULL, NULL, NULL);
     REFUSED("results", hawser_compare, NULL, "x.csv", NULL, &text);
     REFUSED("log", hawser_compare, ".", NULL, NULL, &text);
     REFUSED("text", hawser_compare, ".", "x.csv", NULL, NULL);
@@ -266,9 +281,9 @@ static int is_called(const char *own, const char *name, int length)
 /* Names in front of a parenthesis are those of functions; types of functions stand in parentheses themselves. */
 static void none_is_left_out(const char *headers)
 {
-    static const char *const names[] = {"certify", "checkpoint", "control", "fmu",    "hawser",
-                                        "library", "limits",     "query",   "report", "route",
-                                        "shown",   "status",     "study",   "tables", "validate"};
+    static const char *const names[] = {"certify", "checkpoint", "control", "fmu",     "hawser", "library",
+                                        "limits",  "query",      "report",  "route",   "shown",  "status",
+                                        "study",   "sweep",      "tables",  "validate"};
     char *const own = read_all(HAWSER_SOURCE_DIR "/tests/cli/null_calls.c");
     int found = 0;
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {

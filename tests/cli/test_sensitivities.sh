@@ -18,6 +18,14 @@ cmp -s "$work/plain/series.csv" "$work/with/series.csv" || fail "the run is anot
 run_hawser 2 run pull.yaml --quiet --sensitivities friction.my -o bad
 says err "friction.my: the case gives no number other than 0 there"
 
+# one position by every number of the case
+run_hawser 0 run pull.yaml --sensitivities all -o all
+says out "What the figures of a position change by" "friction.mu" "cables.power.EI" "drive.winch.speed"
+exists all/sensitivities.json
+keys=$(awk 'BEGIN { for (k = 0; k < 65; k++) printf "friction.mu,"; }')
+run_hawser 2 run pull.yaml --quiet --sensitivities "$keys" -o bad
+says err "--sensitivities: more than 64 keys"
+
 # the page of a study, anew
 sed "s|\.\./|$source/cases/|; s/samples: 1024/samples: 64/" "$source/cases/studies/friction.yaml" >"$work/study.yaml"
 run_hawser 0 study study.yaml --quiet -o study

@@ -123,6 +123,25 @@ def test_a_study(file, tmp_path):
     assert list(hawser.Study(tmp_path / "out").samples["friction"]) == [0.1, 0.2, 0.3]
 
 
+def test_the_page_of_a_study(file, tmp_path):
+    study = hawser.study(file, tmp_path / "out")
+    page = study.report(tmp_path / "page.html")
+    assert page.read_bytes() == (tmp_path / "out" / "study.html").read_bytes()
+
+
+def test_sensitivities(pull):
+    theory = hawser.Case(pull).sensitivities()
+    assert len(theory.names) > 0 and "friction" in str(theory)
+    run = hawser.Case(pull).sensitivities("friction.mu")["sensitivities"]
+    here = hawser.Case(pull).sensitivities("all")["sensitivities"]
+    by = here[(here["key"] == "friction.mu") & (here["figure"] == "pull")]
+    assert set(run["key"]) == {"friction.mu"} < set(here["key"])
+    # a position and the mean of the steady window, of 10 m of 20 kg/m
+    assert by["slope_N_per_unit"].iloc[0] == pytest.approx(20 * 10 * 9.81, rel=0.05)
+    with pytest.raises(hawser.CaseError, match="friction.my"):
+        hawser.Case(pull).sensitivities("friction.my")
+
+
 def test_studies_that_are_wrong(file, tmp_path):
     with pytest.raises(hawser.CaseError) as found:
         file.write_text(file.read_text().replace("fidelity: theory", "fidelity: hearsay"))

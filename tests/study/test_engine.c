@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <time.h>
 
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 #include "tests/study/study_fixture.h"
 
 static const char drawn[] = "parameters:\n"

@@ -110,6 +110,37 @@ static void probability_of_a_limit(void **state)
 }
 
 /* Runs are made where theory is within a tenth of the limit, and nowhere else; their verdict counts. */
+/* Where some limits cannot be judged, samples that break none of the others are no answer by themselves, but without
+ * them all that is judged would be broken: the share is of both, and a least one. */
+static void limits_that_are_not_judged(void **state)
+{
+    (void)state;
+    static const char text[] = "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
+                               "set: {limits.winch_capacity: 15 kN}\n"
+                               "parameters: {friction.mu: {uniform: {from: 0.1, to: 0.3}}}\n"
+                               "monte-carlo: {samples: 64}\n";
+    hawser_study *const s = study_open(file_write("study.yaml", text));
+    const hawser_study_options options = {.jobs = 1, .fresh = 1};
+    hawser_error err;
+    char *said;
+    Study *read;
+    Rows rows;
+    if (hawser_study_run(s, path_of("open"), &options, &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_study_answer(s, HAWSER_SI, &said, &err), HAWSER_OK);
+    check_has(said, "P(NOT SAFE) is at least");
+    check_has(said, "break no limit that could be judged");
+    hawser_text_free(said);
+    hawser_study_free(s);
+    rows_of("open", &read, &rows);
+    Findings f;
+    assert_int_equal(findings_make(read, &rows, &f, &err), HAWSER_OK);
+    assert_int_equal(f.by_verdict[VERDICT_SAFE], 0);
+    assert_int_equal(f.held + f.by_verdict[VERDICT_NOT_SAFE], 64);
+    check_close(f.not_safe.value, (double)f.by_verdict[VERDICT_NOT_SAFE] / 64, 1e-12);
+    check_between(f.not_safe.value, 0.2, 0.95);
+    clear(read, &rows, &f);
+}
+
 static void theory_and_runs(void **state)
 {
     (void)state;
@@ -247,9 +278,12 @@ static void indices_of_a_pull(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(eq_10_is_exact),        cmocka_unit_test(probability_of_a_limit),
-        cmocka_unit_test(theory_and_runs),       cmocka_unit_test(pilots_find_the_band),
-        cmocka_unit_test(tornado_and_responses), cmocka_unit_test(indices_of_a_pull)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(eq_10_is_exact),
+                                       cmocka_unit_test(probability_of_a_limit),
+                                       cmocka_unit_test(limits_that_are_not_judged),
+                                       cmocka_unit_test(theory_and_runs),
+                                       cmocka_unit_test(pilots_find_the_band),
+                                       cmocka_unit_test(tornado_and_responses),
+                                       cmocka_unit_test(indices_of_a_pull)};
     return cmocka_run_group_tests(tests, folder_make, folder_remove);
 }

@@ -44,7 +44,7 @@ static void straight_line(void **state)
     Data d;
     FitResult f;
     const double from[] = {-5, -5}, to[] = {5, 5}, start[] = {4, -4};
-    const FitPlan plan = {2, M, from, to, start, 500};
+    const FitPlan plan = {2, M, from, to, start, 500, 1e-3, 1e-7};
     data_make(&d, line, (const double[]){1, 2}, 0.1, 1);
     assert_true(fit_run(&plan, residuals, &d, &f));
     assert_true(f.done);
@@ -72,7 +72,7 @@ static void intervals_cover(void **state)
 {
     (void)state;
     const double x[] = {2, 1.2, 0.5}, from[] = {0, -3, -3}, to[] = {6, 3, 3}, start[] = {1, 0.1, 0};
-    const FitPlan plan = {3, M, from, to, start, 2000};
+    const FitPlan plan = {3, M, from, to, start, 2000, 1e-3, 1e-7};
     int inside[3] = {0};
     for (uint64_t seed = 1; seed <= 200; seed++) {
         Data d;
@@ -92,7 +92,7 @@ static void bounds_hold(void **state)
     Data d;
     FitResult f;
     const double from[] = {-5, -5}, to[] = {5, 1.5}, start[] = {0, 0};
-    const FitPlan plan = {2, M, from, to, start, 500};
+    const FitPlan plan = {2, M, from, to, start, 500, 1e-3, 1e-7};
     data_make(&d, line, (const double[]){1, 2}, 0, 1);
     assert_true(fit_run(&plan, residuals, &d, &f));
     assert_true(f.done);
@@ -110,7 +110,7 @@ static void not_told_apart(void **state)
     Data d;
     FitResult f;
     const double from[] = {-5, -5, -5}, to[] = {5, 5, 5}, start[] = {0, 1, 0};
-    const FitPlan plan = {3, M, from, to, start, 500};
+    const FitPlan plan = {3, M, from, to, start, 500, 1e-3, 1e-7};
     data_make(&d, twins, (const double[]){1, 1, 2}, 0.1, 4);
     assert_true(fit_run(&plan, residuals, &d, &f));
     assert_true(f.done);

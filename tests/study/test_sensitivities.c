@@ -1,12 +1,14 @@
 /* Derivatives of a run by its linearised equations of motion, against central differences of whole runs; what has none.
  */
-#include "hawser/sweep.h"
+#include "hawser/hawser.h"
 #include "tests/study/study_fixture.h"
 
 #include <jansson.h>
 #include <math.h>
 
 #include "core/base/worst.h"
+#include "io/api/api_handles.h"
+#include "sim/run/tangent.h"
 
 /* A short pull on rollers that begins from where it is laid, with steps so small that their errors do not count. */
 static hawser_case *pull_case(const char *accuracy, const char *key, double value, const char *unit)
@@ -102,6 +104,65 @@ static void central_differences(void **state)
     check_at_most(fine, coarse / 4); /* 5.0 times, 4.96 as the sanitizers compile it */
 }
 
+/* A scene of which the equilibrium is known to rounding, and what it is in a case file. */
+static hawser_sim *relaxed(const char *file, const char *key, double value, const char *unit, hawser_case **c)
+{
+    hawser_error err;
+    hawser_sim *sim = NULL;
+    char text[64];
+    snprintf(text, sizeof text, "%.17g %s", value, unit);
+    if (hawser_case_load(file, c, &err) || hawser_case_set(*c, "solver.relax_tolerance", "1e-12", &err) ||
+        (strstr(file, "huangjiahu") && hawser_case_set(*c, "solver.linear_solver", "klu-full", &err)) ||
+        (key && hawser_case_set(*c, key, text, &err)) || hawser_sim_new(*c, NULL, &sim, &err) ||
+        hawser_sim_relax(sim, NULL, &err))
+        fail_msg("%s", err.message);
+    return sim;
+}
+
+/* dy/dp of the equilibrium by the tangents against central differences of equilibria, as a share of its largest
+ * entry. */
+static double start_difference(const char *file, const char *key, double value, const char *unit)
+{
+    const double by = 1e-3 * value, half = 1e-5 * value;
+    static const double side[] = {-1, 1};
+    hawser_case *c[5];
+    hawser_sim *sim[5];
+    hawser_error err;
+    Tangent *g;
+    double largest = 0, off = 0;
+    sim[4] = relaxed(file, NULL, 0, "", &c[4]);
+    for (int k = 0; k < 2; k++) {
+        sim[k] = relaxed(file, key, value + side[k] * by, unit, &c[k]);
+        sim[2 + k] = relaxed(file, key, value + side[k] * half, unit, &c[2 + k]);
+    }
+    if (tangent_new(&c[4]->def, 1, &c[2]->def, &c[3]->def, &half, 0, &g, &err) ||
+        tangent_step(g, 0, sim[4]->stage.y, &err))
+        fail_msg("%s", err.message);
+    const double *const slope = tangent_slope(g, 0);
+    for (int i = 0; i < sim[4]->stage.motion->size; i++) {
+        const double expected = (sim[1]->stage.y[i] - sim[0]->stage.y[i]) / (2 * by);
+        off = larger_of(off, fabs(slope[i] - expected));
+        largest = larger_of(largest, fabs(expected));
+    }
+    tangent_free(g);
+    for (int k = 0; k < 5; k++) {
+        hawser_sim_free(sim[k]);
+        hawser_case_free(c[k]);
+    }
+    return off / largest;
+}
+
+/* Where the cable hangs before the pull follows from its parameters: in the plane, and in space. */
+static void the_start_follows(void **state)
+{
+    (void)state;
+    static const char flat[] = HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml",
+                      space[] = HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml";
+    check_at_most(start_difference(flat, "cables.power.mass", 20, "kg/m"), 1e-5);
+    check_at_most(start_difference(flat, "cables.power.EI", 10, "kN m2"), 1e-5);
+    check_at_most(start_difference(space, "cables.power.density", 7801, "kg/m3"), 4e-5);
+}
+
 static void refused(void **state)
 {
     (void)state;
@@ -125,6 +186,7 @@ static void refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(the_start_follows),
+                                       cmocka_unit_test(refused)};
     return cmocka_run_group_tests(tests, folder_make, folder_remove);
 }
