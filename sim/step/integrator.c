@@ -167,7 +167,7 @@ static double newton_share(const Scene *scene)
     return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
 }
 
-/* s; 0: as long as it likes. */
+/* s; 0: as long as it likes, as CVODE says that too. */
 static double longest_step(const Integrator *in)
 {
     const SceneDef *const def = &in->motion->scene->def;
@@ -186,8 +186,7 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetNonlinConvCoef(c, newton_share(in->motion->scene));
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
-    const double longest = longest_step(in);
-    if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
+    bad |= CVodeSetMaxStep(c, longest_step(in));
     if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
     return !bad && solvers_attach(in);
 }
@@ -394,22 +393,11 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
     return HAWSER_ERR_RUN;
 }
 
-/* The same if the step would be longer than it may be. One that has been cut stays so: CVODE knows the bound as the
- * longest that it may grow to, to within rounding. */
-static double bounded_end(Integrator *in, double t, double stop)
-{
-    static const double ROUNDING = 1e-6;
-    if (!(in->bound > 0)) return stop;
-    double step = 0;
-    CVodeGetCurrentStep(in->cvode, &step);
-    return step > (1 + ROUNDING) * in->bound ? fmin(stop, t + in->bound) : stop;
-}
-
 /* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
  * first step CVODE says 0 for its length, and what is at rest then will move by little in it. */
 static double stride_end(Integrator *in, double t, double stop)
 {
-    if (!(in->way < INFINITY)) return bounded_end(in, t, stop);
+    if (!(in->way < INFINITY)) return stop;
     double step = 0;
     CVodeGetCurrentStep(in->cvode, &step);
     const double speed = in->motion->ops->speed(in->motion, in->y), since = t - in->speed_at;
@@ -419,15 +407,24 @@ static double stride_end(Integrator *in, double t, double stop)
     in->speed = speed;
     in->speed_at = t;
     if (!(step > 0) && speed > 0) step = INFINITY;
-    if (!(step > longest) || !(t + longest > t) || !(t + longest < stop)) return bounded_end(in, t, stop);
+    if (!(step > longest) || !(t + longest > t) || !(t + longest < stop)) return stop;
     ++in->stats.strides;
-    return bounded_end(in, t, t + longest);
+    return t + longest;
+}
+
+/* `end`, or sooner if the step would be longer than it may be: to within rounding CVODE keeps to that itself then. */
+static double bounded_end(Integrator *in, double t, double end)
+{
+    static const double ROUNDING = 1e-6;
+    double step = 0;
+    CVodeGetCurrentStep(in->cvode, &step);
+    return in->bound > 0 && step > (1 + ROUNDING) * in->bound ? fmin(end, t + in->bound) : end;
 }
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
 {
     if (steps_spent(in)) return steps_failed(in, *t, err);
-    const double end = stride_end(in, *t, stop);
+    const double end = bounded_end(in, *t, stride_end(in, *t, stop));
     if (end > in->stop || end < in->stop) {
         CVodeSetStopTime(in->cvode, end);
         in->stop = end;
@@ -447,7 +444,6 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
 
 void integrator_bound(Integrator *in, double longest)
 {
-    if (in->bound <= longest && in->bound >= longest) return;
     in->bound = longest;
     CVodeSetMaxStep(in->cvode, longest_step(in));
 }
