@@ -225,7 +225,6 @@ int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
 /* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how
  * many. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
-
 /* The surfaces in the case's order: ducts, trays, planes; as above. */
 int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out);
 
