@@ -152,10 +152,6 @@ int hawser_sim_machines(const hawser_sim *s, const hawser_machine **out);
 /* The figure of that key (now or of the run); NAN: the machine has none. */
 double hawser_machine_figure(const hawser_machine *machine, const char *key);
 
-/* The positions of a run with `analysis: positions` so far, by the front's way; *out stays the simulation's and is good
- * until it advances again. Returns how many. */
-int hawser_sim_places(const hawser_sim *s, const hawser_place **out);
-
 /* The modes, by rising omega squared; none before the run's end. *out stays the simulation's. Returns how many. */
 int hawser_sim_modes(const hawser_sim *s, const hawser_mode **out);
 /* The events so far, by time; *out stays the simulation's and is good until it advances again. Returns how many. */
@@ -214,9 +210,8 @@ typedef struct hawser_summary {
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
     const hawser_passes *passes;    /* of hawser_sim_run; NULL: one was enough, or no other was wanted */
     const hawser_hold *slowest;     /* where its steps were shortest, over 500 in a row; NULL: there were fewer */
-    int n_places;
-    const hawser_place *places,
-        *worst_place; /* [n_places], as hawser_sim_places gives them; of the largest pull, or NULL */
+    int n_places; /* positions, as hawser_sim_places gives them; of them that with the largest pull, or NULL: */
+    const hawser_place *places, *worst_place;
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */
@@ -231,7 +226,6 @@ int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
 /* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how
  * many. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
-
 /* The surfaces in the case's order: ducts, trays, planes; as above. */
 int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out);
 

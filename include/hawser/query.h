@@ -94,6 +94,10 @@ typedef struct hawser_geometry {
 /* *out is the simulation's as long as it lives. Errors: INPUT (NULL), MEMORY. */
 hawser_status hawser_sim_geometry(struct hawser_sim *s, const hawser_geometry **out, hawser_error *err);
 
+/* The positions of a run with `analysis: positions` so far, by the front's way; *out stays the simulation's and is good
+ * until it advances again. Returns how many. */
+int hawser_sim_places(const struct hawser_sim *s, const struct hawser_place **out);
+
 /* The route: its length, and the place at s_m from its start; it goes on straight beyond its ends. Errors: INPUT (NULL,
  * s_m is not finite, a rod has no route). */
 hawser_status hawser_sim_route_length(const struct hawser_sim *s, double *length_m, hawser_error *err);

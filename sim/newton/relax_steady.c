@@ -58,7 +58,7 @@ void steady_follow(const BlockChain *d, const double *y, BlockChain *k)
     }
 }
 
-/* Torques left on rollers that spin, as forces at their surfaces, count like forces on segments (PO7). */
+/* Torques left on rollers that spin, as forces at their surfaces, count like forces on segments (PS7). */
 static double spins_residual(const Relaxation *r)
 {
     const Equipment *const q = r->scene->equipment;
@@ -80,7 +80,7 @@ static double steady_residual(void *self, int *where)
     return larger_of(space_residual(&s->r, where), spins_residual(&s->r));
 }
 
-/* (PO6). Newton's matrix without what turns the segments: on the way of a step that stands for infinity they would go
+/* (PS6). Newton's matrix without what turns the segments: on the way of a step that stands for infinity they would go
  * round thousands of times (N4). */
 static int steady_step(void *self, double dt)
 {

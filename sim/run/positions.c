@@ -119,7 +119,7 @@ static hawser_status list_even(Positions *p, const Scene *scene, double end, haw
     const double to = isnan(def->to) ? head_at(scene, end) : def->to, way = to - from;
     double longest = 0;
     for (int i = 0; i < scene->chain.n; ++i) longest = fmax(longest, 2 * scene->chain.half[i]);
-    const double usual = longest * ceil(way / POSITIONS_MOST / longest - 1e-9); /* whole segments: (PO8) */
+    const double usual = longest * ceil(way / POSITIONS_MOST / longest - 1e-9); /* whole segments: (PS8) */
     const double step = isnan(def->step) ? fmax(longest, usual) : def->step;
     if (!(way >= 0)) {
         return error_set(err, HAWSER_ERR_INPUT,
@@ -171,7 +171,7 @@ hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
     scene->def.output.steady_from = p->time[0];
     scene->def.output.checkpoint = 0; /* they are found in seconds again */
     Chain *const both[] = {&scene->chain, &st->whole};
-    for (int k = 0; k < 2; ++k) { /* (PO3) */
+    for (int k = 0; k < 2; ++k) { /* (PS3) */
         for (int c = 0; both[k]->n > 0 && c < 6; ++c)
             memset(both[k]->damping[c], 0, ((size_t)both[k]->n + 1) * sizeof(double));
     }
@@ -233,7 +233,7 @@ static hawser_status lie_keep(Lie *lie, const Stage *st, double travel, hawser_e
     return lie->n > 0 ? HAWSER_OK : error_memory(err);
 }
 
-/* The laid chain in the state is moved to where the last position's lay, place by place of the route (PO8). */
+/* The laid chain in the state is moved to where the last position's lay, place by place of the route (PS8). */
 static void lie_apply(const Lie *lie, Stage *st, double travel)
 {
     const Scene *const scene = &st->scene;
@@ -336,7 +336,7 @@ static int nearest(const Stage *st, Vec3 place)
 }
 
 /* Rollers that spin begin at the surface speed of the cable: one that stands would have to be sped up through friction
- * that does not depend on its speed (PO7). */
+ * that does not depend on its speed (PS7). */
 static void spins_start(Stage *st, double speed)
 {
     const Scene *const scene = &st->scene;

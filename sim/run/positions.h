@@ -5,7 +5,7 @@
 
 #include "sim/run/stage.h"
 
-/* How the last position's chain lies beside the route, from which the next one's begins (PO8). */
+/* How the last position's chain lies beside the route, from which the next one's begins (PS8). */
 typedef struct Lie {
     int n;
     double *s;          /* [n] m along the route, of segments' centres as they would be laid, rising */

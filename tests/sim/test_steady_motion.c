@@ -44,7 +44,7 @@ static void turn_all(const Rig *r, const double *x, double e, double *y)
     }
 }
 
-/* K' x of (PO5), forces alone, against the central difference of m v'. */
+/* K' x of (PS5), forces alone, against the central difference of m v'. */
 static void test_twin(void **state)
 {
     (void)state;
