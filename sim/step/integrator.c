@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
 #include "sim/step/cvode_memory.h"
+#include "sim/step/esdirk.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
@@ -46,6 +47,7 @@ struct Integrator {
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
     int still;              /* integrator_prepare: nothing moves, and nothing is computed */
+    Esdirk *esdirk;         /* NULL: CVODE moves, and all below is there */
     void *cvode;
     SUNContext context;
     VectorFamily family; /* every vector that CVODE has made */
@@ -165,6 +167,12 @@ static double newton_share(const Scene *scene)
     return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
 }
 
+/* The longest step, s; 0: any is allowed. */
+static double longest_of(const SceneDef *def)
+{
+    return def->solver.max_step > 0 ? def->solver.max_step : def->output.interval;
+}
+
 static int cvode_set(Integrator *in)
 {
     const SolverDef *const def = &in->motion->scene->def.solver;
@@ -177,7 +185,7 @@ static int cvode_set(Integrator *in)
     bad |= CVodeSetMaxNonlinIters(c, ITERATIONS_MOST);
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
-    const double longest = def->max_step > 0 ? def->max_step : in->motion->scene->def.output.interval;
+    const double longest = longest_of(&in->motion->scene->def);
     if (longest > 0) bad |= CVodeSetMaxStep(c, longest);
     if (def->first_step > 0) bad |= CVodeSetInitStep(c, def->first_step);
     return !bad && linear_attach(in);
@@ -240,9 +248,7 @@ static int cvode_new(Integrator *in, double t)
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
-    in->weight = malloc((size_t)length * sizeof(double));
-    if (!in->weight || !memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
-    in->motion->ops->weights(in->motion, in->weight);
+    if (!memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
     in->family.queue.team = in->motion->team;
     in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
     if (!in->state || !vector_family_stock(in->state, VECTORS_MOST)) return 0;
@@ -255,6 +261,19 @@ static int integrator_start(Integrator *in, double t)
     return set;
 }
 
+/* Weights and the method that was chosen. */
+static hawser_status method_start(Integrator *in, double t, hawser_error *err)
+{
+    const Scene *const scene = in->motion->scene;
+    in->weight = malloc((size_t)in->motion->size * sizeof(double));
+    if (!in->weight) return error_memory(err);
+    in->motion->ops->weights(in->motion, in->weight);
+    if (scene->def.solver.method != METHOD_ESDIRK)
+        return integrator_start(in, t) ? history_check(in, err) : error_memory(err);
+    in->esdirk = esdirk_new(in->motion, in->y, in->weight, newton_share(scene), longest_of(&scene->def), &in->stats);
+    return in->esdirk ? HAWSER_OK : error_memory(err);
+}
+
 /* NOLINTNEXTLINE(readability-non-const-parameter): every step writes it */
 hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err)
 {
@@ -262,7 +281,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     *out = in;
     if (!in) return error_memory(err);
     *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1, .speed_at = -1};
-    const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
+    const hawser_status status = method_start(in, t, err);
     if (status) *out = integrator_free(in);
     return status;
 }
@@ -270,6 +289,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
 Integrator *integrator_free(Integrator *in)
 {
     if (!in) return NULL;
+    esdirk_free(in->esdirk);
     if (in->cvode) CVodeFree(&in->cvode);
     custom_linear_free(&in->linear);
     vector_family_unstock(&in->family);
@@ -288,6 +308,10 @@ const double *integrator_rates(Integrator *in, double *h)
     realtype t, gamma, rl1;
     N_Vector predicted, now, rates, first = NULL;
     void *user;
+    if (in->esdirk) {
+        *h = 1;
+        return esdirk_rates(in->esdirk);
+    }
     CVodeGetLastStep(in->cvode, h);
     CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
     return N_VGetArrayPointer(first);
@@ -295,9 +319,26 @@ const double *integrator_rates(Integrator *in, double *h)
 
 /* ------------------------------------------------------------------------------------------------ stepping */
 
+static long steps_made(const Integrator *in)
+{
+    IntegratorStats stats;
+    integrator_stats(in, &stats);
+    return stats.steps;
+}
+
+/* s; 0 before the first one */
+static double step_next(const Integrator *in)
+{
+    double step = 0;
+    if (in->esdirk) return esdirk_next(in->esdirk);
+    CVodeGetCurrentStep(in->cvode, &step);
+    return step;
+}
+
 /* The segment whose weighted local error is largest: where to look when a step fails. */
 static int worst_segment(Integrator *in)
 {
+    if (in->esdirk) return in->motion->ops->worst(in->motion, esdirk_error(in->esdirk), in->weight);
     N_Vector error = vector_clone(in->state);
     int worst = 0;
     if (error && CVodeGetEstLocalErrors(in->cvode, error) == CV_SUCCESS) {
@@ -348,16 +389,16 @@ static const char *advice_for(int flag)
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
     const int i = worst_segment(in);
-    const Vec3 p = in->motion->ops->place(in->motion, N_VGetArrayPointer(in->good), i);
-    double step = 0;
-    CVodeGetCurrentStep(in->cvode, &step);
-    N_VScale(1.0, in->good, in->state);
-    vector_family_settle(&in->family);
+    if (in->good) {
+        N_VScale(1.0, in->good, in->state);
+        vector_family_settle(&in->family);
+    }
+    const Vec3 p = in->motion->ops->place(in->motion, in->y, i);
     error_set(err, HAWSER_ERR_RUN,
               "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
-              "%s%s (CVODE flag %d: %s)",
-              t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
-              hint_for(in->motion->scene, i), flag, in->complaint);
+              "%s%s (%s flag %d: %s)",
+              t, step_next(in), in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
+              hint_for(in->motion->scene, i), in->esdirk ? "ESDIRK" : "CVODE", flag, in->complaint);
     error_moment(err, t, in->motion->scene->first + i);
     return HAWSER_ERR_RUN;
 }
@@ -366,21 +407,17 @@ static hawser_status step_failed(Integrator *in, int flag, double t, hawser_erro
 static int steps_spent(const Integrator *in)
 {
     const long limit = in->motion->scene->def.solver.max_steps;
-    long steps = 0;
-    CVodeGetNumSteps(in->cvode, &steps);
-    return limit > 0 && in->before.steps + steps >= limit;
+    return limit > 0 && steps_made(in) >= limit;
 }
 
 static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
 {
-    double step = 0;
     const int i = worst_segment(in);
-    CVodeGetCurrentStep(in->cvode, &step);
     error_set(err, HAWSER_ERR_RUN,
               "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
               "raise it or solver.accuracy, or soften what is stiff there%s",
-              in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
-              hint_for(in->motion->scene, i));
+              in->motion->scene->def.solver.max_steps, t, step_next(in), in->motion->scene->first + i,
+              in->motion->scene->total, hint_for(in->motion->scene, i));
     error_moment(err, t, in->motion->scene->first + i);
     return HAWSER_ERR_RUN;
 }
@@ -390,8 +427,7 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
 static double stride_end(Integrator *in, double t, double stop)
 {
     if (!(in->way < INFINITY)) return stop;
-    double step = 0;
-    CVodeGetCurrentStep(in->cvode, &step);
+    double step = step_next(in);
     const double speed = in->motion->ops->speed(in->motion, in->y), since = t - in->speed_at;
     const double growth = in->speed_at >= 0 && since > 0 ? fmax(0, (speed - in->speed) / since)
                                                          : v3_norm(in->motion->scene->weight.gravity);
@@ -402,22 +438,35 @@ static double stride_end(Integrator *in, double t, double stop)
     return step > longest && t + longest > t ? fmin(stop, t + longest) : stop;
 }
 
-hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
+/* One step of the method's, as CVode returns: 0 or more, or what went wrong. */
+static int method_step(Integrator *in, double stop, double end, double *reached)
 {
-    if (steps_spent(in)) return steps_failed(in, *t, err);
-    const double end = stride_end(in, *t, stop);
+    static const int flag[] = {[ESDIRK_DONE] = CV_SUCCESS,
+                               [ESDIRK_NO_RATES] = CV_RHSFUNC_FAIL,
+                               [ESDIRK_NO_NEWTON] = CV_CONV_FAILURE,
+                               [ESDIRK_NO_FACTORS] = CV_LSETUP_FAIL,
+                               [ESDIRK_INEXACT] = CV_ERR_FAILURE};
+    if (in->esdirk) return flag[esdirk_step(in->esdirk, end, reached)];
     if (end > in->stop || end < in->stop) {
         CVodeSetStopTime(in->cvode, end);
         in->stop = end;
     }
+    const int done = CVode(in->cvode, stop, in->state, reached, CV_ONE_STEP);
+    if (done >= 0) state_keep(in);
+    return done;
+}
+
+hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
+{
+    if (steps_spent(in)) return steps_failed(in, *t, err);
+    const double end = stride_end(in, *t, stop);
     const double start = clock_now();
     double reached = *t;
-    const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
+    const int flag = method_step(in, stop, end, &reached);
     if (flag < 0) return step_failed(in, flag, *t, err);
     in->stalled = reached > *t ? 0 : in->stalled + 1;
     if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
-    state_keep(in);
     const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
@@ -446,7 +495,6 @@ static int arrays_renew(Integrator *in, const Reshape *reshape)
     in->weight = weight;
     in->weighted = NULL;
     in->y = reshape->y;
-    state_keep(in);
     in->motion->ops->weights(in->motion, weight);
     return 1;
 }
@@ -471,11 +519,16 @@ static int matrix_renew(Integrator *in, double t)
 
 hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err)
 {
-    const ReshapeCall call = {reshape, history_state(in)};
     const double start = clock_now();
     assert(in->motion->size == reshape->size);
+    if (in->esdirk) {
+        const int made = arrays_renew(in, reshape) && esdirk_reshape(in->esdirk, reshape, in->weight);
+        return made ? HAWSER_OK : error_memory(err);
+    }
+    const ReshapeCall call = {reshape, history_state(in)};
     if (!vector_family_resize(&in->family, reshape->size, reshape->y, call_map, &call) || !arrays_renew(in, reshape))
         return error_memory(err);
+    state_keep(in);
     /* without its history the method has to start again; so it must before its first step, where it has none */
     long steps = 0;
     CVodeGetNumSteps(in->cvode, &steps);
@@ -514,6 +567,7 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
 {
     const IntegratorStats *const before = &in->before;
     *stats = in->stats;
+    if (in->esdirk) return; /* it counts for itself, and goes on counting */
     long iterations = 0;
     CVodeGetNumSteps(in->cvode, &stats->steps);
     CVodeGetNumRhsEvals(in->cvode, &stats->rhs_evals);
@@ -532,13 +586,17 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
 
 /* ------------------------------------------------------------------------------------------------- checkpoints */
 
-int integrator_known(const Integrator *in, const char **why) { return cvode_memory_known(in->cvode, why); }
+int integrator_known(const Integrator *in, const char **why)
+{
+    return in->esdirk || cvode_memory_known(in->cvode, why);
+}
 
 hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err)
 {
     const char *why;
     double reached;
     long steps = 0;
+    if (in->esdirk) return HAWSER_OK;
     CVodeGetNumSteps(in->cvode, &steps);
     if (steps > 0) return HAWSER_OK;
     in->still = 1;
@@ -554,7 +612,7 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
 {
     N_Vector history[CVODE_HISTORY_MAX];
     const size_t bytes = (size_t)in->motion->size * sizeof(double);
-    vector_family_settle(&in->family);
+    vector_family_settle(&in->family); /* which has no members where CVODE does not move */
     CHECKPOINT(c, in->way);
     CHECKPOINT(c, in->speed);
     CHECKPOINT(c, in->speed_at);
@@ -563,6 +621,10 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
     CHECKPOINT(c, in->stalled);
     CHECKPOINT(c, in->stats);
     CHECKPOINT(c, in->before);
+    if (in->esdirk) {
+        esdirk_checkpoint(c, in->esdirk);
+        return;
+    }
     cvode_memory_checkpoint(c, in->cvode);
     if (c->status) return;
     const int n = cvode_memory_history(in->cvode, history);

@@ -1,5 +1,5 @@
-/* CVODE (BDF) on the equations of motion: this, with sim/step/sundials.h, is all that knows SUNDIALS. docs/model.md,
- * "Integration". */
+/* The equations of motion in time: by CVODE (BDF), or by one-step methods (sim/step/esdirk.h). This, with
+ * sim/step/sundials.h, is all that knows SUNDIALS. docs/model.md, "Integration" and "One-step integration". */
 #ifndef HAWSER_SIM_STEP_INTEGRATOR_H
 #define HAWSER_SIM_STEP_INTEGRATOR_H
 
@@ -41,9 +41,9 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
 /* The same time and motion in other equations: starts anew at (t, y) and goes on counting. Errors: as integrator_new;
  * *in is as it was then. */
 hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double *y, hawser_error *err);
-/* The rates of the state of the last accepted step, [size], as the method has them: times *h, its length, s. They are
- * those of the collocation, which the equations of motion meet to within Newton's tolerance. Valid until the next step.
- */
+/* The rates of the state of the last accepted step, [size], as the method has them: times *h, s: the step's length with
+ * BDF, 1 with others. They are those of the collocation or of the last stage, which the equations of motion meet to
+ * within Newton's tolerance. Valid until the next step. */
 const double *integrator_rates(Integrator *in, double *h);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 
