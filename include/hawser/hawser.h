@@ -209,6 +209,7 @@ typedef struct hawser_summary {
     const hawser_balance *balance;  /* from t = 0 until now; NULL where nothing has moved */
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
     const hawser_passes *passes;    /* of hawser_sim_run; NULL: one was enough, or no second was wanted */
+    const char *method;             /* of integration in time: "bdf" or "esdirk" */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */

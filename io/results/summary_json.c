@@ -265,6 +265,7 @@ static const Column summary_column[] = {
     {COLUMN("error_test_fails", LONG, Summary, s.error_test_fails)},
     {COLUMN("newton_fails", LONG, Summary, s.newton_fails)},
     {COLUMN("contact_refreshes", LONG, Summary, s.contact_refreshes)},
+    {COLUMN("method", TEXT, Summary, s.method)},
     {COLUMN("linear_solver", TEXT, Summary, s.linear_solver)},
     {COLUMN("linear_solver_why", TEXT, Summary, s.linear_solver_why)},
     {COLUMN("ordering", TEXT, Summary, s.ordering)},

@@ -430,7 +430,8 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .n_machines = s->machines.n,
                          .machines = s->machines.out,
                          .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
-                         .passes = s->passes ? &s->passes->said : NULL};
+                         .passes = s->passes ? &s->passes->said : NULL,
+                         .method = scene->def.solver.method == METHOD_ESDIRK ? "esdirk" : "bdf"};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);

@@ -253,7 +253,7 @@ static void guess(Esdirk *e, int i, double h)
     combine(e, n, share, x, e->rate[e->now][i]);
 }
 
-/* All stages of a step of length h; e->stage is its end, e->error its error (ES4)-(ES6). */
+/* All stages of a step of length h; e->stage is its end, e->error its error (ES2), (ES3). */
 static EsdirkEnd stages_solve(Esdirk *e, double t, double h)
 {
     double *x[ESDIRK_STAGES + 1] = {e->y}, share[ESDIRK_STAGES + 1] = {1};
