@@ -162,8 +162,8 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     return status;
 }
 
-/* What keeps waves along the cable from dying out, C/K of its joints, s: below this one-step methods reach any error that
- * matters for less than a BDF does (docs/model.md, "One-step integration"). */
+/* What keeps waves along the cable from dying out, C/K of its joints, s: below this one-step methods reach any error
+ * that matters for less than a BDF does (docs/model.md, "One-step integration"). */
 static const double LIGHTLY_DAMPED = 0.5e-3;
 
 /* `auto`, decided once for the whole chain: by how long the slowest joint takes to give way along the cable. Who asks

@@ -8,7 +8,7 @@
 #include "core/chain.h"
 #include "sim/step/vector_queue.h"
 
-/* The next step by what this one's error and the one's before were (ES9): safety, exponents times the order, limits.
+/* The next step by what this one's error and the one's before were (OS9): safety, exponents times the order, limits.
  * Within STAYS the step keeps its length, and its matrix with it. */
 static const double SAFETY = 0.9, PROPORTIONAL = 0.4, INTEGRAL = 0.7, SHRINK_MOST = 0.2, GROW_MOST = 5;
 static const double STAYS_FROM = 0.9, STAYS_TO = 1.2;
@@ -36,7 +36,7 @@ struct Esdirk {
     int size;
     double *room;                      /* the vectors below, one after the other */
     double *rate[2][ESDIRK_STAGES];    /* of the stages: of this step, [now], and of the one before */
-    double *base, *stage, *correction; /* (ES5): what is known of a stage, the stage, what is missing */
+    double *base, *stage, *correction; /* (OS5): what is known of a stage, the stage, what is missing */
     double *error;
     int now;
     int begun;           /* rate[now][0] is that of y */
@@ -60,11 +60,7 @@ static const EsdirkTableau tableau = {
           {0.17554550212940523, 0.17554550212940523, -0.34685820002600626, 0.77076719576719577, 0.225}},
     .embedded = {0.18435122201605925, 0.18435122201605925, -0.27820818405098702, 0.69686201254332369,
                  0.21264372747554489},
-    .node = {{0},
-             {0, ESDIRK_BEFORE(3), ESDIRK_BEFORE(0)},
-             {0, 1, ESDIRK_BEFORE(3)},
-             {0, 1, 2},
-             {0, 1, 2}},
+    .node = {{0}, {0, ESDIRK_BEFORE(3), ESDIRK_BEFORE(0)}, {0, 1, ESDIRK_BEFORE(3)}, {0, 1, 2}, {0, 1, 2}},
 };
 
 const EsdirkTableau *esdirk_tableau(void) { return &tableau; }
@@ -165,7 +161,7 @@ static Matrix matrix_due(const Esdirk *e, double gamma)
     return fabs(gamma / e->gamma - 1) > GAMMA_CHANGE ? MATRIX_FORMED : MATRIX_STAYS;
 }
 
-/* What is missing at e->stage, whose rates were evaluated last (ES5), solved for. */
+/* What is missing at e->stage, whose rates were evaluated last (OS5), solved for. */
 static int correct(Esdirk *e, double gamma, double *rates)
 {
     combine(e, 3, (double[]){1, gamma, -1}, (double *[]){e->base, rates, e->stage}, e->correction);
@@ -193,7 +189,7 @@ static void go_on(Esdirk *e)
     e->error = made;
 }
 
-/* Solves stage i, which ends at t, for its rates, the guess of which they hold at first (ES5)-(ES7). */
+/* Solves stage i, which ends at t, for its rates, the guess of which they hold at first (OS5)-(OS7). */
 static EsdirkEnd stage_solve(Esdirk *e, int i, double t, double gamma)
 {
     double *const rates = e->rate[e->now][i];
@@ -233,7 +229,7 @@ static double node_at(const Esdirk *e, int node, double h)
     return node >= 0 ? tableau.c[node] : (tableau.c[ESDIRK_BEFORE(node)] - 1) * e->last / h;
 }
 
-/* Rates of stage i from those of its nodes by the polynomial through them (ES8). */
+/* Rates of stage i from those of its nodes by the polynomial through them (OS8). */
 static void guess(Esdirk *e, int i, double h)
 {
     int n = 0;
@@ -253,8 +249,8 @@ static void guess(Esdirk *e, int i, double h)
     combine(e, n, share, x, e->rate[e->now][i]);
 }
 
-/* All stages of a step of length h; e->stage is its end, e->error its error (ES2), (ES3). */
-static EsdirkEnd stages_solve(Esdirk *e, double t, double h)
+/* All stages of a step of length h, none beyond `stop`; e->stage is its end, e->error its error (OS2), (OS3). */
+static EsdirkEnd stages_solve(Esdirk *e, double t, double h, double stop)
 {
     double *x[ESDIRK_STAGES + 1] = {e->y}, share[ESDIRK_STAGES + 1] = {1};
     double *const *const rate = e->rate[e->now];
@@ -265,7 +261,7 @@ static EsdirkEnd stages_solve(Esdirk *e, double t, double h)
         }
         combine(e, i + 1, share, x, e->base);
         guess(e, i, h);
-        const EsdirkEnd end = stage_solve(e, i, t + tableau.c[i] * h, h * tableau.gamma);
+        const EsdirkEnd end = stage_solve(e, i, fmin(t + tableau.c[i] * h, stop), h * tableau.gamma);
         if (end) return end;
     }
     const double *const b = tableau.a[ESDIRK_STAGES - 1];
@@ -274,7 +270,7 @@ static EsdirkEnd stages_solve(Esdirk *e, double t, double h)
     return ESDIRK_DONE;
 }
 
-/* The factor for the next step's length from this one's error (ES9). */
+/* The factor for the next step's length from this one's error (OS9). */
 static double step_factor(const Esdirk *e, double error)
 {
     const double now = fmax(error, 1e-10), before = e->past ? fmax(e->error_before, 1e-10) : now;
@@ -312,8 +308,9 @@ static void accept(Esdirk *e, double h, double error)
     ++e->stats->steps;
 }
 
-/* Judges a step of length h whose stages are solved; whether it is accepted. `whole`: it was cut to h. */
-static int judge(Esdirk *e, double h, int whole)
+/* Judges a step of length h whose stages are solved; whether it is accepted. One that was cut short says nothing
+ * against longer ones. */
+static int judge(Esdirk *e, double h)
 {
     const double error = norm_of(e, e->error), factor = step_factor(e, error);
     if (!(error <= 1)) {
@@ -322,21 +319,31 @@ static int judge(Esdirk *e, double h, int whole)
         return 0;
     }
     const double next = factor > STAYS_FROM && factor < STAYS_TO ? h : h * factor;
-    if (!whole || next > e->next || factor < 1) e->next = next;
+    if (!(h < e->next) || next > e->next || factor < 1) e->next = next;
     accept(e, h, error);
     return 1;
 }
 
+/* The length of the step to try, `left` before the stop: one that would leave next to nothing takes it along, and of
+ * what is left for two steps each takes half. Rates come from differences over a step (OS6), and one of a rounding
+ * error's length would leave nothing of them. */
+static double length_of(const Esdirk *e, double left)
+{
+    const double next = e->longest > 0 ? fmin(e->next, e->longest) : e->next;
+    if (next >= (1 - 1e-6) * left) return left;
+    return 2 * next > left ? left / 2 : next;
+}
+
 EsdirkEnd esdirk_step(Esdirk *e, double stop, double *t)
 {
-    const double left = stop - *t, most = e->longest > 0 ? fmin(e->longest, left) : left;
-    EsdirkEnd end = begin(e, *t, most);
+    const double left = stop - *t;
+    EsdirkEnd end = begin(e, *t, e->longest > 0 ? fmin(e->longest, left) : left);
     for (int attempt = 0; !end && attempt < ATTEMPTS_MOST; ++attempt) {
-        const int whole = e->next >= (1 - 1e-6) * most;
-        const double h = whole ? most : e->next;
-        const EsdirkEnd found = stages_solve(e, *t, h);
-        if (!found && judge(e, h, whole)) {
-            *t = whole && most >= left ? stop : *t + h;
+        const double h = length_of(e, left), reached = h < left ? *t + h : stop;
+        if (!(reached > *t)) return ESDIRK_STUCK;
+        const EsdirkEnd found = stages_solve(e, *t, h, stop);
+        if (!found && judge(e, h)) {
+            *t = reached;
             return ESDIRK_DONE;
         }
         if (!found) continue;

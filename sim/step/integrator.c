@@ -16,6 +16,7 @@
 #include "sim/equipment/winch.h"
 #include "sim/step/cvode_memory.h"
 #include "sim/step/esdirk.h"
+#include "sim/step/failure.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
@@ -348,44 +349,6 @@ static int worst_segment(Integrator *in)
     return worst;
 }
 
-/* What is known of scenes whose steps become too small at segment i. The head of a limp cable does not keep its
- * direction on an axial grip: the pull follows it. A limp cable on a roller as bent as itself has no point that is
- * nearest, see (C6): said where a roller may take the cable over more than two segments. */
-static const char *hint_for(const Scene *scene, int i)
-{
-    double largest = 0;
-    const int at_head = i >= scene->chain.n - 3;
-    if (at_head && scene->winch->present && scene->def.winch.axial_only)
-        return " (the head of a limp cable needs drive.winch.grip: clamp)";
-    if (scene->contact.geometry != GEOMETRY_SMOOTH) return "";
-    for (int r = 0; r < scene->contact.n_rollers; ++r) largest = fmax(largest, scene->contact.roller[r].shape.radius);
-    if (!(largest > 2 * scene->chain.half[0])) return "";
-    return " (a limp cable bent around a roller over more than two segments needs contact.geometry: cylinder)";
-}
-
-static const char *advice_for(int flag)
-{
-    switch (flag) {
-    case CV_CONV_FAILURE:
-        return "Newton's iteration did not converge: try a smaller solver.max_step, a softer contact.k or a larger "
-               "friction.v_s";
-    case CV_ERR_FAILURE:
-        return "the error test failed again and again: try a larger solver.accuracy, or a gentler drive";
-    case CV_LSETUP_FAIL:
-    case CV_LSOLVE_FAIL:
-        return "the Newton matrix could not be factored: try --set solver.linear_solver=klu";
-    case CV_TOO_CLOSE:
-        return "the steps have become too small to move on: try a softer contact.k, less stiffness or a larger "
-               "friction.v_s";
-    case CV_REPTD_RHSFUNC_ERR:
-    case CV_FIRST_RHSFUNC_ERR:
-    case CV_RHSFUNC_FAIL:
-        return "the forces became infinite: check stiffnesses, masses and the contact law";
-    default:
-        return "try a smaller solver.max_step or another solver.accuracy";
-    }
-}
-
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
     const int i = worst_segment(in);
@@ -397,8 +360,9 @@ static hawser_status step_failed(Integrator *in, int flag, double t, hawser_erro
     error_set(err, HAWSER_ERR_RUN,
               "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
               "%s%s (%s flag %d: %s)",
-              t, step_next(in), in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
-              hint_for(in->motion->scene, i), in->esdirk ? "ESDIRK" : "CVODE", flag, in->complaint);
+              t, step_next(in), in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z,
+              failure_advice(flag), failure_hint(in->motion->scene, i), in->esdirk ? "ESDIRK" : "CVODE", flag,
+              in->complaint);
     error_moment(err, t, in->motion->scene->first + i);
     return HAWSER_ERR_RUN;
 }
@@ -417,7 +381,7 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
               "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
               "raise it or solver.accuracy, or soften what is stiff there%s",
               in->motion->scene->def.solver.max_steps, t, step_next(in), in->motion->scene->first + i,
-              in->motion->scene->total, hint_for(in->motion->scene, i));
+              in->motion->scene->total, failure_hint(in->motion->scene, i));
     error_moment(err, t, in->motion->scene->first + i);
     return HAWSER_ERR_RUN;
 }
@@ -441,11 +405,9 @@ static double stride_end(Integrator *in, double t, double stop)
 /* One step of the method's, as CVode returns: 0 or more, or what went wrong. */
 static int method_step(Integrator *in, double stop, double end, double *reached)
 {
-    static const int flag[] = {[ESDIRK_DONE] = CV_SUCCESS,
-                               [ESDIRK_NO_RATES] = CV_RHSFUNC_FAIL,
-                               [ESDIRK_NO_NEWTON] = CV_CONV_FAILURE,
-                               [ESDIRK_NO_FACTORS] = CV_LSETUP_FAIL,
-                               [ESDIRK_INEXACT] = CV_ERR_FAILURE};
+    static const int flag[] = {
+        [ESDIRK_DONE] = CV_SUCCESS,           [ESDIRK_NO_RATES] = CV_RHSFUNC_FAIL, [ESDIRK_NO_NEWTON] = CV_CONV_FAILURE,
+        [ESDIRK_NO_FACTORS] = CV_LSETUP_FAIL, [ESDIRK_INEXACT] = CV_ERR_FAILURE,   [ESDIRK_STUCK] = CV_TOO_CLOSE};
     if (in->esdirk) return flag[esdirk_step(in->esdirk, end, reached)];
     if (end > in->stop || end < in->stop) {
         CVodeSetStopTime(in->cvode, end);

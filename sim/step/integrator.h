@@ -7,12 +7,6 @@
 
 typedef struct Integrator Integrator;
 
-typedef struct IntegratorStats {
-    long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_fails, newton_fails;
-    double rhs, jacobian, factor, solve, total; /* s */
-    double last_step;                           /* s */
-} IntegratorStats;
-
 /* Starts at (t, y). The motion and y [motion->size] are borrowed; y always holds the latest state. Errors: MEMORY, RUN
  * (a SUNDIALS that integrator_reshape could not live with). */
 hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err);
@@ -20,17 +14,6 @@ Integrator *integrator_free(Integrator *in);
 /* Takes one step, but not beyond `stop` (s). On failure y and *t hold the last good step and err says when, where
  * and what to try (HAWSER_ERR_RUN). */
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err);
-
-/* A change of the state vector between two steps: entries come and go, and the motion that remains goes on smoothly. */
-typedef struct Reshape {
-    int size;  /* of the new state */
-    double *y; /* [size] the new state, borrowed from now on in place of the old one */
-    /* Writes a vector of the new size from one of the old: the state itself, or one that is linear in changes of it (a
-     * derivative, a difference). */
-    void (*map)(const void *user, int is_state, const double *from, double *to);
-    const void *user;
-    int forget; /* the history is of no use: start the method anew */
-} Reshape;
 
 /* Goes on from the same time with the motion's new size: the history of the method is mapped like the state (RL17), so
  * that order and step stay, and Newton's matrix is made anew at once. Public calls of SUNDIALS suffice: all vectors

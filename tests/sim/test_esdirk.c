@@ -16,7 +16,7 @@ static double dot(const double *x, const double *y)
     return sum;
 }
 
-/* (ES4): sums up to order three, those of every stage up to two; the embedded method has order two and no more. */
+/* (OS4): sums up to order three, those of every stage up to two; the embedded method has order two and no more. */
 static void test_order_conditions(void **state)
 {
     (void)state;
@@ -43,7 +43,7 @@ static void test_order_conditions(void **state)
     assert_true(fabs(dot(t->embedded, square) - 1.0 / 3) > 1e-3);
 }
 
-/* The factor by which a step multiplies exp(z t/h) (ES10). */
+/* The factor by which a step multiplies exp(z t/h) (OS10). */
 static double complex factor_of(const double *weights, double complex z)
 {
     const EsdirkTableau *const t = esdirk_tableau();
@@ -57,7 +57,7 @@ static double complex factor_of(const double *weights, double complex z)
     return sum;
 }
 
-/* |R| <= 1 along the imaginary axis, R = 0 far to the left, for the method and the embedded one; the loss is (ES11). */
+/* |R| <= 1 along the imaginary axis, R = 0 far to the left, for the method and the embedded one; the loss is (OS11). */
 static void test_stability(void **state)
 {
     (void)state;
@@ -123,7 +123,7 @@ static double complex swing_now(const Swing *s)
     return (y[STATE_V * N + 1] - y[STATE_V * N]) / 2 - I * s->omega * (y[1] - y[0] - 0.5) / 2;
 }
 
-/* Every step multiplies the swing by R(i phase), its energy by |R|^2 (ES10). */
+/* Every step multiplies the swing by R(i phase), its energy by |R|^2 (OS10). */
 static void test_amplification(void **state)
 {
     (void)state;
