@@ -3,9 +3,13 @@
 #include <cvode/cvode.h>
 #include <math.h>
 
+#include "core/base/error.h"
 #include "sim/equipment/winch.h"
 
-const char *failure_hint(const Scene *scene, int i)
+/* What is known of scenes whose steps become too small at segment i. The head of a limp cable does not keep its
+ * direction on an axial grip: the pull follows it. A limp cable on a roller as bent as itself has no point that is
+ * nearest, see (C6): said where a roller may take the cable over more than two segments. */
+static const char *hint_for(const Scene *scene, int i)
 {
     double largest = 0;
     const int at_head = i >= scene->chain.n - 3;
@@ -17,7 +21,7 @@ const char *failure_hint(const Scene *scene, int i)
     return " (a limp cable bent around a roller over more than two segments needs contact.geometry: cylinder)";
 }
 
-const char *failure_advice(int flag)
+static const char *advice_for(int flag)
 {
     switch (flag) {
     case CV_CONV_FAILURE:
@@ -38,4 +42,29 @@ const char *failure_advice(int flag)
     default:
         return "try a smaller solver.max_step or another solver.accuracy";
     }
+}
+
+hawser_status failure_tell(const StepFailure *f, int flag, hawser_error *err)
+{
+    const Scene *const scene = f->motion->scene;
+    const Vec3 p = f->motion->ops->place(f->motion, f->y, f->segment);
+    error_set(err, HAWSER_ERR_RUN,
+              "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
+              "%s%s (%s flag %d: %s)",
+              f->t, f->step, scene->first + f->segment, scene->total, p.x, p.y, p.z, advice_for(flag),
+              hint_for(scene, f->segment), f->method, flag, f->complaint);
+    error_moment(err, f->t, scene->first + f->segment);
+    return HAWSER_ERR_RUN;
+}
+
+hawser_status failure_steps_spent(const StepFailure *f, hawser_error *err)
+{
+    const Scene *const scene = f->motion->scene;
+    error_set(err, HAWSER_ERR_RUN,
+              "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
+              "raise it or solver.accuracy, or soften what is stiff there%s",
+              scene->def.solver.max_steps, f->t, f->step, scene->first + f->segment, scene->total,
+              hint_for(scene, f->segment));
+    error_moment(err, f->t, scene->first + f->segment);
+    return HAWSER_ERR_RUN;
 }

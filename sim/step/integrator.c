@@ -349,22 +349,25 @@ static int worst_segment(Integrator *in)
     return worst;
 }
 
+static StepFailure failure_at(Integrator *in, double t)
+{
+    return (StepFailure){.motion = in->motion,
+                         .y = in->y,
+                         .t = t,
+                         .step = step_next(in),
+                         .segment = worst_segment(in),
+                         .method = in->esdirk ? "ESDIRK" : "CVODE",
+                         .complaint = in->complaint};
+}
+
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
-    const int i = worst_segment(in);
+    const StepFailure failure = failure_at(in, t);
     if (in->good) {
         N_VScale(1.0, in->good, in->state);
         vector_family_settle(&in->family);
     }
-    const Vec3 p = in->motion->ops->place(in->motion, in->y, i);
-    error_set(err, HAWSER_ERR_RUN,
-              "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
-              "%s%s (%s flag %d: %s)",
-              t, step_next(in), in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z,
-              failure_advice(flag), failure_hint(in->motion->scene, i), in->esdirk ? "ESDIRK" : "CVODE", flag,
-              in->complaint);
-    error_moment(err, t, in->motion->scene->first + i);
-    return HAWSER_ERR_RUN;
+    return failure_tell(&failure, flag, err);
 }
 
 /* solver.max_steps, if given, is used up. */
@@ -372,18 +375,6 @@ static int steps_spent(const Integrator *in)
 {
     const long limit = in->motion->scene->def.solver.max_steps;
     return limit > 0 && steps_made(in) >= limit;
-}
-
-static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
-{
-    const int i = worst_segment(in);
-    error_set(err, HAWSER_ERR_RUN,
-              "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
-              "raise it or solver.accuracy, or soften what is stiff there%s",
-              in->motion->scene->def.solver.max_steps, t, step_next(in), in->motion->scene->first + i,
-              in->motion->scene->total, failure_hint(in->motion->scene, i));
-    error_moment(err, t, in->motion->scene->first + i);
-    return HAWSER_ERR_RUN;
 }
 
 /* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
@@ -420,7 +411,10 @@ static int method_step(Integrator *in, double stop, double end, double *reached)
 
 hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
 {
-    if (steps_spent(in)) return steps_failed(in, *t, err);
+    if (steps_spent(in)) {
+        const StepFailure failure = failure_at(in, *t);
+        return failure_steps_spent(&failure, err);
+    }
     const double end = stride_end(in, *t, stop);
     const double start = clock_now();
     double reached = *t;
