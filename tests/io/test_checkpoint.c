@@ -51,8 +51,6 @@ static const Scene scenes[] = {
     {"tests/data/passing-floor.yaml", 0.5, NULL, NULL},
     {"cases/huangjiahu.yaml", 2, "solver.method", "esdirk"},
     {"cases/reel.yaml", 12, "solver.method", "esdirk"},
-    {"cases/take-in.yaml", 8, "solver.method", "esdirk"},
-    {"cases/conveyors.yaml", 6, "solver.method", "esdirk"},
     {"cases/rollers-mounted.yaml", 2, "solver.method", "esdirk"},
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
