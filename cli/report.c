@@ -200,7 +200,7 @@ static void report_work(const hawser_summary *s)
     if (s->ordering && s->ordering[0]) printf(", %s ordering", s->ordering);
     if (s->linear_solver_why && s->linear_solver_why[0]) printf(" (%s)", s->linear_solver_why);
     printf("; %d thread%s\n", s->threads, s->threads == 1 ? "" : "s");
-    printf("  solved in %s (%s)\n", s->planar ? "the plane" : "space", s->planar_why);
+    printf("  solved in %s (%s); integration by %s\n", s->planar ? "the plane" : "space", s->planar_why, s->method);
 }
 
 /* Whether energy and momentum add up. */

@@ -162,6 +162,20 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     return status;
 }
 
+/* What keeps waves along the cable from dying out, C/K of its joints, s: below this one-step methods reach any error
+ * that matters for less than a BDF does (docs/model.md, "One-step integration"). */
+static const double LIGHTLY_DAMPED = 0.5e-3;
+
+/* `auto`, decided once for the whole chain: by how long the slowest joint takes to give way along the cable. Who asks
+ * for orders above 2 means the BDF's, and only that moves what sticks. */
+static void method_choose(SolverDef *solver, const Chain *chain, int sticks)
+{
+    double slowest = 0;
+    for (int j = 1; j < chain->n; ++j) slowest = fmax(slowest, chain->damping[0][j] / chain->stiffness[0][j]);
+    const int one_step = slowest < LIGHTLY_DAMPED && solver->max_order <= 2 && !sticks;
+    if (solver->method == METHOD_AUTO) solver->method = one_step ? METHOD_ESDIRK : METHOD_BDF;
+}
+
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
 {
     memset(scene, 0, sizeof *scene);
@@ -178,6 +192,7 @@ hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
                              def->route_slope, err);
     }
     if (!status) status = scene_fill(scene, err);
+    if (!status) method_choose(&scene->def.solver, &scene->chain, scene_def_sticks(&scene->def));
     if (status) scene_clear(scene);
     return status;
 }

@@ -212,6 +212,7 @@ typedef struct hawser_summary {
     const hawser_hold *slowest;     /* where its steps were shortest, over 500 in a row; NULL: there were fewer */
     int n_places; /* positions, as hawser_sim_places gives them; of them that with the largest pull, or NULL: */
     const hawser_place *places, *worst_place;
+    const char *method;             /* of integration in time: "bdf" or "esdirk" */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */

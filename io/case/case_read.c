@@ -8,6 +8,7 @@
 /* In the order of the enumerations that they stand for. */
 static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const planar_choices[] = {"auto", "on", "off", NULL};
+static const char *const method_choices[] = {"auto", "bdf", "esdirk", NULL};
 static const char *const passes_choices[] = {"auto", "1", "2", "3", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
@@ -61,6 +62,7 @@ static SECTION(tolerances, "solver.tolerances", tolerances_keys);
 static const CaseKey solver_keys[] = {
     {"accuracy", KEY_ANY, .fallback = "auto", .form = "`auto` or a number", FROM(1e-12, 0.1)},
     {"passes", KEY_CHOICE, .fallback = "auto", .choices = passes_choices, AT(SolverDef, passes)},
+    {"method", KEY_CHOICE, .fallback = "auto", .choices = method_choices, AT(SolverDef, method)},
     {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &tolerances},
     {"max_order", KEY_INTEGER, .fallback = "2", FROM(1, 5), AT(SolverDef, max_order)},
     {"max_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, max_step)},
@@ -106,6 +108,8 @@ static hawser_status solver_read(CaseReader *r, const CaseNode *node)
     hawser_status status = case_section_read(r, node, &case_solver, solver);
     solver->linear.threads = solver->threads;
     solver->accuracy = ACCURACY;
+    if (!status && solver->method == METHOD_ESDIRK && scene_def_sticks(r->def))
+        return case_value_error(r->err, case_node_key(node, "method"), ": friction that sticks needs bdf");
     if (status || !given || (given->kind == NODE_TEXT && strcmp(given->text, "auto") == 0)) return status;
     return case_number_read(r, given, case_key_of(&case_solver, "accuracy"), &solver->accuracy);
 }

@@ -296,6 +296,7 @@ static const Column summary_column[] = {
     {COLUMN("newton_fails", LONG, Summary, s.newton_fails)},
     {COLUMN("contact_refreshes", LONG, Summary, s.contact_refreshes)},
     {COLUMN("slowest", OBJECT, Summary, s.slowest), .of = &hold_columns},
+    {COLUMN("method", TEXT, Summary, s.method)},
     {COLUMN("linear_solver", TEXT, Summary, s.linear_solver)},
     {COLUMN("linear_solver_why", TEXT, Summary, s.linear_solver_why)},
     {COLUMN("ordering", TEXT, Summary, s.ordering)},

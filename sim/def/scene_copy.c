@@ -47,6 +47,14 @@ static const OwnedArray owned[] = {
 };
 enum { OWNED_ARRAYS = sizeof owned / sizeof *owned };
 
+int scene_def_sticks(const SceneDef *def)
+{
+    int sticks = 0;
+    for (int r = 0; r < def->n_rollers; ++r) sticks |= def->rollers[r].friction.d_s > 0;
+    for (int k = 0; k < def->n_surfaces; ++k) sticks |= def->surfaces[k].friction.d_s > 0;
+    return sticks;
+}
+
 const char *scene_def_can_jam(const SceneDef *def, int i)
 {
     if (i < def->n_rollers) return def->rollers[i].name;

@@ -229,6 +229,8 @@ Shape roller_def_shape(const RollerDef *roller);
  * layout of the cables in it. */
 int surface_along_route(const SurfaceDef *surface);
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
+/* Whether friction sticks anywhere: its bristles move from one accepted step to the next. */
+int scene_def_sticks(const SceneDef *def);
 /* The name of the i-th thing that can jam, rollers first; NULL behind the last. */
 const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */

@@ -13,6 +13,9 @@ typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
  * it does not take too long; never; however long it takes. */
 typedef enum PassesChoice { PASSES_AUTO, PASSES_ONE, PASSES_TWO, PASSES_THREE } PassesChoice;
 
+/* The method of integration in time: backward differences, or Runge-Kutta steps (sim/step/esdirk.h). */
+typedef enum MethodChoice { METHOD_AUTO, METHOD_BDF, METHOD_ESDIRK } MethodChoice;
+
 typedef struct SolverDef {
     double accuracy;                                                /* one number for all tolerances */
     double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
@@ -26,6 +29,7 @@ typedef struct SolverDef {
     LinOptions linear;
     PlanarChoice planar;
     PassesChoice passes;
+    MethodChoice method;
     int threads;
 } SolverDef;
 

@@ -500,7 +500,8 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .slowest = s->stall.slowest.steps > 0 ? &s->stall.slowest : NULL,
                          .n_places = s->positions.done,
                          .places = s->positions.out,
-                         .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst]};
+                         .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst],
+                         .method = scene->def.solver.method == METHOD_ESDIRK ? "esdirk" : "bdf"};
     const double mean = by_position_mean(&s->by_position);
     if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);

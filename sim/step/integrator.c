@@ -16,6 +16,8 @@
 #include "sim/equipment/winch.h"
 #include "sim/step/contact_newton.h"
 #include "sim/step/cvode_memory.h"
+#include "sim/step/esdirk.h"
+#include "sim/step/failure.h"
 #include "sim/step/scales.h"
 #include "sim/step/sundials.h"
 
@@ -45,6 +47,7 @@ struct Integrator {
     double gamma;           /* s, of the matrix that is factored */
     int stalled;            /* steps in a row that were too small to change t */
     int still;              /* integrator_prepare: nothing moves, and nothing is computed */
+    Esdirk *esdirk;         /* NULL: CVODE moves, and all below is there */
     void *cvode;
     SUNContext context;
     VectorFamily family; /* every vector that CVODE has made */
@@ -248,9 +251,7 @@ static int cvode_new(Integrator *in, double t)
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
-    in->weight = malloc((size_t)length * sizeof(double));
-    if (!in->weight || !memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
-    in->motion->ops->weights(in->motion, in->weight);
+    if (!memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
     in->family.queue.team = in->motion->team;
     in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
     if (!in->state || !vector_family_stock(in->state, VECTORS_MOST)) return 0;
@@ -263,6 +264,19 @@ static int integrator_start(Integrator *in, double t)
     return set;
 }
 
+/* Weights and the method that was chosen. */
+static hawser_status method_start(Integrator *in, double t, hawser_error *err)
+{
+    const Scene *const scene = in->motion->scene;
+    in->weight = malloc((size_t)in->motion->size * sizeof(double));
+    if (!in->weight) return error_memory(err);
+    in->motion->ops->weights(in->motion, in->weight);
+    if (scene->def.solver.method != METHOD_ESDIRK)
+        return integrator_start(in, t) ? history_check(in, err) : error_memory(err);
+    in->esdirk = esdirk_new(in->motion, in->y, in->weight, newton_share(scene), longest_step(in), &in->stats);
+    return in->esdirk ? HAWSER_OK : error_memory(err);
+}
+
 /* NOLINTNEXTLINE(readability-non-const-parameter): every step writes it */
 hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **out, hawser_error *err)
 {
@@ -270,7 +284,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
     *out = in;
     if (!in) return error_memory(err);
     *in = (Integrator){.motion = motion, .y = y, .way = stride_most(motion->scene), .stop = -1, .speed_at = -1};
-    const hawser_status status = integrator_start(in, t) ? history_check(in, err) : error_memory(err);
+    const hawser_status status = method_start(in, t, err);
     if (status) *out = integrator_free(in);
     return status;
 }
@@ -278,6 +292,7 @@ hawser_status integrator_new(Motion *motion, double t, double *y, Integrator **o
 Integrator *integrator_free(Integrator *in)
 {
     if (!in) return NULL;
+    esdirk_free(in->esdirk);
     if (in->cvode) CVodeFree(&in->cvode);
     contact_newton_free(&in->newton);
     custom_linear_free(&in->linear);
@@ -297,6 +312,10 @@ const double *integrator_rates(Integrator *in, double *h)
     realtype t, gamma, rl1;
     N_Vector predicted, now, rates, first = NULL;
     void *user;
+    if (in->esdirk) {
+        *h = 1;
+        return esdirk_rates(in->esdirk);
+    }
     CVodeGetLastStep(in->cvode, h);
     CVodeGetNonlinearSystemData(in->cvode, &t, &predicted, &now, &rates, &gamma, &rl1, &first, &user);
     return N_VGetArrayPointer(first);
@@ -304,8 +323,25 @@ const double *integrator_rates(Integrator *in, double *h)
 
 /* ------------------------------------------------------------------------------------------------ stepping */
 
+static long steps_made(const Integrator *in)
+{
+    IntegratorStats stats;
+    integrator_stats(in, &stats);
+    return stats.steps;
+}
+
+/* s; 0 before the first one */
+static double step_next(const Integrator *in)
+{
+    double step = 0;
+    if (in->esdirk) return esdirk_next(in->esdirk);
+    CVodeGetCurrentStep(in->cvode, &step);
+    return step;
+}
+
 int integrator_worst(Integrator *in)
 {
+    if (in->esdirk) return in->motion->ops->worst(in->motion, esdirk_error(in->esdirk), in->weight);
     N_Vector error = vector_clone(in->state);
     int worst = 0;
     if (error && CVodeGetEstLocalErrors(in->cvode, error) == CV_SUCCESS) {
@@ -315,82 +351,32 @@ int integrator_worst(Integrator *in)
     return worst;
 }
 
-/* What is known of scenes whose steps become too small at segment i. The head of a limp cable does not keep its
- * direction on an axial grip: the pull follows it. A limp cable on a roller as bent as itself has no point that is
- * nearest, see (C6): said where a roller may take the cable over more than two segments. */
-static const char *hint_for(const Scene *scene, int i)
+static StepFailure failure_at(Integrator *in, double t)
 {
-    double largest = 0;
-    const int at_head = i >= scene->chain.n - 3;
-    if (at_head && scene->winch->present && scene->def.winch.axial_only)
-        return " (the head of a limp cable needs drive.winch.grip: clamp)";
-    if (scene->contact.geometry != GEOMETRY_SMOOTH) return "";
-    for (int r = 0; r < scene->contact.n_rollers; ++r) largest = fmax(largest, scene->contact.roller[r].shape.radius);
-    if (!(largest > 2 * scene->chain.half[0])) return "";
-    return " (a limp cable bent around a roller over more than two segments needs contact.geometry: cylinder)";
-}
-
-static const char *advice_for(int flag)
-{
-    switch (flag) {
-    case CV_CONV_FAILURE:
-        return "Newton's iteration did not converge: try a smaller solver.max_step, a softer contact.k or a larger "
-               "friction.v_s";
-    case CV_ERR_FAILURE:
-        return "the error test failed again and again: try a larger solver.accuracy, or a gentler drive";
-    case CV_LSETUP_FAIL:
-    case CV_LSOLVE_FAIL:
-        return "the Newton matrix could not be factored: try --set solver.linear_solver=klu";
-    case CV_TOO_CLOSE:
-        return "the steps have become too small to move on: try a softer contact.k, less stiffness or a larger "
-               "friction.v_s";
-    case CV_REPTD_RHSFUNC_ERR:
-    case CV_FIRST_RHSFUNC_ERR:
-    case CV_RHSFUNC_FAIL:
-        return "the forces became infinite: check stiffnesses, masses and the contact law";
-    default:
-        return "try a smaller solver.max_step or another solver.accuracy";
-    }
+    return (StepFailure){.motion = in->motion,
+                         .y = in->y,
+                         .t = t,
+                         .step = step_next(in),
+                         .segment = integrator_worst(in),
+                         .method = in->esdirk ? "ESDIRK" : "CVODE",
+                         .complaint = in->complaint};
 }
 
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
-    const int i = integrator_worst(in);
-    const Vec3 p = in->motion->ops->place(in->motion, N_VGetArrayPointer(in->good), i);
-    double step = 0;
-    CVodeGetCurrentStep(in->cvode, &step);
-    N_VScale(1.0, in->good, in->state);
-    vector_family_settle(&in->family);
-    error_set(err, HAWSER_ERR_RUN,
-              "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
-              "%s%s (CVODE flag %d: %s)",
-              t, step, in->motion->scene->first + i, in->motion->scene->total, p.x, p.y, p.z, advice_for(flag),
-              hint_for(in->motion->scene, i), flag, in->complaint);
-    error_moment(err, t, in->motion->scene->first + i);
-    return HAWSER_ERR_RUN;
+    const StepFailure failure = failure_at(in, t);
+    if (in->good) {
+        N_VScale(1.0, in->good, in->state);
+        vector_family_settle(&in->family);
+    }
+    return failure_tell(&failure, flag, err);
 }
 
 /* solver.max_steps, if given, is used up. */
 static int steps_spent(const Integrator *in)
 {
     const long limit = in->motion->scene->def.solver.max_steps;
-    long steps = 0;
-    CVodeGetNumSteps(in->cvode, &steps);
-    return limit > 0 && in->before.steps + steps >= limit;
-}
-
-static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
-{
-    double step = 0;
-    const int i = integrator_worst(in);
-    CVodeGetCurrentStep(in->cvode, &step);
-    error_set(err, HAWSER_ERR_RUN,
-              "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
-              "raise it or solver.accuracy, or soften what is stiff there%s",
-              in->motion->scene->def.solver.max_steps, t, step, in->motion->scene->first + i, in->motion->scene->total,
-              hint_for(in->motion->scene, i));
-    error_moment(err, t, in->motion->scene->first + i);
-    return HAWSER_ERR_RUN;
+    return limit > 0 && steps_made(in) >= limit;
 }
 
 /* The end of the step from t: `stop`, or less if the chain would move too far on its way there (N14), (N15). Before the
@@ -398,8 +384,7 @@ static hawser_status steps_failed(Integrator *in, double t, hawser_error *err)
 static double stride_end(Integrator *in, double t, double stop)
 {
     if (!(in->way < INFINITY)) return stop;
-    double step = 0;
-    CVodeGetCurrentStep(in->cvode, &step);
+    double step = step_next(in);
     const double speed = in->motion->ops->speed(in->motion, in->y), since = t - in->speed_at;
     const double growth = in->speed_at >= 0 && since > 0 ? fmax(0, (speed - in->speed) / since)
                                                          : v3_norm(in->motion->scene->weight.gravity);
@@ -416,34 +401,49 @@ static double stride_end(Integrator *in, double t, double stop)
 static double bounded_end(Integrator *in, double t, double end)
 {
     static const double ROUNDING = 1e-6;
-    double step = 0;
-    CVodeGetCurrentStep(in->cvode, &step);
+    const double step = step_next(in);
     return in->bound > 0 && step > (1 + ROUNDING) * in->bound ? fmin(end, t + in->bound) : end;
 }
 
-hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
+/* One step of the method's, as CVode returns: 0 or more, or what went wrong. */
+static int method_step(Integrator *in, double stop, double end, double *reached)
 {
-    if (steps_spent(in)) return steps_failed(in, *t, err);
-    const double end = bounded_end(in, *t, stride_end(in, *t, stop));
+    static const int flag[] = {
+        [ESDIRK_DONE] = CV_SUCCESS,           [ESDIRK_NO_RATES] = CV_RHSFUNC_FAIL, [ESDIRK_NO_NEWTON] = CV_CONV_FAILURE,
+        [ESDIRK_NO_FACTORS] = CV_LSETUP_FAIL, [ESDIRK_INEXACT] = CV_ERR_FAILURE,   [ESDIRK_STUCK] = CV_TOO_CLOSE};
+    if (in->esdirk) return flag[esdirk_step(in->esdirk, end, reached)];
     if (end > in->stop || end < in->stop) {
         CVodeSetStopTime(in->cvode, end);
         in->stop = end;
     }
+    const int done = CVode(in->cvode, stop, in->state, reached, CV_ONE_STEP);
+    if (done >= 0) state_keep(in);
+    return done;
+}
+
+hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_error *err)
+{
+    if (steps_spent(in)) {
+        const StepFailure failure = failure_at(in, *t);
+        return failure_steps_spent(&failure, err);
+    }
+    const double end = bounded_end(in, *t, stride_end(in, *t, stop));
     const double start = clock_now();
     double reached = *t;
-    const int flag = CVode(in->cvode, stop, in->state, &reached, CV_ONE_STEP);
+    const int flag = method_step(in, stop, end, &reached);
     if (flag < 0) return step_failed(in, flag, *t, err);
     in->stalled = reached > *t ? 0 : in->stalled + 1;
     if (in->stalled >= STALLED_MOST) return step_failed(in, CV_TOO_CLOSE, *t, err);
     *t = reached;
-    state_keep(in);
     const hawser_status status = in->motion->ops->accept(in->motion, reached, in->y, err);
     in->stats.total += clock_now() - start;
     return status;
 }
 
+/* One-step methods take so little of a swing that they need no bound (OS11). */
 void integrator_bound(Integrator *in, double longest)
 {
+    if (in->esdirk) return;
     in->bound = longest;
     CVodeSetMaxStep(in->cvode, longest_step(in));
 }
@@ -471,7 +471,6 @@ static int arrays_renew(Integrator *in, const Reshape *reshape)
     in->weight = weight;
     in->weighted = NULL;
     in->y = reshape->y;
-    state_keep(in);
     in->motion->ops->weights(in->motion, weight);
     return 1;
 }
@@ -496,11 +495,16 @@ static int matrix_renew(Integrator *in, double t)
 
 hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshape, hawser_error *err)
 {
-    const ReshapeCall call = {reshape, history_state(in)};
     const double start = clock_now();
     assert(in->motion->size == reshape->size);
+    if (in->esdirk) {
+        const int made = arrays_renew(in, reshape) && esdirk_reshape(in->esdirk, reshape, in->weight);
+        return made ? HAWSER_OK : error_memory(err);
+    }
+    const ReshapeCall call = {reshape, history_state(in)};
     if (!vector_family_resize(&in->family, reshape->size, reshape->y, call_map, &call) || !arrays_renew(in, reshape))
         return error_memory(err);
+    state_keep(in);
     /* without its history the method has to start again; so it must before its first step, where it has none */
     long steps = 0;
     CVodeGetNumSteps(in->cvode, &steps);
@@ -539,6 +543,7 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
 {
     const IntegratorStats *const before = &in->before;
     *stats = in->stats;
+    if (in->esdirk) return; /* it counts for itself, and goes on counting */
     long iterations = 0;
     CVodeGetNumSteps(in->cvode, &stats->steps);
     CVodeGetNumRhsEvals(in->cvode, &stats->rhs_evals);
@@ -557,13 +562,17 @@ void integrator_stats(const Integrator *in, IntegratorStats *stats)
 
 /* ------------------------------------------------------------------------------------------------- checkpoints */
 
-int integrator_known(const Integrator *in, const char **why) { return cvode_memory_known(in->cvode, why); }
+int integrator_known(const Integrator *in, const char **why)
+{
+    return in->esdirk || cvode_memory_known(in->cvode, why);
+}
 
 hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err)
 {
     const char *why;
     double reached;
     long steps = 0;
+    if (in->esdirk) return HAWSER_OK;
     CVodeGetNumSteps(in->cvode, &steps);
     if (steps > 0) return HAWSER_OK;
     in->still = 1;
@@ -579,7 +588,7 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
 {
     N_Vector history[CVODE_HISTORY_MAX];
     const size_t bytes = (size_t)in->motion->size * sizeof(double);
-    vector_family_settle(&in->family);
+    vector_family_settle(&in->family); /* which has no members where CVODE does not move */
     CHECKPOINT(c, in->way);
     CHECKPOINT(c, in->speed);
     CHECKPOINT(c, in->speed_at);
@@ -590,6 +599,10 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
     CHECKPOINT(c, in->stalled);
     CHECKPOINT(c, in->stats);
     CHECKPOINT(c, in->before);
+    if (in->esdirk) {
+        esdirk_checkpoint(c, in->esdirk);
+        return;
+    }
     cvode_memory_checkpoint(c, in->cvode);
     if (c->status) return;
     const int n = cvode_memory_history(in->cvode, history);

@@ -1,18 +1,12 @@
-/* CVODE (BDF) on the equations of motion: this, with sim/step/sundials.h and contact_newton.h, is all that knows
- * SUNDIALS. docs/model.md, "Integration". */
+/* The equations of motion in time: by CVODE (BDF), or by one-step methods (sim/step/esdirk.h). This, with
+ * sim/step/sundials.h, contact_newton.h and failure.h, is all that knows SUNDIALS. docs/model.md, "Integration" and
+ * "One-step integration". */
 #ifndef HAWSER_SIM_STEP_INTEGRATOR_H
 #define HAWSER_SIM_STEP_INTEGRATOR_H
 
 #include "sim/step/motion.h"
 
 typedef struct Integrator Integrator;
-
-typedef struct IntegratorStats {
-    long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_fails, newton_fails;
-    long strides;                               /* steps that (N14) has cut */
-    double rhs, jacobian, factor, solve, total; /* s */
-    double last_step;                           /* s */
-} IntegratorStats;
 
 /* Starts at (t, y). The motion and y [motion->size] are borrowed; y always holds the latest state. Errors: MEMORY, RUN
  * (a SUNDIALS that integrator_reshape could not live with). */
@@ -24,17 +18,6 @@ hawser_status integrator_step(Integrator *in, double stop, double *t, hawser_err
 /* No step is longer than that from now on, s; 0: than the case lets it be. */
 void integrator_bound(Integrator *in, double longest);
 
-/* A change of the state vector between two steps: entries come and go, and the motion that remains goes on smoothly. */
-typedef struct Reshape {
-    int size;  /* of the new state */
-    double *y; /* [size] the new state, borrowed from now on in place of the old one */
-    /* Writes a vector of the new size from one of the old: the state itself, or one that is linear in changes of it (a
-     * derivative, a difference). */
-    void (*map)(const void *user, int is_state, const double *from, double *to);
-    const void *user;
-    int forget; /* the history is of no use: start the method anew */
-} Reshape;
-
 /* Goes on from the same time with the motion's new size: the history of the method is mapped like the state (RL17), so
  * that order and step stay, and Newton's matrix is made anew at once. Public calls of SUNDIALS suffice: all vectors
  * that CVODE works with are clones of ours, which change their length where they stand, and CVodeGetNonlinearSystemData
@@ -44,9 +27,9 @@ hawser_status integrator_reshape(Integrator *in, double t, const Reshape *reshap
 /* The same time and motion in other equations: starts anew at (t, y) and goes on counting. Errors: as integrator_new;
  * *in is as it was then. */
 hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double *y, hawser_error *err);
-/* The rates of the state of the last accepted step, [size], as the method has them: times *h, its length, s. They are
- * those of the collocation, which the equations of motion meet to within Newton's tolerance. Valid until the next step.
- */
+/* The rates of the state of the last accepted step, [size], as the method has them: times *h, s: the step's length with
+ * BDF, 1 with others. They are those of the collocation or of the last stage, which the equations of motion meet to
+ * within Newton's tolerance. Valid until the next step. */
 const double *integrator_rates(Integrator *in, double *h);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 /* The segment whose weighted local error is largest, of those simulated. Takes memory for a state. */

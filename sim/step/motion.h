@@ -78,4 +78,23 @@ struct Motion {
 /* Room for what method_loss keeps: no more than two numbers for each of y, lanes filled up. */
 static inline int motion_past(const Motion *m) { return 2 * m->size + BODY_PAST * LANES; }
 
+/* What integrating it took so far. */
+typedef struct IntegratorStats {
+    long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_fails, newton_fails;
+    long strides;                               /* steps that (N14) has cut */
+    double rhs, jacobian, factor, solve, total; /* s */
+    double last_step;                           /* s */
+} IntegratorStats;
+
+/* A change of the state vector between two steps: entries come and go, and the motion that remains goes on smoothly. */
+typedef struct Reshape {
+    int size;  /* of the new state */
+    double *y; /* [size] the new state, borrowed from now on in place of the old one */
+    /* Writes a vector of the new size from one of the old: the state itself, or one that is linear in changes of it (a
+     * derivative, a difference). */
+    void (*map)(const void *user, int is_state, const double *from, double *to);
+    const void *user;
+    int forget; /* the history is of no use: start the method anew */
+} Reshape;
+
 #endif

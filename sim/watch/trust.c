@@ -250,15 +250,17 @@ static void add_shared(List *list, const TrustFacts *f)
 
 /* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
  * order two goes with the cube of the step, the step with the cube root of the accuracy, the number of steps against
- * it: the square leaves a margin (BA13). */
+ * it: the square leaves a margin (BA13). So does that of a one-step method of order three (OS11), once accuracy bounds
+ * its steps: that is thirty times finer than where rows of output do. */
 static void add_damping(List *list, const TrustFacts *f)
 {
+    const SolverDef *const solver = &f->scene->def.solver;
+    const double bounds = solver->method == METHOD_ESDIRK ? 30 : 1;
     const double share = f->balance->numerical_share, logs = share < 0.95 ? -log1p(-share) : 3;
     add(list, "numerical_damping", "1", share, DAMPED,
         "the steps in time took %.2g %% of '%s' that nothing else damped: set solver.accuracy to %.1g, and "
         "solver.max_order to 2",
-        100 * share, f->balance->turnover_of,
-        f->scene->def.solver.accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs)));
+        100 * share, f->balance->turnover_of, solver->accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs) / bounds));
 }
 
 /* One figure's error bar, with what it is mostly made of, and what makes that smaller. */

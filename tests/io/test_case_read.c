@@ -21,10 +21,10 @@ static void same_solver(const SolverDef *a, const SolverDef *b)
                         a->atol_omega, a->max_step,      a->first_step,    a->relax_tolerance};
     const double y[] = {b->accuracy,   b->atol_position, b->atol_rotation, b->atol_velocity,
                         b->atol_omega, b->max_step,      b->first_step,    b->relax_tolerance};
-    const long i[] = {a->max_order, a->max_steps,   a->relax,           a->relax_iterations,
-                      a->threads,   a->linear.kind, a->linear.ordering, a->linear.threads};
-    const long j[] = {b->max_order, b->max_steps,   b->relax,           b->relax_iterations,
-                      b->threads,   b->linear.kind, b->linear.ordering, b->linear.threads};
+    const long i[] = {(long)a->method, a->max_order,   a->max_steps,       a->relax,         a->relax_iterations,
+                      a->threads,      a->linear.kind, a->linear.ordering, a->linear.threads};
+    const long j[] = {(long)b->method, b->max_order,   b->max_steps,       b->relax,         b->relax_iterations,
+                      b->threads,      b->linear.kind, b->linear.ordering, b->linear.threads};
     assert_memory_equal(x, y, sizeof x);
     assert_memory_equal(i, j, sizeof i);
 }
