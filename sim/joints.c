@@ -78,7 +78,8 @@ void joints_springs(Scene *scene)
         const Side a = side_of(scene, j - 1), b = side_of(scene, j);
         const int pa = scene->piece[j - 1], pb = scene->piece[j];
         Bushing both = series(&a, &b);
-        if (pa != pb && scene->def.pieces[pb].swivel)
+        const int swivel = (pa != pb && scene->def.pieces[pb].swivel) || (j == 1 && scene->def.strand.swivel);
+        if (swivel)
             both.stiffness[TORSION] = both.damping[TORSION] = both.preload[TORSION] = 0;
         joint_set(c, j, &both, 0, COMPONENTS);
     }

@@ -8,6 +8,7 @@
 #include "contact/self/self_contact.h"
 #include "contact/surface/surface.h"
 #include "core/body.h"
+#include "sim/chains_look.h"
 #include "sim/def/scene_def.h"
 #include "sim/room.h"
 
@@ -52,6 +53,7 @@ struct Scene {
     int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
     double cable_weight;  /* N/m, of the piece before the eye: of all cables together */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
+    double beside_way;    /* m, that a step may move it by for the sake of chains beside it; INFINITY: any */
     double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */
     Route route;
     Weight weight;
@@ -72,13 +74,19 @@ struct Scene {
     ContactRoller *rollers; /* owned by their room; the contact model borrows them */
     ContactModel contact;
     Surfaces surfaces;
-    SelfModel self; /* cable on cable */
+    SelfModel self;    /* cable on cable */
+    ChainsLook chains; /* of the first of several chains: what they do to each other, as of the last look */
     SceneDef def;   /* a deep copy of what this was built from */
 };
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err);
 void scene_clear(Scene *scene);
+
+/* How far the chain's line is from the route at s (m), to the left and up: that of a chain among several. */
+void scene_place(const Scene *scene, double s, double place[2]);
+/* The point of that line at s, m. */
+Vec3 scene_line_at(const Scene *scene, double s);
 
 /* Entries of the state: 13 a segment, then the rooms' own. */
 int scene_state_size(const Scene *scene);

@@ -12,7 +12,7 @@
 static int plan_keep(hawser_sim *s, const SceneDef *def)
 {
     const int pulled = def->winch.present && !def->rod.present && def->analysis.kind == ANALYSIS_DYNAMICS;
-    if (!pulled || def->solver.passes == PASSES_ONE) return 1;
+    if (!pulled || def->n_beside > 0 || def->solver.passes == PASSES_ONE) return 1;
     s->plan = calloc(1, sizeof *s->plan);
     if (s->plan && !scene_def_copy(def, s->plan, NULL)) return 1;
     free(s->plan);

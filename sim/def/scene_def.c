@@ -14,6 +14,7 @@ static void contact_defaults(SceneDef *def)
     def->friction = (FrictionLaw){.mu_s = 0.2, .mu_d = 0.2, .v_s = 1e-3, .v_d = 2e-3};
     def->cable_friction = def->friction;
     def->contact_reach = 1;
+    def->between_chains = 1;
 }
 
 static void drive_defaults(SceneDef *def)
@@ -54,6 +55,7 @@ void scene_def_defaults(SceneDef *def)
     def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};
     def->medium = (MediumDef){.normal = 1.2, .tangential = 0.01, .buoyancy = 1};
     def->rod.stress_free = 1;
+    def->strand.joined = -1;
     def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
 }
 

@@ -20,6 +20,7 @@
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
 #include "sim/def/solver_def.h"
+#include "sim/def/strand_def.h"
 
 /* The drive of a roller that spins. Speeds are those of its surface; torques and speeds are with the pull. */
 typedef enum MotorKind { MOTOR_NONE, MOTOR_TORQUE, MOTOR_SPEED } MotorKind;
@@ -171,6 +172,7 @@ typedef struct SceneDef {
     FrictionLaw friction;       /* default of every roller, and the theory's mu (mu_d) */
     double contact_reach;       /* m: candidates are refreshed after this much motion */
     int cable_on_cable;         /* the cable touches itself */
+    int between_chains;         /* chains touch each other */
     FrictionLaw cable_friction; /* there */
     int n_rollers;
     RollerDef *rollers;
@@ -206,6 +208,12 @@ typedef struct SceneDef {
     OutputDef output;
     double duration;   /* s */
     int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
+
+    /* of several chains: this one, what ties them together, and the others, whose own of this are empty */
+    StrandDef strand;
+    TiesDef ties;
+    int n_beside;
+    struct SceneDef *beside;
 
     int n_drawn;
     DrawnDef *drawn;

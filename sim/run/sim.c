@@ -17,6 +17,7 @@
 #include "sim/run/commands.h"
 #include "sim/run/modes.h"
 #include "sim/run/statics.h"
+#include "sim/run/together.h"
 #include "sim/watch/events.h"
 
 /* A trip at a factor of what theory expects needs an expectation. */
@@ -70,9 +71,11 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
         return error_set(err, HAWSER_ERR_INPUT, "%s", isa_complaint());
     }
     SceneDef mine = *def; /* the scene makes its own deep copy */
+    if (mine.strand.present) mine.solver.planar = PLANAR_OFF;
     if (threads > 0) mine.solver.threads = mine.solver.linear.threads = threads;
     s->threads = mine.solver.threads;
-    const hawser_status status = parts_new(s, &mine, err);
+    hawser_status status = parts_new(s, &mine, err);
+    if (!status && mine.n_beside > 0) status = together_new(s, &mine, err);
     if (status) {
         sim_free(s);
         return status;
@@ -85,6 +88,7 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
 Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
+    s->together = together_free(s->together);
     mesh_free(&s->mesh);
     stats_free(&s->stats);
     machines_free(&s->machines);
@@ -117,6 +121,13 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
+int sim_chains(const Sim *s) { return s->together ? s->together->n : 1; }
+Sim *sim_chain(Sim *s, int k) { return s->together ? s->together->sim[k] : s; }
+
+/* What the integrator moves, and its state. */
+static Motion *moved(const Sim *s) { return s->together ? &s->together->bunch.motion : s->stage.motion; }
+static const double *moved_state(const Sim *s) { return s->together ? s->together->y : s->stage.y; }
+
 /* Relaxation begins at rest; the motion that the case begins with comes after it. */
 static void chain_stop(Stage *st)
 {
@@ -129,10 +140,16 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
-    chain_stop(&s->stage);
-    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, 0);
-    passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
-    if (scene->rod->present) {
+    for (int k = 0; k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        Stage *const st = &each->stage;
+        chain_stop(st);
+        st->motion->ops->look(st->motion, st->t, st->y, 0);
+        passing_look(&each->passing, &st->scene, &st->ws, 0, st->t); /* what is there to be kept */
+    }
+    if (s->together) {
+        status = together_relax(s->together, &s->relaxation, err);
+    } else if (scene->rod->present) {
         const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
                                                                            : scene->def.analysis.tolerance;
         s->relaxation = (hawser_relaxation){0};
@@ -140,14 +157,18 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     } else {
         status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
     }
-    if (!status && s->stage.t <= 0) scene_launch(scene, s->stage.y);
+    for (int k = 0; k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        each->relaxation = s->relaxation;
+        if (!status && each->stage.t <= 0) scene_launch(&each->stage.scene, each->stage.y);
+    }
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
 }
 
 /* Where the integrator must stop next: where a room is not smooth, or at `stop`. */
-static double next_stop(const Sim *s, double stop)
+static double next_stop_of(const Sim *s, double stop)
 {
     const Scene *const scene = &s->stage.scene;
     for (int r = 0; r < scene->n_rooms; ++r) {
@@ -156,6 +177,12 @@ static double next_stop(const Sim *s, double stop)
             stop = fmin(stop, room->kind->next_stop(room, scene, s->stage.t + 1e-9));
     }
     return fmin(stop, script_next(s));
+}
+
+static double next_stop(Sim *s, double stop)
+{
+    for (int k = 0; k < sim_chains(s); ++k) stop = next_stop_of(sim_chain(s, k), stop);
+    return stop;
 }
 
 /* Where the cable's front is, m along the route; NAN if it is not simulated, or in the plane. Brings the kinematics of
@@ -241,19 +268,34 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
     return status;
 }
 
+/* One step, of all chains if there are several. */
+static hawser_status step_take(Sim *s, double stop, hawser_error *err)
+{
+    return s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
+}
+
+/* What is due after a step, or before the first. */
+static hawser_status step_watch(Sim *s, hawser_error *err)
+{
+    hawser_status status = events_watch(s, err);
+    if (!status) peak_watch(s);
+    if (!status && s->stage.scene.rod->present) rod_watch(s);
+    return status ? status : script_due(s, err);
+}
+
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
-    WinchPhase *const winch = &s->stage.scene.winch->phase;
-    if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
-    status = script_due(s, err);                    /* what is due at the very beginning */
+    for (int k = 0; !status && k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        WinchPhase *const winch = &each->stage.scene.winch->phase;
+        if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
+        status = script_due(each, err);                 /* what is due at the very beginning */
+    }
     while (s->stage.t < t && !status) {
-        status = stage_step(&s->stage, next_stop(s, t), err);
-        if (!status) status = events_watch(s, err);
-        if (!status) peak_watch(s);
-        if (!status && s->stage.scene.rod->present) rod_watch(s);
-        if (!status) status = script_due(s, err);
+        status = step_take(s, next_stop(s, t), err);
+        for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
         if (!status && (s->calls.step || s->calls.law || s->calls.stop)) status = sim_call(s, err);
         if (one_step) break;
     }
@@ -273,6 +315,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     const double start = clock_now();
     const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
     if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
+    if (s->together || s->leader) together_look(s->together ? s->together : s->leader->together, s);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
     if (s->by_position.n_grid > 0) {
         s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
@@ -293,7 +336,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
-    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the ordering is known after the first factorisation */
+    moved(s)->ops->lin_stats(moved(s), &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
@@ -311,7 +354,7 @@ static void turned_watch(Sim *s, const hawser_sample *look)
     s->overturned |= now;
 }
 
-static void record_now(Sim *s, SampleParts parts)
+static void record_one(Sim *s, SampleParts parts)
 {
     const hawser_sample *const look = look_now(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
     const double start = clock_now();
@@ -332,6 +375,12 @@ static void record_now(Sim *s, SampleParts parts)
     peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws.kin, look);
     if (s->envelope.present) envelope_record(&s->envelope, &s->stage.scene, &s->stage.ws.kin, look);
     s->record_s += clock_now() - start;
+}
+
+/* The first last, whose look is at all of them. */
+static void record_now(Sim *s, SampleParts parts)
+{
+    for (int k = sim_chains(s) - 1; k >= 0; --k) record_one(sim_chain(s, k), parts);
 }
 
 void hawser_sim_record(Sim *s)
@@ -363,7 +412,7 @@ static void integration_fill(const Sim *s, hawser_summary *out)
                                   .vector = fmax(0, i.total + balance - other)};
     out->wall_time_s = i.total + balance;
     out->steps_per_second = i.total > 0 ? (double)i.steps / (i.total + balance) : 0;
-    out->balance = balance_close(s->stage.balance, s->stage.motion, s->stage.t, s->stage.y);
+    out->balance = balance_close(s->stage.balance, moved(s), s->stage.t, moved_state(s));
 }
 
 /* What the error bars of the summary's figures share. */

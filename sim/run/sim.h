@@ -73,11 +73,18 @@ typedef struct hawser_sim {
     int led;                   /* the caller has told it what to do: it cannot be computed again by itself */
     OtherPass other;           /* the figures of the other one */
     PassesSaid *passes;        /* what is said of them; NULL: there is nothing to be said. Owned */
+    /* of several chains (sim/run/together.h) */
+    struct Together *together;  /* what moves them all, where this is the first; owned. NULL: it is alone, or led */
+    struct hawser_sim *leader;  /* the first, where this is another; NULL */
     struct hawser_sim *second; /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
 
 /* The simulation whose results a handle stands for. */
 #define SHOWN(s) ((s) && (s)->second ? (s)->second : (s))
+
+/* The simulations of all chains: this one alone, or those that it leads. */
+int sim_chains(const Sim *s);
+Sim *sim_chain(Sim *s, int k);
 
 /* Builds scene, state on the route, solver. threads: 0 takes the definition's. The definition is not needed
  * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */

@@ -396,23 +396,29 @@ hawser_status stage_to_space(Stage *st, const char *why, hawser_error *err)
     return st->balance ? balance_enter(st->balance, st->motion, st->t, st->y, err) : HAWSER_OK;
 }
 
-hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
+hawser_status steps_take(const Steps *s, double stop, double *t, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
-    if (!st->integrator) {
+    if (!*s->integrator) {
         /* the relaxation bends the cable for the first time */
-        status = st->motion->ops->accept(st->motion, st->t, st->y, err);
-        if (!status) status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
-        if (!status) status = balance_new(st->motion, st->t, st->y, &st->balance, err);
+        status = s->motion->ops->accept(s->motion, *t, s->y, err);
+        if (!status) status = integrator_new(s->motion, *t, s->y, s->integrator, err);
+        if (!status) status = balance_new(s->motion, *t, s->y, s->balance, err);
     }
-    if (!status) status = integrator_step(st->integrator, stop, &st->t, err);
+    if (!status) status = integrator_step(*s->integrator, stop, t, err);
     if (status) return status;
     const double start = clock_now();
     double h = 0;
-    const double *const rates = integrator_rates(st->integrator, &h);
-    balance_step(st->balance, st->motion, st->t, st->y, rates, h);
-    st->balance_s += clock_now() - start;
+    const double *const rates = integrator_rates(*s->integrator, &h);
+    balance_step(*s->balance, s->motion, *t, s->y, rates, h);
+    *s->balance_s += clock_now() - start;
     return HAWSER_OK;
+}
+
+hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
+{
+    const Steps steps = {st->motion, st->y, &st->integrator, &st->balance, &st->balance_s};
+    return steps_take(&steps, stop, &st->t, err);
 }
 
 hawser_status stage_step(Stage *st, double stop, hawser_error *err)

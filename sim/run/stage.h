@@ -48,6 +48,17 @@ void stage_free(Stage *stage);
  * moves by it; the method starts anew. Errors: MEMORY, RUN. */
 hawser_status stage_to_space(Stage *stage, const char *why, hawser_error *err);
 
+/* What is stepped: a motion with its state, and the integrator and the books that are made at the first step. */
+typedef struct Steps {
+    Motion *motion;
+    double *y;
+    Integrator **integrator;
+    Balance **balance;
+    double *balance_s;
+} Steps;
+/* One step of that to *t, not beyond `stop`. Errors: MEMORY, RUN. */
+hawser_status steps_take(const Steps *s, double stop, double *t, hawser_error *err);
+
 /* One step of the integrator's, not beyond `stop`, and what is due after it. Errors: MEMORY, RUN. */
 hawser_status stage_step(Stage *stage, double stop, hawser_error *err);
 /* The two parts of that. */

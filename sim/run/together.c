@@ -1,0 +1,145 @@
+#include "sim/run/together.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/bunch/bunch_look.h"
+#include "sim/equipment/winch.h"
+
+typedef struct Together Together;
+
+/* Each chain's own state; 0 if there is no memory. */
+static int states_of(const Together *all, double ***y)
+{
+    *y = calloc((size_t)all->n, sizeof **y);
+    for (int k = 0; *y && k < all->n; ++k) (*y)[k] = all->sim[k]->stage.y;
+    return *y != NULL;
+}
+
+/* The others' simulations, in the order of the case. */
+static hawser_status beside_new(Together *all, const SceneDef *def, hawser_error *err)
+{
+    for (int k = 0; k < def->n_beside; ++k) {
+        Sim *beside;
+        const hawser_status status = sim_new(&def->beside[k], 1, &beside, err);
+        if (status) return status;
+        all->sim[all->n++] = beside;
+    }
+    return HAWSER_OK;
+}
+
+/* Where lines meet no contact can tell on which side of each other they are. */
+static hawser_status apart_check(Together *all, hawser_error *err)
+{
+    const Bunch *const b = &all->bunch;
+    if (!b->contact.present) return HAWSER_OK;
+    const SelfLines lines = bunch_lines(b);
+    const SelfDetail deepest = self_deepest(&b->contact, &lines, &all->bunch.pairs);
+    const Chain *const chain = deepest.depth > 0 ? b->line[deepest.line].chain : NULL;
+    if (!chain) return HAWSER_OK;
+    const double radius = chain->radius[deepest.element < chain->n ? deepest.element : chain->n - 1];
+    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "chains '%s' and '%s' begin %.1f mm inside each other near (%.3f, %.3f, %.3f) m: set them a "
+                     "cable's diameter apart ('lay', or 'chains.NAME.place')",
+                     b->chain[deepest.line].scene->def.strand.name, b->chain[deepest.other].scene->def.strand.name,
+                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z);
+}
+
+static hawser_status bunch_make(Together *all, hawser_error *err)
+{
+    BunchChain *const chain = calloc((size_t)all->n, sizeof *chain);
+    if (!chain) return error_memory(err);
+    for (int k = 0; k < all->n; ++k) {
+        Stage *const st = &all->sim[k]->stage;
+        st->motion->ops->look(st->motion, st->t, st->y, 0);
+        chain[k] = (BunchChain){.scene = &st->scene, .ws = &st->ws, .motion = st->motion};
+    }
+    hawser_status status = bunch_new(&all->bunch, all->n, chain, &all->sim[0]->stage.options, err);
+    free(chain);
+    if (!status) all->y = aligned_array_new(all->bunch.motion.size);
+    if (!status && !all->y) status = error_memory(err);
+    return status ? status : apart_check(all, err);
+}
+
+hawser_status together_new(Sim *lead, const SceneDef *def, hawser_error *err)
+{
+    Together *const all = lead->together = calloc(1, sizeof *all);
+    if (!all) return error_memory(err);
+    all->sim = calloc((size_t)def->n_beside + 1, sizeof(Sim *));
+    if (!all->sim) return error_memory(err);
+    all->sim[all->n++] = lead;
+    hawser_status status = beside_new(all, def, err);
+    if (!status) status = bunch_make(all, err);
+    for (int k = 1; k < all->n; ++k) all->sim[k]->leader = lead;
+    return status;
+}
+
+struct Together *together_free(struct Together *all)
+{
+    if (!all) return NULL;
+    bunch_free(&all->bunch);
+    for (int k = 1; k < all->n; ++k) sim_free(all->sim[k]);
+    free(all->sim);
+    free(all->y);
+    free(all);
+    return NULL;
+}
+
+hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawser_error *err)
+{
+    Motion *const m = &all->bunch.motion;
+    double **y;
+    if (!states_of(all, &y)) return error_memory(err);
+    bunch_gather(&all->bunch, y, all->y);
+    const hawser_status status = m->ops->relax(m, all->sim[0]->stage.t, all->y, out, err);
+    bunch_scatter(&all->bunch, all->y, y);
+    free(y);
+    return status;
+}
+
+/* A failure's segment is counted through all chains: says whose it is. */
+static hawser_status step_failed(const Together *all, hawser_status status, hawser_error *err)
+{
+    hawser_error why = *err;
+    int segment;
+    const int k = bunch_chain_of(&all->bunch, all->bunch.worst, &segment);
+    if (status != HAWSER_ERR_RUN) return status;
+    return error_set(err, status, "%.900s; that is segment %d of chain '%s'", why.message, segment,
+                     all->bunch.chain[k].scene->def.strand.name);
+}
+
+hawser_status together_step(struct Together *all, double stop, hawser_error *err)
+{
+    Stage *const st = &all->sim[0]->stage;
+    double **y;
+    if (!states_of(all, &y)) return error_memory(err);
+    if (!st->integrator) bunch_gather(&all->bunch, y, all->y);
+    const Steps steps = {&all->bunch.motion, all->y, &st->integrator, &st->balance, &st->balance_s};
+    const hawser_status status = steps_take(&steps, stop, &st->t, err);
+    bunch_scatter(&all->bunch, all->y, y);
+    for (int k = 1; k < all->n; ++k) all->sim[k]->stage.t = st->t;
+    free(y);
+    return status ? step_failed(all, status, err) : HAWSER_OK;
+}
+
+/* A chain whose head is joined to a rope goes as that does. */
+static void led_set(Together *all, int k)
+{
+    Workspace *const ws = &all->sim[k]->stage.ws;
+    int rope = all->sim[k]->stage.scene.def.strand.joined;
+    if (rope < 0) return;
+    const Stage *const st = &all->sim[rope]->stage;
+    const WinchMotion motion = winch_motion(st->scene.winch, &st->scene.chain, &st->ws.kin, st->t);
+    ws->led = (Led){.present = 1, .travel = motion.travel, .speed = motion.speed};
+    ws->head_pull = bunch_pull(&all->bunch, k);
+}
+
+void together_look(struct Together *all, const Sim *of)
+{
+    for (int k = 0; k < all->n; ++k)
+        if (all->sim[k] == of) led_set(all, k);
+    if (of == all->sim[0]) bunch_look(&all->bunch, &all->sim[0]->stage.scene.chains);
+}

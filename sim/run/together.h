@@ -1,0 +1,29 @@
+/* Several chains as one simulation: each has its own, with its scene and all that is watched of it; the first leads and
+ * has what moves them all. docs/model.md, "Several chains". */
+#ifndef HAWSER_SIM_RUN_TOGETHER_H
+#define HAWSER_SIM_RUN_TOGETHER_H
+
+#include "sim/bunch/bunch.h"
+#include "sim/run/sim.h"
+
+struct Together {
+    int n;
+    Sim **sim; /* [n] the first is who leads; the others are owned */
+    Bunch bunch;
+    double *y; /* [bunch.motion.size] the state of all */
+};
+
+/* The simulations of the chains beside `lead`, which is built, and what moves them together. Errors: INPUT, MEMORY, RUN;
+ * together_free follows either way. */
+hawser_status together_new(Sim *lead, const SceneDef *def, hawser_error *err);
+struct Together *together_free(struct Together *all);
+
+/* All to equilibrium; what sim_relax asks of each is done. Errors: MEMORY, STOPPED. */
+hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawser_error *err);
+/* One step of all. Errors: MEMORY, RUN. */
+hawser_status together_step(struct Together *all, double stop, hawser_error *err);
+/* After a look at the state of now: what pulls chain k, if that is another one, into its workspace; and, with the first,
+ * what the chains do to each other into its scene. */
+void together_look(struct Together *all, const Sim *of);
+
+#endif
