@@ -12,12 +12,14 @@ typedef struct ChainLook {
     double walls;     /* N, normal forces of rollers and surfaces on it, their sizes summed */
     double weight;    /* N, of what the route bears of it: behind the start the lead-in does */
     double crossings; /* how often others pass from one side of it to the other along its length */
+    double reference; /* N, what theory says of the pull now, with the weight correction of ducts */
+    double factor;    /* w_c of the duct in which that is largest; 1 without ducts */
     double twist;     /* rad, by which the others turn about it from tail to head, their mean */
 } ChainLook;
 
 typedef struct ChainsLook {
     int n; /* 0: nothing has been looked at */
-    ChainLook chain[STRANDS_MAX];
+    ChainLook chain[STRANDS_MAX], all; /* all: sums, the largest, the mean of twists; ropes count with what bears them */
 } ChainsLook;
 
 #endif

@@ -19,6 +19,8 @@ struct hawser_case {
 
 /* A simulation is told to move from inside one of its call-backs. */
 hawser_status error_inside(hawser_error *err);
+/* One of several chains is told to move by itself. */
+hawser_status error_led(hawser_error *err);
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* A copy of the case as it is set, to be set further; `c` must outlive it. Errors: MEMORY. */

@@ -316,6 +316,7 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
     s = SHOWN(s);
     if (!s) return error_argument(e, "s");
     if (s->inside || s->running) return error_inside(e);
+    if (s->leader) return error_led(e);
     const int whole = is_whole(s);
     const hawser_status status = pass_run(s, dir, progress, user, e);
     return status || !whole || s->led ? status : second_pass(s, dir, progress, user, e);
@@ -328,6 +329,7 @@ hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress 
     s = SHOWN(s);
     if (!s || !dir) return error_argument(e, s ? "dir" : "s");
     if (s->inside || s->running) return error_inside(e);
+    if (s->leader) return error_led(e);
     const int whole = is_whole(s);
     const hawser_status status = pass_resume(s, dir, progress, user, e);
     return status || !whole || s->led ? status : second_pass(s, dir, progress, user, e);

@@ -324,6 +324,12 @@ static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory *
     if (c->def.rod.present) {
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     }
+    if (c->def.n_beside > 0) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "%.200s: key 'chains': the pulling calculation is of one cable: give the section 'bundle' in "
+                         "place of 'chains' and 'lay'; a run has theory beside each chain",
+                         c->name);
+    }
     *out = calloc(1, sizeof **out);
     return *out ? case_name_error(c, build_and_solve(*out, c, wish, err), err) : error_memory(err);
 }

@@ -388,6 +388,8 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     *out = NULL;
     const SceneDef *const finer = run->second ? run->second->plan : NULL; /* settings of the figures that are judged */
     run = SHOWN(run);
+    if (run->together || run->leader)
+        return error_set(err, HAWSER_ERR_INPUT, "a run of several chains cannot be certified");
     Certifier *const z = calloc(1, sizeof *z);
     hawser_certificate *const certificate = calloc(1, sizeof *certificate);
     hawser_status status = z && certificate ? case_ensure_read(c, err) : error_memory(err);

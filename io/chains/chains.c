@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/chains/chains_tree.h"
+#include "theory/cables/duct.h"
 #include "theory/cables/lay.h"
 
 /* In the order of the enumerations that they stand for. */
@@ -76,13 +77,23 @@ static int find_name(const Reading *all, const char *name)
     return -1;
 }
 
+/* Results have folders of these names. */
+static int name_fits(const char *name)
+{
+    static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+    const size_t n = strlen(name);
+    return n > 0 && n < NAME_MAX_LENGTH && strspn(name, allowed) == n && strcmp(name, CHAINS_ALL) != 0;
+}
+
 static hawser_status record_read(Reading *all, const CaseNode *node)
 {
     const CaseReader *const r = all->r;
     StrandRecord *const record = &all->record[all->n];
     if (all->n == STRANDS_MAX) return case_value_error(r->err, all->chains, ": expected at most %d", STRANDS_MAX);
-    if (strlen(node->key) >= NAME_MAX_LENGTH)
-        return case_key_error(r->err, node, NULL, "a name of at most %d characters is expected", NAME_MAX_LENGTH - 1);
+    if (!name_fits(node->key))
+        return case_key_error(r->err, node, NULL,
+                              "a name of letters, digits, '-' and '_', at most %d of them and not '%s', is expected",
+                              NAME_MAX_LENGTH - 1, CHAINS_ALL);
     *record = (StrandRecord){.def = {.present = 1, .joined = -1}};
     if (node->kind != NODE_MAP) return case_value_error(r->err, node, ": expected the chain's keys");
     hawser_status status = case_section_read(r, node, &case_strand, record);
@@ -163,18 +174,37 @@ static hawser_status lay_check(Reading *all, const CaseNode *node, double length
     return HAWSER_OK;
 }
 
+/* What theory says of each duct with that many cables in it (SC15); where it knows no layout of so many, 1.4. */
+static void factors_set(Reading *all, const LayDef *lay, int cables, double diameter)
+{
+    static const double UNKNOWN = 1.4; /* of arrangements without a formula, as for bundles */
+    for (int s = 0; s < all->def[0].n_surfaces; ++s) {
+        const SurfaceDef *const surface = &all->def[0].surfaces[s];
+        DuctDef duct = {.duct_diameter = 2 * surface->shape.radius, .cable_diameter = diameter, .cables = cables};
+        DuctLoad load;
+        if (surface->shape.kind != SURFACE_DUCT || cables < 2) continue;
+        if (cables == 3 && lay->pattern == LAY_CRADLED) duct.layout = DUCT_CRADLE;
+        if (cables == 3 && (lay->pattern == LAY_TRIANGULAR || lay->pattern == LAY_TRIPLEXED)) duct.layout = DUCT_TRIANGLE;
+        duct.twisted = lay->pattern == LAY_TRIPLEXED;
+        const double factor = duct_load(&duct, &load, NULL) ? UNKNOWN : load.weight_factor;
+        for (int k = 0; k < all->n; ++k)
+            if (!all->record[k].def.rope) all->def[k].surfaces[s].weight_factor = factor;
+    }
+}
+
 /* Places of those that the lay says; ropes lie on the route. */
 static hawser_status places_find(Reading *all, const CaseNode *node)
 {
     LayRecord lay = {.length = NAN, .def.spacing = NAN};
     double diameter = 0, place[STRANDS_MAX][2];
-    int laid = 0, next = 0;
+    int cables = 0, laid = 0, next = 0;
     hawser_status status = case_section_read(all->r, node, &case_lay, &lay);
     if (status) return status;
     for (int k = 0; k < all->n; ++k) {
         if (all->record[k].def.rope) continue;
         diameter = fmax(diameter, diameter_of(&all->def[k]));
         laid += isnan(all->record[k].def.place[0]);
+        ++cables;
     }
     if (isnan(lay.def.spacing)) lay.def.spacing = 1.002 * diameter;
     if (isnan(lay.length)) lay.length = 30 * diameter;
@@ -194,6 +224,7 @@ static hawser_status places_find(Reading *all, const CaseNode *node)
         all->def[k].strand = *strand;
         all->def[k].ties = lay.ties;
     }
+    if (!status) factors_set(all, &lay.def, cables, diameter);
     return status;
 }
 

@@ -110,3 +110,24 @@ void bunch_look(Bunch *b, ChainsLook *out)
     between_look(b, out);
     lie_look(b, out);
 }
+
+void bunch_sum(ChainsLook *look)
+{
+    ChainLook *const all = &look->all;
+    int cables = 0;
+    *all = (ChainLook){.share = 1, .factor = 1};
+    for (int k = 0; k < look->n; ++k) {
+        const ChainLook *const one = &look->chain[k];
+        all->walls += one->walls;
+        all->weight += one->weight;
+        all->between = fmax(all->between, one->between);
+        all->factor = fmax(all->factor, one->factor);
+        if (isnan(one->share)) continue; /* a rope pulls with what the others hold it back by */
+        all->pull += one->pull;
+        all->reference += one->reference;
+        all->crossings += one->crossings / 2; /* each is two chains' */
+        all->twist += one->twist;
+        ++cables;
+    }
+    if (cables > 0) all->twist /= cables;
+}

@@ -77,7 +77,8 @@ int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind 
 /* (DU15), (BU7). */
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend)
 {
-    const double mu = surface->friction.mu_d * bundle_friction(def, surface, in_bend);
+    const double loose = surface->weight_factor > 0 ? surface->weight_factor : 1;
+    const double mu = surface->friction.mu_d * loose * bundle_friction(def, surface, in_bend);
     return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
 }
 

@@ -73,6 +73,7 @@ typedef struct SurfaceDef {
     FrictionLaw friction;
     double bore; /* m, inside radius of a duct in which shape.radius is that of the room for the bundle's middle and the
                   * equivalent cable (BU8); 0: they are the same */
+    double weight_factor; /* of a duct in which several chains lie: w_c, for theory alone (SC15); 0: none */
 } SurfaceDef;
 
 typedef struct LeadInDef {

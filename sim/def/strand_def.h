@@ -6,6 +6,8 @@
 #include "sim/def/cable_def.h"
 
 enum { STRANDS_MAX = 24 };
+/* The name under which figures of all of them stand: no chain has it. */
+#define CHAINS_ALL "all"
 
 /* How a head holds on to the rope that pulls it. */
 typedef enum HeadHold {

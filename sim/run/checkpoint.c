@@ -152,6 +152,8 @@ static hawser_status controls_checkpoint(Checkpoint *c, Sim *s, hawser_error *er
 hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
+    if (s->together || s->leader)
+        return error_set(err, HAWSER_ERR_INPUT, "a simulation of several chains has no checkpoints");
     hawser_status status = controls_checkpoint(c, s, err);
     if (!status) status = stage_checkpoint(c, &s->stage, err);
     if (status || c->status) return status;

@@ -74,6 +74,11 @@ hawser_status together_new(Sim *lead, const SceneDef *def, hawser_error *err)
     hawser_status status = beside_new(all, def, err);
     if (!status) status = bunch_make(all, err);
     for (int k = 1; k < all->n; ++k) all->sim[k]->leader = lead;
+    for (int k = 0; k < all->n; ++k) {
+        const int rope = all->sim[k]->stage.scene.def.strand.joined;
+        if (rope >= 0) all->sim[rope]->expected.reference_total += all->sim[k]->expected.reference_total;
+        if (rope >= 0) all->sim[rope]->expected.paper_total += all->sim[k]->expected.paper_total;
+    }
     return status;
 }
 
@@ -98,6 +103,16 @@ hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawse
     bunch_scatter(&all->bunch, all->y, y);
     free(y);
     return status;
+}
+
+double together_expected(const struct Together *all, const Sim *rope)
+{
+    double sum = 0;
+    for (int k = 0; k < all->n; ++k) {
+        const int joined = all->sim[k]->stage.scene.def.strand.joined;
+        if (joined >= 0 && all->sim[joined] == rope) sum += all->sim[k]->look.sample.reference;
+    }
+    return sum;
 }
 
 /* A failure's segment is counted through all chains: says whose it is. */
@@ -141,5 +156,15 @@ void together_look(struct Together *all, const Sim *of)
 {
     for (int k = 0; k < all->n; ++k)
         if (all->sim[k] == of) led_set(all, k);
-    if (of == all->sim[0]) bunch_look(&all->bunch, &all->sim[0]->stage.scene.chains);
+    if (of != all->sim[0]) return;
+    ChainsLook *const look = &all->sim[0]->stage.scene.chains;
+    bunch_look(&all->bunch, look);
+    for (int k = 0; k < all->n; ++k) {
+        const SceneDef *const def = &all->sim[k]->stage.scene.def;
+        look->chain[k].reference = all->sim[k]->look.sample.reference;
+        look->chain[k].factor = 1;
+        for (int s = 0; s < def->n_surfaces; ++s)
+            look->chain[k].factor = fmax(look->chain[k].factor, def->surfaces[s].weight_factor);
+    }
+    bunch_sum(look);
 }

@@ -26,4 +26,7 @@ hawser_status together_step(struct Together *all, double stop, hawser_error *err
  * what the chains do to each other into its scene. */
 void together_look(struct Together *all, const Sim *of);
 
+/* N, what theory says now of the chains whose heads are joined to a rope, by their last looks. */
+double together_expected(const struct Together *all, const Sim *rope);
+
 #endif
