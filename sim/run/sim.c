@@ -322,7 +322,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         s->look.sample.reference =
             by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
     }
-    if (s->together || s->leader)
+    if (s->by_position.n_grid > 0 && (s->together || s->leader))
         s->look.sample.reference += together_expected(s->together ? s->together : s->leader->together, s);
     machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.machines = s->machines.n;

@@ -105,12 +105,18 @@ hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawse
     return status;
 }
 
+/* What theory says of a chain now; of one without a winch of its own, of the whole pull. */
+static double expected_of(const Sim *s)
+{
+    return s->by_position.n_grid > 0 ? s->look.sample.reference : s->expected.reference_total;
+}
+
 double together_expected(const struct Together *all, const Sim *rope)
 {
     double sum = 0;
     for (int k = 0; k < all->n; ++k) {
         const int joined = all->sim[k]->stage.scene.def.strand.joined;
-        if (joined >= 0 && all->sim[joined] == rope) sum += all->sim[k]->look.sample.reference;
+        if (joined >= 0 && all->sim[joined] == rope) sum += expected_of(all->sim[k]);
     }
     return sum;
 }
@@ -161,7 +167,7 @@ void together_look(struct Together *all, const Sim *of)
     bunch_look(&all->bunch, look);
     for (int k = 0; k < all->n; ++k) {
         const SceneDef *const def = &all->sim[k]->stage.scene.def;
-        look->chain[k].reference = all->sim[k]->look.sample.reference;
+        look->chain[k].reference = expected_of(all->sim[k]);
         look->chain[k].factor = 1;
         for (int s = 0; s < def->n_surfaces; ++s)
             look->chain[k].factor = fmax(look->chain[k].factor, def->surfaces[s].weight_factor);
