@@ -137,7 +137,9 @@ static hawser_status springs_build(Scene *scene, hawser_error *err)
         if (room->present && room->kind->join) room->kind->join(room, scene);
     }
     chain_find_lacks(&scene->chain);
-    return joints_sliders(scene, err);
+    const hawser_status status = joints_sliders(scene, err);
+    const int laid = scene->def.strand.lay > 0; /* cables that are laid up have taken that shape (SC3) */
+    return status || !laid ? status : joints_rest(scene, scene->chain.n, err);
 }
 
 static hawser_status scene_fill(Scene *scene, hawser_error *err)
