@@ -473,7 +473,7 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                          .bundle = s->bundle.said.cables ? &s->bundle.said : NULL,
                          .passes = s->passes ? &s->passes->said : NULL};
     const double mean = by_position_mean(&s->by_position);
-    if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
+    if ((expected_follows(scene) || scene->def.strand.rope) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
     out->phases.other = s->build_s;
     out->phases.relax = s->relax_s;

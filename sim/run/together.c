@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "sim/bunch/bunch_look.h"
 #include "sim/equipment/winch.h"
+#include "sim/expected/expected.h"
 
 typedef struct Together Together;
 
@@ -105,10 +106,15 @@ hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawse
     return status;
 }
 
-/* What theory says of a chain now; of one without a winch of its own, of the whole pull. */
+/* What theory says of a chain now, N, wherever its front is. */
 static double expected_of(const Sim *s)
 {
-    return s->by_position.n_grid > 0 ? s->look.sample.reference : s->expected.reference_total;
+    const Scene *const scene = &s->stage.scene;
+    const Led *const led = &s->stage.ws.led;
+    int no_memory = 0;
+    if (s->by_position.n_grid > 0 && !led->present) return s->look.sample.reference;
+    const double front = scene->joint_s[scene->eye] + led->travel;
+    return by_position_theory(scene, front, expected_back(scene, s->stage.t), &no_memory);
 }
 
 double together_expected(const struct Together *all, const Sim *rope)
